@@ -1,0 +1,153 @@
+/* arena.c -- a list of blocks, each twice the last; see arena.h */
+#include "base/arena.h"
+
+#include <stdarg.h>
+#include <stdalign.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/status.h"
+
+struct block {
+    struct block *before;
+    size_t room, used;
+    alignas(max_align_t) unsigned char bytes[];
+};
+
+struct deferred {
+    struct deferred *before;
+    void (*release)(void *object);
+    void *object;
+};
+
+struct arena {
+    struct block *block;
+    struct deferred *deferred;
+    size_t taken;
+    long grown;
+};
+
+enum { FIRST_BLOCK = 1 << 16, ALIGNMENT = 64 };
+
+static void out_of_memory(void)
+{
+    static const char words[] = "fmdsub: out of memory\n";
+    ssize_t sent = write(STDERR_FILENO, words, sizeof words - 1);
+    (void)sent;
+    _exit(E_LIMIT);
+}
+
+static void *system_memory(size_t bytes)
+{
+    void *memory = malloc(bytes);
+    if (!memory) out_of_memory();
+    return memory;
+}
+
+static void grow(struct arena *arena, size_t bytes)
+{
+    size_t room = arena->block ? 2 * arena->block->room : FIRST_BLOCK;
+    while (room < bytes + ALIGNMENT) room *= 2;
+    struct block *block = system_memory(sizeof *block + room);
+    block->before = arena->block;
+    block->room = room;
+    block->used = 0;
+    arena->block = block;
+    arena->grown++;
+}
+
+struct arena *arena_open(void)
+{
+    struct arena *arena = system_memory(sizeof *arena);
+    *arena = (struct arena){0};
+    grow(arena, 0);
+    return arena;
+}
+
+void arena_close(struct arena *arena)
+{
+    if (!arena) return;
+    for (struct deferred *d = arena->deferred; d; d = d->before) d->release(d->object);
+    for (struct block *block = arena->block, *before; block; block = before) {
+        before = block->before;
+        free(block);
+    }
+    free(arena);
+}
+
+/* Bytes from the start of the block to the next aligned address. */
+static size_t aligned(const struct block *block)
+{
+    uintptr_t free_at = (uintptr_t)(block->bytes + block->used);
+    return block->used + (size_t)(-free_at & (ALIGNMENT - 1));
+}
+
+void *arena_take(struct arena *arena, size_t count, size_t bytes)
+{
+    if (bytes && count > (SIZE_MAX / 4) / bytes) out_of_memory();
+    size_t size = count * bytes;
+    if (aligned(arena->block) + size > arena->block->room) grow(arena, size);
+    size_t start = aligned(arena->block);
+    void *memory = arena->block->bytes + start;
+    arena->block->used = start + size;
+    arena->taken += size;
+    memset(memory, 0, size);
+    return memory;
+}
+
+char *arena_copy(struct arena *arena, const char *text, size_t len)
+{
+    char *copy = arena_take(arena, len + 1, 1);
+    memcpy(copy, text, len);
+    return copy;
+}
+
+char *arena_print(struct arena *arena, const char *format, ...)
+{
+    va_list args, again;
+    va_start(args, format);
+    va_copy(again, args);
+    int len = vsnprintf(NULL, 0, format, args);
+    va_end(args);
+    char *text = arena_take(arena, (size_t)len + 1, 1);
+    vsnprintf(text, (size_t)len + 1, format, again);
+    va_end(again);
+    return text;
+}
+
+void arena_defer(struct arena *arena, void (*release)(void *object), void *object)
+{
+    struct deferred *d = TAKE(arena, struct deferred, 1);
+    *d = (struct deferred){arena->deferred, release, object};
+    arena->deferred = d;
+}
+
+struct arena_mark arena_mark(const struct arena *arena)
+{
+    return (struct arena_mark){arena->block, arena->block->used};
+}
+
+/* Blocks grown after the mark go back to the system: a scratch arena that has found its size keeps
+ * one block and never asks again. */
+void arena_rewind(struct arena *arena, struct arena_mark mark)
+{
+    while (arena->block != mark.block) {
+        struct block *before = arena->block->before;
+        free(arena->block);
+        arena->block = before;
+    }
+    arena->block->used = mark.used;
+}
+
+size_t arena_used(const struct arena *arena)
+{
+    return arena->taken;
+}
+
+long arena_grown(const struct arena *arena)
+{
+    return arena->grown;
+}

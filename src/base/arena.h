@@ -1,0 +1,45 @@
+/* arena.h -- the one way of memory.
+ *
+ * Two arenas: one for the life of a run, one for scratch inside a step.  Everything is taken from
+ * them and nothing is freed singly; building takes everything, stepping takes nothing.  Out of
+ * memory is one line on stderr and exit 7, here and nowhere else. */
+#ifndef FMDSUB_BASE_ARENA_H
+#define FMDSUB_BASE_ARENA_H
+
+#include <stddef.h>
+
+struct arena;
+
+/* A place to come back to: everything taken after the mark is given back at once. */
+struct arena_mark {
+    void *block;
+    size_t used;
+};
+
+struct arena *arena_open(void);
+/* Runs what was deferred, last first, then frees all.  NULL is allowed. */
+void arena_close(struct arena *arena);
+
+/* Zeroed, aligned for any type, never NULL.  bytes = 0 gives a valid pointer. */
+void *arena_take(struct arena *arena, size_t count, size_t bytes);
+#define TAKE(arena, type, n) ((type *)arena_take(arena, (size_t)(n), sizeof(type)))
+
+/* A copy of len bytes with a 0 after them. */
+char *arena_copy(struct arena *arena, const char *text, size_t len);
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+char *
+arena_print(struct arena *arena, const char *format, ...);
+
+/* A foreign object joins: release(object) runs when the arena closes. */
+void arena_defer(struct arena *arena, void (*release)(void *object), void *object);
+
+struct arena_mark arena_mark(const struct arena *arena);
+void arena_rewind(struct arena *arena, struct arena_mark mark);
+
+/* Bytes taken since opening, and the times the arena asked the system for memory. */
+size_t arena_used(const struct arena *arena);
+long arena_grown(const struct arena *arena);
+
+#endif

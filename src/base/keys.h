@@ -1,0 +1,93 @@
+/* keys.h -- deck keys as data.
+ *
+ * One line per key gives the reader, the range check, `fmdsub list`, `fmdsub schema` and the manual
+ * the same facts.  A table ends with an entry whose name is NULL.  The reader (deck/read.h) fills a
+ * plain struct at the offsets given here. */
+#ifndef FMDSUB_BASE_KEYS_H
+#define FMDSUB_BASE_KEYS_H
+
+#include <stddef.h>
+
+enum key_type {
+    KEY_REAL, /* double            a number or an expression of parameters */
+    KEY_INT,  /* int               likewise, whole */
+    KEY_BOOL, /* int               true or false */
+    KEY_WORD, /* int               index into words, "newmark|midpoint|..." */
+    KEY_LIST, /* struct key_list   nmin..nmax numbers */
+    KEY_TEXT, /* const char *      any text */
+    KEY_EXPR, /* const node *      an expression of t and state, compiled later by the scene */
+    KEY_NODE  /* const node *      a shape of its own (point, name, list of names, map), read by its owner;
+                                   words tells the shape for the manual: "point", "joint", "[body, body]" */
+};
+
+enum key_flag {
+    KEY_REQUIRED = 1,
+    KEY_ABOVE = 2,      /* lo itself is not allowed */
+    KEY_BELOW = 4,      /* hi itself is not allowed */
+    KEY_PLANAR = 8,     /* only in 2-D decks */
+    KEY_SPATIAL = 16    /* only in 3-D decks */
+};
+
+struct key_list {
+    int n;
+    double *x; /* [n] */
+};
+
+struct key {
+    const char *name;
+    enum key_type type;
+    size_t offset;        /* of the member it fills */
+    const char *unit;     /* "N/m"; NULL: none */
+    double lo, hi;        /* range of the number(s), inclusive unless flagged */
+    unsigned flags;
+    int nmin, nmax;       /* KEY_LIST */
+    const char *words;    /* KEY_WORD: choices joined by '|'; KEY_NODE, KEY_LIST: shape in words */
+    const char *fallback; /* default as deck text; NULL: stays as the struct was */
+    const char *brief;    /* one line for the manual */
+};
+
+#define KEYS_END {0}
+
+/* PARAM_REAL(struct spring, k, "stiffness", "N/m", 0, INFINITY, KEY_REQUIRED, NULL, "force per elongation") */
+#define PARAM_REAL(strukt, member, word, unit_, lo_, hi_, flags_, fallback_, brief_)                                \
+    {                                                                                                               \
+        .name = word, .type = KEY_REAL, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,     \
+        .flags = flags_, .fallback = fallback_, .brief = brief_                                                     \
+    }
+#define PARAM_INT(strukt, member, word, lo_, hi_, flags_, fallback_, brief_)                                        \
+    {                                                                                                               \
+        .name = word, .type = KEY_INT, .offset = offsetof(strukt, member), .lo = lo_, .hi = hi_, .flags = flags_,    \
+        .fallback = fallback_, .brief = brief_                                                                      \
+    }
+#define PARAM_BOOL(strukt, member, word, flags_, fallback_, brief_)                                                 \
+    {                                                                                                               \
+        .name = word, .type = KEY_BOOL, .offset = offsetof(strukt, member), .flags = flags_,                         \
+        .fallback = fallback_, .brief = brief_                                                                      \
+    }
+#define PARAM_WORD(strukt, member, word, words_, flags_, fallback_, brief_)                                         \
+    {                                                                                                               \
+        .name = word, .type = KEY_WORD, .offset = offsetof(strukt, member), .words = words_, .flags = flags_,        \
+        .fallback = fallback_, .brief = brief_                                                                      \
+    }
+#define PARAM_LIST(strukt, member, word, unit_, nmin_, nmax_, lo_, hi_, flags_, shape_, brief_)                     \
+    {                                                                                                               \
+        .name = word, .type = KEY_LIST, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,     \
+        .flags = flags_, .nmin = nmin_, .nmax = nmax_, .words = shape_, .brief = brief_                             \
+    }
+#define PARAM_TEXT(strukt, member, word, flags_, fallback_, brief_)                                                 \
+    {                                                                                                               \
+        .name = word, .type = KEY_TEXT, .offset = offsetof(strukt, member), .flags = flags_,                         \
+        .fallback = fallback_, .brief = brief_                                                                      \
+    }
+#define PARAM_EXPR(strukt, member, word, unit_, flags_, brief_)                                                     \
+    {                                                                                                               \
+        .name = word, .type = KEY_EXPR, .offset = offsetof(strukt, member), .unit = unit_, .flags = flags_,          \
+        .brief = brief_                                                                                             \
+    }
+#define PARAM_NODE(strukt, member, word, shape_, flags_, brief_)                                                    \
+    {                                                                                                               \
+        .name = word, .type = KEY_NODE, .offset = offsetof(strukt, member), .words = shape_, .flags = flags_,        \
+        .brief = brief_                                                                                             \
+    }
+
+#endif

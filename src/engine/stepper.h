@@ -1,0 +1,97 @@
+/* stepper.h -- what every integration scheme promises.
+ *
+ * A scheme is one table of functions.  One step() advances the state by one major step H = ratio * h
+ * (single-rate schemes: by H as ratio plain steps of h, unless `single` says they take one; adaptive
+ * schemes: from t to t + H with steps of their own).  A step that fails leaves the state as it was
+ * and returns E_NUMERIC with *why filled.  An unconverged step is never accepted.  After the first step nothing
+ * is allocated: all memory is taken when the stepper opens. */
+#ifndef FMDSUB_ENGINE_STEPPER_H
+#define FMDSUB_ENGINE_STEPPER_H
+
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "base/keys.h"
+#include "base/status.h"
+#include "system/ode2.h"
+
+/* Where the system stands; the caller owns the arrays. */
+struct state {
+    double t;  /* [s] */
+    double *q; /* [nq] */
+    double *v; /* [n] */
+    double *a; /* [n] accelerations of (2-4) at t, or the scheme's own (Newmark's) */
+};
+
+/* Work counted since opening: times vary, counts do not. */
+struct effort {
+    long majors;     /* accepted major steps */
+    long minors;     /* accepted minor steps */
+    long slow, fast; /* evaluations (resid, mass, accel) that swept slow bodies, fast bodies */
+    long factors;    /* factorizations of an iteration matrix */
+    long sweeps;     /* Newton iterations (subcycle: sweeps over the major step) */
+    long rejected;   /* steps or sub-steps tried and given up */
+};
+
+enum iteration { ITERATION_NEWTON, ITERATION_FIXED_POINT };
+
+/* How to step, the same for all schemes; each reads what it knows. */
+struct step_options {
+    double beta, gamma;       /* newmark, miao: (2-5), (2-6); 1/4, 1/2 */
+    int iteration;            /* enum iteration; fixed-point is (2-9) as printed */
+    double rho_infinity;      /* subcycle: 1 none ... 0 most damping of what h does not resolve */
+    int symmetric;            /* subcycle: W at the average of both ends, second pass */
+    double newton_tolerance;  /* relative; 0: by the scheme's own rule (CONTRACTS section 1) */
+    double rtol, atol;        /* adaptive schemes: error per step in every coordinate */
+    int sweeps;               /* most sweeps or iterations per step; 0: the scheme's default */
+};
+
+extern const struct step_options step_defaults;
+
+struct stepper;
+
+struct stepper_kind {
+    const char *name;  /* deck word */
+    const char *brief; /* one line for `fmdsub list` and the manual */
+    int rates;         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
+    int order;
+    int adaptive;      /* chooses its own steps inside H */
+    int quadrature;    /* 1: its work sums are exact for the ledger; 0: of second order */
+
+    /* Required.  Takes all memory into s->self. */
+    void (*open)(struct stepper *s, struct arena *life);
+    /* Required.  One major step from x, in place, of minor step h; H = ratio * h.  `to` is the exact time
+     * at its end (the caller's i * H, free of sums).  Adds the step's work by channel into
+     * s->work (set to zero first) [J]. */
+    enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+};
+
+struct stepper {
+    const struct stepper_kind *kind;
+    const struct ode2 *ode;
+    struct step_options options;
+    struct effort effort;
+    double work[POWER_CHANNELS]; /* of the last accepted step [J] */
+    double lost;                 /* energy taken by the scheme's own damping in the last step, >= 0 [J] */
+    double left;                 /* energy-like size of what Newton left over in the last step [J] */
+    int last_sweeps;             /* sweeps (iterations) of the last step */
+    void *self;                  /* the scheme's memory */
+};
+
+/* All kinds, NULL at the end, in the order `fmdsub list` shows. */
+extern const struct stepper_kind *const stepper_kinds[];
+const struct stepper_kind *stepper_find(const char *name);
+
+/* Opens s on ode with options; the memory is life's. */
+void stepper_open(struct stepper *s, const struct stepper_kind *kind, const struct ode2 *ode,
+                  const struct step_options *options, struct arena *life);
+
+/* One major step; counts effort.  x->a must hold the accelerations at x->t at the first call
+ * (stepper_start makes them). */
+enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+
+/* x->a := consistent accelerations (2-4) at x, and forgets predictors and stale factors: for the start, and after
+ * anything outside changed the state. */
+enum status stepper_start(struct stepper *s, struct state *x, struct trouble *why);
+
+#endif

@@ -1,0 +1,104 @@
+/* ode2.h -- a second-order system as an integrator sees it:
+ *
+ *     r(q, v, a, t) = M^(q,t) a - Q^(q,v,t) = 0                              (2-4)
+ *
+ * independent coordinates only, fast first: S = [0,ns), L = [ns,n).  q [nq] are positions, v and a
+ * [n] quasi-velocities and their rates: for a spherical or free joint q holds a unit quaternion and v
+ * the angular velocity in body axes; everywhere else q' = v.  Engines never add to q themselves.
+ *
+ * Pure in (chart, arguments): no memory of trial states, no allocation, the same bits when called
+ * twice.  E_NUMERIC: this trial state cannot be reached (not finite, loop not closable); *why is
+ * filled, nothing is printed.
+ *
+ * Three functions are required (a unit test's oscillator fills just these); the groups below them
+ * may be NULL and have dense defaults. */
+#ifndef FMDSUB_SYSTEM_ODE2_H
+#define FMDSUB_SYSTEM_ODE2_H
+
+#include <stddef.h>
+
+#include "base/status.h"
+
+struct ode2;
+
+/* Bodies and elements by rate class. */
+enum { FAST = 1, SLOW = 2, ALL = 3 };
+
+/* Channels of power, along v. */
+enum channel { POWER_EXTERNAL, POWER_DRIVE, POWER_DAMPER, POWER_FRICTION, POWER_CHANNELS };
+
+struct instant {
+    double t;
+    const double *q;       /* [nq] */
+    const double *v, *a;   /* [n]; a NULL: zero */
+    const double *qa, *qb; /* [nq] ends of the interval, for discrete gradients and drives; NULL: point law */
+    double ta, tb;         /* [s] times of the ends */
+};
+
+struct ode2_ops {
+    /* r [n]: the residual of the asked classes' bodies and elements, all rows (written, not added).
+     * w [POWER_CHANNELS]: power along v by channel [W]; NULL: not wanted.
+     * dk: largest relative change of a slope since the last slopes(), above .2 asks for a fresh
+     * factor; NULL: not wanted; systems without changing slopes write 0. */
+    enum status (*resid)(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
+                         struct trouble *why);
+    /* M^ [n x n] by column, of the asked classes, exact and symmetric. */
+    enum status (*mass)(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why);
+    /* K = dr/dq, C = dr/dv of the stiff terms [n x n] by column; may be approximate; symmetric >= 0 for
+     * potentials and dampers.  Either may be NULL. */
+    enum status (*slopes)(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
+                          struct trouble *why);
+};
+
+/* Positions moved by quasi-displacements.  NULL: q1 = q0 + s dx, nq = n. */
+struct ode2_move {
+    /* q1 = q0 (+) s dx: the point at fraction s of the path that ends at q0 (+) dx.  For rotations
+     * R1 = R0 cay(dx), and the fractions lie on the same axis.  q1 may be q0. */
+    void (*point)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s);
+    /* dx with q1 = q0 (+) dx. */
+    void (*diff)(const struct ode2 *o, double *dx, const double *q1, const double *q0);
+    /* The rate of dx where q = q0 (+) dx moves with velocity v; exact (explicit schemes need its
+     * order): for rotations dx' = (I + [dx]x/2 + dx dx'/4) v. */
+    void (*rate)(const struct ode2 *o, double *dxrate, const double *dx, const double *v);
+};
+
+/* Solvers that know the structure.  NULL, or a NULL member: dense. */
+struct ode2_direct {
+    /* a = M^-1 Q^: (2-4) solved. */
+    enum status (*accel)(const struct ode2 *o, double *a, const double *q, const double *v, double t,
+                         struct trouble *why);
+    /* F := (cm M + cc C + ck K)(x), factored; the caller owns F [factor_size bytes].
+     * E_NUMERIC with TROUBLE_SINGULAR when the structure does not allow it: the caller goes dense. */
+    size_t factor_size;
+    enum status (*factor)(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
+                          struct trouble *why);
+    /* x := F^-1 x. */
+    void (*solve)(const struct ode2 *o, const void *F, double *x);
+};
+
+/* Between accepted major steps only. */
+struct ode2_chart {
+    /* A better chart (partition, rotation base) at q: 1 if it changed, then carry() every velocity-like
+     * vector that is kept. */
+    int (*rechart)(struct ode2 *o, double *q, double *v, double t);
+    void (*carry)(const struct ode2 *o, double *x);
+};
+
+/* Next known kink in time after t (infinity: none). */
+struct ode2_breaks {
+    double (*next)(const struct ode2 *o, double t);
+};
+
+struct ode2 {
+    int n;  /* independent velocities */
+    int ns; /* of these fast, the first ns */
+    int nq; /* positions, >= n */
+    const struct ode2_ops *ops;       /* required */
+    const struct ode2_move *move;     /* the rest optional */
+    const struct ode2_direct *direct;
+    const struct ode2_chart *chart;
+    const struct ode2_breaks *breaks;
+    void *self; /* the owner's */
+};
+
+#endif
