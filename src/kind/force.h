@@ -1,0 +1,70 @@
+/* force.h -- what a force element promises.
+ *
+ * A law acts along a measure s: a joint coordinate, the distance of two points, an angle.  It is told
+ * s and its rate and answers with the force and its slopes.  system/ does the rest, the same for all
+ * kinds: the load
+ *
+ *     Q_F += (ds/dq)' f                                                      (2-1)
+ *
+ * and the slopes in the iteration matrix.  A signal is a value given in the deck as an expression
+ * or as a table of time. */
+#ifndef FMDSUB_KIND_FORCE_H
+#define FMDSUB_KIND_FORCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/keys.h"
+
+struct expr;
+
+struct law {
+    double f;  /* [N] or [N m], positive when it drives s upwards */
+    double ks; /* -df/ds [N/m] or [N m/rad] */
+    double kv; /* -df/dv [N s/m] or [N m s/rad] */
+};
+
+struct force_kind {
+    const char *name;  /* deck word, e.g. "spring" */
+    const char *brief; /* one line for `fmdsub list` and the manual */
+    const struct key *keys;
+    size_t size; /* bytes of the parameter block `par` */
+
+    /* Required.  The force at measure s, rate v, time t.  Runs in the step loop on trial states in any
+     * order: never allocates, never fails, remembers nothing. */
+    void (*law)(struct law *o, const void *par, double s, double v, double t);
+
+    /* Optional.  Stored energy [J] for W_int of (2-26); without it the power f v is booked as loss
+     * (damper) or work. */
+    double (*stored)(const void *par, double s);
+
+    /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
+    double (*dissipative)(const void *par, double s, double v, double t);
+
+    int linear; /* f is affine in s and v: the discrete gradient is the midpoint force */
+};
+
+/* par of "spring": f = preload - k (s - rest) - c v; s is counted from the measure's zero.  For a joint coordinate rest is
+ * 0 by default, for a distance the distance in the drawn position. */
+struct spring {
+    double k, c, rest, preload;
+    double cubic; /* [N/m3]: f -= cubic (s - rest)^3 */
+};
+extern const struct force_kind force_spring;
+extern const struct force_kind force_damper; /* the same block, c only */
+
+const struct force_kind *force_find(const char *name);
+const struct force_kind *force_kind_at(int i);
+
+/* A value in time and state: an expression over slots (slot 0 is t), or a table of t, linear between
+ * its points and constant beyond its ends. */
+struct signal {
+    const struct expr *expr; /* NULL: table */
+    int n;
+    const double *t, *x; /* [n], t ascending */
+};
+double signal_value(const struct signal *s, const double *slot);
+/* Value, and slopes d[i] along slots which[i]. */
+double signal_slopes(const struct signal *s, double *d, const double *slot, const int *which, int n);
+
+#endif

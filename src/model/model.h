@@ -1,0 +1,127 @@
+/* model.h -- the mechanism in numbers: tree, coordinates, elements.
+ *
+ * Made from a scene once, read by system/ as const.  Body 0 is the ground; every other body hangs on
+ * one tree joint from a body of lower index.  Coordinates are numbered fast first.  SI units.
+ * In the plane (space = 2) vectors are (x, y, 0), rotations are about z. */
+#ifndef FMDSUB_MODEL_MODEL_H
+#define FMDSUB_MODEL_MODEL_H
+
+#include <stdbool.h>
+
+#include "kind/force.h"
+#include "kind/joint.h"
+
+struct model_body {
+    const char *name;
+    double mass;
+    double inertia[6]; /* xx yy zz xy xz yz: tensor about the centre of mass, body axes [kg m2] */
+    double at[3];      /* drawn position of the centre of mass, world [m] */
+    double R[9];       /* drawn orientation, body to world, by column */
+    int parent;        /* -1 for the ground */
+    int joint;         /* its tree joint; -1 for the ground */
+    bool fast;         /* a fast coordinate moves it */
+};
+
+struct model_joint {
+    const char *name;
+    enum joint_type type;
+    int parent, child;    /* tree direction: parent < child */
+    bool reversed;        /* the deck's first body is the child: model/ has turned the axes so that the
+                           * coordinates still are of the deck's second body against its first; only
+                           * reactions need to know */
+    double a[3], b[3];    /* the joint's point: from the parent's centre in parent axes; child likewise [m] */
+    double Ea[9], Eb[9];  /* joint axes x, y, z by column in parent axes, in child axes: equal in the
+                           * world when the coordinates are 0 */
+    int nq, nv;
+    int iq[JOINT_MAX_Q];  /* places in q */
+    int iv[JOINT_MAX_V];  /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
+};
+
+/* A coordinate's plain positions and velocities have the same number k < n for q and v unless a
+ * quaternion comes in; quaternions and displacements of free and spherical joints follow the rule:
+ * free: q = (x, y, z, qw, qx, qy, qz), v = (x', y', z', wx, wy, wz). */
+
+struct model_point {
+    const char *name; /* "body.point" */
+    int body;
+    double p[3]; /* from the body's centre of mass, body axes [m] */
+};
+
+enum measure_type {
+    MEASURE_COORDINATE,   /* s = q[iq], rate v[iv] */
+    MEASURE_DISTANCE,     /* |b - a| of two points */
+    MEASURE_DISPLACEMENT, /* axis . (b - a), axis fixed in body of point a */
+    MEASURE_ANGLE         /* of body b against body a about axis (body a axes); 2-D: continuous; 3-D: in (-pi, pi] */
+};
+
+struct model_measure {
+    const char *name;
+    enum measure_type type;
+    bool angular; /* [rad], else [m] */
+    int iq, iv;
+    struct model_point a, b;
+    double axis[3]; /* unit, axes of a's body */
+    bool fast;      /* reads the relative motion of anything fast */
+};
+
+/* What an expression's slot stands for. */
+enum slot_type { SLOT_TIME, SLOT_MEASURE, SLOT_MEASURE_RATE, SLOT_Q, SLOT_V };
+struct model_slot {
+    enum slot_type type;
+    int index; /* measure, or place in q or v */
+};
+
+enum force_type {
+    FORCE_LAW,    /* kind->law along a measure */
+    FORCE_VALUE,  /* a signal along a measure */
+    FORCE_LOAD,   /* three signals: force at a point or torque on a body, world or body axes */
+    FORCE_BUSHING /* six springs and dampers between two markers */
+};
+
+struct bushing {
+    double k[3], kr[3]; /* [N/m], [N m/rad] along and about the axes of the marker on body a */
+    double c[3], cr[3];
+    double Ea[9], Eb[9]; /* marker axes by column in the axes of body a, body b; equal when drawn */
+};
+
+struct model_force {
+    const char *name;
+    enum force_type type;
+    unsigned cls;                   /* FAST or SLOW; time-only loads are FAST */
+    int measure;                    /* FORCE_LAW, FORCE_VALUE */
+    const struct force_kind *kind;  /* FORCE_LAW */
+    const void *par;                /* FORCE_LAW: the kind's block; FORCE_BUSHING: struct bushing */
+    struct signal value[3];         /* FORCE_VALUE: 1; FORCE_LOAD: x, y, z (plane: torque is z) */
+    int nslot;
+    const struct model_slot *slot;  /* [nslot], slot 0 is t */
+    struct model_point a, b;        /* FORCE_LOAD: point b; FORCE_BUSHING: markers on a and b */
+    bool torque, body_axes;         /* FORCE_LOAD */
+};
+
+struct model_coordinate {
+    const char *name; /* "hub.angle" */
+    int joint, k;     /* which one of its joint */
+    int iq, iv;       /* iv = -1: a quaternion part */
+    bool fast;
+};
+
+struct model {
+    int space; /* 2 or 3 */
+    double gravity[3];
+    int n, ns, nq; /* as in ode2.h */
+    int nbody;
+    const struct model_body *body; /* [nbody], 0 is the ground, parents first */
+    int njoint;
+    const struct model_joint *joint; /* tree joints, [njoint] = nbody - 1, joint i moves body i + 1 */
+    int nmeasure;
+    const struct model_measure *measure;
+    int nforce;
+    const struct model_force *force;
+    int npoint;
+    const struct model_point *point; /* named points, for output */
+    int ncoordinate;
+    const struct model_coordinate *coordinate; /* every position, in q order */
+    const double *q0, *v0; /* [nq], [n] initial state */
+};
+
+#endif

@@ -1,0 +1,83 @@
+/* sweep.h -- what the planar and the spatial recursion promise the rest of system/.
+ *
+ * A sweep walks the tree outwards for motion and inwards for forces (recursive Newton-Euler, Luh,
+ * Walker & Paul 1980; composite bodies, Walker & Orin 1982; articulated bodies, Featherstone 1983).
+ * Bodies come in three lists by rate class: FAST holds the fast bodies and, for motion only, the
+ * slow ones on their path to the ground and those on which fast loads act; SLOW the slow bodies;
+ * ALL all.  W is the sweep's work memory: written by forward(), read by the rest, never kept between
+ * evaluations. */
+#ifndef FMDSUB_SYSTEM_SWEEP_H
+#define FMDSUB_SYSTEM_SWEEP_H
+
+#include "base/arena.h"
+#include "model/model.h"
+#include "system/ode2.h"
+
+/* A body's motion in world axes; velocities and accelerations of the centre of mass. */
+struct pose {
+    double r[3], R[9]; /* [m]; body to world, by column */
+    double v[3], w[3]; /* [m/s], [rad/s] */
+    double a[3], al[3]; /* [m/s2], [rad/s2], true ones: gravity not in them */
+    double angle;       /* plane: rotation about z since drawn, continuous [rad] */
+};
+
+struct sweep;
+
+struct sweep_ops {
+    /* Takes work memory for forward() and everything that does not depend on the state. */
+    struct sweep *(*build)(const struct model *m, struct arena *life);
+
+    /* Poses, velocities and accelerations (a NULL: zero; gravity taken as upward acceleration of the
+     * ground) of the bodies of cls; sets the body forces to zero. */
+    void (*forward)(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
+    /* Motion only down to velocities (measures, energies). */
+    void (*move)(struct sweep *s, const double *q, const double *v, unsigned cls);
+
+    /* World position x and velocity xv [3] of the point p (body axes, from the centre). */
+    void (*point)(const struct sweep *s, double *x, double *xv, int body, const double *p);
+    void (*pose)(const struct sweep *s, struct pose *o, int body);
+    /* Applied force f at world point x, or torque n, both world axes [3]. */
+    void (*push)(struct sweep *s, int body, const double *x, const double *f);
+    void (*twist)(struct sweep *s, int body, const double *n);
+
+    /* r += what the bodies of cls need to move so (all rows on their paths): inertia minus pushed. */
+    void (*backward)(struct sweep *s, double *r, unsigned cls);
+
+    /* M [n x n] by column, all written, of the bodies of cls. */
+    void (*mass)(struct sweep *s, double *M, const double *q, unsigned cls);
+
+    /* Partial velocities at the last forward() or move(): velocity of the world point x carried by the body,
+     * and its angular velocity, per unit v[k]; both [3]; zero where k does not move it. */
+    void (*partial)(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+    /* The velocities that move the body, ascending from the ground; returns how many. */
+    int (*path)(const struct sweep *s, const int **k, int body);
+
+    /* cm M + diag(d), d [n], factored at q by articulated bodies into F; 0 when a pivot is not positive. */
+    size_t (*factor_size)(const struct sweep *s);
+    int (*factor)(struct sweep *s, void *F, double cm, const double *d, const double *q);
+    void (*solve)(const struct sweep *s, const void *F, double *x);
+
+    /* Kinetic energy and energy in the field of gravity (0 in the drawn position at the world's origin level:
+     * V = -sum m g.r) at the last move() or forward() [J]. */
+    void (*energy)(const struct sweep *s, double *kinetic, double *gravity);
+
+    /* After forward(ALL, with a) and backward: force and moment that joint i of the model exerts
+     * on its child, about the joint's point on the child, world axes, [3] each, with the free directions
+     * (which carry only elements along the joint's own coordinates) projected out. */
+    void (*reaction)(const struct sweep *s, double *f, double *n, int joint);
+};
+
+extern const struct sweep_ops sweep_planar, sweep_spatial;
+
+/* Which bodies a class list holds, parents first; for both recursions. */
+struct roster {
+    int n;
+    const int *body;    /* [n] indices, ascending */
+    const char *bears;  /* [n] 1: with its mass, 0: motion (and pushed forces) only */
+};
+struct rosters {
+    struct roster of[4]; /* by class: FAST, SLOW, ALL */
+};
+void rosters_build(struct rosters *o, const struct model *m, struct arena *life);
+
+#endif

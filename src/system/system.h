@@ -1,0 +1,42 @@
+/* system.h -- a model as mechanics: (2-4) behind ode2.h, and what is wanted at an output instant. */
+#ifndef FMDSUB_SYSTEM_SYSTEM_H
+#define FMDSUB_SYSTEM_SYSTEM_H
+
+#include "base/arena.h"
+#include "model/model.h"
+#include "system/ode2.h"
+#include "system/sweep.h"
+
+struct system;
+
+struct energies {
+    double kinetic, elastic, gravity; /* [J] */
+};
+
+struct system *system_build(const struct model *m, struct arena *life);
+
+/* The door to the engine; lives as long as the system. */
+const struct ode2 *system_ode2(const struct system *s);
+
+/* Everything at one instant: poses, measures, energies; accelerations by one fresh solve of (2-4)
+ * and, with them, reactions and forces.  Kept until the next call. */
+enum { SEE_MOTION = 1, SEE_ACCELERATION = 2, SEE_ENERGY = 4 };
+enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what,
+                       struct trouble *why);
+
+const double *system_accelerations(const struct system *s);                    /* [n] */
+void system_pose(const struct system *s, struct pose *o, int body);
+void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p);
+void system_measure(const struct system *s, double *value, double *rate, int measure);
+void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
+/* force: value along the measure, or size of the load; length: the measure; power [W]. */
+void system_force(const struct system *s, double *force, double *elongation, double *power, int i);
+void system_energies(const struct system *s, struct energies *e);
+
+/* Energies alone, cheaply, for the ledger. */
+void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t);
+
+/* Linear momentum and angular momentum about the world's origin [3] each, at the last see(). */
+void system_momentum(const struct system *s, double *p, double *L);
+
+#endif
