@@ -56,6 +56,27 @@ extern const struct force_kind force_damper; /* the same block, c only */
 const struct force_kind *force_find(const char *name);
 const struct force_kind *force_kind_at(int i);
 
+/* What a force acts along, and what a deck may ask for by name. */
+enum measure_type {
+    MEASURE_COORDINATE,   /* s = q[iq], rate v[iv] */
+    MEASURE_DISTANCE,     /* |b - a| of two points */
+    MEASURE_DISPLACEMENT, /* axis . (b - a), axis fixed in body of point a */
+    MEASURE_ANGLE         /* of body b against body a about axis (body a axes); 2-D: continuous; 3-D: in (-pi, pi] */
+};
+
+enum force_type {
+    FORCE_LAW,    /* kind->law along a measure */
+    FORCE_VALUE,  /* a signal along a measure */
+    FORCE_LOAD,   /* three signals: force at a point or torque on a body, world or body axes */
+    FORCE_BUSHING /* six springs and dampers between two markers */
+};
+
+struct bushing {
+    double k[3], kr[3]; /* [N/m], [N m/rad] along and about the axes of the marker on body a */
+    double c[3], cr[3];
+    double Ea[9], Eb[9]; /* marker axes by column in the axes of body a, body b; equal when drawn */
+};
+
 /* A value in time and state: an expression over slots (slot 0 is t), or a table of t, linear between
  * its points and constant beyond its ends. */
 struct signal {

@@ -47,13 +47,6 @@ struct model_point {
     double p[3]; /* from the body's centre of mass, body axes [m] */
 };
 
-enum measure_type {
-    MEASURE_COORDINATE,   /* s = q[iq], rate v[iv] */
-    MEASURE_DISTANCE,     /* |b - a| of two points */
-    MEASURE_DISPLACEMENT, /* axis . (b - a), axis fixed in body of point a */
-    MEASURE_ANGLE         /* of body b against body a about axis (body a axes); 2-D: continuous; 3-D: in (-pi, pi] */
-};
-
 struct model_measure {
     const char *name;
     enum measure_type type;
@@ -69,19 +62,6 @@ enum slot_type { SLOT_TIME, SLOT_MEASURE, SLOT_MEASURE_RATE, SLOT_Q, SLOT_V };
 struct model_slot {
     enum slot_type type;
     int index; /* measure, or place in q or v */
-};
-
-enum force_type {
-    FORCE_LAW,    /* kind->law along a measure */
-    FORCE_VALUE,  /* a signal along a measure */
-    FORCE_LOAD,   /* three signals: force at a point or torque on a body, world or body axes */
-    FORCE_BUSHING /* six springs and dampers between two markers */
-};
-
-struct bushing {
-    double k[3], kr[3]; /* [N/m], [N m/rad] along and about the axes of the marker on body a */
-    double c[3], cr[3];
-    double Ea[9], Eb[9]; /* marker axes by column in the axes of body a, body b; equal when drawn */
 };
 
 struct model_force {
@@ -122,6 +102,8 @@ struct model {
     int ncoordinate;
     const struct model_coordinate *coordinate; /* every position, in q order */
     const double *q0, *v0; /* [nq], [n] initial state */
+    const int *body_of;    /* model's index of the scene's body i (body 0: ground) */
+    const int *joint_of;   /* model's index of the scene's joint i; -1: not in the tree */
 };
 
 #endif

@@ -1,0 +1,157 @@
+/* scene.h -- a deck checked whole: SI units, every name resolved, every number in its range.
+ *
+ * Bodies and joints stand in the deck's order; body 0 is the ground.  Everything keeps its node, so
+ * that later rooms can still point into the deck. */
+#ifndef FMDSUB_SCENE_SCENE_H
+#define FMDSUB_SCENE_SCENE_H
+
+#include <stdbool.h>
+
+#include "base/arena.h"
+#include "deck/deck.h"
+#include "deck/diag.h"
+#include "kind/force.h"
+#include "kind/joint.h"
+
+struct marker {
+    int body;
+    double p[3]; /* from the body's centre of mass, body axes [m] */
+};
+
+struct scene_body {
+    const char *name;
+    const struct node *node;
+    double mass;
+    double inertia[6]; /* xx yy zz xy xz yz about the centre of mass, body axes [kg m2] */
+    double at[3];      /* centre of mass when drawn, world [m] */
+    double R[9];       /* body axes when drawn, by column, world */
+};
+
+struct scene_point {
+    const char *name; /* "body.point" */
+    struct marker at;
+};
+
+struct scene_joint {
+    const char *name;
+    const struct node *node;
+    const struct joint_kind *kind;
+    int first, second;
+    double at[3]; /* world, drawn */
+    double E[9];  /* joint axes x, y, z by column, world, drawn */
+};
+
+struct scene_measure {
+    const char *name; /* NULL: has none, made for one force */
+    const struct node *node;
+    enum measure_type type;
+    bool angular;
+    int joint, k; /* MEASURE_COORDINATE: k-th rate of the joint */
+    struct marker a, b;
+    double axis[3]; /* axes of a's body */
+    double drawn;   /* its value in the drawn position */
+};
+
+/* What a slot of an expression stands for. */
+enum scene_slot_type { SCENE_TIME, SCENE_MEASURE, SCENE_MEASURE_RATE, SCENE_COORDINATE, SCENE_RATE };
+struct scene_slot {
+    enum scene_slot_type type;
+    int index; /* measure or joint */
+    int k;     /* which q (SCENE_COORDINATE) or v (SCENE_RATE) of the joint */
+};
+
+struct scene_force {
+    const char *name;
+    const struct node *node;
+    enum force_type type;
+    int measure;
+    const struct force_kind *kind;
+    const void *par; /* kind's block, or struct bushing */
+    struct signal value[3];
+    int nslot;
+    const struct scene_slot *slot; /* [nslot]; slot 0 is t */
+    struct marker a, b;
+    bool torque, body_axes;
+};
+
+/* One coordinate, or all of a joint (k = -1). */
+struct scene_choice {
+    const struct node *node;
+    int joint, k;
+};
+
+enum initial_type {
+    INITIAL_POSITION, /* q k of the joint */
+    INITIAL_RATE,     /* v k of the joint */
+    INITIAL_OMEGA,    /* spherical, free: angular velocity of second against first; x[3] */
+    INITIAL_ROTATION  /* spherical, free: drawn world axes; unit quaternion x[4] */
+};
+struct scene_initial {
+    const struct node *node;
+    enum initial_type type;
+    int joint, k;
+    double x[4];
+    bool body_axes; /* INITIAL_OMEGA: in axes of the second body, else world */
+};
+
+struct integrate {
+    const char *scheme; /* deck word */
+    double step;        /* minor step h [s] */
+    int ratio;          /* n, H = n h */
+    double until;       /* [s] */
+    double beta, gamma, rho_infinity;
+    int iteration, symmetric;
+    double newton_tolerance;
+    double tolerance; /* adaptive schemes */
+    const struct node *node; /* the section */
+};
+
+struct output {
+    double every;     /* [s]; 0: not in seconds */
+    int every_steps;  /* major steps */
+    int npattern;
+    const struct node *const *pattern;
+    const struct node *node, *every_node; /* NULL: not given */
+};
+
+struct scene {
+    const struct deck *deck;
+    const char *title;
+    int space; /* 2 or 3 */
+    double gravity[3];
+    int nbody;
+    struct scene_body *body; /* [nbody], 0 is the ground */
+    int npoint;
+    struct scene_point *point;
+    int njoint;
+    struct scene_joint *joint;
+    int nmeasure;
+    struct scene_measure *measure;
+    int nforce;
+    struct scene_force *force;
+    int nfast;
+    struct scene_choice *fast;
+    int ninitial;
+    struct scene_initial *initial;
+    struct integrate integrate;
+    struct output output;
+    double delta; /* of (2-26) */
+};
+
+/* Checks the deck and fills a scene; all errors go to diags, the status is diags' own. */
+enum status scene_read(struct scene **out, struct deck *deck, struct diags *diags, struct arena *life);
+
+/* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
+ * a rate (k counts v), 3 for an acceleration, 0 for none. */
+int scene_coordinate(const struct scene_joint *joint, int space, const char *word, int *k);
+
+/* The key tables by section, for `fmdsub list`, `fmdsub schema` and the manual. */
+struct section {
+    const char *path;       /* "bodies.NAME", "constraints.NAME.revolute", "integrate" */
+    const char *brief;
+    const struct key *keys; /* ends with KEYS_END */
+};
+/* The i-th section, NULL past the end. */
+const struct section *scene_section(int i);
+
+#endif
