@@ -1,10 +1,23 @@
 # fmdsub -- simulation of flexible multibody systems by Newmark sub-cycling
-CC       ?= gcc
+#
+#   make              the program, build/fmdsub
+#   make demo         installs what is missing, builds, shows the bar-slider at 1:1, 5:1 and 10:1
+#   make test         installs what is missing, builds, runs every test (the same as make check)
+#
+# Variables: CC, OPT (optimisation), CFLAGS (added last), BUILD (folder), PREFIX, DESTDIR,
+# NO_INSTALL=1 (deps only says what is missing), V=1 (test runner names every test).
+ifeq ($(origin CC),default)
+CC        = gcc
+endif
 BUILD    ?= build
-OPT      ?= -O2 -ftree-vectorize -fvect-cost-model=dynamic
+OPT      ?= -O2 -ftree-vectorize $(if $(findstring clang,$(CC)),,-fvect-cost-model=dynamic)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow
 CFLAGS   ?=
-ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) -ffp-contract=off -fno-math-errno -MMD -MP $(CFLAGS)
+LDFLAGS  ?=
+PREFIX   ?= /usr/local
+# The same bits everywhere: no contraction to fused multiply-add, never fast-math.
+EXACT     = -ffp-contract=off -fno-math-errno
+ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(CFLAGS)
 LDLIBS    = -lyaml -lcjson -lm
 
 SOURCES  := $(sort $(wildcard src/*/*.c))
@@ -12,6 +25,13 @@ OBJECTS  := $(SOURCES:src/%.c=$(BUILD)/obj/%.o)
 LIBRARY   = $(BUILD)/libfmdsub.a
 PROGRAM   = $(BUILD)/fmdsub
 UNITS    := $(patsubst tests/unit/t-%.c,$(BUILD)/unit/t-%,$(sort $(wildcard tests/unit/t-*.c)))
+TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(sort $(wildcard tests/tools/*.c)))
+BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
+PAGES    := $(sort $(wildcard man/*.[157]))
+EXAMPLES := $(sort $(wildcard decks/*))
+FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/tools/*.c tests/bench/*.c))
+ASAN      = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+RUN       = BUILD=$(BUILD) V=$(V) tests/run
 
 all: $(PROGRAM)
 
@@ -20,21 +40,105 @@ $(BUILD)/obj/%.o: src/%.c
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
 $(LIBRARY): $(filter-out $(BUILD)/obj/cli/main.o,$(OBJECTS))
+	@mkdir -p $(@D)
 	@rm -f $@
 	ar rcD $@ $^
 
 $(PROGRAM): $(BUILD)/obj/cli/main.o $(LIBRARY)
-	$(CC) $(ALL_CFLAGS) -o $@ $^ $(LDLIBS)
+	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) -Itests -o $@ $< $(LIBRARY) -lcmocka $(LDLIBS)
+	$(CC) $(ALL_CFLAGS) -Itests $(LDFLAGS) -o $@ $< $(LIBRARY) -lcmocka $(LDLIBS)
+
+# Helpers of the tests stand alone: they share no code with what they judge.
+$(BUILD)/tools/%: tests/tools/%.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< -lm
+
+$(BUILD)/bench/%: tests/bench/%.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< -lm
+
+# ---- tests -----------------------------------------------------------------------------------
+
+# Set-up comes first and alone; the second make sees the headers it brought.
+test check: deps-test
+	@$(MAKE) --no-print-directory -j2 all tests-built
+	@$(RUN) unit decks bad faults man order
+
+tests-built: $(UNITS) $(TOOLS) $(BENCHES)
 
 unit: $(UNITS)
-	@for u in $(UNITS); do echo "== $$u"; $$u || exit 1; done
+	@$(RUN) unit
+
+decks bad faults man-examples order: $(PROGRAM) $(TOOLS)
+	@$(RUN) $(@:man-examples=man)
+
+asan:
+	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/asan OPT=-O1 CFLAGS="$(CFLAGS) $(ASAN)" all tests-built
+	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) tests/run unit decks bad
+
+# Golden records: shows what would change, column by column; WRITE=1 then rewrites them.
+golden: $(PROGRAM) $(TOOLS)
+	@BUILD=$(BUILD) WRITE=$(WRITE) sh tests/tools/golden.sh
+
+bench: $(PROGRAM) $(TOOLS) $(BENCHES)
+	@BUILD=$(BUILD) sh tests/bench/run.sh
+
+# ---- the look of the code --------------------------------------------------------------------
+
+layers:
+	@sh tests/tools/layers.sh
+
+eqs:
+	@sh tests/tools/eqs.sh
+
+format:
+	clang-format --style=file:.ci/clang-format -i $(FORMATTED)
+
+format-check:
+	@if command -v clang-format >/dev/null; then \
+	    clang-format --style=file:.ci/clang-format --dry-run -Werror $(FORMATTED); \
+	else echo "format-check: skipped, clang-format is not installed"; fi
+
+lint: layers format-check
+	@CC="$(CC)" sh .ci/lint
+
+man:
+	@if command -v mandoc >/dev/null; then mandoc -T lint -W warning $(PAGES) && echo "man: $(words $(PAGES)) pages clean"; \
+	else echo "man: skipped, mandoc is not installed"; fi
+
+# ---- set-up ----------------------------------------------------------------------------------
+
+deps:
+	@NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run
+
+deps-test:
+	@NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run test
+
+demo: deps
+	@$(MAKE) --no-print-directory -j2 all tools
+	@BUILD=$(BUILD) sh tests/tools/demo.sh
+
+tools: $(TOOLS)
+
+install: $(PROGRAM)
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks
+	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/fmdsub
+	install -m 644 $(EXAMPLES) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks
+	install -m 644 README.md LICENSE $(DESTDIR)$(PREFIX)/share/doc/fmdsub
+	for page in $(PAGES); do s=$${page##*.}; d=$(DESTDIR)$(PREFIX)/share/man/man$$s; \
+	    install -d $$d && install -m 644 $$page $$d || exit 1; done
+
+uninstall:
+	rm -f $(DESTDIR)$(PREFIX)/bin/fmdsub
+	rm -rf $(DESTDIR)$(PREFIX)/share/doc/fmdsub
+	for page in $(PAGES); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$${page##*/}; done
 
 clean:
 	rm -rf $(BUILD)
 
--include $(OBJECTS:.o=.d) $(UNITS:=.d)
-.PHONY: all unit clean
+-include $(OBJECTS:.o=.d) $(UNITS:=.d) $(TOOLS:=.d) $(BENCHES:=.d)
+.PHONY: all test check unit decks bad faults man-examples order asan golden bench layers eqs format format-check lint man \
+        deps deps-test demo tools tests-built install uninstall clean
