@@ -35,13 +35,15 @@ struct force_kind {
     void (*law)(struct law *o, const void *par, double s, double v, double t);
 
     /* Optional.  Stored energy [J] for W_int of (2-26); without it the power f v is booked as loss
-     * (damper) or work. */
+     * (dissipative) or work. */
     double (*stored)(const void *par, double s);
 
     /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
     double (*dissipative)(const void *par, double s, double v, double t);
 
-    int linear; /* f is affine in s and v: the discrete gradient is the midpoint force */
+    /* Optional (none: no).  Is f affine in s and v with these parameters?  Then its slopes never change and its
+     * discrete gradient is the midpoint force. */
+    bool (*linear)(const void *par);
 };
 
 /* par of "spring": f = preload - k (s - rest) - c v; s is counted from the measure's zero.  For a joint coordinate rest is
