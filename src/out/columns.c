@@ -1,0 +1,94 @@
+/* columns.c -- see columns.h */
+#include "out/columns.h"
+
+#include <assert.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "base/text.h"
+
+static void choose(struct selection *to, bool *taken, int i)
+{
+    if (!taken[i]) to->index[to->n++] = i;
+    taken[i] = true;
+}
+
+/* `pattern` with its text before the first wild card corrected, so that it matches one of all; NULL
+ * if nothing is near. */
+static const char *near_pattern(const char *pattern, const struct column *all, int n, struct arena *life)
+{
+    size_t head = strcspn(pattern, "*?");
+    const char *nearest = NULL;
+    int best = 2 + (int)head / 4;
+    for (int i = 0; i < n; i++) {
+        size_t length = strlen(all[i].name);
+        for (size_t cut = head > 1 ? head - 1 : 1; cut <= head + 1 && cut <= length; cut++) {
+            const char *word = arena_print(life, "%.*s", (int)cut, all[i].name);
+            int distance = text_distance(word, arena_copy(life, pattern, head));
+            const char *whole = arena_print(life, "%s%s", word, pattern + head);
+            if (distance >= best || !text_match(whole, all[i].name)) continue;
+            best = distance;
+            nearest = whole;
+        }
+    }
+    return nearest;
+}
+
+static const char *near_name(const char *pattern, const struct column *all, int n, struct arena *life)
+{
+    const char **names = TAKE(life, const char *, n);
+    for (int i = 0; i < n; i++) names[i] = all[i].name;
+    return text_nearest(pattern, names, n);
+}
+
+static enum status no_match(const char *pattern, const struct column *all, int n, enum status blame, struct arena *life,
+                            struct report *report)
+{
+    struct arena_mark mark = arena_mark(life);
+    bool wild = strpbrk(pattern, "*?") != NULL;
+    const char *nearest = wild ? near_pattern(pattern, all, n, life) : near_name(pattern, all, n, life);
+    if (nearest)
+        fail(report, blame, "no column matches '%s'; did you mean '%s'?", pattern, nearest);
+    else
+        fail(report, blame, "no column matches '%s'", pattern);
+    arena_rewind(life, mark);
+    return blame;
+}
+
+enum status columns_select(struct selection *to, const struct column *all, int n, const char *const *patterns,
+                           int npatterns, enum status blame, struct arena *life, struct report *report)
+{
+    assert(n > 0 && strcmp(all[0].name, "t") == 0);
+    bool *taken = TAKE(life, bool, n);
+    *to = (struct selection){.index = TAKE(life, int, n), .wrong = -1};
+    choose(to, taken, 0);
+    for (int p = 0; p < npatterns; p++) {
+        bool found = false;
+        for (int i = 0; i < n; i++) {
+            if (!text_match(patterns[p], all[i].name)) continue;
+            choose(to, taken, i);
+            found = true;
+        }
+        if (found) continue;
+        to->wrong = p;
+        return no_match(patterns[p], all, n, blame, life, report);
+    }
+    return OK;
+}
+
+const char **columns_split(int *n, const char *list, struct arena *life)
+{
+    size_t most = 1;
+    for (const char *c = list; *c; c++) most += *c == ',';
+    const char **patterns = TAKE(life, const char *, most);
+    *n = 0;
+    for (const char *from = list;;) {
+        size_t length = strcspn(from, ",");
+        const char *end = from + length, *first = from + strspn(from, " \t");
+        const char *last = end;
+        while (last > first && (last[-1] == ' ' || last[-1] == '\t')) last--;
+        if (last > first) patterns[(*n)++] = arena_copy(life, first, (size_t)(last - first));
+        if (!*end) return patterns;
+        from = end + 1;
+    }
+}

@@ -1,0 +1,29 @@
+/* columns.h -- what can be written, and what is chosen of it. */
+#ifndef FMDSUB_OUT_COLUMNS_H
+#define FMDSUB_OUT_COLUMNS_H
+
+#include "base/arena.h"
+#include "base/status.h"
+
+struct column {
+    const char *name;  /* "hub.angle" */
+    const char *unit;  /* "rad"; NULL: none */
+    const char *brief; /* one line for the manual */
+};
+
+struct selection {
+    int n;
+    int *index; /* [n] into the columns, t first */
+    int wrong;  /* index of the pattern that matched nothing; -1: none */
+};
+
+/* Columns of all[0..n), of which the first is t, by patterns with '*' and '?', in the order given: t
+ * comes first always, within a pattern the order of `all`, and of duplicates the first stays.  A
+ * pattern that matches nothing fails with `blame` (E_USAGE, E_DECK) and words that name the nearest. */
+enum status columns_select(struct selection *to, const struct column *all, int n, const char *const *patterns,
+                           int npatterns, enum status blame, struct arena *life, struct report *report);
+
+/* The patterns of "t,hub.*, rod.x": blanks around them are dropped, empty ones left out. */
+const char **columns_split(int *n, const char *list, struct arena *life);
+
+#endif

@@ -1,0 +1,150 @@
+/* facts.c -- see facts.h */
+#include "out/facts.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "out/number.h"
+
+bool facts_add(cJSON *to, const char *key, cJSON *item)
+{
+    bool added = item && (key ? cJSON_AddItemToObject(to, key, item) : cJSON_AddItemToArray(to, item));
+    if (!added) cJSON_Delete(item);
+    return added;
+}
+
+/* Bytes of the UTF-8 sequence at s, 0 if it is none (RFC 3629, table 3-7 of Unicode: neither overlong
+ * forms nor surrogates). */
+static int sequence(const unsigned char *s)
+{
+    static const struct {
+        unsigned char first, last, low, high; /* of the first byte; of the second */
+        int length;
+    } rows[] = {{0x01, 0x7f, 0, 0, 1},       {0xc2, 0xdf, 0x80, 0xbf, 2}, {0xe0, 0xe0, 0xa0, 0xbf, 3},
+                {0xe1, 0xec, 0x80, 0xbf, 3}, {0xed, 0xed, 0x80, 0x9f, 3}, {0xee, 0xef, 0x80, 0xbf, 3},
+                {0xf0, 0xf0, 0x90, 0xbf, 4}, {0xf1, 0xf3, 0x80, 0xbf, 4}, {0xf4, 0xf4, 0x80, 0x8f, 4}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        if (*s < rows[i].first || *s > rows[i].last) continue;
+        if (rows[i].length > 1 && (s[1] < rows[i].low || s[1] > rows[i].high)) return 0;
+        for (int k = 2; k < rows[i].length; k++)
+            if (s[k] < 0x80 || s[k] > 0xbf) return 0;
+        return rows[i].length;
+    }
+    return 0;
+}
+
+static const char *clean(const char *text, struct arena *scratch)
+{
+    char *copy = TAKE(scratch, char, 3 * strlen(text) + 1), *to = copy;
+    while (*text) {
+        int length = sequence((const unsigned char *)text);
+        if (length > 0)
+            memcpy(to, text, (size_t)length);
+        else
+            memcpy(to, "\xef\xbf\xbd", 3);
+        to += length > 0 ? length : 3;
+        text += length > 0 ? length : 1;
+    }
+    return copy;
+}
+
+cJSON *facts_text(const char *text, struct arena *scratch)
+{
+    if (!text) return cJSON_CreateNull();
+    struct arena_mark mark = arena_mark(scratch);
+    cJSON *item = cJSON_CreateString(clean(text, scratch));
+    arena_rewind(scratch, mark);
+    return item;
+}
+
+cJSON *facts_number(double x)
+{
+    if (!isfinite(x)) return cJSON_CreateNull();
+    char text[NUMBER_MOST + 1];
+    text[number_write(text, x)] = 0;
+    return cJSON_CreateRaw(text);
+}
+
+cJSON *facts_columns(const struct run_meta *meta)
+{
+    cJSON *names = cJSON_CreateArray();
+    for (int i = 0; i < meta->n; i++) {
+        if (facts_add(names, NULL, cJSON_CreateString(meta->columns[i].name))) continue;
+        cJSON_Delete(names);
+        return NULL;
+    }
+    return names;
+}
+
+static cJSON *units(const struct run_meta *meta, struct arena *scratch)
+{
+    cJSON *object = cJSON_CreateObject();
+    for (int i = 0; i < meta->n; i++) {
+        const struct column *column = &meta->columns[i];
+        if (facts_add(object, column->name, facts_text(column->unit, scratch))) continue;
+        cJSON_Delete(object);
+        return NULL;
+    }
+    return object;
+}
+
+static cJSON *value(const struct pair *pair, struct arena *scratch)
+{
+    switch (pair->kind) {
+    case PAIR_NUMBER:
+        return facts_number(pair->number);
+    case PAIR_TEXT:
+        return facts_text(pair->text, scratch);
+    case PAIR_BOOL:
+        return cJSON_CreateBool(pair->truth);
+    }
+    return NULL;
+}
+
+bool facts_pairs(cJSON *to, const struct pair *pairs, int n, struct arena *scratch)
+{
+    for (int i = 0; i < n; i++)
+        if (!facts_add(to, pairs[i].key, value(&pairs[i], scratch))) return false;
+    return true;
+}
+
+static cJSON *settings(const struct run_meta *meta, struct arena *scratch)
+{
+    cJSON *object = cJSON_CreateObject();
+    if (facts_pairs(object, meta->settings, meta->nsettings, scratch)) return object;
+    cJSON_Delete(object);
+    return NULL;
+}
+
+bool facts_meta(cJSON *to, const struct run_meta *meta, struct arena *scratch)
+{
+    return facts_add(to, "program", cJSON_CreateString("fmdsub")) &&
+           facts_add(to, "version", facts_text(meta->version, scratch)) &&
+           facts_add(to, "title", facts_text(meta->title, scratch)) &&
+           facts_add(to, "deck", facts_text(meta->deck, scratch)) &&
+           facts_add(to, "hash", facts_text(meta->hash, scratch)) &&
+           facts_add(to, "settings", settings(meta, scratch)) && facts_add(to, "units", units(meta, scratch));
+}
+
+bool facts_event(cJSON *to, double t, const char *kind, const char *text, struct arena *scratch)
+{
+    return facts_add(to, "t", facts_number(t)) && facts_add(to, "kind", facts_text(kind, scratch)) &&
+           facts_add(to, "text", facts_text(text, scratch));
+}
+
+enum status facts_no_memory(struct stream *stream, struct report *report)
+{
+    TRY(stream_flush(stream, report));
+    return stream->status = fail(report, E_LIMIT, "out of memory");
+}
+
+enum status facts_put(struct stream *stream, const char *before, cJSON *item, const char *after, struct report *report)
+{
+    char *text = item ? cJSON_PrintUnformatted(item) : NULL;
+    cJSON_Delete(item);
+    if (!text) return facts_no_memory(stream, report);
+    char *to = stream_begin(stream, strlen(before) + strlen(text) + strlen(after));
+    enum status status = stream_end(stream, stpcpy(stpcpy(stpcpy(to, before), text), after), report);
+    cJSON_free(text);
+    return status;
+}

@@ -1,0 +1,21 @@
+/* number.h -- a double as text.
+ *
+ * number_write gives the shortest text that reads back to the same double, and of all such texts
+ * the one nearest to it (Schubfach: R. Giulietti, "The Schubfach way to render doubles", 2020).
+ * Plain for 1e-5 <= |x| < 1e17, else with an exponent; a whole number has no point:
+ *
+ *     0.1   -2.5   3   123456789   0.00001   1e-6   2.5e-7   1e+17   -0   5e-324
+ *
+ * Valid in JSON, C, YAML 1.2 and every CSV reader met so far; no locale enters. */
+#ifndef FMDSUB_OUT_NUMBER_H
+#define FMDSUB_OUT_NUMBER_H
+
+enum { NUMBER_MOST = 25 }; /* bytes that a number may take */
+
+/* Writes x, which must be finite, without a 0 after it; returns its length.  -0 keeps its sign. */
+int number_write(char *to, double x);
+
+/* The same form for people: rounded to `digits` (1..17) significant digits, last zeros dropped. */
+int number_round(char *to, double x, int digits);
+
+#endif

@@ -1,0 +1,196 @@
+/* table.c -- see table.h */
+#include "out/table.h"
+
+#include <assert.h>
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+#include "out/cell.h"
+#include "out/number.h"
+
+struct cell {
+    double x;
+    const char *text; /* NULL: a number */
+};
+
+struct table {
+    const struct table_column *columns; /* [n] */
+    int n;
+    struct cell *cells; /* [room] by row */
+    int used, room;
+    struct arena *life;
+};
+
+struct table *table_open(const struct table_column *columns, int n, struct arena *life)
+{
+    struct table *table = TAKE(life, struct table, 1);
+    *table = (struct table){.columns = columns, .n = n, .life = life};
+    return table;
+}
+
+static void append(struct table *table, struct cell cell)
+{
+    if (table->used == table->room) {
+        int room = table->room ? 2 * table->room : 16 * table->n;
+        struct cell *wider = TAKE(table->life, struct cell, room);
+        if (table->used) memcpy(wider, table->cells, (size_t)table->used * sizeof *wider);
+        table->cells = wider;
+        table->room = room;
+    }
+    table->cells[table->used++] = cell;
+}
+
+static const struct table_column *next_column(const struct table *table)
+{
+    return &table->columns[table->used % table->n];
+}
+
+void table_number(struct table *table, double x)
+{
+    assert(next_column(table)->digits > 0);
+    append(table, (struct cell){.x = x});
+}
+
+void table_text(struct table *table, const char *text)
+{
+    assert(next_column(table)->digits == 0);
+    append(table, (struct cell){.text = arena_copy(table->life, text, strlen(text))});
+}
+
+/* What a person sees of a cell; buffer [NUMBER_MOST + 1] is used for numbers. */
+static const char *seen(const struct cell *cell, int digits, char *buffer)
+{
+    if (cell->text) return cell->text;
+    if (!isfinite(cell->x)) return "-";
+    buffer[digits >= 17 ? number_write(buffer, cell->x) : number_round(buffer, cell->x, digits)] = 0;
+    return buffer;
+}
+
+static const char *heading(const struct table_column *column)
+{
+    return column->head ? column->head : column->name;
+}
+
+/* Letters of UTF-8 text. */
+static int letters(const char *text)
+{
+    int n = 0;
+    for (; *text; text++) n += (*text & 0xc0) != 0x80;
+    return n;
+}
+
+static int wider(int width, const char *text)
+{
+    int n = letters(text);
+    return n > width ? n : width;
+}
+
+static void measure(int *width, const struct table *table)
+{
+    char buffer[NUMBER_MOST + 1];
+    for (int c = 0; c < table->n; c++) width[c] = wider(0, heading(&table->columns[c]));
+    for (int i = 0; i < table->used; i++) {
+        int c = i % table->n;
+        width[c] = wider(width[c], seen(&table->cells[i], table->columns[c].digits, buffer));
+    }
+}
+
+static char *blanks(char *to, int n)
+{
+    memset(to, ' ', (size_t)n);
+    return to + n;
+}
+
+/* One cell and what stands before it; last: no blanks behind it. */
+static char *put_cell(char *to, const char *text, int width, const struct table_column *column, bool first, bool last)
+{
+    int space = width - letters(text);
+    if (!first) to = blanks(to, 2);
+    if (column->digits > 0) to = blanks(to, space);
+    to = stpcpy(to, text);
+    if (column->digits == 0 && !last) to = blanks(to, space);
+    if (last) *to++ = '\n';
+    return to;
+}
+
+static char *put_head(char *to, const struct table *table, const int *width)
+{
+    for (int c = 0; c < table->n; c++)
+        to = put_cell(to, heading(&table->columns[c]), width[c], &table->columns[c], c == 0, c + 1 == table->n);
+    for (int c = 0; c < table->n; c++) {
+        memset(to, '-', (size_t)width[c]);
+        to = stpcpy(to + width[c], c + 1 < table->n ? "  " : "\n");
+    }
+    return to;
+}
+
+/* Bytes that drawing takes at most: a letter is at most 4 bytes. */
+static size_t drawn_bytes(const struct table *table, const int *width)
+{
+    size_t row = 1;
+    for (int c = 0; c < table->n; c++) row += 4 * (size_t)width[c] + 2;
+    return row * (size_t)(table->used / table->n + 3) + 1;
+}
+
+const char *table_draw(const struct table *table, struct arena *life)
+{
+    char buffer[NUMBER_MOST + 1];
+    int *width = TAKE(life, int, table->n);
+    measure(width, table);
+    char *text = TAKE(life, char, drawn_bytes(table, width));
+    char *to = put_head(text, table, width);
+    for (int i = 0; i < table->used; i++) {
+        int c = i % table->n;
+        const struct table_column *column = &table->columns[c];
+        to = put_cell(to, seen(&table->cells[i], column->digits, buffer), width[c], column, c == 0,
+                      c + 1 == table->n || i + 1 == table->used);
+    }
+    return text;
+}
+
+/* A text field of RFC 4180: quoted when it must be, quotes in it doubled. */
+static char *put_quoted(char *to, const char *text)
+{
+    bool quote = strpbrk(text, ",\"\r\n") || *text == ' ' || (*text && text[strlen(text) - 1] == ' ');
+    if (!quote) return stpcpy(to, text);
+    *to++ = '"';
+    for (; *text; text++) {
+        if (*text == '"') *to++ = '"';
+        *to++ = *text;
+    }
+    *to++ = '"';
+    return to;
+}
+
+static size_t csv_bytes(const struct table *table)
+{
+    size_t bytes = 1;
+    for (int c = 0; c < table->n; c++) bytes += 2 * strlen(table->columns[c].name) + 3;
+    for (int i = 0; i < table->used; i++)
+        bytes += (table->cells[i].text ? 2 * strlen(table->cells[i].text) + 2 : NUMBER_MOST) + 1;
+    return bytes;
+}
+
+const char *table_csv(const struct table *table, struct arena *life)
+{
+    char *text = TAKE(life, char, csv_bytes(table)), *to = text;
+    for (int c = 0; c < table->n; c++) {
+        to = put_quoted(to, table->columns[c].name);
+        *to++ = c + 1 < table->n ? ',' : '\n';
+    }
+    for (int i = 0; i < table->used; i++) {
+        const struct cell *cell = &table->cells[i];
+        to = cell->text ? put_quoted(to, cell->text) : cell_put(to, cell->x, "");
+        *to++ = (i + 1) % table->n && i + 1 < table->used ? ',' : '\n';
+    }
+    return text;
+}
+
+enum status table_print(const struct table *table, bool csv, FILE *file, struct report *report)
+{
+    const char *text = csv ? table_csv(table, table->life) : table_draw(table, table->life);
+    if (fputs(text, file) < 0 || fflush(file) != 0)
+        return fail(report, errno == EPIPE ? E_SIGPIPE : E_FILE, "cannot write the table: %s", strerror(errno));
+    return OK;
+}

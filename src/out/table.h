@@ -1,0 +1,43 @@
+/* table.h -- a small table for people, or as CSV.
+ *
+ * Numbers stand right, rounded to the column's significant digits, texts left; two blanks between
+ * columns, a rule under the headings:
+ *
+ *     scheme     ratio   error   time [s]
+ *     --------  ------  -------  --------
+ *     subcycle       5  1.25e-6      0.14
+ *
+ * The CSV form has plain names and shortest round-trip numbers. */
+#ifndef FMDSUB_OUT_TABLE_H
+#define FMDSUB_OUT_TABLE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+
+struct table_column {
+    const char *name; /* CSV: "time" */
+    const char *head; /* for people: "time [s]"; NULL: name */
+    int digits;       /* significant digits for people, 17: all; 0: a column of texts */
+};
+
+struct table;
+
+/* columns [n] stay the caller's and must outlive the table. */
+struct table *table_open(const struct table_column *columns, int n, struct arena *life);
+
+/* The next cell, by row; a new row starts by itself.  Texts are copied.  A number that is not finite
+ * shows as "-", in CSV as an empty field. */
+void table_number(struct table *table, double x);
+void table_text(struct table *table, const char *text);
+
+/* Both forms as text; a last row that is not full ends where it ends. */
+const char *table_draw(const struct table *table, struct arena *life);
+const char *table_csv(const struct table *table, struct arena *life);
+
+/* The drawn form, or CSV, on file; E_FILE when it cannot be written. */
+enum status table_print(const struct table *table, bool csv, FILE *file, struct report *report);
+
+#endif
