@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 
+#include "base/rate.h"
 #include "kind/force.h"
 #include "kind/joint.h"
 
@@ -67,7 +68,7 @@ struct model_slot {
 struct model_force {
     const char *name;
     enum force_type type;
-    unsigned cls;                   /* FAST or SLOW; time-only loads are FAST */
+    enum rate cls;                  /* FAST or SLOW; time-only loads are FAST */
     int measure;                    /* FORCE_LAW, FORCE_VALUE */
     const struct force_kind *kind;  /* FORCE_LAW */
     const void *par;                /* FORCE_LAW: the kind's block; FORCE_BUSHING: struct bushing */

@@ -17,12 +17,10 @@
 
 #include <stddef.h>
 
+#include "base/rate.h"
 #include "base/status.h"
 
 struct ode2;
-
-/* Bodies and elements by rate class. */
-enum { FAST = 1, SLOW = 2, ALL = 3 };
 
 /* Channels of power, along v. */
 enum channel { POWER_EXTERNAL, POWER_DRIVE, POWER_DAMPER, POWER_FRICTION, POWER_CHANNELS };
