@@ -1,0 +1,76 @@
+/* expr.h -- expressions of time, state and parameters, and their exact derivatives.
+ *
+ *     value    = sum
+ *     sum      = product { ("+" | "-") product }
+ *     product  = sign { ("*" | "/") sign }
+ *     sign     = ("-" | "+") sign | power
+ *     power    = atom [ "^" sign ]                       right to left; -2^2 = -4
+ *     atom     = number | name | name "(" value { "," value } ")" | "(" value ")"
+ *              | "if(" truth "," value "," value ")"
+ *     truth    = both { "or" both };  both = not { "and" not };  not = "not" not | relation | "(" truth ")"
+ *     relation = value ("<" | "<=" | ">" | ">=" | "==" | "!=") value
+ *
+ * The text becomes code for a small stack machine; what is constant is folded.  Evaluation allocates
+ * nothing and calls only what is on the list of functions.  Slopes are by forward differentiation
+ * of the code: exact but for round-off, one-sided at the corners of abs, min, max, mod, if. */
+#ifndef FMDSUB_EXPR_EXPR_H
+#define FMDSUB_EXPR_EXPR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+
+struct expr;
+
+/* A text is at most this long [bytes], nested this deep, and needs at most this many operands at a time. */
+enum { EXPR_LENGTH = 65536, EXPR_DEPTH = 64, EXPR_STACK = 64 };
+
+struct expr_error {
+    size_t offset; /* bytes into the text */
+    size_t length; /* bytes of the word it is about, at least 1; may reach the end of the text */
+    bool limit;    /* too long or too deep rather than wrong */
+    char text[160];
+    char hint[160]; /* what to try; may be empty */
+};
+
+/* Names are the caller's: find() resolves a name (letters, digits, '_', dots: "hub.angle_rate"), either to a
+ * constant (*slot = -1, *value) or to a slot (*slot >= 0).  0 if known; else 1, and it may write text and
+ * hint of error. */
+struct expr_names {
+    int (*find)(void *self, int *slot, double *value, const char *name, struct expr_error *error);
+    void *self;
+};
+
+/* 0: ok.  names may be NULL: none. */
+int expr_parse(struct expr **out, const char *text, size_t len, const struct expr_names *names, struct arena *arena,
+               struct expr_error *error);
+
+double expr_value(const struct expr *e, const double *slot);
+
+/* The value, and d[i] = d value / d slot[which[i]] for i in [0,n). */
+double expr_slopes(const struct expr *e, double *d, const double *slot, const int *which, int n);
+
+/* The distinct slots read, ascending, at most max of them; returns how many there are. */
+int expr_reads(const struct expr *e, int *slots, int max);
+bool expr_is_constant(const struct expr *e);
+/* Operations in the code. */
+int expr_length(const struct expr *e);
+
+/* The functions there are, for messages and the manual; ends with a NULL name. */
+struct expr_function {
+    const char *name;
+    int nmin, nmax; /* arguments */
+    int op;         /* of the machine */
+    const char *brief;
+};
+extern const struct expr_function expr_functions[];
+
+/* Is this a word of the language (a function, pi, if, and, or, not), so no name of anything else? */
+bool expr_is_word(const char *name);
+
+/* Scans one number, [digits][.digits][e[+-]digits] without sign, at the start of a 0-terminated text: its length in
+ * bytes, 0 if there is none.  *wrong: NULL, or what is wrong with it ("out of range", ...). */
+size_t expr_number(double *out, const char *text, const char **wrong);
+
+#endif
