@@ -29,8 +29,8 @@ struct decimal {
     int exponent;    /* x = digits 10^exponent */
 };
 
-/* g c 2^-128 rounded to odd: the last bit is set when anything was cut off.  g is at most one unit
- * above the true power, which shows as a remainder of 0 or 1 in the low word. */
+/* g c 2^-128 rounded to odd: the last bit is set when anything was cut off.  g is less than one unit
+ * above the true power: an exact product leaves 0 or 1 in the low word, any other more. */
 static uint64_t times(const uint64_t g[2], uint64_t c)
 {
     wide low = (wide)g[1] * c;
@@ -51,7 +51,7 @@ static struct decimal shortest(uint64_t c, int q, bool narrow)
 
     uint64_t s = v / 4, tens = s / 10;
     bool below = lower <= 40 * tens, above = 40 * tens + 40 <= upper;
-    if (s >= 10 && below != above) return (struct decimal){tens + above, k + 1};
+    if (below != above) return (struct decimal){tens + above, k + 1};
     below = lower <= 4 * s;
     above = 4 * s + 4 <= upper;
     if (below != above) return (struct decimal){s + above, k};

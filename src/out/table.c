@@ -24,6 +24,7 @@ struct table {
 
 struct table *table_open(const struct table_column *columns, int n, struct arena *life)
 {
+    for (int c = 0; c < n; c++) assert(*columns[c].name && (!columns[c].head || *columns[c].head));
     struct table *table = TAKE(life, struct table, 1);
     *table = (struct table){.columns = columns, .n = n, .life = life};
     return table;
@@ -102,15 +103,17 @@ static char *blanks(char *to, int n)
     return to + n;
 }
 
-/* One cell and what stands before it; last: no blanks behind it. */
+/* One cell and what stands before it; the last takes the blanks at the end of its row away. */
 static char *put_cell(char *to, const char *text, int width, const struct table_column *column, bool first, bool last)
 {
     int space = width - letters(text);
     if (!first) to = blanks(to, 2);
     if (column->digits > 0) to = blanks(to, space);
     to = stpcpy(to, text);
-    if (column->digits == 0 && !last) to = blanks(to, space);
-    if (last) *to++ = '\n';
+    if (column->digits == 0) to = blanks(to, space);
+    if (!last) return to;
+    while (to[-1] == ' ') to--;
+    *to++ = '\n';
     return to;
 }
 

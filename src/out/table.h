@@ -25,7 +25,7 @@ struct table_column {
 
 struct table;
 
-/* columns [n] stay the caller's and must outlive the table. */
+/* columns [n] stay the caller's and must outlive the table; no name or heading is empty. */
 struct table *table_open(const struct table_column *columns, int n, struct arena *life);
 
 /* The next cell, by row; a new row starts by itself.  Texts are copied.  A number that is not finite
