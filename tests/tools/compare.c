@@ -140,6 +140,12 @@ static bool fits(const char *pattern, const char *name)
     return *pattern == *name && (*pattern == 0 || fits(pattern + 1, name + 1));
 }
 
+/* Is e worse than the worst so far?  Not a number is worst of all and stays. */
+static bool worse(double e, double worst)
+{
+    return !isnan(worst) && !(e <= worst);
+}
+
 /* ---- golden ---------------------------------------------------------------------------------- */
 
 struct tolerance {
@@ -198,10 +204,9 @@ static int worst_row(double *d, const double *g, const double *x, int n)
     for (int i = 0; i < n; i++) {
         double e = fabs(x[i] - g[i]);
         if (isnan(x[i]) && isnan(g[i])) e = 0;
-        if (!(e <= *d)) {
+        if (worse(e, *d)) {
             *d = e;
             worst = i;
-            if (isnan(e)) return i;
         }
     }
     return worst;
@@ -340,13 +345,13 @@ static int compare_reference(const struct table *ref, const struct table *run, c
         for (int i = 0; i < ref->nrow && ref->col[tref][i] <= o->until; i++) {
             double e = fabs(mix_value(&m, run, row_at(run, trun, ref->col[tref][i])) - ref->col[c][i]);
             e = scale > 0 ? e / scale : e;
-            if (!(e <= error)) {
+            if (worse(e, error)) {
                 error = e;
                 at = ref->col[tref][i];
             }
         }
         if (o->all) printf("%s: error %.3g of scale %.3g at t = %.6g\n", ref->name[c], error, scale, at);
-        if (!(error <= worst)) worst = error;
+        if (worse(error, worst)) worst = error;
     }
     if (!o->all) printf("%.4e\n", worst);
     if (!(worst <= o->within)) {

@@ -1,0 +1,72 @@
+# streams.sh -- readers that leave, full disks, closed and slow streams, failing writes.
+. tests/tools/lib.sh
+deck=$ROOT/decks/pendulum.yaml
+# Some 5 MB of records in a second or two.
+long="--every 1.0e-3 --until 50"
+
+timeout 60 "$FMDSUB" run $long "$deck" >"$work/whole.csv" 2>"$work/err"
+expect "a long run for comparison" 0 $? "$work/err"
+
+# A reader that leaves: the program ends at once by SIGPIPE's code and says nothing.
+{ "$FMDSUB" run $long "$deck" 2>"$work/err"; echo $? >"$work/rc"; } | head -n 1 >"$work/head"
+expect "| head: status" 141 "$(cat "$work/rc")" "$work/err"
+if grep -qi 'error\|pipe' "$work/err"; then not_ok "| head: quiet" "words about it on stderr" "$work/err"; else ok "| head: quiet"; fi
+expect "| head: one whole line" "$(head -n 1 "$work/whole.csv")" "$(cat "$work/head")"
+
+# A full disk, noticed while writing or at the close.
+if [ -w /dev/full ]; then
+    "$FMDSUB" run $long "$deck" >/dev/full 2>"$work/err"
+    expect "full disk, long run" 6 $? "$work/err"
+    if grep -q 'No space left' "$work/err"; then ok "full disk: says so"; else not_ok "full disk: says so" "no 'No space left' on stderr" "$work/err"; fi
+    "$FMDSUB" run --until 0.5 "$deck" >/dev/full 2>"$work/err"
+    expect "full disk, short run" 6 $? "$work/err"
+else
+    skip "full disk" "no /dev/full"
+fi
+
+"$FMDSUB" run --until 0.5 "$deck" >&- 2>"$work/err"
+expect "stdout closed" 6 $? "$work/err"
+
+# A limit on the size of files: SIGXFSZ ignored, the write fails with EFBIG.
+(ulimit -f 100; "$FMDSUB" run $long "$deck" >"$work/limited.csv" 2>"$work/err")
+expect "file size limit" 6 $? "$work/err"
+awk -F, 'END { exit NR < 2 }' "$work/limited.csv" && ok "file size limit: records before it are there" ||
+    not_ok "file size limit: records before it are there" "nothing was written"
+
+# -o: the name appears when the run is done, a part file stays where it is not.
+(cd "$work" && "$FMDSUB" run --until 0.5 -o done.csv "$deck" 2>err)
+expect "-o: status" 0 $? "$work/err"
+[ -s "$work/done.csv" ] && [ ! -e "$work/done.csv.part" ] && ok "-o: renamed when done" ||
+    not_ok "-o: renamed when done" "$(ls "$work" | tr '\n' ' ')"
+(cd "$work" && "$FMDSUB" run -o no/such/folder.csv "$deck" 2>err)
+expect "-o into a folder that is not there" 6 $? "$work/err"
+(cd "$work" && ulimit -f 100; "$FMDSUB" run $long -o cut.csv "$deck" 2>err)
+expect "-o: no room" 6 $? "$work/err"
+[ ! -e "$work/cut.csv" ] && [ -s "$work/cut.csv.part" ] && ok "-o: what was written stays as .part" ||
+    not_ok "-o: what was written stays as .part" "$(ls "$work" | tr '\n' ' ')"
+
+# A slow reader loses nothing.
+timeout 60 "$FMDSUB" run $long "$deck" 2>/dev/null | (sleep 1; cat) >"$work/slow.csv"
+same "slow reader" "$work/whole.csv" "$work/slow.csv"
+
+# write() fails at the k-th call, or is interrupted.
+if command -v strace >/dev/null && strace -o /dev/null true 2>/dev/null; then
+    for k in 1 2 3 7; do
+        strace -o /dev/null -e trace=write -e inject=write:error=EIO:when=$k \
+            "$FMDSUB" run --every 1.0e-3 --until 5 -q "$deck" >"$work/eio.csv" 2>"$work/err"
+        expect "write fails at call $k" 6 $? "$work/err"
+    done
+    strace -o /dev/null -e trace=write -e inject=write:error=EINTR:when=2+2 \
+        "$FMDSUB" run --every 1.0e-3 --until 5 -q "$deck" >"$work/eintr.csv" 2>"$work/err"
+    "$FMDSUB" run --every 1.0e-3 --until 5 -q "$deck" >"$work/plain.csv" 2>/dev/null
+    same "writes interrupted" "$work/plain.csv" "$work/eintr.csv"
+else
+    skip "write fails at the k-th call" "strace is not installed or not allowed"
+    skip "writes interrupted" "strace is not installed or not allowed"
+fi
+
+# Closed streams at the start: words never land in a data file.
+(cd "$work" && "$FMDSUB" run --until 0.5 -o closed.csv "$deck" <&- >&- 2>&-)
+expect "all three streams closed: status" 0 $?
+(cd "$work" && "$FMDSUB" run --until 0.5 -q -o plain.csv "$deck" 2>/dev/null)
+same "all three streams closed: data" "$work/plain.csv" "$work/closed.csv"

@@ -1,0 +1,43 @@
+# lib.sh -- what every part of the tests sources.
+#
+# A part prints one line per test: `ok NAME`, `not ok NAME` with its reason indented below, or
+# `skip NAME: why`.  tests/run counts them.  Needs only sh, awk, sed and coreutils.
+set -u
+BUILD=${BUILD:-build}
+case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
+ROOT=$PWD
+FMDSUB=$BUILD/fmdsub
+COMPARE=$BUILD/tools/compare
+LC_ALL=C
+export LC_ALL FMDSUB
+unset LANG LANGUAGE 2>/dev/null || true
+
+work=$(mktemp -d "${TMPDIR:-/tmp}/fmdsub-test.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+
+ok() { echo "ok $1"; }
+skip() { echo "skip $1: $2"; }
+
+# not_ok NAME REASON [FILE...]: the files are shown, indented.
+not_ok() {
+    echo "not ok $1"
+    echo "    $2"
+    shift 2
+    for file in "$@"; do [ -s "$file" ] && head -n 40 "$file" | sed 's/^/    | /'; done
+    return 0
+}
+
+# expect NAME WANTED GOT [FILE...]: exit codes and other words.
+expect() {
+    name=$1 want=$2 got=$3
+    shift 3
+    if [ "$want" = "$got" ]; then ok "$name"; else not_ok "$name" "got '$got', expected '$want'" "$@"; fi
+}
+
+# same NAME FILE FILE: byte for byte.
+same() {
+    if [ ! -s "$2" ]; then not_ok "$1" "$2 is empty"
+    elif cmp "$2" "$3" >"$work/cmp" 2>&1; then ok "$1"
+    else not_ok "$1" "bytes differ" "$work/cmp"; fi
+}
