@@ -147,11 +147,12 @@ int scene_coordinate(const struct scene_joint *joint, int space, const char *wor
 
 /* The key tables by section, for `fmdsub list`, `fmdsub schema` and the manual. */
 struct section {
-    const char *path;       /* "bodies.NAME", "constraints.NAME.revolute", "integrate" */
+    const char *path;       /* "bodies.NAME", "constraints.NAME", "integrate" */
+    const char *word;       /* the kind's own key, "revolute", "spring"; NULL: the section has one kind only */
     const char *brief;
     const struct key *keys; /* ends with KEYS_END */
 };
-/* The i-th section, NULL past the end. */
-const struct section *scene_section(int i);
+/* The i-th section; false past the end. */
+bool scene_section(struct section *o, int i);
 
 #endif

@@ -1,0 +1,60 @@
+/* cli.h -- the command line: what was asked for, and the verbs. */
+#ifndef FMDSUB_CLI_CLI_H
+#define FMDSUB_CLI_CLI_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+#include "deck/diag.h"
+#include "scene/scene.h"
+
+#define FMDSUB_VERSION "0.1.0"
+
+enum { MOST_SETS = 256 };
+
+/* The command line, read. */
+struct request {
+    const char *verb;
+    int nword;
+    char **word; /* what is not an option */
+    int nset;
+    const char *set[MOST_SETS]; /* --set, and --columns, --every, --until as such */
+    const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats;
+    bool quiet, verbose, want_stats, strict, expanded, help, version;
+    const char *progress, *color;
+};
+
+/* An option of the program; the table serves the reader, the help and completion. */
+struct cli_option {
+    const char *name, *value; /* value: its word in the help, NULL: takes none */
+    char letter;              /* 0: none */
+    const char *verbs;        /* "run study"; NULL: all */
+    const char *brief;
+};
+extern const struct cli_option cli_options[];
+
+enum status request_read(struct request *o, int argc, char **argv, struct arena *life, struct report *report);
+
+struct verb {
+    const char *name, *usage, *brief;
+    enum status (*run)(const struct request *request, struct arena *life, struct report *report);
+};
+extern const struct verb verbs[];
+
+enum status verb_run(const struct request *request, struct arena *life, struct report *report);
+enum status verb_check(const struct request *request, struct arena *life, struct report *report);
+enum status verb_study(const struct request *request, struct arena *life, struct report *report);
+enum status verb_list(const struct request *request, struct arena *life, struct report *report);
+enum status verb_schema(const struct request *request, struct arena *life, struct report *report);
+enum status verb_explain(const struct request *request, struct arena *life, struct report *report);
+enum status verb_new(const struct request *request, struct arena *life, struct report *report);
+
+/* The only deck named, read and checked; its warnings and errors are printed. */
+enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
+                     struct report *report);
+bool cli_color(const struct request *request);
+void cli_help(FILE *to);
+
+#endif

@@ -1,0 +1,119 @@
+/* main.c -- fmdsub: verbs, signals, the last word and the exit status */
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/stop.h"
+#include "base/text.h"
+#include "cli/cli.h"
+#include "sim/load.h"
+
+const struct verb verbs[] = {
+    {"run", "DECK", "simulate; records to stdout", verb_run},
+    {"check", "DECK", "check a deck and print what it makes", verb_check},
+    {"study", "DECK", "what accuracy costs: error against time over schemes, ratios, steps", verb_study},
+    {"list", "[schemes|joints|forces|sections|columns DECK]", "what a deck may say", verb_list},
+    {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
+    {"explain", "CODE", "the cure for an error code", verb_explain},
+    {"new", "pendulum|mechanism", "print a commented starter deck", verb_new},
+    {0},
+};
+
+void cli_help(FILE *to)
+{
+    fprintf(to, "usage: fmdsub VERB [options] [DECK]    (DECK '-': standard input)\n\n");
+    for (const struct verb *v = verbs; v->name; v++) fprintf(to, "  %-8s %s\n", v->name, v->brief);
+    fprintf(to, "\noptions:\n");
+    for (const struct cli_option *o = cli_options; o->name; o++) {
+        char left[60];
+        const char *value = o->value ? o->value : "";
+        char letter[4] = {'-', o->letter ? o->letter : ' ', o->letter ? ',' : ' ', 0};
+        if (!o->letter) letter[0] = ' ';
+        snprintf(left, sizeof left, "%s --%s%s%s", letter, o->name, o->value && value[0] != '[' ? " " : "", value);
+        fprintf(to, "  %-34s %s\n", left, o->brief);
+    }
+    fprintf(to, "\nexit: 0 done, 1 negative verdict, 2 usage, 3 deck, 4 no start, 5 numerical stop, 6 file, 7 limit, "
+                "70 bug\nmanual: fmdsub(1), fmdsub-deck(5), fmdsub-equations(7)\n");
+}
+
+bool cli_color(const struct request *request)
+{
+    const char *word = request->color ? request->color : "auto", *term = getenv("TERM");
+    if (strcmp(word, "auto") != 0) return strcmp(word, "always") == 0;
+    return isatty(STDERR_FILENO) && !getenv("NO_COLOR") && term && strcmp(term, "dumb") != 0;
+}
+
+enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
+                     struct report *report)
+{
+    if (request->nword != 1)
+        return fail(report, E_USAGE, "'fmdsub %s' takes one deck%s", request->verb,
+                    request->nword ? "" : "; '-' is standard input");
+    *diags = diags_open(life);
+    const struct deck_options options = {.nset = request->nset, .set = request->set};
+    return sim_load(scene, request->word[0], &options, *diags, life, report);
+}
+
+static void on_signal(int signal)
+{
+    stop = signal;
+}
+
+static void set_signals(void)
+{
+    struct sigaction once = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND};
+    struct sigaction ignore = {.sa_handler = SIG_IGN};
+    sigaction(SIGINT, &once, NULL);
+    sigaction(SIGTERM, &once, NULL);
+    sigaction(SIGXCPU, &once, NULL);
+    sigaction(SIGPIPE, &ignore, NULL);
+    sigaction(SIGXFSZ, &ignore, NULL);
+}
+
+/* Descriptors 0 to 2 are open before anything else is, so that no file of ours takes their place: a closed one
+ * becomes one that fails when used. */
+static void hold_descriptors(void)
+{
+    for (int fd = 0; fd < 3; fd++)
+        if (fcntl(fd, F_GETFD) < 0) (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
+}
+
+static enum status dispatch(const struct request *request, struct arena *life, struct report *report)
+{
+    const char *names[16];
+    int n = 0;
+    if (request->version) return printf("fmdsub %s\n", FMDSUB_VERSION), OK;
+    if (request->help) return cli_help(stdout), OK;
+    if (!request->verb) {
+        cli_help(stderr);
+        return E_USAGE;
+    }
+    for (const struct verb *v = verbs; v->name; v++) {
+        if (strcmp(v->name, request->verb) == 0) return v->run(request, life, report);
+        names[n++] = v->name;
+    }
+    const char *nearest = text_nearest(request->verb, names, n);
+    if (nearest) return fail(report, E_USAGE, "unknown verb '%.40s': did you mean '%s'?", request->verb, nearest);
+    return fail(report, E_USAGE, "unknown verb '%.40s' (fmdsub --help)", request->verb);
+}
+
+int main(int argc, char **argv)
+{
+    struct arena *life = arena_open();
+    struct report report = {0};
+    struct request request;
+    hold_descriptors();
+    set_signals();
+    enum status status = request_read(&request, argc, argv, life, &report);
+    if (status == OK) status = dispatch(&request, life, &report);
+    if (status == OK && (fflush(stdout) != 0 || ferror(stdout)))
+        status = fail(&report, E_FILE, "standard output: cannot write");
+    if (report.text[0] && status != E_SIGPIPE) {
+        bool placed = strstr(report.text, ": error: ") != NULL;
+        fprintf(stderr, "%s%s\n", placed ? "" : "fmdsub: ", report.text);
+    }
+    arena_close(life);
+    return (int)status;
+}

@@ -1,0 +1,55 @@
+/* new.c -- fmdsub new: a commented starter deck to change */
+#include <string.h>
+
+#include "base/text.h"
+#include "cli/cli.h"
+
+static const char pendulum[] =
+    "fmdsub: 1\n"
+    "title: A pendulum\n"
+    "parameters: {L: 1, m: 1}                # numbers with names, for every expression below\n"
+    "gravity: [0, -9.81]                     # two numbers make the deck planar, three spatial\n"
+    "bodies:\n"
+    "  rod:                                  # drawn lying along x, its centre at L/2\n"
+    "    mass: m\n"
+    "    inertia: m*L^2/12                   # about the centre of mass\n"
+    "    at: [L/2, 0]\n"
+    "    points: {tip: [L/2, 0]}             # from the centre, body axes\n"
+    "constraints:\n"
+    "  pin: {revolute: [ground, rod], at: [0, 0]}\n"
+    "forces:\n"
+    "  air: {damper: pin, damping: 0.01}\n"
+    "initial: {pin.angle: -0.5}              # every coordinate is 0 in the drawn position\n"
+    "integrate: {scheme: midpoint, step: 1.0e-3, until: 5}\n"
+    "output: {every: 0.01, columns: [pin.angle, rod.tip.*, pin.f*, energy.residual]}\n";
+
+static const char mechanism[] =
+    "fmdsub: 1\n"
+    "title: A driven arm with a stiff sprung mass at its end\n"
+    "parameters: {k: 1.0e+5}\n"
+    "gravity: [0, -9.81]\n"
+    "bodies:\n"
+    "  arm:  {mass: 2, inertia: 0.6667, at: [1, 0]}\n"
+    "  load: {mass: 0.5, inertia: 1.0e-3, at: [2, 0]}\n"
+    "constraints:\n"
+    "  hub:   {revolute: [ground, arm], at: [0, 0]}\n"
+    "  guide: {prismatic: [arm, load], at: [2, 0], axis: [1, 0]}\n"
+    "forces:\n"
+    "  spring: {spring: guide, stiffness: k, damping: 1}\n"
+    "  motor:  {torque: hub, value: \"if(t < 1, 20*t, 20)\"}   # an expression with a comma needs quotes\n"
+    "partition: {fast: [guide]}              # takes the minor step, all else the major one\n"
+    "integrate: {scheme: subcycle, step: 2.0e-4, ratio: 10, until: 2}\n"
+    "output: {every: 0.01, columns: [hub.angle, guide.displacement, spring.force, \"energy.*\"]}\n";
+
+enum status verb_new(const struct request *request, struct arena *life, struct report *report)
+{
+    static const char *const names[] = {"pendulum", "mechanism"};
+    static const char *const decks[] = {pendulum, mechanism};
+    (void)life;
+    const char *name = request->nword ? request->word[0] : "pendulum";
+    for (int i = 0; i < 2; i++)
+        if (strcmp(names[i], name) == 0) return fputs(decks[i], stdout) < 0 ? E_FILE : OK;
+    const char *nearest = text_nearest(name, names, 2);
+    return fail(report, E_USAGE, "no starter deck '%.40s'%s%s%s (pendulum, mechanism)", name,
+                nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+}

@@ -1,0 +1,162 @@
+/* request.c -- options, by getopt_long, with our own words for what is wrong */
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "cli/cli.h"
+
+const struct cli_option cli_options[] = {
+    {"format", "csv|ndjson|json", 'f', "run", "form of the records (default csv)"},
+    {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
+    {"set", "PATH=VALUE", 's', "run check study", "change the deck: --set integrate.ratio=10"},
+    {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's"},
+    {"every", "SECONDS", 0, "run", "time between records"},
+    {"every-steps", "N", 0, "run", "major steps between records"},
+    {"until", "SECONDS", 0, "run study", "end of the run"},
+    {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
+    {"progress", "auto|always|never", 0, "run", "progress line on stderr (auto: on a terminal)"},
+    {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
+    {"schemes", "a,b", 0, "study", "schemes to compare (default: midpoint,subcycle,miao,newmark)"},
+    {"ratios", "1,5,10", 0, "study", "ratios for sub-cycling schemes"},
+    {"steps", "h1,h2", 0, "study", "minor steps (default: the deck's, its half, its quarter)"},
+    {"repeats", "N", 0, "study", "time each run N times, keep the least (default 3)"},
+    {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
+    {"quiet", NULL, 'q', NULL, "no plan line, no summary"},
+    {"verbose", NULL, 'v', NULL, "say more"},
+    {"color", "auto|always|never", 0, NULL, "colours in messages (auto: on a terminal)"},
+    {"version", NULL, 0, NULL, "print the version"},
+    {"help", NULL, 'h', NULL, "print this"},
+    {0},
+};
+
+enum { MOST_OPTIONS = 40, FIRST_CODE = 1000 };
+
+static int count_options(void)
+{
+    int n = 0;
+    while (cli_options[n].name) n++;
+    return n;
+}
+
+static void build(struct option *longs, char *shorts)
+{
+    int n = count_options();
+    *shorts++ = ':';
+    for (int i = 0; i < n; i++) {
+        const struct cli_option *o = &cli_options[i];
+        int takes = !o->value ? no_argument : o->value[0] == '[' ? optional_argument : required_argument;
+        longs[i] = (struct option){o->name, takes, NULL, FIRST_CODE + i};
+        if (!o->letter) continue;
+        *shorts++ = o->letter;
+        if (takes == required_argument) *shorts++ = ':';
+    }
+    *shorts = 0;
+}
+
+/* The option of a code that getopt_long returned; -1: none. */
+static int option_of(int code)
+{
+    if (code >= FIRST_CODE) return code - FIRST_CODE;
+    for (int i = 0; cli_options[i].name; i++)
+        if (cli_options[i].letter == code) return i;
+    return -1;
+}
+
+static enum status unknown_option(const char *word, struct report *report)
+{
+    const char *names[MOST_OPTIONS];
+    char bare[64];
+    int n = count_options();
+    for (int i = 0; i < n; i++) names[i] = cli_options[i].name;
+    snprintf(bare, sizeof bare, "%.*s", (int)strcspn(word + strspn(word, "-"), "="), word + strspn(word, "-"));
+    const char *nearest = text_nearest(bare, names, n);
+    if (nearest)
+        return fail(report, E_USAGE, "unknown option '%.80s': did you mean '--%s'? (fmdsub --help)", word, nearest);
+    return fail(report, E_USAGE, "unknown option '%.80s' (fmdsub --help)", word);
+}
+
+static enum status add_set(struct request *o, const char *set, struct report *report)
+{
+    if (o->nset == MOST_SETS) return fail(report, E_USAGE, "more than %d settings", MOST_SETS);
+    o->set[o->nset++] = set;
+    return OK;
+}
+
+/* "t,hub.*" as a YAML list of quoted names. */
+static const char *columns_set(const char *list, struct arena *life)
+{
+    char *text = arena_print(life, "output.columns=[%*s", (int)(3 * strlen(list) + 8), "");
+    char *to = text + strlen("output.columns=[");
+    bool first = true;
+    for (const char *from = list; *from;) {
+        size_t len = strcspn(from, ",");
+        size_t skip = strspn(from, " \t");
+        if (skip > len) skip = len;
+        size_t end = len;
+        while (end > skip && (from[end - 1] == ' ' || from[end - 1] == '\t')) end--;
+        if (end > skip) to += sprintf(to, "%s\"%.*s\"", first ? "" : ", ", (int)(end - skip), from + skip);
+        if (end > skip) first = false;
+        from += len + (from[len] == ',');
+    }
+    strcpy(to, "]");
+    return text;
+}
+
+static enum status take(struct request *o, const char *name, const char *value, struct arena *life,
+                        struct report *report)
+{
+    struct {
+        const char *name;
+        const char **to;
+    } texts[] = {{"format", &o->format},       {"output", &o->output},   {"progress", &o->progress},
+                 {"color", &o->color},         {"schemes", &o->schemes}, {"ratios", &o->ratios},
+                 {"steps", &o->steps},         {"repeats", &o->repeats}};
+    struct {
+        const char *name;
+        bool *to;
+    } flags[] = {{"quiet", &o->quiet}, {"verbose", &o->verbose},   {"strict", &o->strict},
+                 {"help", &o->help},   {"version", &o->version}, {"expanded", &o->expanded}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
+        if (strcmp(flags[i].name, name) == 0) return *flags[i].to = true, OK;
+    if (strcmp(name, "set") == 0) return add_set(o, value, report);
+    if (strcmp(name, "columns") == 0) return add_set(o, columns_set(value, life), report);
+    if (strcmp(name, "every") == 0) return add_set(o, arena_print(life, "output.every=%s", value), report);
+    if (strcmp(name, "every-steps") == 0)
+        return add_set(o, arena_print(life, "output.every={steps: %s}", value), report);
+    if (strcmp(name, "until") == 0) return add_set(o, arena_print(life, "integrate.until=%s", value), report);
+    o->want_stats = true; /* stats */
+    o->stats = value;
+    return OK;
+}
+
+static enum status check_word(const char *option, const char *word, const char *choices, struct report *report)
+{
+    size_t len = word ? strlen(word) : 0;
+    for (const char *c = choices; word && *c; c += strcspn(c, "|"), c += *c == '|')
+        if (strcspn(c, "|") == len && strncmp(c, word, len) == 0) return OK;
+    return word ? fail(report, E_USAGE, "--%s takes one of %s, not '%.40s'", option, choices, word) : OK;
+}
+
+enum status request_read(struct request *o, int argc, char **argv, struct arena *life, struct report *report)
+{
+    struct option longs[MOST_OPTIONS] = {0};
+    char shorts[2 * MOST_OPTIONS];
+    *o = (struct request){0};
+    build(longs, shorts);
+    opterr = 0;
+    for (int code; (code = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
+        if (code == ':')
+            return fail(report, E_USAGE, "option '%.80s' needs a value (fmdsub --help)", argv[optind - 1]);
+        if (code == '?') return unknown_option(argv[optind - 1], report);
+        TRY(take(o, cli_options[option_of(code)].name, optarg, life, report));
+    }
+    if (optind < argc) o->verb = argv[optind++];
+    o->nword = argc - optind;
+    o->word = argv + optind;
+    TRY(check_word("format", o->format, "csv|ndjson|json", report));
+    TRY(check_word("progress", o->progress, "auto|always|never", report));
+    return check_word("color", o->color, "auto|always|never", report);
+}

@@ -1,0 +1,93 @@
+/* run.c -- fmdsub run: a deck to a stream of records */
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/cli.h"
+#include "out/number.h"
+#include "sim/sim.h"
+
+static bool shows_progress(const struct request *request)
+{
+    const char *word = request->progress ? request->progress : "auto";
+    if (strcmp(word, "auto") != 0) return strcmp(word, "always") == 0;
+    return isatty(STDERR_FILENO) && !request->quiet;
+}
+
+static enum status open_stream(struct stream *stream, const struct request *request, struct arena *life,
+                               struct report *report)
+{
+    if (request->output) return stream_create(stream, request->output, life, report);
+    return stream_open(stream, STDOUT_FILENO, "standard output", life, report);
+}
+
+/* Counts, and the CPU time of stepping: `key value` lines. */
+static enum status write_stats(const struct sim *sim, const struct request *request, struct report *report)
+{
+    struct pair facts[32];
+    char number[NUMBER_MOST + 1];
+    int n = sim_facts(sim, facts, 32);
+    FILE *to = request->stats ? fopen(request->stats, "w") : stderr;
+    if (!to) return fail(report, E_FILE, "%s: cannot open for writing", request->stats);
+    facts[n++] = pair_number("cpu_seconds", sim->cpu);
+    for (int i = 0; i < n; i++) {
+        if (facts[i].kind == PAIR_NUMBER) number[number_round(number, facts[i].number, 12)] = 0;
+        fprintf(to, "%-22s %s\n", facts[i].key,
+                facts[i].kind == PAIR_NUMBER ? number : facts[i].kind == PAIR_TEXT ? facts[i].text
+                                               : facts[i].truth                    ? "true"
+                                                                                   : "false");
+    }
+    if (to == stderr) return OK;
+    return fclose(to) == 0 ? OK : fail(report, E_FILE, "%s: cannot write", request->stats);
+}
+
+static enum status stream_run(struct sim *sim, const struct request *request, struct arena *life,
+                              struct report *report)
+{
+    struct stream stream;
+    struct report closing = {0};
+    const struct format *format = format_find(request->format ? request->format : "csv");
+    TRY(open_stream(&stream, request, life, report));
+    struct sink sink = format->open(&stream, life);
+    enum status status = sim_run(sim, &sink, report);
+    enum status closed = stream_close(&stream, status == OK || status == E_VERDICT, &closing);
+    if (closed != OK && (status == OK || status == E_VERDICT)) {
+        *report = closing;
+        status = closed;
+    }
+    if (status == E_FILE && sim->x.t < sim->plan.until)
+        fprintf(stderr, "fmdsub: stopped at t = %.12g s: nothing more can be written\n", sim->x.t);
+    if (stream_kept(&stream)) fprintf(stderr, "fmdsub: unfinished records are kept in %s\n", stream_kept(&stream));
+    return status;
+}
+
+static enum status strict_verdict(const struct sim *sim, const struct diags *diags, struct report *report)
+{
+    if (diags_warnings(diags))
+        return fail(report, E_VERDICT, "--strict: %d warning(s) about the deck", diags_warnings(diags));
+    if (sim->stepper.effort.rejected)
+        return fail(report, E_VERDICT, "--strict: %ld steps were rejected", sim->stepper.effort.rejected);
+    return OK;
+}
+
+enum status verb_run(const struct request *request, struct arena *life, struct report *report)
+{
+    struct scene *scene;
+    struct diags *diags = NULL;
+    struct sim sim;
+    const struct sim_options options = {
+        .version = FMDSUB_VERSION,
+        .say = request->quiet ? NULL : stderr,
+        .progress = shows_progress(request) ? PROGRESS_ALWAYS : PROGRESS_NEVER,
+    };
+    enum status status = cli_load(&scene, &diags, request, life, report);
+    if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
+    if (diags) diags_print(stderr, diags, cli_color(request));
+    TRY(status);
+    status = stream_run(&sim, request, life, report);
+    if (status == OK && request->strict) status = strict_verdict(&sim, diags, report);
+    if (request->want_stats && status != E_SIGPIPE) {
+        enum status told = write_stats(&sim, request, report);
+        if (status == OK) status = told;
+    }
+    return status;
+}

@@ -1,0 +1,155 @@
+/* schema.c -- fmdsub schema: the key tables as a JSON Schema (draft-07), for editors */
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "kind/joint.h"
+
+static cJSON *typed(const char *type)
+{
+    cJSON *o = cJSON_CreateObject();
+    if (type) cJSON_AddStringToObject(o, "type", type);
+    return o;
+}
+
+static cJSON *type_list(const char *a, const char *b)
+{
+    cJSON *o = cJSON_CreateObject(), *types = cJSON_AddArrayToObject(o, "type");
+    cJSON_AddItemToArray(types, cJSON_CreateString(a));
+    cJSON_AddItemToArray(types, cJSON_CreateString(b));
+    return o;
+}
+
+static cJSON *words_schema(const char *words)
+{
+    cJSON *o = cJSON_CreateObject(), *list = cJSON_AddArrayToObject(o, "enum");
+    for (const char *w = words; *w; w += strcspn(w, "|"), w += *w == '|') {
+        char word[64];
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(w, "|"), w);
+        cJSON_AddItemToArray(list, cJSON_CreateString(word));
+    }
+    return o;
+}
+
+/* A number may always be an expression, which is a string. */
+static cJSON *number_schema(const struct key *k)
+{
+    cJSON *o = type_list(k->type == KEY_INT ? "integer" : "number", "string");
+    if (!isinf(k->lo)) cJSON_AddNumberToObject(o, k->flags & KEY_ABOVE ? "exclusiveMinimum" : "minimum", k->lo);
+    if (!isinf(k->hi)) cJSON_AddNumberToObject(o, k->flags & KEY_BELOW ? "exclusiveMaximum" : "maximum", k->hi);
+    return o;
+}
+
+static cJSON *key_schema(const struct key *k)
+{
+    cJSON *o;
+    switch (k->type) {
+    case KEY_REAL:
+    case KEY_INT: o = number_schema(k); break;
+    case KEY_BOOL: o = typed("boolean"); break;
+    case KEY_WORD: o = words_schema(k->words); break;
+    case KEY_LIST: o = typed("array"); break;
+    case KEY_TEXT: o = typed("string"); break;
+    case KEY_EXPR: o = type_list("number", "string"); break;
+    default: o = cJSON_CreateObject();
+    }
+    char text[300];
+    snprintf(text, sizeof text, "%s%s%s%s%s%s", k->brief, k->unit ? " [" : "", k->unit ? k->unit : "",
+             k->unit ? "]" : "", k->type == KEY_NODE ? ": " : "", k->type == KEY_NODE ? k->words : "");
+    cJSON_AddStringToObject(o, "description", text);
+    if (k->fallback) cJSON_AddStringToObject(o, "default", k->fallback);
+    return o;
+}
+
+static void allow_repeat(cJSON *properties)
+{
+    cJSON *repeat = typed("object");
+    cJSON_AddStringToObject(repeat, "description", "copies for a loop variable: {i: [first, last]}");
+    cJSON_AddItemToObject(properties, "repeat", repeat);
+}
+
+static cJSON *section_schema(const struct section *s)
+{
+    cJSON *o = typed("object"), *properties = cJSON_AddObjectToObject(o, "properties");
+    cJSON *required = cJSON_CreateArray();
+    if (s->brief) cJSON_AddStringToObject(o, "description", s->brief);
+    for (const struct key *k = s->keys; k && k->name; k++) {
+        cJSON_AddItemToObject(properties, k->name, key_schema(k));
+        if (k->flags & KEY_REQUIRED && !(k->flags & (KEY_SPATIAL | KEY_PLANAR)))
+            cJSON_AddItemToArray(required, cJSON_CreateString(k->name));
+    }
+    if (s->word && !cJSON_HasObjectItem(properties, s->word)) { /* joints and laws: the kind's own word */
+        cJSON_AddItemToObject(properties, s->word, cJSON_CreateObject());
+        cJSON_AddItemToArray(required, cJSON_CreateString(s->word));
+    }
+    if (strstr(s->path, "NAME")) allow_repeat(properties);
+    if (cJSON_GetArraySize(required) > 0)
+        cJSON_AddItemToObject(o, "required", required);
+    else
+        cJSON_Delete(required);
+    cJSON_AddFalseToObject(o, "additionalProperties");
+    return o;
+}
+
+/* All kinds of a path as one schema: the section itself, or any of its kinds. */
+static cJSON *path_schema(const char *path)
+{
+    struct section s;
+    cJSON *any = cJSON_CreateArray();
+    for (int i = 0; scene_section(&s, i); i++)
+        if (strcmp(s.path, path) == 0) cJSON_AddItemToArray(any, section_schema(&s));
+    if (cJSON_GetArraySize(any) == 1) {
+        cJSON *only = cJSON_DetachItemFromArray(any, 0);
+        cJSON_Delete(any);
+        return only;
+    }
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddItemToObject(o, "anyOf", any);
+    return o;
+}
+
+/* {name: item of path} */
+static void put_named(cJSON *properties, const char *key, const char *path)
+{
+    cJSON *o = cJSON_GetObjectItem(properties, key);
+    cJSON_AddStringToObject(o, "type", "object");
+    cJSON_AddItemToObject(o, "additionalProperties", path_schema(path));
+}
+
+static void put_nested(cJSON *properties, const char *key, const char *path)
+{
+    cJSON_ReplaceItemInObject(properties, key, path_schema(path));
+}
+
+static cJSON *deck_schema(void)
+{
+    cJSON *root = path_schema(""), *properties = cJSON_GetObjectItem(root, "properties");
+    cJSON_AddStringToObject(root, "$schema", "http://json-schema.org/draft-07/schema#");
+    cJSON_AddStringToObject(root, "title", "fmdsub deck");
+    put_named(properties, "bodies", "bodies.NAME");
+    cJSON *ground = cJSON_AddObjectToObject(cJSON_GetObjectItem(properties, "bodies"), "properties");
+    cJSON_AddItemToObject(ground, "ground", path_schema("bodies.ground"));
+    put_named(properties, "constraints", "constraints.NAME");
+    put_named(properties, "measures", "measures.NAME");
+    put_named(properties, "forces", "forces.NAME");
+    put_nested(properties, "partition", "partition");
+    put_nested(properties, "integrate", "integrate");
+    put_nested(properties, "output", "output");
+    put_nested(properties, "energy", "energy");
+    return root;
+}
+
+enum status verb_schema(const struct request *request, struct arena *life, struct report *report)
+{
+    (void)request;
+    (void)life;
+    cJSON *schema = deck_schema();
+    char *text = cJSON_Print(schema);
+    cJSON_Delete(schema);
+    if (!text) return fail(report, E_LIMIT, "out of memory");
+    puts(text);
+    cJSON_free(text);
+    return OK;
+}

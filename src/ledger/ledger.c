@@ -1,0 +1,55 @@
+/* ledger.c -- the balance (2-26*), see ledger.h.
+ *
+ * The verdict is passed on the run as a whole: at its first steps from rest all works are near nothing,
+ * and a quadrature of second order (Newmark's) is off by a third of them whatever the step. */
+#include "ledger/ledger.h"
+
+#include <float.h>
+#include <math.h>
+
+void ledger_open(struct ledger *o, double delta, double kinetic, double elastic, double gravity)
+{
+    *o = (struct ledger){.delta = delta};
+    o->kinetic0 = o->kinetic = kinetic;
+    o->elastic0 = o->elastic = elastic;
+    o->gravity0 = o->gravity = gravity;
+}
+
+/* Energies are differences of larger numbers: what they cannot resolve does not break a balance. */
+static double round_off(const struct ledger *o)
+{
+    double size = fabs(o->kinetic) + fabs(o->elastic) + fabs(o->gravity) + fabs(o->kinetic0) + fabs(o->elastic0) +
+                  fabs(o->gravity0);
+    return 1e4 * DBL_EPSILON * size;
+}
+
+void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
+                 double lost, double left)
+{
+    o->kinetic = kinetic;
+    o->elastic = elastic;
+    o->gravity = gravity;
+    for (int i = 0; i < LEDGER_CHANNELS; i++) o->work[i] += work[i];
+    o->lost += lost;
+    o->left += left;
+    double kin = kinetic - o->kinetic0;
+    double taken = o->lost - o->work[LEDGER_DAMPER] - o->work[LEDGER_FRICTION];
+    double internal = elastic - o->elastic0 + taken;
+    double external = o->work[LEDGER_EXTERNAL] + o->work[LEDGER_DRIVE] - (gravity - o->gravity0);
+    o->residual = kin + internal - external;
+    o->norm = fmax(o->norm, fmax(fabs(kin) + fabs(internal) + fabs(external), round_off(o)));
+    if (fabs(o->residual) > o->worst || isnan(o->residual)) {
+        o->worst = fabs(o->residual);
+        o->t_worst = t;
+    }
+}
+
+double ledger_share(const struct ledger *o)
+{
+    return o->norm > 0 ? o->worst / o->norm : 0;
+}
+
+bool ledger_broken(const struct ledger *o)
+{
+    return !(ledger_share(o) <= o->delta);
+}

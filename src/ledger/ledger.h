@@ -1,0 +1,38 @@
+/* ledger.h -- the energy balance, kept on every run:
+ *
+ *     |W_kin + W_int - W_ext| <= delta ||W||                                 (2-26)
+ *
+ * counted from the start: W_kin the change of kinetic energy; W_int the change of elastic energy and
+ * what dampers, friction and the scheme's own damping took; W_ext the work of external forces, drives and gravity.
+ * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, with a floor by round-off: print (2-26*)
+ * leaves it undefined.  The works come from the integrator, summed by its own quadrature. */
+#ifndef FMDSUB_LEDGER_LEDGER_H
+#define FMDSUB_LEDGER_LEDGER_H
+
+#include <stdbool.h>
+
+enum { LEDGER_EXTERNAL, LEDGER_DRIVE, LEDGER_DAMPER, LEDGER_FRICTION, LEDGER_CHANNELS };
+
+struct ledger {
+    double delta;
+    double kinetic0, elastic0, gravity0; /* at the start [J] */
+    double kinetic, elastic, gravity;    /* now [J] */
+    double work[LEDGER_CHANNELS];        /* done on the system so far [J] */
+    double lost;                         /* taken by the scheme's own damping so far [J] */
+    double left;                         /* sum of what Newton left over, a size [J] */
+    double residual;                     /* W_kin + W_int - W_ext now [J] */
+    double norm;                         /* ||W|| [J] */
+    double worst, t_worst;               /* largest |residual| so far and when */
+};
+
+void ledger_open(struct ledger *o, double delta, double kinetic, double elastic, double gravity);
+
+/* The end of an accepted step at t: energies there, and the step's works [LEDGER_CHANNELS]. */
+void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
+                 double lost, double left);
+
+/* Worst residual over the norm: above delta the balance is broken. */
+double ledger_share(const struct ledger *o);
+bool ledger_broken(const struct ledger *o);
+
+#endif

@@ -1,0 +1,116 @@
+/* elements.c -- measures and forces with their places in q and v and their rate class.
+ *
+ * A force is fast if it reads, or acts on the relative motion of, anything fast; a load that depends on t
+ * alone is always fast: it is cheap. */
+#include "expr/expr.h"
+#include "la/vec3.h"
+#include "model/parts.h"
+
+static struct model_point point_of(const struct making *o, const struct marker *at, const char *name)
+{
+    struct model_point p = {.name = name, .body = o->body_of[at->body]};
+    v3_copy(p.p, at->p);
+    return p;
+}
+
+static void make_measure(struct making *o, struct model_measure *to, const struct scene_measure *from)
+{
+    *to = (struct model_measure){.name = from->name, .type = from->type, .angular = from->angular, .iq = -1, .iv = -1};
+    if (from->type == MEASURE_COORDINATE) {
+        const struct model_joint *j = &o->joint[o->joint_of[from->joint]];
+        to->iv = rate_place(o, from->joint, from->k);
+        to->iq = position_place(o, from->joint, from->k); /* plain coordinates pair up */
+        to->fast = to->iv < o->m->ns;
+        to->a.body = j->parent;
+        to->b.body = j->child;
+        return;
+    }
+    to->a = point_of(o, &from->a, NULL);
+    to->b = point_of(o, &from->b, NULL);
+    v3_copy(to->axis, from->axis);
+    to->fast = o->body[to->a.body].fast || o->body[to->b.body].fast;
+}
+
+static struct model_slot make_slot(const struct making *o, const struct scene_slot *s)
+{
+    switch (s->type) {
+    case SCENE_MEASURE: return (struct model_slot){SLOT_MEASURE, s->index};
+    case SCENE_MEASURE_RATE: return (struct model_slot){SLOT_MEASURE_RATE, s->index};
+    case SCENE_COORDINATE: return (struct model_slot){SLOT_Q, position_place(o, s->index, s->k)};
+    case SCENE_RATE: return (struct model_slot){SLOT_V, rate_place(o, s->index, s->k)};
+    case SCENE_TIME: break;
+    }
+    return (struct model_slot){SLOT_TIME, 0};
+}
+
+static bool slot_is_fast(const struct making *o, const struct model_slot *s)
+{
+    switch (s->type) {
+    case SLOT_MEASURE:
+    case SLOT_MEASURE_RATE: return o->m->measure[s->index].fast;
+    case SLOT_Q: return o->m->coordinate[s->index].fast;
+    case SLOT_V: return s->index < o->m->ns;
+    case SLOT_TIME: break;
+    }
+    return false;
+}
+
+static bool reads_time(const struct model_force *f)
+{
+    int slot[64];
+    for (int i = 0; i < 3; i++) {
+        if (f->value[i].n > 0) return true;
+        if (f->value[i].expr && expr_reads(f->value[i].expr, slot, 64) > 0 && slot[0] == 0) return true;
+    }
+    return false;
+}
+
+static enum rate class_of(const struct making *o, const struct model_force *f)
+{
+    bool along = f->type == FORCE_LAW || f->type == FORCE_VALUE;
+    if (along && o->m->measure[f->measure].fast) return FAST;
+    if (!along && (o->body[f->b.body].fast || o->body[f->a.body].fast)) return FAST;
+    for (int i = 1; i < f->nslot; i++)
+        if (slot_is_fast(o, &f->slot[i])) return FAST;
+    bool signal = f->type == FORCE_VALUE || f->type == FORCE_LOAD;
+    return signal && f->nslot == 1 && reads_time(f) ? FAST : SLOW;
+}
+
+static void make_force(struct making *o, struct model_force *to, const struct scene_force *from)
+{
+    *to = (struct model_force){
+        .name = from->name,
+        .type = from->type,
+        .measure = from->measure,
+        .kind = from->kind,
+        .par = from->par,
+        .value = {from->value[0], from->value[1], from->value[2]},
+        .nslot = from->nslot,
+        .a = point_of(o, &from->a, NULL),
+        .b = point_of(o, &from->b, NULL),
+        .torque = from->torque,
+        .body_axes = from->body_axes,
+    };
+    struct model_slot *slot = TAKE(o->life, struct model_slot, from->nslot);
+    for (int i = 0; i < from->nslot; i++) slot[i] = make_slot(o, &from->slot[i]);
+    to->slot = slot;
+    to->cls = class_of(o, to);
+}
+
+void make_elements(struct making *o)
+{
+    const struct scene *scene = o->scene;
+    struct model *m = o->m;
+    struct model_measure *measure = TAKE(o->life, struct model_measure, scene->nmeasure);
+    for (int i = 0; i < scene->nmeasure; i++) make_measure(o, &measure[i], &scene->measure[i]);
+    m->measure = measure;
+    m->nmeasure = scene->nmeasure;
+    struct model_force *force = TAKE(o->life, struct model_force, scene->nforce);
+    for (int i = 0; i < scene->nforce; i++) make_force(o, &force[i], &scene->force[i]);
+    m->force = force;
+    m->nforce = scene->nforce;
+    struct model_point *point = TAKE(o->life, struct model_point, scene->npoint);
+    for (int i = 0; i < scene->npoint; i++) point[i] = point_of(o, &scene->point[i].at, scene->point[i].name);
+    m->point = point;
+    m->npoint = scene->npoint;
+}

@@ -1,0 +1,32 @@
+/* parts.h -- the stages of model_build; private to model/. */
+#ifndef FMDSUB_MODEL_PARTS_H
+#define FMDSUB_MODEL_PARTS_H
+
+#include "model/build.h"
+
+struct making {
+    const struct scene *scene;
+    struct diags *diags;
+    struct arena *life;
+    struct model *m;
+    struct model_body *body;   /* m's arrays while they may still be written */
+    struct model_joint *joint;
+    int *body_of, *joint_of;
+    int *scene_joint; /* [njoint] the scene's joint of a tree joint; -1: free by default */
+};
+
+/* tree.c: spanning tree from the ground, breadth first, in the deck's order of joints */
+enum status make_tree(struct making *o);
+/* coordinates.c: places in q and v, fast first; classes of bodies */
+void make_coordinates(struct making *o);
+/* elements.c: measures and forces with their places and classes */
+void make_elements(struct making *o);
+/* start.c: q0, v0 */
+void make_start(struct making *o);
+
+/* The place in v of the k-th rate of scene joint j. */
+int rate_place(const struct making *o, int j, int k);
+/* The place in q of the k-th position of scene joint j. */
+int position_place(const struct making *o, int j, int k);
+
+#endif

@@ -1,0 +1,106 @@
+/* start.c -- the initial state: 0 everywhere but for what `initial:` says.
+ *
+ * Angular velocities may be given in world axes: the orientations at the start are needed for that,
+ * body by body from the ground. */
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "model/parts.h"
+
+static void turn(double *R, double angle, int axis)
+{
+    double q[4] = {cos(angle / 2), 0, 0, 0};
+    q[1 + axis] = sin(angle / 2);
+    quat_matrix(R, q);
+}
+
+/* J(q): how the joint axes of the child stand against those of the parent. */
+static void joint_turn(double *J, const struct model_joint *j, const double *q)
+{
+    double second[9], first[9];
+    static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    memcpy(J, identity, sizeof identity);
+    switch (j->type) {
+    case JOINT_REVOLUTE:
+    case JOINT_CYLINDRICAL: turn(J, q[j->iq[0]], 2); break;
+    case JOINT_PLANAR: turn(J, q[j->iq[2]], 2); break;
+    case JOINT_UNIVERSAL:
+        turn(first, q[j->iq[0]], 0);
+        turn(second, q[j->iq[1]], 1);
+        m3_mulm(J, first, second);
+        break;
+    case JOINT_FREE:
+        if (j->nq == 3) turn(J, q[j->iq[2]], 2);
+        break;
+    default: break;
+    }
+}
+
+/* World orientations of all bodies at q. */
+static void orientations(const struct making *o, double (*R)[9], const double *q)
+{
+    memcpy(R[0], o->body[0].R, sizeof *R);
+    for (int i = 1; i < o->m->nbody; i++) {
+        const struct model_joint *j = &o->joint[o->body[i].joint];
+        double J[9], A[9], B[9];
+        m3_mulm(A, R[j->parent], j->Ea);
+        if (j->nq > j->nv) { /* the quaternion turns the child's own axes */
+            double T[9];
+            m3_mulmt(B, A, j->Eb);
+            quat_matrix(T, &q[j->iq[j->nq - 4]]);
+            m3_mulm(R[i], B, T);
+            continue;
+        }
+        joint_turn(J, j, q);
+        m3_mulm(B, A, J);
+        m3_mulmt(R[i], B, j->Eb);
+    }
+}
+
+/* A turn given in drawn world axes as a quaternion in the child's axes. */
+static void put_rotation(const struct making *o, double *q, const struct model_joint *j, const double *x)
+{
+    double *to = &q[j->iq[j->nq - 4]];
+    to[0] = x[0];
+    m3_tmul(to + 1, o->body[j->child].R, x + 1);
+    if (j->reversed) v3_scale(to + 1, -1, to + 1);
+}
+
+static void put_omega(double *v, const struct model_joint *j, const double *R, const struct scene_initial *s)
+{
+    double omega[3];
+    if (s->body_axes)
+        v3_copy(omega, s->x);
+    else
+        m3_tmul(omega, R, s->x);
+    for (int k = 0; k < 3; k++) v[j->iv[j->nv - 3 + k]] = j->reversed ? -omega[k] : omega[k];
+}
+
+void make_start(struct making *o)
+{
+    struct model *m = o->m;
+    const struct scene *scene = o->scene;
+    double *q = TAKE(o->life, double, m->nq), *v = TAKE(o->life, double, m->n);
+    for (int i = 0; i < m->njoint; i++)
+        if (o->joint[i].nq > o->joint[i].nv) q[o->joint[i].iq[o->joint[i].nq - 4]] = 1;
+    for (int i = 0; i < scene->ninitial; i++) {
+        const struct scene_initial *s = &scene->initial[i];
+        if (s->type == INITIAL_POSITION) q[position_place(o, s->joint, s->k)] = s->x[0];
+        if (s->type == INITIAL_RATE) v[rate_place(o, s->joint, s->k)] = s->x[0];
+        if (s->type == INITIAL_ROTATION) put_rotation(o, q, &o->joint[o->joint_of[s->joint]], s->x);
+    }
+    struct arena_mark mark = arena_mark(o->life);
+    double(*R)[9] = arena_take(o->life, (size_t)m->nbody, sizeof *R);
+    orientations(o, R, q);
+    for (int i = 0; i < scene->ninitial; i++) {
+        const struct scene_initial *s = &scene->initial[i];
+        if (s->type != INITIAL_OMEGA) continue;
+        const struct model_joint *j = &o->joint[o->joint_of[s->joint]];
+        put_omega(v, j, R[j->child], s);
+    }
+    arena_rewind(o->life, mark);
+    m->q0 = q;
+    m->v0 = v;
+}

@@ -1,0 +1,311 @@
+/* forces.c -- laws, signals, loads, bushings; signals are expressions over slots or tables of time */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "expr/expr.h"
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "scene/build.h"
+
+enum { MOST_SLOTS = 64 };
+
+/* Slots of one force while its expressions are compiled. */
+struct slots {
+    struct builder *b;
+    int n;
+    struct scene_slot slot[MOST_SLOTS];
+};
+
+static int same_slot(const struct scene_slot *a, const struct scene_slot *b)
+{
+    return a->type == b->type && a->index == b->index && a->k == b->k;
+}
+
+static int find_name(void *self, int *slot, double *value, const char *name, struct expr_error *error)
+{
+    struct slots *s = self;
+    struct scene_slot found;
+    *slot = -1;
+    *value = 0;
+    if (!find_quantity(s->b->scene, &found, name)) {
+        const char *const *list;
+        int n = quantity_names(s->b, &list);
+        const char *nearest = text_nearest(name, list, n);
+        if (nearest)
+            snprintf(error->text, sizeof error->text, "unknown name '%.50s' (did you mean '%.40s'?)", name, nearest);
+        else
+            snprintf(error->text, sizeof error->text,
+                     "unknown name '%.50s': no parameter, coordinate, rate or measure", name);
+        return 1;
+    }
+    for (int i = 0; i < s->n; i++)
+        if (same_slot(&s->slot[i], &found)) return *slot = i, 0;
+    if (s->n == MOST_SLOTS) {
+        snprintf(error->text, sizeof error->text, "more than %d different quantities in one force", MOST_SLOTS - 1);
+        return 1;
+    }
+    s->slot[s->n] = found;
+    *slot = s->n++;
+    return 0;
+}
+
+static int read_expression(struct slots *s, struct signal *o, const struct node *n)
+{
+    const struct expr_names names = {find_name, s};
+    struct expr *expr;
+    if (deck_expr(&expr, n, &names, s->b->reader.deck) != OK) return 1;
+    o->expr = expr;
+    return 0;
+}
+
+static int table_times(struct builder *b, const struct node *n, const struct signal *o)
+{
+    for (int i = 1; i < o->n; i++) {
+        if (o->t[i] > o->t[i - 1]) continue;
+        const struct node *row = n->type == NODE_LIST ? n->item[i] : n;
+        diag_error(b->diags, row, AT_VALUE, "E-table", "times of a table must increase: %g after %g", o->t[i],
+                   o->t[i - 1]);
+        return 1;
+    }
+    return 0;
+}
+
+static int read_rows(struct builder *b, struct signal *o, const struct node *list)
+{
+    if (read_list(list, "'table'", &b->reader)) return 1;
+    double *t = TAKE(b->life, double, list->count), *x = TAKE(b->life, double, list->count);
+    for (int i = 0; i < list->count; i++) {
+        double row[2];
+        if (read_vector(row, 2, list->item[i], "a row of 'table'", &b->reader)) return 1;
+        t[i] = row[0];
+        x[i] = row[1];
+    }
+    if (list->count < 1) {
+        diag_error(b->diags, list, AT_VALUE, "E-table", "an empty table");
+        return 1;
+    }
+    *o = (struct signal){.n = list->count, .t = t, .x = x};
+    return table_times(b, list, o);
+}
+
+static int read_file(struct builder *b, struct signal *o, const struct node *n)
+{
+    double *rows;
+    int count;
+    if (deck_csv(&rows, &count, 2, n, b->reader.deck) != OK) return 1;
+    if (count < 1) {
+        diag_error(b->diags, n, AT_VALUE, "E-table", "an empty table");
+        return 1;
+    }
+    double *t = TAKE(b->life, double, count), *x = TAKE(b->life, double, count);
+    for (int i = 0; i < count; i++) {
+        t[i] = rows[2 * i];
+        x[i] = rows[2 * i + 1];
+    }
+    *o = (struct signal){.n = count, .t = t, .x = x};
+    return table_times(b, n, o);
+}
+
+static int read_table(struct builder *b, struct signal *o, const struct node *n)
+{
+    struct table_keys k = {0};
+    if (read_keys(&k, keys_table, n, NULL, "'value'", &b->reader)) return 1;
+    if (!k.table == !k.file) {
+        diag_error(b->diags, n, AT_VALUE, "E-table", "expected 'table' or 'file'");
+        return 1;
+    }
+    if (k.table) return read_rows(b, o, k.table);
+    return read_file(b, o, node_find(n, "file"));
+}
+
+static int read_signal(struct slots *s, struct signal *o, const struct node *n)
+{
+    if (n->type == NODE_MAP) return read_table(s->b, o, n);
+    if (n->type == NODE_SCALAR) return read_expression(s, o, n);
+    diag_error(s->b->diags, n, AT_VALUE, "E-type", "expected one expression or a table");
+    return 1;
+}
+
+static void keep_slots(struct builder *b, struct scene_force *f, const struct slots *s)
+{
+    f->nslot = s->n;
+    struct scene_slot *slot = TAKE(b->life, struct scene_slot, s->n);
+    memcpy(slot, s->slot, (size_t)s->n * sizeof *slot);
+    f->slot = slot;
+}
+
+/* Components of a load in the deck's space; a torque in the plane has one, about z. */
+static int read_components(struct slots *s, struct scene_force *f, const struct node *n)
+{
+    struct builder *b = s->b;
+    int plane = b->scene->space == 2, want = f->torque && plane ? 1 : b->scene->space;
+    if (want == 1) return read_signal(s, &f->value[2], n);
+    if (n->type != NODE_LIST || n->count != want) {
+        diag_error(b->diags, n, AT_VALUE, "E-count", "expected %d expressions, [%s], found %s", want,
+                   plane ? "x, y" : "x, y, z", n->type == NODE_LIST ? "another number of them" : "something else");
+        return 1;
+    }
+    int errors = 0;
+    for (int i = 0; i < want; i++) errors += read_signal(s, &f->value[i], n->item[i]);
+    return errors;
+}
+
+static bool names_a_body(const struct builder *b, const struct node *n)
+{
+    if (n->type != NODE_SCALAR) return false;
+    const char *dot = strchr(n->text, '.');
+    size_t len = dot ? (size_t)(dot - n->text) : n->len;
+    for (int i = 0; i < b->scene->nbody; i++)
+        if (strlen(b->scene->body[i].name) == len && memcmp(b->scene->body[i].name, n->text, len) == 0)
+            return find_joint(b->scene, n->text, len) < 0;
+    return false;
+}
+
+/* `force:` and `torque:`: along a measure, or on a body. */
+static int read_value(struct builder *b, struct scene_force *f, const struct node *n, const struct key *keys,
+                      const char *what)
+{
+    struct value_keys k = {0};
+    struct slots s = {.b = b, .n = 1};
+    if (read_keys(&k, keys, n, NULL, what, &b->reader)) return 1;
+    f->body_axes = k.frame == 1;
+    int errors;
+    if (names_a_body(b, k.on)) {
+        f->type = FORCE_LOAD;
+        if (read_point(b, &f->b, k.on, what)) return 1;
+        if (f->b.body == 0) {
+            diag_error(b->diags, k.on, AT_VALUE, "E-ground", "%s: a load on the ground moves nothing", what);
+            return 1;
+        }
+        errors = read_components(&s, f, k.value);
+    } else {
+        f->type = FORCE_VALUE;
+        f->measure = measure_of(b, k.on, what);
+        if (f->measure < 0) return 1;
+        bool angular = b->scene->measure[f->measure].angular;
+        if (angular != f->torque) {
+            diag_error(b->diags, k.on, AT_VALUE, "E-kind", "%s: '%.60s' is %s", what,
+                       k.on->type == NODE_SCALAR ? k.on->text : "the distance", angular ? "an angle" : "a length");
+            diag_hint(b->diags, "use '%s:'", angular ? "torque" : "force");
+            return 1;
+        }
+        errors = read_signal(&s, &f->value[0], k.value);
+    }
+    keep_slots(b, f, &s);
+    return errors;
+}
+
+/* Springs and dampers: the law's own keys, along a measure. */
+static int read_law(struct builder *b, struct scene_force *f, const struct node *n, const struct force_kind *kind,
+                    const char *what)
+{
+    const char *also[] = {kind->name, NULL};
+    void *par = arena_take(b->life, 1, kind->size);
+    int errors = read_keys(par, kind->keys, n, also, what, &b->reader);
+    f->type = FORCE_LAW;
+    f->kind = kind;
+    f->par = par;
+    f->measure = measure_of(b, node_find(n, kind->name), what);
+    if (errors || f->measure < 0) return 1;
+    if (kind == &force_spring && !node_find(n, "rest")) {
+        struct spring *spring = par;
+        const struct scene_measure *m = &b->scene->measure[f->measure];
+        spring->rest = m->type == MEASURE_DISTANCE ? m->drawn : 0;
+    }
+    return 0;
+}
+
+static int three_or_zero(struct builder *b, double *o, const struct node *n, const char *what)
+{
+    o[0] = o[1] = o[2] = 0;
+    if (!n) return 0;
+    int errors = read_vector(o, b->scene->space, n, what, &b->reader);
+    for (int i = 0; !errors && i < 3; i++)
+        if (o[i] < 0) {
+            diag_error(b->diags, n->item[i], AT_VALUE, "E-range", "%s: must not be negative", what);
+            errors++;
+        }
+    return errors;
+}
+
+static int about_or_zero(struct builder *b, double *o, const struct node *n, const char *what)
+{
+    if (b->scene->space == 3 || !n) return three_or_zero(b, o, n, what);
+    o[0] = o[1] = 0;
+    int errors = read_number(&o[2], n, NULL, &b->reader);
+    if (!errors && o[2] < 0) {
+        diag_error(b->diags, n, AT_VALUE, "E-range", "%s: must not be negative", what);
+        errors++;
+    }
+    return errors;
+}
+
+static int read_bushing(struct builder *b, struct scene_force *f, const struct node *n, const char *what)
+{
+    struct bushing_keys k = {0};
+    struct bushing *u = TAKE(b->life, struct bushing, 1);
+    int first, second;
+    if (read_keys(&k, keys_bushing, n, NULL, what, &b->reader)) return 1;
+    if (find_two_bodies(b, &first, &second, k.bodies, what)) return 1;
+    int errors = three_or_zero(b, u->k, k.stiffness, what) + three_or_zero(b, u->c, k.damping, what) +
+                 about_or_zero(b, u->kr, k.rotation, what) + about_or_zero(b, u->cr, k.rotation_damping, what);
+    struct marker at;
+    double world[3], E[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, axis[3];
+    if (errors || read_point(b, &at, k.at, what)) return 1;
+    if (k.axis) {
+        if (read_direction(b, axis, k.axis, what)) return 1;
+        const double out[3] = {0, 0, 1};
+        frame_about(E, b->scene->space == 2 ? out : axis, b->scene->space == 2 ? axis : NULL);
+    }
+    marker_drawn(world, b->scene, &at);
+    marker_at(&f->a, b->scene, first, world);
+    marker_at(&f->b, b->scene, second, world);
+    m3_tmulm(u->Ea, b->scene->body[first].R, E);
+    m3_tmulm(u->Eb, b->scene->body[second].R, E);
+    f->type = FORCE_BUSHING;
+    f->par = u;
+    return 0;
+}
+
+static int read_force(struct builder *b, struct scene_force *f, const struct node *n)
+{
+    char what[100];
+    snprintf(what, sizeof what, "force '%.60s'", n->key);
+    f->name = n->key;
+    f->node = n;
+    if (read_map(n, what, &b->reader)) return 1;
+    if (node_find(n, "bushing")) return read_bushing(b, f, n, what);
+    if (node_find(n, "force")) return read_value(b, f, n, keys_force, what);
+    f->torque = node_find(n, "torque") != NULL;
+    if (f->torque) return read_value(b, f, n, keys_torque, what);
+    for (int i = 0; force_kind_at(i); i++)
+        if (node_find(n, force_kind_at(i)->name)) return read_law(b, f, n, force_kind_at(i), what);
+    const char *words[16] = {"force", "torque", "bushing"};
+    int count = 3;
+    for (int i = 0; force_kind_at(i) && count < 16; i++) words[count++] = force_kind_at(i)->name;
+    unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-force", "kind of force",
+                 n->count ? n->item[0]->key : "", words, count);
+    return 1;
+}
+
+int read_forces(struct builder *b, const struct node *n)
+{
+    int errors = 0;
+    if (!n) return 0;
+    if (read_map(n, "'forces'", &b->reader)) return 1;
+    struct scene *scene = b->scene;
+    scene->force = TAKE(b->life, struct scene_force, n->count);
+    for (int i = 0; i < n->count; i++) {
+        struct scene_force f = {0};
+        if (!text_is_name(n->item[i]->key)) {
+            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' is not a name", n->item[i]->key);
+            errors++;
+        } else if (read_force(b, &f, n->item[i])) {
+            errors++;
+        } else {
+            scene->force[scene->nforce++] = f;
+        }
+    }
+    return errors;
+}

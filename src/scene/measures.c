@@ -1,0 +1,203 @@
+/* measures.c -- distances, displacements and angles, named or made for one force */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "scene/build.h"
+
+int measure_add(struct builder *b, const struct scene_measure *m)
+{
+    struct scene *scene = b->scene;
+    int n = scene->nmeasure;
+    if ((n & (n - 1)) == 0) { /* full at 0 and at powers of two */
+        struct scene_measure *more = TAKE(b->life, struct scene_measure, n ? 2 * n : 1);
+        if (n) memcpy(more, scene->measure, (size_t)n * sizeof *more);
+        scene->measure = more;
+    }
+    scene->measure[n] = *m;
+    scene->measure[n].drawn = measure_drawn(scene, m);
+    return scene->nmeasure++;
+}
+
+double measure_drawn(const struct scene *scene, const struct scene_measure *m)
+{
+    double a[3], b[3], axis[3];
+    if (m->type == MEASURE_COORDINATE || m->type == MEASURE_ANGLE) return 0;
+    marker_drawn(a, scene, &m->a);
+    marker_drawn(b, scene, &m->b);
+    v3_diff(b, b, a);
+    if (m->type == MEASURE_DISTANCE) return sqrt(v3_dot(b, b));
+    m3_mul(axis, scene->body[m->a.body].R, m->axis);
+    return v3_dot(axis, b);
+}
+
+/* Two points: [point, point]. */
+static int two_points(struct builder *b, struct scene_measure *m, const struct node *n, const char *what)
+{
+    if (n->type != NODE_LIST || n->count != 2) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "%s: expected two points, [first, second]", what);
+        return 1;
+    }
+    return read_point(b, &m->a, n->item[0], what) + read_point(b, &m->b, n->item[1], what);
+}
+
+/* The measure's axis: drawn direction into the axes of a's body. */
+static int measure_axis(struct builder *b, struct scene_measure *m, const struct node *axis, const char *what)
+{
+    double world[3] = {0, 0, 1};
+    if (axis && read_direction(b, world, axis, what)) return 1;
+    m3_tmul(m->axis, b->scene->body[m->a.body].R, world);
+    return 0;
+}
+
+static int refuse_zero_distance(struct builder *b, const struct scene_measure *m, const struct node *n,
+                                const char *what)
+{
+    if (m->a.body == m->b.body) {
+        diag_error(b->diags, n, AT_VALUE, "E-same-body", "%s: both points are fixed on '%s'", what,
+                   b->scene->body[m->a.body].name);
+        return 1;
+    }
+    if (m->type != MEASURE_DISTANCE || measure_drawn(b->scene, m) > 0) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-direction", "%s: the points coincide when drawn: no direction", what);
+    diag_hint(b->diags, "use two displacements along axes, or a bushing");
+    return 1;
+}
+
+static int read_measure(struct builder *b, const struct node *n)
+{
+    static const struct {
+        const char *word;
+        const struct key *keys;
+        enum measure_type type;
+    } kinds[] = {{"distance", keys_distance, MEASURE_DISTANCE},
+                 {"displacement", keys_displacement, MEASURE_DISPLACEMENT},
+                 {"angle", keys_angle, MEASURE_ANGLE}};
+    static const char *const words[] = {"distance", "displacement", "angle"};
+    char what[100];
+    snprintf(what, sizeof what, "measure '%.60s'", n->key);
+    if (read_map(n, what, &b->reader)) return 1;
+    int kind = -1;
+    for (int i = 0; i < 3; i++)
+        if (node_find(n, kinds[i].word)) kind = i;
+    if (kind < 0) {
+        unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-measure", "kind of measure",
+                     n->count ? n->item[0]->key : "", words, 3);
+        return 1;
+    }
+    struct measure_keys k = {0};
+    struct scene_measure m = {.name = n->key, .node = n, .type = kinds[kind].type};
+    if (read_keys(&k, kinds[kind].keys, n, NULL, what, &b->reader)) return 1;
+    m.angular = m.type == MEASURE_ANGLE;
+    if (m.angular ? find_two_bodies(b, &m.a.body, &m.b.body, k.points, what) : two_points(b, &m, k.points, what))
+        return 1;
+    if (b->scene->space == 3 && m.angular && !k.axis) {
+        diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s: an angle in 3-D needs an 'axis'", what);
+        return 1;
+    }
+    if (m.type != MEASURE_DISTANCE && measure_axis(b, &m, k.axis, what)) return 1;
+    if (refuse_zero_distance(b, &m, k.points, what)) return 1;
+    measure_add(b, &m);
+    return 0;
+}
+
+int read_measures(struct builder *b, const struct node *n)
+{
+    int errors = 0;
+    if (!n) return 0;
+    if (read_map(n, "'measures'", &b->reader)) return 1;
+    for (int i = 0; i < n->count; i++) {
+        const struct node *m = n->item[i];
+        if (!text_is_name(m->key) || strcmp(m->key, "t") == 0 || strcmp(m->key, "type") == 0) {
+            diag_error(b->diags, m, AT_KEY, "E-name", "'%.60s' cannot name a measure", m->key);
+            errors++;
+        } else if (find_joint(b->scene, m->key, strlen(m->key)) >= 0) {
+            diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a constraint already", m->key);
+            errors++;
+        } else {
+            errors += read_measure(b, m);
+        }
+    }
+    return errors;
+}
+
+/* A joint's only rate; -1 if it has none or several. */
+static int only_rate(const struct scene *scene, const struct scene_joint *j)
+{
+    return j->kind->nv[scene->space == 3] == 1 ? 0 : -1;
+}
+
+static bool is_angular(const struct scene_joint *j, int space, int k)
+{
+    const char *unit = j->kind->vunit[k];
+    (void)space;
+    return strncmp(unit, "rad", 3) == 0;
+}
+
+/* The rate that goes with the position k of joint j: they pair up but for quaternions. */
+static int rate_of(const struct scene_joint *j, int space, int k)
+{
+    const char *q = j->kind->q[k];
+    int n = j->kind->nv[space == 3];
+    size_t len = strlen(q);
+    for (int i = 0; i < n; i++)
+        if (strncmp(j->kind->v[i], q, len) == 0 && strcmp(j->kind->v[i] + len, "_rate") == 0) return i;
+    return -1;
+}
+
+static int coordinate_measure(struct builder *b, struct scene_measure *m, const struct node *n)
+{
+    const struct scene *scene = b->scene;
+    const char *dot = strchr(n->text, '.');
+    int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k;
+    if (joint < 0) return 0;
+    const struct scene_joint *j = &scene->joint[joint];
+    if (!dot) {
+        k = only_rate(scene, j);
+        if (k < 0) {
+            diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is a %s joint: name one of its coordinates",
+                       j->name, j->kind->name);
+            if (j->kind->nv[scene->space == 3] > 0 && strchr(j->kind->v[0], '_'))
+                diag_hint(b->diags, "such as '%s.%s'", j->name, j->kind->q[0]);
+            return -1;
+        }
+    } else {
+        if (scene_coordinate(j, scene->space, dot + 1, &k) != 1) return 0;
+        k = rate_of(j, scene->space, k);
+        if (k < 0) {
+            diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "no force can act along '%s'", n->text);
+            diag_hint(b->diags, "use a measure, a torque on the body, or a bushing");
+            return -1;
+        }
+    }
+    *m = (struct scene_measure){.node = n, .type = MEASURE_COORDINATE, .joint = joint, .k = k};
+    m->angular = is_angular(j, scene->space, k);
+    return 1;
+}
+
+int measure_of(struct builder *b, const struct node *n, const char *what)
+{
+    struct scene_measure m = {0};
+    if (n->type == NODE_LIST) {
+        m = (struct scene_measure){.node = n, .type = MEASURE_DISTANCE};
+        if (two_points(b, &m, n, what) || refuse_zero_distance(b, &m, n, what)) return -1;
+        return measure_add(b, &m);
+    }
+    if (n->type != NODE_SCALAR) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "%s: expected a joint, a coordinate, a measure or [point, point]",
+                   what);
+        return -1;
+    }
+    int found = find_measure(b->scene, n->text, n->len);
+    if (found >= 0) return found;
+    int made = coordinate_measure(b, &m, n);
+    if (made > 0) return measure_add(b, &m);
+    if (made == 0) {
+        const char *const *list;
+        int count = quantity_names(b, &list);
+        unknown_name(b, n, AT_VALUE, "E-unknown-name", "joint, coordinate or measure", n->text, list + 1, count - 1);
+    }
+    return -1;
+}

@@ -1,0 +1,161 @@
+/* names.c -- names to indices, and the nearest name where one is unknown */
+#include <string.h>
+
+#include "base/text.h"
+#include "scene/build.h"
+
+static bool same(const char *name, const char *text, size_t len)
+{
+    return name && strlen(name) == len && memcmp(name, text, len) == 0;
+}
+
+/* Is the thing whose name leads `name` in the deck, but left out of the scene for errors of its own?  Then enough
+ * has been said. */
+static bool known_but_wrong(const struct builder *b, const char *name)
+{
+    static const char *const sections[] = {"constraints", "measures"};
+    char lead[64];
+    size_t len = strcspn(name, ".");
+    if (len >= sizeof lead) return false;
+    memcpy(lead, name, len);
+    lead[len] = 0;
+    if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
+    for (int i = 0; i < 2; i++) {
+        const struct node *section = node_find(b->reader.deck->root, sections[i]);
+        if (section && section->type == NODE_MAP && node_find(section, lead)) return true;
+    }
+    return false;
+}
+
+void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
+                  const char *name, const char *const *list, int count)
+{
+    if (known_but_wrong(b, name)) return;
+    diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
+    diag_suggest(b->diags, name, list, count);
+}
+
+static int body_index(const struct scene *scene, const char *name, size_t len)
+{
+    for (int i = 0; i < scene->nbody; i++)
+        if (same(scene->body[i].name, name, len)) return i;
+    return -1;
+}
+
+int find_body(struct builder *b, const struct node *n)
+{
+    const struct scene *scene = b->scene;
+    if (n->type != NODE_SCALAR) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "expected the name of a body");
+        return -1;
+    }
+    int body = body_index(scene, n->text, n->len);
+    if (body >= 0) return body;
+    const char **list = TAKE(b->life, const char *, scene->nbody);
+    for (int i = 0; i < scene->nbody; i++) list[i] = scene->body[i].name;
+    unknown_name(b, n, AT_VALUE, "E-unknown-body", "body", n->text, list, scene->nbody);
+    return -1;
+}
+
+int find_two_bodies(struct builder *b, int *first, int *second, const struct node *n, const char *what)
+{
+    if (n->type != NODE_LIST || n->count != 2) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "%s: expected two bodies, [first, second]", what);
+        return -1;
+    }
+    *first = find_body(b, n->item[0]);
+    *second = find_body(b, n->item[1]);
+    if (*first < 0 || *second < 0) return -1;
+    if (*first == *second) {
+        diag_error(b->diags, n, AT_VALUE, "E-same-body", "%s: both bodies are '%s'", what,
+                   b->scene->body[*first].name);
+        diag_hint(b->diags, "it needs two different bodies; the world is 'ground'");
+        return -1;
+    }
+    return 0;
+}
+
+int find_joint(const struct scene *scene, const char *name, size_t len)
+{
+    for (int i = 0; i < scene->njoint; i++)
+        if (same(scene->joint[i].name, name, len)) return i;
+    return -1;
+}
+
+int find_measure(const struct scene *scene, const char *name, size_t len)
+{
+    for (int i = 0; i < scene->nmeasure; i++)
+        if (same(scene->measure[i].name, name, len)) return i;
+    return -1;
+}
+
+static int word_in(const char *const *words, int n, const char *word)
+{
+    for (int i = 0; words && i < n; i++)
+        if (strcmp(words[i], word) == 0) return i;
+    return -1;
+}
+
+int scene_coordinate(const struct scene_joint *joint, int space, const char *word, int *k)
+{
+    const struct joint_kind *kind = joint->kind;
+    int s = space == 3;
+    if ((*k = word_in(kind->q, kind->nq[s], word)) >= 0) return 1;
+    if ((*k = word_in(kind->v, kind->nv[s], word)) >= 0) return 2;
+    if ((*k = word_in(kind->a, kind->nv[s], word)) >= 0) return 3;
+    return 0;
+}
+
+int find_quantity(const struct scene *scene, struct scene_slot *o, const char *name)
+{
+    const char *dot = strchr(name, '.');
+    if (dot) {
+        int k, joint = find_joint(scene, name, (size_t)(dot - name));
+        if (joint < 0) return 0;
+        int found = scene_coordinate(&scene->joint[joint], scene->space, dot + 1, &k);
+        if (found != 1 && found != 2) return 0;
+        *o = (struct scene_slot){found == 1 ? SCENE_COORDINATE : SCENE_RATE, joint, k};
+        return 1;
+    }
+    if (strcmp(name, "t") == 0) {
+        *o = (struct scene_slot){SCENE_TIME, 0, 0};
+        return 1;
+    }
+    size_t len = strlen(name);
+    int measure = find_measure(scene, name, len);
+    if (measure >= 0) {
+        *o = (struct scene_slot){SCENE_MEASURE, measure, 0};
+        return 1;
+    }
+    if (len > 5 && strcmp(name + len - 5, "_rate") == 0 && (measure = find_measure(scene, name, len - 5)) >= 0) {
+        *o = (struct scene_slot){SCENE_MEASURE_RATE, measure, 0};
+        return 1;
+    }
+    return 0;
+}
+
+int quantity_names(struct builder *b, const char *const **list)
+{
+    const struct scene *scene = b->scene;
+    int s = scene->space == 3, n = 1;
+    for (int i = 0; i < scene->njoint; i++) n += 1 + scene->joint[i].kind->nq[s] + scene->joint[i].kind->nv[s];
+    n += 2 * scene->nmeasure;
+    const char **names = TAKE(b->life, const char *, n);
+    int count = 0;
+    names[count++] = "t";
+    for (int i = 0; i < scene->njoint; i++) {
+        const struct scene_joint *j = &scene->joint[i];
+        names[count++] = j->name;
+        for (int k = 0; k < j->kind->nq[s]; k++)
+            names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
+        for (int k = 0; k < j->kind->nv[s]; k++)
+            names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
+    }
+    for (int i = 0; i < scene->nmeasure; i++) {
+        if (!scene->measure[i].name) continue;
+        names[count++] = scene->measure[i].name;
+        names[count++] = arena_print(b->life, "%s_rate", scene->measure[i].name);
+    }
+    *list = names;
+    return count;
+}

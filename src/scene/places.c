@@ -1,0 +1,157 @@
+/* places.c -- vectors, directions, points and orientations of a deck */
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "scene/build.h"
+
+int read_place(struct builder *b, double *o, const struct node *n, const char *what)
+{
+    int space = b->scene->space;
+    o[0] = o[1] = o[2] = 0;
+    if (n->type == NODE_LIST && n->count != space && (n->count == 2 || n->count == 3)) {
+        diag_error(b->diags, n, AT_VALUE, "E-count", "%s: expected %d numbers, found %d", what, space, n->count);
+        if (b->space_from)
+            diag_note(b->diags, b->space_from, AT_VALUE, "this makes the deck %s", space == 2 ? "planar" : "spatial");
+        return 1;
+    }
+    return read_vector(o, space, n, what, &b->reader);
+}
+
+int read_direction(struct builder *b, double *o, const struct node *n, const char *what)
+{
+    if (read_place(b, o, n, what)) return 1;
+    double length = sqrt(v3_dot(o, o));
+    if (length > 0) {
+        v3_scale(o, 1 / length, o);
+        return 0;
+    }
+    diag_error(b->diags, n, AT_VALUE, "E-direction", "%s: a direction of length 0", what);
+    return 1;
+}
+
+static int unknown_point(struct builder *b, const struct node *n, int body)
+{
+    const struct scene *scene = b->scene;
+    const char **list = TAKE(b->life, const char *, scene->npoint + scene->nbody);
+    int count = 0;
+    for (int i = 0; i < scene->npoint; i++)
+        if (body < 0 || scene->point[i].at.body == body) list[count++] = scene->point[i].name;
+    for (int i = 0; body < 0 && i < scene->nbody; i++) list[count++] = scene->body[i].name;
+    unknown_name(b, n, AT_VALUE, "E-unknown-point", "point", n->text, list, count);
+    return 1;
+}
+
+int read_point(struct builder *b, struct marker *o, const struct node *n, const char *what)
+{
+    const struct scene *scene = b->scene;
+    *o = (struct marker){0};
+    if (n->type == NODE_LIST) return read_place(b, o->p, n, what);
+    if (n->type != NODE_SCALAR) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "%s: expected a vector or 'body.point'", what);
+        return 1;
+    }
+    for (int i = 0; i < scene->npoint; i++)
+        if (strcmp(scene->point[i].name, n->text) == 0) return *o = scene->point[i].at, 0;
+    for (int i = 0; i < scene->nbody; i++)
+        if (strcmp(scene->body[i].name, n->text) == 0) return o->body = i, 0;
+    const char *dot = strchr(n->text, '.');
+    int body = -1;
+    for (int i = 0; dot && i < scene->nbody; i++) {
+        const char *name = scene->body[i].name;
+        if (strlen(name) == (size_t)(dot - n->text) && memcmp(name, n->text, strlen(name)) == 0) body = i;
+    }
+    return unknown_point(b, n, body);
+}
+
+void marker_drawn(double *o, const struct scene *scene, const struct marker *m)
+{
+    const struct scene_body *body = &scene->body[m->body];
+    double arm[3];
+    m3_mul(arm, body->R, m->p);
+    v3_sum(o, body->at, arm);
+}
+
+void marker_at(struct marker *o, const struct scene *scene, int body, const double *x)
+{
+    double arm[3];
+    v3_diff(arm, x, scene->body[body].at);
+    o->body = body;
+    m3_tmul(o->p, scene->body[body].R, arm);
+}
+
+void frame_about(double *E, const double *z, const double *near)
+{
+    double x[3];
+    if (near) {
+        v3_copy(x, near);
+    } else { /* the world axis least along z */
+        int least = fabs(z[0]) <= fabs(z[1]) && fabs(z[0]) <= fabs(z[2]) ? 0 : fabs(z[1]) <= fabs(z[2]) ? 1 : 2;
+        x[0] = x[1] = x[2] = 0;
+        x[least] = 1;
+    }
+    v3_axpy(x, -v3_dot(x, z), z);
+    v3_scale(E, 1 / v3_norm(x), x);
+    v3_cross(E + 3, z, E);
+    v3_copy(E + 6, z);
+}
+
+static int from_axes(struct builder *b, double *R, const struct orient_keys *k, const struct node *n, const char *what)
+{
+    double x[3], z[3], across[3];
+    if (!k->x || !k->z) {
+        diag_error(b->diags, n, AT_VALUE, "E-orientation", "%s: expected both 'z' and 'x'", what);
+        return 1;
+    }
+    if (read_direction(b, x, k->x, what) | read_direction(b, z, k->z, what)) return 1;
+    v3_cross(across, z, x);
+    if (v3_dot(across, across) < 1e-16) {
+        diag_error(b->diags, k->x, AT_VALUE, "E-direction", "%s: 'x' and 'z' are parallel", what);
+        return 1;
+    }
+    frame_about(R, z, x);
+    return 0;
+}
+
+static int from_quaternion(struct builder *b, double *R, const struct node *n, const char *what)
+{
+    double q[4];
+    if (read_vector(q, 4, n, what, &b->reader)) return 1;
+    double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (!(fabs(size - 1) <= 1e-3)) {
+        diag_error(b->diags, n, AT_VALUE, "E-quaternion", "%s: a quaternion of length %g", what, size);
+        diag_hint(b->diags, "expected [w, x, y, z] of length 1 (within 0.001, then it is scaled)");
+        return 1;
+    }
+    if (fabs(size - 1) > 1e-12)
+        diag_warn(b->diags, n, AT_VALUE, "W-quaternion", "%s: quaternion of length %.9g scaled to 1", what, size);
+    for (int i = 0; i < 4; i++) q[i] /= size;
+    quat_matrix(R, q);
+    return 0;
+}
+
+int read_orientation(struct builder *b, double *R, const struct node *n, const char *what)
+{
+    if (b->scene->space == 2) {
+        double angle;
+        if (read_number(&angle, n, NULL, &b->reader)) return 1;
+        const double about_z[9] = {cos(angle), sin(angle), 0, -sin(angle), cos(angle), 0, 0, 0, 1};
+        memcpy(R, about_z, sizeof about_z);
+        return 0;
+    }
+    struct orient_keys k = {.angle = NAN};
+    if (read_keys(&k, keys_orient, n, NULL, what, &b->reader)) return 1;
+    if (k.quaternion) return from_quaternion(b, R, k.quaternion, what);
+    if (!k.axis) return from_axes(b, R, &k, n, what);
+    double axis[3], q[4];
+    if (read_direction(b, axis, k.axis, what)) return 1;
+    if (isnan(k.angle)) {
+        diag_error(b->diags, n, AT_VALUE, "E-missing-key", "%s: 'axis' needs an 'angle'", what);
+        return 1;
+    }
+    q[0] = cos(k.angle / 2);
+    for (int i = 0; i < 3; i++) q[i + 1] = sin(k.angle / 2) * axis[i];
+    quat_matrix(R, q);
+    return 0;
+}

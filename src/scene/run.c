@@ -1,0 +1,228 @@
+/* run.c -- how a scene starts and is run: initial state, fast coordinates, stepping, records */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "scene/build.h"
+
+/* ---- initial ---- */
+
+static int read_omega(struct builder *b, struct scene_initial *o, const struct node *n)
+{
+    const struct node *vector = n;
+    if (n->type == NODE_MAP) {
+        struct vector_keys k = {0};
+        if (read_keys(&k, keys_omega, n, NULL, "an angular velocity", &b->reader)) return 1;
+        vector = k.value;
+        o->body_axes = k.frame == 1;
+    }
+    o->type = INITIAL_OMEGA;
+    return read_vector(o->x, 3, vector, "an angular velocity", &b->reader);
+}
+
+static int read_rotation(struct builder *b, struct scene_initial *o, const struct node *n)
+{
+    double R[9];
+    o->type = INITIAL_ROTATION;
+    if (read_orientation(b, R, n, "a rotation")) return 1;
+    quat_of_matrix(o->x, R);
+    return 0;
+}
+
+static bool turns_freely(const struct builder *b, const struct scene_joint *j)
+{
+    return j->kind->type == JOINT_SPHERICAL || (j->kind->type == JOINT_FREE && b->scene->space == 3);
+}
+
+/* All words that may follow a joint's name in `initial:`, for near misses. */
+static int initial_names(struct builder *b, const char *const **out)
+{
+    const struct scene *scene = b->scene;
+    int s = scene->space == 3, n = 0;
+    const char **list = TAKE(b->life, const char *, scene->njoint * (JOINT_MAX_Q + JOINT_MAX_V + 2));
+    for (int i = 0; i < scene->njoint; i++) {
+        const struct scene_joint *j = &scene->joint[i];
+        for (int k = 0; k < j->kind->nq[s]; k++)
+            list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
+        for (int k = 0; k < j->kind->nv[s]; k++)
+            list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
+        if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.omega", j->name);
+        if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.rotation", j->name);
+    }
+    *out = list;
+    return n;
+}
+
+static int read_start(struct builder *b, struct scene_initial *o, const struct node *n)
+{
+    const struct scene *scene = b->scene;
+    const char *dot = strchr(n->key, '.');
+    o->node = n;
+    o->joint = dot ? find_joint(scene, n->key, (size_t)(dot - n->key)) : -1;
+    if (o->joint >= 0) {
+        const struct scene_joint *j = &scene->joint[o->joint];
+        if (turns_freely(b, j) && strcmp(dot + 1, "omega") == 0) return read_omega(b, o, n);
+        if (turns_freely(b, j) && strcmp(dot + 1, "rotation") == 0) return read_rotation(b, o, n);
+        int found = scene_coordinate(j, scene->space, dot + 1, &o->k);
+        if (found == 1 && turns_freely(b, j) && dot[1] == 'q') {
+            diag_error(b->diags, n, AT_KEY, "E-initial", "a quaternion is not set by its parts");
+            diag_hint(b->diags, "use '%s.rotation: {axis: [...], angle: ...}'", j->name);
+            return 1;
+        }
+        o->type = found == 1 ? INITIAL_POSITION : INITIAL_RATE;
+        if (found == 1 || found == 2) return read_number(o->x, n, NULL, &b->reader);
+    }
+    const char *const *list;
+    int count = initial_names(b, &list);
+    unknown_name(b, n, AT_KEY, "E-unknown-coordinate", "coordinate", n->key, list, count);
+    return 1;
+}
+
+int read_initial(struct builder *b, const struct node *n)
+{
+    int errors = 0;
+    if (!n) return 0;
+    if (read_map(n, "'initial'", &b->reader)) return 1;
+    struct scene *scene = b->scene;
+    scene->initial = TAKE(b->life, struct scene_initial, n->count);
+    for (int i = 0; i < n->count; i++) {
+        struct scene_initial start = {0};
+        if (read_start(b, &start, n->item[i]))
+            errors++;
+        else
+            scene->initial[scene->ninitial++] = start;
+    }
+    return errors;
+}
+
+/* ---- partition ---- */
+
+static int read_choice(struct builder *b, struct scene_choice *o, const struct node *n)
+{
+    const struct scene *scene = b->scene;
+    int s = scene->space == 3;
+    *o = (struct scene_choice){n, -1, -1};
+    if (n->type == NODE_SCALAR) {
+        const char *dot = strchr(n->text, '.');
+        o->joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len);
+        if (o->joint >= 0 && !dot) return 0;
+        if (o->joint >= 0 && scene_coordinate(&scene->joint[o->joint], scene->space, dot + 1, &o->k) == 1) {
+            if (!turns_freely(b, &scene->joint[o->joint])) return 0;
+            diag_error(b->diags, n, AT_VALUE, "E-partition", "a %s joint is fast or slow as a whole",
+                       scene->joint[o->joint].kind->name);
+            diag_hint(b->diags, "write '%s'", scene->joint[o->joint].name);
+            return 1;
+        }
+    }
+    int count = 0;
+    const char **list = TAKE(b->life, const char *, scene->njoint * (1 + JOINT_MAX_Q));
+    for (int i = 0; i < scene->njoint; i++) {
+        const struct scene_joint *j = &scene->joint[i];
+        list[count++] = j->name;
+        for (int k = 0; k < j->kind->nq[s] && !turns_freely(b, j); k++)
+            list[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
+    }
+    unknown_name(b, n, AT_VALUE, "E-unknown-coordinate", "joint or coordinate",
+                 n->type == NODE_SCALAR ? n->text : "(not a name)", list, count);
+    return 1;
+}
+
+int read_partition(struct builder *b, const struct node *n)
+{
+    struct partition_keys k = {0};
+    int errors = 0;
+    if (!n) return 0;
+    if (read_keys(&k, keys_partition, n, NULL, "'partition'", &b->reader)) return 1;
+    if (read_list(k.fast, "'fast'", &b->reader)) return 1;
+    struct scene *scene = b->scene;
+    scene->fast = TAKE(b->life, struct scene_choice, k.fast->count);
+    for (int i = 0; i < k.fast->count; i++) {
+        if (read_choice(b, &scene->fast[scene->nfast], k.fast->item[i]))
+            errors++;
+        else
+            scene->nfast++;
+    }
+    return errors;
+}
+
+/* ---- integrate ---- */
+
+static int check_newmark(struct builder *b, const struct integrate *o, const struct node *n)
+{
+    if (2 * o->beta >= o->gamma) return 0;
+    const struct node *at = node_find(n, "beta") ? node_find(n, "beta") : n;
+    diag_error(b->diags, at, AT_VALUE, "E-newmark", "beta %g and gamma %g: not stable for every step", o->beta,
+               o->gamma);
+    diag_hint(b->diags, "the rule is 2 beta >= gamma >= 1/2; beta 1/4, gamma 1/2 keep energy");
+    return 1;
+}
+
+static int check_steps(struct builder *b, const struct integrate *o, const struct node *n)
+{
+    const struct node *step = node_find(n, "step");
+    if (!step) return 0;
+    double count = o->until / o->step;
+    if (o->until + o->step == o->until) {
+        diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s vanishes beside until %g s", o->step, o->until);
+        return 1;
+    }
+    if (o->step > o->until * (1 + 1e-12)) {
+        diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s is longer than the run, %g s", o->step, o->until);
+        return 1;
+    }
+    if (o->ratio > 1 && (double)o->ratio > count * (1 + 1e-12)) {
+        diag_error(b->diags, node_find(n, "ratio"), AT_VALUE, "E-ratio",
+                   "one major step of %d minor ones is longer than the run", o->ratio);
+        return 1;
+    }
+    return 0;
+}
+
+int read_integrate(struct builder *b, const struct node *n)
+{
+    struct integrate *o = &b->scene->integrate;
+    *o = (struct integrate){.node = n, .step = 0, .tolerance = 0};
+    if (read_keys(o, keys_integrate, n, NULL, "'integrate'", &b->reader)) return 1;
+    return check_newmark(b, o, n) + check_steps(b, o, n);
+}
+
+/* ---- output ---- */
+
+static int read_every(struct builder *b, struct output *o, const struct node *n)
+{
+    o->every_node = n;
+    if (n->type == NODE_MAP) {
+        struct every_keys k = {0};
+        if (read_keys(&k, keys_every, n, NULL, "'every'", &b->reader)) return 1;
+        o->every_steps = k.steps;
+        return 0;
+    }
+    if (read_number(&o->every, n, NULL, &b->reader)) return 1;
+    if (o->every > 0) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-range", "'every' must be positive");
+    return 1;
+}
+
+int read_output(struct builder *b, const struct node *n)
+{
+    struct output *o = &b->scene->output;
+    *o = (struct output){.node = n};
+    if (!n) return 0;
+    struct output_keys k = {0};
+    if (read_keys(&k, keys_output, n, NULL, "'output'", &b->reader)) return 1;
+    int errors = k.every ? read_every(b, o, k.every) : 0;
+    if (!k.columns) return errors;
+    if (read_list(k.columns, "'columns'", &b->reader)) return errors + 1;
+    const struct node **pattern = TAKE(b->life, const struct node *, k.columns->count);
+    for (int i = 0; i < k.columns->count; i++) {
+        pattern[i] = k.columns->item[i];
+        if (pattern[i]->type == NODE_SCALAR) continue;
+        diag_error(b->diags, pattern[i], AT_VALUE, "E-type", "expected the name of a column, or a pattern");
+        errors++;
+    }
+    o->npattern = k.columns->count;
+    o->pattern = pattern;
+    return errors;
+}

@@ -1,0 +1,184 @@
+/* catalogue.c -- see catalogue.h; the order here is the order in which wild cards find columns */
+#include "sim/catalogue.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "system/system.h"
+
+struct listing {
+    struct catalogue *o;
+    struct arena *life;
+    int plane;
+};
+
+static void add(struct listing *l, const char *name, const char *unit, const char *brief, struct origin origin)
+{
+    struct catalogue *o = l->o;
+    if (o->n == o->room) {
+        int room = o->room ? 2 * o->room : 256;
+        struct column *column = TAKE(l->life, struct column, room);
+        struct origin *origins = TAKE(l->life, struct origin, room);
+        if (o->n) memcpy(column, o->column, (size_t)o->n * sizeof *column);
+        if (o->n) memcpy(origins, o->origin, (size_t)o->n * sizeof *origins);
+        *o = (struct catalogue){o->n, room, column, origins};
+    }
+    o->column[o->n] = (struct column){name, unit, brief};
+    o->origin[o->n++] = origin;
+}
+
+static const char *join(struct listing *l, const char *owner, const char *quantity)
+{
+    return arena_print(l->life, "%s.%s", owner, quantity);
+}
+
+/* One column for each of the words, components k of one source. */
+static void add_parts(struct listing *l, const char *owner, const char *const *words, const int *k, int n,
+                      const char *unit, const char *brief, enum origin_type type, int index)
+{
+    for (int i = 0; i < n; i++) add(l, join(l, owner, words[i]), unit, brief, (struct origin){type, index, k[i], -1});
+}
+
+static const int first_parts[] = {0, 1, 2, 3};
+
+static void add_joint(struct listing *l, const struct model *m, int i, int unnamed)
+{
+    static const char *const force[] = {"fx", "fy", "fz"}, *const moment[] = {"mx", "my", "mz"};
+    static const int moments[] = {3, 4, 5};
+    const struct model_joint *j = &m->joint[i];
+    const struct joint_kind *kind = joint_kind(j->type, !l->plane);
+    int turned = j->type == JOINT_UNIVERSAL && j->reversed;
+    for (int k = 0; k < j->nq; k++)
+        add(l, join(l, j->name, kind->q[k]), kind->qunit[k], "joint coordinate",
+            (struct origin){FROM_Q, j->iq[turned ? 1 - k : k], 0, m->coordinate[j->iq[turned ? 1 - k : k]].fast});
+    for (int k = 0; k < j->nv; k++) {
+        int iv = j->iv[turned ? 1 - k : k];
+        add(l, join(l, j->name, kind->v[k]), kind->vunit[k], "rate of a joint coordinate",
+            (struct origin){FROM_V, iv, 0, iv < m->ns});
+    }
+    for (int k = 0; k < j->nv; k++) {
+        int iv = j->iv[turned ? 1 - k : k];
+        add(l, join(l, j->name, kind->a[k]), kind->aunit[k], "acceleration of a joint coordinate",
+            (struct origin){FROM_A, iv, 0, iv < m->ns});
+    }
+    if (unnamed) return;
+    add_parts(l, j->name, force, first_parts, l->plane ? 2 : 3, "N", "reaction on the second body, world axes",
+              FROM_REACTION, i);
+    if (l->plane)
+        add(l, join(l, j->name, "mz"), "N m", "reaction on the second body", (struct origin){FROM_REACTION, i, 5, -1});
+    else
+        add_parts(l, j->name, moment, moments, 3, "N m", "reaction on the second body, at the joint, world axes",
+                  FROM_REACTION, i);
+}
+
+static void add_body(struct listing *l, const struct model_body *b, int i)
+{
+    static const char *const x[] = {"x", "y", "z"}, *const v[] = {"vx", "vy", "vz"}, *const a[] = {"ax", "ay", "az"},
+                             *const w[] = {"wx", "wy", "wz"}, *const q[] = {"qw", "qx", "qy", "qz"};
+    int n = l->plane ? 2 : 3;
+    add_parts(l, b->name, x, first_parts, n, "m", "centre of mass, world axes", FROM_PLACE, i);
+    if (l->plane)
+        add(l, join(l, b->name, "angle"), "rad", "turned since drawn", (struct origin){FROM_ANGLE, i, 0, -1});
+    else
+        add_parts(l, b->name, q, first_parts, 4, NULL, "unit quaternion, body to world", FROM_QUATERNION, i);
+    add_parts(l, b->name, v, first_parts, n, "m/s", "velocity of the centre of mass", FROM_VELOCITY, i);
+    if (l->plane)
+        add(l, join(l, b->name, "wz"), "rad/s", "angular velocity", (struct origin){FROM_OMEGA, i, 2, -1});
+    else
+        add_parts(l, b->name, w, first_parts, 3, "rad/s", "angular velocity, world axes", FROM_OMEGA, i);
+    add_parts(l, b->name, a, first_parts, n, "m/s2", "acceleration of the centre of mass", FROM_ACCELERATION, i);
+}
+
+static void add_point(struct listing *l, const struct model_point *p, int i)
+{
+    static const char *const x[] = {"x", "y", "z"}, *const v[] = {"vx", "vy", "vz"}, *const a[] = {"ax", "ay", "az"};
+    int n = l->plane ? 2 : 3;
+    add_parts(l, p->name, x, first_parts, n, "m", "point, world axes", FROM_POINT, i);
+    add_parts(l, p->name, v, first_parts, n, "m/s", "velocity of a point", FROM_POINT_VELOCITY, i);
+    add_parts(l, p->name, a, first_parts, n, "m/s2", "acceleration of a point", FROM_POINT_ACCELERATION, i);
+}
+
+static void add_measure(struct listing *l, const struct model_measure *s, int i)
+{
+    if (!s->name) return;
+    add(l, s->name, s->angular ? "rad" : "m", "measure", (struct origin){FROM_MEASURE, i, 0, s->fast});
+    add(l, arena_print(l->life, "%s_rate", s->name), s->angular ? "rad/s" : "m/s", "rate of a measure",
+        (struct origin){FROM_MEASURE_RATE, i, 0, s->fast});
+}
+
+static void add_force(struct listing *l, const struct model *m, const struct model_force *f, int i)
+{
+    bool along = f->type == FORCE_LAW || f->type == FORCE_VALUE;
+    bool angular = along ? m->measure[f->measure].angular : f->torque;
+    add(l, join(l, f->name, "force"), angular ? "N m" : "N", along ? "along its measure" : "size of the load",
+        (struct origin){FROM_FORCE, i, 0, -1});
+    if (along)
+        add(l, join(l, f->name, "elongation"), angular ? "rad" : "m", "its measure",
+            (struct origin){FROM_ELONGATION, i, 0, -1});
+    add(l, join(l, f->name, "power"), "W", "put into the system", (struct origin){FROM_POWER, i, 0, -1});
+}
+
+static void add_energies(struct listing *l)
+{
+    static const char *const names[] = {"kinetic", "elastic", "gravity", "external", "drive",
+                                        "damper", "friction", "numerical", "residual"};
+    static const char *const briefs[] = {"kinetic energy",
+                                         "energy in springs",
+                                         "energy in the field of gravity",
+                                         "work of external forces since the start",
+                                         "work of drives since the start",
+                                         "work of dampers since the start (negative: taken)",
+                                         "work of friction since the start",
+                                         "taken by the scheme's own damping since the start",
+                                         "W_kin + W_int - W_ext of (2-26)"};
+    for (int k = 0; k < ENERGY_COLUMNS; k++)
+        add(l, join(l, "energy", names[k]), "J", briefs[k], (struct origin){FROM_ENERGY, 0, k, -1});
+}
+
+static void add_steps(struct listing *l)
+{
+    add(l, "step.h", "s", "minor step of the last step", (struct origin){FROM_STEP, 0, STEP_MINOR, -1});
+    add(l, "step.H", "s", "major step of the last step", (struct origin){FROM_STEP, 0, STEP_MAJOR, -1});
+    add(l, "step.ratio", NULL, "minor steps in it", (struct origin){FROM_STEP, 0, STEP_RATIO, -1});
+    add(l, "step.sweeps", NULL, "Newton sweeps of the last step", (struct origin){FROM_STEP, 0, STEP_SWEEPS, -1});
+}
+
+void catalogue_build(struct catalogue *o, const struct scene *scene, const struct model *m, struct arena *life)
+{
+    struct listing l = {o, life, m->space == 2};
+    *o = (struct catalogue){0};
+    add(&l, "t", "s", "time", (struct origin){FROM_TIME, 0, 0, -1});
+    for (int i = 0; i < scene->njoint; i++)
+        if (m->joint_of[i] >= 0) add_joint(&l, m, m->joint_of[i], 0);
+    for (int i = 0; m->njoint > scene->njoint && i < m->njoint; i++) { /* free by default */
+        int named = 0;
+        for (int k = 0; k < scene->njoint && !named; k++) named = m->joint_of[k] == i;
+        if (!named) add_joint(&l, m, i, 1);
+    }
+    for (int i = 1; i < scene->nbody; i++) add_body(&l, &m->body[m->body_of[i]], m->body_of[i]);
+    for (int i = 0; i < m->npoint; i++) add_point(&l, &m->point[i], i);
+    for (int i = 0; i < m->nmeasure; i++) add_measure(&l, &m->measure[i], i);
+    for (int i = 0; i < m->nforce; i++) add_force(&l, m, &m->force[i], i);
+    add_energies(&l);
+    add_steps(&l);
+}
+
+unsigned catalogue_needs(const struct catalogue *o, const struct selection *chosen)
+{
+    unsigned needs = 0;
+    for (int i = 0; i < chosen->n; i++) {
+        switch (o->origin[chosen->index[i]].type) {
+        case FROM_TIME:
+        case FROM_Q:
+        case FROM_V:
+        case FROM_ENERGY:
+        case FROM_STEP: break;
+        case FROM_A:
+        case FROM_ACCELERATION:
+        case FROM_POINT_ACCELERATION:
+        case FROM_REACTION: needs |= SEE_MOTION | SEE_ACCELERATION; break;
+        default: needs |= SEE_MOTION;
+        }
+    }
+    return needs;
+}

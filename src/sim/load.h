@@ -1,0 +1,11 @@
+/* load.h -- a deck from its file to a checked scene. */
+#ifndef FMDSUB_SIM_LOAD_H
+#define FMDSUB_SIM_LOAD_H
+
+#include "scene/scene.h"
+
+/* Errors of the deck are in diags (E_DECK); what keeps it from being read is in report (E_FILE, E_LIMIT). */
+enum status sim_load(struct scene **scene, const char *path, const struct deck_options *options, struct diags *diags,
+                     struct arena *life, struct report *report);
+
+#endif

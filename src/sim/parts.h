@@ -1,0 +1,32 @@
+/* parts.h -- the parts of a run; private to sim/. */
+#ifndef FMDSUB_SIM_PARTS_H
+#define FMDSUB_SIM_PARTS_H
+
+#include "sim/sim.h"
+
+/* plan.c: the plan checked against scheme and records; columns chosen */
+enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report);
+enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
+
+/* advance.c: one major step to `to`, halved where it must be */
+enum status advance(struct sim *sim, double h, int ratio, double to);
+
+/* record.c: the chosen columns at the present state */
+enum status record_fill(struct sim *sim);
+
+/* words.c: what is said to people */
+void say_plan(const struct sim *sim);
+void say_end(const struct sim *sim, double wall);
+enum status say_trouble(const struct sim *sim, const struct trouble *why, enum status status, struct report *report);
+
+/* progress.c: a line on a terminal, rewritten a few times a second */
+struct progress {
+    FILE *to;
+    double start, shown; /* [s] */
+    bool wrote;
+};
+void progress_open(struct progress *p, FILE *to, double now);
+void progress_show(struct progress *p, double now, double t, double until);
+void progress_close(struct progress *p);
+
+#endif

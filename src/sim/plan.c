@@ -1,0 +1,160 @@
+/* plan.c -- how many steps, when a record is due, which columns */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "sim/parts.h"
+
+static bool near_whole(double x)
+{
+    return fabs(x - round(x)) <= 1e-9 * fmax(1, fabs(x));
+}
+
+static enum status find_scheme(struct sim *sim, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const char *names[32];
+    int n = 0;
+    for (; stepper_kinds[n] && n < 32; n++) names[n] = stepper_kinds[n]->name;
+    const struct stepper_kind *kind = stepper_find(p->scheme);
+    if (kind) {
+        sim->stepper.kind = kind;
+        return OK;
+    }
+    const struct node *at = node_find(p->node, "scheme");
+    diag_error(diags, at, AT_VALUE, "E-unknown-scheme", "unknown scheme '%.60s'", p->scheme);
+    const char *nearest = text_nearest(p->scheme, names, n);
+    if (nearest)
+        diag_hint(diags, "did you mean '%s'?", nearest);
+    else
+        diag_hint(diags, "`fmdsub list schemes` shows them");
+    return E_DECK;
+}
+
+/* At ratio 1 a sub-cycling scheme is its single-rate twin: that one runs. */
+static void prefer_single_rate(struct sim *sim)
+{
+    if (sim->options.general || sim->plan.ratio != 1 || sim->plan.rho_infinity < 1 || sim->plan.symmetric) return;
+    if (strcmp(sim->stepper.kind->name, "subcycle") == 0) sim->stepper.kind = stepper_find("midpoint");
+    if (strcmp(sim->stepper.kind->name, "miao") == 0) sim->stepper.kind = stepper_find("newmark");
+}
+
+static enum status missing_step(struct sim *sim, struct diags *diags)
+{
+    diag_error(diags, sim->plan.node, AT_KEY, "E-missing-key", "scheme %s needs a 'step'", sim->stepper.kind->name);
+    return E_DECK;
+}
+
+static enum status check_tolerance(struct sim *sim, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const struct node *at = node_find(p->node, "tolerance");
+    bool adaptive = sim->stepper.kind->adaptive;
+    if (adaptive && !(p->tolerance > 0)) {
+        diag_error(diags, p->node, AT_KEY, "E-missing-key", "scheme %s needs a 'tolerance'", sim->stepper.kind->name);
+        return E_DECK;
+    }
+    if (adaptive || !at || at->implied) return OK;
+    diag_error(diags, at, AT_KEY, "E-scheme", "scheme %s takes fixed steps: 'tolerance' means nothing to it",
+               sim->stepper.kind->name);
+    diag_hint(diags, "give 'step' and 'ratio', or 'scheme: dopri5'");
+    return E_DECK;
+}
+
+static enum status plan_every(struct sim *sim, double H, struct diags *diags)
+{
+    const struct output *out = &sim->scene->output;
+    if (out->every_steps) {
+        sim->every = out->every_steps;
+        return OK;
+    }
+    if (!(out->every > 0)) {
+        sim->every = 1;
+        return OK;
+    }
+    double steps = out->every / H;
+    sim->every = (long)fmax(1, round(steps));
+    if (near_whole(steps) && steps > 0.5) return OK;
+    double below = floor(steps) * H, above = ceil(steps) * H;
+    if (below > 0)
+        diag_error(diags, out->every_node, AT_VALUE, "E-every",
+                   "every %.12g s is not a multiple of the major step %.12g s; the nearest are %.12g and %.12g",
+                   out->every, H, below, above);
+    else
+        diag_error(diags, out->every_node, AT_VALUE, "E-every",
+                   "every %.12g s is shorter than the major step, %.12g s", out->every, H);
+    return E_DECK;
+}
+
+enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report)
+{
+    struct integrate *p = &sim->plan;
+    enum { MOST_STEPS_LOG10 = 15 };
+    TRY(find_scheme(sim, diags));
+    TRY(check_tolerance(sim, diags));
+    prefer_single_rate(sim);
+    double H = p->step * p->ratio;
+    if (sim->stepper.kind->adaptive) { /* its steps are its own: one call from record to record */
+        const struct output *out = &sim->scene->output;
+        H = out->every > 0 ? out->every : p->step > 0 ? H : p->until / 100;
+        p->step = H;
+        p->ratio = 1;
+    } else if (!(p->step > 0)) {
+        return missing_step(sim, diags);
+    }
+    double steps = p->until / H;
+    if (steps > pow(10, MOST_STEPS_LOG10))
+        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: more than 1e%d", steps, p->until, MOST_STEPS_LOG10);
+    sim->majors = near_whole(steps) ? lround(steps) : (long)ceil(steps);
+    if (sim->majors < 1) sim->majors = 1;
+    return plan_every(sim, H, diags);
+}
+
+/* ---- columns ---- */
+
+static void choose_default(struct sim *sim, struct arena *life)
+{
+    const struct catalogue *c = &sim->catalogue;
+    int *index = TAKE(life, int, c->n), n = 0;
+    for (int i = 0; i < c->n; i++) {
+        const struct origin *s = &c->origin[i];
+        bool wanted = s->type == FROM_TIME || s->type == FROM_Q || s->type == FROM_V;
+        if (sim->options.counting) wanted = wanted || s->type == FROM_MEASURE;
+        if (wanted || (s->type == FROM_ENERGY && s->k == ENERGY_RESIDUAL)) index[n++] = i;
+    }
+    sim->chosen = (struct selection){n, index, -1};
+}
+
+static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct arena *life)
+{
+    const struct output *out = &sim->scene->output;
+    const char **patterns = TAKE(life, const char *, out->npattern);
+    for (int i = 0; i < out->npattern; i++) patterns[i] = out->pattern[i]->text;
+    enum status status = OK;
+    for (int i = 0; i < out->npattern; i++) { /* every wrong pattern is told */
+        struct report report = {0};
+        struct selection one;
+        if (columns_select(&one, sim->catalogue.column, sim->catalogue.n, &patterns[i], 1, E_DECK, life, &report) == OK)
+            continue;
+        diag_error(diags, out->pattern[i], AT_VALUE, "E-unknown-column", "%s", report.text);
+        status = E_DECK;
+    }
+    TRY(status);
+    return columns_select(&sim->chosen, sim->catalogue.column, sim->catalogue.n, patterns, out->npattern, E_DECK, life,
+                          NULL);
+}
+
+enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report)
+{
+    (void)report;
+    catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
+    if (sim->scene->output.npattern && !sim->options.counting)
+        TRY(choose_by_deck(sim, diags, life));
+    else
+        choose_default(sim, life);
+    sim->needs = catalogue_needs(&sim->catalogue, &sim->chosen);
+    sim->row = TAKE(life, double, sim->chosen.n);
+    sim->columns = TAKE(life, struct column, sim->chosen.n);
+    for (int i = 0; i < sim->chosen.n; i++) sim->columns[i] = sim->catalogue.column[sim->chosen.index[i]];
+    return OK;
+}

@@ -1,0 +1,184 @@
+/* sim.c -- opens a run and takes it to its end; see sim.h */
+#include "sim/sim.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "base/stop.h"
+#include "model/build.h"
+#include "sim/parts.h"
+
+static struct state new_state(const struct model *m, struct arena *life)
+{
+    return (struct state){0, TAKE(life, double, m->nq), TAKE(life, double, m->n), TAKE(life, double, m->n)};
+}
+
+static void open_stepper(struct sim *sim, struct arena *life)
+{
+    const struct integrate *p = &sim->plan;
+    struct step_options o = step_defaults;
+    o.beta = p->beta;
+    o.gamma = p->gamma;
+    o.iteration = p->iteration;
+    o.rho_infinity = p->rho_infinity;
+    o.symmetric = p->symmetric;
+    o.newton_tolerance = p->newton_tolerance;
+    if (p->tolerance > 0) o.rtol = o.atol = p->tolerance;
+    stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), &o, life);
+}
+
+/* Consistent accelerations at t = 0; a massless freedom shows here. */
+static enum status start(struct sim *sim, struct report *report)
+{
+    struct energies e;
+    struct trouble why = {0};
+    memcpy(sim->x.q, sim->model->q0, (size_t)sim->model->nq * sizeof(double));
+    memcpy(sim->x.v, sim->model->v0, (size_t)sim->model->n * sizeof(double));
+    if (stepper_start(&sim->stepper, &sim->x, &why) != OK) return say_trouble(sim, &why, E_MODEL, report);
+    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, 0);
+    ledger_open(&sim->ledger, sim->scene->delta, e.kinetic, e.elastic, e.gravity);
+    sim->last_h = sim->plan.step;
+    sim->min_h = sim->plan.step;
+    return OK;
+}
+
+enum status sim_open(struct sim *sim, const struct scene *scene, const struct integrate *plan,
+                     const struct sim_options *options, struct diags *diags, struct arena *life,
+                     struct report *report)
+{
+    struct model *m;
+    *sim = (struct sim){.scene = scene, .plan = *plan, .options = *options};
+    TRY(model_build(&m, scene, diags, life));
+    sim->model = m;
+    enum status steps = plan_steps(sim, diags, report);
+    TRY(plan_columns(sim, diags, life, report));
+    TRY(steps);
+    sim->system = system_build(m, life);
+    sim->x = new_state(m, life);
+    open_stepper(sim, life);
+    return start(sim, report);
+}
+
+const char *sim_coordinate_name(const struct sim *sim, int iv)
+{
+    const struct model *m = sim->model;
+    for (int i = 0; i < m->ncoordinate; i++)
+        if (m->coordinate[i].iv == iv) return m->coordinate[i].name;
+    for (int i = 0; i < m->njoint; i++) /* a rate that pairs with no position: of a quaternion */
+        for (int k = 0; k < m->joint[i].nv; k++)
+            if (m->joint[i].iv[k] == iv) return m->joint[i].name;
+    return "?";
+}
+
+static enum status tell_meta(const struct sim *sim, struct sink *sink, struct report *report)
+{
+    struct pair settings[24];
+    char hash[20];
+    struct run_meta meta = {
+        .version = sim->options.version,
+        .title = sim->scene->title,
+        .deck = sim->scene->deck->name,
+        .hash = hash,
+        .settings = settings,
+        .n = sim->chosen.n,
+        .columns = sim->columns,
+    };
+    snprintf(hash, sizeof hash, "%016llx", (unsigned long long)sim->scene->deck->hash);
+    meta.nsettings = sim_settings(sim, settings, 24);
+    return sink ? sink->ops->meta(sink, &meta, report) : OK;
+}
+
+static enum status tell_row(struct sim *sim, struct sink *sink, struct report *report)
+{
+    if (!sink) return OK;
+    enum status status = record_fill(sim);
+    if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
+    sim->rows++;
+    return sink->ops->row(sink, sim->row, report);
+}
+
+static enum status tell_end(struct sim *sim, struct sink *sink, struct report *report)
+{
+    struct pair facts[32];
+    struct run_summary summary = {.facts = facts};
+    if (!sink) return OK;
+    summary.n = sim_facts(sim, facts, 32);
+    return sink->ops->end(sink, &summary, report);
+}
+
+/* The exact time at the end of major step k (from 1): i * h from the whole number of minor steps; the last
+ * one ends at `until`. */
+static double end_of(const struct sim *sim, long k)
+{
+    const struct integrate *p = &sim->plan;
+    return k == sim->majors ? p->until : (double)(k * p->ratio) * p->step;
+}
+
+/* Major step k; the last may be cut: same ratio, a smaller minor step. */
+static enum status major(struct sim *sim, long k)
+{
+    const struct integrate *p = &sim->plan;
+    double to = end_of(sim, k), h = p->step;
+    if (k == sim->majors && fabs(to - (double)(k * p->ratio) * h) > 1e-9 * h * p->ratio)
+        h = (to - sim->x.t) / p->ratio;
+    return advance(sim, h, p->ratio, to);
+}
+
+static enum status signalled(void)
+{
+    return stop == SIGINT ? E_SIGINT : stop == SIGTERM ? E_SIGTERM : stop ? E_LIMIT : OK;
+}
+
+/* Steps from record to record: the clock is read there and every so many steps, not at each. */
+static enum status step_on(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
+{
+    enum { LOOK_EVERY = 64 };
+    for (long k = 1; k <= sim->majors; k++) {
+        enum status status = major(sim, k);
+        if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
+        bool due = k % sim->every == 0 || k == sim->majors;
+        if (due) TRY(tell_row(sim, sink, report));
+        if (due || k % LOOK_EVERY == 0) {
+            double now = clock_wall();
+            progress_show(progress, now, sim->x.t, sim->plan.until);
+            if (sink) TRY(sink->ops->tick(sink, now, report));
+        }
+        if (stop && k < sim->majors) {
+            if (!due) TRY(tell_row(sim, sink, report));
+            return signalled();
+        }
+    }
+    return OK;
+}
+
+static enum status verdict(const struct sim *sim, struct report *report)
+{
+    const struct ledger *l = &sim->ledger;
+    if (!ledger_broken(l)) return OK;
+    return fail(report, E_VERDICT,
+                "the energy balance (2-26) is broken: |residual| %.3g J at t = %.6g s is %.3g of ||W|| = %.3g J, "
+                "more than delta = %g; try a smaller step, or ratio 1",
+                l->worst, l->t_worst, ledger_share(l), l->norm, l->delta);
+}
+
+enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
+{
+    struct progress progress;
+    double wall = clock_wall(), cpu = clock_cpu();
+    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall);
+    say_plan(sim);
+    TRY(tell_meta(sim, sink, report));
+    enum status status = tell_row(sim, sink, report);
+    if (status == OK) status = step_on(sim, sink, &progress, report);
+    if (status == OK) status = verdict(sim, report);
+    sim->cpu = clock_cpu() - cpu;
+    sim->status = status;
+    progress_close(&progress);
+    if (status != E_FILE && status != E_SIGPIPE) {
+        enum status told = tell_end(sim, sink, report);
+        if (told != OK) status = sim->status = told;
+    }
+    if (status != E_SIGPIPE) say_end(sim, clock_wall() - wall);
+    return status;
+}

@@ -1,0 +1,69 @@
+/* sim.h -- one run, from a scene to a stream of records.
+ *
+ * sim_open builds everything and finds the consistent accelerations at t = 0; sim_run steps to the end and
+ * tells a sink what is due.  A step that fails is halved, never accepted; below 2^-10 of the deck's major
+ * step the run stops.  Nothing partial passes for whole: the status and the summary tell how it ended. */
+#ifndef FMDSUB_SIM_SIM_H
+#define FMDSUB_SIM_SIM_H
+
+#include <stdio.h>
+
+#include "engine/stepper.h"
+#include "ledger/ledger.h"
+#include "out/sink.h"
+#include "scene/scene.h"
+#include "sim/catalogue.h"
+#include "system/system.h"
+
+enum sim_progress { PROGRESS_NEVER, PROGRESS_ALWAYS };
+
+/* What the caller may say besides the deck. */
+struct sim_options {
+    const char *version;
+    FILE *say;                  /* plan line, progress, end summary; NULL: silent */
+    enum sim_progress progress;
+    bool general;               /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
+    bool counting;              /* columns are all coordinates, rates and measures, whatever the deck says (study) */
+};
+
+struct sim {
+    const struct scene *scene;
+    const struct model *model;
+    struct sim_options options;
+    struct integrate plan; /* as run: scheme, step, ratio, until */
+    struct system *system;
+    struct stepper stepper;
+    struct state x;
+    struct state keep; /* the state before a step that is being halved */
+    struct ledger ledger;
+    struct catalogue catalogue;
+    struct selection chosen;
+    struct column *columns; /* [chosen.n] */
+    double *row;            /* [chosen.n] */
+    unsigned needs;         /* SEE_... */
+    long majors, every;     /* major steps in all; between records */
+    double last_h;          /* minor step of the last step */
+    long rows;
+    double min_h;           /* smallest minor step taken */
+    double cpu;             /* seconds of stepping, without records */
+    struct trouble trouble; /* why it stopped */
+    enum status status;     /* how it ended */
+};
+
+/* Builds a run of scene as plan says (the deck's own, or changed by a study).  Deck errors go to diags and give E_DECK; a
+ * right deck that cannot start gives E_MODEL with a message. */
+enum status sim_open(struct sim *sim, const struct scene *scene, const struct integrate *plan,
+                     const struct sim_options *options, struct diags *diags, struct arena *life,
+                     struct report *report);
+
+/* Steps to the end.  sink may be NULL.  Signals (base/stop.h) end it after a major step. */
+enum status sim_run(struct sim *sim, struct sink *sink, struct report *report);
+
+/* The run's settings and its summary as facts, for sinks and for people. */
+int sim_settings(const struct sim *sim, struct pair *facts, int most);
+int sim_facts(const struct sim *sim, struct pair *facts, int most);
+
+/* The name of coordinate or rate number iv. */
+const char *sim_coordinate_name(const struct sim *sim, int iv);
+
+#endif

@@ -1,0 +1,149 @@
+/* words.c -- a run in words: the plan, the end, why it stopped; and the same as facts for the stream */
+#include <math.h>
+#include <string.h>
+
+#include "sim/parts.h"
+
+int sim_settings(const struct sim *sim, struct pair *facts, int most)
+{
+    const struct integrate *p = &sim->plan;
+    const struct model *m = sim->model;
+    const struct stepper_kind *kind = sim->stepper.kind;
+    int n = 0;
+    if (most < 16) return 0;
+    facts[n++] = pair_text("scheme", kind->name);
+    facts[n++] = pair_number("step", p->step);
+    if (!kind->adaptive) facts[n++] = pair_number("ratio", p->ratio);
+    facts[n++] = pair_number("until", p->until);
+    if (kind->adaptive) facts[n++] = pair_number("tolerance", p->tolerance);
+    if (strcmp(kind->name, "newmark") == 0 || strcmp(kind->name, "miao") == 0) {
+        facts[n++] = pair_number("beta", p->beta);
+        facts[n++] = pair_number("gamma", p->gamma);
+    }
+    if (strcmp(kind->name, "subcycle") == 0) facts[n++] = pair_number("rho_infinity", p->rho_infinity);
+    facts[n++] = pair_number("space", m->space);
+    facts[n++] = pair_number("bodies", m->nbody - 1);
+    facts[n++] = pair_number("freedoms", m->n);
+    facts[n++] = pair_number("fast", m->ns);
+    facts[n++] = pair_number("delta", sim->scene->delta);
+    return n;
+}
+
+static const char *status_word(enum status status)
+{
+    switch (status) {
+    case OK: return "done";
+    case E_VERDICT: return "energy balance broken";
+    case E_NUMERIC: return "stopped";
+    case E_SIGINT: return "interrupted";
+    case E_SIGTERM: return "terminated";
+    case E_LIMIT: return "limit reached";
+    default: return "failed";
+    }
+}
+
+int sim_facts(const struct sim *sim, struct pair *facts, int most)
+{
+    const struct effort *e = &sim->stepper.effort;
+    const struct ledger *l = &sim->ledger;
+    int n = 0;
+    if (most < 20) return 0;
+    facts[n++] = pair_text("status", status_word(sim->status));
+    facts[n++] = pair_number("exit", sim->status);
+    facts[n++] = pair_number("t_end", sim->x.t);
+    facts[n++] = pair_number("rows", (double)sim->rows);
+    facts[n++] = pair_number("major_steps", (double)e->majors);
+    facts[n++] = pair_number("minor_steps", (double)e->minors);
+    facts[n++] = pair_number("slow_evaluations", (double)e->slow);
+    facts[n++] = pair_number("fast_evaluations", (double)e->fast);
+    facts[n++] = pair_number("factorizations", (double)e->factors);
+    facts[n++] = pair_number("sweeps", (double)e->sweeps);
+    facts[n++] = pair_number("rejected", (double)e->rejected);
+    facts[n++] = pair_number("smallest_step", sim->min_h);
+    facts[n++] = pair_number("energy_residual_worst", l->worst);
+    facts[n++] = pair_number("energy_norm", l->norm);
+    facts[n++] = pair_number("energy_share", ledger_share(l));
+    facts[n++] = pair_number("energy_numerical", l->lost);
+    facts[n++] = pair_number("newton_left", l->left);
+    facts[n++] = pair_bool("balanced", !ledger_broken(l));
+    return n;
+}
+
+void say_plan(const struct sim *sim)
+{
+    FILE *to = sim->options.say;
+    const struct integrate *p = &sim->plan;
+    const struct model *m = sim->model;
+    const struct stepper_kind *kind = sim->stepper.kind;
+    const double *g = m->gravity;
+    if (!to) return;
+    fprintf(to, "%s: %s, %d bodies, %d freedoms (%d fast), %s, ", sim->scene->deck->name,
+            m->space == 2 ? "planar" : "spatial", m->nbody - 1, m->n, m->ns,
+            g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
+    if (kind->adaptive)
+        fprintf(to, "%s to tolerance %g", kind->name, p->tolerance);
+    else if (p->ratio > 1 && kind->rates > 1)
+        fprintf(to, "%s h = %g s, H = %d h", kind->name, p->step, p->ratio);
+    else
+        fprintf(to, "%s h = %g s", kind->name, p->step);
+    fprintf(to, ", to t = %g s, %ld records of %d columns\n", p->until, (sim->majors + sim->every - 1) / sim->every + 1,
+            sim->chosen.n);
+}
+
+void say_end(const struct sim *sim, double wall)
+{
+    FILE *to = sim->options.say;
+    const struct effort *e = &sim->stepper.effort;
+    const struct ledger *l = &sim->ledger;
+    if (!to) return;
+    fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim->status), sim->x.t, e->majors,
+            e->minors);
+    if (e->rejected) fprintf(to, " (%ld rejected, smallest h %.3g s)", e->rejected, sim->min_h);
+    fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; energy residual %.2g of %.3g J; %.3g s\n",
+            e->slow, e->fast, e->factors, l->worst, l->norm, wall);
+}
+
+static const char *force_name(const struct sim *sim, int i)
+{
+    return i >= 0 && i < sim->model->nforce ? sim->model->force[i].name : "?";
+}
+
+/* What to try, by the code and by what is already in use. */
+static const char *advice(const struct sim *sim, const struct trouble *why)
+{
+    switch (why->code) {
+    case TROUBLE_NOT_FINITE:
+    case TROUBLE_LAW: return "look at the expressions and tables of its forces";
+    case TROUBLE_MASS: return "give the bodies it moves mass and inertia";
+    case TROUBLE_SINGULAR: return "look for a body without mass or inertia";
+    default: break;
+    }
+    if (sim->plan.iteration == ITERATION_FIXED_POINT) return "try 'iteration: newton'";
+    return sim->plan.ratio > 1 ? "try a smaller ratio or step" : "try a smaller step";
+}
+
+enum status say_trouble(const struct sim *sim, const struct trouble *why, enum status status, struct report *report)
+{
+    char what[200];
+    if (status != E_NUMERIC && status != E_MODEL) return status;
+    const char *coordinate = why->index >= 0 && why->index < sim->model->n ? sim_coordinate_name(sim, why->index) : "?";
+    switch (why->code) {
+    case TROUBLE_NOT_FINITE: snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate); break;
+    case TROUBLE_LAW:
+        snprintf(what, sizeof what, "force '%s' is not a number", force_name(sim, why->index));
+        break;
+    case TROUBLE_MASS:
+        snprintf(what, sizeof what, "coordinate '%s' moves no mass: the mass matrix is singular", coordinate);
+        break;
+    case TROUBLE_SINGULAR:
+        snprintf(what, sizeof what, "the iteration matrix is singular at '%s' (pivot ratio %.2g)", coordinate,
+                 why->value);
+        break;
+    case TROUBLE_TOO_SMALL: snprintf(what, sizeof what, "the step fell to %.3g s", why->value); break;
+    default:
+        snprintf(what, sizeof what, "no convergence, worst at '%s' (%.3g of the tolerance), step %.3g s", coordinate,
+                 why->value, sim->plan.step);
+    }
+    return fail(report, status, "%s at t = %.12g s: %s; %s", status == E_MODEL ? "no start" : "stopped", sim->x.t, what,
+                advice(sim, why));
+}
