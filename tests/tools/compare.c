@@ -12,9 +12,9 @@
  * any run of characters) fits the column; without one, 1e-9 and 1e-9.
  *
  * The second form takes the rows of the run at the reference's own times (to 1e-12 max(1, t)) and
- * gives the error of each column, max|x - ref| / max|ref column|.  A map file says how a column of the
- * reference is made of columns of the run, one line each: `r = guide.displacement + 1` or
- * `theta2 = 1 * pin1.angle + 1 * pin2.angle`; a column without a line has its own name.
+ * gives the error of each column, max|x - ref| / max|ref column|.  A map file says where a column of the
+ * reference is a column of the run in other words, one line each: `r = guide.displacement * 1 + 1`; a
+ * column without a line has its own name.
  *
  * Lines that start with '#' are comments.  Exit: 0 within the tolerance, 1 not, 2 the files or
  * arguments are wrong. */
@@ -236,74 +236,44 @@ static int compare_golden(const struct table *g, const struct table *x, const ch
 
 /* ---- reference ------------------------------------------------------------------------------- */
 
-struct term {
-    double factor;
-    int col; /* of the run; -1: the constant 1 */
+/* A column of the reference as column * a + b of the run. */
+struct link {
+    double a, b;
+    int col;
 };
 
-struct mix {
-    int n;
-    struct term term[16];
-};
-
-/* "1 * pin1.angle + 2.5": factors and columns joined by " * " and " + ". */
-static struct mix parse_mix(const struct table *run, const char *file, char *text)
+static int must_find(const struct table *run, const char *name)
 {
-    struct mix m = {0};
-
-    for (char *part = strtok(text, "+"); part; part = strtok(NULL, "+")) {
-        char a[128] = "", b[128] = "", *end;
-        int got = sscanf(part, " %127[^ *] * %127s", a, b);
-
-        if (got < 1 || m.n == 16) die(file, "a line is not `name = a * column + ...`");
-        const char *name = got == 2 ? b : a;
-        double x = strtod(a, &end);
-        bool plain = end != a && *end == 0;
-        if (got == 2 && !plain) die(file, "the factor before '*' is not a number");
-        struct term *o = &m.term[m.n++];
-        o->factor = plain ? x : 1;
-        o->col = got == 1 && plain ? -1 : find_column(run, name);
-        if (o->col < 0 && !(got == 1 && plain)) {
-            fprintf(stderr, "compare: %s: the run has no column '%s'\n", file, name);
-            exit(2);
-        }
-    }
-    return m;
-}
-
-/* How the reference's column is made of the run's. */
-static struct mix find_mix(const struct table *run, const char *name, const char *mapfile)
-{
-    if (mapfile) {
-        char *line;
-        FILE *f = fopen(mapfile, "r");
-        if (!f) die(mapfile, strerror(errno));
-        while ((line = next_line(f))) {
-            char left[128];
-            char *right = strchr(line, '=');
-            if (!right || sscanf(line, "%127s", left) != 1) die(mapfile, "a line is not `name = ...`");
-            if (strcmp(left, name) == 0) {
-                struct mix m = parse_mix(run, mapfile, right + 1);
-                fclose(f);
-                return m;
-            }
-        }
-        fclose(f);
-    }
     int c = find_column(run, name);
+
     if (c < 0) {
-        fprintf(stderr, "compare: %s: no column '%s', and no map line for it\n", run->file, name);
+        fprintf(stderr, "compare: %s: no column '%s'\n", run->file, name);
         exit(2);
     }
-    return (struct mix){.n = 1, .term = {{1, c}}};
+    return c;
 }
 
-static double mix_value(const struct mix *m, const struct table *run, int row)
+/* The map's line for name; without one the same name, as it is. */
+static struct link find_link(const struct table *run, const char *name, const char *mapfile)
 {
-    double x = 0;
+    struct link o = {1, 0, -1};
+    FILE *f = mapfile ? fopen(mapfile, "r") : NULL;
+    char *line;
 
-    for (int i = 0; i < m->n; i++) x += m->term[i].factor * (m->term[i].col < 0 ? 1 : run->col[m->term[i].col][row]);
-    return x;
+    if (mapfile && !f) die(mapfile, strerror(errno));
+    while (f && (line = next_line(f))) {
+        char left[128], right[128];
+        if (sscanf(line, " %127s = %127s * %lf + %lf", left, right, &o.a, &o.b) != 4)
+            die(mapfile, "a line is not `reference-column = column * a + b`");
+        if (strcmp(left, name) == 0) {
+            o.col = must_find(run, right);
+            break;
+        }
+        o = (struct link){1, 0, -1};
+    }
+    if (f) fclose(f);
+    if (o.col < 0) o.col = must_find(run, name);
+    return o;
 }
 
 static int row_at(const struct table *run, int tcol, double t)
@@ -339,11 +309,11 @@ static int compare_reference(const struct table *ref, const struct table *run, c
     if (tref < 0 || trun < 0) die(tref < 0 ? ref->file : run->file, "no column 't'");
     for (int c = 0; c < ref->ncol; c++) {
         if (c == tref || !wanted(o->columns, ref->name[c])) continue;
-        struct mix m = find_mix(run, ref->name[c], o->map);
+        struct link m = find_link(run, ref->name[c], o->map);
         double scale = column_scale(ref->col[c], ref->nrow), error = 0, at = 0;
 
         for (int i = 0; i < ref->nrow && ref->col[tref][i] <= o->until; i++) {
-            double e = fabs(mix_value(&m, run, row_at(run, trun, ref->col[tref][i])) - ref->col[c][i]);
+            double e = fabs((m.a * run->col[m.col][row_at(run, trun, ref->col[tref][i])] + m.b) - ref->col[c][i]);
             e = scale > 0 ? e / scale : e;
             if (worse(e, error)) {
                 error = e;

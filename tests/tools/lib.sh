@@ -30,9 +30,10 @@ not_ok() {
 
 # expect NAME WANTED GOT [FILE...]: exit codes and other words.
 expect() {
-    name=$1 want=$2 got=$3
+    expect_name=$1 expect_want=$2 expect_got=$3
     shift 3
-    if [ "$want" = "$got" ]; then ok "$name"; else not_ok "$name" "got '$got', expected '$want'" "$@"; fi
+    if [ "$expect_want" = "$expect_got" ]; then ok "$expect_name"
+    else not_ok "$expect_name" "got '$expect_got', expected '$expect_want'" "$@"; fi
 }
 
 # same NAME FILE FILE: byte for byte.
