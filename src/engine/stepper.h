@@ -1,10 +1,10 @@
 /* stepper.h -- what every integration scheme promises.
  *
  * A scheme is one table of functions.  One step() advances the state by one major step H = ratio * h
- * (single-rate schemes: by H as ratio plain steps of h, unless `single` says they take one; adaptive
- * schemes: from t to t + H with steps of their own).  A step that fails leaves the state as it was
- * and returns E_NUMERIC with *why filled.  An unconverged step is never accepted.  After the first step nothing
- * is allocated: all memory is taken when the stepper opens. */
+ * (single-rate schemes: as ratio plain steps of h; adaptive schemes: from t to `to` with steps of
+ * their own).  A step that fails leaves the state as it was and returns E_NUMERIC with *why filled.
+ * An unconverged step is never accepted.  All memory is taken when the stepper opens, but for
+ * subcycle's minor steps, taken once for the largest ratio met. */
 #ifndef FMDSUB_ENGINE_STEPPER_H
 #define FMDSUB_ENGINE_STEPPER_H
 
@@ -20,7 +20,7 @@ struct state {
     double t;  /* [s] */
     double *q; /* [nq] */
     double *v; /* [n] */
-    double *a; /* [n] accelerations of (2-4) at t, or the scheme's own (Newmark's) */
+    double *a; /* [n] newmark, miao, rk4, dopri5: accelerations at t; midpoint, subcycle: mean of the step */
 };
 
 /* Work counted since opening: times vary, counts do not. */
@@ -37,13 +37,13 @@ enum iteration { ITERATION_NEWTON, ITERATION_FIXED_POINT };
 
 /* How to step, the same for all schemes; each reads what it knows. */
 struct step_options {
-    double beta, gamma;       /* newmark, miao: (2-5), (2-6); 1/4, 1/2 */
-    int iteration;            /* enum iteration; fixed-point is (2-9) as printed */
-    double rho_infinity;      /* subcycle: 1 none ... 0 most damping of what h does not resolve */
-    int symmetric;            /* subcycle: W at the average of both ends, second pass */
-    double newton_tolerance;  /* relative; 0: by the scheme's own rule (CONTRACTS section 1) */
-    double rtol, atol;        /* adaptive schemes: error per step in every coordinate */
-    int sweeps;               /* most sweeps or iterations per step; 0: the scheme's default */
+    double beta, gamma;      /* newmark, miao: (2-5), (2-6); 1/4, 1/2 */
+    int iteration;           /* enum iteration; fixed-point is (2-9) as printed */
+    double rho_infinity;     /* subcycle: 1 none ... 0 most damping of what h does not resolve */
+    int symmetric;           /* subcycle: W at the average of both ends, second pass */
+    double newton_tolerance; /* relative; 0: by the scheme's own rule (CONTRACTS section 1) */
+    double rtol, atol;       /* adaptive schemes: error per step in every coordinate */
+    int sweeps;              /* most sweeps or iterations per step; 0: the scheme's default */
 };
 
 extern const struct step_options step_defaults;
@@ -55,8 +55,8 @@ struct stepper_kind {
     const char *brief; /* one line for `fmdsub list` and the manual */
     int rates;         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
-    int adaptive;      /* chooses its own steps inside H */
-    int quadrature;    /* 1: its work sums are exact for the ledger; 0: of second order */
+    int adaptive;   /* chooses its own steps inside H */
+    int quadrature; /* 1: its work sums are exact for the ledger; 0: of second order */
 
     /* Required.  Takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
@@ -65,6 +65,8 @@ struct stepper_kind {
      * s->work (set to zero first) [J]. */
     enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
 };
+
+struct accel;
 
 struct stepper {
     const struct stepper_kind *kind;
@@ -75,7 +77,10 @@ struct stepper {
     double lost;                 /* energy taken by the scheme's own damping in the last step, >= 0 [J] */
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
-    void *self;                  /* the scheme's memory */
+    int fresh;                   /* no history: predictors and factors must not be used */
+    struct accel *accel;         /* solves (2-4) for a */
+    struct arena *life;
+    void *self; /* the scheme's memory */
 };
 
 /* All kinds, NULL at the end, in the order `fmdsub list` shows. */

@@ -1,0 +1,56 @@
+/* accel.c -- (2-4) solved for the accelerations: M^ a = -r(q, v, a = 0, t), by Cholesky; long systems
+ * go through the owner's own solver when there is one (O(N) on trees). */
+#include "engine/accel.h"
+
+#include <math.h>
+
+#include "engine/motion.h"
+#include "la/dense.h"
+
+enum { SMALL = 12 }; /* up to here dense is no slower, and the residual gives the powers at once */
+
+void accel_open(struct accel *c, const struct ode2 *ode, struct effort *effort, struct arena *life)
+{
+    c->ode = ode;
+    c->effort = effort;
+    c->M = TAKE(life, double, ode->n * ode->n);
+}
+
+static enum status dense(struct accel *c, double *a, double *w, const struct instant *x, struct trouble *why)
+{
+    const struct ode2 *o = c->ode;
+    TRY(o->ops->resid(o, a, w, NULL, x, ALL, why));
+    TRY(o->ops->mass(o, c->M, x->q, x->t, ALL, why));
+    c->effort->slow++;
+    c->effort->fast++;
+    int pivot = dense_cholesky(c->M, o->n, o->n);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, x->t);
+    for (int i = 0; i < o->n; i++) a[i] = -a[i];
+    dense_cholesky_solve(c->M, a, o->n, o->n);
+    return OK;
+}
+
+static enum status structured(struct accel *c, double *a, double *w, const struct instant *x, struct trouble *why)
+{
+    const struct ode2 *o = c->ode;
+    c->effort->slow++;
+    c->effort->fast++;
+    if (w) { /* a is only the place for a residual nobody needs */
+        TRY(o->ops->resid(o, a, w, NULL, x, ALL, why));
+        c->effort->slow++;
+        c->effort->fast++;
+    }
+    return o->direct->accel(o, a, x->q, x->v, x->t, why);
+}
+
+enum status accel_solve(struct accel *c, double *a, double *w, const double *q, const double *v, double t,
+                        struct trouble *why)
+{
+    const struct ode2 *o = c->ode;
+    struct instant x = {.t = t, .q = q, .v = v, .ta = t, .tb = t};
+    int long_one = o->n > SMALL && o->direct && o->direct->accel;
+    TRY((long_one ? structured : dense)(c, a, w, &x, why));
+    for (int i = 0; i < o->n; i++)
+        if (!isfinite(a[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, a[i], t);
+    return OK;
+}

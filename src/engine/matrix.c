@@ -1,0 +1,71 @@
+/* matrix.c -- see matrix.h */
+#include "engine/matrix.h"
+
+#include "engine/motion.h"
+#include "la/dense.h"
+
+enum { SMALL = 12 }; /* up to here dense is no slower than any structure */
+
+void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort, struct arena *life)
+{
+    int n = ode->n;
+    *m = (struct matrix){.ode = ode, .effort = effort};
+    m->J = TAKE(life, double, n *n);
+    m->K = TAKE(life, double, n *n);
+    m->C = TAKE(life, double, n *n);
+    m->swap = TAKE(life, int, n);
+    m->structured = n > SMALL && ode->direct && ode->direct->factor && ode->direct->solve;
+    if (m->structured) m->F = arena_take(life, 1, ode->direct->factor_size);
+}
+
+int factor_dense(double *J, int *swap, double *spare, enum matrix_form *form, int n)
+{
+    if (dense_asymmetry(J, n, n) <= 1e-12) {
+        copy(spare, J, n * n);
+        *form = MATRIX_CHOLESKY;
+        if (dense_cholesky(J, n, n) < 0) return -1;
+        copy(J, spare, n * n); /* a negative slope: the matrix may still be regular */
+    }
+    *form = MATRIX_LU;
+    return dense_lu(J, swap, n, n);
+}
+
+void solve_dense(const double *J, const int *swap, enum matrix_form form, double *x, int n)
+{
+    if (form == MATRIX_CHOLESKY)
+        dense_cholesky_solve(J, x, n, n);
+    else
+        dense_lu_solve(J, swap, x, n, n);
+}
+
+static enum status factor_full(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why)
+{
+    const struct ode2 *o = m->ode;
+    int n = o->n;
+    TRY(o->ops->slopes(o, m->K, m->C, x, ALL, why));
+    TRY(o->ops->mass(o, m->J, x->q, x->t, ALL, why));
+    m->effort->slow++;
+    m->effort->fast++;
+    for (int i = 0; i < n * n; i++) m->J[i] += cc * m->C[i] + ck * m->K[i];
+    int pivot = factor_dense(m->J, m->swap, m->K, &m->form, n);
+    return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, x->t);
+}
+
+enum status matrix_factor(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why)
+{
+    m->effort->factors++;
+    if (m->structured) {
+        m->form = MATRIX_DIRECT;
+        if (m->ode->direct->factor(m->ode, m->F, 1, cc, ck, x, why) == OK) return OK;
+        m->structured = 0;
+    }
+    return factor_full(m, cc, ck, x, why);
+}
+
+void matrix_solve(const struct matrix *m, double *x)
+{
+    if (m->form == MATRIX_DIRECT)
+        m->ode->direct->solve(m->ode, m->F, x);
+    else
+        solve_dense(m->J, m->swap, m->form, x, m->ode->n);
+}

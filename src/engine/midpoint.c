@@ -1,0 +1,173 @@
+/* midpoint.c -- the implicit midpoint rule
+ *
+ *     q1 = q0 (+) h v,  v = v0 + h a / 2,  v1 = v0 + h a,  r(q0 (+) h v / 2, v, a, t0 + h/2) = 0
+ *
+ * Second order, symmetric.  It keeps quadratic invariants (Cooper 1987), so the energy of a linear
+ * system is exact, with work h v . Q.  For a body R1 = R0 cay(h omega) gives both R1 J omega1 =
+ * R0 J omega0 and omega . J (omega1 - omega0) = 0: momentum and energy of a free body are exact too
+ * (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107, 1993).
+ *
+ * Newton for a with J = M^ + (h/2) C + (h^2/4) K. */
+#include "engine/midpoint.h"
+
+#include <math.h>
+
+#include "engine/matrix.h"
+#include "engine/motion.h"
+#include "engine/newton.h"
+#include "engine/single.h"
+
+struct midpoint {
+    struct newton newton;
+    struct matrix J;
+    struct single keep;
+    const struct ode2 *ode;
+    struct effort *effort;
+    struct instant x; /* the midpoint under trial */
+    double *q, *v, *q1, *dx, *a, *hs;
+    const double *q0, *v0;
+    double *aold;
+    double h, hold, hfactor;
+    double w[POWER_CHANNELS];
+};
+
+struct midpoint *midpoint_new(struct stepper *s, struct arena *life)
+{
+    const struct ode2 *o = s->ode;
+    struct midpoint *m = TAKE(life, struct midpoint, 1);
+    m->ode = o;
+    m->effort = &s->effort;
+    newton_open(&m->newton, o, &s->effort, &s->options, life);
+    matrix_open(&m->J, o, &s->effort, life);
+    single_open(&m->keep, o, life);
+    m->q = TAKE(life, double, o->nq);
+    m->q1 = TAKE(life, double, o->nq);
+    m->v = TAKE(life, double, o->n);
+    m->dx = TAKE(life, double, o->n);
+    m->a = TAKE(life, double, o->n);
+    m->aold = TAKE(life, double, o->n);
+    m->hs = TAKE(life, double, o->n);
+    return m;
+}
+
+/* The midpoint and the end that belong to the mean acceleration a. */
+static void place(struct midpoint *m, const double *a)
+{
+    for (int i = 0; i < m->ode->n; i++) {
+        m->v[i] = m->v0[i] + m->h / 2 * a[i];
+        m->dx[i] = m->h * m->v[i];
+    }
+    motion_point(m->ode, m->q, m->q0, m->dx, .5);
+    motion_point(m->ode, m->q1, m->q0, m->dx, 1);
+    m->x.a = a;
+}
+
+static enum status resid(void *self, double *r, double *dk, const double *a, struct trouble *why)
+{
+    struct midpoint *m = self;
+    place(m, a);
+    m->effort->slow++;
+    m->effort->fast++;
+    enum status status = m->ode->ops->resid(m->ode, r, m->w, dk, &m->x, ALL, why);
+    for (int c = 0; c < POWER_CHANNELS; c++) m->newton.powered |= m->w[c] != 0;
+    return status;
+}
+
+static enum status refresh(void *self, const double *a, struct trouble *why)
+{
+    struct midpoint *m = self;
+    place(m, a);
+    m->hfactor = m->h;
+    return matrix_factor(&m->J, m->h / 2, m->h * m->h / 4, &m->x, why);
+}
+
+static void solve(void *self, double *dz)
+{
+    matrix_solve(&((struct midpoint *)self)->J, dz);
+}
+
+/* a from the two last steps; returns the step's local error h/12 |da| as a velocity, in scales. */
+static double predict(struct midpoint *m, const struct state *x, int fresh)
+{
+    double local = 0, s = fresh ? 0 : m->h / m->hold;
+    for (int i = 0; i < m->ode->n; i++) {
+        double da = s * (x->a[i] - m->aold[i]);
+        m->a[i] = x->a[i] + da;
+        m->hs[i] = m->h;
+        local = fmax(local, fabs(m->h / 12 * da) * m->newton.per[i]);
+    }
+    return fresh ? -1 : local;
+}
+
+static void accept(struct midpoint *m, struct stepper *s, struct state *x, double t1)
+{
+    int n = m->ode->n;
+    double push = 0;
+    for (int i = 0; i < n; i++) push += m->newton.r[i] * m->v[i];
+    s->left += fabs(m->h * push) * fmin(1, m->newton.remain);
+    s->last_sweeps += m->newton.count;
+    for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->h * m->w[c];
+    place(m, m->a);
+    copy(m->aold, x->a, n);
+    copy(x->a, m->a, n);
+    copy(x->q, m->q1, m->ode->nq);
+    for (int i = 0; i < n; i++) x->v[i] += m->h * m->a[i];
+    x->t = t1;
+    m->hold = m->h;
+    newton_scale(&m->newton, x->v, x->a, m->h);
+}
+
+enum status midpoint_advance(struct midpoint *m, struct stepper *s, struct state *x, double h, double t1,
+                             struct trouble *why)
+{
+    int fresh = s->fresh;
+    if (fresh) {
+        newton_forget(&m->newton);
+        newton_scale(&m->newton, x->v, x->a, h);
+    }
+    m->h = h;
+    m->q0 = x->q;
+    m->v0 = x->v;
+    m->x = (struct instant){
+        .t = x->t + (t1 - x->t) / 2, .q = m->q, .v = m->v, .qa = x->q, .qb = m->q1, .ta = x->t, .tb = t1};
+    newton_begin(&m->newton, predict(m, x, fresh));
+    if (m->newton.stale || h != m->hfactor) {
+        TRY(refresh(m, m->a, why));
+        newton_refreshed(&m->newton);
+    }
+    struct equations eq = {m, &m->x, resid, refresh, solve};
+    enum status status = newton_solve(&m->newton, m->a, &eq, m->hs, m->ode->n, why);
+    if (status != OK) {
+        m->newton.stale = 1;
+        return status;
+    }
+    accept(m, s, x, t1);
+    s->fresh = 0;
+    return OK;
+}
+
+static void open(struct stepper *s, struct arena *life)
+{
+    s->self = midpoint_new(s, life);
+}
+
+static enum status one(struct stepper *s, struct state *x, double h, double t1, struct trouble *why)
+{
+    return midpoint_advance(s->self, s, x, h, t1, why);
+}
+
+static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    struct midpoint *m = s->self;
+    return single_steps(&m->keep, s, x, h, ratio, to, one, why);
+}
+
+const struct stepper_kind step_midpoint = {
+    .name = "midpoint",
+    .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems",
+    .rates = 1,
+    .order = 2,
+    .quadrature = 1,
+    .open = open,
+    .step = step,
+};

@@ -1,0 +1,53 @@
+/* motion.h -- how the engine moves positions: through ode2_move, or q0 + s dx without one. */
+#ifndef FMDSUB_ENGINE_MOTION_H
+#define FMDSUB_ENGINE_MOTION_H
+
+#include <string.h>
+
+#include "system/ode2.h"
+
+/* q1 = q0 (+) s dx; q1 may be q0. */
+static inline void motion_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s)
+{
+    if (o->move)
+        o->move->point(o, q1, q0, dx, s);
+    else
+        for (int i = 0; i < o->n; i++) q1[i] = q0[i] + s * dx[i];
+}
+
+/* dx with q1 = q0 (+) dx. */
+static inline void motion_diff(const struct ode2 *o, double *dx, const double *q1, const double *q0)
+{
+    if (o->move)
+        o->move->diff(o, dx, q1, q0);
+    else
+        for (int i = 0; i < o->n; i++) dx[i] = q1[i] - q0[i];
+}
+
+/* dx' where q0 (+) dx moves with velocity v. */
+static inline void motion_rate(const struct ode2 *o, double *rate, const double *dx, const double *v)
+{
+    if (o->move)
+        o->move->rate(o, rate, dx, v);
+    else
+        memcpy(rate, v, (size_t)o->n * sizeof *v);
+}
+
+static inline void copy(double *to, const double *from, int n)
+{
+    memcpy(to, from, (size_t)n * sizeof *to);
+}
+
+static inline void zero(double *x, int n)
+{
+    memset(x, 0, (size_t)n * sizeof *x);
+}
+
+static inline double dot(const double *x, const double *y, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += x[i] * y[i];
+    return sum;
+}
+
+#endif

@@ -1,0 +1,179 @@
+/* newton.c -- see newton.h */
+#include "engine/newton.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "engine/motion.h"
+
+/* Round-off stop: no further decrease while tiny, relative and in SI units; with a matrix of this very
+ * iterate (so that a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
+static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
+static const double POWERED = 1e-6;   /* last correction allowed where power is integrated */
+static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
+static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
+enum { LIMIT = 12, ENERGY_LIFE = 16, MOST_REFRESHED = 4 };
+
+void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effort, const struct step_options *options,
+                 struct arena *life)
+{
+    int n = ode->n;
+    *nt = (struct newton){.ode = ode, .effort = effort, .tolerance = options->newton_tolerance};
+    nt->limit = options->sweeps > 0 ? options->sweeps : LIMIT;
+    nt->scale = TAKE(life, double, n);
+    nt->per = TAKE(life, double, n);
+    nt->dz = TAKE(life, double, n);
+    nt->r = TAKE(life, double, n);
+    newton_forget(nt);
+}
+
+void newton_forget(struct newton *nt)
+{
+    zero(nt->scale, nt->ode->n);
+    nt->top = nt->energy = 0;
+    nt->age = ENERGY_LIFE;
+    nt->theta = 1;
+    nt->stale = 1;
+}
+
+void newton_scale(struct newton *nt, const double *v, const double *a, double H)
+{
+    int grown = 0;
+    for (int i = 0; i < nt->ode->n; i++) {
+        double s = fmax(fabs(v[i]), fabs(H * a[i]));
+        if (s > nt->scale[i]) {
+            nt->scale[i] = s;
+            nt->top = fmax(nt->top, s);
+            grown = 1;
+        }
+    }
+    if (!grown && nt->top > 0) return;
+    for (int i = 0; i < nt->ode->n; i++) nt->per[i] = 1 / fmax(nt->scale[i], fmax(AT_REST * nt->top, DBL_MIN));
+}
+
+void newton_begin(struct newton *nt, double local)
+{
+    nt->tol = nt->tolerance;
+    if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : fmin(1e-8, fmax(1e-13, 1e-3 * local));
+    nt->theta = sqrt(nt->theta) * sqrt(sqrt(nt->theta)); /* a theta not measured anew grows towards 1 */
+    nt->count = nt->bad = nt->refreshed = nt->fresh = nt->powered = 0;
+    nt->age++;
+}
+
+void newton_refreshed(struct newton *nt)
+{
+    nt->fresh = 2;
+    nt->refreshed++;
+    nt->bad = 0;
+    nt->theta = 1;
+    nt->stale = 0;
+}
+
+/* v . M v at x as v . (r(a = v) - r(a = 0)). */
+static double kinetic(struct newton *nt, const struct instant *x)
+{
+    const struct ode2 *o = nt->ode;
+    struct instant with = *x, without = *x;
+    with.a = x->v;
+    without.a = NULL;
+    nt->effort->slow += 2;
+    nt->effort->fast += 2;
+    double sum = 0;
+    if (o->ops->resid(o, nt->r, NULL, NULL, &with, ALL, NULL) != OK) return 0;
+    sum += dot(nt->r, x->v, o->n);
+    if (o->ops->resid(o, nt->r, NULL, NULL, &without, ALL, NULL) != OK) return 0;
+    return sum - dot(nt->r, x->v, o->n);
+}
+
+static int small_energy(struct newton *nt, double square, const struct instant *x)
+{
+    if (nt->age >= ENERGY_LIFE) {
+        nt->energy = fmax(nt->energy, kinetic(nt, x));
+        nt->age = 0;
+    }
+    double part = BY_ENERGY * nt->tol;
+    return fabs(square) <= part * part * nt->energy;
+}
+
+static enum verdict later_iterate(struct newton *nt, double err, double small, double square, double theta,
+                                  const struct instant *x)
+{
+    int tiny = err <= TINY || small <= TINY_SI || (nt->fresh > 0 && (err <= TINY_FRESH || small <= TINY_FRESH_SI));
+    if ((theta > .5 && tiny) || small_energy(nt, square, x)) {
+        nt->remain = 1;
+        return CONVERGED;
+    }
+    if (theta > .3 && nt->fresh <= 0 && nt->refreshed < MOST_REFRESHED) return REFRESH;
+    nt->bad += theta > .9;
+    return nt->bad >= 2 ? FAILED : CONTINUE;
+}
+
+enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x)
+{
+    int first = nt->count++ == 0;
+    double theta = first ? nt->theta : err / nt->last;
+    nt->effort->sweeps++;
+    nt->fresh--;
+    if (!(err <= DBL_MAX)) return FAILED;
+    nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
+    int done = err == 0 || (nt->remain * err <= nt->tol && (!nt->powered || err <= POWERED));
+    if (err == 0) nt->remain = 0;
+    if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
+    if (!first && theta > .3 && nt->last > 1e-9) nt->stale = 1;
+    nt->last = err;
+    if (done) return CONVERGED;
+    enum verdict v = first ? CONTINUE : later_iterate(nt, err, small, square, theta, x);
+    return v == CONTINUE && nt->count >= nt->limit ? FAILED : v;
+}
+
+/* z -= dz, and the correction measured. */
+static enum verdict correct(struct newton *nt, double *z, const double *h, int m, const struct instant *x)
+{
+    double err = 0, small = 0, square = 0, sum = 0;
+    for (int i = 0; i < m; i++) {
+        double dv = fabs(h[i] * nt->dz[i]), e = dv * nt->per[i];
+        z[i] -= nt->dz[i];
+        sum += dv;
+        square += h[i] * nt->r[i] * h[i] * nt->dz[i];
+        small = fmax(small, dv);
+        if (e > err) {
+            err = e;
+            nt->worst = i;
+        }
+    }
+    return newton_judge(nt, isfinite(sum) ? err : NAN, small, square, x);
+}
+
+static enum status give_up(const struct newton *nt, const struct equations *eq, int m, struct trouble *why)
+{
+    for (int i = 0; i < m; i++)
+        if (!isfinite(nt->r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, nt->r[i], eq->x->t);
+    return trouble_set(why, TROUBLE_DIVERGED, nt->worst, nt->last / nt->tol, eq->x->t);
+}
+
+enum status newton_solve(struct newton *nt, double *z, const struct equations *eq, const double *h, int m,
+                         struct trouble *why)
+{
+    for (;;) {
+        double dk = 0;
+        TRY(eq->resid(eq->self, nt->r, &dk, z, why));
+        if (dk > .2 && nt->fresh < 2 && nt->refreshed < MOST_REFRESHED) {
+            TRY(eq->refresh(eq->self, z, why));
+            newton_refreshed(nt);
+        }
+        copy(nt->dz, nt->r, m);
+        eq->solve(eq->self, nt->dz);
+        switch (correct(nt, z, h, m, eq->x)) {
+        case CONVERGED:
+            return OK;
+        case CONTINUE:
+            break;
+        case REFRESH:
+            TRY(eq->refresh(eq->self, z, why));
+            newton_refreshed(nt);
+            break;
+        case FAILED:
+            return give_up(nt, eq, m, why);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+/* newton.h -- the simplified Newton iteration of all implicit schemes, and when it may stop.
+ *
+ * The matrix is kept over iterations and steps until the contraction theta = |dz_k| / |dz_k-1| is
+ * above 0.3.  An iterate is accepted when the rest of the geometric series, theta/(1-theta) |dz|, is
+ * below the tolerance; theta of the last step serves for the first iteration (Hairer & Wanner, Solving
+ * Ordinary Differential Equations II, IV.8, (8.10)).
+ *
+ * Corrections are measured as velocities against the running maximum of |v_i| and |H a_i| of each
+ * coordinate.  A coordinate at rest has no such scale; there the energy of the correction,
+ * dz . J dz = dz . r, against twice the kinetic energy decides. */
+#ifndef FMDSUB_ENGINE_NEWTON_H
+#define FMDSUB_ENGINE_NEWTON_H
+
+#include "base/arena.h"
+#include "engine/stepper.h"
+
+enum verdict { CONVERGED, CONTINUE, REFRESH, FAILED };
+
+struct newton {
+    const struct ode2 *ode;
+    struct effort *effort;
+    double tolerance; /* asked for; 0: from the error of the step */
+    int limit;
+    double *scale, *per; /* [n] running maximum of velocity, 1 / scale with its floor */
+    double *dz, *r;      /* [n] last correction and residual */
+    double top;          /* largest scale */
+    double energy;       /* running maximum of v . M v */
+    int age;             /* steps since energy was looked at */
+    double theta;        /* contraction to expect of the first iteration; 1: unknown */
+    int stale;           /* a fresh matrix is due at the next step */
+
+    /* of the iteration under way */
+    double tol, last, remain; /* remain: what is left of the last residual, as a factor */
+    int count;                /* iterations done */
+    int fresh;                /* > 0: the matrix belongs to this or the last iterate */
+    int bad, refreshed;
+    int powered; /* some power flows: its quadrature wants the last correction small too */
+    int worst;   /* row of the largest correction */
+};
+
+/* What is solved: r(z) = 0, z and dz accelerations. */
+struct equations {
+    void *self;
+    const struct instant *x; /* of the last residual */
+    enum status (*resid)(void *self, double *r, double *dk, const double *z, struct trouble *why);
+    enum status (*refresh)(void *self, const double *z, struct trouble *why);
+    void (*solve)(void *self, double *dz);
+};
+
+void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effort, const struct step_options *options,
+                 struct arena *life);
+void newton_forget(struct newton *nt);
+
+/* A state of the run: the scales grow. */
+void newton_scale(struct newton *nt, const double *v, const double *a, double H);
+
+/* A new step of local error `local` in units of the scales (negative: unknown). */
+void newton_begin(struct newton *nt, double local);
+
+/* err: largest correction against its scale; small: the same without scale; square: energy of the
+ * correction at the instant x. */
+enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x);
+/* The matrix was formed anew. */
+void newton_refreshed(struct newton *nt);
+
+/* z [m], the first m coordinates: solved; h [m]: what turns z into velocities. */
+enum status newton_solve(struct newton *nt, double *z, const struct equations *eq, const double *h, int m,
+                         struct trouble *why);
+
+#endif

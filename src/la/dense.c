@@ -1,0 +1,224 @@
+/* dense.c -- see dense.h.
+ *
+ * Factorizations work by columns (axpy form), four columns at a time:
+ *
+ *     c = (((c - a0 f0) - a1 f1) - a2 f2) - a3 f3
+ *
+ * which keeps the order of the scalar loop and vectorizes without licence to reorder sums.
+ * Golub & Van Loan, Matrix Computations, 4th ed., 3.2.9 (LU, gaxpy form) and 4.2.5 (Cholesky). */
+#include "la/dense.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* The loops worth three compilations; the choice is made once, when the program is loaded. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&                       \
+    !defined(__SANITIZE_ADDRESS__)
+#define WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define WIDE
+#endif
+
+enum { NARROW = 12 }; /* below, the call through the loader's table costs more than it gives */
+
+/* c [n] -= A f,  the m columns of A in order; f(k) = f[k * step]. */
+static inline void subtract_columns(double *restrict c, const double *restrict A, const double *restrict f, int n,
+                                    int m, int ld, int step)
+{
+    int k = 0;
+    for (; k + 4 <= m; k += 4) {
+        const double *a0 = A + (long)k * ld, *a1 = a0 + ld, *a2 = a1 + ld, *a3 = a2 + ld;
+        double f0 = f[(long)k * step], f1 = f[(long)(k + 1) * step];
+        double f2 = f[(long)(k + 2) * step], f3 = f[(long)(k + 3) * step];
+        if (f0 == 0 && f1 == 0 && f2 == 0 && f3 == 0) continue;
+        for (int i = 0; i < n; i++) c[i] = (((c[i] - a0[i] * f0) - a1[i] * f1) - a2[i] * f2) - a3[i] * f3;
+    }
+    for (; k < m; k++) {
+        const double *a = A + (long)k * ld;
+        double fk = f[(long)k * step];
+        if (fk == 0) continue;
+        for (int i = 0; i < n; i++) c[i] -= a[i] * fk;
+    }
+}
+
+static inline int cholesky(double *A, int n, int ld)
+{
+    for (int j = 0; j < n; j++) {
+        double *c = A + (long)j * ld, diagonal = c[j];
+        subtract_columns(c + j, A + j, A + j, n - j, j, ld, ld);
+        if (!(c[j] > 4 * DBL_EPSILON * diagonal) || c[j] > DBL_MAX) return j;
+        c[j] = sqrt(c[j]);
+        double s = 1 / c[j];
+        for (int i = j + 1; i < n; i++) c[i] *= s;
+    }
+    return -1;
+}
+
+WIDE static int cholesky_wide(double *A, int n, int ld)
+{
+    return cholesky(A, n, ld);
+}
+
+int dense_cholesky(double *A, int n, int ld)
+{
+    return n <= NARROW ? cholesky(A, n, ld) : cholesky_wide(A, n, ld);
+}
+
+void dense_cholesky_solve(const double *L, double *x, int n, int ld)
+{
+    for (int j = 0; j < n; j++) {
+        const double *c = L + (long)j * ld;
+        if (x[j] == 0) continue;
+        double xj = x[j] /= c[j];
+        for (int i = j + 1; i < n; i++) x[i] -= c[i] * xj;
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        const double *c = L + (long)j * ld;
+        double sum = x[j];
+        for (int i = j + 1; i < n; i++) sum -= c[i] * x[i];
+        x[j] = sum / c[j];
+    }
+}
+
+void dense_cholesky_solves(const double *L, double *X, int n, int ld, int m, int ldx)
+{
+    for (int k = 0; k < m; k++) dense_cholesky_solve(L, X + (long)k * ldx, n, ld);
+}
+
+static void swap_entries(double *c, const int *swap, int n)
+{
+    for (int i = 0; i < n; i++) {
+        double keep = c[i];
+        c[i] = c[swap[i]];
+        c[swap[i]] = keep;
+    }
+}
+
+/* Column j of U and, unscaled, of L; the rows of earlier swaps are already in place. */
+static inline void lu_column(double *A, double *c, int j, int n, int ld)
+{
+    for (int k = 0; k < j; k++) {
+        const double *a = A + (long)k * ld;
+        double f = c[k];
+        if (f == 0) continue;
+        for (int i = k + 1; i < j; i++) c[i] -= a[i] * f;
+    }
+    subtract_columns(c + j, A + j, c, n - j, j, ld, 1);
+}
+
+static inline int lu(double *A, int *swap, int n, int ld)
+{
+    for (int j = 0; j < n; j++) {
+        double *c = A + (long)j * ld, size = 0;
+        for (int i = 0; i < n; i++) size = fmax(size, fabs(c[i]));
+        swap_entries(c, swap, j);
+        lu_column(A, c, j, n, ld);
+        int p = j;
+        for (int i = j + 1; i < n; i++)
+            if (fabs(c[i]) > fabs(c[p])) p = i;
+        if (!(fabs(c[p]) > 4 * DBL_EPSILON * size) || fabs(c[p]) > DBL_MAX) return j;
+        swap[j] = p;
+        for (int k = 0; k <= j; k++) {
+            double *b = A + (long)k * ld, keep = b[j];
+            b[j] = b[p];
+            b[p] = keep;
+        }
+        double s = 1 / c[j];
+        for (int i = j + 1; i < n; i++) c[i] *= s;
+    }
+    return -1;
+}
+
+WIDE static int lu_wide(double *A, int *swap, int n, int ld)
+{
+    return lu(A, swap, n, ld);
+}
+
+int dense_lu(double *A, int *swap, int n, int ld)
+{
+    return n <= NARROW ? lu(A, swap, n, ld) : lu_wide(A, swap, n, ld);
+}
+
+void dense_lu_solve(const double *LU, const int *swap, double *x, int n, int ld)
+{
+    swap_entries(x, swap, n);
+    for (int j = 0; j < n; j++) {
+        const double *c = LU + (long)j * ld;
+        double xj = x[j];
+        if (xj == 0) continue;
+        for (int i = j + 1; i < n; i++) x[i] -= c[i] * xj;
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        const double *c = LU + (long)j * ld;
+        if (x[j] == 0) continue;
+        double xj = x[j] /= c[j];
+        for (int i = 0; i < j; i++) x[i] -= c[i] * xj;
+    }
+}
+
+void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld, int m, int ldx)
+{
+    for (int k = 0; k < m; k++) dense_lu_solve(LU, swap, X + (long)k * ldx, n, ld);
+}
+
+static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
+                        int cols, int ld)
+{
+    for (int j = 0; j < cols; j++) {
+        const double *c = A + (long)j * ld;
+        double f = s * x[j];
+        if (f == 0) continue;
+        for (int i = 0; i < rows; i++) y[i] += c[i] * f;
+    }
+}
+
+WIDE static void gemv_wide(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
+{
+    gemv(y, s, A, x, rows, cols, ld);
+}
+
+void dense_gemv(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
+{
+    if (rows <= NARROW)
+        gemv(y, s, A, x, rows, cols, ld);
+    else
+        gemv_wide(y, s, A, x, rows, cols, ld);
+}
+
+void dense_gemtv(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
+{
+    for (int j = 0; j < cols; j++) {
+        const double *c = A + (long)j * ld;
+        double sum = 0;
+        for (int i = 0; i < rows; i++) sum += c[i] * x[i];
+        y[j] += s * sum;
+    }
+}
+
+void dense_gemm(double *C, double s, const double *A, const double *B, int rows, int inner, int cols, int ldc, int lda,
+                int ldb)
+{
+    for (int j = 0; j < cols; j++) dense_gemv(C + (long)j * ldc, s, A, B + (long)j * ldb, rows, inner, lda);
+}
+
+void dense_gemtm(double *C, double s, const double *A, const double *B, int rows, int inner, int cols, int ldc, int lda,
+                 int ldb)
+{
+    for (int j = 0; j < cols; j++) dense_gemtv(C + (long)j * ldc, s, A, B + (long)j * ldb, inner, rows, lda);
+}
+
+void dense_copy(double *B, const double *A, int rows, int cols, int ldb, int lda)
+{
+    for (int j = 0; j < cols; j++) memmove(B + (long)j * ldb, A + (long)j * lda, (size_t)rows * sizeof *A);
+}
+
+double dense_asymmetry(const double *A, int n, int ld)
+{
+    double worst = 0, size = 0;
+    for (int j = 0; j < n; j++) {
+        size = fmax(size, fabs(A[j + (long)j * ld]));
+        for (int i = 0; i < j; i++) worst = fmax(worst, fabs(A[i + (long)j * ld] - A[j + (long)i * ld]));
+    }
+    return worst > 0 ? worst / size : 0;
+}
