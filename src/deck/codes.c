@@ -1,0 +1,98 @@
+/* codes.c -- every code of a deck message and its cure: one table for `fmdsub explain CODE` and the manual.
+ *
+ * A message with a code that is not here does not get past diag.c. */
+#include <stddef.h>
+#include <strings.h>
+
+#include "deck/diag.h"
+
+const struct diag_help diag_helps[] = {
+    /* the text */
+    {"E-encoding", "A deck is UTF-8 text. Save the file as UTF-8; an editor that shows the marked line can replace the "
+                   "character there. UTF-16 is not read."},
+    {"E-character",
+     "Control characters and zero bytes have no place in a deck. Delete the character, or write it as an escape "
+     "such as \"\\t\" inside double quotes."},
+    {"E-yaml",
+     "The text is not YAML at the marked place. Look for a missing ':' or ',', a quote or bracket that is not "
+     "closed, or a line indented differently from its neighbours."},
+    {"E-tab", "YAML indents by spaces only. Replace the tab by spaces."},
+    {"E-unclosed", "A bracket, brace or quote is not closed. The second place shows where it was opened."},
+    {"E-indent",
+     "A line stands at a depth that fits neither the block above nor the one around it. Members of one map begin "
+     "in the same column."},
+    {"E-space", "YAML wants a space after the ':' that follows a key: write 'key: value'."},
+    {"E-comma",
+     "Inside { } and [ ] a comma ends a value. Put an expression that holds a comma into quotes: \"atan2(y, x)\"."},
+    {"E-anchor", "An alias (*name) needs an anchor (&name) before it that is not around it, and a name is given to one "
+                 "anchor only."},
+    {"E-key", "Keys are plain words. Lists, maps, aliases and empty texts cannot be keys."},
+    {"E-merge", "'<<' is not read. Use include: to share a part between decks, repeat: for many like members, or an "
+                "alias for a whole value."},
+    {"E-tag", "Decks need no tags (!...). Delete the tag; to keep digits as text, quote them."},
+    {"E-documents", "A deck is one YAML document. Delete what follows the second '---', or make it a deck of its own."},
+    {"E-empty", "The deck is empty. `fmdsub new` writes one to start from."},
+    {"E-duplicate", "A key may be given once in a map. Delete one of the two, or rename it."},
+    /* limits */
+    {"E-limit-depth", "Lists and maps may be nested 64 deep."},
+    {"E-limit-anchors", "A deck may hold 1000 anchors and 1000 aliases."},
+    {"E-limit-nodes",
+     "A deck may hold 1000000 values after aliases and repeat:. Put long tables into a CSV file beside the deck."},
+    {"E-limit-scalar", "One text may be 1 MiB long. Put long tables into a CSV file beside the deck."},
+    {"E-limit-repeat", "repeat: may make 100000 copies in all."},
+    {"E-limit-expression",
+     "An expression may be 65536 characters long, nested 64 deep, and hold 63 operands at a time. Give parts "
+     "of it names in parameters:."},
+    {"E-limit-file", "A file named in a deck may be 16 MiB long."},
+    /* include, --set, parameters, repeat */
+    {"E-include",
+     "include: names a YAML file, or a list of them, in the deck's own folder or below it. Files may include "
+     "others, 16 deep and not in a circle."},
+    {"E-conflict",
+     "Two included files give different values for one key. Give the value in the deck itself: it wins over "
+     "included ones."},
+    {"E-set", "--set takes path=value: the keys down to a value, joined by dots, list items by their number from 0. "
+              "Example: --set integrate.ratio=5. A key that holds a dot can be quoted."},
+    {"E-parameter",
+     "A parameter is a name ([A-Za-z][A-Za-z0-9_]*) with a number or an expression of other parameters."},
+    {"E-cycle", "Parameters are given by each other in a circle. Give one of them as a number."},
+    {"E-repeat",
+     "A member with $i in its key is copied: link$i: {repeat: {i: [1, 10]}, ...}. $i, or $(i - 1), is replaced in "
+     "keys and texts below; in numbers the variable is known as i."},
+    /* keys and values */
+    {"E-unknown-key",
+     "The key means nothing here. Keys are checked so that a misspelt one is not lost; `fmdsub list` shows "
+     "those that are known."},
+    {"E-missing-key", "A key that has no default is missing."},
+    {"E-type",
+     "The value has another shape than its key needs: a number, a text, a list [a, b] or a map {key: value}."},
+    {"E-number",
+     "A number is decimal: 12, -0.5, 1.0e-3, or an expression of parameters. There are no unit words (SI units), "
+     "no decimal comma, no hexadecimal, no infinity."},
+    {"E-expression",
+     "The expression cannot be read at the marked place. Known are + - * / ^ ( ), pi, the usual functions, and "
+     "if(condition, a, b)."},
+    {"E-range", "The number is outside of what its key allows."},
+    {"E-integer", "The key needs a whole number."},
+    {"E-boolean", "Write true or false. Words such as yes, no, on, off are texts in a deck."},
+    {"E-choice", "The key takes one of a few words."},
+    {"E-count",
+     "The list has another number of items than its key needs: two in 2-D decks, three in 3-D decks, for vectors."},
+    {"E-dimension", "The key is for decks of the other space (2-D or 3-D)."},
+    {"E-path",
+     "Files named in a deck lie in the deck's own folder or below it. Write a relative path without '..'; links must "
+     "not lead out."},
+    {"E-csv",
+     "A CSV file holds the same number of columns of decimal numbers in every row, separated by commas, with at most "
+     "one row of names at the top. Empty lines and lines after '#' are skipped."},
+    /* warnings */
+    {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
+    {NULL, NULL},
+};
+
+const char *diag_cure(const char *code)
+{
+    for (const struct diag_help *h = diag_helps; h->code; h++)
+        if (!strcasecmp(h->code, code)) return h->cure;
+    return NULL;
+}

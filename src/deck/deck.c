@@ -1,0 +1,135 @@
+/* deck.c -- the stages of a deck, in order; see deck.h */
+#include "deck/deck.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "deck/stages.h"
+
+void hash_text(struct deck *deck, const char *text, size_t len)
+{
+    for (size_t i = 0; i < len; i++) deck->hash = (deck->hash ^ (unsigned char)text[i]) * 1099511628211u;
+}
+
+static void close_scratch(void *arena)
+{
+    arena_close(arena);
+}
+
+/* folder/name.yaml */
+static void set_names(struct deck *deck, const char *path)
+{
+    bool stdin_ = !strcmp(path, "-");
+    const char *slash = strrchr(path, '/'), *file = slash ? slash + 1 : path, *dot = strrchr(file, '.');
+    size_t len =
+        dot && dot > file && (!strcmp(dot, ".yaml") || !strcmp(dot, ".yml")) ? (size_t)(dot - file) : strlen(file);
+    deck->path = stdin_ ? "<stdin>" : arena_copy(deck->arena, path, strlen(path));
+    deck->name = stdin_ ? "stdin" : arena_copy(deck->arena, file, len);
+    deck->folder = slash ? arena_copy(deck->arena, path, (size_t)(slash - path) + 1) : ".";
+}
+
+static struct deck *open_deck(const char *path, const struct deck_options *options, struct diags *diags,
+                              struct arena *arena)
+{
+    struct deck *deck = TAKE(arena, struct deck, 1);
+    *deck = (struct deck){.arena = arena, .diags = diags, .pool = {.arena = arena}, .hash = 14695981039346656037u};
+    deck->max_bytes = options && options->max_bytes ? options->max_bytes : DECK_BYTES;
+    deck->scratch = arena_open();
+    arena_defer(arena, close_scratch, deck->scratch);
+    set_names(deck, path);
+    return deck;
+}
+
+static enum status read_file(struct source **out, struct stat *self, const char *path, struct deck *deck,
+                             struct report *report)
+{
+    bool stdin_ = !strcmp(path, "-");
+    int fd = stdin_ ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
+    if (fstat(fd, self)) *self = (struct stat){0};
+    enum status status = source_read(out, fd, deck->path, deck->max_bytes, deck->arena, report);
+    if (!stdin_) close(fd);
+    return status;
+}
+
+/* ---- one text ---- */
+
+static bool clean(struct deck *deck, int file, const struct source *s)
+{
+    static const struct {
+        const char *code, *text;
+    } flaws[] = {
+        [SOURCE_UTF8] = {"E-encoding", "not UTF-8 text here"},
+        [SOURCE_UTF16] = {"E-encoding", "this is UTF-16; save the deck as UTF-8"},
+        [SOURCE_ZERO] = {"E-character", "a zero byte"},
+        [SOURCE_CONTROL] = {"E-character", "a control character"},
+    };
+    size_t offset;
+    enum source_flaw flaw = source_check(s, &offset);
+    if (flaw == SOURCE_FINE) return true;
+    struct mark at = source_mark(s, offset);
+    diag_error_in(deck->diags, (struct span){file, at, at}, flaws[flaw].code, "%s", flaws[flaw].text);
+    return false;
+}
+
+static bool is_map(struct deck *deck, const struct node *root, const char *what)
+{
+    if (root->type == NODE_MAP) return true;
+    if (root->told) return false;
+    if (node_is_null(root)) {
+        diag_error(deck->diags, root, AT_VALUE, "E-empty", "%s is empty", what);
+        return false;
+    }
+    diag_error(deck->diags, root, AT_VALUE, "E-type", "%s: expected a map, found %s", what, node_type_name(root));
+    if (root->type == NODE_SCALAR && strchr(root->text, ':')) diag_hint(deck->diags, "is a space missing after ':'?");
+    return false;
+}
+
+struct node *deck_parse(struct deck *deck, const struct source *s, const char *what)
+{
+    int file = diags_add_source(deck->diags, s);
+    hash_text(deck, s->text, s->len + 1);
+    if (!clean(deck, file, s)) return NULL;
+    struct node *root = tree_parse(&deck->pool, deck->diags, file, 0);
+    return root && is_map(deck, root, what) ? root : NULL;
+}
+
+/* ---- files a deck names ---- */
+
+int deck_open_file(const struct node *n, struct deck *deck)
+{
+    const char *why = "its name is empty or too long";
+    int fd = -1;
+    if (n->told) return -1;
+    if (n->type != NODE_SCALAR)
+        why = "its name is not a text";
+    else if (n->len > 0 && n->len < 4096)
+        fd = source_open_beneath(deck->folder, n->text, &why);
+    if (fd >= 0) return fd;
+    diag_error(deck->diags, n, AT_VALUE, "E-path", "'%s': %s", n->text ? diag_clip(deck->diags, n->text) : "", why);
+    return -1;
+}
+
+/* ---- the whole ---- */
+
+enum status deck_load(struct deck **out, const char *path, const struct deck_options *options, struct diags *diags,
+                      struct arena *arena, struct report *report)
+{
+    struct deck *deck = open_deck(path, options, diags, arena);
+    struct source *s;
+    struct stat self;
+    *out = NULL;
+    TRY(read_file(&s, &self, path, deck, report));
+    deck->root = deck_parse(deck, s, "the deck");
+    if (!deck->root) return diags_status(diags);
+    include_all(deck, &self);
+    struct set *set = set_open(options, deck);
+    set_early(set, deck);
+    parameters_evaluate(deck);
+    repeat_all(deck);
+    set_late(set, deck);
+    *out = deck;
+    return diags_status(diags) == E_LIMIT ? E_LIMIT : OK;
+}

@@ -1,0 +1,77 @@
+/* deck.h -- one deck: text in, tree out.
+ *
+ *     read -> parse -> include: -> --set -> parameters: -> repeat: -> tree
+ *
+ * What is wrong with the text goes to diags, all of it, and work goes on where it can.  Numbers stay text until a
+ * reader (read.h) asks for them. */
+#ifndef FMDSUB_DECK_DECK_H
+#define FMDSUB_DECK_DECK_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+#include "deck/diag.h"
+#include "deck/node.h"
+#include "deck/tree.h"
+#include "expr/expr.h"
+
+enum { DECK_BYTES = 1 << 24, INCLUDE_DEPTH = 16 };
+
+struct deck_options {
+    int nset;
+    const char *const *set; /* "path=value" */
+    size_t max_bytes;       /* of one file; 0: DECK_BYTES */
+};
+
+struct parameter;
+
+struct deck {
+    struct arena *arena;
+    struct diags *diags; /* with the sources */
+    struct pool pool;
+    struct node *root;  /* a map */
+    const char *path;   /* as given; "<stdin>" */
+    const char *name;   /* file name without .yaml: names the run */
+    const char *folder; /* of files the deck names */
+    uint64_t hash;      /* FNV-1a of all texts that made the deck: files, --set */
+    size_t max_bytes;
+
+    int nparameter;
+    struct parameter *parameter; /* by name */
+    const char **parameter_name; /* [nparameter] */
+    long copies;                 /* made by repeat: */
+    struct arena *scratch;       /* for one expression at a time */
+};
+
+/* path "-": stdin.  OK: there is a tree, perhaps with errors in diags (diags_status tells); a caller may go on to
+ * find more of them.  E_DECK, E_LIMIT: no tree, diags say why.  E_FILE, E_LIMIT with report filled: the file itself.
+ * options may be NULL. */
+enum status deck_load(struct deck **out, const char *path, const struct deck_options *options, struct diags *diags,
+                      struct arena *arena, struct report *report);
+
+/* A number, or an expression of parameters and loop variables.  E_DECK: told, here or before. */
+enum status deck_number(double *out, const struct node *n, struct deck *deck);
+
+/* An expression of parameters, loop variables, and names of the caller's, in this order.  E_DECK: told.  Marks the node
+ * as a formula. */
+enum status deck_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
+
+/* The part of a scalar's text that starts at byte `offset` as a place in the source. */
+struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length);
+
+/* The value of a parameter: 0 if there is one. */
+int deck_parameter(double *out, const char *name, const struct deck *deck);
+
+/* YAML that reads back to the same tree: parameters evaluated, repeat: and include: done, --set applied,
+ * defaults of what was read filled in, numbers as they were read. */
+void deck_print(FILE *to, const struct deck *deck);
+
+/* Rows of numbers from a file beside the deck: x [rows x columns] by row. */
+enum status deck_csv(double **x, int *rows, int columns, const struct node *file, struct deck *deck);
+
+/* Opens a file named by a node, inside the deck's folder; -1: told. */
+int deck_open_file(const struct node *n, struct deck *deck);
+
+#endif

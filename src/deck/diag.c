@@ -1,0 +1,357 @@
+/* diag.c -- see diag.h */
+#include "deck/diag.h"
+
+#include <assert.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+
+enum level { ERROR, WARNING, NOTE };
+enum { KEPT = 1000, TEXT = 600, WIDTH = 100 };
+
+struct diag {
+    enum level level;
+    struct span at;
+    const char *code, *text, *format;
+    const struct scope *scope;
+    int order;
+    struct diag *note, *last_note; /* further places */
+    const char *hints;             /* lines */
+};
+
+struct diags {
+    struct arena *arena;
+    int nsource, source_room;
+    const struct source **source;
+    int n, errors, warnings;
+    bool limit;
+    struct diag *item[KEPT];
+    struct diag *last; /* NULL: the last one was not kept */
+};
+
+struct diags *diags_open(struct arena *arena)
+{
+    struct diags *d = TAKE(arena, struct diags, 1);
+    d->arena = arena;
+    return d;
+}
+
+int diags_add_source(struct diags *d, const struct source *s)
+{
+    if (d->nsource == d->source_room) {
+        d->source_room = 2 * d->source_room + 4;
+        const struct source **more = TAKE(d->arena, const struct source *, d->source_room);
+        if (d->nsource) memcpy(more, d->source, (size_t)d->nsource * sizeof *more);
+        d->source = more;
+    }
+    d->source[d->nsource] = s;
+    return d->nsource++;
+}
+
+const struct source *diags_source(const struct diags *d, int file)
+{
+    return file >= 0 && file < d->nsource ? d->source[file] : NULL;
+}
+
+/* ---- adding ---- */
+
+struct span diag_span(const struct node *at, enum diag_at which)
+{
+    if (which == AT_KEY && at->key && at->key_mark.line) return (struct span){at->file, at->key_mark, at->key_end};
+    return (struct span){at->file, at->mark, at->end};
+}
+
+static bool same_mark(struct mark a, struct mark b)
+{
+    return a.line == b.line && a.col == b.col;
+}
+
+/* The same words at the same place, or for a further copy of a repeat, have been said. */
+static bool said(const struct diags *d, const struct diag *x)
+{
+    for (int i = 0; i < d->n; i++) {
+        const struct diag *y = d->item[i];
+        if (y->at.file != x->at.file || !same_mark(y->at.from, x->at.from) || strcmp(x->code, y->code)) continue;
+        if (y->format == x->format && y->scope != x->scope) return true;
+        if (!strcmp(x->text, y->text)) return true;
+    }
+    return false;
+}
+
+/* An end of text behind the last line is shown as the end of the last line. */
+static struct span inside(const struct diags *d, struct span at)
+{
+    const struct source *s = diags_source(d, at.file);
+    if (!s || at.from.line <= s->lines) return at;
+    at.from = at.to = source_mark(s, source_line_end(s, s->lines));
+    return at;
+}
+
+static struct diag *make(struct diags *d, enum level level, struct span at, const char *format, va_list args)
+{
+    char text[TEXT];
+    vsnprintf(text, sizeof text, format, args);
+    struct diag *x = TAKE(d->arena, struct diag, 1);
+    *x = (struct diag){.level = level, .at = inside(d, at), .format = format};
+    x->text = arena_copy(d->arena, text, strlen(text));
+    return x;
+}
+
+static void add(struct diags *d, enum level level, struct span at, const struct scope *scope, const char *code,
+                const char *format, va_list args)
+{
+    assert(diag_cure(code));
+    struct arena_mark mark = arena_mark(d->arena);
+    struct diag *x = make(d, level, at, format, args);
+    x->code = code;
+    x->scope = scope;
+    d->last = NULL;
+    if (!strncmp(code, "E-limit", 7)) d->limit = true;
+    bool again = said(d, x);
+    if (!again) *(level == ERROR ? &d->errors : &d->warnings) += 1;
+    if (again || d->n == KEPT) {
+        arena_rewind(d->arena, mark);
+        return;
+    }
+    x->order = d->n;
+    d->item[d->n++] = d->last = x;
+}
+
+#define WITH_ARGS(format, call)                                                                                        \
+    do {                                                                                                               \
+        va_list args;                                                                                                  \
+        va_start(args, format);                                                                                        \
+        call;                                                                                                          \
+        va_end(args);                                                                                                  \
+    } while (0)
+
+void diag_error(struct diags *d, const struct node *at, enum diag_at which, const char *code, const char *format, ...)
+{
+    WITH_ARGS(format, add(d, ERROR, diag_span(at, which), at->scope, code, format, args));
+}
+
+void diag_warn(struct diags *d, const struct node *at, enum diag_at which, const char *code, const char *format, ...)
+{
+    WITH_ARGS(format, add(d, WARNING, diag_span(at, which), at->scope, code, format, args));
+}
+
+void diag_error_in(struct diags *d, struct span at, const char *code, const char *format, ...)
+{
+    WITH_ARGS(format, add(d, ERROR, at, NULL, code, format, args));
+}
+
+void diag_warn_in(struct diags *d, struct span at, const char *code, const char *format, ...)
+{
+    WITH_ARGS(format, add(d, WARNING, at, NULL, code, format, args));
+}
+
+static void add_note(struct diags *d, struct span at, const char *format, va_list args)
+{
+    if (!d->last) return;
+    struct diag *x = make(d, NOTE, at, format, args);
+    if (d->last->last_note)
+        d->last->last_note->note = x;
+    else
+        d->last->note = x;
+    d->last->last_note = x;
+}
+
+void diag_note(struct diags *d, const struct node *at, enum diag_at which, const char *format, ...)
+{
+    WITH_ARGS(format, add_note(d, diag_span(at, which), format, args));
+}
+
+void diag_note_in(struct diags *d, struct span at, const char *format, ...)
+{
+    WITH_ARGS(format, add_note(d, at, format, args));
+}
+
+void diag_hint(struct diags *d, const char *format, ...)
+{
+    char text[TEXT];
+    WITH_ARGS(format, vsnprintf(text, sizeof text, format, args));
+    if (!d->last) return;
+    const char *before = d->last->hints;
+    d->last->hints = arena_print(d->arena, "%s%s%s", before ? before : "", before ? "\n" : "", text);
+}
+
+void diag_suggest(struct diags *d, const char *word, const char *const *words, int n)
+{
+    char text[TEXT];
+    size_t len = 0;
+    const char *near = text_nearest(word, words, n);
+    if (near) {
+        diag_hint(d, "did you mean '%s'?", near);
+        return;
+    }
+    for (int i = 0; i < n && len < TEXT / 2; i++)
+        len += (size_t)snprintf(text + len, TEXT - len, "%s%s", i ? ", " : "", diag_clip(d, words[i]));
+    if (n > 0) diag_hint(d, "known here: %s%s", text, len < TEXT / 2 ? "" : ", ...");
+}
+
+const char *diag_clip(struct diags *d, const char *text)
+{
+    size_t n = 0, chars = 0;
+    for (; text[n] && chars < 40; chars++)
+        for (n++; ((unsigned char)text[n] & 0xc0) == 0x80;) n++;
+    return text[n] ? arena_print(d->arena, "%.*s...", (int)n, text) : text;
+}
+
+enum status diags_status(const struct diags *d)
+{
+    return d->limit ? E_LIMIT : d->errors ? E_DECK : OK;
+}
+
+int diags_errors(const struct diags *d)
+{
+    return d->errors;
+}
+
+int diags_warnings(const struct diags *d)
+{
+    return d->warnings;
+}
+
+/* ---- printing ---- */
+
+/* Columns a character takes on a terminal: East Asian wide forms two, combining marks none. */
+static int width(unsigned c)
+{
+    static const unsigned wide[][2] = {{0x1100, 0x115f},   {0x2e80, 0x303e},   {0x3041, 0xa4cf},  {0xac00, 0xd7a3},
+                                       {0xf900, 0xfaff},   {0xfe30, 0xfe6f},   {0xff00, 0xff60},  {0xffe0, 0xffe6},
+                                       {0x1f300, 0x1f64f}, {0x1f900, 0x1f9ff}, {0x20000, 0x3fffd}};
+    if ((c >= 0x300 && c <= 0x36f) || c == 0x200b || (c >= 0xfe00 && c <= 0xfe0f)) return 0;
+    for (size_t i = 0; i < sizeof wide / sizeof *wide; i++)
+        if (c >= wide[i][0] && c <= wide[i][1]) return 2;
+    return 1;
+}
+
+/* Control characters, and those that turn the direction of writing. */
+static bool hidden(unsigned c)
+{
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200b && c <= 0x200f) || (c >= 0x2028 && c <= 0x202e) ||
+           (c >= 0x2066 && c <= 0x2069) || c == 0xfeff;
+}
+
+/* One character at p as it is shown, and its columns. */
+static size_t show(char out[16], int *columns, const char *p, const char *end)
+{
+    unsigned c;
+    size_t n = source_character(&c, p, end);
+    if (n && !hidden(c)) {
+        memcpy(out, p, n);
+        out[n] = 0;
+        *columns = width(c);
+        return n;
+    }
+    if (n == 0 || c < 0x100)
+        snprintf(out, 16, "\\x%02x", n ? c : (unsigned char)*p);
+    else
+        snprintf(out, 16, "\\u%04x", c);
+    *columns = (int)strlen(out);
+    return n ? n : 1;
+}
+
+static void put(FILE *to, const char *text)
+{
+    char out[16];
+    int columns;
+    for (const char *p = text, *end = text + strlen(text); p < end;) {
+        p += show(out, &columns, p, end);
+        fputs(out, to);
+    }
+}
+
+/* The part of a long line that is shown: from is moved back from the caret's place, to is not beyond WIDTH. */
+static void window(const struct source *s, size_t *from, size_t *to, size_t caret)
+{
+    if (caret - *from > WIDTH / 2 && *to - *from > WIDTH) *from = caret - WIDTH / 2;
+    while (*from < caret && ((unsigned char)s->text[*from] & 0xc0) == 0x80) ++*from;
+    if (*to - *from > WIDTH) *to = *from + WIDTH;
+    while (*to > caret && ((unsigned char)s->text[*to] & 0xc0) == 0x80) --*to;
+}
+
+/* The line and the caret below it. */
+static void put_line(FILE *to, const struct source *s, const struct span *at, bool color)
+{
+    size_t start = s->line[at->from.line - 1], stop = source_line_end(s, at->from.line);
+    size_t caret = source_offset(s, at->from), from = start, until = stop;
+    if (caret > stop) caret = stop;
+    size_t last = at->to.line == at->from.line ? source_offset(s, at->to) : stop;
+    window(s, &from, &until, caret);
+    char out[16], under[8 * WIDTH];
+    int columns, n = 0;
+    fprintf(to, "%5d | %s", at->from.line, from > start ? "..." : "");
+    if (from > start) n += sprintf(under, "   ");
+    for (size_t p = from; p < until;) {
+        size_t here = p;
+        if (s->text[p] == '\t')
+            strcpy(out, " "), columns = 1, p++;
+        else
+            p += show(out, &columns, s->text + p, s->text + until);
+        fputs(out, to);
+        if (here >= last && here > caret) continue;
+        for (int i = 0; i < columns; i++) under[n++] = here < caret ? ' ' : here == caret && i == 0 ? '^' : '~';
+    }
+    if (caret >= until) under[n++] = '^';
+    while (n > 0 && under[n - 1] == ' ') n--;
+    fprintf(to, "%s\n      | %s%.*s%s\n", until < stop ? "..." : "", color ? "\033[32m" : "", n, under,
+            color ? "\033[0m" : "");
+}
+
+static void put_hints(FILE *to, const char *hints)
+{
+    for (const char *p = hints; p && *p;) {
+        const char *end = strchrnul(p, '\n');
+        char line[TEXT + 1];
+        snprintf(line, sizeof line, "%.*s", (int)(end - p), p);
+        fputs("      | ", to);
+        put(to, line);
+        fputc('\n', to);
+        p = *end ? end + 1 : end;
+    }
+}
+
+static void put_diag(FILE *to, const struct diags *d, const struct diag *x, bool color)
+{
+    static const char *const words[] = {"error", "warning", "note"}, *const colors[] = {"\033[31m", "\033[35m",
+                                                                                        "\033[36m"};
+    const struct source *s = diags_source(d, x->at.file);
+    if (s) put(to, s->path);
+    if (s && x->at.from.line) fprintf(to, ":%d:%d", x->at.from.line, x->at.from.col);
+    fprintf(to, "%s%s%s%s: ", s ? ": " : "", color ? colors[x->level] : "", words[x->level], color ? "\033[0m" : "");
+    put(to, x->text);
+    if (x->code) fprintf(to, " [%s]", x->code);
+    fputc('\n', to);
+    if (s && x->at.from.line) put_line(to, s, &x->at, color);
+    put_hints(to, x->hints);
+    if (x->note) put_diag(to, d, x->note, color);
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const struct diag *x = *(struct diag *const *)a, *y = *(struct diag *const *)b;
+    if (x->at.file != y->at.file) return x->at.file < y->at.file ? -1 : 1;
+    if (x->at.from.line != y->at.from.line) return x->at.from.line < y->at.from.line ? -1 : 1;
+    if (x->at.from.col != y->at.from.col) return x->at.from.col < y->at.from.col ? -1 : 1;
+    return x->order < y->order ? -1 : 1;
+}
+
+static void put_more(FILE *to, int n, const char *what)
+{
+    if (n > 0) fprintf(to, "and %d more %s%s\n", n, what, n == 1 ? "" : "s");
+}
+
+void diags_print(FILE *to, const struct diags *d, bool color)
+{
+    struct diag *sorted[KEPT];
+    int shown[2] = {0, 0};
+    if (d->n) memcpy(sorted, d->item, (size_t)d->n * sizeof *sorted);
+    qsort(sorted, (size_t)d->n, sizeof *sorted, by_place);
+    for (int i = 0; i < d->n; i++)
+        if (shown[sorted[i]->level]++ < DIAGS_SHOWN) put_diag(to, d, sorted[i], color);
+    put_more(to, d->errors - DIAGS_SHOWN, "error");
+    put_more(to, d->warnings - DIAGS_SHOWN, "warning");
+}

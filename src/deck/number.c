@@ -1,0 +1,225 @@
+/* number.c -- scalars as numbers, or as expressions with places in the deck. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+#include "deck/stages.h"
+
+/* ---- names ---- */
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct parameter *)a)->name, ((const struct parameter *)b)->name);
+}
+
+struct parameter *parameter_find(const struct deck *deck, const char *name)
+{
+    struct parameter key = {.name = name};
+    if (!deck->nparameter) return NULL;
+    return bsearch(&key, deck->parameter, (size_t)deck->nparameter, sizeof key, by_name);
+}
+
+int deck_parameter(double *out, const char *name, const struct deck *deck)
+{
+    const struct parameter *p = parameter_find(deck, name);
+    if (!p || p->state != KNOWN) return 1;
+    *out = p->value;
+    return 0;
+}
+
+/* Asks the caller's names last; a near miss may come from parameters and loop variables. */
+static int not_here(struct lookup *look, int *slot, double *value, const char *name, struct expr_error *error)
+{
+    if (look->more && look->more->find(look->more->self, slot, value, name, error) == 0) return 0;
+    const char *near = text_nearest(name, look->deck->parameter_name, look->deck->nparameter);
+    for (const struct scope *s = look->scope; s && !near; s = s->up)
+        if (text_nearest(name, &s->name, 1)) near = s->name;
+    if (near && !error->hint[0]) snprintf(error->hint, sizeof error->hint, "did you mean '%.100s'?", near);
+    return 1;
+}
+
+int lookup_find(void *self, int *slot, double *value, const char *name, struct expr_error *error)
+{
+    struct lookup *look = self;
+    *slot = -1;
+    for (const struct scope *s = look->scope; s; s = s->up)
+        if (!strcmp(s->name, name)) return *value = s->value, 0;
+    struct parameter *p = parameter_find(look->deck, name);
+    if (!p) return not_here(look, slot, value, name, error);
+    *value = p->value;
+    if (p->state == WAITING || p->state == BUSY) look->pending = (int)(p - look->deck->parameter);
+    if (p->state == BROKEN) look->broken = true;
+    return p->state != KNOWN;
+}
+
+/* ---- places ---- */
+
+static struct mark forward(struct mark at, const char *text, size_t bytes)
+{
+    for (size_t i = 0; i < bytes; i++)
+        if (((unsigned char)text[i] & 0xc0) != 0x80) at.col++;
+    return at;
+}
+
+/* Where the text stands in the source as it is, the place is exact; after escapes, folds and $i it is the whole value.
+ */
+struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length)
+{
+    const struct source *s = diags_source(deck->diags, n->file);
+    struct mark from = n->mark;
+    if (n->quoted) from.col++;
+    size_t start = source_offset(s, from), stop = offset + length < n->len ? offset + length : n->len;
+    bool same = start + stop <= s->len && !memcmp(s->text + start, n->text, stop) && !memchr(n->text, '\n', n->len);
+    if (!same) return diag_span(n, AT_VALUE);
+    struct span at = {n->file, forward(from, n->text, offset), forward(from, n->text, offset + length)};
+    return at;
+}
+
+static bool is_exact(const struct deck *deck, const struct node *n)
+{
+    struct span at = deck_place(deck, n, 0, n->len), whole = diag_span(n, AT_VALUE);
+    return n->quoted ? at.from.col == whole.from.col + 1 : at.to.col == whole.to.col && at.to.line == whole.to.line;
+}
+
+/* ---- what is wrong ---- */
+
+static enum status tell(const struct node *n)
+{
+    ((struct node *)n)->told = true; /* nodes are the deck's: never const themselves */
+    return E_DECK;
+}
+
+/* Was a plain number meant, rather than an expression? */
+static bool numeral(const char *text)
+{
+    text += *text == '-' || *text == '+';
+    return ((*text >= '0' && *text <= '9') || *text == '.') && !strpbrk(text, "*/^()");
+}
+
+static bool endless(const char *text)
+{
+    static const char *const words[] = {".nan", "nan", ".inf", "inf", "infinity"};
+    text += *text == '-' || *text == '+';
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (!strcasecmp(text, words[i])) return true;
+    return false;
+}
+
+/* The hint for a numeral that is not one. */
+static const char *numeral_hint(const char *text, const struct expr_error *error)
+{
+    const char *at = text + (error->offset < strlen(text) ? error->offset : strlen(text));
+    if (strchr(text, ':')) return "write a time in seconds";
+    if (*at == '_') return "digits are not grouped";
+    if (*at == ',') return "the decimal point is '.'";
+    if ((*at >= 'a' && *at <= 'z') || (*at >= 'A' && *at <= 'Z'))
+        return "numbers have no unit words; decks are in SI units";
+    return error->hint;
+}
+
+static enum status tell_numeral(const struct node *n, const struct expr_error *error, struct deck *deck)
+{
+    const char *hint = numeral_hint(n->text, error);
+    diag_error(deck->diags, n, AT_VALUE, error->limit ? "E-limit-expression" : "E-number", "'%s' is not a number: %s",
+               diag_clip(deck->diags, n->text), error->text);
+    if (*hint) diag_hint(deck->diags, "%s", hint);
+    return tell(n);
+}
+
+static enum status tell_error(const struct node *n, const struct expr_error *error, struct deck *deck)
+{
+    struct diags *d = deck->diags;
+    const char *code = error->limit ? "E-limit-expression" : "E-expression";
+    if (numeral(n->text)) return tell_numeral(n, error, deck);
+    if (text_is_name(n->text) && !expr_is_word(n->text)) {
+        diag_error(d, n, AT_VALUE, "E-number", "expected a number, found '%s'", diag_clip(d, n->text));
+        diag_hint(d, "%s", error->hint[0] ? error->hint : "no parameter has this name");
+        return tell(n);
+    }
+    /* Through a node at the place, so that copies of a repeat are told once. */
+    struct node at = *n;
+    struct span span = deck_place(deck, n, error->offset, error->length);
+    at.mark = span.from;
+    at.end = span.to;
+    diag_error(d, &at, AT_VALUE, code, "%s", error->text);
+    if (error->hint[0]) diag_hint(d, "%s", error->hint);
+    if (!is_exact(deck, n)) diag_hint(d, "in \"%s\"", diag_clip(d, n->text));
+    return tell(n);
+}
+
+static enum status tell_type(const struct node *n, const char *expected, struct deck *deck)
+{
+    const char *found = n->type == NODE_SCALAR && n->quoted ? "an empty text" : node_type_name(n);
+    diag_error(deck->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-type", "expected %s, found %s", expected, found);
+    return tell(n);
+}
+
+/* ---- evaluating ---- */
+
+/* A plain number, the whole text. */
+static bool plain(double *out, const struct node *n)
+{
+    const char *wrong, *text = n->text;
+    bool minus = *text == '-';
+    text += minus || *text == '+';
+    size_t used = expr_number(out, text, &wrong);
+    if (!used || wrong || text + used != n->text + n->len) return false;
+    if (minus) *out = -*out;
+    return true;
+}
+
+enum evaluated evaluate(double *out, const struct node *n, struct lookup *look)
+{
+    struct deck *deck = look->deck;
+    struct expr *e;
+    struct expr_error error;
+    look->pending = -1;
+    look->broken = false;
+    *out = 0;
+    if (n->told) return TOLD;
+    if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0) return tell_type(n, "a number", deck), TOLD;
+    if (plain(out, n)) return EVALUATED;
+    struct arena_mark mark = arena_mark(deck->scratch);
+    int bad = expr_parse(&e, n->text, n->len, &(struct expr_names){lookup_find, look}, deck->scratch, &error);
+    if (!bad) *out = expr_value(e, NULL);
+    arena_rewind(deck->scratch, mark);
+    if (!bad) return EVALUATED;
+    if (look->pending >= 0) return PENDING;
+    if (look->broken) return tell(n), TOLD;
+    if (endless(n->text)) snprintf(error.text, sizeof error.text, "it is not finite");
+    (endless(n->text) ? tell_numeral : tell_error)(n, &error, deck);
+    return TOLD;
+}
+
+enum status deck_number(double *out, const struct node *n, struct deck *deck)
+{
+    struct lookup look = {.deck = deck, .scope = n->scope};
+    *out = n->value;
+    if (n->has_value) return OK;
+    if (evaluate(out, n, &look) != EVALUATED) return E_DECK;
+    if (*out != 0 && fabs(*out) < DBL_MIN)
+        diag_warn(deck->diags, n, AT_VALUE, "W-denormal", "%g has lost digits: it is below 2.2e-308", *out);
+    ((struct node *)n)->has_value = true;
+    ((struct node *)n)->value = *out;
+    return OK;
+}
+
+enum status deck_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck)
+{
+    struct lookup look = {.deck = deck, .scope = n->scope, .more = names, .pending = -1};
+    struct expr_error error;
+    *out = NULL;
+    if (n->told) return E_DECK;
+    if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0)
+        return tell_type(n, "a number or an expression", deck);
+    if (expr_parse(out, n->text, n->len, &(struct expr_names){lookup_find, &look}, deck->arena, &error)) {
+        if (look.broken) return tell(n);
+        if (endless(n->text)) return tell_numeral(n, &error, deck);
+        return tell_error(n, &error, deck);
+    }
+    ((struct node *)n)->formula = true;
+    return OK;
+}

@@ -1,0 +1,58 @@
+/* stages.h -- the stages of deck_load, private to this folder.  Each works on deck->root in place and tells
+ * deck->diags. */
+#ifndef FMDSUB_DECK_STAGES_H
+#define FMDSUB_DECK_STAGES_H
+
+#include <sys/stat.h>
+
+#include "deck/deck.h"
+
+/* include: of the deck's root; `self` is the deck's own file. */
+void include_all(struct deck *deck, const struct stat *self);
+
+/* Checks a text and makes its tree; NULL: told. */
+struct node *deck_parse(struct deck *deck, const struct source *s, const char *what);
+
+void hash_text(struct deck *deck, const char *text, size_t len);
+
+/* --set, in two rounds: early ones find their place in the deck as written, so that parameters and
+ * repeat: see them; the late ones name what repeat: has made, or something new. */
+struct set;
+struct set *set_open(const struct deck_options *options, struct deck *deck);
+void set_early(struct set *set, struct deck *deck);
+void set_late(struct set *set, struct deck *deck);
+
+void parameters_evaluate(struct deck *deck);
+
+void repeat_all(struct deck *deck);
+
+/* Who asks for a name: filled by the caller, then read for why it was not found. */
+struct lookup {
+    struct deck *deck;
+    const struct scope *scope;
+    const struct expr_names *more; /* NULL: none */
+    int pending;                   /* a parameter that has no value yet; -1: none */
+    bool broken;                   /* a parameter whose error has been told */
+};
+int lookup_find(void *self, int *slot, double *value, const char *name, struct expr_error *error);
+
+enum evaluated { EVALUATED, TOLD, PENDING };
+enum evaluated evaluate(double *out, const struct node *n, struct lookup *look);
+
+/* One parameter. */
+enum parameter_state { WAITING, BUSY, KNOWN, BROKEN };
+struct parameter {
+    const char *name;
+    struct node *node;
+    enum parameter_state state;
+    double value;
+};
+struct parameter *parameter_find(const struct deck *deck, const char *name);
+
+/* May a parameter or loop variable be called so?  Tells at n. */
+bool variable_name(const char *name, const struct node *n, const char *code, struct diags *diags);
+
+/* A number as text that reads back to the same double, fit for YAML 1.1 readers as well. */
+const char *number_text(char out[40], double x);
+
+#endif
