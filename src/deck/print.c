@@ -42,7 +42,7 @@ static void put_quoted(FILE *to, const char *text, size_t len)
     fputc('"', to);
     for (const char *p = text, *end = text + len; p < end;) {
         unsigned c;
-        size_t n = source_character(&c, p, end);
+        size_t n = source_character(&c, p, end); /* never 0: the text has been checked */
         if (c == '"' || c == '\\')
             fprintf(to, "\\%c", (char)c);
         else if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || c == 0xfeff ||

@@ -1,0 +1,347 @@
+/* read.c -- see read.h */
+#include "deck/read.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "deck/stages.h"
+
+enum { WORDS = 256 };
+
+/* Nodes are the deck's and never const themselves; readers mark them. */
+static void mark_told(const struct node *n)
+{
+    ((struct node *)n)->told = true;
+}
+
+static const char *name_of(const struct node *n, const struct key *key)
+{
+    return key ? key->name : n->key ? n->key : "the value";
+}
+
+/* ---- shapes ---- */
+
+static const char *found_text(const struct node *n, struct reader *rd)
+{
+    if (n->type != NODE_SCALAR || node_is_null(n)) return node_type_name(n);
+    return arena_print(rd->deck->arena, "'%s'", diag_clip(rd->diags, n->text));
+}
+
+static int wrong_type(const struct node *n, const char *what, const char *expected, struct reader *rd)
+{
+    if (n->told) return 1;
+    mark_told(n);
+    diag_error(rd->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-type", "%s%sexpected %s, found %s",
+               what ? what : "", what ? ": " : "", expected, found_text(n, rd));
+    const char *colon = n->type == NODE_SCALAR ? strchr(n->text, ':') : NULL;
+    if (colon && colon[1] != ' ' && colon != n->text) diag_hint(rd->diags, "is a space missing after ':'?");
+    return 1;
+}
+
+int read_map(const struct node *n, const char *what, struct reader *rd)
+{
+    return n->type == NODE_MAP ? 0 : wrong_type(n, what, "a map", rd);
+}
+
+int read_list(const struct node *n, const char *what, struct reader *rd)
+{
+    return n->type == NODE_LIST ? 0 : wrong_type(n, what, "a list", rd);
+}
+
+int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
+{
+    if (n->told) return 1;
+    if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, what, "a text", rd);
+    *out = n->text;
+    return 0;
+}
+
+int read_names(const char ***out, int *count, const struct node *list, const char *what, struct reader *rd)
+{
+    bool one = list->type == NODE_SCALAR;
+    int n = one ? 1 : list->count, errors = 0;
+    *count = 0;
+    if (list->told) return 1;
+    if (list->type == NODE_MAP || node_is_null(list)) return wrong_type(list, what, "a name or a list of names", rd);
+    *out = TAKE(rd->deck->arena, const char *, n);
+    for (int i = 0; i < n; i++) {
+        const char *text;
+        if (read_text(&text, one ? list : list->item[i], what, rd))
+            errors++;
+        else
+            (*out)[(*count)++] = text;
+    }
+    return errors;
+}
+
+/* ---- numbers ---- */
+
+static const char *interval(const struct key *key, struct deck *deck)
+{
+    char lo[40], hi[40];
+    const char *above = key->flags & KEY_ABOVE ? "above" : "at least",
+               *below = key->flags & KEY_BELOW ? "below" : "at most";
+    const char *unit = key->unit ? key->unit : "", *blank = key->unit ? " " : "";
+    number_text(lo, key->lo);
+    number_text(hi, key->hi);
+    if (isinf(key->hi)) return arena_print(deck->arena, "%s %s%s%s", above, lo, blank, unit);
+    if (isinf(key->lo)) return arena_print(deck->arena, "%s %s%s%s", below, hi, blank, unit);
+    return arena_print(deck->arena, "%s %s and %s %s%s%s", above, lo, below, hi, blank, unit);
+}
+
+static bool unbounded(const struct key *key)
+{
+    return !key || (key->lo == 0 && key->hi == 0) || (isinf(key->lo) && isinf(key->hi));
+}
+
+static int check_range(double x, const struct node *n, const struct key *key, struct reader *rd)
+{
+    char number[40];
+    if (unbounded(key)) return 0;
+    bool low = key->flags & KEY_ABOVE ? x <= key->lo : x < key->lo,
+         high = key->flags & KEY_BELOW ? x >= key->hi : x > key->hi;
+    if (!low && !high) return 0;
+    diag_error(rd->diags, n, AT_VALUE, "E-range", "'%s' must be %s, not %s", name_of(n, key), interval(key, rd->deck),
+               number_text(number, x));
+    mark_told(n);
+    return 1;
+}
+
+int read_number(double *out, const struct node *n, const struct key *key, struct reader *rd)
+{
+    double x;
+    if (deck_number(&x, n, rd->deck) != OK || n->told || check_range(x, n, key, rd)) return 1;
+    *out = x;
+    return 0;
+}
+
+int read_int(int *out, const struct node *n, const struct key *key, struct reader *rd)
+{
+    double x;
+    char number[40];
+    if (deck_number(&x, n, rd->deck) != OK || n->told) return 1;
+    if (x != floor(x) || fabs(x) > INT_MAX) {
+        diag_error(rd->diags, n, AT_VALUE, "E-integer",
+                   x == floor(x) ? "'%s' must be at most 2147483647 in size, not %s"
+                                 : "'%s' must be a whole number, not %s",
+                   name_of(n, key), number_text(number, x));
+        mark_told(n);
+        return 1;
+    }
+    if (check_range(x, n, key, rd)) return 1;
+    *out = (int)x;
+    return 0;
+}
+
+int read_bool(int *out, const struct node *n, struct reader *rd)
+{
+    static const char *const yes[] = {"yes", "on", "y", "1"}, *const no[] = {"no", "off", "n", "0"};
+    if (n->told) return 1;
+    if (n->type == NODE_SCALAR && !n->quoted) {
+        if (!strcmp(n->text, "true")) return *out = 1, 0;
+        if (!strcmp(n->text, "false")) return *out = 0, 0;
+    }
+    mark_told(n);
+    diag_error(rd->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-boolean", "expected true or false, found %s",
+               found_text(n, rd));
+    for (size_t i = 0; i < 4 && n->type == NODE_SCALAR; i++) {
+        if (!strcasecmp(n->text, yes[i]) || !strcasecmp(n->text, "true"))
+            return diag_hint(rd->diags, "did you mean 'true'?"), 1;
+        if (!strcasecmp(n->text, no[i]) || !strcasecmp(n->text, "false"))
+            return diag_hint(rd->diags, "did you mean 'false'?"), 1;
+    }
+    return 1;
+}
+
+/* The parts of "a|b|c". */
+static int split_words(const char **list, const char *words, struct arena *arena)
+{
+    int n = 0;
+    for (const char *p = words; n < WORDS; p++) {
+        size_t len = strcspn(p, "|");
+        list[n++] = arena_copy(arena, p, len);
+        p += len;
+        if (!*p) break;
+    }
+    return n;
+}
+
+int read_word(int *out, const struct node *n, const char *words, struct reader *rd)
+{
+    const char *list[WORDS], *text;
+    if (read_text(&text, n, NULL, rd)) return 1;
+    int count = split_words(list, words, rd->deck->arena);
+    for (int i = 0; i < count; i++)
+        if (!strcmp(text, list[i])) return *out = i, 0;
+    mark_told(n);
+    diag_error(rd->diags, n, AT_VALUE, "E-choice", "unknown word '%s' for '%s'", diag_clip(rd->diags, text),
+               name_of(n, NULL));
+    diag_suggest(rd->diags, text, list, count);
+    return 1;
+}
+
+/* ---- lists of numbers ---- */
+
+static int wrong_count(const struct node *list, const char *what, const char *expected, struct reader *rd)
+{
+    diag_error(rd->diags, list, AT_VALUE, "E-count", "%s%sexpected %s, found %d", what ? what : "", what ? ": " : "",
+               expected, list->count);
+    mark_told(list);
+    return 1;
+}
+
+int read_vector(double *x, int n, const struct node *list, const char *what, struct reader *rd)
+{
+    const char *numbers = arena_print(rd->deck->arena, "a list of %d numbers", n);
+    int errors = 0;
+    if (list->told) return 1;
+    if (list->type != NODE_LIST) return wrong_type(list, what, numbers, rd);
+    if (list->count != n) return wrong_count(list, what, arena_print(rd->deck->arena, "%d numbers", n), rd);
+    for (int i = 0; i < n; i++) errors += read_number(&x[i], list->item[i], NULL, rd);
+    return errors != 0;
+}
+
+int read_numbers(struct key_list *out, const struct node *list, const struct key *key, struct reader *rd)
+{
+    struct arena *arena = rd->deck->arena;
+    int errors = 0, lo = key->nmin, hi = key->nmax;
+    if (list->told) return 1;
+    if (list->type != NODE_LIST) return wrong_type(list, NULL, "a list of numbers", rd);
+    if (list->count < lo || (hi && list->count > hi)) {
+        const char *expected = lo == hi  ? arena_print(arena, "%d number%s", lo, lo == 1 ? "" : "s")
+                               : hi == 0 ? arena_print(arena, "at least %d numbers", lo)
+                                         : arena_print(arena, "%d to %d numbers", lo, hi);
+        return wrong_count(list, NULL, expected, rd);
+    }
+    double *x = TAKE(arena, double, list->count);
+    for (int i = 0; i < list->count; i++) errors += read_number(&x[i], list->item[i], key, rd);
+    if (!errors) *out = (struct key_list){list->count, x};
+    return errors != 0;
+}
+
+int read_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct reader *rd)
+{
+    return deck_expr(out, n, names, rd->deck) != OK;
+}
+
+void read_unknown(const struct node *n, enum diag_at at, const char *code, const char *what, const char *name,
+                  const char *const *words, int nwords, struct reader *rd)
+{
+    diag_error(rd->diags, n, at, code, "unknown %s '%s'", what, diag_clip(rd->diags, name));
+    diag_suggest(rd->diags, name, words, nwords);
+}
+
+/* ---- maps by table ---- */
+
+static int read_value(void *out, const struct key *key, const struct node *n, struct reader *rd)
+{
+    void *member = (char *)out + key->offset;
+    switch (key->type) {
+    case KEY_REAL:
+        return read_number(member, n, key, rd);
+    case KEY_INT:
+        return read_int(member, n, key, rd);
+    case KEY_BOOL:
+        return read_bool(member, n, rd);
+    case KEY_WORD:
+        return read_word(member, n, key->words, rd);
+    case KEY_LIST:
+        return read_numbers(member, n, key, rd);
+    case KEY_TEXT:
+        return read_text(member, n, NULL, rd);
+    case KEY_EXPR:
+        if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, NULL, "a number or an expression", rd);
+        ((struct node *)n)->formula = true;
+        break;
+    case KEY_NODE:
+        break;
+    }
+    *(const struct node **)member = n;
+    return n->told;
+}
+
+/* The default of a key as a node of the map, so that printing shows it. */
+static const struct node *imply(const struct key *key, const struct node *map, struct reader *rd)
+{
+    struct pool *pool = &rd->deck->pool;
+    struct node *n;
+    if (*key->fallback == '[' || *key->fallback == '{') {
+        const struct source *s = source_of("default", key->fallback, strlen(key->fallback), rd->deck->arena);
+        n = tree_parse(pool, rd->diags, diags_add_source(rd->diags, s), 0);
+        if (!n) return NULL;
+        n->scope = map->scope;
+    } else {
+        n = pool_scalar(pool, key->fallback, map);
+    }
+    n->key = key->name;
+    n->implied = true;
+    tree_append(pool, (struct node *)map, n);
+    return n;
+}
+
+static bool other_space(const struct key *key, const struct reader *rd)
+{
+    return (key->flags & KEY_PLANAR && rd->space == 3) || (key->flags & KEY_SPATIAL && rd->space == 2);
+}
+
+static int read_key(void *out, const struct key *key, const struct node *map, const char *what, struct reader *rd)
+{
+    const struct node *n = node_find(map, key->name);
+    if (n && other_space(key, rd)) {
+        if (!n->implied)
+            diag_error(rd->diags, n, AT_KEY, "E-dimension", "'%s' is for %s decks; this one is %s", key->name,
+                       rd->space == 3 ? "2-D" : "3-D", rd->space == 3 ? "3-D" : "2-D");
+        return !n->implied;
+    }
+    if (n) return read_value(out, key, n, rd);
+    if (other_space(key, rd)) return 0;
+    if (key->flags & KEY_REQUIRED) {
+        diag_error(rd->diags, map, AT_KEY, "E-missing-key", "%s has no '%s'", what, key->name);
+        if (key->brief)
+            diag_hint(rd->diags, "%s: %s%s%s%s", key->name, key->brief, key->unit ? " [" : "",
+                      key->unit ? key->unit : "", key->unit ? "]" : "");
+        return 1;
+    }
+    if (!key->fallback) return 0;
+    n = imply(key, map, rd);
+    return n ? read_value(out, key, n, rd) : 1;
+}
+
+static int list_words(const char **words, const struct key *keys, const char *const *also)
+{
+    int n = 0;
+    for (const struct key *k = keys; k->name && n < WORDS; k++) words[n++] = k->name;
+    for (; also && *also && n < WORDS; also++) words[n++] = *also;
+    return n;
+}
+
+static int refuse_unknown(const struct key *keys, const struct node *map, const char *const *also, const char *what,
+                          struct reader *rd)
+{
+    const char *words[WORDS];
+    int n = list_words(words, keys, also), errors = 0;
+    for (int i = 0; i < map->count; i++) {
+        const struct node *member = map->item[i];
+        bool known = member->implied;
+        for (int k = 0; k < n && !known; k++) known = !strcmp(member->key, words[k]);
+        if (known) continue;
+        errors++;
+        diag_error(rd->diags, member, AT_KEY, "E-unknown-key", "unknown key '%s' in %s",
+                   diag_clip(rd->diags, member->key), what);
+        diag_suggest(rd->diags, member->key, words, n);
+    }
+    return errors;
+}
+
+int read_keys(void *out, const struct key *keys, const struct node *map, const char *const *also, const char *what,
+              struct reader *rd)
+{
+    if (read_map(map, what, rd)) return 1;
+    int errors = refuse_unknown(keys, map, also, what, rd);
+    for (const struct key *k = keys; k->name; k++) errors += read_key(out, k, map, what, rd);
+    return errors;
+}
