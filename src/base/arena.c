@@ -1,8 +1,8 @@
 /* arena.c -- a list of blocks, each twice the last; see arena.h */
 #include "base/arena.h"
 
-#include <stdarg.h>
 #include <stdalign.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

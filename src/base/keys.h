@@ -22,10 +22,10 @@ enum key_type {
 
 enum key_flag {
     KEY_REQUIRED = 1,
-    KEY_ABOVE = 2,      /* lo itself is not allowed */
-    KEY_BELOW = 4,      /* hi itself is not allowed */
-    KEY_PLANAR = 8,     /* only in 2-D decks */
-    KEY_SPATIAL = 16    /* only in 3-D decks */
+    KEY_ABOVE = 2,   /* lo itself is not allowed */
+    KEY_BELOW = 4,   /* hi itself is not allowed */
+    KEY_PLANAR = 8,  /* only in 2-D decks */
+    KEY_SPATIAL = 16 /* only in 3-D decks */
 };
 
 struct key_list {
@@ -36,9 +36,9 @@ struct key_list {
 struct key {
     const char *name;
     enum key_type type;
-    size_t offset;        /* of the member it fills */
-    const char *unit;     /* "N/m"; NULL: none */
-    double lo, hi;        /* range of the number(s), inclusive unless flagged */
+    size_t offset;    /* of the member it fills */
+    const char *unit; /* "N/m"; NULL: none */
+    double lo, hi;    /* range of the number(s), inclusive unless flagged */
     unsigned flags;
     int nmin, nmax;       /* KEY_LIST */
     const char *words;    /* KEY_WORD: choices joined by '|'; KEY_NODE, KEY_LIST: shape in words */
@@ -46,48 +46,51 @@ struct key {
     const char *brief;    /* one line for the manual */
 };
 
-#define KEYS_END {0}
+#define KEYS_END                                                                                                       \
+    {                                                                                                                  \
+        0                                                                                                              \
+    }
 
 /* PARAM_REAL(struct spring, k, "stiffness", "N/m", 0, INFINITY, KEY_REQUIRED, NULL, "force per elongation") */
-#define PARAM_REAL(strukt, member, word, unit_, lo_, hi_, flags_, fallback_, brief_)                                \
-    {                                                                                                               \
-        .name = word, .type = KEY_REAL, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,     \
-        .flags = flags_, .fallback = fallback_, .brief = brief_                                                     \
+#define PARAM_REAL(strukt, member, word, unit_, lo_, hi_, flags_, fallback_, brief_)                                   \
+    {                                                                                                                  \
+        .name = word, .type = KEY_REAL, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,       \
+        .flags = flags_, .fallback = fallback_, .brief = brief_                                                        \
     }
-#define PARAM_INT(strukt, member, word, lo_, hi_, flags_, fallback_, brief_)                                        \
-    {                                                                                                               \
-        .name = word, .type = KEY_INT, .offset = offsetof(strukt, member), .lo = lo_, .hi = hi_, .flags = flags_,    \
-        .fallback = fallback_, .brief = brief_                                                                      \
+#define PARAM_INT(strukt, member, word, lo_, hi_, flags_, fallback_, brief_)                                           \
+    {                                                                                                                  \
+        .name = word, .type = KEY_INT, .offset = offsetof(strukt, member), .lo = lo_, .hi = hi_, .flags = flags_,      \
+        .fallback = fallback_, .brief = brief_                                                                         \
     }
-#define PARAM_BOOL(strukt, member, word, flags_, fallback_, brief_)                                                 \
-    {                                                                                                               \
-        .name = word, .type = KEY_BOOL, .offset = offsetof(strukt, member), .flags = flags_,                         \
-        .fallback = fallback_, .brief = brief_                                                                      \
+#define PARAM_BOOL(strukt, member, word, flags_, fallback_, brief_)                                                    \
+    {                                                                                                                  \
+        .name = word, .type = KEY_BOOL, .offset = offsetof(strukt, member), .flags = flags_, .fallback = fallback_,    \
+        .brief = brief_                                                                                                \
     }
-#define PARAM_WORD(strukt, member, word, words_, flags_, fallback_, brief_)                                         \
-    {                                                                                                               \
-        .name = word, .type = KEY_WORD, .offset = offsetof(strukt, member), .words = words_, .flags = flags_,        \
-        .fallback = fallback_, .brief = brief_                                                                      \
+#define PARAM_WORD(strukt, member, word, words_, flags_, fallback_, brief_)                                            \
+    {                                                                                                                  \
+        .name = word, .type = KEY_WORD, .offset = offsetof(strukt, member), .words = words_, .flags = flags_,          \
+        .fallback = fallback_, .brief = brief_                                                                         \
     }
-#define PARAM_LIST(strukt, member, word, unit_, nmin_, nmax_, lo_, hi_, flags_, shape_, brief_)                     \
-    {                                                                                                               \
-        .name = word, .type = KEY_LIST, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,     \
-        .flags = flags_, .nmin = nmin_, .nmax = nmax_, .words = shape_, .brief = brief_                             \
+#define PARAM_LIST(strukt, member, word, unit_, nmin_, nmax_, lo_, hi_, flags_, shape_, brief_)                        \
+    {                                                                                                                  \
+        .name = word, .type = KEY_LIST, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,       \
+        .flags = flags_, .nmin = nmin_, .nmax = nmax_, .words = shape_, .brief = brief_                                \
     }
-#define PARAM_TEXT(strukt, member, word, flags_, fallback_, brief_)                                                 \
-    {                                                                                                               \
-        .name = word, .type = KEY_TEXT, .offset = offsetof(strukt, member), .flags = flags_,                         \
-        .fallback = fallback_, .brief = brief_                                                                      \
+#define PARAM_TEXT(strukt, member, word, flags_, fallback_, brief_)                                                    \
+    {                                                                                                                  \
+        .name = word, .type = KEY_TEXT, .offset = offsetof(strukt, member), .flags = flags_, .fallback = fallback_,    \
+        .brief = brief_                                                                                                \
     }
-#define PARAM_EXPR(strukt, member, word, unit_, flags_, brief_)                                                     \
-    {                                                                                                               \
-        .name = word, .type = KEY_EXPR, .offset = offsetof(strukt, member), .unit = unit_, .flags = flags_,          \
-        .brief = brief_                                                                                             \
+#define PARAM_EXPR(strukt, member, word, unit_, flags_, brief_)                                                        \
+    {                                                                                                                  \
+        .name = word, .type = KEY_EXPR, .offset = offsetof(strukt, member), .unit = unit_, .flags = flags_,            \
+        .brief = brief_                                                                                                \
     }
-#define PARAM_NODE(strukt, member, word, shape_, flags_, brief_)                                                    \
-    {                                                                                                               \
-        .name = word, .type = KEY_NODE, .offset = offsetof(strukt, member), .words = shape_, .flags = flags_,        \
-        .brief = brief_                                                                                             \
+#define PARAM_NODE(strukt, member, word, shape_, flags_, brief_)                                                       \
+    {                                                                                                                  \
+        .name = word, .type = KEY_NODE, .offset = offsetof(strukt, member), .words = shape_, .flags = flags_,          \
+        .brief = brief_                                                                                                \
     }
 
 #endif

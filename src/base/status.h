@@ -23,10 +23,10 @@ enum status {
     E_SIGTERM = 143
 };
 
-#define TRY(call)                    \
-    do {                             \
-        enum status try_ = (call);   \
-        if (try_ != OK) return try_; \
+#define TRY(call)                                                                                                      \
+    do {                                                                                                               \
+        enum status try_ = (call);                                                                                     \
+        if (try_ != OK) return try_;                                                                                   \
     } while (0)
 
 /* One message and its code; starts zeroed. */

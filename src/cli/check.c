@@ -10,8 +10,8 @@ static void print_bodies(FILE *to, const struct model *m)
         const struct model_body *b = &m->body[i];
         const struct model_joint *j = &m->joint[b->joint];
         fprintf(to, "  %-16s %8.4g kg, %s, on %s by %s (%s, %d freedom%s)\n", b->name, b->mass,
-                b->fast ? "fast" : "slow", m->body[b->parent].name, j->name,
-                joint_kind(j->type, m->space == 3)->name, j->nv, j->nv == 1 ? "" : "s");
+                b->fast ? "fast" : "slow", m->body[b->parent].name, j->name, joint_kind(j->type, m->space == 3)->name,
+                j->nv, j->nv == 1 ? "" : "s");
     }
 }
 

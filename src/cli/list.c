@@ -9,14 +9,21 @@
 static const char *type_word(const struct key *k)
 {
     switch (k->type) {
-    case KEY_REAL: return "number";
-    case KEY_INT: return "whole number";
-    case KEY_BOOL: return "true|false";
+    case KEY_REAL:
+        return "number";
+    case KEY_INT:
+        return "whole number";
+    case KEY_BOOL:
+        return "true|false";
     case KEY_WORD:
-    case KEY_NODE: return k->words;
-    case KEY_LIST: return k->words ? k->words : "[number, ...]";
-    case KEY_TEXT: return "text";
-    case KEY_EXPR: return "expression";
+    case KEY_NODE:
+        return k->words;
+    case KEY_LIST:
+        return k->words ? k->words : "[number, ...]";
+    case KEY_TEXT:
+        return "text";
+    case KEY_EXPR:
+        return "expression";
     }
     return "";
 }
@@ -99,8 +106,8 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
         return print_columns(request, life, report);
     } else {
         const char *nearest = text_nearest(topic, topics, 5);
-        return fail(report, E_USAGE, "no list of '%.40s'%s%s%s (schemes, joints, forces, sections, columns DECK)", topic,
-                    nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+        return fail(report, E_USAGE, "no list of '%.40s'%s%s%s (schemes, joints, forces, sections, columns DECK)",
+                    topic, nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
     }
     return OK;
 }

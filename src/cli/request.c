@@ -109,13 +109,13 @@ static enum status take(struct request *o, const char *name, const char *value, 
     struct {
         const char *name;
         const char **to;
-    } texts[] = {{"format", &o->format},       {"output", &o->output},   {"progress", &o->progress},
-                 {"color", &o->color},         {"schemes", &o->schemes}, {"ratios", &o->ratios},
-                 {"steps", &o->steps},         {"repeats", &o->repeats}};
+    } texts[] = {{"format", &o->format}, {"output", &o->output},   {"progress", &o->progress},
+                 {"color", &o->color},   {"schemes", &o->schemes}, {"ratios", &o->ratios},
+                 {"steps", &o->steps},   {"repeats", &o->repeats}};
     struct {
         const char *name;
         bool *to;
-    } flags[] = {{"quiet", &o->quiet}, {"verbose", &o->verbose},   {"strict", &o->strict},
+    } flags[] = {{"quiet", &o->quiet}, {"verbose", &o->verbose}, {"strict", &o->strict},
                  {"help", &o->help},   {"version", &o->version}, {"expanded", &o->expanded}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
@@ -148,8 +148,7 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     build(longs, shorts);
     opterr = 0;
     for (int code; (code = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
-        if (code == ':')
-            return fail(report, E_USAGE, "option '%.80s' needs a value (fmdsub --help)", argv[optind - 1]);
+        if (code == ':') return fail(report, E_USAGE, "option '%.80s' needs a value (fmdsub --help)", argv[optind - 1]);
         if (code == '?') return unknown_option(argv[optind - 1], report);
         TRY(take(o, cli_options[option_of(code)].name, optarg, life, report));
     }

@@ -32,16 +32,16 @@ static enum status write_stats(const struct sim *sim, const struct request *requ
     for (int i = 0; i < n; i++) {
         if (facts[i].kind == PAIR_NUMBER) number[number_round(number, facts[i].number, 12)] = 0;
         fprintf(to, "%-22s %s\n", facts[i].key,
-                facts[i].kind == PAIR_NUMBER ? number : facts[i].kind == PAIR_TEXT ? facts[i].text
-                                               : facts[i].truth                    ? "true"
-                                                                                   : "false");
+                facts[i].kind == PAIR_NUMBER ? number
+                : facts[i].kind == PAIR_TEXT ? facts[i].text
+                : facts[i].truth             ? "true"
+                                             : "false");
     }
     if (to == stderr) return OK;
     return fclose(to) == 0 ? OK : fail(report, E_FILE, "%s: cannot write", request->stats);
 }
 
-static enum status stream_run(struct sim *sim, const struct request *request, struct arena *life,
-                              struct report *report)
+static enum status stream_run(struct sim *sim, const struct request *request, struct arena *life, struct report *report)
 {
     struct stream stream;
     struct report closing = {0};

@@ -47,13 +47,26 @@ static cJSON *key_schema(const struct key *k)
     cJSON *o;
     switch (k->type) {
     case KEY_REAL:
-    case KEY_INT: o = number_schema(k); break;
-    case KEY_BOOL: o = typed("boolean"); break;
-    case KEY_WORD: o = words_schema(k->words); break;
-    case KEY_LIST: o = typed("array"); break;
-    case KEY_TEXT: o = typed("string"); break;
-    case KEY_EXPR: o = type_list("number", "string"); break;
-    default: o = cJSON_CreateObject();
+    case KEY_INT:
+        o = number_schema(k);
+        break;
+    case KEY_BOOL:
+        o = typed("boolean");
+        break;
+    case KEY_WORD:
+        o = words_schema(k->words);
+        break;
+    case KEY_LIST:
+        o = typed("array");
+        break;
+    case KEY_TEXT:
+        o = typed("string");
+        break;
+    case KEY_EXPR:
+        o = type_list("number", "string");
+        break;
+    default:
+        o = cJSON_CreateObject();
     }
     char text[300];
     snprintf(text, sizeof text, "%s%s%s%s%s%s", k->brief, k->unit ? " [" : "", k->unit ? k->unit : "",

@@ -67,8 +67,7 @@ static enum status choose_numbers(struct study_options *o, struct choices *c, co
     o->nstep = 3;
     for (int i = 0; i < 3; i++) c->step[i] = h / (1 << i);
     if (request->steps) TRY(read_number_list(c->step, &o->nstep, "steps", request->steps, false, life, report));
-    if (!(h > 0) && !request->steps)
-        return fail(report, E_USAGE, "the deck has no 'step': name some with --steps");
+    if (!(h > 0) && !request->steps) return fail(report, E_USAGE, "the deck has no 'step': name some with --steps");
     o->repeats = 3;
     if (request->repeats) {
         int one;

@@ -1,6 +1,6 @@
 /* codes.c -- every code of a deck message and its cure: one table for `fmdsub explain CODE` and the manual.
  *
- * A message with a code that is not here does not get past diag.c. */
+ * Every stage that tells of decks adds its codes here; a test compares the table with the sources. */
 #include <stddef.h>
 #include <strings.h>
 
@@ -21,7 +21,7 @@ const struct diag_help diag_helps[] = {
     {"E-indent",
      "A line stands at a depth that fits neither the block above nor the one around it. Members of one map begin "
      "in the same column."},
-    {"E-space", "YAML wants a space after the ':' that follows a key: write 'key: value'."},
+    {"E-colon", "YAML wants a space after the ':' that follows a key: write 'key: value'."},
     {"E-comma",
      "Inside { } and [ ] a comma ends a value. Put an expression that holds a comma into quotes: \"atan2(y, x)\"."},
     {"E-anchor", "An alias (*name) needs an anchor (&name) before it that is not around it, and a name is given to one "
@@ -85,8 +85,102 @@ const struct diag_help diag_helps[] = {
     {"E-csv",
      "A CSV file holds the same number of columns of decimal numbers in every row, separated by commas, with at most "
      "one row of names at the top. Empty lines and lines after '#' are skipped."},
+    /* the scene: names */
+    {"E-name", "Names are letters, digits and '_', a letter first; ground, energy, step, t and type are taken."},
+    {"E-duplicate-name", "Constraints and measures share their names: expressions could not tell them apart."},
+    {"E-unknown-name", "Forces act along a joint with one freedom, a coordinate (hub.angle), a measure, or between two "
+                       "points; expressions read t, coordinates, rates (hub.angle_rate) and measures (gap, gap_rate)."},
+    {"E-unknown-body", "The body is not under bodies:. The world is called ground."},
+    {"E-unknown-point", "A point is a vector (fixed on the ground), a body (its centre of mass), or body.name from the "
+                        "body's points:."},
+    {"E-unknown-coordinate",
+     "A coordinate is joint.name, such as hub.angle or guide.displacement; `fmdsub list columns "
+     "DECK` shows them all."},
+    {"E-unknown-column",
+     "`fmdsub list columns DECK` shows every column of a deck; '*' and '?' match as in file names."},
+    {"E-unknown-joint", "`fmdsub list joints` shows the kinds of joints."},
+    {"E-unknown-measure", "A measure is a distance, a displacement along an axis, or an angle."},
+    {"E-unknown-force", "`fmdsub list forces` shows the kinds of forces."},
+    {"E-unknown-scheme", "`fmdsub list schemes` shows the integration schemes."},
+    {"E-two-kinds", "Two keys say what the thing is, or give the same quantity. Keep one of them."},
+    {"E-which-coordinate", "The joint has several freedoms, or turns freely: name one plain coordinate of it, or use a "
+                           "measure."},
+    /* the scene: bodies, joints, forces */
+    {"E-no-bodies", "A scene needs a body besides the ground."},
+    {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},
+    {"E-shape", "A shape is one of box, cylinder, rod, sphere, tube."},
+    {"E-inertia", "The tensor belongs to no body. Moments about any three axes at right angles are positive and none "
+                  "exceeds the sum of the other two; check units, and whether the tensor is about the centre of mass."},
+    {"E-direction", "A direction must have a length, and two axes must not be parallel."},
+    {"E-axes", "The two axes of a universal joint stand at right angles."},
+    {"E-orientation", "Give z and x, or axis and angle, or a quaternion."},
+    {"E-quaternion", "A unit quaternion [w, x, y, z]: the squares of its parts sum to 1."},
+    {"E-loop", "The joints close a loop. Take one joint away, or replace it by a bushing."},
+    {"E-ground", "A load must act on a body that can move."},
+    {"E-kind", "A force acts along a length, a torque along an angle."},
+    {"E-table", "A table has rows [t, x] with increasing t."},
+    /* the scene: start and run */
+    {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
+    {"E-partition", "Spherical and free joints are fast or slow as a whole."},
+    {"E-newmark", "Newmark's method is stable for every step if 2 beta >= gamma >= 1/2."},
+    {"E-scheme", "The key belongs to other schemes. `fmdsub list schemes` shows them."},
+    {"E-step", "The step is too long or too short for the run."},
+    {"E-ratio", "A major step (ratio times step) must fit into the run."},
+    {"E-every", "Records fall on the ends of major steps: 'every' is a multiple of ratio times step, or {steps: N}."},
+    /* the scene */
+    {"E-name", "A name is letters, digits and '_', with a letter first: it becomes part of column names."},
+    {"E-duplicate-name", "Two things that share column names have one name. Rename one of them."},
+    {"E-no-bodies", "A deck needs at least one body under bodies:."},
+    {"E-unknown-body", "No body has this name. Bodies are the keys of bodies:, and 'ground' is the world."},
+    {"E-unknown-point", "No point has this name. Points are given under points: of a body and are called body.point."},
+    {"E-unknown-joint", "No kind of constraint has this name. `fmdsub list` shows the kinds."},
+    {"E-unknown-force", "No kind of force has this name. `fmdsub list` shows the kinds."},
+    {"E-unknown-measure", "No kind of measure has this name: distance, displacement, angle."},
+    {"E-unknown-name",
+     "Nothing of this name can be measured here. Joints, their coordinates and measures: have names."},
+    {"E-unknown-coordinate", "No joint has such a coordinate. `fmdsub check` lists the coordinates of a deck."},
+    {"E-unknown-column",
+     "No column has this name. `fmdsub check` lists the names; '*' stands for any run of characters."},
+    {"E-unknown-scheme", "No integration scheme has this name. `fmdsub list` shows the schemes."},
+    {"E-which-coordinate", "The joint has several coordinates: write the one that is meant, such as 'ball.angle'."},
+    {"E-same-body", "Both ends are on one body. A constraint or measure joins two bodies; the world is 'ground'."},
+    {"E-ground", "The ground does not move, so no load can act on it."},
+    {"E-kind", "A force acts along a length, a torque along an angle. Use the other word, or another coordinate."},
+    {"E-two-kinds", "Two keys of one map exclude each other. Delete one of them."},
+    {"E-shape", "A shape is one of box, cylinder, rod, sphere, tube, with its sizes."},
+    {"E-inertia",
+     "Inertia is about the centre of mass in body axes: a number >= 0 in 2-D; in 3-D [xx, yy, zz] or six with "
+     "[xy, xz, yz]. No principal moment may be negative or exceed the sum of the other two."},
+    {"E-direction",
+     "A direction needs a length: an axis that is not zero, two points that do not coincide, two axes that are not "
+     "parallel."},
+    {"E-axes", "The two axes of a universal joint are at right angles."},
+    {"E-orientation",
+     "Give an orientation by {z: [...], x: [...]}, {axis: [...], angle: ...} or {quaternion: [w, x, y, z]}."},
+    {"E-quaternion", "A quaternion of rotation has length 1."},
+    {"E-space", "A deck is planar or spatial as a whole: all vectors have two numbers, or all have three."},
+    {"E-table", "A table is a list of rows [t, x] with growing t, or {file: NAME.csv} with two columns."},
+    {"E-initial", "initial: sets coordinates and rates by name: hub.angle: 0.5, hub.angle_rate: 10."},
+    {"E-partition", "partition: names joints or coordinates that move fast. Joints with a rotation in space are fast "
+                    "or slow as a whole."},
+    {"E-loop",
+     "The constraint joins bodies that are joined already. Loops of constraints cannot be simulated by this version."},
+    {"E-newmark",
+     "Newmark's scheme is stable for every step if 2 beta >= gamma >= 1/2. Leave both out for 1/4 and 1/2."},
+    {"E-scheme",
+     "The scheme does not read this key. Fixed steps take step: and ratio:, adaptive schemes take tolerance:."},
+    {"E-step", "The step must be shorter than the run, and long enough that adding it to the time changes it."},
+    {"E-ratio", "The major step, ratio times step, must be shorter than the run."},
+    {"E-every", "At fixed steps, every: of output is a multiple of the major step, ratio times step. The message names "
+                "the two nearest."},
+    {"E-limit", "The run would be larger than a limit allows. The message names the limit and the size."},
     /* warnings */
+    {"W-quaternion", "The quaternion was scaled to length 1."},
+    {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
+    {"W-quaternion", "The quaternion was scaled to length 1. Give it with more digits."},
+    {"W-unconnected",
+     "The body hangs on no constraint, so it moves freely. Write {free: [ground, body]} if that is meant."},
     {NULL, NULL},
 };
 

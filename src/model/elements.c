@@ -34,11 +34,16 @@ static void make_measure(struct making *o, struct model_measure *to, const struc
 static struct model_slot make_slot(const struct making *o, const struct scene_slot *s)
 {
     switch (s->type) {
-    case SCENE_MEASURE: return (struct model_slot){SLOT_MEASURE, s->index};
-    case SCENE_MEASURE_RATE: return (struct model_slot){SLOT_MEASURE_RATE, s->index};
-    case SCENE_COORDINATE: return (struct model_slot){SLOT_Q, position_place(o, s->index, s->k)};
-    case SCENE_RATE: return (struct model_slot){SLOT_V, rate_place(o, s->index, s->k)};
-    case SCENE_TIME: break;
+    case SCENE_MEASURE:
+        return (struct model_slot){SLOT_MEASURE, s->index};
+    case SCENE_MEASURE_RATE:
+        return (struct model_slot){SLOT_MEASURE_RATE, s->index};
+    case SCENE_COORDINATE:
+        return (struct model_slot){SLOT_Q, position_place(o, s->index, s->k)};
+    case SCENE_RATE:
+        return (struct model_slot){SLOT_V, rate_place(o, s->index, s->k)};
+    case SCENE_TIME:
+        break;
     }
     return (struct model_slot){SLOT_TIME, 0};
 }
@@ -47,10 +52,14 @@ static bool slot_is_fast(const struct making *o, const struct model_slot *s)
 {
     switch (s->type) {
     case SLOT_MEASURE:
-    case SLOT_MEASURE_RATE: return o->m->measure[s->index].fast;
-    case SLOT_Q: return o->m->coordinate[s->index].fast;
-    case SLOT_V: return s->index < o->m->ns;
-    case SLOT_TIME: break;
+    case SLOT_MEASURE_RATE:
+        return o->m->measure[s->index].fast;
+    case SLOT_Q:
+        return o->m->coordinate[s->index].fast;
+    case SLOT_V:
+        return s->index < o->m->ns;
+    case SLOT_TIME:
+        break;
     }
     return false;
 }

@@ -26,16 +26,16 @@ struct model_body {
 struct model_joint {
     const char *name;
     enum joint_type type;
-    int parent, child;    /* tree direction: parent < child */
-    bool reversed;        /* the deck's first body is the child: model/ has turned the axes so that the
-                           * coordinates still are of the deck's second body against its first; only
-                           * reactions need to know */
-    double a[3], b[3];    /* the joint's point: from the parent's centre in parent axes; child likewise [m] */
-    double Ea[9], Eb[9];  /* joint axes x, y, z by column in parent axes, in child axes: equal in the
-                           * world when the coordinates are 0 */
+    int parent, child;   /* tree direction: parent < child */
+    bool reversed;       /* the deck's first body is the child: model/ has turned the axes so that the
+                          * coordinates still are of the deck's second body against its first; only
+                          * reactions need to know */
+    double a[3], b[3];   /* the joint's point: from the parent's centre in parent axes; child likewise [m] */
+    double Ea[9], Eb[9]; /* joint axes x, y, z by column in parent axes, in child axes: equal in the
+                          * world when the coordinates are 0 */
     int nq, nv;
-    int iq[JOINT_MAX_Q];  /* places in q */
-    int iv[JOINT_MAX_V];  /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
+    int iq[JOINT_MAX_Q]; /* places in q */
+    int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
 };
 
 /* A coordinate's plain positions and velocities have the same number k < n for q and v unless a
@@ -68,15 +68,15 @@ struct model_slot {
 struct model_force {
     const char *name;
     enum force_type type;
-    enum rate cls;                  /* FAST or SLOW; time-only loads are FAST */
-    int measure;                    /* FORCE_LAW, FORCE_VALUE */
-    const struct force_kind *kind;  /* FORCE_LAW */
-    const void *par;                /* FORCE_LAW: the kind's block; FORCE_BUSHING: struct bushing */
-    struct signal value[3];         /* FORCE_VALUE: 1; FORCE_LOAD: x, y, z (plane: torque is z) */
+    enum rate cls;                 /* FAST or SLOW; time-only loads are FAST */
+    int measure;                   /* FORCE_LAW, FORCE_VALUE */
+    const struct force_kind *kind; /* FORCE_LAW */
+    const void *par;               /* FORCE_LAW: the kind's block; FORCE_BUSHING: struct bushing */
+    struct signal value[3];        /* FORCE_VALUE: 1; FORCE_LOAD: x, y, z (plane: torque is z) */
     int nslot;
-    const struct model_slot *slot;  /* [nslot], slot 0 is t */
-    struct model_point a, b;        /* FORCE_LOAD: point b; FORCE_BUSHING: markers on a and b */
-    bool torque, body_axes;         /* FORCE_LOAD */
+    const struct model_slot *slot; /* [nslot], slot 0 is t */
+    struct model_point a, b;       /* FORCE_LOAD: point b; FORCE_BUSHING: markers on a and b */
+    bool torque, body_axes;        /* FORCE_LOAD */
 };
 
 struct model_coordinate {
@@ -102,9 +102,9 @@ struct model {
     const struct model_point *point; /* named points, for output */
     int ncoordinate;
     const struct model_coordinate *coordinate; /* every position, in q order */
-    const double *q0, *v0; /* [nq], [n] initial state */
-    const int *body_of;    /* model's index of the scene's body i (body 0: ground) */
-    const int *joint_of;   /* model's index of the scene's joint i; -1: not in the tree */
+    const double *q0, *v0;                     /* [nq], [n] initial state */
+    const int *body_of;                        /* model's index of the scene's body i (body 0: ground) */
+    const int *joint_of;                       /* model's index of the scene's joint i; -1: not in the tree */
 };
 
 #endif

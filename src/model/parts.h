@@ -9,7 +9,7 @@ struct making {
     struct diags *diags;
     struct arena *life;
     struct model *m;
-    struct model_body *body;   /* m's arrays while they may still be written */
+    struct model_body *body; /* m's arrays while they may still be written */
     struct model_joint *joint;
     int *body_of, *joint_of;
     int *scene_joint; /* [njoint] the scene's joint of a tree joint; -1: free by default */

@@ -24,8 +24,12 @@ static void joint_turn(double *J, const struct model_joint *j, const double *q)
     memcpy(J, identity, sizeof identity);
     switch (j->type) {
     case JOINT_REVOLUTE:
-    case JOINT_CYLINDRICAL: turn(J, q[j->iq[0]], 2); break;
-    case JOINT_PLANAR: turn(J, q[j->iq[2]], 2); break;
+    case JOINT_CYLINDRICAL:
+        turn(J, q[j->iq[0]], 2);
+        break;
+    case JOINT_PLANAR:
+        turn(J, q[j->iq[2]], 2);
+        break;
     case JOINT_UNIVERSAL:
         turn(first, q[j->iq[0]], 0);
         turn(second, q[j->iq[1]], 1);
@@ -34,7 +38,8 @@ static void joint_turn(double *J, const struct model_joint *j, const double *q)
     case JOINT_FREE:
         if (j->nq == 3) turn(J, q[j->iq[2]], 2);
         break;
-    default: break;
+    default:
+        break;
     }
 }
 

@@ -35,8 +35,8 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
     struct model_joint *j = &o->joint[m->njoint];
     double arm[3];
     o->body_of[child] = i;
-    o->body[i] = (struct model_body){.name = cb->name, .mass = cb->mass, .parent = o->body_of[parent],
-                                     .joint = m->njoint++};
+    o->body[i] =
+        (struct model_body){.name = cb->name, .mass = cb->mass, .parent = o->body_of[parent], .joint = m->njoint++};
     memcpy(o->body[i].inertia, cb->inertia, sizeof cb->inertia);
     v3_copy(o->body[i].at, cb->at);
     memcpy(o->body[i].R, cb->R, sizeof cb->R);

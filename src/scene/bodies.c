@@ -37,7 +37,8 @@ static int read_sizes(struct builder *b, double *a, int n, const struct node *no
     if (n == 1 ? read_number(a, node, NULL, &b->reader) : read_vector(a, n, node, what, &b->reader)) return 1;
     for (int i = 0; i < n; i++)
         if (!(a[i] > 0)) {
-            diag_error(b->diags, n == 1 ? node : node->item[i], AT_VALUE, "E-range", "%s: sizes must be positive", what);
+            diag_error(b->diags, n == 1 ? node : node->item[i], AT_VALUE, "E-range", "%s: sizes must be positive",
+                       what);
             return 1;
         }
     return 0;
@@ -118,8 +119,8 @@ static int read_inertia(struct builder *b, struct scene_body *body, const struct
     }
     int six = n->type == NODE_LIST && n->count == 6;
     if (n->type == NODE_LIST && n->count != 3 && !six) {
-        diag_error(b->diags, n, AT_VALUE, "E-count", "%s: expected [xx, yy, zz] or [xx, yy, zz, xy, xz, yz], found %d numbers",
-                   what, n->count);
+        diag_error(b->diags, n, AT_VALUE, "E-count",
+                   "%s: expected [xx, yy, zz] or [xx, yy, zz, xy, xz, yz], found %d numbers", what, n->count);
         return 1;
     }
     if (read_vector(J, six ? 6 : 3, n, what, &b->reader)) return 1;
@@ -157,16 +158,17 @@ static int read_body(struct builder *b, struct scene_body *body, const struct no
     struct body_keys k = {.mass = NAN};
     char what[100];
     snprintf(what, sizeof what, "body '%.60s'", n->key);
-    if (read_keys(&k, keys_body, n, NULL, what, &b->reader)) return 1;
+    int errors = read_keys(&k, keys_body, n, NULL, what, &b->reader);
     body->mass = k.mass;
-    if (read_place(b, body->at, k.at, what)) return 1;
-    if (k.orient && read_orientation(b, body->R, k.orient, what)) return 1;
-    if (k.shape && read_shape(b, body, &k, what)) return 1;
-    if (isnan(body->mass)) {
+    if (k.at) errors += read_place(b, body->at, k.at, what);
+    if (k.orient) errors += read_orientation(b, body->R, k.orient, what);
+    if (k.shape) errors += read_shape(b, body, &k, what);
+    if (k.inertia) errors += read_inertia(b, body, k.inertia, what);
+    if (!errors && isnan(body->mass)) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s has no 'mass'", what);
-        return 1;
+        errors++;
     }
-    return k.inertia ? read_inertia(b, body, k.inertia, what) : 0;
+    return errors;
 }
 
 static int read_ground(struct builder *b, const struct node *n)

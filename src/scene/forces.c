@@ -35,8 +35,8 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
         if (nearest)
             snprintf(error->text, sizeof error->text, "unknown name '%.50s' (did you mean '%.40s'?)", name, nearest);
         else
-            snprintf(error->text, sizeof error->text,
-                     "unknown name '%.50s': no parameter, coordinate, rate or measure", name);
+            snprintf(error->text, sizeof error->text, "unknown name '%.50s': no parameter, coordinate, rate or measure",
+                     name);
         return 1;
     }
     for (int i = 0; i < s->n; i++)
@@ -143,7 +143,7 @@ static int read_components(struct slots *s, struct scene_force *f, const struct 
     if (want == 1) return read_signal(s, &f->value[2], n);
     if (n->type != NODE_LIST || n->count != want) {
         diag_error(b->diags, n, AT_VALUE, "E-count", "expected %d expressions, [%s], found %s", want,
-                   plane ? "x, y" : "x, y, z", n->type == NODE_LIST ? "another number of them" : "something else");
+                   plane ? "x, y" : "x, y, z", n->type == NODE_LIST ? "another number of them" : node_type_name(n));
         return 1;
     }
     int errors = 0;

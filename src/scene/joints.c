@@ -80,7 +80,7 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     if (!found) return 1;
     j->kind = joint_kind(found->type, b->scene->space == 3);
     if (!j->kind) {
-        diag_error(b->diags, word, AT_KEY, "E-space", "a %s joint needs a 3-D deck", found->name);
+        diag_error(b->diags, word, AT_KEY, "E-dimension", "a %s joint needs a 3-D deck", found->name);
         return 1;
     }
     const char *also[] = {found->name, NULL};

@@ -67,8 +67,7 @@ int find_two_bodies(struct builder *b, int *first, int *second, const struct nod
     *second = find_body(b, n->item[1]);
     if (*first < 0 || *second < 0) return -1;
     if (*first == *second) {
-        diag_error(b->diags, n, AT_VALUE, "E-same-body", "%s: both bodies are '%s'", what,
-                   b->scene->body[*first].name);
+        diag_error(b->diags, n, AT_VALUE, "E-same-body", "%s: both bodies are '%s'", what, b->scene->body[*first].name);
         diag_hint(b->diags, "it needs two different bodies; the world is 'ground'");
         return -1;
     }
@@ -146,10 +145,8 @@ int quantity_names(struct builder *b, const char *const **list)
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         names[count++] = j->name;
-        for (int k = 0; k < j->kind->nq[s]; k++)
-            names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
-        for (int k = 0; k < j->kind->nv[s]; k++)
-            names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
+        for (int k = 0; k < j->kind->nq[s]; k++) names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
+        for (int k = 0; k < j->kind->nv[s]; k++) names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
     }
     for (int i = 0; i < scene->nmeasure; i++) {
         if (!scene->measure[i].name) continue;

@@ -41,13 +41,11 @@ static int initial_names(struct builder *b, const char *const **out)
 {
     const struct scene *scene = b->scene;
     int s = scene->space == 3, n = 0;
-    const char **list = TAKE(b->life, const char *, scene->njoint * (JOINT_MAX_Q + JOINT_MAX_V + 2));
+    const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2));
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
-        for (int k = 0; k < j->kind->nq[s]; k++)
-            list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
-        for (int k = 0; k < j->kind->nv[s]; k++)
-            list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
+        for (int k = 0; k < j->kind->nq[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
+        for (int k = 0; k < j->kind->nv[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
         if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.omega", j->name);
         if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.rotation", j->name);
     }
@@ -117,7 +115,7 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
         }
     }
     int count = 0;
-    const char **list = TAKE(b->life, const char *, scene->njoint * (1 + JOINT_MAX_Q));
+    const char **list = TAKE(b->life, const char *, scene->njoint *(1 + JOINT_MAX_Q));
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         list[count++] = j->name;

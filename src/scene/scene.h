@@ -102,13 +102,13 @@ struct integrate {
     double beta, gamma, rho_infinity;
     int iteration, symmetric;
     double newton_tolerance;
-    double tolerance; /* adaptive schemes */
+    double tolerance;        /* adaptive schemes */
     const struct node *node; /* the section */
 };
 
 struct output {
-    double every;     /* [s]; 0: not in seconds */
-    int every_steps;  /* major steps */
+    double every;    /* [s]; 0: not in seconds */
+    int every_steps; /* major steps */
     int npattern;
     const struct node *const *pattern;
     const struct node *node, *every_node; /* NULL: not given */
@@ -147,8 +147,8 @@ int scene_coordinate(const struct scene_joint *joint, int space, const char *wor
 
 /* The key tables by section, for `fmdsub list`, `fmdsub schema` and the manual. */
 struct section {
-    const char *path;       /* "bodies.NAME", "constraints.NAME", "integrate" */
-    const char *word;       /* the kind's own key, "revolute", "spring"; NULL: the section has one kind only */
+    const char *path; /* "bodies.NAME", "constraints.NAME", "integrate" */
+    const char *word; /* the kind's own key, "revolute", "spring"; NULL: the section has one kind only */
     const char *brief;
     const struct key *keys; /* ends with KEYS_END */
 };

@@ -4,9 +4,6 @@
 #include "kind/joint.h"
 #include "scene/build.h"
 
-#define ANY (-INFINITY), INFINITY
-#define SIZE 0, INFINITY
-
 const struct key keys_deck[] = {
     PARAM_INT(struct deck_keys, version, "fmdsub", 1, 1, KEY_REQUIRED, NULL, "version of the deck's grammar: 1"),
     PARAM_TEXT(struct deck_keys, title, "title", 0, NULL, "one line for people"),
@@ -31,7 +28,7 @@ const struct key keys_deck[] = {
 };
 
 const struct key keys_body[] = {
-    PARAM_REAL(struct body_keys, mass, "mass", "kg", SIZE, 0, NULL, "mass; or from shape and density"),
+    PARAM_REAL(struct body_keys, mass, "mass", "kg", 0, INFINITY, 0, NULL, "mass; or from shape and density"),
     PARAM_NODE(struct body_keys, inertia, "inertia", "2-D: number; 3-D: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz]", 0,
                "tensor about the centre of mass, body axes [kg m2]; default: from shape, else 0"),
     PARAM_NODE(struct body_keys, at, "at", "vector [m]", KEY_REQUIRED, "centre of mass when drawn, world"),
@@ -56,7 +53,7 @@ const struct key keys_shape[] = {
     PARAM_NODE(struct shape_keys, sphere, "sphere", "radius [m]", 0, "solid"),
     PARAM_NODE(struct shape_keys, tube, "tube", "[outer radius, inner radius, length] [m]", 0,
                "along the body's z axis"),
-    PARAM_REAL(struct shape_keys, density, "density", "kg/m3", SIZE, KEY_ABOVE, NULL, "gives the mass"),
+    PARAM_REAL(struct shape_keys, density, "density", "kg/m3", 0, INFINITY, KEY_ABOVE, NULL, "gives the mass"),
     KEYS_END,
 };
 
@@ -64,7 +61,7 @@ const struct key keys_orient[] = {
     PARAM_NODE(struct orient_keys, z, "z", "vector", 0, "the body's z axis, world"),
     PARAM_NODE(struct orient_keys, x, "x", "vector", 0, "the body's x axis; made square to z"),
     PARAM_NODE(struct orient_keys, axis, "axis", "vector", 0, "axis of a turn from the world's axes"),
-    PARAM_REAL(struct orient_keys, angle, "angle", "rad", ANY, 0, NULL, "angle of that turn"),
+    PARAM_REAL(struct orient_keys, angle, "angle", "rad", -INFINITY, INFINITY, 0, NULL, "angle of that turn"),
     PARAM_NODE(struct orient_keys, quaternion, "quaternion", "[w, x, y, z]", 0, "unit quaternion, body to world"),
     KEYS_END,
 };
@@ -135,9 +132,10 @@ const struct key keys_partition[] = {
 
 const struct key keys_integrate[] = {
     PARAM_TEXT(struct integrate, scheme, "scheme", 0, "subcycle", "integration scheme, see `fmdsub list schemes`"),
-    PARAM_REAL(struct integrate, step, "step", "s", SIZE, KEY_ABOVE, NULL, "minor step h; fixed-step schemes need it"),
+    PARAM_REAL(struct integrate, step, "step", "s", 0, INFINITY, KEY_ABOVE, NULL,
+               "minor step h; fixed-step schemes need it"),
     PARAM_INT(struct integrate, ratio, "ratio", 1, 1000000, 0, "1", "n: the major step is n h"),
-    PARAM_REAL(struct integrate, until, "until", "s", SIZE, KEY_REQUIRED | KEY_ABOVE, NULL, "end of the run"),
+    PARAM_REAL(struct integrate, until, "until", "s", 0, INFINITY, KEY_REQUIRED | KEY_ABOVE, NULL, "end of the run"),
     PARAM_REAL(struct integrate, rho_infinity, "rho_infinity", NULL, 0, 1, 0, "1",
                "subcycle: 1 keeps all energy, less damps what the minor step cannot resolve"),
     PARAM_REAL(struct integrate, beta, "beta", NULL, 0, 1, KEY_ABOVE, "0.25", "newmark, miao: beta of (2-5)"),
@@ -167,7 +165,7 @@ const struct key keys_every[] = {
 };
 
 const struct key keys_energy[] = {
-    PARAM_REAL(struct energy_keys, delta, "delta", NULL, SIZE, KEY_ABOVE, "0.01",
+    PARAM_REAL(struct energy_keys, delta, "delta", NULL, 0, INFINITY, KEY_ABOVE, "0.01",
                "largest share of ||W|| that (2-26) may miss"),
     KEYS_END,
 };

@@ -120,8 +120,8 @@ static void add_force(struct listing *l, const struct model *m, const struct mod
 
 static void add_energies(struct listing *l)
 {
-    static const char *const names[] = {"kinetic", "elastic", "gravity", "external", "drive",
-                                        "damper", "friction", "numerical", "residual"};
+    static const char *const names[] = {"kinetic", "elastic",  "gravity",   "external", "drive",
+                                        "damper",  "friction", "numerical", "residual"};
     static const char *const briefs[] = {"kinetic energy",
                                          "energy in springs",
                                          "energy in the field of gravity",
@@ -172,12 +172,16 @@ unsigned catalogue_needs(const struct catalogue *o, const struct selection *chos
         case FROM_Q:
         case FROM_V:
         case FROM_ENERGY:
-        case FROM_STEP: break;
+        case FROM_STEP:
+            break;
         case FROM_A:
         case FROM_ACCELERATION:
         case FROM_POINT_ACCELERATION:
-        case FROM_REACTION: needs |= SEE_MOTION | SEE_ACCELERATION; break;
-        default: needs |= SEE_MOTION;
+        case FROM_REACTION:
+            needs |= SEE_MOTION | SEE_ACCELERATION;
+            break;
+        default:
+            needs |= SEE_MOTION;
         }
     }
     return needs;

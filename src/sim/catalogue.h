@@ -8,31 +8,39 @@
 
 enum origin_type {
     FROM_TIME,
-    FROM_Q,        /* index: place in q */
-    FROM_V,        /* place in v */
-    FROM_A,        /* place in v */
-    FROM_PLACE,    /* index: body; k: x, y, z */
-    FROM_ANGLE,    /* body, plane */
+    FROM_Q,     /* index: place in q */
+    FROM_V,     /* place in v */
+    FROM_A,     /* place in v */
+    FROM_PLACE, /* index: body; k: x, y, z */
+    FROM_ANGLE, /* body, plane */
     FROM_QUATERNION,
     FROM_VELOCITY,
     FROM_OMEGA,
     FROM_ACCELERATION,
-    FROM_POINT,          /* index: point */
+    FROM_POINT, /* index: point */
     FROM_POINT_VELOCITY,
     FROM_POINT_ACCELERATION,
     FROM_REACTION, /* index: joint; k: fx fy fz mx my mz */
     FROM_MEASURE,  /* index: measure */
     FROM_MEASURE_RATE,
-    FROM_FORCE,    /* index: force */
+    FROM_FORCE, /* index: force */
     FROM_ELONGATION,
     FROM_POWER,
-    FROM_ENERGY,   /* k: enum energy_column */
-    FROM_STEP      /* k: enum step_column */
+    FROM_ENERGY, /* k: enum energy_column */
+    FROM_STEP    /* k: enum step_column */
 };
 
 enum energy_column {
-    ENERGY_KINETIC, ENERGY_ELASTIC, ENERGY_GRAVITY, ENERGY_EXTERNAL, ENERGY_DRIVE, ENERGY_DAMPER, ENERGY_FRICTION,
-    ENERGY_NUMERICAL, ENERGY_RESIDUAL, ENERGY_COLUMNS
+    ENERGY_KINETIC,
+    ENERGY_ELASTIC,
+    ENERGY_GRAVITY,
+    ENERGY_EXTERNAL,
+    ENERGY_DRIVE,
+    ENERGY_DAMPER,
+    ENERGY_FRICTION,
+    ENERGY_NUMERICAL,
+    ENERGY_RESIDUAL,
+    ENERGY_COLUMNS
 };
 enum step_column { STEP_MINOR, STEP_MAJOR, STEP_RATIO, STEP_SWEEPS, STEP_COLUMNS };
 

@@ -1,10 +1,17 @@
 /* load.c -- see load.h */
 #include "sim/load.h"
 
+#include "sim/parts.h"
+
 enum status sim_load(struct scene **scene, const char *path, const struct deck_options *options, struct diags *diags,
                      struct arena *life, struct report *report)
 {
     struct deck *deck;
     TRY(deck_load(&deck, path, options, diags, life, report));
-    return scene_read(scene, deck, diags, life);
+    enum status status = scene_read(scene, deck, diags, life);
+    if (status != OK && (*scene)->integrate.until > 0) { /* all errors at once: the plan's too */
+        struct sim sim = {.scene = *scene, .plan = (*scene)->integrate};
+        plan_steps(&sim, diags, NULL);
+    }
+    return status;
 }

@@ -81,8 +81,8 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
                    "every %.12g s is not a multiple of the major step %.12g s; the nearest are %.12g and %.12g",
                    out->every, H, below, above);
     else
-        diag_error(diags, out->every_node, AT_VALUE, "E-every",
-                   "every %.12g s is shorter than the major step, %.12g s", out->every, H);
+        diag_error(diags, out->every_node, AT_VALUE, "E-every", "every %.12g s is shorter than the major step, %.12g s",
+                   out->every, H);
     return E_DECK;
 }
 

@@ -7,16 +7,26 @@ static double energy(const struct sim *sim, int k)
 {
     const struct ledger *l = &sim->ledger;
     switch ((enum energy_column)k) {
-    case ENERGY_KINETIC: return l->kinetic;
-    case ENERGY_ELASTIC: return l->elastic;
-    case ENERGY_GRAVITY: return l->gravity;
-    case ENERGY_EXTERNAL: return l->work[LEDGER_EXTERNAL];
-    case ENERGY_DRIVE: return l->work[LEDGER_DRIVE];
-    case ENERGY_DAMPER: return l->work[LEDGER_DAMPER];
-    case ENERGY_FRICTION: return l->work[LEDGER_FRICTION];
-    case ENERGY_NUMERICAL: return l->lost;
-    case ENERGY_RESIDUAL: return l->residual;
-    case ENERGY_COLUMNS: break;
+    case ENERGY_KINETIC:
+        return l->kinetic;
+    case ENERGY_ELASTIC:
+        return l->elastic;
+    case ENERGY_GRAVITY:
+        return l->gravity;
+    case ENERGY_EXTERNAL:
+        return l->work[LEDGER_EXTERNAL];
+    case ENERGY_DRIVE:
+        return l->work[LEDGER_DRIVE];
+    case ENERGY_DAMPER:
+        return l->work[LEDGER_DAMPER];
+    case ENERGY_FRICTION:
+        return l->work[LEDGER_FRICTION];
+    case ENERGY_NUMERICAL:
+        return l->lost;
+    case ENERGY_RESIDUAL:
+        return l->residual;
+    case ENERGY_COLUMNS:
+        break;
     }
     return 0;
 }
@@ -24,11 +34,16 @@ static double energy(const struct sim *sim, int k)
 static double step_figure(const struct sim *sim, int k)
 {
     switch ((enum step_column)k) {
-    case STEP_MINOR: return sim->last_h;
-    case STEP_MAJOR: return sim->plan.step * sim->plan.ratio;
-    case STEP_RATIO: return sim->plan.ratio;
-    case STEP_SWEEPS: return sim->stepper.last_sweeps;
-    case STEP_COLUMNS: break;
+    case STEP_MINOR:
+        return sim->last_h;
+    case STEP_MAJOR:
+        return sim->plan.step * sim->plan.ratio;
+    case STEP_RATIO:
+        return sim->plan.ratio;
+    case STEP_SWEEPS:
+        return sim->stepper.last_sweeps;
+    case STEP_COLUMNS:
+        break;
     }
     return 0;
 }
@@ -39,12 +54,18 @@ static double pose_part(const struct sim *sim, const struct origin *s)
     double q[4];
     system_pose(sim->system, &p, s->index);
     switch (s->type) {
-    case FROM_PLACE: return p.r[s->k];
-    case FROM_ANGLE: return p.angle;
-    case FROM_VELOCITY: return p.v[s->k];
-    case FROM_OMEGA: return p.w[s->k];
-    case FROM_ACCELERATION: return p.a[s->k];
-    default: break;
+    case FROM_PLACE:
+        return p.r[s->k];
+    case FROM_ANGLE:
+        return p.angle;
+    case FROM_VELOCITY:
+        return p.v[s->k];
+    case FROM_OMEGA:
+        return p.w[s->k];
+    case FROM_ACCELERATION:
+        return p.a[s->k];
+    default:
+        break;
     }
     quat_of_matrix(q, p.R);
     return q[s->k];
@@ -68,30 +89,42 @@ static double value(const struct sim *sim, const struct origin *s)
 {
     double a, b, f[6];
     switch (s->type) {
-    case FROM_TIME: return sim->x.t;
-    case FROM_Q: return sim->x.q[s->index];
-    case FROM_V: return sim->x.v[s->index];
-    case FROM_A: return system_accelerations(sim->system)[s->index];
+    case FROM_TIME:
+        return sim->x.t;
+    case FROM_Q:
+        return sim->x.q[s->index];
+    case FROM_V:
+        return sim->x.v[s->index];
+    case FROM_A:
+        return system_accelerations(sim->system)[s->index];
     case FROM_POINT:
     case FROM_POINT_VELOCITY:
-    case FROM_POINT_ACCELERATION: return point_part(sim, s);
-    case FROM_REACTION: system_reaction(sim->system, f, f + 3, s->index); return f[s->k];
+    case FROM_POINT_ACCELERATION:
+        return point_part(sim, s);
+    case FROM_REACTION:
+        system_reaction(sim->system, f, f + 3, s->index);
+        return f[s->k];
     case FROM_MEASURE:
-    case FROM_MEASURE_RATE: system_measure(sim->system, &a, &b, s->index); return s->type == FROM_MEASURE ? a : b;
+    case FROM_MEASURE_RATE:
+        system_measure(sim->system, &a, &b, s->index);
+        return s->type == FROM_MEASURE ? a : b;
     case FROM_FORCE:
     case FROM_ELONGATION:
-    case FROM_POWER: return force_part(sim, s);
-    case FROM_ENERGY: return energy(sim, s->k);
-    case FROM_STEP: return step_figure(sim, s->k);
-    default: break;
+    case FROM_POWER:
+        return force_part(sim, s);
+    case FROM_ENERGY:
+        return energy(sim, s->k);
+    case FROM_STEP:
+        return step_figure(sim, s->k);
+    default:
+        break;
     }
     return pose_part(sim, s);
 }
 
 enum status record_fill(struct sim *sim)
 {
-    if (sim->needs)
-        TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, sim->needs, &sim->trouble));
+    if (sim->needs) TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, sim->needs, &sim->trouble));
     for (int i = 0; i < sim->chosen.n; i++) sim->row[i] = value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
     return OK;
 }

@@ -44,8 +44,7 @@ static enum status start(struct sim *sim, struct report *report)
 }
 
 enum status sim_open(struct sim *sim, const struct scene *scene, const struct integrate *plan,
-                     const struct sim_options *options, struct diags *diags, struct arena *life,
-                     struct report *report)
+                     const struct sim_options *options, struct diags *diags, struct arena *life, struct report *report)
 {
     struct model *m;
     *sim = (struct sim){.scene = scene, .plan = *plan, .options = *options};
@@ -120,8 +119,7 @@ static enum status major(struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
     double to = end_of(sim, k), h = p->step;
-    if (k == sim->majors && fabs(to - (double)(k * p->ratio) * h) > 1e-9 * h * p->ratio)
-        h = (to - sim->x.t) / p->ratio;
+    if (k == sim->majors && fabs(to - (double)(k * p->ratio) * h) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
     return advance(sim, h, p->ratio, to);
 }
 

@@ -20,10 +20,10 @@ enum sim_progress { PROGRESS_NEVER, PROGRESS_ALWAYS };
 /* What the caller may say besides the deck. */
 struct sim_options {
     const char *version;
-    FILE *say;                  /* plan line, progress, end summary; NULL: silent */
+    FILE *say; /* plan line, progress, end summary; NULL: silent */
     enum sim_progress progress;
-    bool general;               /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
-    bool counting;              /* columns are all coordinates, rates and measures, whatever the deck says (study) */
+    bool general;  /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
+    bool counting; /* columns are all coordinates, rates and measures, whatever the deck says (study) */
 };
 
 struct sim {
@@ -50,11 +50,10 @@ struct sim {
     enum status status;     /* how it ended */
 };
 
-/* Builds a run of scene as plan says (the deck's own, or changed by a study).  Deck errors go to diags and give E_DECK; a
- * right deck that cannot start gives E_MODEL with a message. */
+/* Builds a run of scene as plan says (the deck's own, or changed by a study).  Deck errors go to diags and give E_DECK;
+ * a right deck that cannot start gives E_MODEL with a message. */
 enum status sim_open(struct sim *sim, const struct scene *scene, const struct integrate *plan,
-                     const struct sim_options *options, struct diags *diags, struct arena *life,
-                     struct report *report);
+                     const struct sim_options *options, struct diags *diags, struct arena *life, struct report *report);
 
 /* Steps to the end.  sink may be NULL.  Signals (base/stop.h) end it after a major step. */
 enum status sim_run(struct sim *sim, struct sink *sink, struct report *report);

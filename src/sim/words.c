@@ -32,13 +32,20 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
 static const char *status_word(enum status status)
 {
     switch (status) {
-    case OK: return "done";
-    case E_VERDICT: return "energy balance broken";
-    case E_NUMERIC: return "stopped";
-    case E_SIGINT: return "interrupted";
-    case E_SIGTERM: return "terminated";
-    case E_LIMIT: return "limit reached";
-    default: return "failed";
+    case OK:
+        return "done";
+    case E_VERDICT:
+        return "energy balance broken";
+    case E_NUMERIC:
+        return "stopped";
+    case E_SIGINT:
+        return "interrupted";
+    case E_SIGTERM:
+        return "terminated";
+    case E_LIMIT:
+        return "limit reached";
+    default:
+        return "failed";
     }
 }
 
@@ -113,10 +120,14 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
 {
     switch (why->code) {
     case TROUBLE_NOT_FINITE:
-    case TROUBLE_LAW: return "look at the expressions and tables of its forces";
-    case TROUBLE_MASS: return "give the bodies it moves mass and inertia";
-    case TROUBLE_SINGULAR: return "look for a body without mass or inertia";
-    default: break;
+    case TROUBLE_LAW:
+        return "look at the expressions and tables of its forces";
+    case TROUBLE_MASS:
+        return "give the bodies it moves mass and inertia";
+    case TROUBLE_SINGULAR:
+        return "look for a body without mass or inertia";
+    default:
+        break;
     }
     if (sim->plan.iteration == ITERATION_FIXED_POINT) return "try 'iteration: newton'";
     return sim->plan.ratio > 1 ? "try a smaller ratio or step" : "try a smaller step";
@@ -128,7 +139,9 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
     if (status != E_NUMERIC && status != E_MODEL) return status;
     const char *coordinate = why->index >= 0 && why->index < sim->model->n ? sim_coordinate_name(sim, why->index) : "?";
     switch (why->code) {
-    case TROUBLE_NOT_FINITE: snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate); break;
+    case TROUBLE_NOT_FINITE:
+        snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate);
+        break;
     case TROUBLE_LAW:
         snprintf(what, sizeof what, "force '%s' is not a number", force_name(sim, why->index));
         break;
@@ -139,7 +152,9 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
         snprintf(what, sizeof what, "the iteration matrix is singular at '%s' (pivot ratio %.2g)", coordinate,
                  why->value);
         break;
-    case TROUBLE_TOO_SMALL: snprintf(what, sizeof what, "the step fell to %.3g s", why->value); break;
+    case TROUBLE_TOO_SMALL:
+        snprintf(what, sizeof what, "the step fell to %.3g s", why->value);
+        break;
     default:
         snprintf(what, sizeof what, "no convergence, worst at '%s' (%.3g of the tolerance), step %.3g s", coordinate,
                  why->value, sim->plan.step);

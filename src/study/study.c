@@ -29,7 +29,7 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     (void)report;
     if (m->rows == m->room) {
         int room = m->room ? 2 * m->room : 256;
-        double *more = TAKE(m->life, double, (size_t)room * (size_t)m->n);
+        double *more = TAKE(m->life, double, (size_t)room *(size_t)m->n);
         if (m->rows) memcpy(more, m->x, (size_t)m->rows * (size_t)m->n * sizeof *more);
         m->x = more;
         m->room = room;
@@ -200,8 +200,8 @@ static enum status study_one(struct table *table, const struct integrate *plan, 
 }
 
 static enum status study_scheme(struct table *table, const char *scheme, const struct scene *scene,
-                                const struct outcome *reference, double *first_cpu,
-                                const struct study_options *options, struct diags *diags, struct report *report)
+                                const struct outcome *reference, double *first_cpu, const struct study_options *options,
+                                struct diags *diags, struct report *report)
 {
     const struct stepper_kind *kind = stepper_find(scheme);
     int ratios = kind && kind->rates > 1 ? options->nratio : 1;
@@ -224,13 +224,21 @@ enum status study_run(struct table **out, const struct scene *scene, const struc
                       struct diags *diags, struct arena *life, struct report *report)
 {
     static const struct table_column columns[] = {
-        {"scheme", NULL, 0},         {"ratio", NULL, 4},          {"step", "h [s]", 4},
-        {"error_fast", "fast error", 3}, {"error_slow", "slow error", 3}, {"cpu", "CPU [s]", 3},
-        {"cpu_ratio", "to first", 3}, {"slow", "slow evals", 9},   {"fast", "fast evals", 9},
-        {"factors", "factors", 7},   {"energy", "energy", 2},     {"status", NULL, 0},
+        {"scheme", NULL, 0},
+        {"ratio", NULL, 4},
+        {"step", "h [s]", 4},
+        {"error_fast", "fast error", 3},
+        {"error_slow", "slow error", 3},
+        {"cpu", "CPU [s]", 3},
+        {"cpu_ratio", "to first", 3},
+        {"slow", "slow evals", 9},
+        {"fast", "fast evals", 9},
+        {"factors", "factors", 7},
+        {"energy", "energy", 2},
+        {"status", NULL, 0},
     };
     struct outcome reference;
-    double apart, first_cpu = NAN;
+    double apart = NAN, first_cpu = NAN;
     TRY(make_reference(&reference, &apart, scene, options, diags, life, report));
     if (options->say)
         fprintf(options->say, "reference: dopri5 to 1e-12; rk4 differs from it by %.2g (relative, worst coordinate)\n",
