@@ -12,7 +12,7 @@ static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH
 static const double POWERED = 1e-6;   /* last correction allowed where power is integrated */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
 static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
-enum { LIMIT = 12, ENERGY_LIFE = 16, MOST_REFRESHED = 4 };
+enum { LIMIT = 30, ENERGY_LIFE = 16, MOST_REFRESHED = 4 };
 
 void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effort, const struct step_options *options,
                  struct arena *life)

@@ -37,7 +37,7 @@
 #include "engine/response.h"
 #include "la/dense.h"
 
-enum { ROOM = 64, INNER = 12, PASSES = 2 };
+enum { ROOM = 64, INNER = 12, PASSES = 2, SWEEPS = 16 };
 static const double STALE_SLOPE = .2; /* relative change of a slope that asks for a fresh factor */
 
 struct subcycle {
@@ -108,6 +108,7 @@ static void open(struct stepper *s, struct arena *life)
     c->alpha = (1 - s->options.rho_infinity) / (1 + s->options.rho_infinity);
     c->plain = midpoint_new(s, life);
     newton_open(&c->newton, o, &s->effort, &s->options, life);
+    if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
     decouple_open(&c->dec, c->n, c->ns, life);
     response_open(&c->resp, c->n, c->ns, life);
     response_open(&c->near, c->n, c->ns, life);

@@ -387,14 +387,25 @@ static inline enum status carrier_mass(const struct ode2 *o, double *M, const do
     return OK;
 }
 
+/* Gyroscopic slopes of the body, d(u x J u)/du; the particle's spring and damper. */
 static inline enum status carrier_slopes(const struct ode2 *o, double *K, double *C, const struct instant *x,
                                          unsigned cls, struct trouble *why)
 {
     const struct carrier *s = o->self;
-    (void)x, (void)why;
-    if (K) memset(K, 0, (size_t)(o->n * o->n) * sizeof *K);
-    if (C) memset(C, 0, (size_t)(o->n * o->n) * sizeof *C);
-    if (!o->ns || !(cls & FAST)) return OK;
+    int n = o->n, f = o->ns;
+    (void)why;
+    if (K) memset(K, 0, (size_t)(n * n) * sizeof *K);
+    if (C) memset(C, 0, (size_t)(n * n) * sizeof *C);
+    for (int j = 0; C && (cls & SLOW) && j < 3; j++) {
+        double e[3] = {0}, Ju[3], ue[3], eJ[3];
+        e[j] = s->J[j];
+        for (int i = 0; i < 3; i++) Ju[i] = s->J[i] * x->v[f + i];
+        cross(ue, x->v + f, e);
+        e[j] = 1;
+        cross(eJ, e, Ju);
+        for (int i = 0; i < 3; i++) C[f + i + (f + j) * n] = ue[i] + eJ[i];
+    }
+    if (!f || !(cls & FAST)) return OK;
     if (K) K[0] = s->k;
     if (C) C[0] = s->c;
     return OK;
@@ -479,5 +490,25 @@ static inline double run_error(const char *scheme, const struct ode2 *ode, const
     run_close(&b);
     return worst;
 }
+
+/* Observed order between majors and 4 majors steps. */
+static inline double run_order(const char *scheme, const struct ode2 *ode, const struct step_options *options,
+                               const double *q, const double *v, double T, int ratio, int majors)
+{
+    double coarse = run_error(scheme, ode, options, q, v, T, ratio, majors);
+    double fine = run_error(scheme, ode, options, q, v, T, ratio, 4 * majors);
+    return log2(coarse / fine) / 2;
+}
+
+/* Two coordinates coupled by inertia and by stiffness, frequencies 3.3 and 21; S = {0}. */
+static inline void linear_both(struct linear *s)
+{
+    linear_pair(s, (double[]){1, .6, .6, 2}, (double[]){400, -20, -20, 24}, NULL);
+}
+
+static const double both_q[2] = {.2, 1}, both_v[2] = {0, .3};
+
+/* The spinning body thrown, its particle plucked. */
+static const double carrier_q[5] = {.05, .8, .6, 0, 0}, carrier_v[4] = {.1, .5, -.4, 2};
 
 #endif

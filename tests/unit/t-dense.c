@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "la/dense.h"
 #include "unit/oscillators.h"
+
+#include <cmocka.h>
 
 enum { MOST = 70 };
 
