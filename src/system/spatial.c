@@ -1,0 +1,419 @@
+/* spatial.c -- recursive Newton-Euler in space: motion outwards, forces inwards; see sweep.h.
+ *
+ * With rho from the parent's centre to the joint's point B on the child (displacements e_k q_k included), c from B
+ * to the child's centre, and the joint's own motion w_r = sum e_k u_k over rotations, d' = sum e_k u_k over
+ * displacements:
+ *
+ *     r  = r_p + rho + c
+ *     w  = w_p + w_r                     v = v_p + w_p x rho + d' + w x c
+ *     al = al_p + al_r + w_p x w_r       a = a_p + al_p x rho + w_p x (w_p x rho) + 2 w_p x d' + sum e_k u_k'
+ *                                            + al x c + w x (w x c)
+ *
+ * al_r is the rate of w_r as the parent sees it: sum e_k u_k', in a universal joint with (e_1 u_1) x (e_2 u_2)
+ * for the second axis, which the first rotation turns; axes fixed in the child (spherical, free) are turned by
+ * w_r itself and add w_r x w_r = 0.
+ *
+ *     F = m a - f + sum over children,   N = I al + w x I w - n + sum (N_j + arm_j x F_j)
+ *     row of a displacement: e_k . F,    of a rotation: e_k . (N + c x F)
+ *
+ * Luh, Walker & Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69. */
+#include "system/spatial.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+
+/* --- positions ---------------------------------------------------------------------------------- */
+
+/* R = E turned about its z by the angle. */
+static inline void turn_z(double *restrict R, const double *restrict E, double angle)
+{
+    double s, c;
+    sincos(angle, &s, &c);
+    for (int i = 0; i < 3; i++) {
+        R[i] = c * E[i] + s * E[3 + i];
+        R[3 + i] = c * E[3 + i] - s * E[i];
+        R[6 + i] = E[6 + i];
+    }
+}
+
+/* R = E turned about its x, then about the new y. */
+static inline void turn_xy(double *restrict R, const double *restrict E, double x, double y)
+{
+    double sx, cx, sy, cy;
+    sincos(x, &sx, &cx);
+    sincos(y, &sy, &cy);
+    for (int i = 0; i < 3; i++) {
+        double z = cx * E[6 + i] - sx * E[3 + i];
+        R[3 + i] = cx * E[3 + i] + sx * E[6 + i];
+        R[i] = cy * E[i] - sy * z;
+        R[6 + i] = sy * E[i] + cy * z;
+    }
+}
+
+static inline void turn_quaternion(double *R, const double *E, const double *q, const int *iq)
+{
+    double Q[9];
+    quat_matrix(Q, (double[]){q[iq[0]], q[iq[1]], q[iq[2]], q[iq[3]]});
+    m3_mulm(R, E, Q);
+}
+
+/* Inner frame of x hanging on p, its axes and the displacement in rho, which starts from the joint's point on p. */
+static inline void turn(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                        const double *restrict q)
+{
+    double product[9];
+    const double *E = p->R;
+    if (!l->straight) {
+        m3_mulm(product, p->R, l->Ea);
+        E = product;
+    }
+    switch (l->type) {
+    case JOINT_REVOLUTE:
+        turn_z(x->R, E, q[l->iq[0]]);
+        break;
+    case JOINT_PRISMATIC:
+        memcpy(x->R, E, sizeof x->R);
+        v3_axpy(x->rho, q[l->iq[0]], x->R + 6);
+        break;
+    case JOINT_CYLINDRICAL:
+        turn_z(x->R, E, q[l->iq[0]]);
+        v3_axpy(x->rho, q[l->iq[1]], x->R + 6);
+        break;
+    case JOINT_UNIVERSAL:
+        memcpy(x->E, E, sizeof x->E);
+        turn_xy(x->R, E, q[l->iq[0]], q[l->iq[1]]);
+        break;
+    case JOINT_SPHERICAL:
+        turn_quaternion(x->R, E, q, l->iq);
+        break;
+    case JOINT_PLANAR:
+        memcpy(x->E, E, sizeof x->E);
+        turn_z(x->R, E, q[l->iq[2]]);
+        for (int k = 0; k < 2; k++) v3_axpy(x->rho, q[l->iq[k]], x->E + 3 * k);
+        break;
+    case JOINT_FREE:
+        turn_quaternion(x->R, E, q, l->iq + 3);
+        m3_mulm(x->E, p->R, l->Et);
+        for (int k = 0; k < 3; k++) v3_axpy(x->rho, q[l->iq[k]], x->E + 3 * k);
+        break;
+    default:
+        memcpy(x->R, E, sizeof x->R);
+    }
+}
+
+static inline void place(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                         const double *restrict q)
+{
+    double b[3];
+    m3_mul(x->rho, p->R, l->a);
+    turn(x, p, l, q);
+    m3_mul(b, x->R, l->b);
+    v3_scale(x->c, -1, b);
+    v3_diff(x->arm, x->rho, b);
+    v3_sum(x->r, p->r, x->arm);
+}
+
+void spatial_place(struct sweep *s, const double *q, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        place(&s->part[o->body[i]], &s->part[l->parent], l, q);
+    }
+}
+
+/* --- velocities and accelerations --------------------------------------------------------------- */
+
+/* A joint's own motion as its parent sees it, in world axes, and what both passes of a body need. */
+struct motion {
+    double wr[3], dv[3]; /* angular velocity; velocity of the displacement */
+    double v_rho[3];     /* w_p x rho */
+    double v_c[3];       /* w x c */
+};
+
+static inline bool slides(enum joint_type type)
+{
+    return type == JOINT_PRISMATIC || type == JOINT_CYLINDRICAL || type == JOINT_PLANAR || type == JOINT_FREE;
+}
+
+static inline void combine(double *o, const double *E, const double *u, const int *iv, int n)
+{
+    v3_scale(o, u[iv[0]], E);
+    for (int k = 1; k < n; k++) v3_axpy(o, u[iv[k]], E + 3 * k);
+}
+
+/* Sums over the joint's unit velocities: rotations into w, displacements into d (written where slides()). */
+static inline void joint_sums(double *restrict w, double *restrict d, const struct part *restrict x,
+                              const struct link *restrict l, const double *restrict u)
+{
+    switch (l->type) {
+    case JOINT_REVOLUTE:
+        v3_scale(w, u[l->iv[0]], x->R + 6);
+        break;
+    case JOINT_PRISMATIC:
+        v3_set(w, 0, 0, 0);
+        v3_scale(d, u[l->iv[0]], x->R + 6);
+        break;
+    case JOINT_CYLINDRICAL:
+        v3_scale(w, u[l->iv[0]], x->R + 6);
+        v3_scale(d, u[l->iv[1]], x->R + 6);
+        break;
+    case JOINT_UNIVERSAL:
+        v3_scale(w, u[l->iv[0]], x->E);
+        v3_axpy(w, u[l->iv[1]], x->R + 3);
+        break;
+    case JOINT_SPHERICAL:
+        combine(w, x->R, u, l->iv, 3);
+        break;
+    case JOINT_PLANAR:
+        v3_scale(w, u[l->iv[2]], x->R + 6);
+        combine(d, x->E, u, l->iv, 2);
+        break;
+    case JOINT_FREE:
+        combine(w, x->R, u, l->iv + 3, 3);
+        combine(d, x->E, u, l->iv, 3);
+        break;
+    default:
+        v3_set(w, 0, 0, 0);
+    }
+}
+
+static inline void move_on(struct part *restrict x, struct motion *restrict o, const struct part *restrict p,
+                           const struct link *restrict l, const double *restrict v)
+{
+    joint_sums(o->wr, o->dv, x, l, v);
+    v3_sum(x->w, p->w, o->wr);
+    v3_cross(o->v_rho, p->w, x->rho);
+    v3_cross(o->v_c, x->w, x->c);
+    for (int i = 0; i < 3; i++) x->v[i] = p->v[i] + o->v_rho[i] + o->v_c[i];
+    if (slides(l->type)) v3_add(x->v, o->dv);
+}
+
+/* (e_1 u_1) x (e_2 u_2). */
+static inline void universal_bias(double *al, const struct part *x, const struct link *l, const double *v)
+{
+    double both[3];
+    v3_cross(both, x->E, x->R + 3);
+    v3_axpy(al, v[l->iv[0]] * v[l->iv[1]], both);
+}
+
+static inline void speed_up(struct part *restrict x, const struct motion *restrict o, const struct part *restrict p,
+                            const struct link *restrict l, const double *restrict v, const double *restrict a)
+{
+    double al[3], da[3];
+    joint_sums(al, da, x, l, a);
+    if (l->type == JOINT_UNIVERSAL) universal_bias(al, x, l, v);
+    v3_cross_add(al, p->w, o->wr);
+    v3_sum(x->al, p->al, al);
+    v3_copy(x->a, p->a);
+    v3_cross_add(x->a, p->al, x->rho);
+    v3_cross_add(x->a, p->w, o->v_rho);
+    v3_cross_add(x->a, x->al, x->c);
+    v3_cross_add(x->a, x->w, o->v_c);
+    if (slides(l->type)) {
+        double coriolis[3];
+        v3_cross(coriolis, p->w, o->dv);
+        v3_axpy(x->a, 2, coriolis);
+        v3_add(x->a, da);
+    }
+}
+
+static void move(struct sweep *s, const double *q, const double *v, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = false;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct motion joint;
+        place(x, p, l, q);
+        move_on(x, &joint, p, l, v);
+    }
+}
+
+/* F = m a, N = I al + w x I w, the latter in the inner frame, where I stands still. */
+static inline void bring_up(struct part *restrict x, const struct link *restrict l)
+{
+    double w[3], al[3], L[3], N[3];
+    m3_tmul(w, x->R, x->w);
+    m3_tmul(al, x->R, x->al);
+    s3_mul(L, l->inertia, w);
+    s3_mul(N, l->inertia, al);
+    v3_cross_add(N, w, L);
+    m3_mul(x->N, x->R, N);
+    v3_scale(x->F, l->mass, x->a);
+}
+
+static void forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    if (!a) a = s->zero;
+    s->accelerated = true;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct motion joint;
+        place(x, p, l, q);
+        move_on(x, &joint, p, l, v);
+        speed_up(x, &joint, p, l, v, a);
+        if (o->bears[i]) {
+            bring_up(x, l);
+        } else {
+            v3_set(x->F, 0, 0, 0);
+            v3_set(x->N, 0, 0, 0);
+        }
+    }
+}
+
+/* --- what elements ask and give ---------------------------------------------------------------- */
+
+/* From the centre to the point p of body axes, world axes. */
+static inline void offset(double *d, const struct sweep *s, int body, const double *p)
+{
+    double inner[3];
+    m3_tmul(inner, s->link[body].turned, p);
+    m3_mul(d, s->part[body].R, inner);
+}
+
+static void point(const struct sweep *s, double *x, double *xv, int body, const double *p)
+{
+    const struct part *b = &s->part[body];
+    double d[3];
+    offset(d, s, body, p);
+    v3_sum(x, b->r, d);
+    v3_copy(xv, b->v);
+    v3_cross_add(xv, b->w, d);
+}
+
+static void pose(const struct sweep *s, struct pose *o, int body)
+{
+    const struct part *b = &s->part[body];
+    memset(o, 0, sizeof *o);
+    m3_mulmt(o->R, b->R, s->link[body].turned);
+    v3_copy(o->r, b->r);
+    v3_copy(o->v, b->v);
+    v3_copy(o->w, b->w);
+    if (!s->accelerated) return;
+    v3_sum(o->a, b->a, s->model->gravity);
+    v3_copy(o->al, b->al);
+}
+
+static void push(struct sweep *s, int body, const double *x, const double *f)
+{
+    struct part *b = &s->part[body];
+    double d[3];
+    v3_diff(d, b->r, x);
+    v3_take(b->F, f);
+    v3_cross_add(b->N, d, f);
+}
+
+static void twist(struct sweep *s, int body, const double *n)
+{
+    v3_take(s->part[body].N, n);
+}
+
+static void partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k)
+{
+    int o = s->owner[k];
+    const struct part *p = &s->part[o];
+    v3_set(xv, 0, 0, 0);
+    v3_set(w, 0, 0, 0);
+    if (s->enter[body] < s->enter[o] || s->enter[body] >= s->leave[o]) return;
+    const double *e = spatial_axis(p, &s->link[o], s->local[k]);
+    if (!spatial_turns(&s->link[o], s->local[k])) {
+        v3_copy(xv, e);
+        return;
+    }
+    double d[3];
+    v3_diff(d, x, p->r);
+    v3_add(d, p->c);
+    v3_copy(w, e);
+    v3_cross(xv, e, d);
+}
+
+static int path(const struct sweep *s, const int **k, int body)
+{
+    *k = s->path[body];
+    return s->npath[body];
+}
+
+/* --- forces inwards ---------------------------------------------------------------------------- */
+
+/* Moment about the joint's point on the child. */
+static inline void moment_at_joint(double *n, const struct part *x)
+{
+    v3_copy(n, x->N);
+    v3_cross_add(n, x->c, x->F);
+}
+
+static inline void rows(double *restrict r, const struct part *restrict x, const struct link *restrict l)
+{
+    double n[3];
+    moment_at_joint(n, x);
+    for (int k = 0; k < l->nv; k++) r[l->iv[k]] += v3_dot(spatial_axis(x, l, k), spatial_turns(l, k) ? n : x->F);
+}
+
+static void backward(struct sweep *s, double *r, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    for (int i = o->n - 1; i >= 0; i--) {
+        const struct link *l = &s->link[o->body[i]];
+        const struct part *x = &s->part[o->body[i]];
+        struct part *p = &s->part[l->parent];
+        rows(r, x, l);
+        v3_add(p->F, x->F);
+        v3_add(p->N, x->N);
+        v3_cross_add(p->N, x->arm, x->F);
+    }
+}
+
+static void energy(const struct sweep *s, double *kinetic, double *gravity)
+{
+    double T = 0, V = 0;
+    for (int i = 1; i < s->nbody; i++) {
+        const struct part *x = &s->part[i];
+        const struct link *l = &s->link[i];
+        double w[3], L[3];
+        m3_tmul(w, x->R, x->w);
+        s3_mul(L, l->inertia, w);
+        T += l->mass * v3_dot(x->v, x->v) + v3_dot(w, L);
+        V -= l->mass * v3_dot(s->model->gravity, x->r);
+    }
+    *kinetic = .5 * T;
+    *gravity = V;
+}
+
+/* The axes of every joint's rotations are at right angles to each other, those of its displacements too, so the
+ * free directions come out one by one. */
+static void reaction(const struct sweep *s, double *f, double *n, int joint)
+{
+    int body = s->model->joint[joint].child;
+    const struct part *x = &s->part[body];
+    const struct link *l = &s->link[body];
+    v3_copy(f, x->F);
+    moment_at_joint(n, x);
+    for (int k = 0; k < l->nv; k++) {
+        const double *e = spatial_axis(x, l, k);
+        double *of = spatial_turns(l, k) ? n : f;
+        v3_axpy(of, -v3_dot(e, of), e);
+    }
+}
+
+const struct sweep_ops sweep_spatial = {.build = spatial_build,
+                                        .forward = forward,
+                                        .move = move,
+                                        .point = point,
+                                        .pose = pose,
+                                        .push = push,
+                                        .twist = twist,
+                                        .backward = backward,
+                                        .mass = spatial_mass,
+                                        .partial = partial,
+                                        .path = path,
+                                        .factor_size = spatial_factor_size,
+                                        .factor = spatial_factor,
+                                        .solve = spatial_solve,
+                                        .energy = energy,
+                                        .reaction = reaction};
