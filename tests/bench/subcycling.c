@@ -1,0 +1,88 @@
+/* subcycling.c -- what sub-cycling gains on a deck, against the ideal.
+ *
+ * Runs the deck's partition with `subcycle` at its ratio n and with the single-rate midpoint rule at the same small step,
+ * interleaved, and prints CPU times as ratios.  The ideal is (c_L/n + c_S) / (c_L + c_S) with c_L and c_S the measured
+ * cost of one evaluation of the slow and of the fast class.
+ *
+ *     subcycling DECK [repeats] */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/clock.h"
+#include "sim/load.h"
+#include "sim/sim.h"
+
+static double least(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+/* Seconds of one evaluation of a class at the start. */
+static double evaluation(const struct sim *sim, unsigned cls)
+{
+    enum { TIMES = 2000 };
+    const struct ode2 *o = system_ode2(sim->system);
+    double r[512], dk, w[POWER_CHANNELS], from = clock_cpu();
+    struct instant x = {.t = 0, .q = sim->x.q, .v = sim->x.v, .a = cls == SLOW ? NULL : sim->x.a};
+    for (int i = 0; i < TIMES; i++) o->ops->resid(o, r, w, &dk, &x, cls, NULL);
+    return (clock_cpu() - from) / TIMES;
+}
+
+struct result {
+    double cpu, slow, fast;
+    struct effort effort;
+};
+
+static int run(struct result *o, const struct scene *scene, const char *scheme, struct diags *diags)
+{
+    struct arena *life = arena_open();
+    struct integrate plan = scene->integrate;
+    const struct sim_options quiet = {.version = "bench", .general = true};
+    struct report report = {0};
+    struct sim sim;
+    plan.scheme = scheme;
+    int failed = sim_open(&sim, scene, &plan, &quiet, diags, life, &report);
+    if (!failed) {
+        o->slow = least(o->slow, evaluation(&sim, SLOW));
+        o->fast = least(o->fast, evaluation(&sim, FAST));
+        failed = sim_run(&sim, NULL, &report);
+        o->cpu = least(o->cpu, sim.cpu);
+        o->effort = sim.stepper.effort;
+    }
+    if (failed) fprintf(stderr, "%s: %s\n", scheme, report.text);
+    arena_close(life);
+    return failed;
+}
+
+static void print(const char *name, const struct result *o)
+{
+    const struct effort *e = &o->effort;
+    printf("%-9s cpu %.4g s, %ld minor steps, %.3g us a minor step; slow %ld, fast %ld evaluations, %ld factorizations, %ld sweeps\n",
+           name, o->cpu, e->minors, 1e6 * o->cpu / (double)e->minors, e->slow, e->fast, e->factors, e->sweeps);
+}
+
+int main(int argc, char **argv)
+{
+    struct arena *life = arena_open();
+    struct diags *diags = diags_open(life);
+    struct report report = {0};
+    struct scene *scene;
+    struct result single = {INFINITY, INFINITY, INFINITY, {0}}, split = single;
+    int repeats = argc > 2 ? atoi(argv[2]) : 7;
+    if (argc < 2 || sim_load(&scene, argv[1], NULL, diags, life, &report) != OK) {
+        diags_print(stderr, diags, false);
+        fprintf(stderr, "usage: subcycling DECK [repeats]\n%s\n", report.text);
+        return 2;
+    }
+    for (int i = 0; i < repeats; i++)
+        if (run(&single, scene, "midpoint", diags) || run(&split, scene, "subcycle", diags)) return 1;
+    double n = scene->integrate.ratio, cL = single.slow, cS = single.fast;
+    double ideal = (cL / n + cS) / (cL + cS), ratio = split.cpu / single.cpu;
+    print("midpoint", &single);
+    print("subcycle", &split);
+    printf("c_L %.4g us, c_S %.4g us; cost %.3f of single rate (gain %.2f), ideal %.3f, %.2f times the ideal\n",
+           1e6 * cL, 1e6 * cS, ratio, 1 / ratio, ideal, ratio / ideal);
+    arena_close(life);
+    return 0;
+}
