@@ -1,0 +1,3 @@
+# exit 3
+# err empty.yaml:*error: * [E-empty]
+:

@@ -1,0 +1,3 @@
+# exit 3
+# err include-outside.yaml:*error: * [E-include]
+printf 'fmdsub: 1\ninclude: ../../etc/passwd\n'

@@ -1,0 +1,3 @@
+# exit 3
+# err zero-byte.yaml:*error: *
+printf 'fmdsub: 1\ntitle: a\0b\n'
