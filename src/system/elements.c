@@ -1,0 +1,444 @@
+/* elements.c -- loads and powers of the elements, Q_F of (2-1).
+ *
+ * Over an interval of length h between q_a and q_b that is passed with velocity v (the midpoint rule), a
+ * stored energy V is kept to round-off when the force does the work -(V_b - V_a):
+ *
+ *  - along a measure, f = -(V(s_b) - V(s_a))/(s_b - s_a); the midpoint force if V is quadratic;
+ *  - a distance's direction is scaled by 2 s/(s_a + s_b), s at the middle: of two points that move on straight
+ *    lines, s (s_b^2 - s_a^2)/2 = (x_b - x_a) . (change of x_b - x_a) s, the work is exact so, and the
+ *    force stays on the line of the points, which keeps both momenta;
+ *  - what is left is of third order and made by rotations: a remainder E of work goes to the rotations u_k that
+ *    change the measure, Q_k += E u_k / (h u.u).  Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with this choice
+ *    of the direction dq. */
+#include "system/elements.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "system/parts.h"
+
+/* --- laws -------------------------------------------------------------------------------------- */
+
+/* Closer ends than this, relative to the measure, say more of round-off than of V. */
+static const double near = 1e-5;
+
+/* Slope of the difference quotient along the middle, s_b = 2 s - s_a: 2 (f_b - f)/(s_b - s_a). */
+static void quotient(struct law *o, const struct force_kind *kind, const void *par, const double *end, double t)
+{
+    struct law b;
+    double ds = end[1] - end[0];
+    kind->law(&b, par, end[1], 0, t);
+    o->f = -(kind->stored(par, end[1]) - kind->stored(par, end[0])) / ds;
+    o->ks = -2 * (b.f - o->f) / ds;
+}
+
+void law_over(struct law *o, double *dissipative, const struct force_kind *kind, const void *par, bool linear, double s,
+              double rate, const double *end, double t)
+{
+    if (end && linear) s = .5 * (end[0] + end[1]);
+    kind->law(o, par, s, rate, t);
+    *dissipative = kind->dissipative ? kind->dissipative(par, s, rate, t) : 0;
+    if (!end || linear || fabs(end[1] - end[0]) <= near * (fabs(end[0]) + fabs(end[1]))) return;
+    quotient(o, kind, par, end, t);
+    o->f += *dissipative;
+}
+
+/* Relative change of a slope. */
+static double change(double k, double kref)
+{
+    double size = fmax(fabs(k), fabs(kref));
+    return size > 0 ? fabs(k - kref) / size : 0;
+}
+
+/* The remainder E of work, of terms of the size `scale`, given to the rotations. */
+static void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x)
+{
+    double h = x->tb - x->ta, vv = 0;
+    if (fabs(E) <= 64 * DBL_EPSILON * scale) return;
+    for (int i = 0; i < p->nturn; i++) vv += x->v[p->turn[i]] * x->v[p->turn[i]];
+    if (!(vv > 0) || h == 0) return;
+    for (int i = 0; i < p->nturn; i++) r[p->turn[i]] -= E / (h * vv) * x->v[p->turn[i]];
+}
+
+/* An angle in space that came round from pi to -pi. */
+static bool past_half_turn(const struct elements *e, const struct model_measure *def, const double *end)
+{
+    return def->type == MEASURE_ANGLE && e->model->space == 3 && fabs(end[1] - end[0]) > 3;
+}
+
+static void load_law(struct elements *e, struct sweep *s, struct part_of *p, double *r, double *w, double *dk,
+                     struct effect *effect, const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    const struct model_measure *def = &e->model->measure[f->measure];
+    const double *end = NULL,
+                 coordinate_end[2] = {x->qa && x->qb ? x->qa[def->iq] : 0, x->qa && x->qb ? x->qb[def->iq] : 0};
+    struct action act;
+    struct law law;
+    double lost;
+    measure_at(&act, &e->measures, s, f->measure, x->q, x->v);
+    bool along = def->type == MEASURE_COORDINATE;
+    if (x->qa && x->qb && f->kind->stored) end = along ? coordinate_end : p->ends ? p->end : NULL;
+    if (end && past_half_turn(e, def, end)) end = NULL;
+    law_over(&law, &lost, f->kind, f->par, p->linear, act.s, act.rate, end, x->t);
+    if (along) {
+        r[def->iv] -= law.f;
+    } else {
+        double kept = law.f - lost, stretch = 1;
+        if (end && def->type == MEASURE_DISTANCE && end[0] + end[1] > 0) stretch = 2 * act.s / (end[0] + end[1]);
+        action_push(&e->measures, s, &act, stretch * kept + lost);
+        if (end)
+            give_to_rotations(r, p, kept * (end[1] - end[0] - stretch * act.rate * (x->tb - x->ta)),
+                              fabs(kept) * (fabs(end[0]) + fabs(end[1])), x);
+    }
+    if (w) {
+        w[POWER_DAMPER] += lost * act.rate;
+        if (!f->kind->stored) w[POWER_EXTERNAL] += (law.f - lost) * act.rate;
+    }
+    if (dk && !p->linear) *dk = fmax(*dk, change(law.ks, p->kref));
+    if (effect) *effect = (struct effect){law.f, act.s, law.f * act.rate};
+}
+
+static void load_plain(const struct plain *p, double *r, double *w, struct effect *effect, const struct instant *x)
+{
+    double s = x->q[p->iq], v = x->v[p->iv], f = p->preload - p->k * (s - p->rest) - p->c * v;
+    r[p->iv] -= f;
+    if (w) w[POWER_DAMPER] -= p->c * v * v;
+    if (effect) effect[p->force] = (struct effect){f, s, f * v};
+}
+
+/* --- signals and loads -------------------------------------------------------------------------- */
+
+void read_slots(struct elements *e, const struct sweep *s, const struct model_force *f, const struct instant *x)
+{
+    struct action act;
+    e->slot[0] = x->t;
+    for (int i = 0; i < f->nslot; i++) {
+        const struct model_slot *slot = &f->slot[i];
+        switch (slot->type) {
+        case SLOT_TIME:
+            e->slot[i] = x->t;
+            break;
+        case SLOT_Q:
+            e->slot[i] = x->q[slot->index];
+            break;
+        case SLOT_V:
+            e->slot[i] = x->v[slot->index];
+            break;
+        case SLOT_MEASURE:
+        case SLOT_MEASURE_RATE:
+            measure_at(&act, &e->measures, s, slot->index, x->q, x->v);
+            e->slot[i] = slot->type == SLOT_MEASURE ? act.s : act.rate;
+            break;
+        }
+    }
+}
+
+static void load_value(struct elements *e, struct sweep *s, const struct model_force *f, double *r, double *w,
+                       struct effect *effect, const struct instant *x)
+{
+    const struct model_measure *def = &e->model->measure[f->measure];
+    struct action act;
+    read_slots(e, s, f, x);
+    double value = signal_value(&f->value[0], e->slot);
+    measure_at(&act, &e->measures, s, f->measure, x->q, x->v);
+    if (def->type == MEASURE_COORDINATE)
+        r[def->iv] -= value;
+    else
+        action_push(&e->measures, s, &act, value);
+    if (w) w[POWER_EXTERNAL] += value * act.rate;
+    if (effect) *effect = (struct effect){value, act.s, value * act.rate};
+}
+
+static void load_body(struct elements *e, struct sweep *s, const struct model_force *f, double *w,
+                      struct effect *effect, const struct instant *x)
+{
+    double value[3], at[3], v[3], power;
+    struct pose b;
+    read_slots(e, s, f, x);
+    for (int i = 0; i < 3; i++) value[i] = signal_value(&f->value[i], e->slot);
+    if (f->torque || f->body_axes) e->ops->pose(s, &b, f->b.body);
+    if (f->body_axes) {
+        double turned[3];
+        m3_mul(turned, b.R, value);
+        v3_copy(value, turned);
+    }
+    if (f->torque) {
+        e->ops->twist(s, f->b.body, value);
+        power = v3_dot(value, b.w);
+    } else {
+        e->ops->point(s, at, v, f->b.body, f->b.p);
+        e->ops->push(s, f->b.body, at, value);
+        power = v3_dot(value, v);
+    }
+    if (w) w[POWER_EXTERNAL] += power;
+    if (effect) *effect = (struct effect){v3_norm(value), 0, power};
+}
+
+/* --- bushings ----------------------------------------------------------------------------------- *
+ *
+ * In axes of the marker on a: d = E'(x_b - x_a), its rate d' = E'(v_b - v_a - w_a x (x_b - x_a)), the rotation
+ * vector phi of b's marker against a's, phi' = T' W.  With V = (d.k d + phi.kr phi)/2 the power is -V' less
+ * damping for
+ *
+ *     F = -(k d + c d')  on b at x_b, -F on a at the same point;     n = -(T kr phi + cr W) on b, -n on a:
+ *
+ * one line, so both momenta are kept. */
+
+void bushing_at(struct bush *o, const struct elements *e, const struct sweep *s, const struct model_force *f)
+{
+    const struct bushing *par = f->par;
+    struct pose a, b;
+    double xa[3], va[3], vb[3], d[3], rate[3], turned[3], w[3];
+    e->ops->pose(s, &a, f->a.body);
+    e->ops->pose(s, &b, f->b.body);
+    e->ops->point(s, xa, va, f->a.body, f->a.p);
+    e->ops->point(s, o->at, vb, f->b.body, f->b.p);
+    v3_diff(d, o->at, xa);
+    v3_diff(rate, vb, va);
+    v3_cross(turned, a.w, d);
+    v3_take(rate, turned);
+    v3_diff(w, b.w, a.w);
+    m3_mulm(o->E, a.R, par->Ea);
+    m3_tmul(o->d, o->E, d);
+    m3_tmul(o->rate, o->E, rate);
+    m3_tmul(o->W, o->E, w);
+    if (e->model->space == 2) {
+        v3_set(o->phi, 0, 0, o->E[8] * (b.angle - a.angle));
+        m3_unit(o->T);
+    } else {
+        double Eb[9], R[9];
+        m3_mulm(Eb, b.R, par->Eb);
+        m3_tmulm(R, o->E, Eb);
+        vector_of_matrix(o->phi, R);
+        vector_rate(o->T, o->phi);
+    }
+}
+
+double bushing_stored(const struct bush *o, const struct bushing *par)
+{
+    double V = 0;
+    for (int i = 0; i < 3; i++) V += par->k[i] * o->d[i] * o->d[i] + par->kr[i] * o->phi[i] * o->phi[i];
+    return .5 * V;
+}
+
+static void load_bushing(struct elements *e, struct sweep *s, const struct part_of *p, double *r, double *w,
+                         struct effect *effect, const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    const struct bushing *par = f->par;
+    struct bush b;
+    double F[3], n[3], turn[3], kept = 0, lost = 0, force[3], back[3];
+    bushing_at(&b, e, s, f);
+    for (int i = 0; i < 3; i++) turn[i] = -par->kr[i] * b.phi[i];
+    m3_mul(n, b.T, turn);
+    for (int i = 0; i < 3; i++) {
+        F[i] = -par->k[i] * b.d[i] - par->c[i] * b.rate[i];
+        kept += -par->k[i] * b.d[i] * b.rate[i] + n[i] * b.W[i];
+        lost -= par->c[i] * b.rate[i] * b.rate[i] + par->cr[i] * b.W[i] * b.W[i];
+        n[i] -= par->cr[i] * b.W[i];
+    }
+    m3_mul(force, b.E, F);
+    v3_scale(back, -1, force);
+    e->ops->push(s, f->b.body, b.at, force);
+    e->ops->push(s, f->a.body, b.at, back);
+    m3_mul(force, b.E, n);
+    v3_scale(back, -1, force);
+    e->ops->twist(s, f->b.body, force);
+    e->ops->twist(s, f->a.body, back);
+    if (x->qa && x->qb)
+        give_to_rotations(r, p, p->end[0] - p->end[1] - kept * (x->tb - x->ta), p->end[0] + p->end[1], x);
+    if (w) w[POWER_DAMPER] += lost;
+    if (effect) *effect = (struct effect){v3_norm(F), v3_norm(b.d), kept + lost};
+}
+
+/* --- all of a class ----------------------------------------------------------------------------- */
+
+void look_at_end(struct elements *e, const struct instant *x, int end, enum rate cls)
+{
+    const double *q = end ? x->qb : x->qa;
+    e->ops->move(e->there, q, x->v, cls);
+    for (int i = first_of(e->nother, cls); i < last_of(e->nother, cls); i++) {
+        struct part_of *p = &e->other[i];
+        const struct model_force *f = &e->model->force[p->force];
+        if (!p->ends) continue;
+        if (f->type == FORCE_BUSHING) {
+            struct bush b;
+            bushing_at(&b, e, e->there, f);
+            p->end[end] = bushing_stored(&b, f->par);
+        } else {
+            struct action act;
+            measure_at(&act, &e->measures, e->there, f->measure, q, x->v);
+            p->end[end] = act.s;
+        }
+    }
+}
+
+void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
+                   const struct instant *x, enum rate cls)
+{
+    for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) load_plain(&e->plain[i], r, w, effect, x);
+    if (x->qa && x->qb && e->ends[cls]) {
+        look_at_end(e, x, 0, cls);
+        look_at_end(e, x, 1, cls);
+    }
+    for (int i = first_of(e->nother, cls); i < last_of(e->nother, cls); i++) {
+        struct part_of *p = &e->other[i];
+        const struct model_force *f = &e->model->force[p->force];
+        struct effect *seen = effect ? &effect[p->force] : NULL;
+        switch (f->type) {
+        case FORCE_LAW:
+            load_law(e, s, p, r, w, dk, seen, x);
+            break;
+        case FORCE_VALUE:
+            load_value(e, s, f, r, w, seen, x);
+            break;
+        case FORCE_LOAD:
+            load_body(e, s, f, w, seen, x);
+            break;
+        case FORCE_BUSHING:
+            load_bushing(e, s, p, r, w, seen, x);
+            break;
+        }
+    }
+}
+
+double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v)
+{
+    double V = 0;
+    for (int i = 0; i < e->nplain[ALL]; i++) {
+        const struct plain *p = &e->plain[i];
+        double d = q[p->iq] - p->rest;
+        V += d * (.5 * p->k * d - p->preload);
+    }
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct model_force *f = &e->model->force[e->other[i].force];
+        if (f->type == FORCE_BUSHING) {
+            struct bush b;
+            bushing_at(&b, e, s, f);
+            V += bushing_stored(&b, f->par);
+        } else if (f->type == FORCE_LAW && f->kind->stored) {
+            struct action act;
+            measure_at(&act, &e->measures, s, f->measure, q, v);
+            V += f->kind->stored(f->par, act.s);
+        }
+    }
+    return V;
+}
+
+void elements_measure(const struct elements *e, const struct sweep *s, double *value, double *rate, int measure,
+                      const double *q, const double *v)
+{
+    struct action act;
+    measure_at(&act, &e->measures, s, measure, q, v);
+    *value = act.s;
+    *rate = act.rate;
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+static bool is_plain(const struct model *m, const struct model_force *f)
+{
+    return f->type == FORCE_LAW && (f->kind == &force_spring || f->kind == &force_damper) &&
+           m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->linear(f->par);
+}
+
+/* Is v[k] a rotation?  Rotations come after displacements, except in a cylindrical joint. */
+static bool *rotations(const struct model *m, struct arena *life)
+{
+    bool *turns = TAKE(life, bool, m->n);
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        int slides = j->type == JOINT_PRISMATIC ? 1
+                     : j->type == JOINT_PLANAR  ? 2
+                     : j->type == JOINT_FREE    ? m->space
+                                                : 0;
+        for (int k = 0; k < j->nv; k++) turns[j->iv[k]] = j->type == JOINT_CYLINDRICAL ? k == 0 : k >= slides;
+    }
+    return turns;
+}
+
+static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
+{
+    const int *path;
+    int *turn = TAKE(life, int, e->model->n);
+    for (int body = 0; body < 2; body++) {
+        int n = e->ops->path(e->there, &path, body ? b : a);
+        for (int i = 0; i < n; i++) row_add(&e->row, path[i], 1);
+    }
+    for (int i = 0; i < e->row.n; i++) {
+        int k = e->row.k[i];
+        if (e->row.x[k] == 1 && turns[k]) turn[p->nturn++] = k;
+    }
+    p->turn = turn;
+    row_clear(&e->row);
+}
+
+static void add_plain(struct elements *e, int force)
+{
+    const struct model_force *f = &e->model->force[force];
+    const struct model_measure *def = &e->model->measure[f->measure];
+    const struct spring *par = f->par;
+    struct plain *p = &e->plain[e->nplain[ALL]++];
+    *p = (struct plain){.iq = def->iq, .iv = def->iv, .force = force, .c = par->c};
+    if (f->kind == &force_damper) return;
+    p->k = par->k, p->rest = par->rest, p->preload = par->preload;
+}
+
+static void add_other(struct elements *e, int force, const bool *turns, struct arena *life)
+{
+    const struct model_force *f = &e->model->force[force];
+    struct part_of *p = &e->other[e->nother[ALL]++];
+    p->force = force;
+    if (f->type == FORCE_LAW) {
+        const struct model_measure *def = &e->model->measure[f->measure];
+        bool straight = def->type == MEASURE_COORDINATE || (def->type == MEASURE_ANGLE && e->model->space == 2);
+        p->linear = f->kind->linear && f->kind->linear(f->par);
+        p->ends = f->kind->stored && def->type != MEASURE_COORDINATE && !(straight && p->linear);
+        if (p->ends) find_rotations(p, e, def->a.body, def->b.body, turns, life);
+    } else if (f->type == FORCE_BUSHING) {
+        p->ends = true;
+        find_rotations(p, e, f->a.body, f->b.body, turns, life);
+    }
+    if (p->ends) e->ends[f->cls] = e->ends[ALL] = true;
+}
+
+static void add_class(struct elements *e, enum rate cls, const bool *turns, struct arena *life)
+{
+    for (int i = 0; i < e->model->nforce; i++) {
+        const struct model_force *f = &e->model->force[i];
+        if (f->cls != cls) continue;
+        if (is_plain(e->model, f))
+            add_plain(e, i);
+        else
+            add_other(e, i, turns, life);
+        if (f->nslot > e->most_slots) e->most_slots = f->nslot;
+    }
+    e->nplain[cls] = e->nplain[ALL];
+    e->nother[cls] = e->nother[ALL];
+}
+
+struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)
+{
+    struct elements *e = TAKE(life, struct elements, 1);
+    e->model = m;
+    e->ops = ops;
+    e->there = ops->build(m, life);
+    measures_build(&e->measures, m, ops, life);
+    e->plain = TAKE(life, struct plain, m->nforce);
+    e->other = TAKE(life, struct part_of, m->nforce);
+    e->row = row_make(m->n, life);
+    e->column = row_make(m->n, life);
+    const bool *turns = rotations(m, life);
+    e->most_slots = 1;
+    add_class(e, FAST, turns, life);
+    add_class(e, SLOW, turns, life);
+    e->slot = TAKE(life, double, e->most_slots);
+    e->slope = TAKE(life, double, e->most_slots);
+    e->which = TAKE(life, int, e->most_slots);
+    for (int i = 0; i < e->most_slots; i++) e->which[i] = i + 1;
+    return e;
+}

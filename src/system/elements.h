@@ -1,0 +1,41 @@
+/* elements.h -- forces on a tree: loads, powers, slopes, stored energy; the same in the plane and in space.
+ *
+ * A sweep gives the motion and takes the forces; the elements know nothing of the recursion.  All functions
+ * with a sweep read its last motion. */
+#ifndef FMDSUB_SYSTEM_ELEMENTS_H
+#define FMDSUB_SYSTEM_ELEMENTS_H
+
+#include "base/arena.h"
+#include "model/model.h"
+#include "system/ode2.h"
+#include "system/sweep.h"
+
+struct elements;
+
+/* What one element does at an instant. */
+struct effect {
+    double force;      /* along the measure; size of a load, of a bushing's force [N] or [N m] */
+    double elongation; /* the measure; a bushing's displacement; a load: 0 */
+    double power;      /* on the mechanism [W] */
+};
+
+struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
+
+/* After forward() of the class: pushes the sweep's bodies, r -= what acts along coordinates, w += powers, dk = max
+ * (w, dk may be NULL).  effect [nforce] is filled for the class if not NULL. */
+void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
+                   const struct instant *x, enum rate cls);
+
+/* K += dr/dq, C += dr/dv, by column, either may be NULL; after move(). */
+void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x, enum rate cls);
+
+/* Is all that slopes() gives on the diagonals, whatever the state?  Then they are cheap: d += cc C + ck K. */
+bool elements_are_diagonal(const struct elements *e);
+void elements_diagonal(struct elements *e, double *d, double cc, double ck, const struct instant *x);
+
+/* Sum of stored energies; after move(ALL). */
+double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v);
+void elements_measure(const struct elements *e, const struct sweep *s, double *value, double *rate, int measure,
+                      const double *q, const double *v);
+
+#endif

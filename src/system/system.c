@@ -1,0 +1,296 @@
+/* system.c -- a model as mechanics: the equations of motion (2-4) by inverse dynamics.
+ *
+ *     r(q, v, a, t) = M^ a - Q^                                              (2-4)
+ *
+ * is one sweep outwards, the elements, one sweep inwards; M^ comes from composite bodies, a from r(a = 0) by
+ * articulated bodies.  All that is called in the step loop works in the sweep `work`; what the output asks
+ * for stands in `view`, which the step loop leaves alone. */
+#include "system/system.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "la/vec3.h"
+#include "system/elements.h"
+#include "system/moves.h"
+
+struct system {
+    const struct model *model;
+    const struct sweep_ops *ops;
+    struct sweep *work, *view;
+    struct elements *elements;
+    bool diagonal; /* elements_are_diagonal() */
+    struct moves moves;
+    struct ode2_direct direct;
+    struct ode2 ode;
+    void *factor;           /* of M^, for accel() */
+    double *d, *zero;       /* [n] */
+    struct effect *suspect; /* [nforce] for naming the element that is not finite */
+    /* at the last see() */
+    double *q, *v, *a, *r; /* [nq], [n] */
+    struct effect *effect; /* [nforce] */
+    struct energies energies;
+};
+
+static struct system *system_of(const struct ode2 *o)
+{
+    return o->self;
+}
+
+/* --- r, M, slopes ------------------------------------------------------------------------------- */
+
+/* Names the element, if one is to blame, else the row. */
+static enum status not_finite(struct system *s, const double *r, const struct instant *x, enum rate cls,
+                              struct trouble *why)
+{
+    const struct model *m = s->model;
+    memset(s->suspect, 0, sizeof *s->suspect * (size_t)m->nforce);
+    s->ops->forward(s->work, x->q, x->v, x->a, cls);
+    elements_load(s->elements, s->work, s->d, NULL, NULL, s->suspect, x, cls);
+    for (int i = 0; i < m->nforce; i++) {
+        if (isfinite(s->suspect[i].force)) continue;
+        trouble_set(why, TROUBLE_LAW, i, s->suspect[i].force, x->t);
+        if (why) why->kind = (int)m->force[i].type;
+        return E_NUMERIC;
+    }
+    int row = 0;
+    while (row < m->n - 1 && isfinite(r[row])) row++;
+    return trouble_set(why, TROUBLE_NOT_FINITE, row, r[row], x->t);
+}
+
+static bool all_finite(const double *r, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += r[i] * 0;
+    return sum == 0;
+}
+
+static enum status resid(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
+                         struct trouble *why)
+{
+    struct system *s = system_of(o);
+    enum rate rate = (enum rate)cls;
+    for (int i = 0; i < o->n; i++) r[i] = 0;
+    if (w)
+        for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
+    if (dk) *dk = 0;
+    s->ops->forward(s->work, x->q, x->v, x->a, rate);
+    elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
+    s->ops->backward(s->work, r, rate);
+    return all_finite(r, o->n) ? OK : not_finite(s, r, x, rate, why);
+}
+
+static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
+{
+    struct system *s = system_of(o);
+    s->ops->mass(s->work, M, q, cls);
+    return all_finite(M, o->n * o->n) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
+}
+
+static enum status slopes(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
+                          struct trouble *why)
+{
+    struct system *s = system_of(o);
+    const size_t nn = (size_t)o->n * (size_t)o->n;
+    if (K) memset(K, 0, nn * sizeof *K);
+    if (C) memset(C, 0, nn * sizeof *C);
+    if (!s->diagonal) s->ops->move(s->work, x->q, x->v, cls);
+    elements_slopes(s->elements, s->work, K, C, x, (enum rate)cls);
+    if ((K && !all_finite(K, o->n * o->n)) || (C && !all_finite(C, o->n * o->n)))
+        return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
+    return OK;
+}
+
+static const struct ode2_ops ops = {.resid = resid, .mass = mass, .slopes = slopes};
+
+/* --- positions ---------------------------------------------------------------------------------- */
+
+static void move_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s)
+{
+    moves_point(&system_of(o)->moves, q1, q0, dx, s);
+}
+
+static void move_diff(const struct ode2 *o, double *dx, const double *q1, const double *q0)
+{
+    moves_diff(&system_of(o)->moves, dx, q1, q0);
+}
+
+static void move_rate(const struct ode2 *o, double *dxrate, const double *dx, const double *v)
+{
+    moves_rate(&system_of(o)->moves, dxrate, dx, v);
+}
+
+static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
+
+/* --- articulated bodies ------------------------------------------------------------------------- */
+
+static enum status accel(const struct ode2 *o, double *a, const double *q, const double *v, double t,
+                         struct trouble *why)
+{
+    struct system *s = system_of(o);
+    const struct instant x = {.t = t, .q = q, .v = v};
+    TRY(resid(o, a, NULL, NULL, &x, ALL, why));
+    if (!s->ops->factor(s->work, s->factor, 1, s->zero, q)) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
+    s->ops->solve(s->work, s->factor, a);
+    for (int i = 0; i < o->n; i++) a[i] = -a[i];
+    return OK;
+}
+
+static enum status factor(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
+                          struct trouble *why)
+{
+    struct system *s = system_of(o);
+    if (!s->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+    memset(s->d, 0, sizeof *s->d * (size_t)o->n);
+    elements_diagonal(s->elements, s->d, cc, ck, x);
+    return s->ops->factor(s->work, F, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+}
+
+static void solve(const struct ode2 *o, const void *F, double *x)
+{
+    struct system *s = system_of(o);
+    s->ops->solve(s->work, F, x);
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+struct system *system_build(const struct model *m, struct arena *life)
+{
+    struct system *s = TAKE(life, struct system, 1);
+    s->model = m;
+    s->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
+    s->work = s->ops->build(m, life);
+    s->view = s->ops->build(m, life);
+    s->elements = elements_build(m, s->ops, life);
+    s->diagonal = elements_are_diagonal(s->elements);
+    moves_build(&s->moves, m, life);
+    const size_t bytes = s->ops->factor_size(s->work);
+    s->factor = arena_take(life, 1, bytes);
+    s->d = TAKE(life, double, m->n);
+    s->zero = TAKE(life, double, m->n);
+    s->q = TAKE(life, double, m->nq);
+    s->v = TAKE(life, double, m->n);
+    s->a = TAKE(life, double, m->n);
+    s->r = TAKE(life, double, m->n);
+    s->suspect = TAKE(life, struct effect, m->nforce);
+    s->effect = TAKE(life, struct effect, m->nforce);
+    s->direct = (struct ode2_direct){.accel = accel, .factor_size = bytes, .factor = factor, .solve = solve};
+    bool plain = s->moves.nturn == 0 && s->moves.nfirst == m->n && m->nq == m->n;
+    s->ode = (struct ode2){.n = m->n,
+                           .ns = m->ns,
+                           .nq = m->nq,
+                           .ops = &ops,
+                           .move = plain ? NULL : &move,
+                           .direct = &s->direct,
+                           .self = s};
+    return s;
+}
+
+const struct ode2 *system_ode2(const struct system *s)
+{
+    return &s->ode;
+}
+
+/* --- at an output instant ------------------------------------------------------------------------ */
+
+static void see_energies(struct system *s, struct energies *e, struct sweep *sweep, const double *q, const double *v)
+{
+    s->ops->energy(sweep, &e->kinetic, &e->gravity);
+    e->elastic = elements_stored(s->elements, sweep, q, v);
+}
+
+enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what, struct trouble *why)
+{
+    const struct model *m = s->model;
+    memcpy(s->q, q, sizeof *q * (size_t)m->nq);
+    memcpy(s->v, v, sizeof *v * (size_t)m->n);
+    if (what & SEE_ACCELERATION) {
+        const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
+        TRY(accel(&s->ode, s->a, q, v, t, why));
+        memset(s->r, 0, sizeof *s->r * (size_t)m->n);
+        s->ops->forward(s->view, s->q, s->v, s->a, ALL);
+        elements_load(s->elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
+        s->ops->backward(s->view, s->r, ALL);
+    } else {
+        s->ops->move(s->view, s->q, s->v, ALL);
+    }
+    if (what & SEE_ENERGY) see_energies(s, &s->energies, s->view, s->q, s->v);
+    return OK;
+}
+
+const double *system_accelerations(const struct system *s)
+{
+    return s->a;
+}
+
+void system_pose(const struct system *s, struct pose *o, int body)
+{
+    s->ops->pose(s->view, o, body);
+}
+
+void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p)
+{
+    struct pose b;
+    double d[3], turned[3];
+    s->ops->pose(s->view, &b, p->body);
+    m3_mul(d, b.R, p->p);
+    v3_sum(x, b.r, d);
+    v3_cross(turned, b.w, d); /* w x d */
+    v3_sum(xv, b.v, turned);
+    v3_copy(xa, b.a);
+    v3_cross_add(xa, b.al, d);
+    v3_cross_add(xa, b.w, turned);
+}
+
+void system_measure(const struct system *s, double *value, double *rate, int measure)
+{
+    elements_measure(s->elements, s->view, value, rate, measure, s->q, s->v);
+}
+
+/* On the deck's second body: the child, or the parent, which feels the opposite. */
+void system_reaction(const struct system *s, double *f, double *n, int joint)
+{
+    s->ops->reaction(s->view, f, n, joint);
+    if (!s->model->joint[joint].reversed) return;
+    v3_scale(f, -1, f);
+    v3_scale(n, -1, n);
+}
+
+void system_force(const struct system *s, double *force, double *elongation, double *power, int i)
+{
+    *force = s->effect[i].force;
+    *elongation = s->effect[i].elongation;
+    *power = s->effect[i].power;
+}
+
+void system_energies(const struct system *s, struct energies *e)
+{
+    *e = s->energies;
+}
+
+void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t)
+{
+    (void)t;
+    s->ops->move(s->work, q, v, ALL);
+    see_energies(s, e, s->work, q, v);
+}
+
+/* p = sum m v,  L = sum (r x m v + I w) */
+void system_momentum(const struct system *s, double *p, double *L)
+{
+    v3_set(p, 0, 0, 0);
+    v3_set(L, 0, 0, 0);
+    for (int i = 1; i < s->model->nbody; i++) {
+        const struct model_body *body = &s->model->body[i];
+        struct pose b;
+        double mv[3], w[3], spin[3], world[3];
+        s->ops->pose(s->view, &b, i);
+        v3_scale(mv, body->mass, b.v);
+        v3_add(p, mv);
+        v3_cross_add(L, b.r, mv);
+        m3_tmul(w, b.R, b.w);
+        s3_mul(spin, body->inertia, w);
+        m3_mul(world, b.R, spin);
+        v3_add(L, world);
+    }
+}
