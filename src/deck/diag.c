@@ -1,7 +1,6 @@
 /* diag.c -- see diag.h */
 #include "deck/diag.h"
 
-#include <assert.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,7 +101,6 @@ static struct diag *make(struct diags *d, enum level level, struct span at, cons
 static void add(struct diags *d, enum level level, struct span at, const struct scope *scope, const char *code,
                 const char *format, va_list args)
 {
-    assert(diag_cure(code));
     struct arena_mark mark = arena_mark(d->arena);
     struct diag *x = make(d, level, at, format, args);
     x->code = code;
@@ -177,11 +175,22 @@ void diag_hint(struct diags *d, const char *format, ...)
     d->last->hints = arena_print(d->arena, "%s%s%s", before ? before : "", before ? "\n" : "", text);
 }
 
+void diag_foreign(struct diags *d, const char *word)
+{
+    unsigned c;
+    for (const char *p = word, *end = word + strlen(word); p < end; p++)
+        if ((unsigned char)*p >= 0x80 && source_character(&c, p, end)) {
+            diag_hint(d, "it holds the letter U+%04X, which is not of a-z", c);
+            return;
+        }
+}
+
 void diag_suggest(struct diags *d, const char *word, const char *const *words, int n)
 {
     char text[TEXT];
     size_t len = 0;
     const char *near = text_nearest(word, words, n);
+    diag_foreign(d, word);
     if (near) {
         diag_hint(d, "did you mean '%s'?", near);
         return;

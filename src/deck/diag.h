@@ -58,6 +58,9 @@ __attribute__((format(printf, 3, 4))) void diag_note_in(struct diags *d, struct 
 /* "did you mean 'x'?" if a word of words[0..n) is near; else the words themselves, where they are few. */
 void diag_suggest(struct diags *d, const char *word, const char *const *words, int n);
 
+/* Names a letter of word that may look like one of a-z and is not. */
+void diag_foreign(struct diags *d, const char *word);
+
 /* Text of a deck for a message: at most 40 characters, no control characters. */
 const char *diag_clip(struct diags *d, const char *text);
 

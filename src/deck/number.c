@@ -133,6 +133,10 @@ static enum status tell_error(const struct node *n, const struct expr_error *err
 {
     struct diags *d = deck->diags;
     const char *code = error->limit ? "E-limit-expression" : "E-expression";
+    if (endless(n->text)) {
+        diag_error(d, n, AT_VALUE, "E-number", "'%s' is not a number: it is not finite", diag_clip(d, n->text));
+        return tell(n);
+    }
     if (numeral(n->text)) return tell_numeral(n, error, deck);
     if (text_is_name(n->text) && !expr_is_word(n->text)) {
         diag_error(d, n, AT_VALUE, "E-number", "expected a number, found '%s'", diag_clip(d, n->text));
@@ -189,9 +193,7 @@ enum evaluated evaluate(double *out, const struct node *n, struct lookup *look)
     if (!bad) return EVALUATED;
     if (look->pending >= 0) return PENDING;
     if (look->broken) return tell(n), TOLD;
-    if (endless(n->text)) snprintf(error.text, sizeof error.text, "it is not finite");
-    (endless(n->text) ? tell_numeral : tell_error)(n, &error, deck);
-    return TOLD;
+    return tell_error(n, &error, deck), TOLD;
 }
 
 enum status deck_number(double *out, const struct node *n, struct deck *deck)
@@ -217,7 +219,6 @@ enum status deck_expr(struct expr **out, const struct node *n, const struct expr
         return tell_type(n, "a number or an expression", deck);
     if (expr_parse(out, n->text, n->len, &(struct expr_names){lookup_find, &look}, deck->arena, &error)) {
         if (look.broken) return tell(n);
-        if (endless(n->text)) return tell_numeral(n, &error, deck);
         return tell_error(n, &error, deck);
     }
     ((struct node *)n)->formula = true;

@@ -16,6 +16,7 @@ bool variable_name(const char *name, const struct node *n, const char *code, str
     if (!strcmp(name, "t")) why = "it is the time";
     if (!why) return true;
     diag_error(diags, n, AT_KEY, code, "'%s' cannot be a parameter: %s", diag_clip(diags, name), why);
+    diag_foreign(diags, name);
     return false;
 }
 

@@ -125,8 +125,8 @@ static void copy_once(struct loop *l, const struct scope *scope)
     if (++deck->copies > MAX_COPIES) {
         diag_error(deck->diags, place, AT_KEY, "E-limit-repeat", "repeat: makes more than %d copies", MAX_COPIES);
         l->stop = true;
-    } else if (deck->pool.nodes + l->size > MAX_NODES) {
-        diag_error(deck->diags, place, AT_KEY, "E-limit-nodes", "the deck holds more than %d values", MAX_NODES);
+    } else if (deck->pool.nodes + l->size > MAX_REPEATED) {
+        diag_error(deck->diags, place, AT_KEY, "E-limit-nodes", "the deck holds more than %d values", MAX_REPEATED);
         l->stop = true;
     }
     if (l->stop) return;

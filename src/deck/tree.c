@@ -233,15 +233,16 @@ static bool lacks_space(const char *text, size_t len)
            !memchr(text, ' ', (size_t)(colon - text));
 }
 
-static void hint_space(struct builder *b, int line)
+/* A key where none can be mostly means that the line above lacks a space: that line is told. */
+static bool tell_space(struct builder *b, int line)
 {
     size_t end, start = line_above(b->source, line, &end);
-    if (end > start && lacks_space(b->source->text + start, end - start))
-        diag_hint(
-            b->diags, "is a space missing after ':' in '%s'?",
-            diag_clip(b->diags, arena_print(b->pool->arena, "%.*s", (int)(end - start), b->source->text + start)));
-    else
-        diag_hint(b->diags, "a text that holds ': ' must be quoted; members of one map begin in the same column");
+    if (end <= start || !lacks_space(b->source->text + start, end - start)) return false;
+    struct span at = {b->file, source_mark(b->source, start), source_mark(b->source, end)};
+    const char *text =
+        arena_print(b->pool->arena, "%.*s", (int)(end - start < 200 ? end - start : 200), b->source->text + start);
+    diag_error_in(b->diags, at, "E-colon", "a space is missing after ':' in '%s'", diag_clip(b->diags, text));
+    return true;
 }
 
 struct complaint {
@@ -262,6 +263,8 @@ static const struct complaint complaints[] = {
     {"could not find expected ':'", "E-yaml", "expected ':' after a key", "the key is here"},
     {"found a tab character that violates indentation", "E-tab", "a tab cannot indent; use spaces", NULL},
     {"found a tab character where an indentation space is expected", "E-tab", "a tab cannot indent; use spaces", NULL},
+    {"found incompatible YAML document", "E-yaml", "only YAML 1.1 and 1.2 are read", NULL},
+    {"found invalid Unicode character escape code", "E-yaml", "this escape is no character", NULL},
     {"did not find expected node content", "E-yaml", "expected a value", NULL},
     {"found unknown escape character", "E-yaml", "unknown escape in a text in double quotes", NULL},
     {"did not find expected <document start>", "E-yaml", "the deck ends before this", NULL},
@@ -291,12 +294,14 @@ static void tell_syntax(struct builder *b)
         wrong_character(b, at);
         return;
     }
+    bool key = strstr(problem, "not allowed in this context") || strstr(problem, "expected ':'");
+    if (key && tell_space(b, at.from.line)) return;
     const struct complaint *c = complaints, *end = complaints + sizeof complaints / sizeof *complaints;
     while (c < end && strcmp(c->problem, problem)) c++;
     diag_error_in(b->diags, at, c < end ? c->code : "E-yaml", "%s", c < end ? c->says : problem);
     if (c < end && c->note && p->context)
         diag_note_in(b->diags, between(b, p->context_mark, p->context_mark), "%s", c->note);
-    if (c < end && (strstr(c->says, "a key cannot") || strstr(c->says, "expected ':'"))) hint_space(b, at.from.line);
+    if (key) diag_hint(b->diags, "a text that holds ': ' must be quoted; members of one map begin in the same column");
 }
 
 static bool next_event(struct builder *b, yaml_event_t *e)
@@ -505,7 +510,7 @@ static bool joined(struct builder *b, const struct node *key, const struct node 
 {
     if (key->quoted || value->type != NODE_SCALAR || value->quoted || value->len || !lacks_space(key->text, key->len))
         return false;
-    diag_error(b->diags, key, AT_VALUE, "E-space", "a space is missing after ':' in '%s'",
+    diag_error(b->diags, key, AT_VALUE, "E-colon", "a space is missing after ':' in '%s'",
                diag_clip(b->diags, key->text));
     return true;
 }

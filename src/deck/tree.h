@@ -9,7 +9,14 @@
 #include "deck/diag.h"
 #include "deck/node.h"
 
-enum { MAX_DEPTH = 64, MAX_ANCHORS = 1000, MAX_NODES = 1000000, MAX_SCALAR = 1 << 20, MAX_COPIES = 100000 };
+enum {
+    MAX_DEPTH = 64,
+    MAX_ANCHORS = 1000,
+    MAX_NODES = 1000000,
+    MAX_SCALAR = 1 << 20,
+    MAX_COPIES = 100000,
+    MAX_REPEATED = 2000000 /* nodes after repeat: */
+};
 
 /* Where nodes and their texts come from; counts them for the whole deck. */
 struct pool {
