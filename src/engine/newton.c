@@ -9,7 +9,7 @@
 /* Round-off stop: no further decrease while tiny, relative and in SI units; with a matrix of this very
  * iterate (so that a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
 static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
-static const double POWERED = 1e-6;   /* last correction allowed where power is integrated */
+static const double POWERED = 1e2;    /* tolerances the last correction may have where power is integrated */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
 static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
 enum { LIMIT = 30, ENERGY_LIFE = 16, MOST_REFRESHED = 4 };
@@ -116,7 +116,7 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     nt->fresh--;
     if (!(err <= DBL_MAX)) return FAILED;
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
-    int done = err == 0 || (nt->remain * err <= nt->tol && (!nt->powered || err <= POWERED));
+    int done = err == 0 || (nt->remain * err <= nt->tol && (!nt->powered || err <= POWERED * nt->tol));
     if (err == 0) nt->remain = 0;
     if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
     if (!first && theta > .3 && nt->last > 1e-9) nt->stale = 1;

@@ -347,14 +347,15 @@ static double minor_error(const struct subcycle *c)
     return err;
 }
 
-/* d_k corrected: once, or where its slopes have changed until it stands by itself. */
+/* d_k corrected: once, or where its slopes have changed until it stands by itself (or has had its turn:
+ * the next sweep comes back to it). */
 static enum status minor(struct subcycle *c, double *d, double *power, struct instant *x, struct trouble *why)
 {
-    double before = INFINITY;
-    for (int inner = 0, alone = 0; inner < INNER; inner++) {
+    double enough = fmax(.1 * c->newton.tol, 1e-13), before = INFINITY;
+    for (int inner = 0, alone = 0, slow = 0; inner < INNER; inner++) {
         double dk = 0;
         TRY(minor_rows(c, d, power, &dk, x, why));
-        if (dk > STALE_SLOPE) {
+        if (dk > STALE_SLOPE || slow) {
             TRY(refresh_near(c, x, why));
             alone = 1;
         }
@@ -363,10 +364,11 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
         c->square += dot(c->s_, c->es, c->ns);
         for (int i = 0; i < c->ns; i++) d[i] -= c->es[i];
         double err = alone ? minor_error(c) : 0;
-        if (!alone || err <= fmax(.1 * c->newton.tol, 1e-13) || (err > .5 * before && err < 1e-7)) return OK;
+        if (err <= enough || (err > .5 * before && err < 1e-7)) break;
+        slow = err > .1 * before;
         before = err;
     }
-    return trouble_set(why, TROUBLE_DIVERGED, 0, before / c->newton.tol, x->t);
+    return OK;
 }
 
 static void minor_sums(struct subcycle *c, const double *d)
