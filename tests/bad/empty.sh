@@ -1,3 +1,3 @@
-# exit 3
+# exit 3 alone
 # err empty.yaml:*error: * [E-empty]
 :

@@ -2,13 +2,15 @@
 #
 # tests/bad/NAME.yaml is the deck, or NAME.sh prints it.  Comment lines at the top say what is expected:
 #
-#     # exit 3                             the exit status
+#     # exit 3 alone                       the exit status; alone: no error but those below, for one mistake
+#                                          gets one message
 #     # args --set a.b=1                   more arguments of `fmdsub run` (optional)
-#     # err NAME.yaml:4:7: error: *        every such pattern must fit a line of stderr, in this order, the
-#                                          first one the first line; '*' stands for anything
+#     # err NAME.yaml:4:7: error: *        every such pattern must fit a line of stderr, in this order; '*'
+#                                          stands for anything
 #
 # Rules for all: nothing on stdout, an answer within seconds, no control bytes on stderr.
 . tests/tools/lib.sh
+need_program bad
 
 for source in tests/bad/*.yaml tests/bad/*.sh; do
     [ -f "$source" ] || continue
@@ -20,8 +22,9 @@ for source in tests/bad/*.yaml tests/bad/*.sh; do
     *.sh) (cd "$work/x" && sh "$ROOT/$source" >"$name.yaml") ;;
     *) cp "$source" "$work/x/$name.yaml" ;;
     esac
-    want=$(sed -n 's/^# exit //p' "$source" | head -n 1)
+    want=$(sed -n 's/^# exit \([0-9]*\).*/\1/p' "$source" | head -n 1)
     args=$(sed -n 's/^# args //p' "$source" | head -n 1)
+    alone=$(grep -c '^# exit [0-9]* alone' "$source")
     sed -n 's/^# err //p' "$source" >"$work/wanted"
     (cd "$work/x" && eval "timeout ${BAD_SECONDS:-5} '$FMDSUB' run $args $name.yaml" >../out 2>../err </dev/null)
     rc=$?
@@ -35,9 +38,10 @@ for source in tests/bad/*.yaml tests/bad/*.sh; do
             gsub(/\*/, ".*", s)
             return "^" s "$"
         }
-        BEGIN { while ((getline line < wanted) > 0) want[++n] = pattern(line); at = 1 }
-        at <= n { if ($0 ~ want[at]) at++; else if (NR == 1) exit }
-        END { exit at <= n || n == 0 }' "$work/err"; then ok "$name"
+        BEGIN { while ((getline line < wanted) > 0) { want[++n] = pattern(line); errors -= line ~ /error: / } at = 1 }
+        /: error: / { errors++ }
+        at <= n && $0 ~ want[at] { at++ }
+        END { exit at <= n || n == 0 || (alone && errors != 0) }' alone="$alone" "$work/err"; then ok "$name"
     else
         not_ok "$name" "stderr is not what was expected; wanted, then got:" "$work/wanted" "$work/err"
     fi

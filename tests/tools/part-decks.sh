@@ -2,6 +2,7 @@
 # record (NAME.csv, tolerances NAME.tol) and, where NAME.ref gives options of `compare --reference`, with
 # the reference solution of the same name.
 . tests/tools/lib.sh
+need_program decks
 
 compare_golden() { # NAME RUN
     golden=tests/decks/$1.csv

@@ -1,5 +1,6 @@
 # part-faults.sh -- faults of streams, signals and surroundings: every tests/faults/*.sh.
-[ -d tests/faults ] || exit 1
+. tests/tools/lib.sh
+need_program faults
 for fault in tests/faults/*.sh; do
     sh "$fault" || { echo "not ok $fault"; echo "    the script stopped"; }
 done

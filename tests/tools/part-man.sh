@@ -5,6 +5,7 @@
 # lines under it may print what it likes.  The last command's exit status must be 0, or as the page says.
 # Decks must pass `fmdsub check`.
 . tests/tools/lib.sh
+need_program man
 PATH=$BUILD:$PATH
 mkdir "$work/x"
 cp decks/* "$work/x"
