@@ -87,6 +87,7 @@ struct signal {
     const double *t, *x; /* [n], t ascending */
 };
 double signal_value(const struct signal *s, const double *slot);
+bool signal_reads_time(const struct signal *s);
 /* Value, and slopes d[i] along slots which[i]. */
 double signal_slopes(const struct signal *s, double *d, const double *slot, const int *which, int n);
 

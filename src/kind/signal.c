@@ -41,3 +41,9 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
     for (int i = 0; i < n; i++) d[i] = which[i] == 0 ? slope : 0;
     return x;
 }
+
+bool signal_reads_time(const struct signal *s)
+{
+    int first;
+    return s->expr ? expr_reads(s->expr, &first, 1) > 0 && first == 0 : s->n > 0;
+}

@@ -15,12 +15,13 @@ void ledger_open(struct ledger *o, double delta, double kinetic, double elastic,
     o->gravity0 = o->gravity = gravity;
 }
 
-/* Energies are differences of larger numbers: what they cannot resolve does not break a balance. */
-static double round_off(const struct ledger *o)
+/* The floor of ||W||.  Energies are differences of larger numbers, and where little work is done, as on a body that
+ * spins freely, the balance is measured against a small share of the energy that is there. */
+static double least_norm(const struct ledger *o)
 {
-    double size = fabs(o->kinetic) + fabs(o->elastic) + fabs(o->gravity) + fabs(o->kinetic0) + fabs(o->elastic0) +
-                  fabs(o->gravity0);
-    return 1e4 * DBL_EPSILON * size;
+    static const double share = 1e-4, round_off = 1e4 * DBL_EPSILON;
+    return fmax(share * (o->kinetic0 + fabs(o->elastic0)),
+                round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 
 void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
@@ -37,7 +38,7 @@ void ledger_push(struct ledger *o, double t, double kinetic, double elastic, dou
     double internal = elastic - o->elastic0 + taken;
     double external = o->work[LEDGER_EXTERNAL] + o->work[LEDGER_DRIVE] - (gravity - o->gravity0);
     o->residual = kin + internal - external;
-    o->norm = fmax(o->norm, fmax(fabs(kin) + fabs(internal) + fabs(external), round_off(o)));
+    o->norm = fmax(o->norm, fmax(fabs(kin) + fabs(internal) + fabs(external), least_norm(o)));
     if (fabs(o->residual) > o->worst || isnan(o->residual)) {
         o->worst = fabs(o->residual);
         o->t_worst = t;

@@ -1,4 +1,4 @@
-/* coordinates.c -- places of all coordinates in q and v, fast ones first, and the rate class of bodies.
+/* coordinates.c -- places of all coordinates in q and v: fast ones, near ones, the rest; the rate class of bodies.
  *
  * A body is fast if a fast coordinate moves it. */
 #include "model/parts.h"
@@ -23,12 +23,13 @@ static bool has_quaternion(const struct model_joint *j)
     return j->nq > j->nv;
 }
 
-/* One pass numbers the coordinates of one class. */
-static void number(struct making *o, bool fast)
+/* One pass numbers the coordinates of one class; near: of slow ones, those of near bodies or the others. */
+static void number(struct making *o, bool fast, bool near)
 {
     struct model *m = o->m;
     for (int i = 0; i < m->njoint; i++) {
         struct model_joint *j = &o->joint[i];
+        if (!fast && o->body[j->child].near != near) continue;
         if (has_quaternion(j)) {
             if (is_fast(o, i, 0) != fast) continue;
             for (int k = 0; k < j->nq; k++) j->iq[k] = m->nq++;
@@ -41,7 +42,6 @@ static void number(struct making *o, bool fast)
             j->iv[k] = m->n++;
         }
     }
-    if (fast) m->ns = m->n;
 }
 
 static void name_coordinates(struct making *o)
@@ -71,8 +71,12 @@ static void name_coordinates(struct making *o)
 void make_coordinates(struct making *o)
 {
     struct model *m = o->m;
-    number(o, true);
-    number(o, false);
+    m->n = m->nq = 0;
+    number(o, true, true);
+    m->ns = m->n;
+    number(o, false, true);
+    m->near = m->n;
+    number(o, false, false);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &o->joint[o->body[i].joint];
         o->body[i].fast = o->body[j->parent].fast;

@@ -2,7 +2,6 @@
  *
  * A force is fast if it reads, or acts on the relative motion of, anything fast; a load that depends on t
  * alone is always fast: it is cheap. */
-#include "expr/expr.h"
 #include "la/vec3.h"
 #include "model/parts.h"
 
@@ -66,12 +65,7 @@ static bool slot_is_fast(const struct making *o, const struct model_slot *s)
 
 static bool reads_time(const struct model_force *f)
 {
-    int slot[64];
-    for (int i = 0; i < 3; i++) {
-        if (f->value[i].n > 0) return true;
-        if (f->value[i].expr && expr_reads(f->value[i].expr, slot, 64) > 0 && slot[0] == 0) return true;
-    }
-    return false;
+    return signal_reads_time(&f->value[0]) || signal_reads_time(&f->value[1]) || signal_reads_time(&f->value[2]);
 }
 
 static enum rate class_of(const struct making *o, const struct model_force *f)

@@ -14,6 +14,9 @@ enum status model_build(struct model **out, const struct scene *scene, struct di
     m->joint_of = o.joint_of;
     make_coordinates(&o);
     make_elements(&o);
+    make_near(&o); /* now that the classes of forces are known, once more with near ones first */
+    make_coordinates(&o);
+    make_elements(&o);
     make_start(&o);
     *out = m;
     return OK;

@@ -1,7 +1,8 @@
 /* model.h -- the mechanism in numbers: tree, coordinates, elements.
  *
  * Made from a scene once, read by system/ as const.  Body 0 is the ground; every other body hangs on
- * one tree joint from a body of lower index.  Coordinates are numbered fast first.  SI units.
+ * one tree joint from a body of lower index.  Coordinates are numbered fast first, then those of near
+ * bodies, then the rest.  SI units.
  * In the plane (space = 2) vectors are (x, y, 0), rotations are about z. */
 #ifndef FMDSUB_MODEL_MODEL_H
 #define FMDSUB_MODEL_MODEL_H
@@ -21,6 +22,7 @@ struct model_body {
     int parent;        /* -1 for the ground */
     int joint;         /* its tree joint; -1 for the ground */
     bool fast;         /* a fast coordinate moves it */
+    bool near;         /* the fast class reads or moves the coordinates of its joint */
 };
 
 struct model_joint {
@@ -89,7 +91,7 @@ struct model_coordinate {
 struct model {
     int space; /* 2 or 3 */
     double gravity[3];
-    int n, ns, nq; /* as in ode2.h */
+    int n, ns, near, nq; /* as in ode2.h */
     int nbody;
     const struct model_body *body; /* [nbody], 0 is the ground, parents first */
     int njoint;

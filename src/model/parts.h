@@ -17,8 +17,10 @@ struct making {
 
 /* tree.c: spanning tree from the ground, breadth first, in the deck's order of joints */
 enum status make_tree(struct making *o);
-/* coordinates.c: places in q and v, fast first; classes of bodies */
+/* coordinates.c: places in q and v, fast first, then near; classes of bodies */
 void make_coordinates(struct making *o);
+/* near.c: which joints are near, from the classes of forces: then coordinates and elements are made again */
+void make_near(struct making *o);
 /* elements.c: measures and forces with their places and classes */
 void make_elements(struct making *o);
 /* start.c: q0, v0 */

@@ -179,6 +179,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->ode = (struct ode2){.n = m->n,
                            .ns = m->ns,
                            .nq = m->nq,
+                           .near = m->near,
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &s->direct,
