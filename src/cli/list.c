@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "cli/cli.h"
+#include "cli/page.h"
 #include "sim/sim.h"
 
 static const char *type_word(const struct key *k)
@@ -104,6 +105,8 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
         print_sections(NULL);
     } else if (strcmp(topic, "columns") == 0) {
         return print_columns(request, life, report);
+    } else if (strcmp(topic, "page") == 0) {
+        return page_print(stdout, request->nword - 1, request->word + 1, report);
     } else {
         const char *nearest = text_nearest(topic, topics, 5);
         return fail(report, E_USAGE, "no list of '%.40s'%s%s%s (schemes, joints, forces, sections, columns DECK)",

@@ -1,0 +1,199 @@
+/* page.c -- the tables of the program as mdoc: keys, coordinates, functions, schemes, messages; see page.h */
+#include "cli/page.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "sim/sim.h"
+
+/* Text that roff takes as it is: no escapes, no request at the start of a line. */
+static void put(FILE *to, const char *text)
+{
+    if (*text == '.' || *text == '\'') fputs("\\&", to);
+    for (; *text; text++) {
+        if (*text == '\\')
+            fputs("\\e", to);
+        else
+            putc(*text, to);
+    }
+}
+
+static void put_all(FILE *to, const char *a, const char *b, const char *c)
+{
+    fputs(a, to);
+    put(to, b);
+    fputs(c, to);
+}
+
+/* ---- keys ---- */
+
+static const char *type_word(const struct key *k)
+{
+    switch (k->type) {
+    case KEY_REAL:
+        return "number";
+    case KEY_INT:
+        return "whole number";
+    case KEY_BOOL:
+        return "true or false";
+    case KEY_LIST:
+        return k->words ? k->words : "[number, ...]";
+    case KEY_TEXT:
+        return "text";
+    case KEY_EXPR:
+        return "expression";
+    default:
+        return k->words;
+    }
+}
+
+/* "newmark|midpoint" as "newmark, midpoint" */
+static void put_choices(FILE *to, const char *words)
+{
+    for (; *words; words++) {
+        if (*words == '|')
+            fputs(", ", to);
+        else
+            putc(*words, to);
+    }
+}
+
+static void put_range(FILE *to, const struct key *k)
+{
+    if (k->type != KEY_REAL && k->type != KEY_INT) return;
+    if (k->lo == k->hi) return;
+    bool from = !isinf(k->lo), until = !isinf(k->hi);
+    if (from) fprintf(to, ", %s %.10g", k->flags & KEY_ABOVE ? "above" : "from", k->lo);
+    if (until) fprintf(to, "%s %s %.10g", from ? "" : ",", k->flags & KEY_BELOW ? "below" : "to", k->hi);
+}
+
+static void print_key(FILE *to, const struct key *k)
+{
+    fprintf(to, ".It Cm %s\n", k->name);
+    if (k->type == KEY_WORD && strchr(k->words, '|')) {
+        fputs("one of ", to);
+        put_choices(to, k->words);
+    } else {
+        put(to, type_word(k));
+    }
+    if (k->unit) put_all(to, " [", k->unit, "]");
+    put_range(to, k);
+    if (k->flags & KEY_REQUIRED) fputs(", required", to);
+    if (k->flags & KEY_PLANAR) fputs(", 2-D only", to);
+    if (k->flags & KEY_SPATIAL) fputs(", 3-D only", to);
+    if (k->fallback) put_all(to, ", default ", k->fallback, "");
+    put_all(to, "\n\\(em ", k->brief, "\n");
+}
+
+static void print_list(FILE *to, const struct key *keys)
+{
+    size_t widest = 0;
+    for (const struct key *k = keys; k->name; k++) widest = strlen(k->name) > widest ? strlen(k->name) : widest;
+    if (!widest) return;
+    fprintf(to, ".Bl -tag -width %zun -compact\n", widest);
+    for (const struct key *k = keys; k->name; k++) print_key(to, k);
+    fputs(".El\n", to);
+}
+
+/* The sections of one path; where it has kinds, each under its own word. */
+static enum status print_keys(FILE *to, const char *path, struct report *report)
+{
+    struct section s;
+    int found = 0, kinds = 0;
+    for (int i = 0; scene_section(&s, i); i++) {
+        if (strcmp(s.path, path) != 0) continue;
+        if (s.word && !kinds++) fputs(".Bl -tag -width 4n\n", to);
+        if (s.word) fprintf(to, ".It Ic %s\n", s.word);
+        if (s.word) put_all(to, "", s.brief, ".\n");
+        print_list(to, s.keys);
+        found++;
+    }
+    if (kinds) fputs(".El\n", to);
+    return found ? OK : fail(report, E_USAGE, "no section '%.60s'", path);
+}
+
+/* ---- coordinates of joints ---- */
+
+/* "x, y, z [m], qw, qx, qy, qz [1]": names, and the unit after the last one it belongs to. */
+static void put_names(FILE *to, const char *const *name, const char *const *unit, int n)
+{
+    for (int i = 0; i < n; i++) {
+        fprintf(to, "%s%s", i ? ", " : "", name[i]);
+        if (i + 1 == n || strcmp(unit[i], unit[i + 1]) != 0) fprintf(to, " [%s]", unit[i]);
+    }
+}
+
+static void print_coordinate(FILE *to, const struct joint_kind *j, int space, const char *where)
+{
+    fprintf(to, ".It %s%s\n", j->name, where);
+    put_names(to, j->q, j->qunit, j->nq[space]);
+    fputs(";\nrates ", to);
+    put_names(to, j->v, j->vunit, j->nv[space]);
+    fputs(";\naccelerations ", to);
+    put_names(to, j->a, j->aunit, j->nv[space]);
+    fputs("\n", to);
+}
+
+static void print_coordinates(FILE *to)
+{
+    fputs(".Bl -tag -width cylindrical\n", to);
+    for (int i = 0; joint_kind_at(i); i++) {
+        const struct joint_kind *plane = joint_kind((enum joint_type)i, 0), *space = joint_kind((enum joint_type)i, 1);
+        bool two = plane && plane->nq[0] != space->nq[1];
+        if (space->nq[1] == 0) continue;
+        if (two) print_coordinate(to, plane, 0, ", 2-D");
+        print_coordinate(to, space, 1, two ? ", 3-D" : "");
+    }
+    fputs(".El\n", to);
+}
+
+/* ---- functions, schemes, messages ---- */
+
+static void print_functions(FILE *to)
+{
+    fputs(".Bl -tag -width log10 -compact\n", to);
+    for (const struct expr_function *f = expr_functions; f->name; f++) {
+        fprintf(to, ".It Ic %s\n", f->name);
+        put_all(to, "", f->brief, "\n");
+    }
+    fputs(".El\n", to);
+}
+
+static void print_schemes(FILE *to)
+{
+    fputs(".Bl -tag -width subcycle\n", to);
+    for (int i = 0; stepper_kinds[i]; i++) {
+        const struct stepper_kind *k = stepper_kinds[i];
+        fprintf(to, ".It Ic %s\n", k->name);
+        put_all(to, "", k->brief, ".\n");
+        fprintf(to, "Order %d%s.\n", k->order, k->rates > 1 ? ", two rates" : k->adaptive ? ", steps of its own" : "");
+    }
+    fputs(".El\n", to);
+}
+
+static void print_codes(FILE *to)
+{
+    fputs(".Bl -tag -width Ds\n", to);
+    for (const struct diag_help *h = diag_helps; h->code; h++) {
+        fprintf(to, ".It Er %s\n", h->code);
+        put_all(to, "", h->cure, "\n");
+    }
+    fputs(".El\n", to);
+}
+
+enum status page_print(FILE *to, int n, char *const *word, struct report *report)
+{
+    static const struct {
+        const char *name;
+        void (*print)(FILE *to);
+    } parts[] = {{"coordinates", print_coordinates},
+                 {"functions", print_functions},
+                 {"schemes", print_schemes},
+                 {"codes", print_codes}};
+    if (n >= 1 && strcmp(word[0], "keys") == 0) return print_keys(to, n > 1 ? word[1] : "", report);
+    for (size_t i = 0; n == 1 && i < sizeof parts / sizeof *parts; i++)
+        if (strcmp(parts[i].name, word[0]) == 0) return parts[i].print(to), OK;
+    return fail(report, E_USAGE, "no part of the manual '%.40s' (keys PATH, coordinates, functions, schemes, codes)",
+                n ? word[0] : "");
+}
