@@ -109,7 +109,8 @@ static struct node *include_file(const struct node *n, const struct chain *c, st
     struct stat st;
     if (n->told) return NULL;
     if (n->type != NODE_SCALAR || n->len == 0) {
-        diag_error(deck->diags, n, AT_VALUE, "E-include", "expected a file name, found %s", node_type_name(n));
+        diag_error(deck->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-include", "expected a file name, found %s",
+                   node_type_name(n));
         return NULL;
     }
     struct node here = *n; /* a file is named from where it is included, and opened from the deck's folder */

@@ -267,7 +267,7 @@ static void tell_left(const struct node *n, enum diag_at which, const char *text
 static void check_left(struct node *n, struct deck *deck)
 {
     if (n->key && strchr(n->key, '$')) tell_left(n, AT_KEY, n->key, deck);
-    if (n->scope && n->type == NODE_SCALAR && strchr(n->text, '$')) tell_left(n, AT_VALUE, n->text, deck);
+    if (n->scope && !n->told && n->type == NODE_SCALAR && strchr(n->text, '$')) tell_left(n, AT_VALUE, n->text, deck);
     for (int i = 0; i < n->count; i++) check_left(n->item[i], deck);
 }
 

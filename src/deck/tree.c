@@ -446,7 +446,7 @@ static bool is_piece(struct builder *b, int *open, struct node *n, int brackets)
     if (brackets <= 0) return false;
     *open = brackets;
     n->told = true;
-    diag_error(b->diags, n, AT_VALUE, "E-comma", "'%s' has no ')' before the comma", diag_clip(b->diags, n->text));
+    diag_error(b->diags, n, AT_VALUE, "E-comma", "'%s' has no ')'", diag_clip(b->diags, n->text));
     diag_hint(b->diags, "an expression with a comma must be quoted inside { } and [ ]");
     return false;
 }
