@@ -21,7 +21,8 @@ enum tree_flag {
     TREE_FORCES = 4,      /* springs and dampers along all measures, loads, bushings, tables of time */
     TREE_REVOLUTE = 8,    /* revolute joints only */
     TREE_LIGHT = 16,      /* no fixed, spherical and free joints: q' = v throughout */
-    TREE_FREE_FALL = 32   /* no gravity */
+    TREE_FREE_FALL = 32,  /* no gravity */
+    TREE_ADRIFT = 64      /* every body on a free joint from the ground */
 };
 
 struct tree_dice {
@@ -111,6 +112,7 @@ static inline enum joint_type tree_joint_type(struct tree_dice *d, int space, un
                                            JOINT_PLANAR,   JOINT_SPHERICAL, JOINT_FREE,        JOINT_FIXED};
     bool light = flags & TREE_LIGHT;
     if (flags & TREE_REVOLUTE) return JOINT_REVOLUTE;
+    if (flags & TREE_ADRIFT) return JOINT_FREE;
     if (space == 2) return plane[tree_pick(d, light ? 4 : 6)];
     return room[tree_pick(d, light ? 5 : 8)];
 }
@@ -349,7 +351,7 @@ static inline struct model *random_tree(int space, int nbody, unsigned seed, uns
 
     body[0] = (struct model_body){.name = "ground", .R = {1, 0, 0, 0, 1, 0, 0, 0, 1}, .parent = -1, .joint = -1};
     for (int i = 1; i <= nbody; i++) {
-        int parent = flags & TREE_CHAIN ? i - 1 : tree_pick(d, i);
+        int parent = flags & TREE_ADRIFT ? 0 : flags & TREE_CHAIN ? i - 1 : tree_pick(d, i);
         tree_body(&body[i], d, space);
         body[i].name = arena_print(arena, "body%d", i);
         body[i].parent = parent, body[i].joint = i - 1;
