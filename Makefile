@@ -25,7 +25,7 @@ OBJECTS  := $(SOURCES:src/%.c=$(BUILD)/obj/%.o)
 LIBRARY   = $(BUILD)/libfmdsub.a
 PROGRAM   = $(BUILD)/fmdsub
 UNITS    := $(patsubst tests/unit/t-%.c,$(BUILD)/unit/t-%,$(sort $(wildcard tests/unit/t-*.c)))
-TOOLS    := $(patsubst tests/tools/%.c,$(BUILD)/tools/%,$(sort $(wildcard tests/tools/*.c)))
+TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
 EXAMPLES := $(sort $(wildcard decks/*))
@@ -33,32 +33,48 @@ FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/tools/*.c tes
 ASAN      = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 RUN       = BUILD=$(BUILD) V=$(V) tests/run
 
+# Commands are shown with V=1.
+Q         = $(if $(V),,@)
+say       = $(if $(V),,@echo "  $(1)  $(@:$(BUILD)/%=%)")
+
 all: $(PROGRAM)
 
 $(BUILD)/obj/%.o: src/%.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+	$(call say,CC)
+	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
 
 $(LIBRARY): $(filter-out $(BUILD)/obj/cli/main.o,$(OBJECTS))
 	@mkdir -p $(@D)
 	@rm -f $@
-	ar rcD $@ $^
+	$(call say,AR)
+	$(Q)ar rcD $@ $^
 
 $(PROGRAM): $(BUILD)/obj/cli/main.o $(LIBRARY)
-	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) -Itests $(LDFLAGS) -o $@ $< $(LIBRARY) -lcmocka $(LDLIBS)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests $(LDFLAGS) -o $@ $< $(LIBRARY) -lcmocka $(LDLIBS)
 
 # Helpers of the tests stand alone: they share no code with what they judge.
 $(BUILD)/tools/%: tests/tools/%.c
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< -lm
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< -lm
+
+# Put between a program and the C library.
+$(BUILD)/tools/%.so: tests/tools/%.c
+	@mkdir -p $(@D)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) -shared -fPIC -o $@ $< -ldl
 
 $(BUILD)/bench/%: tests/bench/%.c $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< $(LIBRARY) $(LDLIBS)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< $(LIBRARY) $(LDLIBS)
 
 # ---- tests -----------------------------------------------------------------------------------
 
@@ -117,6 +133,10 @@ deps:
 deps-test:
 	@NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run test
 
+# Orders down to 1e-8 instead of 1e-6: minutes.
+order-tight: $(PROGRAM) $(TOOLS)
+	@TIGHT=1 $(RUN) order
+
 demo: deps
 	@$(MAKE) --no-print-directory -j2 all tools
 	@BUILD=$(BUILD) sh tests/tools/demo.sh
@@ -139,6 +159,6 @@ uninstall:
 clean:
 	rm -rf $(BUILD)
 
--include $(OBJECTS:.o=.d) $(UNITS:=.d) $(TOOLS:=.d) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults man-examples order asan golden bench layers eqs format format-check lint man \
+-include $(OBJECTS:.o=.d) $(UNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
+.PHONY: all test check unit decks bad faults man-examples order order-tight asan golden bench layers eqs format format-check lint man \
         deps deps-test demo tools tests-built install uninstall clean
