@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/text.h"
 
@@ -185,11 +186,17 @@ void diag_foreign(struct diags *d, const char *word)
         }
 }
 
+const char *diag_nearest(const char *word, const char *const *words, int n)
+{
+    const char *near = text_nearest(word, words, n);
+    return near && !(strlen(word) == 1 && strlen(near) == 1 && strcasecmp(word, near)) ? near : NULL;
+}
+
 void diag_suggest(struct diags *d, const char *word, const char *const *words, int n)
 {
     char text[TEXT];
     size_t len = 0;
-    const char *near = text_nearest(word, words, n);
+    const char *near = diag_nearest(word, words, n);
     diag_foreign(d, word);
     if (near) {
         diag_hint(d, "did you mean '%s'?", near);
@@ -273,13 +280,18 @@ static void put(FILE *to, const char *text)
     }
 }
 
+static bool inside_character(const struct source *s, size_t offset)
+{
+    return offset < s->len && ((unsigned char)s->text[offset] & 0xc0) == 0x80;
+}
+
 /* The part of a long line that is shown: from is moved back from the caret's place, to is not beyond WIDTH. */
 static void window(const struct source *s, size_t *from, size_t *to, size_t caret)
 {
     if (caret - *from > WIDTH / 2 && *to - *from > WIDTH) *from = caret - WIDTH / 2;
-    while (*from < caret && ((unsigned char)s->text[*from] & 0xc0) == 0x80) ++*from;
+    while (*from < caret && inside_character(s, *from)) ++*from;
     if (*to - *from > WIDTH) *to = *from + WIDTH;
-    while (*to > caret && ((unsigned char)s->text[*to] & 0xc0) == 0x80) --*to;
+    while (*to > caret && inside_character(s, *to)) --*to;
 }
 
 /* The line and the caret below it. */

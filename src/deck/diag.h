@@ -55,6 +55,9 @@ __attribute__((format(printf, 4, 5))) void diag_warn_in(struct diags *d, struct 
                                                         const char *format, ...);
 __attribute__((format(printf, 3, 4))) void diag_note_in(struct diags *d, struct span at, const char *format, ...);
 
+/* The word of words[0..n) that was probably meant, or NULL: a near miss, but not one letter for another. */
+const char *diag_nearest(const char *word, const char *const *words, int n);
+
 /* "did you mean 'x'?" if a word of words[0..n) is near; else the words themselves, where they are few. */
 void diag_suggest(struct diags *d, const char *word, const char *const *words, int n);
 

@@ -34,9 +34,9 @@ int deck_parameter(double *out, const char *name, const struct deck *deck)
 static int not_here(struct lookup *look, int *slot, double *value, const char *name, struct expr_error *error)
 {
     if (look->more && look->more->find(look->more->self, slot, value, name, error) == 0) return 0;
-    const char *near = text_nearest(name, look->deck->parameter_name, look->deck->nparameter);
+    const char *near = diag_nearest(name, look->deck->parameter_name, look->deck->nparameter);
     for (const struct scope *s = look->scope; s && !near; s = s->up)
-        if (text_nearest(name, &s->name, 1)) near = s->name;
+        if (diag_nearest(name, &s->name, 1)) near = s->name;
     if (near && !error->hint[0]) snprintf(error->hint, sizeof error->hint, "did you mean '%.100s'?", near);
     return 1;
 }

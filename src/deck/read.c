@@ -148,12 +148,14 @@ int read_bool(int *out, const struct node *n, struct reader *rd)
     mark_told(n);
     diag_error(rd->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-boolean", "expected true or false, found %s",
                found_text(n, rd));
-    for (size_t i = 0; i < 4 && n->type == NODE_SCALAR; i++) {
-        if (!strcasecmp(n->text, yes[i]) || !strcasecmp(n->text, "true"))
-            return diag_hint(rd->diags, "did you mean 'true'?"), 1;
-        if (!strcasecmp(n->text, no[i]) || !strcasecmp(n->text, "false"))
-            return diag_hint(rd->diags, "did you mean 'false'?"), 1;
+    if (n->type != NODE_SCALAR) return 1;
+    bool as_yes = !strcasecmp(n->text, "true"), as_no = !strcasecmp(n->text, "false");
+    for (size_t i = 0; i < sizeof yes / sizeof *yes; i++) {
+        as_yes |= !strcasecmp(n->text, yes[i]);
+        as_no |= !strcasecmp(n->text, no[i]);
     }
+    if (as_yes || as_no)
+        diag_hint(rd->diags, "write %s%s", as_yes ? "true" : "false", n->quoted ? ", without quotes" : "");
     return 1;
 }
 

@@ -165,7 +165,7 @@ struct builder {
     const struct source *source;
     size_t from;
     int depth, anchors, aliases;
-    struct anchor *anchor; /* [MAX_ANCHORS] */
+    struct anchor *anchor; /* [MAX_ANCHORS], once there is one */
     struct node **alias;   /* [MAX_ANCHORS] copies whose children are still the anchor's */
     struct node **stack;   /* items of the open collections */
     int top, room;
@@ -335,6 +335,7 @@ static int open_anchor(struct builder *b, const yaml_char_t *text, struct node *
         diag_error_in(b->diags, at, "E-limit-anchors", "more than %d anchors", MAX_ANCHORS);
         return -1;
     }
+    if (!b->anchor) b->anchor = TAKE(b->pool->arena, struct anchor, MAX_ANCHORS);
     struct anchor *a = &b->anchor[b->anchors++];
     *a = (struct anchor){pool_text(b->pool, name, strlen(name)), n, at, true, b->pool->nodes};
     return b->anchors;
@@ -373,6 +374,7 @@ static struct node *alias(struct builder *b, const yaml_event_t *e)
     n->mark = at.from;
     n->end = at.to;
     n->key = NULL;
+    if (!b->alias) b->alias = TAKE(b->pool->arena, struct node *, MAX_ANCHORS);
     b->alias[b->aliases++] = n;
     return n;
 }
@@ -650,8 +652,6 @@ struct node *tree_parse(struct pool *pool, struct diags *diags, int file, size_t
     const struct source *s = diags_source(diags, file);
     struct builder b = {.pool = pool, .diags = diags, .file = file, .source = s, .from = from};
     b.shift = source_mark(s, from).col - 1;
-    b.anchor = TAKE(pool->arena, struct anchor, MAX_ANCHORS);
-    b.alias = TAKE(pool->arena, struct node *, MAX_ANCHORS);
     if (!yaml_parser_initialize(&b.parser)) arena_take(pool->arena, SIZE_MAX, 2); /* out of memory: says so and ends */
     yaml_parser_set_encoding(&b.parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&b.parser, (const unsigned char *)s->text + from, s->len - from);
