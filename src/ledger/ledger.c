@@ -19,7 +19,7 @@ void ledger_open(struct ledger *o, double delta, double kinetic, double elastic,
  * spins freely, the balance is measured against a small share of the energy that is there. */
 static double least_norm(const struct ledger *o)
 {
-    static const double share = 1e-4, round_off = 1e4 * DBL_EPSILON;
+    static const double share = 1e-2, round_off = 1e4 * DBL_EPSILON;
     return fmax(share * (o->kinetic0 + fabs(o->elastic0)),
                 round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
