@@ -1,0 +1,164 @@
+/* t-joint.c -- the tables of kinds: joints, laws; signals. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "expr/expr.h"
+#include "kind/force.h"
+#include "kind/joint.h"
+
+#include <cmocka.h>
+
+static void every_kind_is_found_by_its_name(void **state)
+{
+    (void)state;
+    int n = 0;
+    for (const struct joint_kind *k; (k = joint_kind_at(n)); n++) {
+        assert_int_equal(k->type, n);
+        assert_ptr_equal(joint_find(k->name), k);
+        assert_true(k->keys != NULL && k->brief[0]);
+    }
+    assert_int_equal(n, JOINT_TYPES);
+    assert_null(joint_find("hinge"));
+    assert_null(joint_kind_at(-1));
+}
+
+/* Sizes agree with the freedoms; a quaternion is one position more. */
+static void names_cover_the_coordinates(void **state)
+{
+    (void)state;
+    static const int freedoms[2][JOINT_TYPES] = {{0, 1, 1, -1, -1, -1, 3, 3}, {0, 1, 1, 2, 2, 3, 3, 6}};
+    for (int space = 0; space < 2; space++) {
+        for (int t = 0; t < JOINT_TYPES; t++) {
+            const struct joint_kind *k = joint_kind((enum joint_type)t, space);
+            if (freedoms[space][t] < 0) {
+                assert_null(k);
+                continue;
+            }
+            bool turns = space == 1 && (t == JOINT_SPHERICAL || t == JOINT_FREE);
+            assert_int_equal(k->nv[space], freedoms[space][t]);
+            assert_int_equal(k->nq[space], k->nv[space] + turns);
+            assert_true(k->nq[space] <= JOINT_MAX_Q && k->nv[space] <= JOINT_MAX_V);
+            for (int i = 0; i < k->nv[space]; i++) {
+                char rate[40];
+                if (!turns || i < k->nq[space] - 4) {
+                    /* q' = v: the rate is named after the position, its unit is the position's per second */
+                    snprintf(rate, sizeof rate, "%s_rate", k->q[i]);
+                    assert_string_equal(k->v[i], rate);
+                    snprintf(rate, sizeof rate, "%s_accel", k->q[i]);
+                    assert_string_equal(k->a[i], rate);
+                    snprintf(rate, sizeof rate, "%s/s", k->qunit[i]);
+                    assert_string_equal(k->vunit[i], rate);
+                } else {
+                    assert_true(strncmp(k->v[i], "omega_", 6) == 0);
+                    assert_string_equal(k->vunit[i], "rad/s");
+                }
+                snprintf(rate, sizeof rate, "%s2", k->vunit[i]);
+                assert_string_equal(k->aunit[i], rate);
+            }
+            if (turns) assert_string_equal(k->q[k->nq[space] - 4], "qw");
+        }
+    }
+}
+
+static void force_kinds_are_found(void **state)
+{
+    (void)state;
+    int n = 0;
+    for (const struct force_kind *k; (k = force_kind_at(n)); n++) {
+        assert_ptr_equal(force_find(k->name), k);
+        assert_true(k->size > 0 && k->law != NULL);
+    }
+    assert_true(n >= 2);
+    assert_null(force_find("rubber"));
+}
+
+/* f = -dV/ds + the dissipative part; ks and kv are its slopes. */
+static void laws_are_the_slopes_of_what_they_store(void **state)
+{
+    (void)state;
+    const struct spring pars[] = {{.k = 20, .rest = .3},
+                                  {.k = 20, .c = 3, .rest = .3, .preload = -2},
+                                  {.k = 5, .c = 1, .rest = -.1, .preload = 1, .cubic = 40}};
+    for (int i = 0; i < 3; i++) {
+        const struct spring *p = &pars[i];
+        for (int j = 0; j < 2; j++) {
+            const struct force_kind *k = force_kind_at(j);
+            const double s = .7, v = -1.3, e = 1e-5;
+            struct law o, up, down;
+            k->law(&o, p, s, v, 0);
+            k->law(&up, p, s + e, v, 0), k->law(&down, p, s - e, v, 0);
+            assert_true(fabs((down.f - up.f) / (2 * e) - o.ks) < 1e-6);
+            k->law(&up, p, s, v + e, 0), k->law(&down, p, s, v - e, 0);
+            assert_true(fabs((down.f - up.f) / (2 * e) - o.kv) < 1e-6);
+            double lost = k->dissipative(p, s, v, 0), dV = 0;
+            assert_true(lost * v <= 0);
+            if (k->stored) dV = (k->stored(p, s + e) - k->stored(p, s - e)) / (2 * e);
+            assert_true(fabs(o.f - lost + dV) < 1e-6);
+            assert_int_equal(k->linear(p), k == &force_damper || p->cubic == 0);
+        }
+    }
+    assert_true(force_spring.stored(&pars[2], pars[2].rest) == 0);
+}
+
+static void tables_are_linear_between_their_points(void **state)
+{
+    (void)state;
+    const double t[] = {0, 1, 1, 3}, x[] = {2, 4, 10, 6};
+    const struct signal s = {.n = 4, .t = t, .x = x};
+    const double at[] = {-1, 0, .5, 1, 2, 3, 9}, value[] = {2, 2, 3, 10, 8, 6, 6}, slope[] = {0, 0, 2, -2, -2, 0, 0};
+    for (int i = 0; i < 7; i++) {
+        double d[2];
+        const int which[2] = {0, 1};
+        assert_true(signal_value(&s, &at[i]) == value[i]);
+        assert_true(signal_slopes(&s, d, &at[i], which, 2) == value[i]);
+        assert_true(d[0] == slope[i] && d[1] == 0);
+    }
+    const struct signal none = {0};
+    assert_true(signal_value(&none, at) == 0);
+    const struct signal constant = {.n = 1, .t = t, .x = x};
+    assert_true(signal_value(&constant, &at[4]) == 2);
+}
+
+static int find(void *self, int *slot, double *value, const char *name, struct expr_error *error)
+{
+    (void)self, (void)value, (void)error;
+    *slot = strcmp(name, "t") == 0 ? 0 : 1;
+    return 0;
+}
+
+static void expressions_are_signals_too(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_open();
+    struct expr *e;
+    struct expr_error error;
+    const struct expr_names names = {find, NULL};
+    const char text[] = "3*t - x^2";
+    assert_int_equal(expr_parse(&e, text, strlen(text), &names, arena, &error), 0);
+    const struct signal s = {.expr = e};
+    const double slot[2] = {2, 3};
+    const int which[1] = {1};
+    double d[1];
+    assert_true(fabs(signal_value(&s, slot) + 3) < 1e-15);
+    assert_true(fabs(signal_slopes(&s, d, slot, which, 1) + 3) < 1e-15 && fabs(d[0] + 6) < 1e-15);
+    arena_close(arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_kind_is_found_by_its_name),
+        cmocka_unit_test(names_cover_the_coordinates),
+        cmocka_unit_test(force_kinds_are_found),
+        cmocka_unit_test(laws_are_the_slopes_of_what_they_store),
+        cmocka_unit_test(tables_are_linear_between_their_points),
+        cmocka_unit_test(expressions_are_signals_too),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
