@@ -1,6 +1,5 @@
 /* check.c -- fmdsub check: what a deck makes, without running it */
 #include "cli/cli.h"
-#include "model/model.h"
 #include "sim/sim.h"
 
 static void print_bodies(FILE *to, const struct model *m)

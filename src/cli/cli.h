@@ -8,7 +8,7 @@
 #include "base/arena.h"
 #include "base/status.h"
 #include "deck/diag.h"
-#include "scene/scene.h"
+#include "sim/load.h"
 
 #define FMDSUB_VERSION "0.1.0"
 

@@ -8,7 +8,6 @@
 #include "base/stop.h"
 #include "base/text.h"
 #include "cli/cli.h"
-#include "sim/load.h"
 
 const struct verb verbs[] = {
     {"run", "DECK", "simulate; records to stdout", verb_run},
