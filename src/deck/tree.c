@@ -500,6 +500,15 @@ static struct node *build_key(struct builder *b, const yaml_event_t *e, bool *fi
     return key;
 }
 
+/* A key is kept in its value's node; its own, the last one made, is free again. */
+static void give_back(struct pool *pool, const struct node *key)
+{
+    if (key != pool->node - 1) return;
+    pool->node--;
+    pool->left++;
+    pool->nodes--;
+}
+
 static void set_key(struct node *n, const struct node *key)
 {
     n->key = key->text;
@@ -522,18 +531,20 @@ static bool member(struct builder *b, struct node *map, const yaml_event_t *key_
 {
     yaml_event_t e;
     bool fine;
-    struct node *key = build_key(b, key_event, &fine);
-    if (!key || !next_event(b, &e)) return false;
+    const struct node *made = build_key(b, key_event, &fine);
+    if (!made || !next_event(b, &e)) return false;
+    struct node key = *made;
+    if (fine && !key_event->data.scalar.anchor) give_back(b->pool, made);
     struct node *value = build(b, &e);
     yaml_event_delete(&e);
     if (!value) return false;
     if (map->flow && *open > 0) {
-        is_piece(b, open, value, parentheses(key) + parentheses(value));
+        is_piece(b, open, value, parentheses(&key) + parentheses(value));
         return true;
     }
-    if (!fine || (map->flow && joined(b, key, value))) return true;
+    if (!fine || (map->flow && joined(b, &key, value))) return true;
     if (map->flow) is_piece(b, open, value, parentheses(value));
-    set_key(value, key);
+    set_key(value, &key);
     push(b, value);
     return true;
 }
