@@ -17,7 +17,8 @@
  * (1991), and never later than 1e-8 of scale allows.
  *
  *     bare_chain N h STEPS [REPEATS]    prints the least CPU time of a step [us] and the counts
- *     bare_chain --check REFERENCE.csv  N = 2 against a reference solution: the order and the limit */
+ *     bare_chain --check REFERENCE.csv  N = 2 against a reference solution: the order and the limit
+ *     bare_chain --record N h UNTIL EVERY  the angles between the rods, extrapolated from h and h/2, as CSV */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -245,6 +246,28 @@ static int check(const char *file)
     return n > 5 && order > 1.9 && order < 2.1 && limit < 1e-6 ? 0 : 1;
 }
 
+/* Angles between the rods at the times i EVERY, of fourth order: (4 x(h/2) - x(h)) / 3. */
+static int record(int n, double h, double until, double every)
+{
+    static struct chain c, half;
+
+    printf("t");
+    for (int i = 1; i <= n; i++) printf(",pin%d.angle", i);
+    for (int s = 0; s <= lround(until / every); s++) {
+        long steps = lround(s * every / h);
+        double before = 0;
+        if (!chain_run(&c, n, h, steps) || !chain_run(&half, n, h / 2, 2 * steps)) return 1;
+        printf("\n%.10g", s * every);
+        for (int i = 0; i < n; i++) {
+            double th = (4 * half.th[i] - c.th[i]) / 3;
+            printf(",%.12g", th - before);
+            before = th;
+        }
+    }
+    puts("");
+    return 0;
+}
+
 static double cpu(void)
 {
     struct timespec t;
@@ -258,6 +281,8 @@ int main(int argc, char **argv)
     static struct chain c;
 
     if (argc == 3 && strcmp(argv[1], "--check") == 0) return check(argv[2]);
+    if (argc == 6 && strcmp(argv[1], "--record") == 0 && atoi(argv[2]) >= 1 && atoi(argv[2]) <= MOST)
+        return record(atoi(argv[2]), atof(argv[3]), atof(argv[4]), atof(argv[5]));
     if (argc < 4 || atoi(argv[1]) < 1 || atoi(argv[1]) > MOST) {
         fputs("usage: bare_chain N h STEPS [REPEATS] | bare_chain --check REFERENCE.csv\n", stderr);
         return 2;

@@ -119,6 +119,16 @@ static struct table read_table(const char *file)
     return t;
 }
 
+static void free_table(struct table *t)
+{
+    for (int c = 0; c < t->ncol; c++) {
+        free(t->name[c]);
+        free(t->col[c]);
+    }
+    free(t->name);
+    free(t->col);
+}
+
 static int find_column(const struct table *t, const char *name)
 {
     for (int c = 0; c < t->ncol; c++)
@@ -370,5 +380,8 @@ int main(int argc, char **argv)
     if (nfile != 2) return usage();
 
     struct table a = read_table(file[0]), b = read_table(file[1]);
-    return reference ? compare_reference(&a, &b, &o) : compare_golden(&a, &b, tol, o.all);
+    int result = reference ? compare_reference(&a, &b, &o) : compare_golden(&a, &b, tol, o.all);
+    free_table(&a);
+    free_table(&b);
+    return result;
 }
