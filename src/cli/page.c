@@ -7,13 +7,15 @@
 #include "cli/cli.h"
 #include "sim/sim.h"
 
-/* Text that roff takes as it is: no escapes, no request at the start of a line. */
+/* Text that roff takes as it is: no escapes, no request at the start of a line, every sentence on a line of its own. */
 static void put(FILE *to, const char *text)
 {
     if (*text == '.' || *text == '\'') fputs("\\&", to);
     for (; *text; text++) {
         if (*text == '\\')
             fputs("\\e", to);
+        else if (text[0] == '.' && text[1] == ' ')
+            text++, fputs(".\n", to);
         else
             putc(*text, to);
     }
