@@ -1,154 +1,16 @@
-/* tree.c -- see tree.h */
+/* tree.c -- libyaml's events become nodes; see tree.h.
+ *
+ * Recursive, 64 deep at most.  NULL on the way up means that there is no way on; all else that is wrong is told and
+ * left out of the tree. */
 #include "deck/tree.h"
 
 #include <assert.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <yaml.h>
 
-/* ---- nodes ---- */
-
-struct node *pool_node(struct pool *pool)
-{
-    if (pool->left == 0) {
-        pool->left = 256;
-        pool->node = TAKE(pool->arena, struct node, pool->left);
-    }
-    pool->left--;
-    pool->nodes++;
-    return pool->node++;
-}
-
-/* Bytes aligned for a pointer. */
-static char *pool_bytes(struct pool *pool, size_t n)
-{
-    enum { CHUNK = 1 << 14 };
-    n = (n + 7) & ~(size_t)7;
-    if (n > CHUNK / 4) return TAKE(pool->arena, char, n);
-    if (n > pool->room) {
-        pool->byte = TAKE(pool->arena, char, CHUNK);
-        pool->room = CHUNK;
-    }
-    char *bytes = pool->byte;
-    pool->byte += n;
-    pool->room -= n;
-    return bytes;
-}
-
-char *pool_text(struct pool *pool, const char *text, size_t len)
-{
-    char *copy = pool_bytes(pool, len + 1);
-    memcpy(copy, text, len);
-    copy[len] = 0;
-    return copy;
-}
-
-struct node **pool_items(struct pool *pool, struct node *const *items, int n)
-{
-    struct node **copy = (struct node **)(void *)pool_bytes(pool, (size_t)n * sizeof *copy);
-    if (n) memcpy(copy, items, (size_t)n * sizeof *copy);
-    return copy;
-}
-
-struct node *pool_scalar(struct pool *pool, const char *text, const struct node *place)
-{
-    struct node *n = pool_node(pool);
-    *n = (struct node){.type = NODE_SCALAR,
-                       .file = place->file,
-                       .mark = place->mark,
-                       .end = place->end,
-                       .scope = place->scope,
-                       .text = text,
-                       .len = strlen(text)};
-    return n;
-}
-
-struct node *tree_copy(struct pool *pool, const struct node *n, const struct scope *scope)
-{
-    struct node *copy = pool_node(pool);
-    *copy = *n;
-    copy->scope = scope;
-    if (n->count) copy->item = pool_items(pool, n->item, n->count);
-    for (int i = 0; i < n->count; i++) copy->item[i] = tree_copy(pool, n->item[i], scope);
-    return copy;
-}
-
-long tree_size(const struct node *n)
-{
-    long size = 1;
-    for (int i = 0; i < n->count; i++) size += tree_size(n->item[i]);
-    return size;
-}
-
-void tree_append(struct pool *pool, struct node *map, struct node *member)
-{
-    for (int i = 0; i < map->count; i++)
-        if (!strcmp(map->item[i]->key, member->key)) {
-            map->item[i] = member;
-            return;
-        }
-    struct node **items = (struct node **)(void *)pool_bytes(pool, (size_t)(map->count + 1) * sizeof *items);
-    if (map->count) memcpy(items, map->item, (size_t)map->count * sizeof *items);
-    items[map->count++] = member;
-    map->item = items;
-}
-
-/* ---- duplicates ---- */
-
-struct ranked {
-    struct node *node;
-    int rank;
-};
-
-static int by_key(const void *a, const void *b)
-{
-    const struct ranked *x = a, *y = b;
-    int order = strcmp(x->node->key, y->node->key);
-    return order ? order : x->rank - y->rank;
-}
-
-static bool same_key(const struct ranked *a, const struct ranked *b)
-{
-    return !strcmp(a->node->key, b->node->key);
-}
-
-/* Tells of the members whose key has been given and takes them out; sorted[0..n) are all members by key. */
-static void drop_repeated(struct node *map, const struct ranked *sorted, struct diags *diags, struct arena *arena)
-{
-    bool *drop = TAKE(arena, bool, map->count);
-    for (int i = 1, first = 0; i < map->count; i++) {
-        if (!same_key(&sorted[first], &sorted[i])) {
-            first = i;
-            continue;
-        }
-        const struct node *n = sorted[i].node;
-        drop[sorted[i].rank] = true;
-        diag_error(diags, n, AT_KEY, "E-duplicate", "key '%s' is given twice", diag_clip(diags, n->key));
-        diag_note(diags, sorted[first].node, AT_KEY, "first given here");
-    }
-    int kept = 0;
-    for (int i = 0; i < map->count; i++)
-        if (!drop[i]) map->item[kept++] = map->item[i];
-    map->count = kept;
-}
-
-void tree_unique(struct node *map, struct diags *diags, struct arena *arena)
-{
-    struct arena_mark mark = arena_mark(arena);
-    struct ranked *sorted = TAKE(arena, struct ranked, map->count);
-    bool repeated = false;
-    for (int i = 0; i < map->count; i++) sorted[i] = (struct ranked){map->item[i], i};
-    qsort(sorted, (size_t)map->count, sizeof *sorted, by_key);
-    for (int i = 1; i < map->count; i++) repeated |= same_key(&sorted[i - 1], &sorted[i]);
-    if (repeated)
-        drop_repeated(map, sorted, diags, arena);
-    else
-        arena_rewind(arena, mark);
-}
-
-/* ---- building ---- */
+#include "deck/syntax.h"
 
 struct anchor {
     const char *name;
@@ -161,9 +23,8 @@ struct anchor {
 struct builder {
     struct pool *pool;
     struct diags *diags;
-    int file, shift; /* characters before the document in its first line */
-    const struct source *source;
-    size_t from;
+    struct syntax syntax;
+    int file;
     int depth, anchors, aliases;
     struct anchor *anchor; /* [MAX_ANCHORS], once there is one */
     struct node **alias;   /* [MAX_ANCHORS] copies whose children are still the anchor's */
@@ -172,19 +33,9 @@ struct builder {
     yaml_parser_t parser;
 };
 
-static struct mark place(const struct builder *b, yaml_mark_t m)
-{
-    return (struct mark){(int)m.line + 1, (int)m.column + 1 + (m.line == 0 ? b->shift : 0)};
-}
-
-static struct span between(const struct builder *b, yaml_mark_t from, yaml_mark_t to)
-{
-    return (struct span){b->file, place(b, from), place(b, to)};
-}
-
 static struct span event_span(const struct builder *b, const yaml_event_t *e)
 {
-    return between(b, e->start_mark, e->end_mark);
+    return syntax_span(&b->syntax, e->start_mark, e->end_mark);
 }
 
 static void push(struct builder *b, struct node *n)
@@ -211,103 +62,10 @@ static bool shallow(struct builder *b, int height, struct span at)
     return false;
 }
 
-/* ---- syntax errors in words ---- */
-
-/* The last line above `line` that holds something, as bytes of the source. */
-static size_t line_above(const struct source *s, int line, size_t *end)
-{
-    for (line--; line >= 1; line--) {
-        size_t start = s->line[line - 1], stop = source_line_end(s, line);
-        while (start < stop && s->text[start] == ' ') start++;
-        *end = stop;
-        if (start < stop && s->text[start] != '#') return start;
-    }
-    return *end = 0;
-}
-
-/* `key:value` without the space, which YAML takes for one text. */
-static bool lacks_space(const char *text, size_t len)
-{
-    const char *colon = memchr(text, ':', len);
-    return colon && colon > text && colon + 1 < text + len && !strchr(" \t\r\n/", colon[1]) &&
-           !memchr(text, ' ', (size_t)(colon - text));
-}
-
-/* A key where none can be mostly means that the line above lacks a space: that line is told. */
-static bool tell_space(struct builder *b, int line)
-{
-    size_t end, start = line_above(b->source, line, &end);
-    if (end <= start || !lacks_space(b->source->text + start, end - start)) return false;
-    struct span at = {b->file, source_mark(b->source, start), source_mark(b->source, end)};
-    const char *text =
-        arena_print(b->pool->arena, "%.*s", (int)(end - start < 200 ? end - start : 200), b->source->text + start);
-    diag_error_in(b->diags, at, "E-colon", "a space is missing after ':' in '%s'", diag_clip(b->diags, text));
-    return true;
-}
-
-struct complaint {
-    const char *problem, *code, *says, *note;
-};
-
-static const struct complaint complaints[] = {
-    {"did not find expected ',' or ']'", "E-unclosed", "expected ',' or ']'", "the list is opened here"},
-    {"did not find expected ',' or '}'", "E-unclosed", "expected ',' or '}'", "the map is opened here"},
-    {"found unexpected end of stream", "E-unclosed", "the text ends inside a quote", "the quote is opened here"},
-    {"found unexpected document indicator", "E-unclosed", "'---' or '...' inside a quote", "the quote is opened here"},
-    {"did not find expected key", "E-indent", "expected a key of the map around it", "the map begins here"},
-    {"did not find expected '-' indicator", "E-indent", "expected '-', the next item of the list around it",
-     "the list begins here"},
-    {"block sequence entries are not allowed in this context", "E-indent", "a list cannot begin here", NULL},
-    {"mapping values are not allowed in this context", "E-yaml", "a key cannot stand here", NULL},
-    {"mapping keys are not allowed in this context", "E-yaml", "a key cannot stand here", NULL},
-    {"could not find expected ':'", "E-yaml", "expected ':' after a key", "the key is here"},
-    {"found a tab character that violates indentation", "E-tab", "a tab cannot indent; use spaces", NULL},
-    {"found a tab character where an indentation space is expected", "E-tab", "a tab cannot indent; use spaces", NULL},
-    {"found incompatible YAML document", "E-yaml", "only YAML 1.1 and 1.2 are read", NULL},
-    {"found invalid Unicode character escape code", "E-yaml", "this escape is no character", NULL},
-    {"did not find expected node content", "E-yaml", "expected a value", NULL},
-    {"found unknown escape character", "E-yaml", "unknown escape in a text in double quotes", NULL},
-    {"did not find expected <document start>", "E-yaml", "the deck ends before this", NULL},
-};
-
-/* A character no token begins with. */
-static void wrong_character(struct builder *b, struct span at)
-{
-    size_t offset = source_offset(b->source, at.from);
-    char c = offset < b->source->len ? b->source->text[offset] : 0;
-    if (c == '\t') {
-        diag_error_in(b->diags, at, "E-tab", "a tab cannot indent; use spaces");
-    } else {
-        diag_error_in(b->diags, at, "E-yaml", "a value cannot begin with '%c'", c);
-        diag_hint(b->diags, "put the text into quotes");
-    }
-}
-
-/* What libyaml stopped at. */
-static void tell_syntax(struct builder *b)
-{
-    const yaml_parser_t *p = &b->parser;
-    if (p->error == YAML_MEMORY_ERROR) arena_take(b->pool->arena, SIZE_MAX, 2); /* says so and ends */
-    struct span at = between(b, p->problem_mark, p->problem_mark);
-    const char *problem = p->problem ? p->problem : "not YAML";
-    if (!strcmp(problem, "found character that cannot start any token")) {
-        wrong_character(b, at);
-        return;
-    }
-    bool key = strstr(problem, "not allowed in this context") || strstr(problem, "expected ':'");
-    if (key && tell_space(b, at.from.line)) return;
-    const struct complaint *c = complaints, *end = complaints + sizeof complaints / sizeof *complaints;
-    while (c < end && strcmp(c->problem, problem)) c++;
-    diag_error_in(b->diags, at, c < end ? c->code : "E-yaml", "%s", c < end ? c->says : problem);
-    if (c < end && c->note && p->context)
-        diag_note_in(b->diags, between(b, p->context_mark, p->context_mark), "%s", c->note);
-    if (key) diag_hint(b->diags, "a text that holds ': ' must be quoted; members of one map begin in the same column");
-}
-
 static bool next_event(struct builder *b, yaml_event_t *e)
 {
     if (yaml_parser_parse(&b->parser, e)) return true;
-    tell_syntax(b);
+    syntax_tell(&b->syntax, &b->parser);
     return false;
 }
 
@@ -473,7 +231,7 @@ static bool fill_list(struct builder *b, struct node *n)
         yaml_event_t e;
         if (!next_event(b, &e)) return false;
         bool last = e.type == YAML_SEQUENCE_END_EVENT;
-        if (last) n->end = place(b, e.end_mark);
+        if (last) n->end = event_span(b, &e).to;
         struct node *item = last ? NULL : build(b, &e);
         yaml_event_delete(&e);
         if (last) return close_collection(b, n, first);
@@ -519,7 +277,8 @@ static void set_key(struct node *n, const struct node *key)
 /* {a: 1, b:2} holds a key "b:2" without value. */
 static bool joined(struct builder *b, const struct node *key, const struct node *value)
 {
-    if (key->quoted || value->type != NODE_SCALAR || value->quoted || value->len || !lacks_space(key->text, key->len))
+    if (key->quoted || value->type != NODE_SCALAR || value->quoted || value->len ||
+        !syntax_lacks_space(key->text, key->len))
         return false;
     diag_error(b->diags, key, AT_VALUE, "E-colon", "a space is missing after ':' in '%s'",
                diag_clip(b->diags, key->text));
@@ -556,7 +315,7 @@ static bool fill_map(struct builder *b, struct node *n)
         yaml_event_t e;
         if (!next_event(b, &e)) return false;
         bool last = e.type == YAML_MAPPING_END_EVENT;
-        if (last) n->end = place(b, e.end_mark);
+        if (last) n->end = event_span(b, &e).to;
         bool going = last || member(b, n, &e, &open);
         yaml_event_delete(&e);
         if (!going) return false;
@@ -661,8 +420,8 @@ static struct node *document(struct builder *b)
 struct node *tree_parse(struct pool *pool, struct diags *diags, int file, size_t from)
 {
     const struct source *s = diags_source(diags, file);
-    struct builder b = {.pool = pool, .diags = diags, .file = file, .source = s, .from = from};
-    b.shift = source_mark(s, from).col - 1;
+    struct builder b = {.pool = pool, .diags = diags, .file = file};
+    b.syntax = (struct syntax){diags, pool->arena, s, file, source_mark(s, from).col - 1};
     if (!yaml_parser_initialize(&b.parser)) arena_take(pool->arena, SIZE_MAX, 2); /* out of memory: says so and ends */
     yaml_parser_set_encoding(&b.parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&b.parser, (const unsigned char *)s->text + from, s->len - from);
