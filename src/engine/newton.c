@@ -115,14 +115,17 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     nt->effort->sweeps++;
     nt->fresh--;
     if (!(err <= DBL_MAX)) return FAILED;
+    theta = fmax(theta, nt->trust);
+    double rate = nt->pairs && nt->count > 2 ? sqrt(err / nt->last2) : theta;
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
     int done = err == 0 || (nt->remain * err <= nt->tol && (!nt->powered || err <= POWERED * nt->tol));
     if (err == 0) nt->remain = 0;
     if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
-    if (!first && theta > .3 && nt->last > 1e-9) nt->stale = 1;
+    if (!first && rate > .3 && nt->last > 1e-9) nt->stale = 1;
+    nt->last2 = nt->last;
     nt->last = err;
     if (done) return CONVERGED;
-    enum verdict v = first ? CONTINUE : later_iterate(nt, err, small, square, theta, x);
+    enum verdict v = first ? CONTINUE : later_iterate(nt, err, small, square, rate, x);
     return v == CONTINUE && nt->count >= nt->limit ? FAILED : v;
 }
 

@@ -27,12 +27,15 @@ struct newton {
     double energy;       /* running maximum of v . M v */
     int age;             /* steps since energy was looked at */
     double theta;        /* contraction to expect of the first iteration; 1: unknown */
+    double trust;        /* least contraction that is believed: a large part of the error may vanish at once and
+                          * leave a small one that converges slowly */
+    int pairs;           /* errors go round two blocks of unknowns: contraction is measured over two iterations */
     int stale;           /* a fresh matrix is due at the next step */
 
     /* of the iteration under way */
-    double tol, last, remain; /* remain: what is left of the last residual, as a factor */
-    int count;                /* iterations done */
-    int fresh;                /* > 0: the matrix belongs to this or the last iterate */
+    double tol, last, last2, remain; /* remain: what is left of the last residual, as a factor */
+    int count;                       /* iterations done */
+    int fresh;                       /* > 0: the matrix belongs to this or the last iterate */
     int bad, refreshed;
     int powered; /* some power flows: its quadrature wants the last correction small too */
     int worst;   /* row of the largest correction */

@@ -1,6 +1,8 @@
 /* response.c -- see response.h */
 #include "engine/response.h"
 
+#include <string.h>
+
 #include "engine/motion.h"
 #include "la/dense.h"
 
@@ -9,12 +11,12 @@ void response_open(struct response *p, int n, int ns, struct arena *life)
     int nl = n - ns;
     *p = (struct response){.n = n, .ns = ns, .nl = nl};
     double **square[] = {&p->M, &p->K, &p->C};
-    double **slow[] = {&p->F, &p->G, &p->Ge, &p->N, &p->T};
-    double **fast[] = {&p->A, &p->D, &p->J, &p->V, &p->spare};
+    double **slow[] = {&p->F, &p->G, &p->Grest, &p->Ge, &p->N, &p->T};
+    double **fast[] = {&p->A, &p->D, &p->J, &p->S, &p->V, &p->spare};
     double **mixed[] = {&p->x, &p->v, &p->dx, &p->d, &p->X};
     for (int i = 0; i < 3; i++) *square[i] = TAKE(life, double, n *n);
-    for (int i = 0; i < 5; i++) *slow[i] = TAKE(life, double, nl *nl);
-    for (int i = 0; i < 5; i++) *fast[i] = TAKE(life, double, ns *ns);
+    for (int i = 0; i < 6; i++) *slow[i] = TAKE(life, double, nl *nl);
+    for (int i = 0; i < 6; i++) *fast[i] = TAKE(life, double, ns *ns);
     for (int i = 0; i < 5; i++) *mixed[i] = TAKE(life, double, 2 * ns * nl);
     p->WF = TAKE(life, double, ns *nl);
     p->Q = TAKE(life, double, nl *ns);
@@ -31,6 +33,14 @@ static void times_B(const struct response *p, double *Y, double s, const double 
     dense_gemm(Y, s, X, p->A, rows, p->ns, p->ns, rows, ld, p->ns);
 }
 
+static int factor_J(struct response *p)
+{
+    int n = p->n, ns = p->ns;
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < ns; i++) p->J[i + j * ns] = p->S[i + j * ns] + p->M[i + j * n];
+    return factor_dense(p->J, p->swapJ, p->spare, &p->form, ns);
+}
+
 int response_factor(struct response *p)
 {
     int n = p->n, ns = p->ns;
@@ -38,10 +48,8 @@ int response_factor(struct response *p)
     for (int j = 0; j < ns; j++)
         for (int i = 0; i < ns; i++)
             p->V[i + j * ns] = h * h / 2 * (p->K[i + j * n] + p->D[i + j * ns]) + h * p->C[i + j * n];
-    times_B(p, p->J, .5, p->V, ns, ns);
-    for (int j = 0; j < ns; j++)
-        for (int i = 0; i < ns; i++) p->J[i + j * ns] += p->M[i + j * n];
-    return factor_dense(p->J, p->swapJ, p->spare, &p->form, ns);
+    times_B(p, p->S, .5, p->V, ns, ns);
+    return factor_J(p);
 }
 
 void response_solve(const struct response *p, double *x)
@@ -124,6 +132,8 @@ static int eliminate(struct response *p, const double *W)
     if (pivot >= 0) return pivot;
     dense_lu_solves(p->N, p->swapN, p->T, nl, nl, nl, nl);
     if (p->slow_slopes) dense_gemm(p->G, 1, p->Ge, p->T, nl, nl, nl, nl, nl, nl);
+    for (int j = 0; j < nl; j++)
+        for (int i = 0; i < nl; i++) p->Grest[i + j * nl] = p->G[i + j * nl] - p->M[(ns + i) + (long)(ns + j) * p->n];
     return dense_lu(p->G, p->swapG, nl, nl);
 }
 
@@ -141,6 +151,28 @@ int response_slow(struct response *p, const double *W)
         for (int i = 0; i < nl; i++) p->Q[i + j * nl] += p->h / 2 * p->C[ns + i + j * n];
     dense_gemm(p->Q, p->h / 2, p->C + ns, p->A, nl, ns, ns, nl, n, ns);
     return eliminate(p, W);
+}
+
+static int differs(const double *A, const double *B, int rows, int cols, int lda, int ldb)
+{
+    for (int j = 0; j < cols; j++)
+        if (memcmp(A + (long)j * lda, B + (long)j * ldb, (size_t)rows * sizeof *A)) return 1;
+    return 0;
+}
+
+int response_masses(struct response *p, int *factored, const double *Mss, const double *M)
+{
+    int n = p->n, ns = p->ns, nl = p->nl;
+    const double *MLL = M + ns + ns * n;
+    *factored = differs(Mss, p->M, ns, ns, ns, n) || differs(MLL, p->M + ns + ns * n, nl, nl, n, n);
+    if (!*factored) return -1;
+    dense_copy(p->M, Mss, ns, ns, n, ns);
+    dense_copy(p->M + ns + ns * n, MLL, nl, nl, n, n);
+    int pivot = factor_J(p);
+    if (pivot >= 0) return pivot;
+    for (int j = 0; j < nl; j++)
+        for (int i = 0; i < nl; i++) p->G[i + j * nl] = p->Grest[i + j * nl] + MLL[i + (long)j * n];
+    return dense_lu(p->G, p->swapG, nl, nl);
 }
 
 void response_run(const struct response *p, double *d, const double *c, const double *g, double *x, double *v,

@@ -32,9 +32,10 @@ struct response {
     double *F;                  /* [nl x nl] */
     double *WF;                 /* [ns x nl] W' F */
     double *A, *D;              /* [ns x ns] */
-    double *J, *V, *spare;      /* [ns x ns] */
+    double *J, *S, *V, *spare;  /* [ns x ns]; S = J - M_SS */
     double *Q;                  /* [nl x ns] d(slow rows)/d(d_k) of one minor step: ((h^2/4) K_LS + (h/2) C_LS) B */
     double *G;                  /* [nl x nl] slow rows by du, e eliminated; factored */
+    double *Grest;              /* [nl x nl] G - M_LL */
     double *Ge;                 /* [nl x nl] G_e N */
     double *N;                  /* [nl x nl] 1 + W X_e, factored */
     double *T;                  /* [nl x nl] N T' */
@@ -49,6 +50,10 @@ void response_open(struct response *p, int n, int ns, struct arena *life);
 int response_factor(struct response *p);
 /* Everything else: call after response_factor.  W [nl x ns].  -1, or a column without a pivot. */
 int response_slow(struct response *p, const double *W);
+
+/* J and G for the masses as they are now, Mss [ns x ns] and M_LL in M [n x n]; all else stays as it was
+ * frozen.  -1, or a column without a pivot. */
+int response_masses(struct response *p, int *factored, const double *Mss, const double *M);
 
 /* d_k [ns x ratio] := (add: +=) the answer to constant part c [ns] and linear part g [ns] (times f_k) of
  * the fast rows, from offsets x, v [ns] (overwritten). */

@@ -68,6 +68,7 @@ struct subcycle {
     struct {                   /* the last minor and major steps, for prediction */
         double *as, *dx, *vs;  /* [ns] */
         double *y, *w;         /* [nl] half of its slow displacement, its slow velocity */
+        double *trend;         /* [ns] rate of the force that the linear model does not know */
         double *ay, *aybefore; /* [nl] */
         double H, Hbefore, local;
     } last;
@@ -85,8 +86,8 @@ static void take_vectors(struct subcycle *c, struct arena *life)
 {
     double **slow[] = {&c->du, &c->u0,     &c->w,      &c->R,       &c->rs,           &c->e, &c->rho, &c->Du,
                        &c->De, &c->last.y, &c->last.w, &c->last.ay, &c->last.aybefore};
-    double **fast[] = {&c->vs, &c->dx, &c->xn, &c->dsum, &c->esum,    &c->es,      &c->cs,     &c->c,
-                       &c->g,  &c->x,  &c->v_, &c->s_,   &c->last.as, &c->last.dx, &c->last.vs};
+    double **fast[] = {&c->vs, &c->dx, &c->xn, &c->dsum, &c->esum,    &c->es,      &c->cs,      &c->c,
+                       &c->g,  &c->x,  &c->v_, &c->s_,   &c->last.as, &c->last.dx, &c->last.vs, &c->last.trend};
     double **place[] = {&c->q, &c->qmid, &c->qend, &c->qn, &c->qbar};
     double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->sum};
     for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
@@ -109,6 +110,8 @@ static void open(struct stepper *s, struct arena *life)
     c->plain = midpoint_new(s, life);
     newton_open(&c->newton, o, &s->effort, &s->options, life);
     if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
+    c->newton.trust = .1;
+    c->newton.pairs = 1;
     decouple_open(&c->dec, c->n, c->ns, life);
     response_open(&c->resp, c->n, c->ns, life);
     response_open(&c->near, c->n, c->ns, life);
@@ -503,6 +506,7 @@ static void forget(struct subcycle *c)
     if (c->dec.coupled) dense_gemv(c->last.ay, 1, c->dec.W, c->a0, nl, ns, nl);
     copy(c->last.aybefore, c->last.ay, nl);
     zero(c->last.y, nl);
+    zero(c->last.trend, ns);
     copy(c->last.w, c->u0, nl);
     c->last.H = c->last.Hbefore = c->H;
     c->last.local = -1;
@@ -510,9 +514,9 @@ static void forget(struct subcycle *c)
 
 /* du by its last two values; d_k as linear minor steps under the force of the last one:
  *
- *     M dd_k = h { M as - K_SS (x_k+1/2 - x_last) - K_SL (y_k+1/2 - y_last) - C (v - v_last) }
+ *     M dd_k = h { M as - K_SS (x_k+1/2 - x_last) - K_SL (y_k+1/2 - y_last) - C (v - v_last) + trend (t - t_last) }
  *
- * which is exact for a linear system driven by nothing else. */
+ * which is exact for a linear system under constant loads. */
 static void predict(struct subcycle *c)
 {
     const struct response *p = &c->resp;
@@ -532,14 +536,21 @@ static void predict(struct subcycle *c)
     dense_gemv(c->c, h, p->K + ns * n, c->last.y, ns, nl, n);
     dense_gemv(c->c, h, p->C + ns * n, c->Du, ns, nl, n);
     dense_gemv(c->g, h * c->H, p->K + ns * n, c->w, ns, nl, n);
-    for (int i = 0; i < ns; i++) c->x[i] = c->last.dx[i] / 2;
+    for (int i = 0; i < ns; i++) {
+        c->x[i] = c->last.dx[i] / 2;
+        c->c[i] -= h * c->last.trend[i] * c->h / 2;
+        c->g[i] -= h * c->last.trend[i] * c->H;
+    }
     copy(c->v_, c->v0, ns);
     response_run(p, c->d, c->c, c->g, c->x, c->v_, c->s_, 0);
 }
 
-/* A and D for the mass as it is now, K~_SS as it was frozen. */
-static enum status renew_damping(struct subcycle *c, struct trouble *why)
+/* J, G, A and D for the mass as it is now, the slopes as they were frozen. */
+static enum status renew(struct subcycle *c, struct trouble *why)
 {
+    int factored, pivot = response_masses(&c->resp, &factored, c->dec.Mss, c->dec.M);
+    c->effort->factors += factored;
+    if (pivot >= 0) return singular(c, pivot, why);
     if (c->alpha <= 0) return OK;
     copy(c->near.J, c->resp.J, c->ns * c->ns);
     enum status status = damping(c, why);
@@ -560,7 +571,7 @@ static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
     if (c->dec.coupled) dense_gemv(c->du, -1, c->dec.W, c->dsum, nl, ns, nl);
     TRY(decouple_at(c, c->qbar, c->t0 + (c->t1 - c->t0) / 2, why));
     if (c->dec.coupled) dense_gemv(c->du, 1, c->dec.W, c->dsum, nl, ns, nl);
-    TRY(renew_damping(c, why));
+    TRY(renew(c, why));
     c->newton.count = 0;
     return solve(c, why);
 }
@@ -582,7 +593,7 @@ static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
     if (c->newton.stale || c->local || changed)
         TRY(refresh(c, why));
     else
-        TRY(renew_damping(c, why));
+        TRY(renew(c, why));
     predict(c);
     TRY(solve(c, why));
     for (int pass = 1; pass < passes; pass++) TRY(symmetric_pass(c, why));
@@ -629,11 +640,36 @@ static double local_error(const struct subcycle *c)
     return worst;
 }
 
+/* M as + K_SS x + K_SL y + C v has changed over the major step, between its last minor step and the one
+ * before it; what was before is still in c->last. */
+static void find_trend(struct subcycle *c, const double *d)
+{
+    const struct response *p = &c->resp;
+    int n = c->n, ns = c->ns, nl = c->nl;
+    for (int i = 0; i < ns; i++) {
+        c->c[i] = d[i] / c->h - c->last.as[i];
+        c->x[i] = c->xn[i] - c->dx[i] / 2 + c->last.dx[i] / 2;
+        c->v_[i] = c->dx[i] / c->h - c->last.vs[i];
+    }
+    for (int i = 0; i < nl; i++) {
+        c->Du[i] = (c->H - c->h / 2) * c->w[i] + c->last.y[i];
+        c->De[i] = c->w[i] - c->last.w[i];
+    }
+    zero(c->g, ns);
+    dense_gemv(c->g, 1, p->M, c->c, ns, ns, n);
+    dense_gemv(c->g, 1, p->K, c->x, ns, ns, n);
+    dense_gemv(c->g, 1, p->C, c->v_, ns, ns, n);
+    dense_gemv(c->g, 1, p->K + ns * n, c->Du, ns, nl, n);
+    dense_gemv(c->g, 1, p->C + ns * n, c->De, ns, nl, n);
+    for (int i = 0; i < ns; i++) c->last.trend[i] = c->g[i] / c->H;
+}
+
 /* After compose: c->dx, c->vs stand at the last minor step. */
 static void remember(struct subcycle *c)
 {
     const double *d = c->d + (c->ratio - 1) * c->ns;
     c->last.local = local_error(c);
+    find_trend(c, d);
     for (int i = 0; i < c->ns; i++) {
         c->last.as[i] = d[i] / c->h;
         c->last.dx[i] = c->dx[i];
