@@ -90,5 +90,7 @@ double signal_value(const struct signal *s, const double *slot);
 bool signal_reads_time(const struct signal *s);
 /* Value, and slopes d[i] along slots which[i]. */
 double signal_slopes(const struct signal *s, double *d, const double *slot, const int *which, int n);
+/* The first point of a table after time t, where it may bend; infinity: none. */
+double signal_next(const struct signal *s, double t);
 
 #endif

@@ -1,4 +1,6 @@
 /* signal.c -- values given by an expression or by a table of time; see force.h */
+#include <math.h>
+
 #include "expr/expr.h"
 #include "kind/force.h"
 
@@ -46,4 +48,10 @@ bool signal_reads_time(const struct signal *s)
 {
     int first;
     return s->expr ? expr_reads(s->expr, &first, 1) > 0 && first == 0 : s->n > 0;
+}
+
+double signal_next(const struct signal *s, double t)
+{
+    if (s->expr || s->n == 0 || t >= s->t[s->n - 1]) return INFINITY;
+    return t < s->t[0] ? s->t[0] : s->t[piece(s, t) + 1];
 }

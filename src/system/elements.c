@@ -268,7 +268,7 @@ static void load_bushing(struct elements *e, struct sweep *s, const struct part_
 void look_at_end(struct elements *e, const struct instant *x, int end, enum rate cls)
 {
     const double *q = end ? x->qb : x->qa;
-    e->ops->move(e->there, q, x->v, cls);
+    e->ops->move(e->there, q, x->v, FAST);
     for (int i = first_of(e->nother, cls); i < last_of(e->nother, cls); i++) {
         struct part_of *p = &e->other[i];
         const struct model_force *f = &e->model->force[p->force];
@@ -354,7 +354,7 @@ static bool is_plain(const struct model *m, const struct model_force *f)
            m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->linear(f->par);
 }
 
-/* Is v[k] a rotation?  Rotations come after displacements, except in a cylindrical joint. */
+/* Is v[k] a rotation?  Rotations come after displacements, but for a cylindrical joint's. */
 static bool *rotations(const struct model *m, struct arena *life)
 {
     bool *turns = TAKE(life, bool, m->n);
@@ -371,12 +371,14 @@ static bool *rotations(const struct model *m, struct arena *life)
 
 static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
 {
-    const int *path;
-    int *turn = TAKE(life, int, e->model->n);
-    for (int body = 0; body < 2; body++) {
-        int n = e->ops->path(e->there, &path, body ? b : a);
-        for (int i = 0; i < n; i++) row_add(&e->row, path[i], 1);
-    }
+    const struct model *m = e->model;
+    const int ends[2] = {a, b};
+    int *turn = TAKE(life, int, m->n);
+    for (int end = 0; end < 2; end++)
+        for (int i = ends[end]; i > 0; i = m->body[i].parent) {
+            const struct model_joint *j = &m->joint[m->body[i].joint];
+            for (int k = 0; k < j->nv; k++) row_add(&e->row, j->iv[k], 1);
+        }
     for (int i = 0; i < e->row.n; i++) {
         int k = e->row.k[i];
         if (e->row.x[k] == 1 && turns[k]) turn[p->nturn++] = k;
@@ -429,12 +431,31 @@ static void add_class(struct elements *e, enum rate cls, const bool *turns, stru
     e->nother[cls] = e->nother[ALL];
 }
 
+/* A sweep whose FAST bodies are only those that the elements with ends touch, and their paths. */
+static struct sweep *build_ends(const struct elements *e, struct arena *life)
+{
+    struct model *m = TAKE(life, struct model, 1);
+    struct model_body *body = TAKE(life, struct model_body, e->model->nbody);
+    struct model_force *force = TAKE(life, struct model_force, e->model->nforce);
+    *m = *e->model;
+    m->body = body;
+    m->force = force;
+    m->nforce = 0;
+    memcpy(body, e->model->body, sizeof *body * (size_t)m->nbody);
+    for (int i = 0; i < m->nbody; i++) body[i].fast = false;
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        if (!e->other[i].ends) continue;
+        force[m->nforce] = e->model->force[e->other[i].force];
+        force[m->nforce++].cls = FAST;
+    }
+    return e->ops->build(m, life);
+}
+
 struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)
 {
     struct elements *e = TAKE(life, struct elements, 1);
     e->model = m;
     e->ops = ops;
-    e->there = ops->build(m, life);
     measures_build(&e->measures, m, ops, life);
     e->plain = TAKE(life, struct plain, m->nforce);
     e->other = TAKE(life, struct part_of, m->nforce);
@@ -444,6 +465,7 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
     e->most_slots = 1;
     add_class(e, FAST, turns, life);
     add_class(e, SLOW, turns, life);
+    if (e->ends[ALL]) e->there = build_ends(e, life);
     e->slot = TAKE(life, double, e->most_slots);
     e->slope = TAKE(life, double, e->most_slots);
     e->which = TAKE(life, int, e->most_slots);

@@ -31,7 +31,7 @@ struct elements {
     struct plain *plain;
     struct part_of *other;
     bool ends[4];        /* does anything of the class look at the ends? */
-    struct sweep *there; /* the mechanism at an end of the interval */
+    struct sweep *there; /* the bodies they touch at an end of the interval (as its FAST ones); NULL: none */
     int most_slots;
     double *slot, *slope; /* [most_slots] an expression's arguments, its slopes along them */
     int *which;           /* [most_slots] 1, 2, ... */

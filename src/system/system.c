@@ -22,6 +22,7 @@ struct system {
     bool diagonal; /* elements_are_diagonal() */
     struct moves moves;
     struct ode2_direct direct;
+    struct ode2_breaks breaks;
     struct ode2 ode;
     void *factor;           /* of M^, for accel() */
     double *d, *zero;       /* [n] */
@@ -152,6 +153,18 @@ static void solve(const struct ode2 *o, const void *F, double *x)
     s->ops->solve(s->work, F, x);
 }
 
+/* --- kinks in time ------------------------------------------------------------------------------ */
+
+static double next_kink(const struct ode2 *o, double t)
+{
+    const struct model *m = system_of(o)->model;
+    double next = INFINITY;
+    for (int i = 0; i < m->nforce; i++)
+        if (m->force[i].type == FORCE_VALUE || m->force[i].type == FORCE_LOAD)
+            for (int k = 0; k < 3; k++) next = fmin(next, signal_next(&m->force[i].value[k], t));
+    return next;
+}
+
 /* --- building ----------------------------------------------------------------------------------- */
 
 struct system *system_build(const struct model *m, struct arena *life)
@@ -176,6 +189,9 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->effect = TAKE(life, struct effect, m->nforce);
     s->direct = (struct ode2_direct){.accel = accel, .factor_size = bytes, .factor = factor, .solve = solve};
     bool plain = s->moves.nturn == 0 && s->moves.nfirst == m->n && m->nq == m->n;
+    s->breaks = (struct ode2_breaks){.next = next_kink};
+    s->ode.self = s;
+    const double first = next_kink(&s->ode, -INFINITY);
     s->ode = (struct ode2){.n = m->n,
                            .ns = m->ns,
                            .nq = m->nq,
@@ -183,6 +199,7 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &s->direct,
+                           .breaks = isinf(first) ? NULL : &s->breaks,
                            .self = s};
     return s;
 }

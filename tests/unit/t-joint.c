@@ -119,7 +119,11 @@ static void tables_are_linear_between_their_points(void **state)
         assert_true(signal_slopes(&s, d, &at[i], which, 2) == value[i]);
         assert_true(d[0] == slope[i] && d[1] == 0);
     }
+    assert_true(signal_next(&s, -1) == 0 && signal_next(&s, 0) == 1 && signal_next(&s, 1) == 3 &&
+                signal_next(&s, 1.5) == 3);
+    assert_true(isinf(signal_next(&s, 3)));
     const struct signal none = {0};
+    assert_true(isinf(signal_next(&none, 0)));
     assert_true(signal_value(&none, at) == 0);
     const struct signal constant = {.n = 1, .t = t, .x = x};
     assert_true(signal_value(&constant, &at[4]) == 2);

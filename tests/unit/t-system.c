@@ -467,6 +467,19 @@ static void trouble_is_named(void **state)
     close_tree(&f);
 }
 
+static void kinks_of_tables_are_known(void **state)
+{
+    (void)state;
+    struct fixture f;
+    open_tree(&f, 2, 3, 1, TREE_FORCES); /* tables at -1, 0, 1 */
+    assert_true(f.o->breaks->next(f.o, -2) == -1 && f.o->breaks->next(f.o, 0) == 1 && f.o->breaks->next(f.o, .5) == 1);
+    assert_true(isinf(f.o->breaks->next(f.o, 1)));
+    close_tree(&f);
+    open_tree(&f, 2, 3, 1, 0);
+    assert_null(f.o->breaks);
+    close_tree(&f);
+}
+
 static void a_massless_body_has_no_acceleration(void **state)
 {
     (void)state;
@@ -497,6 +510,7 @@ int main(void)
         cmocka_unit_test(reversed_joints_report_the_other_side),
         cmocka_unit_test(a_hanging_weight),
         cmocka_unit_test(trouble_is_named),
+        cmocka_unit_test(kinks_of_tables_are_known),
         cmocka_unit_test(a_massless_body_has_no_acceleration),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
