@@ -51,20 +51,24 @@ static inline double row(const struct part *x, const struct link *l, int k, cons
     return x->e[k][0] * f[0] + x->e[k][1] * f[1];
 }
 
+static inline void put(double *M, int n, int i, int j, double x)
+{
+    M[i + (size_t)n * j] = x;
+    M[j + (size_t)n * i] = x;
+}
+
 static void column(double *M, const struct sweep *s, int body, int k)
 {
     double f[3];
-    int n = s->n, col = s->link[body].iv[k];
+    const int n = s->n, col = s->link[body].iv[k];
     start(f, &s->part[body], &s->link[body], k);
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
-        int rows = i == body ? k + 1 : l->nv;
-        for (int o = 0; o < rows; o++) {
-            double here = row(x, l, o, f);
-            M[l->iv[o] + (size_t)n * col] = here;
-            M[col + (size_t)n * l->iv[o]] = here;
-        }
+        if (l->type == TURN)
+            put(M, n, l->iv[0], col, l->turn * (f[2] + x->c_b[0] * f[1] - x->c_b[1] * f[0]));
+        else
+            for (int o = 0; o < (i == body ? k + 1 : l->nv); o++) put(M, n, l->iv[o], col, row(x, l, o, f));
         f[2] += x->arm[0] * f[1] - x->arm[1] * f[0];
     }
 }

@@ -464,6 +464,11 @@ static void trouble_is_named(void **state)
     assert_int_equal(f.o->ops->resid(f.o, r, NULL, NULL, &y, ALL, &why), E_NUMERIC);
     assert_int_equal(why.code, TROUBLE_NOT_FINITE);
     assert_false(isfinite(r[why.index]));
+    static double M[MOST * MOST];
+    assert_int_equal(f.o->ops->mass(f.o, M, f.q, 0, ALL, &why), OK);
+    f.q[f.m->nq - 1] = NAN;
+    assert_int_equal(f.o->ops->mass(f.o, M, f.q, 0, ALL, &why), E_NUMERIC);
+    assert_int_equal(why.code, TROUBLE_NOT_FINITE);
     close_tree(&f);
 }
 
