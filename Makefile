@@ -81,14 +81,14 @@ $(BUILD)/bench/%: tests/bench/%.c $(LIBRARY)
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order
+	@$(RUN) unit decks bad faults man order study
 
 tests-built: $(UNITS) $(TOOLS) $(BENCHES)
 
 unit: $(UNITS)
 	@$(RUN) unit
 
-decks bad faults man-examples order: $(PROGRAM) $(TOOLS)
+decks bad faults man-examples order study: $(PROGRAM) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 asan:

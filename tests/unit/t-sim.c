@@ -1,0 +1,184 @@
+/* t-sim.c -- whole runs from a deck: memory stands still, invariants of a free body, ratio 1 on the general path. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/load.h"
+#include "sim/sim.h"
+
+/* the harness has a macro of that name */
+#include <setjmp.h>
+#include <stdarg.h>
+
+#include <cmocka.h>
+
+struct opened {
+    struct arena *life;
+    struct scene *scene;
+    struct sim sim;
+};
+
+static void open_deck(struct opened *o, const char *path, int nset, const char *const *set, bool general)
+{
+    struct report report = {0};
+    const struct deck_options options = {.nset = nset, .set = set};
+    const struct sim_options quiet = {.version = "test", .general = general};
+    o->life = arena_open();
+    struct diags *diags = diags_open(o->life);
+    enum status status = sim_load(&o->scene, path, &options, diags, o->life, &report);
+    if (status == OK) status = sim_open(&o->sim, o->scene, &o->scene->integrate, &quiet, diags, o->life, &report);
+    if (status != OK) {
+        diags_print(stderr, diags, false);
+        fprintf(stderr, "%s\n", report.text);
+    }
+    assert_int_equal(status, OK);
+}
+
+/* After the first step nothing more is taken, in any scheme. */
+static void test_memory_stands_still(void **state)
+{
+    static const char *const schemes[] = {"newmark", "midpoint", "miao", "subcycle", "rk4", "dopri5"};
+    (void)state;
+    for (size_t i = 0; i < sizeof schemes / sizeof *schemes; i++) {
+        char scheme[60];
+        struct opened o;
+        struct report report = {0};
+        struct trouble why = {0};
+        snprintf(scheme, sizeof scheme, "integrate.scheme=%s", schemes[i]);
+        const char *const set[] = {scheme, "integrate.until=0.2",
+                                   strcmp(schemes[i], "dopri5") ? "title=x" : "integrate.tolerance=1.0e-6"};
+        open_deck(&o, "decks/stiff-leaf-chain.yaml", 3, set, true);
+        double H = o.sim.plan.step * o.sim.plan.ratio;
+        assert_int_equal(stepper_step(&o.sim.stepper, &o.sim.x, o.sim.plan.step, o.sim.plan.ratio, H, &why), OK);
+        size_t used = arena_used(o.life);
+        long grown = arena_grown(o.life);
+        enum status status = sim_run(&o.sim, NULL, &report);
+        assert_true(status == OK || status == E_VERDICT); /* miao may break its balance here */
+        assert_int_equal(arena_used(o.life), used);
+        assert_int_equal(arena_grown(o.life), grown);
+        arena_close(o.life);
+    }
+}
+
+static double size3(const double *a)
+{
+    return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+}
+
+/* Energy and spatial angular momentum of a free body, by the midpoint rule: round-off. */
+static void test_free_body(void **state)
+{
+    static const char *const set[] = {"integrate.newton_tolerance=1.0e-15",
+                                      "integrate.scheme=midpoint",
+                                      "integrate.step=0.01",
+                                      "integrate.ratio=1",
+                                      "integrate.until=50",
+                                      "output.every={steps: 100}"};
+    struct opened o;
+    struct report report = {0};
+    struct trouble why = {0};
+    struct energies e0, e1;
+    double p[3], L0[3], L1[3], d[3];
+    (void)state;
+    open_deck(&o, "decks/free-top.yaml", 6, set, false);
+    struct sim *s = &o.sim;
+    assert_int_equal(system_see(s->system, s->x.q, s->x.v, 0, SEE_MOTION, &why), OK);
+    system_momentum(s->system, p, L0);
+    system_energy_at(s->system, &e0, s->x.q, s->x.v, 0);
+    assert_int_equal(sim_run(s, NULL, &report), OK);
+    assert_int_equal(system_see(s->system, s->x.q, s->x.v, s->x.t, SEE_MOTION, &why), OK);
+    system_momentum(s->system, p, L1);
+    system_energy_at(s->system, &e1, s->x.q, s->x.v, s->x.t);
+    for (int i = 0; i < 3; i++) d[i] = L1[i] - L0[i];
+    assert_true(fabs(e1.kinetic - e0.kinetic) <= 1e-12 * e0.kinetic); /* 5000 steps of round-off */
+    assert_true(size3(d) <= 1e-12 * size3(L0));
+    arena_close(o.life);
+}
+
+/* Worst difference of the ends of two runs, against the largest value. */
+static double apart(const struct opened *a, const struct opened *b)
+{
+    double worst = 0, top = 0;
+    for (int i = 0; i < a->sim.model->nq; i++) {
+        worst = fmax(worst, fabs(a->sim.x.q[i] - b->sim.x.q[i]));
+        top = fmax(top, fabs(a->sim.x.q[i]));
+    }
+    return worst / top;
+}
+
+static void run_general(struct opened *o, const char *deck, const char *scheme, bool general)
+{
+    struct report report = {0};
+    char word[60];
+    snprintf(word, sizeof word, "integrate.scheme=%s", scheme);
+    const char *const set[] = {word, "integrate.ratio=1", "integrate.newton_tolerance=1.0e-14", "integrate.until=0.02",
+                               "output.every={steps: 10}"};
+    open_deck(o, deck, 5, set, general);
+    assert_string_equal(o->sim.stepper.kind->name, scheme);
+    assert_int_equal(sim_run(&o->sim, NULL, &report), OK);
+}
+
+/* Ratio 1 with a recoiling base and slow bodies apart is the single-rate scheme. */
+static void test_ratio_one(void **state)
+{
+    static const char *const decks[] = {"decks/bar-slider.yaml", "decks/double-pendulum.yaml",
+                                        "decks/stiff-leaf-chain.yaml"};
+    static const char *const pairs[][2] = {{"subcycle", "midpoint"}, {"miao", "newmark"}};
+    (void)state;
+    for (int d = 0; d < 3; d++)
+        for (int k = 0; k < 2; k++) {
+            struct opened a, b;
+            run_general(&a, decks[d], pairs[k][0], true);
+            run_general(&b, decks[d], pairs[k][1], false);
+            double difference = apart(&a, &b);
+            if (!(difference <= 1e-12)) fprintf(stderr, "%s %s: %g\n", decks[d], pairs[k][0], difference);
+            assert_true(difference <= 1e-12);
+            arena_close(a.life);
+            arena_close(b.life);
+        }
+}
+
+/* A run takes its single-rate twin at ratio 1. */
+static void test_twin(void **state)
+{
+    static const char *const set[] = {"integrate.ratio=1", "output.every={steps: 10}"};
+    struct opened o;
+    (void)state;
+    open_deck(&o, "decks/bar-slider.yaml", 2, set, false);
+    assert_string_equal(o.sim.stepper.kind->name, "midpoint");
+    arena_close(o.life);
+}
+
+/* The last record stands at `until` to the bit, whatever the step. */
+static void test_end(void **state)
+{
+    static const char *const ends[][3] = {{"0.1", "0.3", "1"}, {"0.1", "0.7", "1"}, {"0.1", "1", "1"},
+                                          {"0.03", "1", "1"},  {"0.03", "1", "5"},  {"1.0e-3", "0.017", "5"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        char step[60], until[60], ratio[60];
+        struct opened o;
+        struct report report = {0};
+        snprintf(step, sizeof step, "integrate.step=%s", ends[i][0]);
+        snprintf(until, sizeof until, "integrate.until=%s", ends[i][1]);
+        snprintf(ratio, sizeof ratio, "integrate.ratio=%s", ends[i][2]);
+        const char *const set[] = {
+            step, until, ratio, "output.every={steps: 1}", "integrate.scheme=subcycle", "partition={fast: [guide]}"};
+        open_deck(&o, "decks/bar-slider.yaml", 6, set, false);
+        sim_run(&o.sim, NULL, &report);
+        assert_true(o.sim.x.t == strtod(ends[i][1], NULL));
+        arena_close(o.life);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_memory_stands_still),
+        cmocka_unit_test(test_free_body),
+        cmocka_unit_test(test_ratio_one),
+        cmocka_unit_test(test_twin),
+        cmocka_unit_test(test_end),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
