@@ -46,8 +46,8 @@ struct force_kind {
     bool (*linear)(const void *par);
 };
 
-/* par of "spring": f = preload - k (s - rest) - c v; s is counted from the measure's zero.  For a joint coordinate rest is
- * 0 by default, for a distance the distance in the drawn position. */
+/* par of "spring": f = preload - k (s - rest) - c v; s is counted from the measure's zero.  For a joint coordinate rest
+ * is 0 by default, for a distance the distance in the drawn position. */
 struct spring {
     double k, c, rest, preload;
     double cubic; /* [N/m3]: f -= cubic (s - rest)^3 */

@@ -43,13 +43,13 @@ struct joint_kind {
     enum joint_type type;
     const char *name;
     const char *brief;
-    const struct key *keys;  /* besides [first, second] under the kind's own word */
-    int nq[2], nv[2];        /* sizes in 2-D and in 3-D; -1: not in that space */
-    const char *const *q;    /* names of positions, "angle"; nq of them (2-D ones first where they differ) */
+    const struct key *keys; /* besides [first, second] under the kind's own word */
+    int nq[2], nv[2];       /* sizes in 2-D and in 3-D; -1: not in that space */
+    const char *const *q;   /* names of positions, "angle"; nq of them (2-D ones first where they differ) */
     const char *const *qunit;
-    const char *const *v;    /* names of rates, "angle_rate", "omega_x" */
+    const char *const *v; /* names of rates, "angle_rate", "omega_x" */
     const char *const *vunit;
-    const char *const *a;    /* names of accelerations, "angle_accel" */
+    const char *const *a; /* names of accelerations, "angle_accel" */
     const char *const *aunit;
 };
 

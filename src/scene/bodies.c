@@ -191,11 +191,11 @@ static int count_points(const struct node *bodies)
 int read_bodies(struct builder *b, const struct node *n)
 {
     struct scene *scene = b->scene;
-    if (read_map(n, "'bodies'", &b->reader)) return 1;
     scene->body = TAKE(b->life, struct scene_body, n->count + 1);
     scene->body[0].name = "ground";
     memcpy(scene->body[0].R, identity, sizeof identity);
     scene->nbody = 1;
+    if (read_map(n, "'bodies'", &b->reader)) return 1;
     int errors = 0;
     for (int i = 0; i < n->count; i++) {
         const struct node *item = n->item[i];

@@ -5,6 +5,8 @@
 #include "base/text.h"
 #include "sim/parts.h"
 
+static const double MOST_STEPS = 1e12, MOST_BYTES = 1e12;
+
 static bool near_whole(double x)
 {
     return fabs(x - round(x)) <= 1e-9 * fmax(1, fabs(x));
@@ -89,7 +91,6 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report)
 {
     struct integrate *p = &sim->plan;
-    enum { MOST_STEPS_LOG10 = 15 };
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
     prefer_single_rate(sim);
@@ -103,8 +104,8 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
         return missing_step(sim, diags);
     }
     double steps = p->until / H;
-    if (steps > pow(10, MOST_STEPS_LOG10))
-        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: more than 1e%d", steps, p->until, MOST_STEPS_LOG10);
+    if (!(steps <= MOST_STEPS))
+        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: the limit is %g", steps, p->until, MOST_STEPS);
     sim->majors = near_whole(steps) ? lround(steps) : (long)ceil(steps);
     if (sim->majors < 1) sim->majors = 1;
     return plan_every(sim, H, diags);
@@ -144,9 +145,19 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
                           NULL);
 }
 
+/* Records to come, before the first is written. */
+static enum status foretell(const struct sim *sim, struct report *report)
+{
+    enum { BYTES_A_NUMBER = 18 };
+    double records = (double)sim->majors / (double)(sim->every ? sim->every : 1) + 1;
+    double bytes = records * sim->chosen.n * BYTES_A_NUMBER;
+    if (bytes <= MOST_BYTES) return OK;
+    return fail(report, E_LIMIT, "%.3g records of %d columns are about %.3g bytes: the limit is %g; raise 'every'",
+                records, sim->chosen.n, bytes, MOST_BYTES);
+}
+
 enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report)
 {
-    (void)report;
     catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
     if (sim->scene->output.npattern && !sim->options.counting)
         TRY(choose_by_deck(sim, diags, life));
@@ -156,5 +167,5 @@ enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *lif
     sim->row = TAKE(life, double, sim->chosen.n);
     sim->columns = TAKE(life, struct column, sim->chosen.n);
     for (int i = 0; i < sim->chosen.n; i++) sim->columns[i] = sim->catalogue.column[sim->chosen.index[i]];
-    return OK;
+    return foretell(sim, report);
 }

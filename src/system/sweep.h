@@ -15,8 +15,8 @@
 
 /* A body's motion in world axes; velocities and accelerations of the centre of mass. */
 struct pose {
-    double r[3], R[9]; /* [m]; body to world, by column */
-    double v[3], w[3]; /* [m/s], [rad/s] */
+    double r[3], R[9];  /* [m]; body to world, by column */
+    double v[3], w[3];  /* [m/s], [rad/s] */
     double a[3], al[3]; /* [m/s2], [rad/s2], true ones: gravity not in them */
     double angle;       /* plane: rotation about z since drawn, continuous [rad] */
 };
@@ -72,8 +72,8 @@ extern const struct sweep_ops sweep_planar, sweep_spatial;
 /* Which bodies a class list holds, parents first; for both recursions. */
 struct roster {
     int n;
-    const int *body;    /* [n] indices, ascending */
-    const char *bears;  /* [n] 1: with its mass, 0: motion (and pushed forces) only */
+    const int *body;   /* [n] indices, ascending */
+    const char *bears; /* [n] 1: with its mass, 0: motion (and pushed forces) only */
 };
 struct rosters {
     struct roster of[4]; /* by class: FAST, SLOW, ALL */

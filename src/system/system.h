@@ -24,7 +24,7 @@ enum { SEE_MOTION = 1, SEE_ACCELERATION = 2, SEE_ENERGY = 4 };
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what,
                        struct trouble *why);
 
-const double *system_accelerations(const struct system *s);                    /* [n] */
+const double *system_accelerations(const struct system *s); /* [n] */
 void system_pose(const struct system *s, struct pose *o, int body);
 void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p);
 void system_measure(const struct system *s, double *value, double *rate, int measure);

@@ -1,8 +1,8 @@
 /* subcycling.c -- what sub-cycling gains on a deck, against the ideal.
  *
- * Runs the deck's partition with `subcycle` at its ratio n and with the single-rate midpoint rule at the same small step,
- * interleaved, and prints CPU times as ratios.  The ideal is (c_L/n + c_S) / (c_L + c_S) with c_L and c_S the measured
- * cost of one evaluation of the slow and of the fast class.
+ * Runs the deck's partition with `subcycle` at its ratio n and with the single-rate midpoint rule at the same small
+ * step, interleaved, and prints CPU times as ratios.  The ideal is (c_L/n + c_S) / (c_L + c_S) with c_L and c_S the
+ * measured cost of one evaluation of the slow and of the fast class.
  *
  *     subcycling DECK [repeats] */
 #include <math.h>
@@ -58,7 +58,8 @@ static int run(struct result *o, const struct scene *scene, const char *scheme, 
 static void print(const char *name, const struct result *o)
 {
     const struct effort *e = &o->effort;
-    printf("%-9s cpu %.4g s, %ld minor steps, %.3g us a minor step; slow %ld, fast %ld evaluations, %ld factorizations, %ld sweeps\n",
+    printf("%-9s cpu %.4g s, %ld minor steps, %.3g us a minor step; slow %ld, fast %ld evaluations, %ld "
+           "factorizations, %ld sweeps\n",
            name, o->cpu, e->minors, 1e6 * o->cpu / (double)e->minors, e->slow, e->fast, e->factors, e->sweeps);
 }
 
