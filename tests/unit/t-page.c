@@ -198,12 +198,12 @@ static void test_places(void **state)
 /* Every tag with a star in the source, and every number of the paper, is explained. */
 static void test_equations(void **state)
 {
-    char *text = read_text("man/fmdsub-equations.7"), tag[12];
+    char *text = read_text("man/fmdsub-equations.7"), tag[24];
     glob_t files;
     (void)state;
     for (int k = 1; k <= 26; k++) {
         snprintf(tag, sizeof tag, "(2-%d)", k);
-        char starred[12];
+        char starred[24];
         snprintf(starred, sizeof starred, "(2-%d*)", k);
         if (!strstr(text, tag) && !strstr(text, starred)) fail_msg("fmdsub-equations.7 lacks %s", tag);
     }
