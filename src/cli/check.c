@@ -1,5 +1,6 @@
 /* check.c -- fmdsub check: what a deck makes, without running it */
 #include "cli/cli.h"
+#include "probe/modes.h"
 #include "sim/sim.h"
 
 static void print_bodies(FILE *to, const struct model *m)
@@ -29,6 +30,31 @@ static void print_forces(FILE *to, const struct model *m)
         fprintf(to, "  %-16s %s\n", m->force[i].name, m->force[i].cls == FAST ? "fast" : "slow");
 }
 
+static void print_quickest(FILE *to, const struct sim *sim, const char *what, int i, double omega)
+{
+    if (i >= 0 && omega > 0)
+        fprintf(to, "  quickest %s coordinate: %s, %.4g rad/s\n", what, sim_coordinate_name(sim, i), omega);
+}
+
+/* What the linearisation at the start asks of the steps. */
+static void print_frequencies(FILE *to, const struct sim *sim, struct arena *life)
+{
+    struct modes modes;
+    struct report quiet = {0};
+    double h;
+    int ratio;
+    if (modes_find(&modes, sim, life, &quiet) != OK || modes.n == 0) return;
+    const struct mode *top = &modes.mode[modes.n - 1];
+    fprintf(to, "small motions at the start: %.4g to %.4g rad/s (`fmdsub modes` shows all)\n", modes.mode[0].omega,
+            top->omega);
+    print_quickest(to, sim, "fast", modes.fast_worst, modes.fast_top);
+    print_quickest(to, sim, "slow", modes.slow_worst, modes.slow_top);
+    if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;
+    modes_suggest(&h, &ratio, &modes, sim);
+    fprintf(to, "  to resolve them (omega h = 0.1): step %.3g, ratio %d; the deck has %.3g, %d\n", h, ratio,
+            sim->plan.step, sim->plan.ratio);
+}
+
 enum status verb_check(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
@@ -46,6 +72,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         print_bodies(stdout, sim.model);
         print_coordinates(stdout, sim.model);
         print_forces(stdout, sim.model);
+        print_frequencies(stdout, &sim, life);
         printf("records: %ld columns of %d, every %ld major steps, %ld major steps in all\n", (long)sim.chosen.n,
                sim.catalogue.n, sim.every, sim.majors);
     }

@@ -21,7 +21,7 @@ struct request {
     char **word; /* what is not an option */
     int nset;
     const char *set[MOST_SETS]; /* --set, and --columns, --every, --until as such */
-    const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats;
+    const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats, *at;
     bool quiet, verbose, want_stats, strict, expanded, help, version;
     const char *progress, *color;
 };
@@ -46,6 +46,7 @@ extern const struct verb verbs[];
 enum status verb_run(const struct request *request, struct arena *life, struct report *report);
 enum status verb_check(const struct request *request, struct arena *life, struct report *report);
 enum status verb_study(const struct request *request, struct arena *life, struct report *report);
+enum status verb_modes(const struct request *request, struct arena *life, struct report *report);
 enum status verb_list(const struct request *request, struct arena *life, struct report *report);
 enum status verb_schema(const struct request *request, struct arena *life, struct report *report);
 enum status verb_explain(const struct request *request, struct arena *life, struct report *report);

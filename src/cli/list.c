@@ -7,28 +7,6 @@
 #include "cli/page.h"
 #include "sim/sim.h"
 
-static const char *type_word(const struct key *k)
-{
-    switch (k->type) {
-    case KEY_REAL:
-        return "number";
-    case KEY_INT:
-        return "whole number";
-    case KEY_BOOL:
-        return "true|false";
-    case KEY_WORD:
-    case KEY_NODE:
-        return k->words;
-    case KEY_LIST:
-        return k->words ? k->words : "[number, ...]";
-    case KEY_TEXT:
-        return "text";
-    case KEY_EXPR:
-        return "expression";
-    }
-    return "";
-}
-
 static void print_range(const struct key *k)
 {
     if (k->type != KEY_REAL && k->type != KEY_INT) return;
@@ -38,7 +16,7 @@ static void print_range(const struct key *k)
 
 static void print_key(const struct key *k)
 {
-    printf("    %-18s %s", k->name, type_word(k));
+    printf("    %-18s %s", k->name, page_type(k));
     if (k->unit) printf(" [%s]", k->unit);
     print_range(k);
     if (k->flags & KEY_REQUIRED) printf(", required");

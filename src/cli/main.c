@@ -13,6 +13,7 @@ const struct verb verbs[] = {
     {"run", "DECK", "simulate; records to stdout", verb_run},
     {"check", "DECK", "check a deck and print what it makes", verb_check},
     {"study", "DECK", "what accuracy costs: error against time over schemes, ratios, steps", verb_study},
+    {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},
     {"list", "[schemes|joints|forces|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
     {"explain", "CODE", "the cure for an error code", verb_explain},
@@ -30,7 +31,8 @@ void cli_help(FILE *to)
         const char *value = o->value ? o->value : "";
         char letter[4] = {'-', o->letter ? o->letter : ' ', o->letter ? ',' : ' ', 0};
         if (!o->letter) letter[0] = ' ';
-        snprintf(left, sizeof left, "%s --%s%s%s", letter, o->name, o->value && value[0] != '[' ? " " : "", value);
+        snprintf(left, sizeof left, "%s --%s%s%s", letter, o->name, o->value && value[0] != '[' ? " " : "",
+                 value[0] == '[' ? "[=FILE]" : value);
         fprintf(to, "  %-34s %s\n", left, o->brief);
     }
     fprintf(to, "\nexit: 0 done, 1 negative verdict, 2 usage, 3 deck, 4 no start, 5 numerical stop, 6 file, 7 limit, "

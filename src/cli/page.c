@@ -30,7 +30,7 @@ static void put_all(FILE *to, const char *a, const char *b, const char *c)
 
 /* ---- keys ---- */
 
-static const char *type_word(const struct key *k)
+const char *page_type(const struct key *k)
 {
     switch (k->type) {
     case KEY_REAL:
@@ -77,7 +77,7 @@ static void print_key(FILE *to, const struct key *k)
         fputs("one of ", to);
         put_choices(to, k->words);
     } else {
-        put(to, type_word(k));
+        put(to, page_type(k));
     }
     if (k->unit) put_all(to, " [", k->unit, "]");
     put_range(to, k);

@@ -9,10 +9,14 @@
 
 #include <stdio.h>
 
+#include "base/keys.h"
 #include "base/status.h"
 
 /* What word [n] asks for: {"keys", PATH}, {"coordinates"}, {"functions"}, {"schemes"}, {"codes"}; E_USAGE: no such
  * part. */
 enum status page_print(FILE *to, int n, char *const *word, struct report *report);
+
+/* What a key takes, in words: "number", "true or false"; of KEY_WORD and KEY_NODE what the table says. */
+const char *page_type(const struct key *k);
 
 #endif

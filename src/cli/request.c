@@ -9,7 +9,7 @@
 const struct cli_option cli_options[] = {
     {"format", "csv|ndjson|json", 'f', "run", "form of the records (default csv)"},
     {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
-    {"set", "PATH=VALUE", 's', "run check study", "change the deck: --set integrate.ratio=10"},
+    {"set", "PATH=VALUE", 's', "run check study modes", "change the deck: --set integrate.ratio=10"},
     {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's"},
     {"every", "SECONDS", 0, "run", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
@@ -21,9 +21,10 @@ const struct cli_option cli_options[] = {
     {"ratios", "1,5,10", 0, "study", "ratios for sub-cycling schemes"},
     {"steps", "h1,h2", 0, "study", "minor steps (default: the deck's, its half, its quarter)"},
     {"repeats", "N", 0, "study", "time each run N times, keep the least (default 3)"},
+    {"at", "SECONDS", 0, "modes", "linearise there instead of at the start"},
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
     {"quiet", NULL, 'q', NULL, "no plan line, no summary"},
-    {"verbose", NULL, 'v', NULL, "say more"},
+    {"verbose", NULL, 'v', "run", "the counts of --stats on stderr"},
     {"color", "auto|always|never", 0, NULL, "colours in messages (auto: on a terminal)"},
     {"version", NULL, 0, NULL, "print the version"},
     {"help", NULL, 'h', NULL, "print this"},
@@ -111,7 +112,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
         const char **to;
     } texts[] = {{"format", &o->format}, {"output", &o->output},   {"progress", &o->progress},
                  {"color", &o->color},   {"schemes", &o->schemes}, {"ratios", &o->ratios},
-                 {"steps", &o->steps},   {"repeats", &o->repeats}};
+                 {"steps", &o->steps},   {"repeats", &o->repeats}, {"at", &o->at}};
     struct {
         const char *name;
         bool *to;

@@ -85,7 +85,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     TRY(status);
     status = stream_run(&sim, request, life, report);
     if (status == OK && request->strict) status = strict_verdict(&sim, diags, report);
-    if (request->want_stats && status != E_SIGPIPE) {
+    if ((request->want_stats || request->verbose) && status != E_SIGPIPE) {
         enum status told = write_stats(&sim, request, report);
         if (status == OK) status = told;
     }

@@ -8,6 +8,7 @@
 
 #include "cli/cli.h"
 #include "out/columns.h"
+#include "out/stream.h"
 
 enum { MOST_CHOICES = 64 };
 
@@ -77,6 +78,17 @@ static enum status choose_numbers(struct study_options *o, struct choices *c, co
     return OK;
 }
 
+/* CSV into a file, renamed when whole. */
+static enum status write_file(const struct table *table, const char *path, struct arena *life, struct report *report)
+{
+    struct stream stream;
+    const char *csv = table_csv(table, life);
+    TRY(stream_create(&stream, path, life, report));
+    enum status status = stream_put(&stream, csv, strlen(csv), report);
+    enum status closed = stream_close(&stream, status == OK, report);
+    return status == OK ? closed : status;
+}
+
 enum status verb_study(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
@@ -94,5 +106,6 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     if (status == OK) status = study_run(&table, scene, &o, diags, life, report);
     if (diags) diags_print(stderr, diags, cli_color(request));
     TRY(status);
+    if (request->output) return write_file(table, request->output, life, report);
     return table_print(table, !isatty(STDOUT_FILENO), stdout, report);
 }

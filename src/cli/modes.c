@@ -1,0 +1,72 @@
+/* modes.c -- fmdsub modes: frequencies and participation at the start or at a time */
+#include "probe/modes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "cli/cli.h"
+#include "out/table.h"
+
+static const double two_pi = 6.28318530717958647693;
+
+static const char *participants(const struct sim *sim, const struct mode *m, struct arena *life)
+{
+    const char *text = "";
+    for (int k = 0; k < 3; k++) {
+        if (m->top[k] < 0 || (k && m->share[k] < 0.05)) break;
+        text = arena_print(life, "%s%s%s %.0f%%", text, k ? ", " : "", sim_coordinate_name(sim, m->top[k]),
+                           100 * m->share[k]);
+    }
+    return text;
+}
+
+static struct table *mode_table(const struct sim *sim, const struct modes *modes, struct arena *life)
+{
+    static const struct table_column columns[] = {
+        {"mode", NULL, 6},    {"frequency", "f [Hz]", 6}, {"omega", "omega [rad/s]", 6},
+        {"damping", NULL, 3}, {"fast", "fast share", 3},  {"coordinates", NULL, 0},
+    };
+    struct table *table = table_open(columns, sizeof columns / sizeof *columns, life);
+    for (int i = 0; i < modes->n; i++) {
+        const struct mode *m = &modes->mode[i];
+        table_number(table, i + 1);
+        table_number(table, m->omega / two_pi);
+        table_number(table, m->omega);
+        table_number(table, m->damping);
+        table_number(table, m->fast);
+        table_text(table, participants(sim, m, life));
+    }
+    return table;
+}
+
+static enum status at_time(struct sim *sim, const struct request *request, struct report *report)
+{
+    char *end;
+    if (!request->at) return OK;
+    double t = strtod(request->at, &end);
+    if (*end || !(t >= 0) || !isfinite(t)) return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
+    if (t == 0) return OK;
+    sim->plan.until = t;
+    sim->majors = (long)ceil(t / (sim->plan.step * sim->plan.ratio) - 1e-9);
+    enum status status = sim_run(sim, NULL, report);
+    return status == E_VERDICT ? OK : status;
+}
+
+enum status verb_modes(const struct request *request, struct arena *life, struct report *report)
+{
+    struct scene *scene;
+    struct diags *diags = NULL;
+    struct sim sim;
+    struct modes modes;
+    const struct sim_options options = {.version = FMDSUB_VERSION};
+    enum status status = cli_load(&scene, &diags, request, life, report);
+    if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
+    if (diags) diags_print(stderr, diags, cli_color(request));
+    TRY(status);
+    TRY(at_time(&sim, request, report));
+    TRY(modes_find(&modes, &sim, life, report));
+    if (!request->quiet && modes.n && modes.mode[0].omega < -1e-6 * fabs(modes.mode[modes.n - 1].omega))
+        fprintf(stderr, "negative frequencies are growth rates: this posture is no stable equilibrium\n");
+    return table_print(mode_table(&sim, &modes, life), !isatty(STDOUT_FILENO), stdout, report);
+}
