@@ -187,13 +187,13 @@ static void twist(struct sweep *s, int body, const double *n)
 
 static void partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k)
 {
-    int o = s->owner[k];
+    int o = s->routes.owner[k];
     const struct part *p = &s->part[o];
     memset(xv, 0, 3 * sizeof *xv);
     memset(w, 0, 3 * sizeof *w);
-    if (s->enter[body] < s->enter[o] || s->enter[body] >= s->leave[o]) return;
-    if (!planar_turns(&s->link[o], s->local[k])) {
-        memcpy(xv, p->e[s->local[k]], 2 * sizeof *xv);
+    if (!routes_above(&s->routes, o, body)) return;
+    if (!planar_turns(&s->link[o], s->routes.local[k])) {
+        memcpy(xv, p->e[s->routes.local[k]], 2 * sizeof *xv);
         return;
     }
     double turn = s->link[o].turn, at[2] = {p->r[0] - p->c_b[0], p->r[1] - p->c_b[1]};
@@ -204,8 +204,8 @@ static void partial(const struct sweep *s, double *xv, double *w, int body, cons
 
 static int path(const struct sweep *s, const int **k, int body)
 {
-    *k = s->path[body];
-    return s->npath[body];
+    *k = s->routes.path[body];
+    return s->routes.npath[body];
 }
 
 /* --- forces inwards ---------------------------------------------------------------------------- */
@@ -312,42 +312,6 @@ static void build_ground(struct sweep *s, const struct model *m)
     }
 }
 
-/* Preorder numbers: a body's tree takes size[i] of them, its children's trees one after the other. */
-static void build_order(struct sweep *s, struct arena *life)
-{
-    int *size = TAKE(life, int, s->nbody), *next = TAKE(life, int, s->nbody);
-    s->enter = TAKE(life, int, s->nbody);
-    s->leave = TAKE(life, int, s->nbody);
-    for (int i = s->nbody - 1; i >= 0; i--) {
-        size[i]++;
-        if (i) size[s->link[i].parent] += size[i];
-    }
-    for (int i = 0; i < s->nbody; i++) {
-        int *free_at = &next[i ? s->link[i].parent : 0];
-        s->enter[i] = i ? *free_at : 0;
-        s->leave[i] = s->enter[i] + size[i];
-        if (i) *free_at += size[i];
-        next[i] = s->enter[i] + 1;
-    }
-}
-
-/* Every leaf has its path written out; the bodies on it that have none yet share its beginning. */
-static void build_paths(struct sweep *s, struct arena *life)
-{
-    s->npath = TAKE(life, int, s->nbody);
-    s->path = TAKE(life, int *, s->nbody);
-    for (int i = 1; i < s->nbody; i++) s->npath[i] = s->npath[s->link[i].parent] + s->link[i].nv;
-    for (int i = s->nbody - 1; i > 0; i--) {
-        if (s->path[i]) continue;
-        int *k = TAKE(life, int, s->npath[i]);
-        for (int j = i; j > 0; j = s->link[j].parent) {
-            const struct link *l = &s->link[j];
-            for (int o = 0; o < l->nv; o++) k[s->npath[j] - l->nv + o] = l->iv[o];
-            if (!s->path[j]) s->path[j] = k;
-        }
-    }
-}
-
 static struct sweep *build(const struct model *m, struct arena *life)
 {
     struct sweep *s = TAKE(life, struct sweep, 1);
@@ -359,16 +323,12 @@ static struct sweep *build(const struct model *m, struct arena *life)
     s->part = TAKE(life, struct part, m->nbody);
     s->bias = arena_take(life, (size_t)m->nbody, sizeof *s->bias);
     s->zero = TAKE(life, double, m->n);
-    s->owner = TAKE(life, int, m->n);
-    s->local = TAKE(life, int, m->n);
     build_ground(s, m);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &m->joint[m->body[i].joint];
         build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
-        for (int k = 0; k < j->nv; k++) s->owner[j->iv[k]] = i, s->local[j->iv[k]] = k;
     }
-    build_order(s, life);
-    build_paths(s, life);
+    routes_build(&s->routes, m, life);
     return s;
 }
 

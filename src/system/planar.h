@@ -7,6 +7,7 @@
 #ifndef FMDSUB_SYSTEM_PLANAR_H
 #define FMDSUB_SYSTEM_PLANAR_H
 
+#include "system/routes.h"
 #include "system/sweep.h"
 
 /* HELD: no freedom; TURN: revolute; SLIDE: prismatic; GLIDE: two displacements, one rotation. */
@@ -42,14 +43,12 @@ struct sweep {
     const struct model *model;
     struct rosters rosters;
     int nbody, n;
-    struct link *link;  /* [nbody] */
-    struct part *part;  /* [nbody] */
-    double (*bias)[3];  /* [nbody] work of solve(): moment and force, then twist */
-    double *zero;       /* [n] */
-    int *owner, *local; /* [n] the body moved by v[k], and k's place in its joint; displacements first */
-    int *enter, *leave; /* [nbody] the tree in preorder: i is above j when enter_i <= enter_j < leave_i */
-    int *npath, **path; /* [nbody] */
-    bool accelerated;   /* the last motion had accelerations */
+    struct link *link; /* [nbody] */
+    struct part *part; /* [nbody] */
+    double (*bias)[3]; /* [nbody] work of solve(): moment and force, then twist */
+    double *zero;      /* [n] */
+    struct routes routes;
+    bool accelerated; /* the last motion had accelerations */
 };
 
 /* Position of body x of link l hanging on p, and its world axes and arms. */

@@ -319,13 +319,13 @@ static void twist(struct sweep *s, int body, const double *n)
 
 static void partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k)
 {
-    int o = s->owner[k];
+    int o = s->routes.owner[k];
     const struct part *p = &s->part[o];
     v3_set(xv, 0, 0, 0);
     v3_set(w, 0, 0, 0);
-    if (s->enter[body] < s->enter[o] || s->enter[body] >= s->leave[o]) return;
-    const double *e = spatial_axis(p, &s->link[o], s->local[k]);
-    if (!spatial_turns(&s->link[o], s->local[k])) {
+    if (!routes_above(&s->routes, o, body)) return;
+    const double *e = spatial_axis(p, &s->link[o], s->routes.local[k]);
+    if (!spatial_turns(&s->link[o], s->routes.local[k])) {
         v3_copy(xv, e);
         return;
     }
@@ -338,8 +338,8 @@ static void partial(const struct sweep *s, double *xv, double *w, int body, cons
 
 static int path(const struct sweep *s, const int **k, int body)
 {
-    *k = s->path[body];
-    return s->npath[body];
+    *k = s->routes.path[body];
+    return s->routes.npath[body];
 }
 
 /* --- forces inwards ---------------------------------------------------------------------------- */

@@ -7,6 +7,7 @@
 #define FMDSUB_SYSTEM_SPATIAL_H
 
 #include "la/vec3.h"
+#include "system/routes.h"
 #include "system/sweep.h"
 
 /* What stays: a joint and the body it moves. */
@@ -62,10 +63,8 @@ struct sweep {
     struct articulated *articulated; /* [nbody] work of factor() */
     struct twist *bias;              /* [nbody] work of solve(): forces, then twists */
     double *zero;                    /* [n] */
-    int *owner, *local;              /* [n] the body moved by v[k], and k's place in its joint */
-    int *enter, *leave;              /* [nbody] the tree in preorder: i is above j when enter_i <= enter_j < leave_i */
-    int *npath, **path;              /* [nbody] */
-    bool accelerated;                /* the last motion had accelerations */
+    struct routes routes;
+    bool accelerated; /* the last motion had accelerations */
 };
 
 /* Is the k-th velocity of l a rotation? */

@@ -56,42 +56,6 @@ static void build_ground(struct sweep *s, const struct model *m)
     v3_scale(x->a, -1, m->gravity);
 }
 
-/* Preorder numbers: a body's tree takes size[i] of them, its children's trees one after the other. */
-static void build_order(struct sweep *s, struct arena *life)
-{
-    int *size = TAKE(life, int, s->nbody), *next = TAKE(life, int, s->nbody);
-    s->enter = TAKE(life, int, s->nbody);
-    s->leave = TAKE(life, int, s->nbody);
-    for (int i = s->nbody - 1; i >= 0; i--) {
-        size[i]++;
-        if (i) size[s->link[i].parent] += size[i];
-    }
-    for (int i = 0; i < s->nbody; i++) {
-        int *free_at = i ? &next[s->link[i].parent] : NULL;
-        s->enter[i] = i ? *free_at : 0;
-        s->leave[i] = s->enter[i] + size[i];
-        if (i) *free_at += size[i];
-        next[i] = s->enter[i] + 1;
-    }
-}
-
-/* Every leaf has its path written out; the bodies on it that have none yet share its beginning. */
-static void build_paths(struct sweep *s, struct arena *life)
-{
-    s->npath = TAKE(life, int, s->nbody);
-    s->path = TAKE(life, int *, s->nbody);
-    for (int i = 1; i < s->nbody; i++) s->npath[i] = s->npath[s->link[i].parent] + s->link[i].nv;
-    for (int i = s->nbody - 1; i > 0; i--) {
-        if (s->path[i]) continue;
-        int *k = TAKE(life, int, s->npath[i]);
-        for (int j = i; j > 0; j = s->link[j].parent) {
-            const struct link *l = &s->link[j];
-            for (int o = 0; o < l->nv; o++) k[s->npath[j] - l->nv + o] = l->iv[o];
-            if (!s->path[j]) s->path[j] = k;
-        }
-    }
-}
-
 struct sweep *spatial_build(const struct model *m, struct arena *life)
 {
     struct sweep *s = TAKE(life, struct sweep, 1);
@@ -105,15 +69,11 @@ struct sweep *spatial_build(const struct model *m, struct arena *life)
     s->articulated = TAKE(life, struct articulated, m->nbody);
     s->bias = TAKE(life, struct twist, m->nbody);
     s->zero = TAKE(life, double, m->n);
-    s->owner = TAKE(life, int, m->n);
-    s->local = TAKE(life, int, m->n);
     build_ground(s, m);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &m->joint[m->body[i].joint];
         build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
-        for (int k = 0; k < j->nv; k++) s->owner[j->iv[k]] = i, s->local[j->iv[k]] = k;
     }
-    build_order(s, life);
-    build_paths(s, life);
+    routes_build(&s->routes, m, life);
     return s;
 }
