@@ -78,6 +78,14 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     return 1;
 }
 
+static int read_static(struct builder *b, const struct node *n)
+{
+    int yes = 0;
+    if (read_bool(&yes, n, &b->reader)) return 1;
+    b->scene->at_rest = yes;
+    return 0;
+}
+
 int read_initial(struct builder *b, const struct node *n)
 {
     int errors = 0;
@@ -87,7 +95,9 @@ int read_initial(struct builder *b, const struct node *n)
     scene->initial = TAKE(b->life, struct scene_initial, n->count);
     for (int i = 0; i < n->count; i++) {
         struct scene_initial start = {0};
-        if (read_start(b, &start, n->item[i]))
+        if (strcmp(n->item[i]->key, "static") == 0)
+            errors += read_static(b, n->item[i]);
+        else if (read_start(b, &start, n->item[i]))
             errors++;
         else
             scene->initial[scene->ninitial++] = start;

@@ -133,6 +133,7 @@ struct scene {
     struct scene_choice *fast;
     int ninitial;
     struct scene_initial *initial;
+    bool at_rest; /* start in static equilibrium, found from there */
     struct integrate integrate;
     struct output output;
     double delta; /* of (2-26) */

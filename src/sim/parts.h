@@ -14,6 +14,9 @@ enum status advance(struct sim *sim, double h, int ratio, double to);
 /* record.c: the chosen columns at the present state */
 enum status record_fill(struct sim *sim);
 
+/* rest.c: moves sim->x to a stable static equilibrium near it, at rest */
+enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);
+
 /* words.c: what is said to people */
 void say_plan(const struct sim *sim);
 void say_end(const struct sim *sim, double wall);

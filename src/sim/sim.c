@@ -28,6 +28,21 @@ static void open_stepper(struct sim *sim, struct arena *life)
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), &o, life);
 }
 
+/* From the deck's start to the equilibrium near it; the deck's rates stay. */
+static enum status start_at_rest(struct sim *sim, struct report *report)
+{
+    struct trouble why = {0};
+    struct arena *scratch = arena_open();
+    enum status status = rest_find(sim, scratch, &why);
+    arena_close(scratch);
+    memcpy(sim->x.v, sim->model->v0, (size_t)sim->model->n * sizeof(double));
+    if (status == OK) return OK;
+    return fail(report, E_MODEL,
+                "no start: no stable static equilibrium was found near the initial position (last move %.3g m or rad); "
+                "look for a part that nothing holds",
+                why.value);
+}
+
 /* Consistent accelerations at t = 0; a massless freedom shows here. */
 static enum status start(struct sim *sim, struct report *report)
 {
@@ -35,6 +50,7 @@ static enum status start(struct sim *sim, struct report *report)
     struct trouble why = {0};
     memcpy(sim->x.q, sim->model->q0, (size_t)sim->model->nq * sizeof(double));
     memcpy(sim->x.v, sim->model->v0, (size_t)sim->model->n * sizeof(double));
+    if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK) return say_trouble(sim, &why, E_MODEL, report);
     system_energy_at(sim->system, &e, sim->x.q, sim->x.v, 0);
     ledger_open(&sim->ledger, sim->scene->delta, e.kinetic, e.elastic, e.gravity);

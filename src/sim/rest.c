@@ -1,0 +1,135 @@
+/* rest.c -- static equilibrium: r(q, 0, 0, t) = 0 at a posture that is stable.
+ *
+ * Damped Newton (pseudo-transient continuation; Kelley & Keyes, SIAM J. Numer. Anal. 35, 1998): steps
+ *
+ *     (mu M^ + K) dx = -r,     K = dr/dq by central differences, made symmetric,
+ *
+ * with mu so large that the matrix is positive definite, lowered after every step that goes downhill: then each
+ * step follows the forces, and what is reached is a minimum of the potential, never a saddle.  At mu = 0 it is
+ * Newton's method. */
+#include <math.h>
+#include <string.h>
+
+#include "la/dense.h"
+#include "sim/parts.h"
+
+struct rest {
+    const struct ode2 *ode;
+    double t;
+    int n;
+    double *q, *q1, *r, *r1, *dx, *zero, *up, *down; /* [nq] [nq] [n]... */
+    double *M, *K, *J;                               /* [n x n] */
+    double mu;
+};
+
+enum { MOST_STEPS = 500, MOST_TRIES = 60 };
+
+static struct rest open_rest(const struct sim *sim, struct arena *scratch)
+{
+    const struct ode2 *o = sim->stepper.ode;
+    struct rest s = {.ode = o, .t = sim->x.t, .n = o->n};
+    double **vectors[] = {&s.r, &s.r1, &s.dx, &s.zero, &s.up, &s.down};
+    double **matrices[] = {&s.M, &s.K, &s.J};
+    s.q = TAKE(scratch, double, o->nq);
+    s.q1 = TAKE(scratch, double, o->nq);
+    for (int i = 0; i < 6; i++) *vectors[i] = TAKE(scratch, double, o->n);
+    for (int i = 0; i < 3; i++) *matrices[i] = TAKE(scratch, double, o->n * o->n);
+    memcpy(s.q, sim->x.q, sizeof *s.q * (size_t)o->nq);
+    return s;
+}
+
+static void displaced(const struct rest *s, double *q1, const double *dx)
+{
+    if (s->ode->move)
+        s->ode->move->point(s->ode, q1, s->q, dx, 1);
+    else
+        for (int i = 0; i < s->n; i++) q1[i] = s->q[i] + dx[i];
+}
+
+static enum status resid(const struct rest *s, double *r, const double *q, struct trouble *why)
+{
+    const struct instant x = {.t = s->t, .q = q, .v = s->zero, .ta = s->t, .tb = s->t};
+    return s->ode->ops->resid(s->ode, r, NULL, NULL, &x, ALL, why);
+}
+
+static enum status stiffness(struct rest *s, struct trouble *why)
+{
+    static const double step = 1e-6; /* [m], [rad] */
+    int n = s->n;
+    memset(s->dx, 0, sizeof *s->dx * (size_t)n);
+    for (int j = 0; j < n; j++) {
+        s->dx[j] = step;
+        displaced(s, s->q1, s->dx);
+        TRY(resid(s, s->up, s->q1, why));
+        s->dx[j] = -step;
+        displaced(s, s->q1, s->dx);
+        TRY(resid(s, s->down, s->q1, why));
+        s->dx[j] = 0;
+        for (int i = 0; i < n; i++) s->K[i + j * n] = (s->up[i] - s->down[i]) / (2 * step);
+    }
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < j; i++) s->K[i + j * n] = s->K[j + i * n] = (s->K[i + j * n] + s->K[j + i * n]) / 2;
+    return OK;
+}
+
+/* mu M + K factored: a mu that makes it positive. */
+static bool factor(struct rest *s)
+{
+    int nn = s->n * s->n;
+    for (int i = 0; i < MOST_TRIES; i++) {
+        for (int k = 0; k < nn; k++) s->J[k] = s->mu * s->M[k] + s->K[k];
+        if (dense_cholesky(s->J, s->n, s->n) < 0) return true;
+        s->mu = 4 * s->mu + 1e-6;
+    }
+    return false;
+}
+
+static double dot(const double *a, const double *b, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+/* One step downhill: 1 taken, 0 nothing was to be gained. */
+static enum status descend(struct rest *s, double *size, struct trouble *why)
+{
+    static const double longest = 0.5; /* [m], [rad] a step */
+    TRY(s->ode->ops->mass(s->ode, s->M, s->q, s->t, ALL, why));
+    TRY(stiffness(s, why));
+    for (int i = 0; i < MOST_TRIES; i++) {
+        if (!factor(s)) return trouble_set(why, TROUBLE_SINGULAR, -1, s->mu, s->t);
+        for (int k = 0; k < s->n; k++) s->dx[k] = -s->r[k];
+        dense_cholesky_solve(s->J, s->dx, s->n, s->n);
+        *size = 0;
+        for (int k = 0; k < s->n; k++) *size = fmax(*size, fabs(s->dx[k]));
+        displaced(s, s->q1, s->dx);
+        double before = dot(s->r, s->dx, s->n);
+        bool fine = *size <= longest && resid(s, s->r1, s->q1, why) == OK;
+        if (fine && dot(s->r1, s->dx, s->n) <= -0.5 * before) { /* at most as far uphill at its end */
+            memcpy(s->q, s->q1, sizeof *s->q * (size_t)s->ode->nq);
+            memcpy(s->r, s->r1, sizeof *s->r * (size_t)s->n);
+            s->mu = s->mu < 1e-9 ? 0 : s->mu / 4;
+            return OK;
+        }
+        s->mu = 4 * s->mu + 1e-3;
+    }
+    return trouble_set(why, TROUBLE_DIVERGED, 0, *size, s->t);
+}
+
+enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why)
+{
+    static const double tiny = 1e-11; /* [m], [rad] */
+    struct rest s = open_rest(sim, scratch);
+    double size = INFINITY;
+    s.mu = 1;
+    TRY(resid(&s, s.r, s.q, why));
+    for (int i = 0; i < MOST_STEPS; i++) {
+        TRY(descend(&s, &size, why));
+        if (size > tiny || s.mu > 1e-3) continue;
+        memcpy(sim->x.q, s.q, sizeof *s.q * (size_t)s.ode->nq);
+        memset(sim->x.v, 0, sizeof *sim->x.v * (size_t)s.n);
+        return OK;
+    }
+    return trouble_set(why, TROUBLE_DIVERGED, 0, size, s.t);
+}
