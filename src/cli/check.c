@@ -1,4 +1,6 @@
 /* check.c -- fmdsub check: what a deck makes, without running it */
+#include <string.h>
+
 #include "cli/cli.h"
 #include "probe/modes.h"
 #include "sim/sim.h"
@@ -67,6 +69,8 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     TRY(status);
     if (request->expanded) {
         deck_print(stdout, scene->deck);
+    } else if (request->format && strcmp(request->format, "json") == 0) {
+        TRY(check_json(&sim, life, report));
     } else {
         printf("%s: %s, %s\n", scene->deck->name, scene->title, sim.model->space == 2 ? "planar" : "spatial");
         print_bodies(stdout, sim.model);

@@ -58,4 +58,8 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
 bool cli_color(const struct request *request);
 void cli_help(FILE *to);
 
+/* check --format json */
+struct sim;
+enum status check_json(const struct sim *sim, struct arena *life, struct report *report);
+
 #endif

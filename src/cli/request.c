@@ -7,7 +7,7 @@
 #include "cli/cli.h"
 
 const struct cli_option cli_options[] = {
-    {"format", "csv|ndjson|json", 'f', "run", "form of the records (default csv)"},
+    {"format", "csv|ndjson|json", 'f', "run check", "form of the records (default csv); check: json"},
     {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
     {"set", "PATH=VALUE", 's', "run check study modes", "change the deck: --set integrate.ratio=10"},
     {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's"},

@@ -1,0 +1,94 @@
+/* check_json.c -- fmdsub check --format json: the same as one object */
+#include "cli/cli.h"
+#include "out/facts.h"
+#include "probe/modes.h"
+#include "sim/sim.h"
+
+static cJSON *rate_class(bool fast)
+{
+    return cJSON_CreateString(fast ? "fast" : "slow");
+}
+
+static cJSON *bodies(const struct model *m)
+{
+    cJSON *list = cJSON_CreateArray();
+    for (int i = 1; i < m->nbody; i++) {
+        const struct model_body *b = &m->body[i];
+        const struct model_joint *j = &m->joint[b->joint];
+        cJSON *o = cJSON_CreateObject();
+        cJSON_AddStringToObject(o, "name", b->name);
+        facts_add(o, "mass", facts_number(b->mass));
+        facts_add(o, "class", rate_class(b->fast));
+        cJSON_AddStringToObject(o, "on", m->body[b->parent].name);
+        cJSON_AddStringToObject(o, "joint", j->name);
+        cJSON_AddStringToObject(o, "kind", joint_kind(j->type, m->space == 3)->name);
+        facts_add(o, "freedoms", facts_number(j->nv));
+        cJSON_AddItemToArray(list, o);
+    }
+    return list;
+}
+
+static cJSON *coordinates(const struct sim *sim)
+{
+    const struct model *m = sim->model;
+    cJSON *list = cJSON_CreateArray();
+    for (int i = 0; i < m->ncoordinate; i++) {
+        cJSON *o = cJSON_CreateObject();
+        cJSON_AddStringToObject(o, "name", m->coordinate[i].name);
+        facts_add(o, "class", rate_class(m->coordinate[i].fast));
+        facts_add(o, "start", facts_number(sim->x.q[m->coordinate[i].iq]));
+        cJSON_AddItemToArray(list, o);
+    }
+    return list;
+}
+
+static cJSON *forces(const struct model *m)
+{
+    cJSON *list = cJSON_CreateArray();
+    for (int i = 0; i < m->nforce; i++) {
+        cJSON *o = cJSON_CreateObject();
+        cJSON_AddStringToObject(o, "name", m->force[i].name);
+        facts_add(o, "class", rate_class(m->force[i].cls == FAST));
+        cJSON_AddItemToArray(list, o);
+    }
+    return list;
+}
+
+static void add_steps(cJSON *to, const struct sim *sim, struct arena *life)
+{
+    struct modes modes;
+    struct report quiet = {0};
+    cJSON *steps = cJSON_AddObjectToObject(to, "steps");
+    facts_add(steps, "step", facts_number(sim->plan.step));
+    facts_add(steps, "ratio", facts_number(sim->plan.ratio));
+    facts_add(steps, "major_steps", facts_number((double)sim->majors));
+    if (modes_find(&modes, sim, life, &quiet) != OK) return;
+    cJSON *omega = cJSON_AddArrayToObject(to, "omega");
+    for (int i = 0; i < modes.n; i++) cJSON_AddItemToArray(omega, facts_number(modes.mode[i].omega));
+    if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;
+    double h;
+    int ratio;
+    modes_suggest(&h, &ratio, &modes, sim);
+    facts_add(steps, "suggested_step", facts_number(h));
+    facts_add(steps, "suggested_ratio", facts_number(ratio));
+}
+
+enum status check_json(const struct sim *sim, struct arena *life, struct report *report)
+{
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddStringToObject(o, "deck", sim->scene->deck->name);
+    facts_add(o, "title", facts_text(sim->scene->title, life));
+    facts_add(o, "space", facts_number(sim->model->space));
+    facts_add(o, "freedoms", facts_number(sim->model->n));
+    facts_add(o, "fast", facts_number(sim->model->ns));
+    facts_add(o, "bodies", bodies(sim->model));
+    facts_add(o, "coordinates", coordinates(sim));
+    facts_add(o, "forces", forces(sim->model));
+    add_steps(o, sim, life);
+    char *text = cJSON_Print(o);
+    cJSON_Delete(o);
+    if (!text) return fail(report, E_LIMIT, "out of memory");
+    puts(text);
+    cJSON_free(text);
+    return OK;
+}
