@@ -24,6 +24,7 @@ struct request {
     const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats, *at;
     bool quiet, verbose, want_stats, strict, expanded, help, version;
     const char *progress, *color;
+    unsigned long given; /* bit i: option i of the table */
 };
 
 /* An option of the program; the table serves the reader, the help and completion. */
@@ -36,6 +37,8 @@ struct cli_option {
 extern const struct cli_option cli_options[];
 
 enum status request_read(struct request *o, int argc, char **argv, struct arena *life, struct report *report);
+/* An option that would do nothing for the verb is a misunderstanding. */
+enum status request_check(const struct request *o, struct report *report);
 
 struct verb {
     const char *name, *usage, *brief;

@@ -51,6 +51,9 @@ static enum status print_columns(const struct request *request, struct arena *li
     struct diags *diags = NULL;
     struct sim sim;
     const struct sim_options options = {.version = FMDSUB_VERSION};
+    if (request->nword != 2)
+        return fail(report, E_USAGE, "'fmdsub list columns' takes one deck%s",
+                    request->nword > 2 ? "" : "; '-' is standard input");
     one.nword--;
     one.word++;
     enum status status = cli_load(&scene, &diags, &one, life, report);
@@ -68,6 +71,8 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
 {
     static const char *const topics[] = {"schemes", "joints", "forces", "sections", "columns"};
     const char *topic = request->nword ? request->word[0] : "";
+    bool one_word = strcmp(topic, "columns") != 0 && strcmp(topic, "page") != 0;
+    if (one_word && request->nword > 1) return fail(report, E_USAGE, "'fmdsub list %.40s' takes nothing more", topic);
     if (!*topic) {
         printf("schemes\n");
         print_schemes();

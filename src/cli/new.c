@@ -46,6 +46,7 @@ enum status verb_new(const struct request *request, struct arena *life, struct r
     static const char *const names[] = {"pendulum", "mechanism"};
     static const char *const decks[] = {pendulum, mechanism};
     (void)life;
+    if (request->nword > 1) return fail(report, E_USAGE, "'fmdsub new' takes one name");
     const char *name = request->nword ? request->word[0] : "pendulum";
     for (int i = 0; i < 2; i++)
         if (strcmp(names[i], name) == 0) return fputs(decks[i], stdout) < 0 ? E_FILE : OK;

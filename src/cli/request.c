@@ -5,11 +5,12 @@
 
 #include "base/text.h"
 #include "cli/cli.h"
+#include "out/columns.h"
 
 const struct cli_option cli_options[] = {
     {"format", "csv|ndjson|json", 'f', "run check", "form of the records (default csv); check: json"},
     {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
-    {"set", "PATH=VALUE", 's', "run check study modes", "change the deck: --set integrate.ratio=10"},
+    {"set", "PATH=VALUE", 's', "run check study modes list", "change the deck: --set integrate.ratio=10"},
     {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's"},
     {"every", "SECONDS", 0, "run", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
@@ -31,7 +32,7 @@ const struct cli_option cli_options[] = {
     {0},
 };
 
-enum { MOST_OPTIONS = 40, FIRST_CODE = 1000 };
+enum { MOST_OPTIONS = 31, FIRST_CODE = 1000 };
 
 static int count_options(void)
 {
@@ -71,6 +72,8 @@ static enum status unknown_option(const char *word, struct report *report)
     int n = count_options();
     for (int i = 0; i < n; i++) names[i] = cli_options[i].name;
     snprintf(bare, sizeof bare, "%.*s", (int)strcspn(word + strspn(word, "-"), "="), word + strspn(word, "-"));
+    for (int i = 0; i < n; i++)
+        if (strcmp(names[i], bare) == 0) return fail(report, E_USAGE, "option '--%s' takes no value", bare);
     const char *nearest = text_nearest(bare, names, n);
     if (nearest)
         return fail(report, E_USAGE, "unknown option '%.80s': did you mean '--%s'? (fmdsub --help)", word, nearest);
@@ -84,24 +87,30 @@ static enum status add_set(struct request *o, const char *set, struct report *re
     return OK;
 }
 
-/* "t,hub.*" as a YAML list of quoted names. */
+/* "t,hub.*" as a YAML list of quoted names; NULL if it names none.  Between single quotes nothing but the quote
+ * itself has a meaning, and that is doubled. */
 static const char *columns_set(const char *list, struct arena *life)
 {
-    char *text = arena_print(life, "output.columns=[%*s", (int)(3 * strlen(list) + 8), "");
+    char *text = arena_print(life, "output.columns=[%*s", (int)(4 * strlen(list) + 8), "");
     char *to = text + strlen("output.columns=[");
-    bool first = true;
-    for (const char *from = list; *from;) {
-        size_t len = strcspn(from, ",");
-        size_t skip = strspn(from, " \t");
-        if (skip > len) skip = len;
-        size_t end = len;
-        while (end > skip && (from[end - 1] == ' ' || from[end - 1] == '\t')) end--;
-        if (end > skip) to += sprintf(to, "%s\"%.*s\"", first ? "" : ", ", (int)(end - skip), from + skip);
-        if (end > skip) first = false;
-        from += len + (from[len] == ',');
+    int names;
+    const char **name = columns_split(&names, list, life);
+    for (int i = 0; i < names; i++) {
+        to += sprintf(to, "%s'", i ? ", " : "");
+        for (const char *c = name[i]; *c; c++) {
+            if (*c == '\'') *to++ = '\'';
+            *to++ = *c;
+        }
+        *to++ = '\'';
     }
     strcpy(to, "]");
-    return text;
+    return names ? text : NULL;
+}
+
+static enum status add_columns(struct request *o, const char *list, struct arena *life, struct report *report)
+{
+    const char *set = columns_set(list, life);
+    return set ? add_set(o, set, report) : fail(report, E_USAGE, "--columns names no column");
 }
 
 static enum status take(struct request *o, const char *name, const char *value, struct arena *life,
@@ -123,7 +132,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (strcmp(flags[i].name, name) == 0) return *flags[i].to = true, OK;
     if (strcmp(name, "set") == 0) return add_set(o, value, report);
-    if (strcmp(name, "columns") == 0) return add_set(o, columns_set(value, life), report);
+    if (strcmp(name, "columns") == 0) return add_columns(o, value, life, report);
     if (strcmp(name, "every") == 0) return add_set(o, arena_print(life, "output.every=%s", value), report);
     if (strcmp(name, "every-steps") == 0)
         return add_set(o, arena_print(life, "output.every={steps: %s}", value), report);
@@ -141,6 +150,24 @@ static enum status check_word(const char *option, const char *word, const char *
     return word ? fail(report, E_USAGE, "--%s takes one of %s, not '%.40s'", option, choices, word) : OK;
 }
 
+/* Is verb among words, such as "run study"? */
+static bool serves(const char *words, const char *verb)
+{
+    size_t len = strlen(verb);
+    for (const char *v = words; *v; v += strcspn(v, " "), v += *v == ' ')
+        if (strcspn(v, " ") == len && strncmp(v, verb, len) == 0) return true;
+    return false;
+}
+
+enum status request_check(const struct request *o, struct report *report)
+{
+    for (int i = 0; cli_options[i].name; i++)
+        if (o->given >> i & 1 && cli_options[i].verbs && !serves(cli_options[i].verbs, o->verb))
+            return fail(report, E_USAGE, "'fmdsub %s' has no option '--%s': it belongs to %s", o->verb,
+                        cli_options[i].name, cli_options[i].verbs);
+    return OK;
+}
+
 enum status request_read(struct request *o, int argc, char **argv, struct arena *life, struct report *report)
 {
     struct option longs[MOST_OPTIONS] = {0};
@@ -151,11 +178,13 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     for (int code; (code = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
         if (code == ':') return fail(report, E_USAGE, "option '%.80s' needs a value (fmdsub --help)", argv[optind - 1]);
         if (code == '?') return unknown_option(argv[optind - 1], report);
+        o->given |= 1ul << option_of(code);
         TRY(take(o, cli_options[option_of(code)].name, optarg, life, report));
     }
     if (optind < argc) o->verb = argv[optind++];
     o->nword = argc - optind;
     o->word = argv + optind;
+    if (o->output && !*o->output) return fail(report, E_USAGE, "--output needs the name of a file");
     TRY(check_word("format", o->format, "csv|ndjson|json", report));
     TRY(check_word("progress", o->progress, "auto|always|never", report));
     return check_word("color", o->color, "auto|always|never", report);

@@ -156,8 +156,8 @@ static cJSON *deck_schema(void)
 
 enum status verb_schema(const struct request *request, struct arena *life, struct report *report)
 {
-    (void)request;
     (void)life;
+    if (request->nword) return fail(report, E_USAGE, "'fmdsub schema' takes no argument: it is the same for all decks");
     cJSON *schema = deck_schema();
     char *text = cJSON_Print(schema);
     cJSON_Delete(schema);

@@ -1,0 +1,52 @@
+# arguments.sh -- command lines that ask for nothing sensible: status 2, one line that says why, nothing on stdout.
+. tests/tools/lib.sh
+deck=$ROOT/decks/pendulum.yaml
+cd "$work" || exit 1
+
+refuse() { # PATTERN ARGUMENT...
+    pattern=$1
+    shift
+    "$FMDSUB" "$@" >out 2>err </dev/null
+    rc=$?
+    if [ $rc -ne 2 ]; then not_ok "fmdsub $*" "exit $rc, expected 2" err
+    elif [ -s out ]; then not_ok "fmdsub $*" "words on stdout" out
+    elif [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "expected one line with: $pattern" err
+    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
+}
+
+refuse "unknown verb 'rnu': did you mean 'run'" rnu "$deck"
+refuse "unknown option '--formt': did you mean '--format'" run --formt csv "$deck"
+refuse "option '--quiet' takes no value" run --quiet=3 "$deck"
+refuse "needs a value" run "$deck" --set
+refuse "takes one of csv|ndjson|json" run --format xml "$deck"
+refuse "takes one deck; '-' is standard input" run
+refuse "takes one deck$" run "$deck" "$deck"
+# Options of other verbs would do nothing.
+refuse "'fmdsub check' has no option '--columns': it belongs to run" check --columns '*' "$deck"
+refuse "'fmdsub study' has no option '--every': it belongs to run" study --every 0.1 "$deck"
+refuse "'fmdsub list' has no option '--output'" list -o x
+refuse "'fmdsub run' has no option '--at': it belongs to modes" run --at 1 "$deck"
+# Words too many.
+refuse "takes nothing more" list joints extra
+refuse "takes one deck" list columns "$deck" "$deck"
+refuse "takes one name" new pendulum mechanism
+refuse "takes no argument" schema "$deck"
+# Empty names.
+refuse "names no column" run --columns '' "$deck"
+refuse "names no column" run --columns ' , ' "$deck"
+refuse "needs the name of a file" run -o '' "$deck"
+[ -e .part ] && not_ok "-o '': nothing is written" ".part is there" || ok "-o '': nothing is written"
+
+# A name of a column is taken letter by letter, whatever YAML would make of it.
+for name in "it's" 'pin\angle' 'pin"' '[x' '${x}' '#'; do
+    "$FMDSUB" run --columns "$name" "$deck" >out 2>err
+    rc=$?
+    if [ $rc -eq 3 ] && head -n 1 err | grep -qF -- "no column matches '$name'"; then ok "--columns $(echo "$name" | tr -d "\\\\")"
+    else not_ok "--columns $name" "exit $rc, expected 3 and 'no column matches'" err; fi
+done
+
+# A reader of words that has left: SIGPIPE's code, and nothing said.
+for words in list schema explain new "list columns $deck" "check --expanded $deck"; do
+    { sleep 0.1; "$FMDSUB" $words 2>err; echo $? >rc; } | true
+    expect "reader left: ${words%$deck}" "141 0" "$(cat rc) $(wc -l <err)" err
+done
