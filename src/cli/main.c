@@ -1,8 +1,11 @@
 /* main.c -- fmdsub: verbs, signals, the last word and the exit status */
+#include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "base/stop.h"
@@ -57,14 +60,26 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
     return sim_load(scene, request->word[0], &options, *diags, life, report);
 }
 
+/* The handler stands for one signal only: the next ends the program at once.  What comes within a moment is the same
+ * wish said twice: timeout(1) tells its child, then its whole group.  It is pending here, since a signal is blocked
+ * in its own handler; SA_RESETHAND would let it through before that. */
 static void on_signal(int signal)
 {
+    const struct timespec moment = {0, 50000000};
+    const struct sigaction none = {.sa_handler = SIG_DFL};
+    sigset_t same;
+    int error = errno;
     stop = signal;
+    sigemptyset(&same);
+    sigaddset(&same, signal);
+    sigtimedwait(&same, NULL, &moment);
+    sigaction(signal, &none, NULL);
+    errno = error;
 }
 
 static void set_signals(void)
 {
-    struct sigaction once = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND};
+    struct sigaction once = {.sa_handler = on_signal};
     struct sigaction ignore = {.sa_handler = SIG_IGN};
     sigaction(SIGINT, &once, NULL);
     sigaction(SIGTERM, &once, NULL);
@@ -81,6 +96,15 @@ static void hold_descriptors(void)
         if (fcntl(fd, F_GETFD) < 0) (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
 }
 
+/* What stdio still holds goes out.  When it cannot, did the reader leave (`| head`)? */
+static enum status flush_words(struct report *report)
+{
+    struct pollfd out = {.fd = STDOUT_FILENO};
+    if (fflush(stdout) == 0 && !ferror(stdout)) return OK;
+    if (poll(&out, 1, 0) == 1 && out.revents & POLLERR) return E_SIGPIPE;
+    return fail(report, E_FILE, "standard output: cannot write");
+}
+
 static enum status dispatch(const struct request *request, struct arena *life, struct report *report)
 {
     const char *names[16];
@@ -92,7 +116,10 @@ static enum status dispatch(const struct request *request, struct arena *life, s
         return E_USAGE;
     }
     for (const struct verb *v = verbs; v->name; v++) {
-        if (strcmp(v->name, request->verb) == 0) return v->run(request, life, report);
+        if (strcmp(v->name, request->verb) == 0) {
+            TRY(request_check(request, report));
+            return v->run(request, life, report);
+        }
         names[n++] = v->name;
     }
     const char *nearest = text_nearest(request->verb, names, n);
@@ -109,8 +136,7 @@ int main(int argc, char **argv)
     set_signals();
     enum status status = request_read(&request, argc, argv, life, &report);
     if (status == OK) status = dispatch(&request, life, &report);
-    if (status == OK && (fflush(stdout) != 0 || ferror(stdout)))
-        status = fail(&report, E_FILE, "standard output: cannot write");
+    if (status == OK) status = flush_words(&report);
     if (report.text[0] && status != E_SIGPIPE) {
         bool placed = strstr(report.text, ": error: ") != NULL;
         fprintf(stderr, "%s%s\n", placed ? "" : "fmdsub: ", report.text);

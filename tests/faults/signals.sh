@@ -27,3 +27,26 @@ whole "SIGINT on a blocked pipe: records whole" "$work/out.csv"
 expect "SIGINT with -o: status" 130 $? "$work/err"
 if [ -s "$work/out.dat.part" ] && [ ! -e "$work/out.dat" ]; then ok "SIGINT with -o: kept as .part"
 else not_ok "SIGINT with -o: kept as .part" "$(ls "$work" | tr '\n' ' ')" "$work/err"; fi
+
+# timeout(1) tells its child and then its group: one wish, said twice within microseconds.  What must close is closed.
+for signal in INT:130 TERM:143; do
+    for format in json ndjson; do
+        timeout --preserve-status -s "${signal%:*}" 0.3 "$FMDSUB" run -f $format --every 1.0e-3 --until 1.0e+5 "$deck" >"$work/out" 2>"$work/err"
+        expect "SIG${signal%:*}, $format: status" "${signal#*:}" $? "$work/err"
+        tail -n 1 "$work/out" | grep -q '"exit":'"${signal#*:}"'.*}$' && ok "SIG${signal%:*}, $format: closed by its summary" ||
+            not_ok "SIG${signal%:*}, $format: closed by its summary" "the last line is another" "$work/err"
+    done
+done
+
+# A second signal, later, ends at once.
+mkfifo "$work/pipe"
+sleep 2 <"$work/pipe" &
+"$FMDSUB" run --every 1.0e-3 --until 1.0e+5 "$deck" >"$work/pipe" 2>"$work/err" &
+pid=$!
+sleep 0.5
+kill -INT $pid
+sleep 0.3
+kill -INT $pid
+wait $pid
+expect "a second SIGINT ends a run that waits for its reader" 130 $?
+wait
