@@ -1,52 +1,179 @@
 /* decouple.c -- see decouple.h */
 #include "engine/decouple.h"
 
+#include <math.h>
+
 #include "engine/motion.h"
 #include "la/dense.h"
 
-void decouple_open(struct decouple *p, int n, int ns, struct arena *life)
+enum { SMALL = 12 }; /* up to here dense is no slower than any structure */
+
+void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
-    int nl = n - ns;
-    *p = (struct decouple){.n = n, .ns = ns, .nl = nl};
+    const struct ode2_direct *direct = ode->direct;
+    int n = ode->n, ns = ode->ns, nl = n - ns;
+    *p = (struct decouple){.ode = ode, .effort = effort, .n = n, .ns = ns, .nl = nl};
+    p->ml = ode->near > 0 ? ode->near - ns : nl;
+    p->structured = n > SMALL && direct && direct->stiffen && direct->solve;
     p->M = TAKE(life, double, n *n);
+    p->L = TAKE(life, double, nl *nl);
     p->W = TAKE(life, double, nl *ns);
     p->Mss = TAKE(life, double, ns *ns);
-    p->L = TAKE(life, double, nl *nl);
+    p->MsW = TAKE(life, double, p->ml *ns);
+    p->WMW = TAKE(life, double, ns *ns);
+    p->Z = TAKE(life, double, ns *ns);
+    p->row = TAKE(life, double, ns);
+    p->none = TAKE(life, double, n);
+    p->z = TAKE(life, double, n);
+    p->r = TAKE(life, double, n);
+    p->a = TAKE(life, double, n);
+    if (p->structured) p->F = arena_take(life, 1, direct->factor_size);
 }
 
-int decouple_factor(struct decouple *p)
+void decouple_dense(struct decouple *p)
 {
-    int n = p->n, ns = p->ns, nl = p->nl;
-    dense_copy(p->Mss, p->M, ns, ns, ns, n);
-    dense_copy(p->W, p->M + ns, nl, ns, nl, n);
-    p->coupled = 0;
-    for (int i = 0; i < nl * ns; i++) p->coupled |= p->W[i] != 0;
-    if (!p->coupled) return -1;
-    dense_copy(p->L, p->M + ns + ns * n, nl, nl, nl, n);
-    int pivot = dense_cholesky(p->L, nl, nl);
-    if (pivot >= 0) return ns + pivot;
-    dense_cholesky_solves(p->L, p->W, nl, nl, ns, nl);
-    dense_gemtm(p->Mss, -1, p->M + ns, p->W, ns, nl, ns, ns, n, nl);
+    p->structured = 0;
+}
+
+static int last_row(const double *W, int nl, int ns)
+{
+    int reach = 0;
+    for (int j = 0; j < ns; j++)
+        for (int i = nl; i > reach; i--)
+            if (W[i - 1 + (long)j * nl] != 0) reach = i;
+    return reach;
+}
+
+/* Mss := Z^-1, Z [ns x ns] lost. */
+static int invert(struct decouple *p)
+{
+    int ns = p->ns;
+    int pivot = dense_cholesky(p->Z, ns, ns);
+    if (pivot >= 0) return pivot;
+    zero(p->Mss, ns * ns);
+    for (int i = 0; i < ns; i++) p->Mss[i * (ns + 1)] = 1;
+    dense_cholesky_solves(p->Z, p->Mss, ns, ns, ns, ns);
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < j; i++) p->Mss[j + i * ns] = p->Mss[i + j * ns];
     return -1;
 }
 
-void decouple_out(const struct decouple *p, double *out, const double *y, const double *x)
+static enum status by_structure(struct decouple *p, const struct instant *x, struct trouble *why)
 {
-    copy(out, x, p->ns);
-    copy(out + p->ns, y, p->nl);
-    if (p->coupled) dense_gemv(out + p->ns, -1, p->W, x, p->nl, p->ns, p->nl);
+    const struct ode2_direct *direct = p->ode->direct;
+    int ns = p->ns, nl = p->nl;
+    TRY(direct->stiffen(p->ode, p->F, p->none, x->q, x->t, why));
+    for (int j = 0; j < ns; j++) {
+        zero(p->z, p->n);
+        p->z[j] = 1;
+        direct->solve(p->ode, p->F, p->z);
+        copy(p->Z + j * ns, p->z, ns);
+        copy(p->W + (long)j * nl, p->z + ns, nl);
+    }
+    int pivot = invert(p);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, x->t);
+    p->reach = last_row(p->W, nl, ns);
+    for (int i = 0; i < p->reach; i++) { /* W = -Z_LS Mss by rows */
+        for (int j = 0; j < ns; j++) p->row[j] = -p->W[i + (long)j * nl];
+        for (int j = 0; j < ns; j++) p->W[i + (long)j * nl] = dot(p->row, p->Mss + j * ns, ns);
+    }
+    return OK;
 }
 
-void decouple_fast(const struct decouple *p, double *rs, const double *r)
-{
-    copy(rs, r, p->ns);
-    if (p->coupled) dense_gemtv(rs, -1, p->W, r + p->ns, p->nl, p->ns, p->nl);
-}
-
-void decouple_slopes(const struct decouple *p, double *K)
+static enum status by_matrix(struct decouple *p, const struct instant *x, struct trouble *why)
 {
     int n = p->n, ns = p->ns, nl = p->nl;
-    if (!p->coupled) return;
-    dense_gemm(K, -1, K + ns * n, p->W, n, nl, ns, n, n, nl);
-    dense_gemtm(K, -1, p->W, K + ns, ns, nl, n, n, nl, n);
+    TRY(p->ode->ops->mass(p->ode, p->M, x->q, x->t, ALL, why));
+    dense_copy(p->Mss, p->M, ns, ns, ns, n);
+    dense_copy(p->W, p->M + ns, nl, ns, nl, n);
+    p->reach = last_row(p->W, nl, ns);
+    if (!p->reach) return OK;
+    dense_copy(p->L, p->M + ns + ns * n, nl, nl, nl, n);
+    int pivot = dense_cholesky(p->L, nl, nl);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, ns + pivot, 0, x->t);
+    dense_cholesky_solves(p->L, p->W, nl, nl, ns, nl);
+    dense_gemtm(p->Mss, -1, p->M + ns, p->W, ns, nl, ns, ns, n, nl);
+    p->reach = last_row(p->W, nl, ns);
+    return OK;
+}
+
+/* A power of two that makes inertial forces as large as the forces r that they are told from by a difference. */
+static double as_large(const struct decouple *p, const double *r, int m)
+{
+    double force = 0, mass = INFINITY;
+    for (int i = 0; i < m; i++) force = fmax(force, fabs(r[i]));
+    for (int i = 0; i < p->ns; i++) mass = fmin(mass, p->Mss[i * (p->ns + 1)]);
+    return force > mass && force / mass < 0x1p900 ? ldexp(1, ilogb(force / mass) + 1) : 1;
+}
+
+/* MsW and W' M_s W from the fast bodies. */
+static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    const struct ode2_ops *ops = p->ode->ops;
+    int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
+    struct instant with = *x;
+    with.a = NULL;
+    p->effort->fast += ns + 1;
+    TRY(ops->resid(p->ode, p->r, NULL, NULL, &with, FAST, why));
+    double s = as_large(p, p->r, ns + ml);
+    with.a = p->a;
+    for (int j = 0; j < ns; j++) {
+        zero(p->a, ns);
+        p->a[j] = s;
+        for (int i = 0; i < rows; i++) p->a[ns + i] = -s * p->W[i + (long)j * p->nl];
+        TRY(ops->resid(p->ode, p->z, NULL, NULL, &with, FAST, why));
+        for (int i = 0; i < ml; i++) p->MsW[i + j * ml] = (p->z[ns + i] - p->r[ns + i]) / s;
+    }
+    zero(p->WMW, ns * ns);
+    dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < j; i++)
+            p->WMW[i + j * ns] = p->WMW[j + i * ns] = (p->WMW[i + j * ns] + p->WMW[j + i * ns]) / 2;
+    return OK;
+}
+
+enum status decouple_at(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    p->effort->slow++;
+    p->effort->fast++;
+    if (p->structured && by_structure(p, x, why) != OK) decouple_dense(p);
+    if (!p->structured) TRY(by_matrix(p, x, why));
+    return p->reach ? slow_share(p, x, why) : OK;
+}
+
+void decouple_recoil(const struct decouple *p, double *y, double s, const double *x)
+{
+    if (p->reach) dense_gemv(y, s, p->W, x, p->reach, p->ns, p->nl);
+}
+
+void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m)
+{
+    int rows = p->reach < m ? p->reach : m;
+    copy(out, x, p->ns);
+    copy(out + p->ns, y, m);
+    if (rows) dense_gemv(out + p->ns, -1, p->W, x, rows, p->ns, p->nl);
+}
+
+void decouple_fast(const struct decouple *p, double *rs, const double *r, int m)
+{
+    int rows = p->reach < m ? p->reach : m;
+    copy(rs, r, p->ns);
+    if (rows) dense_gemtv(rs, -1, p->W, r + p->ns, rows, p->ns, p->nl);
+}
+
+void decouple_slopes(const struct decouple *p, double *K, int m)
+{
+    int n = p->n, ns = p->ns, rows = p->reach < m ? p->reach : m;
+    if (!rows) return;
+    dense_gemm(K, -1, K + ns * n, p->W, ns + m, rows, ns, n, n, p->nl);
+    dense_gemtm(K, -1, p->W, K + ns, ns, rows, ns + m, n, p->nl, n);
+}
+
+void decouple_slow(struct decouple *p, double *x)
+{
+    zero(p->z, p->ns);
+    copy(p->z + p->ns, x, p->nl);
+    p->ode->direct->solve(p->ode, p->F, p->z);
+    copy(x, p->z + p->ns, p->nl);
+    decouple_recoil(p, x, 1, p->z);
 }

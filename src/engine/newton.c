@@ -76,8 +76,6 @@ static double kinetic(struct newton *nt, const struct instant *x)
     struct instant with = *x, without = *x;
     with.a = x->v;
     without.a = NULL;
-    nt->effort->slow += 2;
-    nt->effort->fast += 2;
     double sum = 0;
     if (o->ops->resid(o, nt->r, NULL, NULL, &with, ALL, NULL) != OK) return 0;
     sum += dot(nt->r, x->v, o->n);
@@ -85,12 +83,19 @@ static double kinetic(struct newton *nt, const struct instant *x)
     return sum - dot(nt->r, x->v, o->n);
 }
 
+void newton_energy(struct newton *nt, const struct instant *x)
+{
+    if (nt->age < ENERGY_LIFE) return;
+    nt->energy = fmax(nt->energy, kinetic(nt, x));
+    nt->age = 0;
+}
+
 static int small_energy(struct newton *nt, double square, const struct instant *x)
 {
-    if (nt->age >= ENERGY_LIFE) {
-        nt->energy = fmax(nt->energy, kinetic(nt, x));
-        nt->age = 0;
-    }
+    int due = nt->age >= ENERGY_LIFE ? 2 : 0;
+    nt->effort->slow += due;
+    nt->effort->fast += due;
+    newton_energy(nt, x);
     double part = BY_ENERGY * nt->tol;
     return fabs(square) <= part * part * nt->energy;
 }

@@ -1,157 +1,197 @@
 /* response.c -- see response.h */
 #include "engine/response.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "engine/motion.h"
 #include "la/dense.h"
 
-void response_open(struct response *p, int n, int ns, struct arena *life)
+/* ---- one minor step */
+
+static void take_minor(struct minor *m, int n, int ns, struct arena *life)
 {
-    int nl = n - ns;
-    *p = (struct response){.n = n, .ns = ns, .nl = nl};
-    double **square[] = {&p->M, &p->K, &p->C};
-    double **slow[] = {&p->F, &p->G, &p->Grest, &p->Ge, &p->N, &p->T};
-    double **fast[] = {&p->A, &p->D, &p->J, &p->S, &p->V, &p->spare};
-    double **mixed[] = {&p->x, &p->v, &p->dx, &p->d, &p->X};
-    for (int i = 0; i < 3; i++) *square[i] = TAKE(life, double, n *n);
-    for (int i = 0; i < 6; i++) *slow[i] = TAKE(life, double, nl *nl);
-    for (int i = 0; i < 6; i++) *fast[i] = TAKE(life, double, ns *ns);
-    for (int i = 0; i < 5; i++) *mixed[i] = TAKE(life, double, 2 * ns * nl);
-    p->WF = TAKE(life, double, ns *nl);
-    p->Q = TAKE(life, double, nl *ns);
-    p->swapJ = TAKE(life, int, ns);
-    p->swapG = TAKE(life, int, nl);
-    p->swapN = TAKE(life, int, nl);
+    double **square[] = {&m->K, &m->C}, **fast[] = {&m->J, &m->S, &m->V, &m->spare};
+    *m = (struct minor){.n = n, .ns = ns};
+    for (int i = 0; i < 2; i++) *square[i] = TAKE(life, double, n *n);
+    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, ns *ns);
+    m->swap = TAKE(life, int, ns);
+}
+
+void minor_open(struct minor *m, const struct response *p, struct arena *life)
+{
+    take_minor(m, p->n, p->ns, life);
+    m->Mss = p->Mss;
+    m->A = p->A;
+    m->D = p->D;
 }
 
 /* Y [rows x ns] := s X B, B = 1 + A, X with leading dimension ld. */
-static void times_B(const struct response *p, double *Y, double s, const double *X, int rows, int ld)
+static void times_B(double *Y, double s, const double *X, const double *A, int rows, int ns, int ld)
 {
-    for (int j = 0; j < p->ns; j++)
-        for (int i = 0; i < rows; i++) Y[i + j * rows] = s * X[i + j * ld];
-    dense_gemm(Y, s, X, p->A, rows, p->ns, p->ns, rows, ld, p->ns);
-}
-
-static int factor_J(struct response *p)
-{
-    int n = p->n, ns = p->ns;
     for (int j = 0; j < ns; j++)
-        for (int i = 0; i < ns; i++) p->J[i + j * ns] = p->S[i + j * ns] + p->M[i + j * n];
-    return factor_dense(p->J, p->swapJ, p->spare, &p->form, ns);
+        for (int i = 0; i < rows; i++) Y[i + j * rows] = s * X[i + j * ld];
+    dense_gemm(Y, s, X, A, rows, ns, ns, rows, ld, ns);
 }
 
-int response_factor(struct response *p)
+int minor_mass(struct minor *m)
 {
-    int n = p->n, ns = p->ns;
-    double h = p->h;
+    for (int i = 0; i < m->ns * m->ns; i++) m->J[i] = m->S[i] + m->Mss[i];
+    return factor_dense(m->J, m->swap, m->spare, &m->form, m->ns);
+}
+
+int minor_factor(struct minor *m)
+{
+    int n = m->n, ns = m->ns;
+    double h = m->h;
     for (int j = 0; j < ns; j++)
         for (int i = 0; i < ns; i++)
-            p->V[i + j * ns] = h * h / 2 * (p->K[i + j * n] + p->D[i + j * ns]) + h * p->C[i + j * n];
-    times_B(p, p->S, .5, p->V, ns, ns);
-    return factor_J(p);
+            m->V[i + j * ns] = h * h / 2 * (m->K[i + j * n] + m->D[i + j * ns]) + h * m->C[i + j * n];
+    times_B(m->S, .5, m->V, m->A, ns, ns, ns);
+    return minor_mass(m);
 }
 
-void response_solve(const struct response *p, double *x)
+void minor_solve(const struct minor *m, double *x)
 {
-    solve_dense(p->J, p->swapJ, p->form, x, p->ns);
+    solve_dense(m->J, m->swap, m->form, x, m->ns);
 }
 
-/* One minor step of all columns: d for the driving c + f g held in p->d on entry. */
-static void answer(struct response *p, int cols)
+/* ---- what is frozen */
+
+void response_open(struct response *p, const struct decouple *dec, struct arena *life)
 {
-    int n = p->n, ns = p->ns;
-    double h = p->h;
-    dense_gemm(p->d, h, p->K, p->x, ns, ns, cols, ns, n, ns);
-    dense_gemm(p->d, 1, p->V, p->v, ns, ns, cols, ns, ns, ns);
-    for (int j = 0; j < cols; j++) response_solve(p, p->d + j * ns);
-    for (int i = 0; i < ns * cols; i++) {
-        p->d[i] = -p->d[i];
-        p->dx[i] = h * (p->v[i] + p->d[i] / 2);
-    }
-    dense_gemm(p->dx, h / 2, p->A, p->d, ns, ns, cols, ns, ns, ns);
-    for (int i = 0; i < ns * cols; i++) {
-        p->X[i] += p->x[i] + p->dx[i] / 2;
-        p->x[i] += p->dx[i];
-        p->v[i] += p->d[i];
-    }
+    int n = dec->n, ns = dec->ns, nl = dec->nl;
+    *p = (struct response){.n = n, .ns = ns, .nl = nl, .ml = dec->ml};
+    double **slow[] = {&p->MLL, &p->F, &p->Gk, &p->G, &p->spare};
+    double **fast[] = {&p->A, &p->D, &p->Mss, &p->WFW};
+    double **wide[] = {&p->X, &p->Y, &p->v, &p->dx, &p->dd};
+    double **mixed[] = {&p->U, &p->GU, &p->V};
+    double **pair[] = {&p->E, &p->T};
+    for (int i = 0; i < 5; i++) *slow[i] = TAKE(life, double, nl *nl);
+    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, ns *ns);
+    for (int i = 0; i < 5; i++) *wide[i] = TAKE(life, double, 2 * ns * ns);
+    for (int i = 0; i < 3; i++) *mixed[i] = TAKE(life, double, 2 * ns * nl);
+    for (int i = 0; i < 2; i++) *pair[i] = TAKE(life, double, 4 * ns * ns);
+    take_minor(&p->one, n, ns, life);
+    p->one.Mss = p->Mss;
+    p->one.A = p->A;
+    p->one.D = p->D;
+    p->FW = TAKE(life, double, nl *ns);
+    p->Q = TAKE(life, double, p->ml *ns);
+    p->d = TAKE(life, double, n);
+    p->z = TAKE(life, double, n);
+    p->s = TAKE(life, double, 2 * ns);
+    p->swapG = TAKE(life, int, nl);
+    p->swapT = TAKE(life, int, 2 * ns);
+    if (dec->structured) p->GF = arena_take(life, 1, dec->ode->direct->factor_size);
 }
 
-/* x_n by (du, e) in p->x, the sums of the midpoints in p->X: columns of du first. */
+static int nonzero(const double *A, int rows, int cols, int ld)
+{
+    for (int j = 0; j < cols; j++)
+        for (int i = 0; i < rows; i++)
+            if (A[i + (long)j * ld] != 0) return 1;
+    return 0;
+}
+
+/* X and Y: the minor steps driven by the unit ramps, then the unit constants. */
 static void columns(struct response *p)
 {
-    int n = p->n, ns = p->ns, nl = p->nl, cols = p->slow_slopes ? 2 * nl : nl;
-    double h = p->h;
-    const double *KSL = p->K + ns * n, *CSL = p->C + ns * n;
-    zero(p->x, ns * cols);
-    zero(p->v, ns * cols);
+    const struct minor *m = &p->one;
+    int n = p->n, ns = p->ns, cols = 2 * ns;
+    double h = p->h, *d = p->dd;
     zero(p->X, ns * cols);
+    zero(p->Y, ns * cols);
+    zero(p->v, ns * cols);
     for (int k = 0; k < p->ratio; k++) {
         double f = (k + .5) / p->ratio;
-        for (int j = 0; j < nl; j++)
-            for (int i = 0; i < ns; i++) {
-                p->d[i + j * ns] = h * f * p->H / 2 * KSL[i + j * n] + h / 2 * CSL[i + j * n];
-                if (p->slow_slopes) p->d[i + (nl + j) * ns] = -h * p->WF[i + j * ns];
-            }
-        answer(p, cols);
+        zero(d, ns * cols);
+        for (int i = 0; i < ns; i++) {
+            d[i + i * ns] = h * f;
+            d[i + (ns + i) * ns] = h;
+        }
+        dense_gemm(d, h, m->K, p->X, ns, ns, cols, ns, n, ns);
+        dense_gemm(d, 1, m->V, p->v, ns, ns, cols, ns, ns, ns);
+        for (int j = 0; j < cols; j++) minor_solve(m, d + j * ns);
+        for (int i = 0; i < ns * cols; i++) p->dx[i] = h * (p->v[i] - d[i] / 2);
+        dense_gemm(p->dx, -h / 2, p->A, d, ns, ns, cols, ns, ns, ns);
+        for (int i = 0; i < ns * cols; i++) {
+            p->Y[i] += p->X[i] + p->dx[i] / 2;
+            p->X[i] += p->dx[i];
+            p->v[i] -= d[i];
+        }
     }
 }
 
-/* G_u into G, and G_e. */
-static void slow_rows(struct response *p)
-{
-    int n = p->n, ns = p->ns, nl = p->nl;
-    double H = p->H;
-    const double *KLS = p->K + ns, *CLS = p->C + ns;
-    for (int j = 0; j < nl; j++)
-        for (int i = 0; i < nl; i++) {
-            long at = (ns + i) + (long)(ns + j) * n;
-            p->G[i + j * nl] = p->M[at] + H * H / 4 * p->K[at] + H / 2 * p->C[at];
-            p->Ge[i + j * nl] = H * p->F[i + j * nl];
-        }
-    dense_gemm(p->G, p->h, KLS, p->X, nl, ns, nl, nl, n, ns);
-    dense_gemm(p->G, 1, CLS, p->x, nl, ns, nl, nl, n, ns);
-    if (!p->slow_slopes) return;
-    dense_gemm(p->Ge, p->h, KLS, p->X + ns * nl, nl, ns, nl, nl, n, ns);
-    dense_gemm(p->Ge, 1, CLS, p->x + ns * nl, nl, ns, nl, nl, n, ns);
-}
-
-/* e eliminated: N, T, and G = G_u + G_e T. */
-static int eliminate(struct response *p, const double *W)
+/* F W, W' F W. */
+static void slow_recoil(struct response *p, const struct decouple *dec)
 {
     int ns = p->ns, nl = p->nl;
-    zero(p->N, nl * nl);
-    zero(p->T, nl * nl);
-    for (int i = 0; i < nl; i++) {
-        p->N[i * (nl + 1)] = 1;
-        p->T[i * (nl + 1)] = p->H / 2;
-    }
-    dense_gemm(p->T, -1, W, p->x, nl, ns, nl, nl, nl, ns);
-    if (p->slow_slopes) dense_gemm(p->N, 1, W, p->x + ns * nl, nl, ns, nl, nl, nl, ns);
-    int pivot = dense_lu(p->N, p->swapN, nl, nl);
-    if (pivot >= 0) return pivot;
-    dense_lu_solves(p->N, p->swapN, p->T, nl, nl, nl, nl);
-    if (p->slow_slopes) dense_gemm(p->G, 1, p->Ge, p->T, nl, nl, nl, nl, nl, nl);
-    for (int j = 0; j < nl; j++)
-        for (int i = 0; i < nl; i++) p->Grest[i + j * nl] = p->G[i + j * nl] - p->M[(ns + i) + (long)(ns + j) * p->n];
-    return dense_lu(p->G, p->swapG, nl, nl);
+    zero(p->FW, nl * ns);
+    zero(p->WFW, ns * ns);
+    if (!p->slow_slopes || !dec->reach) return;
+    dense_gemm(p->FW, 1, p->F, dec->W, nl, dec->reach, ns, nl, nl, nl);
+    dense_gemtm(p->WFW, 1, dec->W, p->FW, ns, dec->reach, ns, ns, nl, nl);
 }
 
-int response_slow(struct response *p, const double *W)
+/* G - M_LL. */
+static void slow_stiffness(struct response *p)
 {
-    int n = p->n, ns = p->ns, nl = p->nl;
-    zero(p->WF, ns * nl);
-    p->slow_slopes = 0;
-    for (int i = 0; i < nl * nl; i++) p->slow_slopes |= p->F[i] != 0;
-    if (p->slow_slopes) dense_gemtm(p->WF, 1, W, p->F, ns, nl, nl, ns, nl, nl);
-    columns(p);
-    slow_rows(p);
-    times_B(p, p->Q, p->h * p->h / 4, p->K + ns, nl, n);
-    for (int j = 0; j < ns; j++)
-        for (int i = 0; i < nl; i++) p->Q[i + j * nl] += p->h / 2 * p->C[ns + i + j * n];
-    dense_gemm(p->Q, p->h / 2, p->C + ns, p->A, nl, ns, ns, nl, n, ns);
-    return eliminate(p, W);
+    int n = p->n, ns = p->ns, nl = p->nl, ml = p->ml;
+    double H = p->H;
+    const double *K = p->one.K + ns + (long)ns * n, *C = p->one.C + ns + (long)ns * n;
+    for (int i = 0; i < nl * nl; i++) p->Gk[i] = H * H / 2 * p->F[i];
+    for (int j = 0; j < ml; j++)
+        for (int i = 0; i < ml; i++) p->Gk[i + j * nl] += H * H / 4 * K[i + (long)j * n] + H / 2 * C[i + (long)j * n];
+    p->stiff = nonzero(p->Gk, nl, nl, nl);
+    p->diagonal = 1;
+    for (int j = 0; j < nl; j++) {
+        p->diagonal &= !nonzero(p->Gk + j * nl, j, 1, nl) && !nonzero(p->Gk + j * nl + j + 1, nl - j - 1, 1, nl);
+        p->d[ns + j] = p->Gk[j * (nl + 1)];
+    }
+    for (int i = 0; i < ns; i++) p->d[i] = INFINITY;
 }
+
+/* U, V and E. */
+static void coupling(struct response *p, const struct decouple *dec)
+{
+    int n = p->n, ns = p->ns, nl = p->nl, ml = p->ml, cols = 2 * ns;
+    const double *KSL = p->one.K + (long)ns * n, *CSL = p->one.C + (long)ns * n;
+    columns(p);
+    zero(p->U, nl * cols);
+    dense_gemm(p->U, p->h, p->one.K + ns, p->Y, ml, ns, cols, nl, n, ns);
+    dense_gemm(p->U, 1, p->one.C + ns, p->X, ml, ns, cols, nl, n, ns);
+    dense_gemm(p->U, -p->H, p->FW, p->X, nl, ns, cols, nl, nl, ns);
+    zero(p->V, nl * cols);
+    for (int i = 0; i < ns; i++)
+        for (int j = 0; j < ml; j++) {
+            p->V[j + i * nl] = p->H / 2 * KSL[i + (long)j * n];
+            p->V[j + (ns + i) * nl] = CSL[i + (long)j * n] / 2;
+        }
+    if (p->slow_slopes) dense_gemtm(p->V + nl * ns, -p->H / 2, p->F, dec->W, nl, dec->reach, ns, nl, nl, nl);
+    zero(p->E, cols * cols);
+    for (int i = 0; i < cols; i++) p->E[i * (cols + 1)] = 1;
+    dense_gemm(p->E + ns, -1, p->WFW, p->X, ns, ns, cols, cols, ns, ns);
+}
+
+void response_freeze(struct response *p, const struct decouple *dec)
+{
+    int n = p->n, ns = p->ns, nl = p->nl, ml = p->ml;
+    const struct minor *m = &p->one;
+    p->slow_slopes = nonzero(p->F, nl, nl, nl);
+    slow_recoil(p, dec);
+    slow_stiffness(p);
+    p->drives = nonzero(m->K + ns, ml, ns, n) || nonzero(m->K + (long)ns * n, ns, ml, n) ||
+                nonzero(m->C + ns, ml, ns, n) || nonzero(m->C + (long)ns * n, ns, ml, n) || nonzero(p->FW, nl, ns, nl);
+    if (!p->drives) return;
+    coupling(p, dec);
+    times_B(p->Q, p->h * p->h / 4, m->K + ns, p->A, ml, ns, n);
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < ml; i++) p->Q[i + j * ml] += p->h / 2 * m->C[ns + i + j * n];
+    dense_gemm(p->Q, p->h / 2, m->C + ns, p->A, ml, ns, ns, ml, n, ns);
+}
+
+/* ---- what follows the masses */
 
 static int differs(const double *A, const double *B, int rows, int cols, int lda, int ldb)
 {
@@ -160,32 +200,69 @@ static int differs(const double *A, const double *B, int rows, int cols, int lda
     return 0;
 }
 
-int response_masses(struct response *p, int *factored, const double *Mss, const double *M)
+int response_masses(struct response *p, const struct decouple *dec)
 {
     int n = p->n, ns = p->ns, nl = p->nl;
-    const double *MLL = M + ns + ns * n;
-    *factored = differs(Mss, p->M, ns, ns, ns, n) || differs(MLL, p->M + ns + ns * n, nl, nl, n, n);
-    if (!*factored) return -1;
-    dense_copy(p->M, Mss, ns, ns, n, ns);
-    dense_copy(p->M + ns + ns * n, MLL, nl, nl, n, n);
-    int pivot = factor_J(p);
-    if (pivot >= 0) return pivot;
-    for (int j = 0; j < nl; j++)
-        for (int i = 0; i < nl; i++) p->G[i + j * nl] = p->Grest[i + j * nl] + MLL[i + (long)j * n];
-    return dense_lu(p->G, p->swapG, nl, nl);
+    const double *MLL = dec->M + ns + (long)ns * n;
+    int changed = dec->structured || differs(dec->Mss, p->Mss, ns, ns, ns, ns) || differs(MLL, p->MLL, nl, nl, n, nl);
+    if (!changed) return 0;
+    copy(p->Mss, dec->Mss, ns * ns);
+    if (!dec->structured) dense_copy(p->MLL, MLL, nl, nl, nl, n);
+    return 1;
 }
+
+/* x [nl] := G^-1 x. */
+static void slow_solve(struct response *p, struct decouple *dec, double *x)
+{
+    if (!dec->structured) {
+        solve_dense(p->G, p->swapG, p->form, x, p->nl);
+    } else if (!p->stiff) {
+        decouple_slow(dec, x);
+    } else {
+        zero(p->z, p->ns);
+        copy(p->z + p->ns, x, p->nl);
+        dec->ode->direct->solve(dec->ode, p->GF, p->z);
+        copy(x, p->z + p->ns, p->nl);
+    }
+}
+
+static enum status factor_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why)
+{
+    int nl = p->nl;
+    if (dec->structured && !p->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
+    if (dec->structured) return p->stiff ? dec->ode->direct->stiffen(dec->ode, p->GF, p->d, q, t, why) : OK;
+    for (int i = 0; i < nl * nl; i++) p->G[i] = p->Gk[i] + p->MLL[i];
+    int pivot = factor_dense(p->G, p->swapG, p->spare, &p->form, nl);
+    return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
+}
+
+enum status response_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why)
+{
+    int nl = p->nl, cols = 2 * p->ns;
+    TRY(factor_slow(p, dec, q, t, why));
+    if (!p->drives) return OK;
+    copy(p->GU, p->U, nl * cols);
+    for (int j = 0; j < cols; j++) slow_solve(p, dec, p->GU + (long)j * nl);
+    copy(p->T, p->E, cols * cols);
+    dense_gemtm(p->T, 1, p->V, p->GU, cols, nl, cols, cols, nl, nl);
+    int pivot = dense_lu(p->T, p->swapT, cols, cols);
+    return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
+}
+
+/* ---- answers */
 
 void response_run(const struct response *p, double *d, const double *c, const double *g, double *x, double *v,
                   double *s, int add)
 {
+    const struct minor *m = &p->one;
     int n = p->n, ns = p->ns;
     double h = p->h;
     for (int k = 0; k < p->ratio; k++, d += ns) {
         double f = (k + .5) / p->ratio;
         for (int i = 0; i < ns; i++) s[i] = -c[i] - f * g[i];
-        dense_gemv(s, -h, p->K, x, ns, ns, n);
-        dense_gemv(s, -1, p->V, v, ns, ns, ns);
-        response_solve(p, s);
+        dense_gemv(s, -h, m->K, x, ns, ns, n);
+        dense_gemv(s, -1, m->V, v, ns, ns, ns);
+        minor_solve(m, s);
         for (int i = 0; i < ns; i++) x[i] += h * (v[i] + s[i] / 2);
         dense_gemv(x, h / 2, p->A, s, ns, ns, ns);
         for (int i = 0; i < ns; i++) {
@@ -195,13 +272,23 @@ void response_run(const struct response *p, double *d, const double *c, const do
     }
 }
 
-void response_slow_solve(const struct response *p, double *Du, double *De, const double *R, const double *rho)
+void response_correct(struct response *p, struct decouple *dec, double *Du, double *c, double *g, const double *R,
+                      const double *dxn)
 {
-    int nl = p->nl;
-    copy(De, rho, nl);
-    dense_lu_solve(p->N, p->swapN, De, nl, nl);
-    for (int i = 0; i < nl; i++) Du[i] = -R[i];
-    if (p->slow_slopes) dense_gemv(Du, -1, p->Ge, De, nl, nl, nl);
-    dense_lu_solve(p->G, p->swapG, Du, nl, nl);
-    dense_gemv(De, 1, p->T, Du, nl, nl, nl);
+    int ns = p->ns, nl = p->nl, cols = 2 * ns;
+    copy(Du, R, nl);
+    if (p->slow_slopes) dense_gemv(Du, -p->H, p->FW, dxn, nl, ns, nl);
+    slow_solve(p, dec, Du);
+    zero(p->s, cols);
+    if (p->drives) {
+        dense_gemtv(p->s, -1, p->V, Du, nl, cols, nl);
+        dense_gemv(p->s + ns, 1, p->WFW, dxn, ns, ns, ns);
+        dense_lu_solve(p->T, p->swapT, p->s, cols, cols);
+        dense_gemv(Du, 1, p->GU, p->s, nl, cols, nl);
+    }
+    for (int i = 0; i < nl; i++) Du[i] = -Du[i];
+    for (int i = 0; i < ns; i++) {
+        g[i] = p->h * p->s[i];
+        c[i] = p->h * p->s[ns + i];
+    }
 }

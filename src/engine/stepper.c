@@ -31,6 +31,14 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, const stru
     kind->open(s, life);
 }
 
+/* A new chart, if there is a better one: what was known in the old one is forgotten. */
+static void begin_anew(struct stepper *s, struct state *x)
+{
+    struct trouble why;
+    struct ode2 *ode = (struct ode2 *)s->ode; /* the owner's, who lets it change here */
+    if (ode->chart->rechart(ode, x->q, x->v, x->t)) stepper_start(s, x, &why);
+}
+
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     memset(s->work, 0, sizeof s->work);
@@ -41,6 +49,7 @@ enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio
         s->effort.majors++;
     else
         s->effort.rejected++;
+    if (status == OK && s->ode->chart && s->ode->chart->rechart) begin_anew(s, x);
     return status;
 }
 

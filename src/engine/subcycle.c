@@ -7,9 +7,10 @@
  *     slow      w = u0 + du/2,   y moves by h w in each minor step
  *     fast      dx_k = h (v_S,k + B d_k/2),   v_S,k+1 = v_S,k + d_k
  *     point     q_k+1/2 = q_k (+) P (h w, dx_k) / 2,   v_k = P (w, dx_k / h),   a_k = P (du/n, d_k) / h
- *     minor     r_k = P' { h r_fast(q_k+1/2, v_k, a_k) + M_s P (du/n, d_k) + h r_slow(qbar, vbar, 0) }
- *     slow bodies, once per sweep, at the average of the two ends: qbar = q_0 (+) (q_n (-) q_0)/2,
- *               vbar = (q_n (-) q_0)/H, M_s = M_slow(qbar)
+ *     minor     r_k = P' { h r_fast(q_k+1/2, v_k, a_k) + r_s / n },   r_k,S += W' M_s W (d_k - sum d / n)
+ *     slow bodies, once per sweep, at the average of the two ends and the mean acceleration:
+ *               r_s = H r_slow(qbar, vbar, P (du, sum d) / H),  qbar = q_0 (+) (q_n (-) q_0)/2,
+ *               vbar = (q_n (-) q_0)/H
  *     damping   r_k,S += h D dx_k / 2,   A = alpha (M~_SS + X)^-1 X,  X = (h^2/4) K~_SS,  D = K~_SS A,  B = 1 + A,
  *               alpha = (1 - rho)/(1 + rho)
  *     equations r_k,S = 0 for all k,   R = sum r_k,L = 0
@@ -19,18 +20,25 @@
  * are constant over segments and taken at their midpoints, so potentials give V1 - V0 (slow ones over
  * the whole step); w is the mean of u and, without common inertia, the inertia of S gives the change
  * of its energy; dampers take h v'C v.  Hence E1 - E0 = - sum (d' M~_SS A d + dx' D dx)/2 - h v'C v <= 0
- * for any partition, any n, any h.  Velocities other than P (w, dx/h) in dampers or gyroscopic forces,
- * or slow bodies at the mean of the minor midpoints, break the identity and the stability with it.
+ * for any partition, any n, any h.  The slow bodies' inertia M_s is in r_s by its mean over the step; how
+ * the minor steps differ from the mean adds up to nothing in the slow rows, and in the fast ones is W' M_s W
+ * (d_k - sum d / n), with M_s of the start.  For constant M_s this is the same as M_s P (du/n, d_k) in every
+ * minor step; else the difference is of third order.  Velocities other than P (w, dx/h) in dampers or gyroscopic
+ * forces, or slow bodies at the mean of the minor midpoints, break the identity and the stability with it.
  *
  * Where M^ depends on q the identity is no longer exact.  W at the average of both ends
  * (`symmetric`) makes the step symmetric in time, and the energy error does not drift.
  *
  * One Newton iteration for the whole major step: each sweep corrects every d_k once, with J, and the
  * slow unknown through the linearized answer of the minor steps (response.h).  A minor step whose
- * slopes have changed gets its own J and iterates by itself. */
+ * slopes have changed gets its own J and iterates by itself.
+ *
+ * The minor steps move only what fast bodies and elements know of the slow coordinates, the first `near`; the
+ * others follow at the end (all of them where positions have a move of their own). */
 #include <math.h>
 
 #include "engine/decouple.h"
+#include "engine/forecast.h"
 #include "engine/midpoint.h"
 #include "engine/motion.h"
 #include "engine/newton.h"
@@ -47,31 +55,26 @@ struct subcycle {
     struct newton newton;
     struct decouple dec;
     struct response resp; /* frozen */
-    struct response near; /* J of a minor step whose slopes have changed */
-    int local;            /* near is in use */
+    struct minor here;    /* J of a minor step whose slopes have changed */
+    int local;            /* it is in use */
+    struct forecast forecast;
+    double last_local; /* local error of the last step; negative: unknown */
     int n, ns, nl, ratio, room;
+    int near; /* slow coordinates that the minor steps move */
     double alpha, h, H, t0, t1;
     const double *q0, *v0, *a0;
+    struct instant centre; /* where W stands */
 
-    double *d, *dbefore;                   /* [ns x ratio] */
-    double *du, *u0, *w;                   /* [nl] */
-    double *R, *rs, *e, *rho, *Du, *De;    /* [nl]: slow rows; slow bodies' share; displacement of L; corrections */
-    double *vs, *dx, *xn, *dsum, *esum;    /* [ns] */
-    double *es, *cs, *c, *g, *x, *v_, *s_; /* [ns] */
-    double *q, *qmid, *qend, *qn, *qbar;   /* [nq] */
-    double *dq, *v, *a, *r, *vbar;         /* [n] */
-    double *Ms, *MsW, *WMW;                /* [n x n], [nl x ns], [ns x ns] */
-    double *sum;                           /* [n] size of the correction */
+    double *d, *dbefore;                        /* [ns x ratio] */
+    double *du, *u0, *w, *hw, *pull;            /* [nl]; hw = h w, pull = du/n */
+    double *R, *slow, *Du;                      /* [nl]: slow rows; slow bodies' share; correction */
+    double *vs, *dx, *xn, *xbefore;             /* [ns] */
+    double *dsum, *dmean, *esum;                /* [ns] sum of d_k when the slow bodies were asked, mean; .. */
+    double *es, *cs, *c, *g, *x, *v_, *s_;      /* [ns] */
+    double *q, *qmid, *qend, *qn, *qbar;        /* [nq] */
+    double *dq, *v, *a, *r, *vbar, *abar, *sum; /* [n]; sum: size of the correction */
     double work[POWER_CHANNELS];
     double push, square; /* power of what is left, energy of the correction */
-
-    struct {                   /* the last minor and major steps, for prediction */
-        double *as, *dx, *vs;  /* [ns] */
-        double *y, *w;         /* [nl] half of its slow displacement, its slow velocity */
-        double *trend;         /* [ns] rate of the force that the linear model does not know */
-        double *ay, *aybefore; /* [nl] */
-        double H, Hbefore, local;
-    } last;
 };
 
 static void room_for(struct subcycle *c, int ratio, struct arena *life)
@@ -84,12 +87,11 @@ static void room_for(struct subcycle *c, int ratio, struct arena *life)
 
 static void take_vectors(struct subcycle *c, struct arena *life)
 {
-    double **slow[] = {&c->du, &c->u0,     &c->w,      &c->R,       &c->rs,           &c->e, &c->rho, &c->Du,
-                       &c->De, &c->last.y, &c->last.w, &c->last.ay, &c->last.aybefore};
-    double **fast[] = {&c->vs, &c->dx, &c->xn, &c->dsum, &c->esum,    &c->es,      &c->cs,      &c->c,
-                       &c->g,  &c->x,  &c->v_, &c->s_,   &c->last.as, &c->last.dx, &c->last.vs, &c->last.trend};
+    double **slow[] = {&c->du, &c->u0, &c->w, &c->hw, &c->pull, &c->R, &c->slow, &c->Du};
+    double **fast[] = {&c->vs, &c->dx, &c->xn, &c->xbefore, &c->dsum, &c->dmean, &c->esum,
+                       &c->es, &c->cs, &c->c,  &c->g,       &c->x,    &c->v_,    &c->s_};
     double **place[] = {&c->q, &c->qmid, &c->qend, &c->qn, &c->qbar};
-    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->sum};
+    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum};
     for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
     for (size_t i = 0; i < sizeof fast / sizeof *fast; i++) *fast[i] = TAKE(life, double, c->ns);
     for (size_t i = 0; i < sizeof place / sizeof *place; i++) *place[i] = TAKE(life, double, c->ode->nq);
@@ -112,18 +114,16 @@ static void open(struct stepper *s, struct arena *life)
     if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
     c->newton.trust = .1;
     c->newton.pairs = 1;
-    decouple_open(&c->dec, c->n, c->ns, life);
-    response_open(&c->resp, c->n, c->ns, life);
-    response_open(&c->near, c->n, c->ns, life);
-    c->near.M = c->resp.M;
-    c->near.A = c->resp.A;
-    c->near.D = c->resp.D;
+    decouple_open(&c->dec, o, &s->effort, life);
+    response_open(&c->resp, &c->dec, life);
+    minor_open(&c->here, &c->resp, life);
+    forecast_open(&c->forecast, &c->dec, life);
+    c->near = o->move ? c->nl : c->dec.ml;
     take_vectors(c, life);
-    c->Ms = TAKE(life, double, c->n * c->n);
-    c->MsW = TAKE(life, double, c->nl * c->ns);
-    c->WMW = TAKE(life, double, c->ns * c->ns);
     room_for(c, ROOM, life);
 }
+
+/* ---- matrices ---------------------------------------------------------------------------------- */
 
 static enum status singular(const struct subcycle *c, int pivot, struct trouble *why)
 {
@@ -134,43 +134,43 @@ static enum status singular(const struct subcycle *c, int pivot, struct trouble 
 static enum status damping(struct subcycle *c, struct trouble *why)
 {
     struct response *p = &c->resp;
+    const double *K = p->one.K;
+    double s = c->h * c->h / 8, *MX = p->one.spare; /* X = (h^2/4) K~, symmetrized */
     int n = c->n, ns = c->ns;
-    double s = c->h * c->h / 8; /* X = (h^2/4) K~, symmetrized */
     for (int j = 0; j < ns; j++)
         for (int i = 0; i < ns; i++) {
-            p->A[i + j * ns] = s * (p->K[i + j * n] + p->K[j + i * n]);
-            p->J[i + j * ns] = c->dec.Mss[i + j * ns] + p->A[i + j * ns];
+            p->A[i + j * ns] = s * (K[i + j * n] + K[j + i * n]);
+            MX[i + j * ns] = p->Mss[i + j * ns] + p->A[i + j * ns];
         }
-    int pivot = dense_cholesky(p->J, ns, ns);
+    int pivot = dense_cholesky(MX, ns, ns);
     if (pivot >= 0) return singular(c, pivot, why);
-    dense_cholesky_solves(p->J, p->A, ns, ns, ns, ns);
+    dense_cholesky_solves(MX, p->A, ns, ns, ns, ns);
     for (int i = 0; i < ns * ns; i++) p->A[i] *= c->alpha;
     zero(p->D, ns * ns);
-    dense_gemm(p->D, .5, p->K, p->A, ns, ns, ns, ns, n, ns);
-    dense_gemtm(p->D, .5, p->K, p->A, ns, ns, ns, ns, n, ns);
+    dense_gemm(p->D, .5, K, p->A, ns, ns, ns, ns, n, ns);
+    dense_gemtm(p->D, .5, K, p->A, ns, ns, ns, ns, n, ns);
     return OK;
 }
 
-/* M^ at q, W, P. */
-static enum status decouple_at(struct subcycle *c, const double *q, double t, struct trouble *why)
+/* W, P and u0 at q. */
+static enum status decouple(struct subcycle *c, const double *q, double t, struct trouble *why)
 {
-    TRY(c->ode->ops->mass(c->ode, c->dec.M, q, t, ALL, why));
-    c->effort->slow++;
-    c->effort->fast++;
-    int pivot = decouple_factor(&c->dec);
-    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
-    for (int i = 0; i < c->nl; i++) c->u0[i] = c->v0[c->ns + i];
-    if (c->dec.coupled) dense_gemv(c->u0, 1, c->dec.W, c->v0, c->nl, c->ns, c->nl);
+    c->centre = (struct instant){.t = t, .q = q, .v = c->v0, .ta = t, .tb = t};
+    TRY(decouple_at(&c->dec, &c->centre, why));
+    copy(c->u0, c->v0 + c->ns, c->nl);
+    decouple_recoil(&c->dec, c->u0, 1, c->v0);
     return OK;
 }
 
-/* P' M^ P: block diagonal. */
-static void transformed_mass(struct subcycle *c)
+/* The slow rows' matrix; where the structure does not allow it, with M^ formed from now on. */
+static enum status slow_matrix(struct subcycle *c, struct trouble *why)
 {
-    int n = c->n, ns = c->ns;
-    zero(c->resp.M, n * n);
-    dense_copy(c->resp.M, c->dec.Mss, ns, ns, n, ns);
-    dense_copy(c->resp.M + ns + ns * n, c->dec.M + ns + ns * n, c->nl, c->nl, n, n);
+    enum status status = response_slow(&c->resp, &c->dec, c->centre.q, c->centre.t, why);
+    if (status == OK || !c->dec.structured) return status;
+    decouple_dense(&c->dec);
+    TRY(decouple(c, c->centre.q, c->centre.t, why));
+    response_masses(&c->resp, &c->dec);
+    return response_slow(&c->resp, &c->dec, c->centre.q, c->centre.t, why);
 }
 
 /* F = K_s/2 + C_s/H of the slow class, slow rows and columns; K and C are scratch. */
@@ -184,45 +184,61 @@ static void slow_force(struct subcycle *c, const double *K, const double *C)
         }
 }
 
-/* J, G and the rest at the start of the step. */
+/* All matrices at the start of the step. */
 static enum status refresh(struct subcycle *c, struct trouble *why)
 {
     struct response *p = &c->resp;
+    struct minor *m = &p->one;
     const struct ode2_ops *ops = c->ode->ops;
     struct instant x = {.t = c->t0, .q = c->q0, .v = c->v0, .a = c->a0, .ta = c->t0, .tb = c->t0};
     c->effort->factors++;
-    p->h = c->near.h = c->h;
-    p->H = c->near.H = c->H;
+    m->h = p->h = c->here.h = c->h;
+    p->H = c->H;
     p->ratio = c->ratio;
-    TRY(ops->slopes(c->ode, p->K, p->C, &x, SLOW, why));
-    slow_force(c, p->K, p->C);
-    TRY(ops->slopes(c->ode, p->K, p->C, &x, FAST, why));
-    decouple_slopes(&c->dec, p->K);
-    decouple_slopes(&c->dec, p->C);
-    transformed_mass(c);
+    TRY(ops->slopes(c->ode, m->K, m->C, &x, SLOW, why));
+    slow_force(c, m->K, m->C);
+    TRY(ops->slopes(c->ode, m->K, m->C, &x, FAST, why));
+    decouple_slopes(&c->dec, m->K, c->dec.ml);
+    decouple_slopes(&c->dec, m->C, c->dec.ml);
+    response_masses(p, &c->dec);
     if (c->alpha > 0) TRY(damping(c, why));
-    int pivot = response_factor(p);
-    if (pivot < 0) pivot = response_slow(p, c->dec.W);
+    int pivot = minor_factor(m);
     if (pivot >= 0) return singular(c, pivot, why);
+    response_freeze(p, &c->dec);
+    TRY(slow_matrix(c, why));
     c->local = 0;
     newton_refreshed(&c->newton);
     c->newton.fresh = 1 << 20; /* no better matrix to be had in this step */
     return OK;
 }
 
-/* J for a minor step whose slopes are no longer the frozen ones. */
-static enum status refresh_near(struct subcycle *c, const struct instant *x, struct trouble *why)
+/* The same for the masses as they are now, with slopes and their answers as they were frozen. */
+static enum status renew(struct subcycle *c, struct trouble *why)
 {
-    struct response *p = &c->near;
+    if (response_masses(&c->resp, &c->dec)) {
+        c->effort->factors++;
+        int pivot = minor_mass(&c->resp.one);
+        if (pivot >= 0) return singular(c, pivot, why);
+        TRY(slow_matrix(c, why));
+    }
+    return c->alpha > 0 ? damping(c, why) : OK;
+}
+
+/* J for a minor step whose slopes are no longer the frozen ones. */
+static enum status refresh_here(struct subcycle *c, const struct instant *x, struct trouble *why)
+{
+    struct minor *m = &c->here;
     c->effort->factors++;
-    TRY(c->ode->ops->slopes(c->ode, p->K, p->C, x, FAST, why));
-    decouple_slopes(&c->dec, p->K);
-    decouple_slopes(&c->dec, p->C);
-    int pivot = response_factor(p);
+    TRY(c->ode->ops->slopes(c->ode, m->K, m->C, x, FAST, why));
+    decouple_slopes(&c->dec, m->K, c->dec.ml);
+    decouple_slopes(&c->dec, m->C, c->dec.ml);
+    int pivot = minor_factor(m);
     if (pivot >= 0) return singular(c, pivot, why);
     c->local = 1;
     return OK;
 }
+
+/* ---- the step for du and d_k as they are -------------------------------------------------------- */
 
 /* dx_k of d_k from v_S. */
 static void fast_move(struct subcycle *c, const double *d)
@@ -231,26 +247,31 @@ static void fast_move(struct subcycle *c, const double *d)
     if (c->alpha > 0) dense_gemv(c->dx, c->h / 2, c->resp.A, d, c->ns, c->ns, c->ns);
 }
 
-/* dq = P (h w, dx). */
+/* dq = P (h w, dx), as far as the minor steps move. */
 static void whole_move(struct subcycle *c)
 {
-    for (int i = 0; i < c->nl; i++) c->De[i] = c->h * c->w[i];
-    decouple_out(&c->dec, c->dq, c->De, c->dx);
+    decouple_out(&c->dec, c->dq, c->hw, c->dx, c->near);
 }
 
-/* e = H w - W x_n. */
-static void slow_move(const struct subcycle *c, double *e)
+/* x1 = x0 (+) s dq, as far as the minor steps move. */
+static void point(const struct subcycle *c, double *x1, const double *x0, double s)
 {
-    for (int i = 0; i < c->nl; i++) e[i] = c->H * c->w[i];
-    if (c->dec.coupled) dense_gemv(e, -1, c->dec.W, c->xn, c->nl, c->ns, c->nl);
+    if (c->ode->move)
+        c->ode->move->point(c->ode, x1, x0, c->dq, s);
+    else
+        for (int i = 0; i < c->ns + c->near; i++) x1[i] = x0[i] + s * c->dq[i];
 }
 
-/* The end of the step for du and all d_k as they are: w, x_n, v_S, q_n, e. */
+/* w, x_n, v_S at the end, q_n, and the sum of the d_k. */
 static void compose(struct subcycle *c)
 {
-    for (int i = 0; i < c->nl; i++) c->w[i] = c->u0[i] + c->du[i] / 2;
+    for (int i = 0; i < c->nl; i++) {
+        c->w[i] = c->u0[i] + c->du[i] / 2;
+        c->hw[i] = c->h * c->w[i];
+    }
     copy(c->vs, c->v0, c->ns);
     zero(c->xn, c->ns);
+    zero(c->dsum, c->ns);
     if (c->ode->move) copy(c->qn, c->q0, c->ode->nq);
     for (int k = 0; k < c->ratio; k++) {
         const double *d = c->d + k * c->ns;
@@ -258,16 +279,20 @@ static void compose(struct subcycle *c)
         for (int i = 0; i < c->ns; i++) {
             c->xn[i] += c->dx[i];
             c->vs[i] += d[i];
+            c->dsum[i] += d[i];
         }
         if (!c->ode->move) continue;
         whole_move(c);
-        motion_point(c->ode, c->qn, c->qn, c->dq, 1);
+        point(c, c->qn, c->qn, 1);
     }
-    slow_move(c, c->e);
     if (c->ode->move) return;
     for (int i = 0; i < c->ns; i++) c->qn[i] = c->q0[i] + c->xn[i];
-    for (int i = 0; i < c->nl; i++) c->qn[c->ns + i] = c->q0[c->ns + i] + c->e[i];
+    for (int i = 0; i < c->nl; i++) c->qn[c->ns + i] = c->H * c->w[i];
+    decouple_recoil(&c->dec, c->qn + c->ns, -1, c->xn);
+    for (int i = c->ns; i < c->n; i++) c->qn[i] += c->q0[i];
 }
+
+/* ---- residuals --------------------------------------------------------------------------------- */
 
 static void book(struct subcycle *c, double time, const double *w)
 {
@@ -277,67 +302,60 @@ static void book(struct subcycle *c, double time, const double *w)
     }
 }
 
-/* M_s P_S = (-M_s W), W' M_s W, and the constant part of the fast rows. */
-static void slow_inertia(struct subcycle *c)
-{
-    int n = c->n, ns = c->ns, nl = c->nl;
-    const double *M = c->Ms + ns + ns * n;
-    zero(c->cs, ns);
-    if (!c->dec.coupled) return;
-    zero(c->MsW, nl * ns);
-    zero(c->WMW, ns * ns);
-    dense_gemm(c->MsW, 1, M, c->dec.W, nl, nl, ns, nl, n, nl);
-    dense_gemtm(c->WMW, 1, c->dec.W, c->MsW, ns, nl, ns, ns, nl, nl);
-    for (int i = 0; i < nl; i++) c->R[i] = c->h * c->rs[i];
-    dense_gemv(c->R, 1. / c->ratio, M, c->du, nl, nl, n);
-    dense_gemtv(c->cs, -1, c->dec.W, c->R, nl, ns, nl);
-}
-
-/* Slow bodies at the average of the ends. */
+/* r_s, and what is the same for the fast rows of all minor steps. */
 static enum status slow_bodies(struct subcycle *c, struct trouble *why)
 {
     const struct ode2 *o = c->ode;
+    int ns = c->ns, nl = c->nl;
     double power[POWER_CHANNELS], dk = 0;
     motion_diff(o, c->dq, c->qn, c->q0);
     motion_point(o, c->qbar, c->q0, c->dq, .5);
-    for (int i = 0; i < c->n; i++) c->vbar[i] = c->dq[i] / c->H;
+    decouple_out(&c->dec, c->abar, c->du, c->dsum, nl);
+    for (int i = 0; i < c->n; i++) {
+        c->vbar[i] = c->dq[i] / c->H;
+        c->abar[i] /= c->H;
+    }
     struct instant x = {.t = c->t0 + (c->t1 - c->t0) / 2,
                         .q = c->qbar,
                         .v = c->vbar,
+                        .a = c->abar,
                         .qa = c->q0,
                         .qb = c->qn,
                         .ta = c->t0,
                         .tb = c->t1};
     TRY(o->ops->resid(o, c->r, power, &dk, &x, SLOW, why));
-    TRY(o->ops->mass(o, c->Ms, c->qbar, x.t, SLOW, why));
     c->effort->slow++;
     if (dk > STALE_SLOPE) c->newton.stale = 1;
-    copy(c->rs, c->r + c->ns, c->nl);
     book(c, c->H, power);
-    slow_inertia(c);
+    for (int i = 0; i < nl; i++) c->slow[i] = c->H * c->r[ns + i];
+    for (int i = 0; i < nl; i++) c->pull[i] = c->du[i] / c->ratio;
+    for (int i = 0; i < ns; i++) c->dmean[i] = c->dsum[i] / c->ratio;
+    zero(c->cs, ns);
+    if (c->dec.reach) dense_gemtv(c->cs, -1. / c->ratio, c->dec.W, c->slow, c->dec.reach, ns, nl);
     return OK;
 }
 
-/* es = J^-1 of the fast rows of minor step k at its trial point; c->r its fast bodies' share. */
+/* es: the fast rows of minor step k at its trial point; c->r its fast bodies' share. */
 static enum status minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
                               struct trouble *why)
 {
-    int ns = c->ns, nl = c->nl;
+    int ns = c->ns, m = ns + c->near;
     fast_move(c, d);
     whole_move(c);
-    motion_point(c->ode, c->qmid, c->q, c->dq, .5);
-    motion_point(c->ode, c->qend, c->q, c->dq, 1);
-    for (int i = 0; i < nl; i++) c->De[i] = c->du[i] / c->ratio;
-    decouple_out(&c->dec, c->a, c->De, d);
-    for (int i = 0; i < c->n; i++) {
+    point(c, c->qmid, c->q, .5);
+    point(c, c->qend, c->q, 1);
+    decouple_out(&c->dec, c->a, c->pull, d, c->near);
+    for (int i = 0; i < m; i++) {
         c->v[i] = c->dq[i] / c->h;
         c->a[i] /= c->h;
     }
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
-    decouple_fast(&c->dec, c->es, c->r);
+    decouple_fast(&c->dec, c->es, c->r, c->dec.ml);
     for (int i = 0; i < ns; i++) c->es[i] = c->h * c->es[i] + c->cs[i];
-    if (c->dec.coupled) dense_gemv(c->es, 1, c->WMW, d, ns, ns, ns);
+    if (c->dec.reach)
+        for (int j = 0; j < ns; j++)
+            for (int i = 0; i < ns; i++) c->es[i] += c->dec.WMW[i + j * ns] * (d[j] - c->dmean[j]);
     if (c->alpha > 0) dense_gemv(c->es, c->h / 2, c->resp.D, c->dx, ns, ns, ns);
     return OK;
 }
@@ -359,11 +377,11 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
         double dk = 0;
         TRY(minor_rows(c, d, power, &dk, x, why));
         if (dk > STALE_SLOPE || slow) {
-            TRY(refresh_near(c, x, why));
+            TRY(refresh_here(c, x, why));
             alone = 1;
         }
         copy(c->s_, c->es, c->ns);
-        response_solve(c->local ? &c->near : &c->resp, c->es);
+        minor_solve(c->local ? &c->here : &c->resp.one, c->es);
         c->square += dot(c->s_, c->es, c->ns);
         for (int i = 0; i < c->ns; i++) d[i] -= c->es[i];
         double err = alone ? minor_error(c) : 0;
@@ -376,9 +394,9 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
 
 static void minor_sums(struct subcycle *c, const double *d)
 {
-    for (int i = 0; i < c->nl; i++) c->R[i] += c->h * c->r[c->ns + i];
+    for (int i = 0; i < c->dec.ml; i++) c->R[i] += c->h * c->r[c->ns + i];
     for (int i = 0; i < c->ns; i++) {
-        c->dsum[i] += d[i] + c->es[i]; /* as it was when the rows were taken */
+        c->dsum[i] -= d[i] + c->es[i]; /* as it was when the rows were taken */
         c->esum[i] += c->es[i];
         c->push += c->s_[i] * c->dx[i] / c->h;
     }
@@ -390,9 +408,9 @@ static enum status minor_steps(struct subcycle *c, struct trouble *why)
     struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->qend};
     copy(c->q, c->q0, c->ode->nq);
     copy(c->vs, c->v0, c->ns);
-    zero(c->R, c->nl);
+    copy(c->xbefore, c->xn, c->ns);
+    zero(c->R, c->dec.ml);
     zero(c->xn, c->ns);
-    zero(c->dsum, c->ns);
     zero(c->esum, c->ns);
     for (int k = 0; k < c->ratio; k++) {
         double *d = c->d + k * c->ns, power[POWER_CHANNELS];
@@ -404,7 +422,7 @@ static enum status minor_steps(struct subcycle *c, struct trouble *why)
         minor_sums(c, d);
         fast_move(c, d);
         whole_move(c);
-        motion_point(c->ode, c->q, c->q, c->dq, 1);
+        point(c, c->q, c->q, 1);
         for (int i = 0; i < c->ns; i++) {
             c->xn[i] += c->dx[i];
             c->vs[i] += d[i];
@@ -413,37 +431,34 @@ static enum status minor_steps(struct subcycle *c, struct trouble *why)
     return OK;
 }
 
-/* R complete: slow bodies over the whole step, and the last corrections of the minor steps. */
+/* R complete: slow bodies over the whole step; their inertia where d_k has moved on since they were asked
+ * (dsum holds the difference); the last corrections of the minor steps. */
 static void slow_rows(struct subcycle *c)
 {
-    int n = c->n, ns = c->ns, nl = c->nl;
-    dense_gemv(c->R, 1, c->Ms + ns + ns * n, c->du, nl, nl, n);
-    if (c->dec.coupled) dense_gemv(c->R, -1, c->MsW, c->dsum, nl, ns, nl);
+    int ns = c->ns, nl = c->nl, ml = c->dec.ml;
+    for (int i = ml; i < nl; i++) c->R[i] = 0;
+    if (c->dec.reach) dense_gemv(c->R, 1, c->dec.MsW, c->dsum, ml, ns, ml);
     for (int i = 0; i < nl; i++) {
-        c->R[i] += c->H * c->rs[i];
+        c->R[i] += c->slow[i];
         c->push += c->R[i] * c->w[i];
     }
-    dense_gemv(c->R, -1, c->resp.Q, c->esum, nl, ns, nl);
+    if (c->resp.drives) dense_gemv(c->R, -1, c->resp.Q, c->esum, ml, ns, ml);
 }
+
+/* ---- the iteration ----------------------------------------------------------------------------- */
 
 /* du corrected, and all d_k with it. */
 static void slow_correction(struct subcycle *c)
 {
-    const struct response *p = &c->resp;
-    int n = c->n, ns = c->ns, nl = c->nl;
-    slow_move(c, c->rho);
-    for (int i = 0; i < nl; i++) c->rho[i] -= c->e[i];
-    response_slow_solve(p, c->Du, c->De, c->R, c->rho);
+    int ns = c->ns, nl = c->nl;
+    for (int i = 0; i < ns; i++) c->x[i] = c->xn[i] - c->xbefore[i];
+    response_correct(&c->resp, &c->dec, c->Du, c->c, c->g, c->R, c->x);
     c->square += fabs(dot(c->R, c->Du, nl));
     for (int i = 0; i < nl; i++) c->du[i] += c->Du[i];
-    zero(c->c, ns);
-    zero(c->g, ns);
+    if (!c->resp.drives) return;
     zero(c->x, ns);
     zero(c->v_, ns);
-    dense_gemv(c->c, c->h / 2, p->C + ns * n, c->Du, ns, nl, n);
-    dense_gemv(c->g, c->h * c->H / 2, p->K + ns * n, c->Du, ns, nl, n);
-    if (p->slow_slopes) dense_gemv(c->c, -c->h, p->WF, c->De, ns, nl, ns);
-    response_run(p, c->d, c->c, c->g, c->x, c->v_, c->s_, 1);
+    response_run(&c->resp, c->d, c->c, c->g, c->x, c->v_, c->s_, 1);
 }
 
 static enum verdict judge(struct subcycle *c)
@@ -456,7 +471,7 @@ static enum verdict judge(struct subcycle *c)
     for (int i = 0; i < c->n; i++) {
         double e = c->sum[i] * c->newton.per[i];
         sum += c->sum[i];
-        small = fmax(small, c->sum[i]);
+        if (c->sum[i] > small) small = c->sum[i];
         if (e > err) {
             err = e;
             c->newton.worst = i;
@@ -493,111 +508,57 @@ static enum status solve(struct subcycle *c, struct trouble *why)
     }
 }
 
-/* What the predictor needs, from consistent accelerations. */
-static void forget(struct subcycle *c)
-{
-    int ns = c->ns, nl = c->nl;
-    newton_forget(&c->newton);
-    newton_scale(&c->newton, c->v0, c->a0, c->H);
-    copy(c->last.as, c->a0, ns);
-    copy(c->last.vs, c->v0, ns);
-    zero(c->last.dx, ns);
-    copy(c->last.ay, c->a0 + ns, nl);
-    if (c->dec.coupled) dense_gemv(c->last.ay, 1, c->dec.W, c->a0, nl, ns, nl);
-    copy(c->last.aybefore, c->last.ay, nl);
-    zero(c->last.y, nl);
-    zero(c->last.trend, ns);
-    copy(c->last.w, c->u0, nl);
-    c->last.H = c->last.Hbefore = c->H;
-    c->last.local = -1;
-}
-
-/* du by its last two values; d_k as linear minor steps under the force of the last one:
- *
- *     M dd_k = h { M as - K_SS (x_k+1/2 - x_last) - K_SL (y_k+1/2 - y_last) - C (v - v_last) + trend (t - t_last) }
- *
- * which is exact for a linear system under constant loads. */
-static void predict(struct subcycle *c)
-{
-    const struct response *p = &c->resp;
-    int n = c->n, ns = c->ns, nl = c->nl;
-    double h = c->h, s = (c->H + c->last.H) / (c->last.H + c->last.Hbefore);
-    for (int i = 0; i < nl; i++) {
-        double ay = c->last.ay[i];
-        c->du[i] = c->H * (ay + s * (ay - c->last.aybefore[i]));
-        c->w[i] = c->u0[i] + c->du[i] / 2;
-        c->Du[i] = c->w[i] - c->last.w[i];
-    }
-    zero(c->c, ns);
-    zero(c->g, ns);
-    dense_gemv(c->c, -h, p->M, c->last.as, ns, ns, n);
-    dense_gemv(c->c, -h, p->C, c->last.vs, ns, ns, n);
-    if (c->alpha > 0) dense_gemv(c->c, -h / 2, p->D, c->last.dx, ns, ns, ns);
-    dense_gemv(c->c, h, p->K + ns * n, c->last.y, ns, nl, n);
-    dense_gemv(c->c, h, p->C + ns * n, c->Du, ns, nl, n);
-    dense_gemv(c->g, h * c->H, p->K + ns * n, c->w, ns, nl, n);
-    for (int i = 0; i < ns; i++) {
-        c->x[i] = c->last.dx[i] / 2;
-        c->c[i] -= h * c->last.trend[i] * c->h / 2;
-        c->g[i] -= h * c->last.trend[i] * c->H;
-    }
-    copy(c->v_, c->v0, ns);
-    response_run(p, c->d, c->c, c->g, c->x, c->v_, c->s_, 0);
-}
-
-/* J, G, A and D for the mass as it is now, the slopes as they were frozen. */
-static enum status renew(struct subcycle *c, struct trouble *why)
-{
-    int factored, pivot = response_masses(&c->resp, &factored, c->dec.Mss, c->dec.M);
-    c->effort->factors += factored;
-    if (pivot >= 0) return singular(c, pivot, why);
-    if (c->alpha <= 0) return OK;
-    copy(c->near.J, c->resp.J, c->ns * c->ns);
-    enum status status = damping(c, why);
-    copy(c->resp.J, c->near.J, c->ns * c->ns);
-    return status;
-}
-
 /* The step once more with W at the average of the ends it has found. */
 static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
 {
-    int ns = c->ns, nl = c->nl;
     compose(c);
     motion_diff(c->ode, c->dq, c->qn, c->q0);
     motion_point(c->ode, c->qbar, c->q0, c->dq, .5);
-    zero(c->dsum, ns);
-    for (int k = 0; k < c->ratio; k++)
-        for (int i = 0; i < ns; i++) c->dsum[i] += c->d[i + k * ns];
-    if (c->dec.coupled) dense_gemv(c->du, -1, c->dec.W, c->dsum, nl, ns, nl);
-    TRY(decouple_at(c, c->qbar, c->t0 + (c->t1 - c->t0) / 2, why));
-    if (c->dec.coupled) dense_gemv(c->du, 1, c->dec.W, c->dsum, nl, ns, nl);
+    decouple_recoil(&c->dec, c->du, -1, c->dsum);
+    TRY(decouple(c, c->qbar, c->t0 + (c->t1 - c->t0) / 2, why));
+    decouple_recoil(&c->dec, c->du, 1, c->dsum);
     TRY(renew(c, why));
     c->newton.count = 0;
     return solve(c, why);
 }
 
-/* The energy scale of the iteration. */
-static void twice_kinetic(struct subcycle *c)
+/* The energy scale of the iteration, twice the kinetic energy: by M^ where it is there. */
+static void energy_scale(struct subcycle *c)
 {
+    struct newton *nt = &c->newton;
+    if (c->dec.structured) {
+        newton_energy(nt, &c->centre);
+        return;
+    }
     zero(c->r, c->n);
     dense_gemv(c->r, 1, c->dec.M, c->v0, c->n, c->n, c->n);
-    c->newton.energy = fmax(c->newton.energy, dot(c->r, c->v0, c->n));
-    c->newton.age = 0;
+    nt->energy = fmax(nt->energy, dot(c->r, c->v0, c->n));
+    nt->age = 0;
 }
 
 static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
 {
-    newton_begin(&c->newton, c->last.local);
-    twice_kinetic(c);
+    newton_begin(&c->newton, c->last_local);
+    energy_scale(c);
     int changed = c->resp.h != c->h || c->resp.H != c->H || c->resp.ratio != c->ratio;
     if (c->newton.stale || c->local || changed)
         TRY(refresh(c, why));
     else
         TRY(renew(c, why));
-    predict(c);
+    forecast_make(&c->forecast, &c->resp, c->du, c->d, c->u0, c->v0);
     TRY(solve(c, why));
     for (int pass = 1; pass < passes; pass++) TRY(symmetric_pass(c, why));
     return OK;
+}
+
+/* ---- the step ---------------------------------------------------------------------------------- */
+
+static void forget(struct subcycle *c)
+{
+    newton_forget(&c->newton);
+    newton_scale(&c->newton, c->v0, c->a0, c->H);
+    forecast_forget(&c->forecast, &c->dec, c->a0, c->v0, c->u0, c->H);
+    c->last_local = -1;
 }
 
 /* Energy taken by the damping: sum of (d' M~_SS A d + dx' D dx)/2. */
@@ -622,67 +583,12 @@ static double damped(struct subcycle *c)
     return sum / 2;
 }
 
-/* The step's local errors, h/12 |a_k - a_k-1| summed and H/12 |a_y - a_y,last|, in scales. */
-static double local_error(const struct subcycle *c)
-{
-    double worst = 0;
-    for (int i = 0; i < c->ns; i++) {
-        double sum = 0, before = c->h * c->last.as[i];
-        for (int k = 0; k < c->ratio; k++) {
-            double d = c->d[i + k * c->ns];
-            sum += fabs(d - before);
-            before = d;
-        }
-        worst = fmax(worst, sum / 12 * c->newton.per[i]);
-    }
-    for (int i = 0; i < c->nl; i++)
-        worst = fmax(worst, fabs(c->du[i] - c->H * c->last.ay[i]) / 12 * c->newton.per[c->ns + i]);
-    return worst;
-}
-
-/* M as + K_SS x + K_SL y + C v has changed over the major step, between its last minor step and the one
- * before it; what was before is still in c->last. */
-static void find_trend(struct subcycle *c, const double *d)
-{
-    const struct response *p = &c->resp;
-    int n = c->n, ns = c->ns, nl = c->nl;
-    for (int i = 0; i < ns; i++) {
-        c->c[i] = d[i] / c->h - c->last.as[i];
-        c->x[i] = c->xn[i] - c->dx[i] / 2 + c->last.dx[i] / 2;
-        c->v_[i] = c->dx[i] / c->h - c->last.vs[i];
-    }
-    for (int i = 0; i < nl; i++) {
-        c->Du[i] = (c->H - c->h / 2) * c->w[i] + c->last.y[i];
-        c->De[i] = c->w[i] - c->last.w[i];
-    }
-    zero(c->g, ns);
-    dense_gemv(c->g, 1, p->M, c->c, ns, ns, n);
-    dense_gemv(c->g, 1, p->K, c->x, ns, ns, n);
-    dense_gemv(c->g, 1, p->C, c->v_, ns, ns, n);
-    dense_gemv(c->g, 1, p->K + ns * n, c->Du, ns, nl, n);
-    dense_gemv(c->g, 1, p->C + ns * n, c->De, ns, nl, n);
-    for (int i = 0; i < ns; i++) c->last.trend[i] = c->g[i] / c->H;
-}
-
-/* After compose: c->dx, c->vs stand at the last minor step. */
+/* After compose: c->dx stands at the last minor step. */
 static void remember(struct subcycle *c)
 {
-    const double *d = c->d + (c->ratio - 1) * c->ns;
-    c->last.local = local_error(c);
-    find_trend(c, d);
-    for (int i = 0; i < c->ns; i++) {
-        c->last.as[i] = d[i] / c->h;
-        c->last.dx[i] = c->dx[i];
-        c->last.vs[i] = c->dx[i] / c->h;
-    }
-    copy(c->last.aybefore, c->last.ay, c->nl);
-    for (int i = 0; i < c->nl; i++) {
-        c->last.ay[i] = c->du[i] / c->H;
-        c->last.w[i] = c->w[i];
-        c->last.y[i] = c->h / 2 * c->w[i];
-    }
-    c->last.Hbefore = c->last.H;
-    c->last.H = c->H;
+    const struct found x = {c->h, c->H, c->ratio, c->d, c->du, c->w, c->dx, c->xn};
+    c->last_local = forecast_error(&c->forecast, &x, c->newton.per);
+    forecast_keep(&c->forecast, &c->resp, &x);
 }
 
 static void accept(struct subcycle *c, struct stepper *s, struct state *x)
@@ -694,7 +600,7 @@ static void accept(struct subcycle *c, struct stepper *s, struct state *x)
     compose(c);
     remember(c);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
-    decouple_out(&c->dec, c->v, c->u0, c->vs);
+    decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
     for (int i = 0; i < n; i++) x->a[i] = (c->v[i] - x->v[i]) / c->H;
     copy(x->v, c->v, n);
     copy(x->q, c->qn, c->ode->nq);
@@ -722,13 +628,13 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     c->q0 = x->q;
     c->v0 = x->v;
     c->a0 = x->a;
-    TRY(decouple_at(c, x->q, x->t, why));
+    TRY(decouple(c, x->q, x->t, why));
     if (s->fresh) forget(c);
     int passes = s->options.symmetric ? PASSES : 1;
     enum status status = attempt(c, passes, why);
     if (status != OK && c->newton.refreshed == 0) { /* with old factors: once more with fresh ones */
         c->newton.stale = 1;
-        status = decouple_at(c, x->q, x->t, why);
+        status = decouple(c, x->q, x->t, why);
         if (status == OK) status = attempt(c, passes, why);
     }
     s->last_sweeps = (int)(s->effort.sweeps - before);

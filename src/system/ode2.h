@@ -72,6 +72,10 @@ struct ode2_direct {
                           struct trouble *why);
     /* x := F^-1 x. */
     void (*solve)(const struct ode2 *o, const void *F, double *x);
+    /* F := M(q) + diag(d), d [n], factored likewise; a coordinate with d = INFINITY is held: its x of
+     * solve() is 0, and the others move as if it were not there. */
+    enum status (*stiffen)(const struct ode2 *o, void *F, const double *d, const double *q, double t,
+                           struct trouble *why);
 };
 
 /* Between accepted major steps only. */

@@ -9,6 +9,8 @@
  *
  *     e = b - s.p,   p := p + U e/D;      x = (e - U.V)/D,   V := V + s x.
  *
+ * A coordinate with d = INFINITY is held: 1/D = 0, and I, p and V pass it as they are.
+ *
  * Featherstone, Int. J. Robotics Res. 2 (1983) 13. */
 #include <float.h>
 #include <math.h>
@@ -43,7 +45,7 @@ static inline void unit(double *u, const struct part *x, const struct link *l, i
     u[2] = turns ? l->turn * x->c_b[0] : x->e[k][1];
 }
 
-/* 1 when the pivot stands out of the round-off of the terms it is a sum of. */
+/* 1 when the coordinate is held or the pivot stands out of the round-off of the terms it is a sum of. */
 static inline int eliminate(struct pivot *o, double *I, double d)
 {
     const double *u = o->s;
@@ -51,6 +53,8 @@ static inline int eliminate(struct pivot *o, double *I, double d)
     U[0] = I[0] * u[0] + I[1] * u[1] + I[2] * u[2];
     U[1] = I[1] * u[0] + I[3] * u[1] + I[4] * u[2];
     U[2] = I[2] * u[0] + I[4] * u[1] + I[5] * u[2];
+    o->inverse = 0;
+    if (d == INFINITY) return 1;
     double x[3] = {u[0] * U[0], u[1] * U[1], u[2] * U[2]};
     double D = x[0] + x[1] + x[2] + d;
     if (!(D > 8 * DBL_EPSILON * (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) + fabs(d)))) return 0;

@@ -10,6 +10,8 @@
  *
  *     e = b - s.p,   p := p + U e/D;      x = (e - U.V)/D,   V := V + s x.
  *
+ * A coordinate with d = INFINITY is held: 1/D = 0, and A, p and V pass it as they are.
+ *
  * Featherstone, Int. J. Robotics Res. 2 (1983) 13. */
 #include <float.h>
 #include <math.h>
@@ -72,10 +74,12 @@ static inline void take_square(double *S, const double *b, const double *a)
     S[5] -= b[1] * a[2];
 }
 
-/* 1 when the pivot stands out of the round-off of the terms it is a sum of. */
+/* 1 when the coordinate is held or the pivot stands out of the round-off of the terms it is a sum of. */
 static inline int eliminate(struct pivot *restrict o, struct articulated *restrict A, double d)
 {
     resist(&o->U, A, &o->s);
+    o->inverse = 0;
+    if (d == INFINITY) return 1;
     double D = d, size = fabs(d);
     for (int i = 0; i < 3; i++) {
         double w = o->s.w[i] * o->U.w[i], v = o->s.v[i] * o->U.v[i];

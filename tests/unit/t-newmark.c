@@ -289,7 +289,10 @@ static void test_direct(void **state)
 {
     (void)state;
     static const struct ode2_ops ops = {rope_resid, rope_mass, rope_slopes};
-    static const struct ode2_direct direct = {rope_accel, LONG * LONG * sizeof(double), rope_factor, rope_solve};
+    static const struct ode2_direct direct = {.accel = rope_accel,
+                                              .factor_size = LONG * LONG * sizeof(double),
+                                              .factor = rope_factor,
+                                              .solve = rope_solve};
     const char *schemes[] = {"newmark", "midpoint", "rk4"};
     double q[LONG], v[LONG] = {0}, end[3][LONG];
     for (int i = 0; i < LONG; i++) q[i] = sin(.3 * i);
