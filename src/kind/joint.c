@@ -8,20 +8,25 @@
 #define AT_CENTRE AT(0, "where the joint stands; default: the second body's centre of mass")
 #define AXIS(flags, brief) PARAM_NODE(struct joint_keys, axis, "axis", "vector", flags, brief)
 #define AXIS2(flags, brief) PARAM_NODE(struct joint_keys, axis2, "axis2", "vector", flags, brief)
+#define LOOP                                                                                                           \
+    PARAM_BOOL(struct joint_keys, loop, "loop", 0, "false",                                                            \
+               "keep it out of the tree: it closes a loop where the bodies are joined otherwise")
 
-static const struct key keys_fixed[] = {AT_CENTRE, KEYS_END};
+static const struct key keys_fixed[] = {AT_CENTRE, LOOP, KEYS_END};
 static const struct key keys_revolute[] = {
-    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation; in 2-D out of the plane"), KEYS_END};
-static const struct key keys_prismatic[] = {AT_CENTRE, AXIS(KEY_REQUIRED, "direction of motion"), KEYS_END};
+    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation; in 2-D out of the plane"), LOOP, KEYS_END};
+static const struct key keys_prismatic[] = {AT_CENTRE, AXIS(KEY_REQUIRED, "direction of motion"), LOOP, KEYS_END};
 static const struct key keys_cylindrical[] = {
-    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation and displacement"), KEYS_END};
+    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation and displacement"), LOOP, KEYS_END};
 static const struct key keys_universal[] = {
     AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "first axis of rotation, fixed in the first body"),
-    AXIS2(KEY_REQUIRED | KEY_SPATIAL, "second axis of rotation, fixed in the second body, at right angles"), KEYS_END};
-static const struct key keys_spherical[] = {AT_REQUIRED, KEYS_END};
+    AXIS2(KEY_REQUIRED | KEY_SPATIAL, "second axis of rotation, fixed in the second body, at right angles"), LOOP,
+    KEYS_END};
+static const struct key keys_spherical[] = {AT_REQUIRED, LOOP, KEYS_END};
 static const struct key keys_planar[] = {AT_CENTRE, AXIS(KEY_REQUIRED | KEY_SPATIAL, "normal of the plane of motion"),
-                                         AXIS2(KEY_SPATIAL, "direction of the displacement x in the plane"), KEYS_END};
-static const struct key keys_free[] = {AT_CENTRE, KEYS_END};
+                                         AXIS2(KEY_SPATIAL, "direction of the displacement x in the plane"), LOOP,
+                                         KEYS_END};
+static const struct key keys_free[] = {AT_CENTRE, LOOP, KEYS_END};
 
 /* Names of positions; rates and accelerations are named after them, of quaternions after omega. */
 static const char *const q_angle[] = {"angle"};

@@ -1,6 +1,6 @@
 /* coordinates.c -- places of all coordinates in q and v: fast ones, near ones, the rest; the rate class of bodies.
  *
- * A body is fast if a fast coordinate moves it. */
+ * A body is fast if a fast coordinate moves it, or a component of loops that has one. */
 #include "model/parts.h"
 
 static int scene_k(const struct model_joint *j, int k)
@@ -8,7 +8,7 @@ static int scene_k(const struct model_joint *j, int k)
     return j->type == JOINT_UNIVERSAL && j->reversed ? 1 - k : k;
 }
 
-static bool is_fast(const struct making *o, int joint, int k)
+bool is_fast(const struct making *o, int joint, int k)
 {
     int index = o->scene_joint[joint];
     for (int i = 0; index >= 0 && i < o->scene->nfast; i++) {
@@ -60,7 +60,7 @@ static void name_coordinates(struct making *o)
                 .k = k,
                 .iq = j->iq[k],
                 .iv = quaternion ? -1 : j->iv[k],
-                .fast = is_fast(o, i, k),
+                .fast = is_fast(o, i, k) || o->quick[i],
             };
         }
     }
@@ -79,10 +79,19 @@ void make_coordinates(struct making *o)
     number(o, false, false);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &o->joint[o->body[i].joint];
-        o->body[i].fast = o->body[j->parent].fast;
+        o->body[i].fast = o->body[j->parent].fast || o->quick[o->body[i].joint];
         for (int k = 0; k < j->nv; k++) o->body[i].fast |= j->iv[k] < m->ns;
     }
     name_coordinates(o);
+}
+
+bool place_is_fast(const struct making *o, int iv)
+{
+    if (iv < o->m->ns) return true;
+    for (int i = 0; o->m->nloop && i < o->m->njoint; i++)
+        for (int k = 0; k < o->joint[i].nv; k++)
+            if (o->joint[i].iv[k] == iv) return o->quick[i];
+    return false;
 }
 
 int rate_place(const struct making *o, int j, int k)

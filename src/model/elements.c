@@ -19,7 +19,7 @@ static void make_measure(struct making *o, struct model_measure *to, const struc
         const struct model_joint *j = &o->joint[o->joint_of[from->joint]];
         to->iv = rate_place(o, from->joint, from->k);
         to->iq = position_place(o, from->joint, from->k); /* plain coordinates pair up */
-        to->fast = to->iv < o->m->ns;
+        to->fast = place_is_fast(o, to->iv);
         to->a.body = j->parent;
         to->b.body = j->child;
         return;
@@ -56,7 +56,7 @@ static bool slot_is_fast(const struct making *o, const struct model_slot *s)
     case SLOT_Q:
         return o->m->coordinate[s->index].fast;
     case SLOT_V:
-        return s->index < o->m->ns;
+        return place_is_fast(o, s->index);
     case SLOT_TIME:
         break;
     }

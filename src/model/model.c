@@ -10,13 +10,17 @@ enum status model_build(struct model **out, const struct scene *scene, struct di
     TRY(make_tree(&o));
     m->body = o.body;
     m->joint = o.joint;
+    m->loop = o.loop;
     m->body_of = o.body_of;
     m->joint_of = o.joint_of;
+    m->loop_of = o.loop_of;
+    make_components(&o);
     make_coordinates(&o);
     make_elements(&o);
     make_near(&o); /* now that the classes of forces are known, once more with near ones first */
     make_coordinates(&o);
     make_elements(&o);
+    make_choice(&o);
     make_start(&o);
     *out = m;
     return OK;

@@ -1,8 +1,8 @@
-/* model.h -- the mechanism in numbers: tree, coordinates, elements.
+/* model.h -- the mechanism in numbers: tree, loops, coordinates, elements.
  *
  * Made from a scene once, read by system/ as const.  Body 0 is the ground; every other body hangs on
- * one tree joint from a body of lower index.  Coordinates are numbered fast first, then those of near
- * bodies, then the rest.  SI units.
+ * one tree joint from a body of lower index; joints that are left over close loops.  Coordinates are those of the
+ * tree, numbered fast first, then those of near bodies, then the rest.  SI units.
  * In the plane (space = 2) vectors are (x, y, 0), rotations are about z. */
 #ifndef FMDSUB_MODEL_MODEL_H
 #define FMDSUB_MODEL_MODEL_H
@@ -38,6 +38,16 @@ struct model_joint {
     int nq, nv;
     int iq[JOINT_MAX_Q]; /* places in q */
     int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
+};
+
+/* A joint that closes a loop: equations C(q) = 0 (2-2) between two bodies of the tree, which have no coordinates. */
+struct model_loop {
+    const char *name;
+    enum joint_type type;
+    int first, second;   /* bodies, in the deck's order */
+    double a[3], b[3];   /* the joint's point: from the first body's centre, its axes; second likewise [m] */
+    double Ea[9], Eb[9]; /* joint axes x, y, z by column in the axes of the first, the second body */
+    int component;       /* loops that share coordinates are one component */
 };
 
 /* A coordinate's plain positions and velocities have the same number k < n for q and v unless a
@@ -85,7 +95,7 @@ struct model_coordinate {
     const char *name; /* "hub.angle" */
     int joint, k;     /* which one of its joint */
     int iq, iv;       /* iv = -1: a quaternion part */
-    bool fast;
+    bool fast;        /* or in a component that has a fast coordinate */
 };
 
 struct model {
@@ -96,6 +106,12 @@ struct model {
     const struct model_body *body; /* [nbody], 0 is the ground, parents first */
     int njoint;
     const struct model_joint *joint; /* tree joints, [njoint] = nbody - 1, joint i moves body i + 1 */
+    int nloop;
+    const struct model_loop *loop; /* [nloop] */
+    int ncomponent;
+    const int *component; /* [njoint] of a tree joint, NULL without loops; -1: in no loop */
+    const bool *urgent;   /* [n], NULL without loops: the deck calls the coordinate fast */
+    const double *follow; /* [n], NULL without loops: how readily it becomes dependent at the start, (0, 1] */
     int nmeasure;
     const struct model_measure *measure;
     int nforce;
@@ -107,6 +123,7 @@ struct model {
     const double *q0, *v0;                     /* [nq], [n] initial state */
     const int *body_of;                        /* model's index of the scene's body i (body 0: ground) */
     const int *joint_of;                       /* model's index of the scene's joint i; -1: not in the tree */
+    const int *loop_of;                        /* likewise among the loops; -1: not there */
 };
 
 #endif

@@ -11,12 +11,18 @@ struct making {
     struct model *m;
     struct model_body *body; /* m's arrays while they may still be written */
     struct model_joint *joint;
-    int *body_of, *joint_of;
+    struct model_loop *loop;
+    int *body_of, *joint_of, *loop_of;
     int *scene_joint; /* [njoint] the scene's joint of a tree joint; -1: free by default */
+    int *component;   /* [njoint] */
+    bool *quick;      /* [njoint] the joint is in a component that has a fast coordinate */
 };
 
-/* tree.c: spanning tree from the ground, breadth first, in the deck's order of joints */
+/* tree.c: spanning tree from the ground, breadth first, in the deck's order of joints; the rest are loops */
 enum status make_tree(struct making *o);
+/* loops.c: components of loops and their class; with the numbering known, what makes a coordinate dependent */
+void make_components(struct making *o);
+void make_choice(struct making *o);
 /* coordinates.c: places in q and v, fast first, then near; classes of bodies */
 void make_coordinates(struct making *o);
 /* near.c: which joints are near, from the classes of forces: then coordinates and elements are made again */
@@ -25,6 +31,11 @@ void make_near(struct making *o);
 void make_elements(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
+
+/* Does the deck call rate k of tree joint i fast? */
+bool is_fast(const struct making *o, int joint, int k);
+/* Is the place in v fast, by itself or by its loops? */
+bool place_is_fast(const struct making *o, int iv);
 
 /* The place in v of the k-th rate of scene joint j. */
 int rate_place(const struct making *o, int j, int k);

@@ -1,5 +1,8 @@
 /* tree.c -- the spanning tree: from the ground outwards, breadth first, joints in the deck's order.
  *
+ * Where joints close loops, those whose coordinates the deck names, and fixed ones, come first, and those it marks
+ * `loop: true` last; the joints that are left over become equations (2-2).
+ *
  * A joint met from its second body is turned round: with axes z -> -z, y -> -y its coordinate is still that
  * of the deck's second body against its first; a universal joint's two axes change places and sign.
  * Spherical, planar and free joints cannot be turned so: their coordinates are of the body farther from
@@ -103,18 +106,130 @@ static struct threads thread_joints(struct making *o)
     return t;
 }
 
-static void reach_from(struct making *o, const struct threads *t, int *queue, int tail)
+/* How much a joint is wanted in the tree: its coordinates are read, or it has none. */
+enum { AVOIDED = -1, PLAIN = 0, WANTED = 1 };
+
+static int wish(const struct making *o, int joint)
+{
+    const struct scene *s = o->scene;
+    for (int i = 0; i < s->nfast; i++)
+        if (s->fast[i].joint == joint) return WANTED;
+    for (int i = 0; i < s->nindependent; i++)
+        if (s->independent[i].joint == joint) return WANTED;
+    for (int i = 0; i < s->ninitial; i++)
+        if (s->initial[i].joint == joint) return WANTED;
+    for (int i = 0; i < s->nmeasure; i++)
+        if (s->measure[i].type == MEASURE_COORDINATE && s->measure[i].joint == joint) return WANTED;
+    for (int i = 0; i < s->nforce; i++)
+        for (int k = 0; k < s->force[i].nslot; k++) {
+            const struct scene_slot *slot = &s->force[i].slot[k];
+            bool coordinate = slot->type == SCENE_COORDINATE || slot->type == SCENE_RATE;
+            if (coordinate && slot->index == joint) return WANTED;
+        }
+    if (s->joint[joint].loop) return AVOIDED;
+    return s->joint[joint].kind->type == JOINT_FIXED ? WANTED : PLAIN;
+}
+
+/* The bodies met so far, in the order they are to be looked at. */
+struct search {
+    struct threads threads;
+    int *wish; /* [njoint]; all PLAIN while the joints make a tree: then the order is the deck's */
+    int *queue, tail;
+};
+
+/* Hangs on `body` what joins it by joints that are wanted at least so much; at once whole chains of wanted joints, so
+ * that none of these is met by another way first. */
+static void reach(struct making *o, struct search *s, int body, int least)
 {
     const struct scene *scene = o->scene;
-    for (int head = tail - 1; head < tail; head++) {
-        int body = queue[head];
-        for (int e = t->first[body]; e >= 0; e = t->next[e]) {
+    for (int pass = WANTED; pass >= least; pass--)
+        for (int e = s->threads.first[body]; e >= 0; e = s->threads.next[e]) {
             int other = e & 1 ? scene->joint[e / 2].first : scene->joint[e / 2].second;
-            if (o->body_of[other] >= 0) continue;
+            if (s->wish[e / 2] != pass || o->body_of[other] >= 0) continue;
             hang_by(o, e / 2, body, other);
-            queue[tail++] = other;
+            s->queue[s->tail++] = other;
+            reach(o, s, other, WANTED);
+        }
+}
+
+static void reach_from(struct making *o, struct search *s, int body, int least)
+{
+    s->tail = 0;
+    s->queue[s->tail++] = body;
+    reach(o, s, body, WANTED);
+    for (int head = 0; head < s->tail; head++) reach(o, s, s->queue[head], least);
+}
+
+static int root(int *above, int i)
+{
+    while (above[i] != i) i = above[i] = above[above[i]];
+    return i;
+}
+
+/* Do the joints close loops?  Unites bodies joint by joint. */
+static bool closes_loops(const struct making *o)
+{
+    const struct scene *scene = o->scene;
+    int *above = TAKE(o->life, int, scene->nbody);
+    for (int i = 0; i < scene->nbody; i++) above[i] = i;
+    for (int i = 0; i < scene->njoint; i++) {
+        int a = root(above, scene->joint[i].first), b = root(above, scene->joint[i].second);
+        if (a == b) return true;
+        above[a] = b;
+    }
+    return false;
+}
+
+/* Avoided joints come in only where nothing else joins their bodies to the ground. */
+static void grow(struct making *o, struct search *s)
+{
+    reach_from(o, s, 0, PLAIN);
+    for (bool more = true; more;) {
+        more = false;
+        for (int i = 0; i < o->scene->njoint; i++) {
+            const struct scene_joint *j = &o->scene->joint[i];
+            bool first = o->body_of[j->first] >= 0, second = o->body_of[j->second] >= 0;
+            if (first == second) continue;
+            int from = first ? j->first : j->second, to = first ? j->second : j->first;
+            hang_by(o, i, from, to);
+            reach_from(o, s, to, PLAIN);
+            more = true;
         }
     }
+}
+
+static void add_loop(struct making *o, int index)
+{
+    const struct scene_joint *sj = &o->scene->joint[index];
+    const struct scene_body *first = &o->scene->body[sj->first], *second = &o->scene->body[sj->second];
+    double arm[3];
+    struct model_loop *l = &o->loop[o->m->nloop];
+    *l = (struct model_loop){
+        .name = sj->name, .type = sj->kind->type, .first = o->body_of[sj->first], .second = o->body_of[sj->second]};
+    v3_diff(arm, sj->at, first->at);
+    m3_tmul(l->a, first->R, arm);
+    v3_diff(arm, sj->at, second->at);
+    m3_tmul(l->b, second->R, arm);
+    m3_tmulm(l->Ea, first->R, sj->E);
+    m3_tmulm(l->Eb, second->R, sj->E);
+    o->loop_of[index] = o->m->nloop++;
+}
+
+static enum status add_loops(struct making *o)
+{
+    enum status status = OK;
+    o->loop = TAKE(o->life, struct model_loop, o->scene->njoint);
+    for (int i = 0; i < o->scene->njoint; i++) {
+        const struct scene_joint *j = &o->scene->joint[i];
+        if (o->joint_of[i] >= 0) continue;
+        add_loop(o, i);
+        if (j->kind->type == JOINT_FIXED || wish(o, i) != WANTED) continue;
+        diag_error(o->diags, j->node, AT_KEY, "E-loop", "constraint '%s' closes a loop: it has no coordinates",
+                   j->name);
+        diag_hint(o->diags, "other joints of this loop are asked for too; put a measure in place of one of them");
+        status = E_DECK;
+    }
+    return status;
 }
 
 enum status make_tree(struct making *o)
@@ -125,28 +240,21 @@ enum status make_tree(struct making *o)
     o->joint = TAKE(o->life, struct model_joint, n);
     o->body_of = TAKE(o->life, int, n);
     o->joint_of = TAKE(o->life, int, scene->njoint);
+    o->loop_of = TAKE(o->life, int, scene->njoint);
     o->scene_joint = TAKE(o->life, int, n);
-    int *queue = TAKE(o->life, int, n);
     for (int i = 1; i < n; i++) o->body_of[i] = -1;
-    for (int i = 0; i < scene->njoint; i++) o->joint_of[i] = -1;
+    for (int i = 0; i < scene->njoint; i++) o->joint_of[i] = o->loop_of[i] = -1;
     o->body[0] = (struct model_body){.name = "ground", .parent = -1, .joint = -1, .R = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
     o->m->nbody = 1;
-    struct threads t = thread_joints(o);
-    queue[0] = 0;
-    reach_from(o, &t, queue, 1);
+    struct search s = {thread_joints(o), TAKE(o->life, int, scene->njoint), TAKE(o->life, int, n), 0};
+    if (closes_loops(o))
+        for (int i = 0; i < scene->njoint; i++) s.wish[i] = wish(o, i);
+    grow(o, &s);
     for (int i = 1; i < n; i++) { /* an island: free, with what hangs on it */
         if (o->body_of[i] >= 0) continue;
         hang_free(o, i);
-        queue[0] = i;
-        reach_from(o, &t, queue, 1);
+        reach_from(o, &s, i, PLAIN);
+        grow(o, &s);
     }
-    for (int i = 0; i < scene->njoint; i++) {
-        const struct scene_joint *j = &scene->joint[i];
-        if (o->joint_of[i] >= 0) continue;
-        diag_error(o->diags, j->node, AT_KEY, "E-loop", "constraint '%s' closes a loop", j->name);
-        diag_hint(o->diags, "'%s' and '%s' are joined already by other constraints; only trees can be simulated",
-                  scene->body[j->first].name, scene->body[j->second].name);
-        return E_DECK;
-    }
-    return OK;
+    return add_loops(o);
 }

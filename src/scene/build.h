@@ -51,7 +51,7 @@ struct bushing_keys {
     const struct node *bodies, *at, *axis, *stiffness, *rotation, *damping, *rotation_damping;
 };
 struct partition_keys {
-    const struct node *fast;
+    const struct node *fast, *independent;
 };
 struct output_keys {
     const struct node *every, *columns;

@@ -28,7 +28,8 @@ static const struct joint_kind *joint_word(struct builder *b, const struct node 
     for (int i = 0; joint_kind_at(i); i++) names[n++] = joint_kind_at(i)->name;
     for (int i = 0; i < map->count; i++) {
         const struct node *member = map->item[i];
-        if (strcmp(member->key, "at") == 0 || strncmp(member->key, "axis", 4) == 0) continue;
+        if (strcmp(member->key, "at") == 0 || strncmp(member->key, "axis", 4) == 0 || strcmp(member->key, "loop") == 0)
+            continue;
         unknown_name(b, member, AT_KEY, "E-unknown-joint", "kind of joint", member->key, names, n);
         return NULL;
     }
@@ -87,6 +88,7 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     int errors = read_keys(&k, j->kind->keys, n, also, what, &b->reader);
     if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
     if (errors) return errors;
+    j->loop = k.loop;
     struct marker at = {j->second, {0}};
     if (k.at && read_point(b, &at, k.at, what)) return 1;
     marker_drawn(j->at, b->scene, &at);

@@ -137,21 +137,31 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
     return 1;
 }
 
+static int read_choices(struct builder *b, struct scene_choice **list, int *count, const struct node *n,
+                        const char *what)
+{
+    int errors = 0;
+    if (read_list(n, what, &b->reader)) return 1;
+    *list = TAKE(b->life, struct scene_choice, n->count);
+    for (int i = 0; i < n->count; i++) {
+        if (read_choice(b, &(*list)[*count], n->item[i]))
+            errors++;
+        else
+            ++*count;
+    }
+    return errors;
+}
+
 int read_partition(struct builder *b, const struct node *n)
 {
     struct partition_keys k = {0};
     int errors = 0;
     if (!n) return 0;
     if (read_keys(&k, keys_partition, n, NULL, "'partition'", &b->reader)) return 1;
-    if (read_list(k.fast, "'fast'", &b->reader)) return 1;
     struct scene *scene = b->scene;
-    scene->fast = TAKE(b->life, struct scene_choice, k.fast->count);
-    for (int i = 0; i < k.fast->count; i++) {
-        if (read_choice(b, &scene->fast[scene->nfast], k.fast->item[i]))
-            errors++;
-        else
-            scene->nfast++;
-    }
+    if (k.fast) errors += read_choices(b, &scene->fast, &scene->nfast, k.fast, "'fast'");
+    if (k.independent)
+        errors += read_choices(b, &scene->independent, &scene->nindependent, k.independent, "'independent'");
     return errors;
 }
 

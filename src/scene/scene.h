@@ -39,6 +39,7 @@ struct scene_joint {
     int first, second;
     double at[3]; /* world, drawn */
     double E[9];  /* joint axes x, y, z by column, world, drawn */
+    bool loop;    /* the deck wants it out of the tree */
 };
 
 struct scene_measure {
@@ -131,6 +132,8 @@ struct scene {
     struct scene_force *force;
     int nfast;
     struct scene_choice *fast;
+    int nindependent;
+    struct scene_choice *independent;
     int ninitial;
     struct scene_initial *initial;
     bool at_rest; /* start in static equilibrium, found from there */

@@ -126,8 +126,10 @@ const struct key keys_bushing[] = {
 };
 
 const struct key keys_partition[] = {
-    PARAM_NODE(struct partition_keys, fast, "fast", "[joint or coordinate, ...]", KEY_REQUIRED,
+    PARAM_NODE(struct partition_keys, fast, "fast", "[joint or coordinate, ...]", 0,
                "coordinates that take the minor step; all others take the major one"),
+    PARAM_NODE(struct partition_keys, independent, "independent", "[joint or coordinate, ...]", 0,
+               "with loops: coordinates that the others follow; default: the program's choice"),
     KEYS_END,
 };
 

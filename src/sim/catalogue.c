@@ -41,10 +41,19 @@ static void add_parts(struct listing *l, const char *owner, const char *const *w
 
 static const int first_parts[] = {0, 1, 2, 3};
 
-static void add_joint(struct listing *l, const struct model *m, int i, int unnamed)
+static void add_reactions(struct listing *l, const char *name, enum origin_type type, int i)
 {
     static const char *const force[] = {"fx", "fy", "fz"}, *const moment[] = {"mx", "my", "mz"};
     static const int moments[] = {3, 4, 5};
+    add_parts(l, name, force, first_parts, l->plane ? 2 : 3, "N", "reaction on the second body, world axes", type, i);
+    if (l->plane)
+        add(l, join(l, name, "mz"), "N m", "reaction on the second body", (struct origin){type, i, 5, -1});
+    else
+        add_parts(l, name, moment, moments, 3, "N m", "reaction on the second body, at the joint, world axes", type, i);
+}
+
+static void add_joint(struct listing *l, const struct model *m, int i, int unnamed)
+{
     const struct model_joint *j = &m->joint[i];
     const struct joint_kind *kind = joint_kind(j->type, !l->plane);
     int turned = j->type == JOINT_UNIVERSAL && j->reversed;
@@ -61,14 +70,7 @@ static void add_joint(struct listing *l, const struct model *m, int i, int unnam
         add(l, join(l, j->name, kind->a[k]), kind->aunit[k], "acceleration of a joint coordinate",
             (struct origin){FROM_A, iv, 0, iv < m->ns});
     }
-    if (unnamed) return;
-    add_parts(l, j->name, force, first_parts, l->plane ? 2 : 3, "N", "reaction on the second body, world axes",
-              FROM_REACTION, i);
-    if (l->plane)
-        add(l, join(l, j->name, "mz"), "N m", "reaction on the second body", (struct origin){FROM_REACTION, i, 5, -1});
-    else
-        add_parts(l, j->name, moment, moments, 3, "N m", "reaction on the second body, at the joint, world axes",
-                  FROM_REACTION, i);
+    if (!unnamed) add_reactions(l, j->name, FROM_REACTION, i);
 }
 
 static void add_body(struct listing *l, const struct model_body *b, int i)
@@ -149,7 +151,10 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
     *o = (struct catalogue){0};
     add(&l, "t", "s", "time", (struct origin){FROM_TIME, 0, 0, -1});
     for (int i = 0; i < scene->njoint; i++)
-        if (m->joint_of[i] >= 0) add_joint(&l, m, m->joint_of[i], 0);
+        if (m->joint_of[i] >= 0)
+            add_joint(&l, m, m->joint_of[i], 0);
+        else
+            add_reactions(&l, m->loop[m->loop_of[i]].name, FROM_LOOP, m->loop_of[i]);
     for (int i = 0; m->njoint > scene->njoint && i < m->njoint; i++) { /* free by default */
         int named = 0;
         for (int k = 0; k < scene->njoint && !named; k++) named = m->joint_of[k] == i;
@@ -178,6 +183,7 @@ unsigned catalogue_needs(const struct catalogue *o, const struct selection *chos
         case FROM_ACCELERATION:
         case FROM_POINT_ACCELERATION:
         case FROM_REACTION:
+        case FROM_LOOP:
             needs |= SEE_MOTION | SEE_ACCELERATION;
             break;
         default:

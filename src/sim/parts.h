@@ -11,6 +11,10 @@ enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *lif
 /* advance.c: one major step to `to`, halved where it must be */
 enum status advance(struct sim *sim, double h, int ratio, double to);
 
+/* loops.c: warnings about the start; the event of a new partition */
+void warn_of_loops(const struct sim *sim, struct diags *diags);
+enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
+
 /* record.c: the chosen columns at the present state */
 enum status record_fill(struct sim *sim);
 

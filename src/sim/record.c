@@ -94,7 +94,7 @@ static double value(const struct sim *sim, const struct origin *s)
     case FROM_Q:
         return sim->x.q[s->index];
     case FROM_V:
-        return sim->x.v[s->index];
+        return sim->model->nloop ? system_rates(sim->system)[s->index] : sim->x.v[s->index];
     case FROM_A:
         return system_accelerations(sim->system)[s->index];
     case FROM_POINT:
@@ -103,6 +103,9 @@ static double value(const struct sim *sim, const struct origin *s)
         return point_part(sim, s);
     case FROM_REACTION:
         system_reaction(sim->system, f, f + 3, s->index);
+        return f[s->k];
+    case FROM_LOOP:
+        system_loop_reaction(sim->system, f, f + 3, s->index);
         return f[s->k];
     case FROM_MEASURE:
     case FROM_MEASURE_RATE:
@@ -124,7 +127,8 @@ static double value(const struct sim *sim, const struct origin *s)
 
 enum status record_fill(struct sim *sim)
 {
-    if (sim->needs) TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, sim->needs, &sim->trouble));
+    if (sim->needs || sim->model->nloop)
+        TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, sim->needs, &sim->trouble));
     for (int i = 0; i < sim->chosen.n; i++) sim->row[i] = value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
     return OK;
 }

@@ -33,9 +33,11 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
 {
     struct trouble why = {0};
     struct arena *scratch = arena_open();
+    const size_t bytes = (size_t)system_ode2(sim->system)->n * sizeof(double);
+    memcpy(sim->x.a, sim->x.v, bytes); /* a place to keep them */
     enum status status = rest_find(sim, scratch, &why);
     arena_close(scratch);
-    memcpy(sim->x.v, sim->model->v0, (size_t)sim->model->n * sizeof(double));
+    memcpy(sim->x.v, sim->x.a, bytes);
     if (status == OK) return OK;
     return fail(report, E_MODEL,
                 "no start: no stable static equilibrium was found near the initial position (last move %.3g m or rad); "
@@ -48,8 +50,7 @@ static enum status start(struct sim *sim, struct report *report)
 {
     struct energies e;
     struct trouble why = {0};
-    memcpy(sim->x.q, sim->model->q0, (size_t)sim->model->nq * sizeof(double));
-    memcpy(sim->x.v, sim->model->v0, (size_t)sim->model->n * sizeof(double));
+    TRY(system_start(sim->system, sim->x.q, sim->x.v, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK) return say_trouble(sim, &why, E_MODEL, report);
     system_energy_at(sim->system, &e, sim->x.q, sim->x.v, 0);
@@ -71,11 +72,17 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(steps);
     sim->system = system_build(m, life);
     sim->x = new_state(m, life);
+    warn_of_loops(sim, diags);
     open_stepper(sim, life);
     return start(sim, report);
 }
 
-const char *sim_coordinate_name(const struct sim *sim, int iv)
+const char *sim_coordinate_name(const struct sim *sim, int i)
+{
+    return sim_place_name(sim, system_place(sim->system, i));
+}
+
+const char *sim_place_name(const struct sim *sim, int iv)
 {
     const struct model *m = sim->model;
     for (int i = 0; i < m->ncoordinate; i++)
@@ -149,8 +156,10 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
 {
     enum { LOOK_EVERY = 64 };
     for (long k = 1; k <= sim->majors; k++) {
+        long charts = system_charts(sim->system);
         enum status status = major(sim, k);
         if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
+        if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));
         bool due = k % sim->every == 0 || k == sim->majors;
         if (due) TRY(tell_row(sim, sink, report));
         if (due || k % LOOK_EVERY == 0) {

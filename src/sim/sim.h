@@ -62,7 +62,9 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report);
 int sim_settings(const struct sim *sim, struct pair *facts, int most);
 int sim_facts(const struct sim *sim, struct pair *facts, int most);
 
-/* The name of coordinate or rate number iv. */
-const char *sim_coordinate_name(const struct sim *sim, int iv);
+/* The name of coordinate or rate number i of the state's v. */
+const char *sim_coordinate_name(const struct sim *sim, int i);
+/* The same by its place in the model's v: with loops, v holds the independent ones only. */
+const char *sim_place_name(const struct sim *sim, int iv);
 
 #endif

@@ -23,8 +23,8 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
     if (strcmp(kind->name, "subcycle") == 0) facts[n++] = pair_number("rho_infinity", p->rho_infinity);
     facts[n++] = pair_number("space", m->space);
     facts[n++] = pair_number("bodies", m->nbody - 1);
-    facts[n++] = pair_number("freedoms", m->n);
-    facts[n++] = pair_number("fast", m->ns);
+    facts[n++] = pair_number("freedoms", sim->stepper.ode->n);
+    facts[n++] = pair_number("fast", sim->stepper.ode->ns);
     facts[n++] = pair_number("delta", sim->scene->delta);
     return n;
 }
@@ -72,6 +72,10 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     facts[n++] = pair_number("energy_share", ledger_share(l));
     facts[n++] = pair_number("energy_numerical", l->lost);
     facts[n++] = pair_number("newton_left", l->left);
+    if (sim->model->nloop) {
+        facts[n++] = pair_number("constraint_worst", system_constraint_worst(sim->system));
+        facts[n++] = pair_number("partitions", (double)system_charts(sim->system));
+    }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
     return n;
 }
@@ -85,7 +89,7 @@ void say_plan(const struct sim *sim)
     const double *g = m->gravity;
     if (!to) return;
     fprintf(to, "%s: %s, %d bodies, %d freedoms (%d fast), %s, ", sim->scene->deck->name,
-            m->space == 2 ? "planar" : "spatial", m->nbody - 1, m->n, m->ns,
+            m->space == 2 ? "planar" : "spatial", m->nbody - 1, sim->stepper.ode->n, sim->stepper.ode->ns,
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
         fprintf(to, "%s to tolerance %g", kind->name, p->tolerance);
@@ -124,6 +128,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         return "look at the expressions and tables of its forces";
     case TROUBLE_MASS:
         return "give the bodies it moves mass and inertia";
+    case TROUBLE_CLOSURE:
+        return "the mechanism may be locked here, or the step too large";
     case TROUBLE_SINGULAR:
         return "look for a body without mass or inertia";
     default:
@@ -137,7 +143,8 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
 {
     char what[200];
     if (status != E_NUMERIC && status != E_MODEL) return status;
-    const char *coordinate = why->index >= 0 && why->index < sim->model->n ? sim_coordinate_name(sim, why->index) : "?";
+    const char *coordinate =
+        why->index >= 0 && why->index < sim->stepper.ode->n ? sim_coordinate_name(sim, why->index) : "?";
     switch (why->code) {
     case TROUBLE_NOT_FINITE:
         snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate);
@@ -151,6 +158,9 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
     case TROUBLE_SINGULAR:
         snprintf(what, sizeof what, "the iteration matrix is singular at '%s' (pivot ratio %.2g)", coordinate,
                  why->value);
+        break;
+    case TROUBLE_CLOSURE:
+        snprintf(what, sizeof what, "the loop of constraint '%s' cannot be closed", sim->model->loop[why->index].name);
         break;
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);

@@ -10,7 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "la/dense.h"
 #include "la/vec3.h"
+#include "system/condense.h"
 #include "system/elements.h"
 #include "system/moves.h"
 
@@ -23,7 +25,11 @@ struct system {
     struct moves moves;
     struct ode2_direct direct;
     struct ode2_breaks breaks;
-    struct ode2 ode;
+    struct ode2 ode;        /* of the tree */
+    struct condense *loops; /* of the tree with its loops; NULL: none */
+    double *M;              /* [n x n] M^ with loops */
+    double *lambda;         /* [rows] at the last see() */
+    double constraint_worst;
     void *factor;           /* of M^, for accel() */
     double *d, *zero;       /* [n] */
     struct effect *suspect; /* [nforce] for naming the element that is not finite */
@@ -174,6 +180,33 @@ static double next_kink(const struct ode2 *o, double t)
     return next;
 }
 
+/* --- loops -------------------------------------------------------------------------------------- */
+
+static void build_loops(struct system *s, struct arena *life)
+{
+    const struct model *m = s->model;
+    s->loops = condense_build(m, s->ops, &s->ode, &s->moves, m->q0, m->v0, life);
+    s->M = TAKE(life, double, m->n * m->n);
+    s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
+}
+
+/* Accelerations of all coordinates, then the multipliers, which load the bodies like any force. */
+static enum status loops_accel(struct system *s, const double *q, const double *v, double t, struct trouble *why)
+{
+    const struct ode2 *o = condense_ode2(s->loops);
+    const struct instant x = {.t = t, .q = q, .v = s->v, .a = s->a};
+    TRY(o->ops->resid(o, s->r, NULL, NULL, &(struct instant){.t = t, .q = q, .v = v}, ALL, why));
+    TRY(o->ops->mass(o, s->M, q, t, ALL, why));
+    int pivot = dense_cholesky(s->M, o->n, o->n);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
+    dense_cholesky_solve(s->M, s->r, o->n, o->n);
+    for (int i = 0; i < o->n; i++) s->r[i] = -s->r[i];
+    TRY(condense_rates(s->loops, s->v, s->a, q, v, s->r, t, why));
+    TRY(resid(&s->ode, s->r, NULL, NULL, &x, ALL, why));
+    condense_lambda(s->loops, s->lambda, s->r);
+    return OK;
+}
+
 /* --- building ----------------------------------------------------------------------------------- */
 
 struct system *system_build(const struct model *m, struct arena *life)
@@ -211,12 +244,45 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .direct = &s->direct,
                            .breaks = isinf(first) ? NULL : &s->breaks,
                            .self = s};
+    if (m->nloop) build_loops(s, life);
     return s;
 }
 
 const struct ode2 *system_ode2(const struct system *s)
 {
-    return &s->ode;
+    return s->loops ? condense_ode2(s->loops) : &s->ode;
+}
+
+enum status system_start(const struct system *s, double *q, double *v, struct report *report)
+{
+    const struct ode2 *o = system_ode2(s);
+    if (s->loops && condense_started(s->loops)->status != OK) {
+        *report = condense_started(s->loops)->report;
+        return condense_started(s->loops)->status;
+    }
+    memcpy(q, s->loops ? condense_q(s->loops) : s->model->q0, sizeof *q * (size_t)o->nq);
+    memcpy(v, s->loops ? condense_v(s->loops) : s->model->v0, sizeof *v * (size_t)o->n);
+    return OK;
+}
+
+const struct condense *system_loops(const struct system *s)
+{
+    return s->loops;
+}
+
+int system_place(const struct system *s, int i)
+{
+    return s->loops ? condense_place(s->loops, i) : i;
+}
+
+long system_charts(const struct system *s)
+{
+    return s->loops ? condense_charts(s->loops) : 0;
+}
+
+double system_constraint_worst(const struct system *s)
+{
+    return s->constraint_worst;
 }
 
 /* --- at an output instant ------------------------------------------------------------------------ */
@@ -231,19 +297,30 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
 {
     const struct model *m = s->model;
     memcpy(s->q, q, sizeof *q * (size_t)m->nq);
-    memcpy(s->v, v, sizeof *v * (size_t)m->n);
+    if (s->loops) {
+        TRY(condense_rates(s->loops, s->v, NULL, q, v, NULL, t, why));
+        s->constraint_worst = fmax(s->constraint_worst, condense_worst(s->loops, q));
+    } else {
+        memcpy(s->v, v, sizeof *v * (size_t)m->n);
+    }
     if (what & SEE_ACCELERATION) {
         const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
-        TRY(accel(&s->ode, s->a, q, v, t, why));
+        TRY(s->loops ? loops_accel(s, q, v, t, why) : accel(&s->ode, s->a, q, v, t, why));
         memset(s->r, 0, sizeof *s->r * (size_t)m->n);
         s->ops->forward(s->view, s->q, s->v, s->a, ALL);
         elements_load(s->elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
+        if (s->loops) condense_push(s->loops, s->view, s->lambda);
         s->ops->backward(s->view, s->r, ALL);
     } else {
         s->ops->move(s->view, s->q, s->v, ALL);
     }
     if (what & SEE_ENERGY) see_energies(s, &s->energies, s->view, s->q, s->v);
     return OK;
+}
+
+const double *system_rates(const struct system *s)
+{
+    return s->v;
 }
 
 const double *system_accelerations(const struct system *s)
@@ -284,6 +361,11 @@ void system_reaction(const struct system *s, double *f, double *n, int joint)
     v3_scale(n, -1, n);
 }
 
+void system_loop_reaction(const struct system *s, double *f, double *n, int loop)
+{
+    condense_reaction(s->loops, f, n, loop, s->lambda);
+}
+
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i)
 {
     *force = s->effect[i].force;
@@ -298,7 +380,11 @@ void system_energies(const struct system *s, struct energies *e)
 
 void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t)
 {
-    (void)t;
+    struct trouble why;
+    if (s->loops) {
+        condense_rates(s->loops, s->v, NULL, q, v, NULL, t, &why);
+        v = s->v;
+    }
     s->ops->move(s->work, q, v, ALL);
     see_energies(s, e, s->work, q, v);
 }

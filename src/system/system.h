@@ -15,6 +15,9 @@ struct energies {
 
 struct system *system_build(const struct model *m, struct arena *life);
 
+/* q [nq] and v [n of the door] at the start: of a mechanism with loops, closed.  Fails where it cannot be. */
+enum status system_start(const struct system *s, double *q, double *v, struct report *report);
+
 /* The door to the engine; lives as long as the system. */
 const struct ode2 *system_ode2(const struct system *s);
 
@@ -24,14 +27,23 @@ enum { SEE_MOTION = 1, SEE_ACCELERATION = 2, SEE_ENERGY = 4 };
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what,
                        struct trouble *why);
 
-const double *system_accelerations(const struct system *s); /* [n] */
+const double *system_rates(const struct system *s);         /* [n of the model] */
+const double *system_accelerations(const struct system *s); /* [n of the model] */
 void system_pose(const struct system *s, struct pose *o, int body);
 void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p);
 void system_measure(const struct system *s, double *value, double *rate, int measure);
 void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
+void system_loop_reaction(const struct system *s, double *f, double *n, int loop);
 /* force: value along the measure, or size of the load; length: the measure; power [W]. */
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i);
 void system_energies(const struct system *s, struct energies *e);
+
+/* The loops, NULL: none.  Largest |C| of all states seen; the model's place in v of the door's number i. */
+struct condense;
+const struct condense *system_loops(const struct system *s);
+double system_constraint_worst(const struct system *s);
+int system_place(const struct system *s, int i);
+long system_charts(const struct system *s); /* partitions chosen since the start */
 
 /* Energies alone, cheaply, for the ledger. */
 void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t);

@@ -1,0 +1,22 @@
+/* pivot.h -- LU with full pivoting: rank, the best square block, solutions with it.
+ *
+ *     P A Q = L U
+ *
+ * Matrices by column, A(i,j) = A[i + j * ld].  Rows and columns are exchanged in A itself; row[i] and col[j]
+ * tell which ones stand there now (Golub & Van Loan, Matrix Computations, 3.4.8). */
+#ifndef FMDSUB_LA_PIVOT_H
+#define FMDSUB_LA_PIVOT_H
+
+/* Factors A [m x n] as far as pivots go: at most `most` of them, and while the largest number left is above `least`
+ * times the first one.  weight [n], by original column: of two columns, the one with the larger |pivot| weight is taken
+ * first; NULL: all equal.  Returns the number of pivots: the rank when `most` does not end it. */
+int pivot_lu(double *A, int *row, int *col, int m, int n, int ld, const double *weight, int most, double least);
+
+/* Smallest over largest |pivot| of the leading n x n block; 1 for n = 0. */
+double pivot_ratio(const double *LU, int n, int ld);
+
+/* x := A^-1 x and x := A^-T x for a square A with n pivots; work [n]. */
+void pivot_solve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld);
+void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld);
+
+#endif

@@ -1,0 +1,94 @@
+/* loops.c -- which coordinates the loops tie together, and what that makes of them.
+ *
+ * Loop joint l ties the coordinates on the path of one of its bodies and not of the other: those on both
+ * move its bodies as one.  Loops that share such a joint are one component: one block of C_q.  A component with a
+ * fast coordinate is fast: its dependent coordinates follow in the minor steps. */
+#include <string.h>
+
+#include "model/parts.h"
+
+static int root(int *above, int i)
+{
+    while (above[i] != i) i = above[i] = above[above[i]];
+    return i;
+}
+
+/* Marks the tree joints between the body and the ground: on[i] ^= 1. */
+static void cross(const struct making *o, bool *on, int body)
+{
+    for (; body > 0; body = o->body[body].parent) on[o->body[body].joint] ^= true;
+}
+
+void make_components(struct making *o)
+{
+    struct model *m = o->m;
+    o->component = TAKE(o->life, int, m->njoint);
+    o->quick = TAKE(o->life, bool, m->njoint);
+    for (int i = 0; i < m->njoint; i++) o->component[i] = -1;
+    m->component = o->component;
+    bool *on = TAKE(o->life, bool, m->njoint), *fast = TAKE(o->life, bool, m->nloop);
+    int *owner = TAKE(o->life, int, m->njoint), *above = TAKE(o->life, int, m->nloop);
+    int *number = TAKE(o->life, int, m->nloop);
+    for (int i = 0; i < m->njoint; i++) owner[i] = -1;
+    for (int l = 0; l < m->nloop; l++) {
+        memset(on, 0, sizeof *on * (size_t)m->njoint);
+        above[l] = l;
+        cross(o, on, o->loop[l].first);
+        cross(o, on, o->loop[l].second);
+        for (int i = 0; i < m->njoint; i++) {
+            if (!on[i]) continue;
+            if (owner[i] >= 0) above[root(above, owner[i])] = root(above, l);
+            owner[i] = l;
+        }
+    }
+    for (int l = 0; l < m->nloop; l++) number[l] = root(above, l) == l ? m->ncomponent++ : -1;
+    for (int l = 0; l < m->nloop; l++) o->loop[l].component = number[root(above, l)];
+    for (int i = 0; i < m->njoint; i++) {
+        if (owner[i] < 0) continue;
+        o->component[i] = o->loop[owner[i]].component;
+        for (int k = 0; k < o->joint[i].nv; k++) fast[o->component[i]] |= is_fast(o, i, k);
+    }
+    for (int i = 0; i < m->njoint; i++) o->quick[i] = o->component[i] >= 0 && fast[o->component[i]];
+}
+
+static void at_most(double *x, double most)
+{
+    if (*x > most) *x = most;
+}
+
+/* What the deck chooses stays independent, then what it calls fast, then what it gives a start. */
+static double readiness(const struct making *o, int joint, int k)
+{
+    static const double CHOSEN = 1e-7, FAST_ONE = 1e-2, STARTED = 1e-1;
+    const struct scene *s = o->scene;
+    int index = o->scene_joint[joint];
+    double x = 1;
+    if (is_fast(o, joint, k)) at_most(&x, FAST_ONE);
+    for (int i = 0; i < s->nindependent; i++) {
+        const struct scene_choice *c = &s->independent[i];
+        if (c->joint == index && (c->k < 0 || position_place(o, index, c->k) == o->joint[joint].iq[k]))
+            at_most(&x, CHOSEN);
+    }
+    for (int i = 0; i < s->ninitial; i++) {
+        const struct scene_initial *c = &s->initial[i];
+        if (c->joint != index) continue;
+        bool whole = c->type == INITIAL_OMEGA || c->type == INITIAL_ROTATION;
+        if (whole || rate_place(o, index, c->k) == o->joint[joint].iv[k]) at_most(&x, STARTED);
+    }
+    return x;
+}
+
+void make_choice(struct making *o)
+{
+    struct model *m = o->m;
+    if (m->nloop == 0) return;
+    bool *urgent = TAKE(o->life, bool, m->n);
+    double *follow = TAKE(o->life, double, m->n);
+    for (int i = 0; i < m->njoint; i++)
+        for (int k = 0; k < o->joint[i].nv; k++) {
+            urgent[o->joint[i].iv[k]] = is_fast(o, i, k);
+            follow[o->joint[i].iv[k]] = readiness(o, i, k);
+        }
+    m->urgent = urgent;
+    m->follow = follow;
+}

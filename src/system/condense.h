@@ -1,0 +1,56 @@
+/* condense.h -- a tree with loops as a system of independent coordinates.
+ *
+ *     M a + C_q' lambda = Q,   C(q) = 0                                       (2-1), (2-2)
+ *     v_d = G v_i,  a_d = G a_i + C_qd^-1 gacc,  G = -C_qd^-1 C_qi
+ *     r = r_i + G' r_d,  lambda = -C_qd^-T r_d,  M^ = T' M T,  T = [1; G]     (2-4)
+ *
+ * (Wehage & Haug, J. Mech. Design 104 (1982) 247).  r_t = M a - Q is the tree's own residual, which this
+ * takes from the tree's ode2.  Positions q are those of the whole tree; v and a are of the independent
+ * coordinates only, fast ones first.  Nothing is kept of trial states. */
+#ifndef FMDSUB_SYSTEM_CONDENSE_H
+#define FMDSUB_SYSTEM_CONDENSE_H
+
+#include "system/loops.h"
+#include "system/moves.h"
+#include "system/ode2.h"
+
+struct condense;
+
+/* How it went at the start. */
+struct condense_start {
+    enum status status;
+    struct report report;
+    double misfit;  /* largest |C| as drawn and started */
+    int misfit_row; /* of which row */
+    int redundant;  /* rows that say nothing new */
+    double moved;   /* largest change of a coordinate that closed the loops [m] or [rad] */
+    int moved_at;   /* place in v */
+};
+
+/* q0 [m->nq], v0 [m->n]: the start as the deck has it.  The system that comes out stands still where start->status
+ * is not OK. */
+struct condense *condense_build(const struct model *m, const struct sweep_ops *ops, const struct ode2 *tree,
+                                const struct moves *moves, const double *q0, const double *v0, struct arena *life);
+
+const struct condense_start *condense_started(const struct condense *c);
+const double *condense_q(const struct condense *c);         /* [nq] closed start */
+const double *condense_v(const struct condense *c);         /* [n] independent */
+const struct ode2 *condense_ode2(const struct condense *c); /* lives as long */
+
+/* Velocities, accelerations (a NULL: not wanted) of the whole tree [m->n], of the independent v, a at a closed q. */
+enum status condense_rates(struct condense *c, double *vt, double *at, const double *q, const double *v,
+                           const double *a, double t, struct trouble *why);
+/* lambda [rows] for the tree's residual rt at the state of the last condense_rates(); dropped rows: 0. */
+void condense_lambda(struct condense *c, double *lambda, const double *rt);
+
+/* The multipliers as forces on the bodies of a sweep that stands where they were found; what joint `loop` exerts. */
+void condense_push(struct condense *c, struct sweep *s, const double *lambda);
+void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda);
+
+const struct loops *condense_loops(const struct condense *c);
+double condense_worst(struct condense *c, const double *q); /* max |C| */
+int condense_place(const struct condense *c, int i);        /* place in the tree's v of independent i */
+bool condense_independent(const struct condense *c, int iv);
+long condense_charts(const struct condense *c); /* partitions chosen since the start */
+
+#endif

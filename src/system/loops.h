@@ -1,0 +1,56 @@
+/* loops.h -- the joints that close loops as equations between coordinates, C(q) = 0 (2-2).
+ *
+ * Rows are dimensionless: lengths over `length`, a length of the mechanism.  All but loops_build read or feed a
+ * sweep at its last motion. */
+#ifndef FMDSUB_SYSTEM_LOOPS_H
+#define FMDSUB_SYSTEM_LOOPS_H
+
+#include "base/arena.h"
+#include "model/model.h"
+#include "system/sweep.h"
+
+/* What one equation says of the second body's axes and point against the first's. */
+enum loop_row_type {
+    ROW_ALONG, /* the second's point has not moved along axis i of the first */
+    ROW_LEAN,  /* axis i of the first and axis j of the second stay at right angles */
+    ROW_TURN   /* plane: both bodies have turned alike */
+};
+
+struct loop_row {
+    int loop;
+    enum loop_row_type type;
+    int i, j;
+};
+
+/* Where a loop's two bodies stand. */
+struct loop_place {
+    struct pose A, B;
+    double d[3], x[3];   /* from the first's point to the second's; the second's point, world */
+    double EA[9], EB[9]; /* joint axes in the world, by column */
+};
+
+struct loops {
+    const struct model *model;
+    const struct sweep_ops *ops;
+    double length; /* [m] */
+    int nrow;
+    struct loop_row *row;     /* [nrow], loop by loop */
+    int *first;               /* [nloop + 1] first row of each loop */
+    struct loop_place *place; /* [nloop] */
+    int *nk, **k;             /* [nloop] coordinates tied: places in v */
+    signed char **side;       /* [nloop][nk] +1: moves the second body, -1: the first */
+    double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
+};
+
+struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
+
+/* Looks at the bodies: first of all, after each motion. */
+void loops_look(struct loops *o, const struct sweep *s);
+void loops_values(double *C, const struct loops *o);                           /* C [nrow] */
+void loops_jacobian(struct loops *o, const struct sweep *s);                   /* fills Cq */
+void loops_second(double *C2, const struct loops *o);                          /* C'' [nrow], after forward() */
+void loops_push(const struct loops *o, struct sweep *s, const double *lambda); /* applies -C_q' lambda */
+/* Force and moment about its point that loop joint l exerts on the deck's second body, world axes [3]. */
+void loops_reaction(const struct loops *o, double *f, double *n, int l, const double *lambda);
+
+#endif
