@@ -202,8 +202,13 @@ int read_integrate(struct builder *b, const struct node *n)
 {
     struct integrate *o = &b->scene->integrate;
     *o = (struct integrate){.node = n, .step = 0, .tolerance = 0};
-    if (read_keys(o, keys_integrate, n, NULL, "'integrate'", &b->reader)) return 1;
-    return check_newmark(b, o, n) + check_steps(b, o, n);
+    if (read_keys(o, keys_integrate, n, NULL, "'integrate'", &b->reader)) {
+        o->until = 0;
+        return 1;
+    }
+    int errors = check_newmark(b, o, n) + check_steps(b, o, n);
+    if (errors) o->until = 0;
+    return errors;
 }
 
 /* ---- output ---- */
@@ -233,6 +238,11 @@ int read_output(struct builder *b, const struct node *n)
     int errors = k.every ? read_every(b, o, k.every) : 0;
     if (!k.columns) return errors;
     if (read_list(k.columns, "'columns'", &b->reader)) return errors + 1;
+    if (k.columns->count == 0) {
+        diag_error(b->diags, k.columns, AT_VALUE, "E-count", "'columns' is empty");
+        diag_hint(b->diags, "without it all coordinates and rates are written; t is in every record");
+        return errors + 1;
+    }
     const struct node **pattern = TAKE(b->life, const struct node *, k.columns->count);
     for (int i = 0; i < k.columns->count; i++) {
         pattern[i] = k.columns->item[i];

@@ -99,7 +99,7 @@ struct integrate {
     const char *scheme; /* deck word */
     double step;        /* minor step h [s] */
     int ratio;          /* n, H = n h */
-    double until;       /* [s] */
+    double until;       /* [s]; 0: the section is wrong, and that was told */
     double beta, gamma, rho_infinity;
     int iteration, symmetric;
     double newton_tolerance;

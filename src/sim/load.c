@@ -9,7 +9,7 @@ enum status sim_load(struct scene **scene, const char *path, const struct deck_o
     struct deck *deck;
     TRY(deck_load(&deck, path, options, diags, life, report));
     enum status status = scene_read(scene, deck, diags, life);
-    if (status != OK && (*scene)->integrate.until > 0) { /* all errors at once: the plan's too */
+    if (status != OK && (*scene)->integrate.scheme) { /* all errors at once: the plan's too */
         struct sim sim = {.scene = *scene, .plan = (*scene)->integrate};
         plan_steps(&sim, diags, NULL);
     }

@@ -171,6 +171,66 @@ static void test_end(void **state)
     }
 }
 
+/* A sink that counts. */
+struct counter {
+    struct sink sink;
+    int rows, events;
+};
+
+static enum status no_meta(struct sink *s, const struct run_meta *m, struct report *r)
+{
+    return (void)s, (void)m, (void)r, OK;
+}
+
+static enum status count_row(struct sink *s, const double *x, struct report *r)
+{
+    (void)x, (void)r;
+    ((struct counter *)s->self)->rows++;
+    return OK;
+}
+
+static enum status count_event(struct sink *s, double t, const char *kind, const char *text, struct report *r)
+{
+    (void)t, (void)kind, (void)text, (void)r;
+    ((struct counter *)s->self)->events++;
+    return OK;
+}
+
+static enum status no_end(struct sink *s, const struct run_summary *m, struct report *r)
+{
+    return (void)s, (void)m, (void)r, OK;
+}
+
+static enum status no_tick(struct sink *s, double now, struct report *r)
+{
+    return (void)s, (void)now, (void)r, OK;
+}
+
+static void counter_open(struct counter *c)
+{
+    static const struct sink_ops ops = {no_meta, count_row, count_event, no_end, no_tick};
+    *c = (struct counter){.sink = {&ops, c}};
+}
+
+/* Records farther apart than the run is long: the first and the last. */
+static void test_far_records(void **state)
+{
+    static const char *const every[] = {"output.every=1.0e+300", "output.every=100", "output.every={steps: 1000000}"};
+    (void)state;
+    for (size_t i = 0; i < sizeof every / sizeof *every; i++) {
+        const char *const set[] = {every[i], "integrate.until=0.1"};
+        struct counter counter;
+        struct opened o;
+        struct report report = {0};
+        counter_open(&counter);
+        open_deck(&o, "decks/pendulum.yaml", 2, set, false);
+        assert_int_equal(sim_run(&o.sim, &counter.sink, &report), OK);
+        assert_int_equal(counter.rows, 2);
+        assert_true(o.sim.every >= 1 && o.sim.every <= 1000000);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -179,6 +239,7 @@ int main(void)
         cmocka_unit_test(test_ratio_one),
         cmocka_unit_test(test_twin),
         cmocka_unit_test(test_end),
+        cmocka_unit_test(test_far_records),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
