@@ -72,7 +72,8 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     } else if (request->format && strcmp(request->format, "json") == 0) {
         TRY(check_json(&sim, life, report));
     } else {
-        printf("%s: %s, %s\n", scene->deck->name, scene->title, sim.model->space == 2 ? "planar" : "spatial");
+        printf("%s: %s%s%s\n", scene->deck->name, scene->title, *scene->title ? ", " : "",
+               sim.model->space == 2 ? "planar" : "spatial");
         print_bodies(stdout, sim.model);
         print_coordinates(stdout, sim.model);
         print_forces(stdout, sim.model);

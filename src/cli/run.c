@@ -64,7 +64,7 @@ static enum status strict_verdict(const struct sim *sim, const struct diags *dia
 {
     if (diags_warnings(diags))
         return fail(report, E_VERDICT, "--strict: %d warning(s) about the deck", diags_warnings(diags));
-    if (sim->stepper.effort.rejected)
+    if (sim->stepper.effort.rejected && !sim->stepper.kind->adaptive) /* there it is the way of working */
         return fail(report, E_VERDICT, "--strict: %ld steps were rejected", sim->stepper.effort.rejected);
     return OK;
 }

@@ -87,7 +87,9 @@ const struct diag_help diag_helps[] = {
      "one row of names at the top. Empty lines and lines after '#' are skipped."},
     /* the scene: names */
     {"E-name", "Names are letters, digits and '_', a letter first; ground, energy, step, t and type are taken."},
-    {"E-duplicate-name", "Constraints and measures share their names: expressions could not tell them apart."},
+    {"E-duplicate-name",
+     "Measures take no name of a joint or a body, which expressions and forces could not tell apart; "
+     "and what two things are called may not make two columns of one name. Rename one of them."},
     {"E-unknown-name", "Forces act along a joint with one freedom, a coordinate (hub.angle), a measure, or between two "
                        "points; expressions read t, coordinates, rates (hub.angle_rate) and measures (gap, gap_rate)."},
     {"E-unknown-body", "The body is not under bodies:. The world is called ground."},

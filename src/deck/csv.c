@@ -7,7 +7,7 @@
 struct csv {
     struct deck *deck;
     const struct source *source;
-    int file, columns, rows, room, told;
+    int file, columns, rows, room, told, lean;
     double *x; /* [room x columns] */
 };
 
@@ -86,6 +86,7 @@ static void read_line(struct csv *c, struct field line, bool may_be_names)
     struct field bad = line;
     bool fine = split(c, new_row(c), line, &count, &bad);
     if (count != c->columns) {
+        if (c->lean++) return; /* rows of one file are wrong in the same way */
         c->told++;
         diag_error_in(c->deck->diags, field_span(c, line), "E-csv", "expected %d columns, found %d", c->columns, count);
         if (memchr(c->source->text + line.from, ';', line.to - line.from))

@@ -180,6 +180,11 @@ static int read_value(struct builder *b, struct scene_force *f, const struct nod
         }
         errors = read_components(&s, f, k.value);
     } else {
+        const struct node *frame = node_find(n, "frame");
+        if (frame && !frame->implied) {
+            diag_error(b->diags, frame, AT_KEY, "E-kind", "%s: 'frame' is for loads on bodies", what);
+            return 1;
+        }
         f->type = FORCE_VALUE;
         f->measure = measure_of(b, k.on, what);
         if (f->measure < 0) return 1;

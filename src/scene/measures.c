@@ -103,6 +103,13 @@ static int read_measure(struct builder *b, const struct node *n)
     return 0;
 }
 
+static bool is_body(const struct scene *scene, const char *name)
+{
+    for (int i = 0; i < scene->nbody; i++)
+        if (strcmp(scene->body[i].name, name) == 0) return true;
+    return false;
+}
+
 int read_measures(struct builder *b, const struct node *n)
 {
     int errors = 0;
@@ -115,6 +122,9 @@ int read_measures(struct builder *b, const struct node *n)
             errors++;
         } else if (find_joint(b->scene, m->key, strlen(m->key)) >= 0) {
             diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a constraint already", m->key);
+            errors++;
+        } else if (is_body(b->scene, m->key)) {
+            diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a body already", m->key);
             errors++;
         } else {
             errors += read_measure(b, m);

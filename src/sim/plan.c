@@ -1,5 +1,6 @@
 /* plan.c -- how many steps, when a record is due, which columns */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -53,6 +54,7 @@ static enum status check_tolerance(struct sim *sim, struct diags *diags)
     const struct node *at = node_find(p->node, "tolerance");
     bool adaptive = sim->stepper.kind->adaptive;
     if (adaptive && !(p->tolerance > 0)) {
+        if (at) return E_DECK; /* it is there and was refused */
         diag_error(diags, p->node, AT_KEY, "E-missing-key", "scheme %s needs a 'tolerance'", sim->stepper.kind->name);
         return E_DECK;
     }
@@ -75,7 +77,7 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
         return OK;
     }
     double steps = out->every / H;
-    sim->every = (long)fmax(1, round(steps));
+    sim->every = (long)fmin(fmax(1, round(steps)), (double)sim->majors);
     if (near_whole(steps) && steps > 0.5) return OK;
     double below = floor(steps) * H, above = ceil(steps) * H;
     if (below > 0)
@@ -93,6 +95,7 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
     struct integrate *p = &sim->plan;
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
+    if (!(p->until > 0)) return E_DECK;
     prefer_single_rate(sim);
     double H = p->step * p->ratio;
     if (sim->stepper.kind->adaptive) { /* its steps are its own: one call from record to record */
@@ -145,6 +148,48 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
                           NULL);
 }
 
+static int by_name(const void *a, const void *b)
+{
+    const struct column *x = *(const struct column *const *)a, *y = *(const struct column *const *)b;
+    int order = strcmp(x->name, y->name);
+    return order ? order : (x > y) - (x < y);
+}
+
+/* Where the deck names the joint or measure that a column belongs to; NULL: neither. */
+static const struct node *owner(const struct sim *sim, const char *column)
+{
+    const struct scene *s = sim->scene;
+    size_t len = strcspn(column, ".");
+    for (int i = 0; i < s->njoint; i++)
+        if (column[len] && strlen(s->joint[i].name) == len && memcmp(s->joint[i].name, column, len) == 0)
+            return s->joint[i].node;
+    for (int i = 0; i < s->nmeasure; i++)
+        if (s->measure[i].name && strcmp(s->measure[i].name, column) == 0) return s->measure[i].node;
+    return NULL;
+}
+
+/* Two things of one name may make two columns of one name: a body's angle and a joint's. */
+static enum status refuse_twins(const struct sim *sim, struct diags *diags, struct arena *life)
+{
+    const struct catalogue *c = &sim->catalogue;
+    const struct column **sorted = TAKE(life, const struct column *, c->n);
+    enum status status = OK;
+    const struct node *told = NULL;
+    for (int i = 0; i < c->n; i++) sorted[i] = &c->column[i];
+    qsort(sorted, (size_t)c->n, sizeof *sorted, by_name);
+    for (int i = 1; i < c->n; i++) {
+        if (strcmp(sorted[i]->name, sorted[i - 1]->name) != 0) continue;
+        const struct node *at = owner(sim, sorted[i]->name);
+        if (!at) at = sim->scene->deck->root;
+        if (at != told)
+            diag_error(diags, at, AT_KEY, "E-duplicate-name", "column '%.80s' has two meanings: %s, and %s",
+                       sorted[i]->name, sorted[i - 1]->brief, sorted[i]->brief);
+        told = at;
+        status = E_DECK;
+    }
+    return status;
+}
+
 /* Records to come, before the first is written. */
 static enum status foretell(const struct sim *sim, struct report *report)
 {
@@ -159,6 +204,7 @@ static enum status foretell(const struct sim *sim, struct report *report)
 enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report)
 {
     catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
+    TRY(refuse_twins(sim, diags, life));
     if (sim->scene->output.npattern && !sim->options.counting)
         TRY(choose_by_deck(sim, diags, life));
     else

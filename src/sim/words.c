@@ -66,7 +66,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     facts[n++] = pair_number("factorizations", (double)e->factors);
     facts[n++] = pair_number("sweeps", (double)e->sweeps);
     facts[n++] = pair_number("rejected", (double)e->rejected);
-    facts[n++] = pair_number("smallest_step", sim->min_h);
+    if (!sim->stepper.kind->adaptive) facts[n++] = pair_number("smallest_step", sim->min_h);
     facts[n++] = pair_number("energy_residual_worst", l->worst);
     facts[n++] = pair_number("energy_norm", l->norm);
     facts[n++] = pair_number("energy_share", ledger_share(l));
@@ -109,7 +109,9 @@ void say_end(const struct sim *sim, double wall)
     if (!to) return;
     fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim->status), sim->x.t, e->majors,
             e->minors);
-    if (e->rejected) fprintf(to, " (%ld rejected, smallest h %.3g s)", e->rejected, sim->min_h);
+    if (e->rejected) fprintf(to, " (%ld rejected", e->rejected);
+    if (e->rejected && !sim->stepper.kind->adaptive) fprintf(to, ", smallest h %.3g s", sim->min_h);
+    if (e->rejected) fputc(')', to);
     fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; energy residual %.2g of %.3g J; %.3g s\n",
             e->slow, e->fast, e->factors, l->worst, l->norm, wall);
 }

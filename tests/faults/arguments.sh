@@ -45,6 +45,12 @@ for name in "it's" 'pin\angle' 'pin"' '[x' '${x}' '#'; do
     else not_ok "--columns $name" "exit $rc, expected 3 and 'no column matches'" err; fi
 done
 
+# Steps that a scheme of own steps rejects are its way of working, no verdict.
+"$FMDSUB" run --strict --stats=stats -s "integrate={scheme: dopri5, tolerance: 1.0e-9, until: 3}" -s "output={every: 3}" "$deck" >out 2>err
+expect "--strict, own steps" 0 $? err
+awk '$1 == "rejected" && $2 > 0 { found = 1 } $1 == "smallest_step" { found = 0; exit } END { exit !found }' stats &&
+    ok "--strict, own steps: some were rejected" || not_ok "--strict, own steps: some were rejected" "the counts:" stats
+
 # A reader of words that has left: SIGPIPE's code, and nothing said.
 for words in list schema explain new "list columns $deck" "check --expanded $deck"; do
     { sleep 0.1; "$FMDSUB" $words 2>err; echo $? >rc; } | true
