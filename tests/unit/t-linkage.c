@@ -1,0 +1,447 @@
+/* t-linkage.c -- random closed linkages against an independent formulation.
+ *
+ * Bodies hang on a random tree of joints; further joints, drawn where the bodies stand, close loops, some of them
+ * twice over.  The same mechanism in absolute coordinates, every joint as constraint equations, is solved
+ * here as (2-3)
+ *
+ *     [M J'; J 0] [a; lambda] = [Q; -J' v],
+ *
+ * J' v by differences along the motion, rank by full pivoting.  Accelerations of all bodies must agree, and the
+ * reactions of all joints must add up to what the bodies need. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "system/condense.h"
+#include "system/system.h"
+#include "unit/trees.h"
+
+#include <cmocka.h>
+
+enum {
+    MOST_BODIES = 8,
+    MOST_LOOPS = 4,
+    MOST_JOINTS = MOST_BODIES + MOST_LOOPS,
+    MOST = 6 * (MOST_BODIES + MOST_JOINTS)
+};
+
+/* A joint of either sort, as the independent formulation sees it. */
+struct any_joint {
+    enum joint_type type;
+    int A, B;
+    const double *b, *Ea, *Eb;
+};
+
+struct linkage {
+    struct model model;
+    struct model_loop loop[MOST_LOOPS];
+    int component[MOST_BODIES];
+    bool urgent[6 * MOST_BODIES];
+    double follow[6 * MOST_BODIES];
+    struct any_joint joint[MOST_JOINTS];
+    int njoint;
+};
+
+/* --- making ------------------------------------------------------------------------------------- */
+
+static void close_between(struct linkage *o, struct tree_dice *d, int A, int B)
+{
+    static const enum joint_type plane[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_REVOLUTE, JOINT_FIXED, JOINT_PLANAR};
+    static const enum joint_type room[] = {JOINT_REVOLUTE, JOINT_SPHERICAL, JOINT_CYLINDRICAL, JOINT_UNIVERSAL,
+                                           JOINT_PLANAR,   JOINT_PRISMATIC, JOINT_SPHERICAL,   JOINT_FIXED};
+    const int space = o->model.space;
+    struct model_loop *l = &o->loop[o->model.nloop++];
+    double at[3], arm[3], E[9];
+    const struct model_body *a = &o->model.body[A], *b = &o->model.body[B];
+    *l = (struct model_loop){.name = "loop", .first = A, .second = B};
+    l->type = space == 2 ? plane[tree_pick(d, 5)] : room[tree_pick(d, 8)];
+    tree_vector(at, d, space);
+    tree_axes(E, d, l->type, space);
+    for (int i = 0; i < 3; i++) arm[i] = at[i] - a->at[i];
+    tree_mtv(l->a, a->R, arm);
+    for (int i = 0; i < 3; i++) arm[i] = at[i] - b->at[i];
+    tree_mtv(l->b, b->R, arm);
+    tree_mtm(l->Ea, a->R, E);
+    tree_mtm(l->Eb, b->R, E);
+}
+
+/* A loop that says again what another joint says: all of it, or of a revolute joint its point only. */
+static void repeat_joint(struct linkage *o, struct tree_dice *d)
+{
+    struct model_loop *l = &o->loop[o->model.nloop];
+    if (o->model.nloop && tree_pick(d, 2)) {
+        *l = o->loop[tree_pick(d, o->model.nloop)];
+    } else {
+        const struct model_joint *j = &o->model.joint[tree_pick(d, o->model.njoint)];
+        *l = (struct model_loop){.name = "again", .type = j->type, .first = j->parent, .second = j->child};
+        memcpy(l->a, j->a, sizeof l->a), memcpy(l->b, j->b, sizeof l->b);
+        memcpy(l->Ea, j->Ea, sizeof l->Ea), memcpy(l->Eb, j->Eb, sizeof l->Eb);
+    }
+    if (o->model.space == 3 && l->type == JOINT_REVOLUTE && tree_pick(d, 2)) l->type = JOINT_SPHERICAL;
+    o->model.nloop++;
+}
+
+static void list_joints(struct linkage *o)
+{
+    o->njoint = 0;
+    for (int i = 0; i < o->model.njoint; i++) {
+        const struct model_joint *j = &o->model.joint[i];
+        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->b, j->Ea, j->Eb};
+    }
+    for (int i = 0; i < o->model.nloop; i++) {
+        const struct model_loop *l = &o->loop[i];
+        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->b, l->Ea, l->Eb};
+    }
+}
+
+static void make_linkage(struct linkage *o, int space, unsigned seed, bool redundant, struct arena *arena)
+{
+    struct tree_dice dice = {seed * 31u + 7u}, *d = &dice;
+    int nbody = 3 + tree_pick(d, 4), a, b;
+    struct model *tree = random_tree(space, nbody, seed, seed % 3 ? 0 : TREE_CHAIN, arena);
+    o->model = *tree;
+    double *q = TAKE(arena, double, tree->nq), *v = TAKE(arena, double, tree->n);
+    for (int i = 0; i < tree->njoint; i++) /* as drawn: 0, unit quaternions */
+        if (tree_turns(&tree->joint[i], space)) q[tree->joint[i].iq[tree->joint[i].nq - 4]] = 1;
+    for (int i = 0; i < tree->n; i++) o->follow[i] = 1, o->urgent[i] = false;
+    o->model.q0 = q, o->model.v0 = v;
+    o->model.loop = o->loop, o->model.component = o->component;
+    o->model.urgent = o->urgent, o->model.follow = o->follow;
+    o->model.ncomponent = 1;
+    memset(o->component, 0, sizeof o->component);
+    int loops = 1 + tree_pick(d, 2);
+    for (int i = 0; i < loops; i++) {
+        tree_pair(&a, &b, d, o->model.nbody);
+        close_between(o, d, a, b);
+    }
+    if (redundant) repeat_joint(o, d);
+    list_joints(o);
+}
+
+/* --- the independent formulation ---------------------------------------------------------------- */
+
+struct place {
+    double r[3], R[9], v[3], w[3];
+};
+
+static void cross(double *o, const double *a, const double *b)
+{
+    o[0] = a[1] * b[2] - a[2] * b[1], o[1] = a[2] * b[0] - a[0] * b[2], o[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* Rows of J of one joint: blocked velocities of B against A at B's point, along axes of A; blocked turns. */
+static int rows_of(double (*J)[MOST], const struct any_joint *j, const struct place *p, int space)
+{
+    static const struct {
+        int slide[3], turn[3];
+    } plane[JOINT_TYPES] = {[JOINT_FIXED] = {{1, 1, 0}, {0, 0, 1}},
+                            [JOINT_REVOLUTE] = {{1, 1, 0}, {0, 0, 0}},
+                            [JOINT_PRISMATIC] = {{1, 0, 0}, {0, 0, 1}}},
+      room[JOINT_TYPES] = {[JOINT_FIXED] = {{1, 1, 1}, {1, 1, 1}},     [JOINT_REVOLUTE] = {{1, 1, 1}, {1, 1, 0}},
+                           [JOINT_PRISMATIC] = {{1, 1, 0}, {1, 1, 1}}, [JOINT_CYLINDRICAL] = {{1, 1, 0}, {1, 1, 0}},
+                           [JOINT_UNIVERSAL] = {{1, 1, 1}, {0, 0, 0}}, [JOINT_SPHERICAL] = {{1, 1, 1}, {0, 0, 0}},
+                           [JOINT_PLANAR] = {{0, 0, 1}, {1, 1, 0}}};
+    const struct place *A = &p[j->A], *B = &p[j->B];
+    const int *slide = space == 2 ? plane[j->type].slide : room[j->type].slide;
+    const int *turn = space == 2 ? plane[j->type].turn : room[j->type].turn;
+    double E[9], F[9], b[3], a[3], dir[6][3];
+    int kind[6], rows = 0;
+    tree_mm(E, A->R, j->Ea);
+    tree_mm(F, B->R, j->Eb);
+    tree_mv(b, B->R, j->b);
+    for (int i = 0; i < 3; i++) a[i] = B->r[i] + b[i] - A->r[i];
+    for (int i = 0; i < 3; i++)
+        if (slide[i]) memcpy(dir[rows], E + 3 * i, sizeof dir[0]), kind[rows++] = 0;
+    for (int i = 0; i < 3; i++) {
+        const double out[3] = {0, 0, 1};
+        if (turn[i]) memcpy(dir[rows], space == 2 ? out : E + 3 * i, sizeof dir[0]), kind[rows++] = 1;
+    }
+    if (space == 3 && j->type == JOINT_UNIVERSAL) cross(dir[rows], E, F + 3), kind[rows++] = 1;
+    for (int i = 0; i < rows; i++) {
+        double nA[3], nB[3];
+        memset(J[i], 0, sizeof J[i]);
+        cross(nA, a, dir[i]);
+        cross(nB, b, dir[i]);
+        for (int k = 0; k < 3; k++) {
+            if (j->A && kind[i] == 0) J[i][6 * (j->A - 1) + k] = -dir[i][k], J[i][6 * (j->A - 1) + 3 + k] = -nA[k];
+            if (j->B && kind[i] == 0) J[i][6 * (j->B - 1) + k] = dir[i][k], J[i][6 * (j->B - 1) + 3 + k] = nB[k];
+            if (j->A && kind[i] == 1) J[i][6 * (j->A - 1) + 3 + k] = -dir[i][k];
+            if (j->B && kind[i] == 1) J[i][6 * (j->B - 1) + 3 + k] = dir[i][k];
+        }
+    }
+    return rows;
+}
+
+static int all_rows(double (*J)[MOST], const struct linkage *o, const struct place *p)
+{
+    int n = 0;
+    for (int i = 0; i < o->njoint; i++) n += rows_of(J + n, &o->joint[i], p, o->model.space);
+    return n;
+}
+
+/* Bodies a little later: r + h v, turned by h w. */
+static void later(struct place *to, const struct place *from, int n, double h)
+{
+    for (int i = 0; i < n; i++) {
+        double w = sqrt(from[i].w[0] * from[i].w[0] + from[i].w[1] * from[i].w[1] + from[i].w[2] * from[i].w[2]);
+        double q[4] = {cos(h * w / 2), 0, 0, 0}, T[9];
+        for (int k = 0; k < 3; k++) q[1 + k] = w > 0 ? sin(h * w / 2) * from[i].w[k] / w : 0;
+        tree_matrix(T, q);
+        to[i] = from[i];
+        tree_mm(to[i].R, T, from[i].R);
+        for (int k = 0; k < 3; k++) to[i].r[k] += h * from[i].v[k];
+    }
+}
+
+static double J0[MOST][MOST], J1[MOST][MOST], S[MOST][MOST + 1];
+
+/* y += s J v */
+static void add_product(double *y, double s, double (*J)[MOST], const struct place *p, int rows, int nbody)
+{
+    for (int i = 0; i < rows; i++)
+        for (int b = 1; b < nbody; b++)
+            for (int k = 0; k < 3; k++)
+                y[i] += s * (J[i][6 * (b - 1) + k] * p[b].v[k] + J[i][6 * (b - 1) + 3 + k] * p[b].w[k]);
+}
+
+/* Solves S x = last column with full pivoting; what is left over must vanish. */
+static double solve(double *x, int n)
+{
+    int col[MOST], rank = 0;
+    double first = 0, left = 0;
+    for (int j = 0; j < n; j++) col[j] = j, x[j] = 0;
+    for (; rank < n; rank++) {
+        int pi = rank, pj = rank;
+        for (int i = rank; i < n; i++)
+            for (int j = rank; j < n; j++)
+                if (fabs(S[i][col[j]]) > fabs(S[pi][col[pj]])) pi = i, pj = j;
+        double pivot = S[pi][col[pj]];
+        if (rank == 0) first = fabs(pivot);
+        if (fabs(pivot) < 1e-9 * first) break;
+        int c = col[rank];
+        col[rank] = col[pj], col[pj] = c;
+        for (int j = 0; j <= n; j++) {
+            double y = S[pi][j];
+            S[pi][j] = S[rank][j], S[rank][j] = y;
+        }
+        for (int i = rank + 1; i < n; i++) {
+            double f = S[i][col[rank]] / S[rank][col[rank]];
+            for (int j = 0; f != 0 && j <= n; j++) S[i][j] -= f * S[rank][j];
+        }
+    }
+    for (int i = rank; i < n; i++) left = fmax(left, fabs(S[i][n]));
+    for (int i = rank - 1; i >= 0; i--) {
+        double sum = S[i][n];
+        for (int j = i + 1; j < rank; j++) sum -= S[i][col[j]] * x[col[j]];
+        x[col[i]] = sum / S[i][col[i]];
+    }
+    return left;
+}
+
+/* Tensor about the centre in world axes. */
+static void tensor(double *I, const struct model_body *b, const double *R)
+{
+    const double *t = b->inertia;
+    const double T[9] = {t[0], t[3], t[4], t[3], t[1], t[5], t[4], t[5], t[2]};
+    double RT[9];
+    tree_mm(RT, R, T);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            I[i + 3 * j] = 0;
+            for (int k = 0; k < 3; k++) I[i + 3 * j] += RT[i + 3 * k] * R[j + 3 * k];
+        }
+}
+
+static void put_body(const struct model *m, int b, const struct place *p, int n)
+{
+    double I[9], L[3], gyro[3];
+    const int at = 6 * (b - 1);
+    tensor(I, &m->body[b], p->R);
+    tree_mv(L, I, p->w);
+    cross(gyro, p->w, L);
+    for (int i = 0; i < 3; i++) {
+        S[at + i][at + i] = m->body[b].mass;
+        S[at + i][n] = m->body[b].mass * m->gravity[i];
+        S[at + 3 + i][n] = -gyro[i];
+        for (int j = 0; j < 3; j++) S[at + 3 + i][at + 3 + j] = I[i + 3 * j];
+    }
+}
+
+/* x: accelerations of body b (from 1) at 6 (b - 1): of the centre, angular. */
+static double accelerations(double *x, const struct linkage *o, const struct place *p)
+{
+    static const double h = 1e-3;
+    const struct model *m = &o->model;
+    struct place q[MOST_BODIES];
+    double gacc[MOST] = {0};
+    const int nb = 6 * (m->nbody - 1), rows = all_rows(J0, o, p), n = nb + rows;
+    for (int i = 0; i < 4; i++) { /* central differences of fourth order */
+        static const double at[] = {-2, -1, 1, 2}, weight[] = {1. / 12, -2. / 3, 2. / 3, -1. / 12};
+        later(q, p, m->nbody, at[i] * h);
+        all_rows(J1, o, q);
+        add_product(gacc, weight[i] / h, J1, p, rows, m->nbody);
+    }
+    memset(S, 0, sizeof S);
+    for (int i = 0; i < rows; i++) {
+        for (int k = 0; k < nb; k++) S[nb + i][k] = S[k][nb + i] = J0[i][k];
+        S[nb + i][n] = -gacc[i];
+    }
+    for (int b = 1; b < m->nbody; b++) put_body(m, b, &p[b], n);
+    for (int k = 0; m->space == 2 && k < nb; k++) /* out of the plane: nothing moves */
+        if (k % 6 == 2 || k % 6 == 3 || k % 6 == 4) {
+            for (int i = 0; i < n; i++) S[k][i] = S[i][k] = 0;
+            S[k][k] = 1;
+            S[k][n] = 0;
+        }
+    return solve(x, n);
+}
+
+/* --- the comparison ------------------------------------------------------------------------------ */
+
+struct figures {
+    int closed, redundant, refused;
+    double worst, balance, constraint;
+    unsigned seed;
+};
+
+static void add_reaction(double *F, const struct place *p, int body, const double *x, const double *f, const double *n,
+                         double sign)
+{
+    double arm[3], moment[3];
+    for (int i = 0; i < 3; i++) arm[i] = x[i] - p[body].r[i];
+    cross(moment, arm, f);
+    for (int i = 0; i < 3; i++) {
+        F[6 * body + i] += sign * f[i];
+        F[6 * body + 3 + i] += sign * (n[i] + moment[i]);
+    }
+}
+
+/* All reactions against m (a - g) and I al + w x I w of every body. */
+static double unbalanced(const struct linkage *o, const struct system *s, const struct place *p, const double *a)
+{
+    const struct model *m = &o->model;
+    double F[6 * MOST_BODIES] = {0}, worst = 0, most = 1;
+    for (int i = 0; i < o->njoint; i++) {
+        const struct any_joint *j = &o->joint[i];
+        bool loop = i >= m->njoint;
+        double f[3], n[3], x[3], sign = !loop && m->joint[i].reversed ? -1 : 1;
+        if (loop)
+            system_loop_reaction(s, f, n, i - m->njoint);
+        else
+            system_reaction(s, f, n, i);
+        tree_mv(x, p[j->B].R, j->b);
+        for (int k = 0; k < 3; k++) x[k] += p[j->B].r[k];
+        add_reaction(F, p, j->B, x, f, n, sign);
+        add_reaction(F, p, j->A, x, f, n, -sign);
+        for (int k = 0; k < 3; k++) most = fmax(most, fmax(fabs(f[k]), fabs(n[k])));
+    }
+    for (int b = 1; b < m->nbody; b++) {
+        double I[9], L[3], gyro[3], N[3];
+        const double *x = a + 6 * (b - 1);
+        tensor(I, &m->body[b], p[b].R);
+        tree_mv(L, I, p[b].w);
+        cross(gyro, p[b].w, L);
+        tree_mv(N, I, x + 3);
+        for (int k = 0; k < 3; k++) {
+            bool in_plane = m->space == 3 || k < 2, turns = m->space == 3 || k == 2;
+            if (in_plane) worst = fmax(worst, fabs(F[6 * b + k] - m->body[b].mass * (x[k] - m->gravity[k])));
+            if (turns) worst = fmax(worst, fabs(F[6 * b + 3 + k] - N[k] - gyro[k]));
+        }
+    }
+    return worst / most;
+}
+
+static void compare(struct figures *g, const struct linkage *o, struct system *s, const double *q, const double *v,
+                    unsigned seed)
+{
+    struct place p[MOST_BODIES];
+    double x[MOST], worst = 0, most = 10;
+    struct trouble why;
+    assert_int_equal(system_see(s, q, v, 0, SEE_MOTION | SEE_ACCELERATION, &why), OK);
+    for (int b = 0; b < o->model.nbody; b++) {
+        struct pose pose;
+        system_pose(s, &pose, b);
+        memcpy(p[b].r, pose.r, sizeof pose.r), memcpy(p[b].R, pose.R, sizeof pose.R);
+        memcpy(p[b].v, pose.v, sizeof pose.v), memcpy(p[b].w, pose.w, sizeof pose.w);
+    }
+    double left = accelerations(x, o, p);
+    assert_true(left < 1e-6);
+    for (int b = 1; b < o->model.nbody; b++) {
+        struct pose pose;
+        system_pose(s, &pose, b);
+        for (int k = 0; k < 3; k++) {
+            most = fmax(most, fmax(fabs(x[6 * (b - 1) + k]), fabs(x[6 * (b - 1) + 3 + k])));
+            worst = fmax(worst, fabs(pose.a[k] - x[6 * (b - 1) + k]));
+            worst = fmax(worst, fabs(pose.al[k] - x[6 * (b - 1) + 3 + k]));
+        }
+    }
+    if (!(worst / most <= g->worst)) g->worst = worst / most, g->seed = seed;
+    g->balance = fmax(g->balance, unbalanced(o, s, p, x));
+    g->constraint = fmax(g->constraint, system_constraint_worst(s));
+}
+
+static void try_one(struct figures *g, int space, unsigned seed, bool redundant)
+{
+    struct arena *arena = arena_open();
+    struct linkage o;
+    struct tree_dice dice = {seed ^ 0xabcdefu}, *d = &dice;
+    memset(&o, 0, sizeof o);
+    make_linkage(&o, space, seed, redundant, arena);
+    struct system *s = system_build(&o.model, arena);
+    const struct ode2 *ode = system_ode2(s);
+    const struct condense_start *start = condense_started(system_loops(s));
+    if (start->status != OK || ode->n == 0) {
+        if (getenv("LINKAGE")) printf("%u: %s\n", seed, start->report.text);
+        g->refused++;
+        arena_close(arena);
+        return;
+    }
+    double *q = TAKE(arena, double, ode->nq), *v = TAKE(arena, double, ode->n), *dx = TAKE(arena, double, ode->n);
+    struct report report = {0};
+    assert_int_equal(system_start(s, q, v, &report), OK);
+    for (int i = 0; i < ode->n; i++) dx[i] = tree_roll(d, -.05, .05), v[i] = tree_roll(d, -1, 1);
+    ode->move->point(ode, q, q, dx, 1);
+    if (!isfinite(q[0])) { /* locks on the way */
+        g->refused++;
+    } else {
+        compare(g, &o, s, q, v, seed);
+        g->closed++;
+        g->redundant += start->redundant > 0;
+    }
+    arena_close(arena);
+}
+
+static void linkages(int space)
+{
+    struct figures g = {0};
+    for (unsigned seed = 1; g.closed < 500 && seed < 2000; seed++) try_one(&g, space, seed, seed % 2);
+    print_message("space %d: %d linkages, %d with redundant rows, %d refused; accelerations differ %.2g (seed %u), "
+                  "reactions miss %.2g, |C| %.2g\n",
+                  space, g.closed, g.redundant, g.refused, g.worst, g.seed, g.balance, g.constraint);
+    assert_int_equal(g.closed, 500);
+    assert_true(g.redundant > 100);
+    assert_true(g.worst < 1e-8);
+    assert_true(g.balance < 1e-8);
+    assert_true(g.constraint < 1e-12);
+}
+
+static void in_the_plane(void **state)
+{
+    (void)state;
+    linkages(2);
+}
+
+static void in_space(void **state)
+{
+    (void)state;
+    linkages(3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_the_plane), cmocka_unit_test(in_space)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
