@@ -46,7 +46,7 @@ for name in "it's" 'pin\angle' 'pin"' '[x' '${x}' '#'; do
 done
 
 # Steps that a scheme of own steps rejects are its way of working, no verdict.
-"$FMDSUB" run --strict --stats=stats -s "integrate={scheme: dopri5, tolerance: 1.0e-9, until: 3}" -s "output={every: 3}" "$deck" >out 2>err
+"$FMDSUB" run --strict --stats=stats -s "integrate={scheme: dopri5, tolerance: 1.0e-12, until: 30}" -s "output={every: 30}" -s 'forces={f: {torque: pin, value: "if(t < 1, 0, 100)"}}' "$deck" >out 2>err
 expect "--strict, own steps" 0 $? err
 awk '$1 == "rejected" && $2 > 0 { found = 1 } $1 == "smallest_step" { found = 0; exit } END { exit !found }' stats &&
     ok "--strict, own steps: some were rejected" || not_ok "--strict, own steps: some were rejected" "the counts:" stats
