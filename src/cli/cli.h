@@ -21,7 +21,7 @@ struct request {
     char **word; /* what is not an option */
     int nset;
     const char *set[MOST_SETS]; /* --set, and --columns, --every, --until as such */
-    const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats, *at;
+    const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats, *at, *final_state;
     bool quiet, verbose, want_stats, strict, expanded, help, version;
     const char *progress, *color;
     unsigned long given; /* bit i: option i of the table */

@@ -17,6 +17,7 @@ const struct cli_option cli_options[] = {
     {"until", "SECONDS", 0, "run study", "end of the run"},
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
     {"progress", "auto|always|never", 0, "run", "progress line on stderr (auto: on a terminal)"},
+    {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
     {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
     {"schemes", "a,b", 0, "study", "schemes to compare (default: midpoint,subcycle,miao,newmark)"},
     {"ratios", "1,5,10", 0, "study", "ratios for sub-cycling schemes"},
@@ -119,9 +120,10 @@ static enum status take(struct request *o, const char *name, const char *value, 
     struct {
         const char *name;
         const char **to;
-    } texts[] = {{"format", &o->format}, {"output", &o->output},   {"progress", &o->progress},
-                 {"color", &o->color},   {"schemes", &o->schemes}, {"ratios", &o->ratios},
-                 {"steps", &o->steps},   {"repeats", &o->repeats}, {"at", &o->at}};
+    } texts[] = {
+        {"format", &o->format},   {"output", &o->output},          {"progress", &o->progress}, {"color", &o->color},
+        {"schemes", &o->schemes}, {"ratios", &o->ratios},          {"steps", &o->steps},       {"repeats", &o->repeats},
+        {"at", &o->at},           {"final-state", &o->final_state}};
     struct {
         const char *name;
         bool *to;
@@ -185,6 +187,7 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     o->nword = argc - optind;
     o->word = argv + optind;
     if (o->output && !*o->output) return fail(report, E_USAGE, "--output needs the name of a file");
+    if (o->final_state && !*o->final_state) return fail(report, E_USAGE, "--final-state needs the name of a file");
     TRY(check_word("format", o->format, "csv|ndjson|json", report));
     TRY(check_word("progress", o->progress, "auto|always|never", report));
     return check_word("color", o->color, "auto|always|never", report);

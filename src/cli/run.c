@@ -60,6 +60,16 @@ static enum status stream_run(struct sim *sim, const struct request *request, st
     return status;
 }
 
+/* Where the run ended, whole or not. */
+static enum status write_state(struct sim *sim, const struct request *request, struct arena *life,
+                               struct report *report)
+{
+    struct stream stream;
+    TRY(stream_create(&stream, request->final_state, life, report));
+    enum status status = sim_write_state(sim, &stream, report), closed = stream_close(&stream, status == OK, report);
+    return status != OK ? status : closed;
+}
+
 static enum status strict_verdict(const struct sim *sim, const struct diags *diags, struct report *report)
 {
     if (diags_warnings(diags))
@@ -84,6 +94,11 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     if (diags) diags_print(stderr, diags, cli_color(request));
     TRY(status);
     status = stream_run(&sim, request, life, report);
+    if (request->final_state && status != E_SIGPIPE) {
+        struct report failed = {0};
+        enum status told = write_state(&sim, request, life, &failed);
+        if (told != OK && status == OK) status = fail(report, told, "%s", failed.text);
+    }
     if (status == OK && request->strict) status = strict_verdict(&sim, diags, report);
     if ((request->want_stats || request->verbose) && status != E_SIGPIPE) {
         enum status told = write_stats(&sim, request, report);

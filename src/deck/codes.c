@@ -124,6 +124,8 @@ const struct diag_help diag_helps[] = {
     {"E-kind", "A force acts along a length, a torque along an angle."},
     {"E-table", "A table has rows [t, x] with increasing t."},
     /* the scene: start and run */
+    {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "
+                "nothing beside 'from' is set."},
     {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
     {"E-partition", "Spherical and free joints are fast or slow as a whole."},
     {"E-newmark", "Newmark's method is stable for every step if 2 beta >= gamma >= 1/2."},

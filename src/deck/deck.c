@@ -112,6 +112,20 @@ int deck_open_file(const struct node *n, struct deck *deck)
     return -1;
 }
 
+const struct node *deck_yaml(const struct node *file, struct deck *deck)
+{
+    struct source *s;
+    struct report report = {0};
+    int fd = deck_open_file(file, deck);
+    if (fd < 0) return NULL;
+    const char *path = arena_print(deck->arena, "%s%s", strcmp(deck->folder, ".") ? deck->folder : "", file->text);
+    enum status status = source_read(&s, fd, path, deck->max_bytes, deck->arena, &report);
+    close(fd);
+    if (status == OK) return deck_parse(deck, s, file->text);
+    diag_error(deck->diags, file, AT_VALUE, status == E_LIMIT ? "E-limit-file" : "E-path", "%s", report.text);
+    return NULL;
+}
+
 /* ---- the whole ---- */
 
 enum status deck_load(struct deck **out, const char *path, const struct deck_options *options, struct diags *diags,

@@ -71,6 +71,9 @@ void deck_print(FILE *to, const struct deck *deck);
 /* Rows of numbers from a file beside the deck: x [rows x columns] by row. */
 enum status deck_csv(double **x, int *rows, int columns, const struct node *file, struct deck *deck);
 
+/* The map in a YAML file beside the deck, without include: or parameters: of its own; NULL: told. */
+const struct node *deck_yaml(const struct node *file, struct deck *deck);
+
 /* Opens a file named by a node, inside the deck's folder; -1: told. */
 int deck_open_file(const struct node *n, struct deck *deck);
 

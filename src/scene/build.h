@@ -53,6 +53,11 @@ struct bushing_keys {
 struct partition_keys {
     const struct node *fast, *independent;
 };
+struct state_keys {
+    int version;
+    double t;
+    const struct node *state;
+};
 struct output_keys {
     const struct node *every, *columns;
 };
@@ -68,7 +73,7 @@ struct vector_keys {
 };
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_orient[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_table[], keys_bushing[], keys_partition[],
-    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[];
+    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[];
 
 /* places.c: vectors, points, frames */
 /* A vector of the deck's space; 2-D: o[2] = 0.  what: "'at' of body 'rod'" */

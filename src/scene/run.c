@@ -86,11 +86,33 @@ static int read_static(struct builder *b, const struct node *n)
     return 0;
 }
 
+/* The file that a run left by --final-state; its names are looked up when there are columns. */
+static int read_from(struct builder *b, const struct node *initial, const struct node *n)
+{
+    struct state_keys k = {0};
+    if (initial->count > 1) {
+        const struct node *other = initial->item[initial->item[0] == n];
+        diag_error(b->diags, other, AT_KEY, "E-state", "'from' gives all coordinates: '%.60s' cannot be set beside it",
+                   other->key);
+        return 1;
+    }
+    const struct node *root = deck_yaml(n, b->reader.deck);
+    if (root && !node_find(root, "fmdsub_state")) {
+        diag_error(b->diags, n, AT_VALUE, "E-state", "this file is no final state: it has no 'fmdsub_state'");
+        return 1;
+    }
+    if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return 1;
+    if (read_map(k.state, "'state'", &b->reader)) return 1;
+    b->scene->from = k.state;
+    return 0;
+}
+
 int read_initial(struct builder *b, const struct node *n)
 {
     int errors = 0;
     if (!n) return 0;
     if (read_map(n, "'initial'", &b->reader)) return 1;
+    if (node_find(n, "from")) return read_from(b, n, node_find(n, "from"));
     struct scene *scene = b->scene;
     scene->initial = TAKE(b->life, struct scene_initial, n->count);
     for (int i = 0; i < n->count; i++) {

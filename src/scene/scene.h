@@ -136,7 +136,8 @@ struct scene {
     struct scene_choice *independent;
     int ninitial;
     struct scene_initial *initial;
-    bool at_rest; /* start in static equilibrium, found from there */
+    const struct node *from; /* {coordinate or rate: number, ...} of a final state; NULL: none */
+    bool at_rest;            /* start in static equilibrium, found from there */
     struct integrate integrate;
     struct output output;
     double delta; /* of (2-26) */

@@ -18,7 +18,7 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, measures, "measures", "{name: measure}", 0,
                "distances, displacements, angles to print, to read in expressions, to put forces on"),
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
-    PARAM_NODE(struct deck_keys, initial, "initial", "{coordinate: number, static: true}", 0,
+    PARAM_NODE(struct deck_keys, initial, "initial", "{coordinate: number}, {static: true} or {from: file}", 0,
                "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
                "nearest stable equilibrium"),
     PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]}", 0, "coordinates that take the minor step"),
@@ -179,6 +179,14 @@ const struct key keys_omega[] = {
     KEYS_END,
 };
 
+const struct key keys_state[] = {
+    PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 1, KEY_REQUIRED, NULL, "version of this form: 1"),
+    PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL, "when it was, for people"),
+    PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
+               "all coordinates and all rates, by their column names"),
+    KEYS_END,
+};
+
 static const struct section fixed[] = {
     {"", NULL, "the deck", keys_deck},
     {"bodies.NAME", NULL, "a rigid body", keys_body},
@@ -192,6 +200,7 @@ static const struct section fixed[] = {
     {"forces.NAME", "torque", "a torque along a measure or on a body", keys_torque},
     {"forces.NAME", "bushing", "springs and dampers in all directions between two bodies", keys_bushing},
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},
+    {"initial.from", NULL, "what the file holds", keys_state},
     {"initial.JOINT.omega", NULL, "angular velocity with its axes", keys_omega},
     {"partition", NULL, "slow and fast coordinates", keys_partition},
     {"integrate", NULL, "time stepping", keys_integrate},

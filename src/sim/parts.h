@@ -15,6 +15,9 @@ enum status advance(struct sim *sim, double h, int ratio, double to);
 void warn_of_loops(const struct sim *sim, struct diags *diags);
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
 
+/* state.c: the model's initial state from the file that the deck names */
+enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
+
 /* record.c: the chosen columns at the present state */
 enum status record_fill(struct sim *sim);
 

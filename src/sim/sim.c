@@ -70,6 +70,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     enum status steps = plan_steps(sim, diags, report);
     TRY(plan_columns(sim, diags, life, report));
     TRY(steps);
+    TRY(state_take(sim, m, diags, life));
     sim->system = system_build(m, life);
     sim->x = new_state(m, life);
     warn_of_loops(sim, diags);

@@ -58,6 +58,10 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
 /* Steps to the end.  sink may be NULL.  Signals (base/stop.h) end it after a major step. */
 enum status sim_run(struct sim *sim, struct sink *sink, struct report *report);
 
+/* Writes coordinates and rates at the end, for `initial: {from: FILE}`. */
+struct stream;
+enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report);
+
 /* The run's settings and its summary as facts, for sinks and for people. */
 int sim_settings(const struct sim *sim, struct pair *facts, int most);
 int sim_facts(const struct sim *sim, struct pair *facts, int most);

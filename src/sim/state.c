@@ -1,0 +1,124 @@
+/* state.c -- a state by names: `initial: {from: FILE}` and `--final-state FILE`.
+ *
+ * The file is JSON, which is YAML, too: every coordinate and every rate of the tree by its column name, as the
+ * shortest text that reads back to the same double, so that a run goes on where another one ended, bit for bit.
+ * Orientations are their quaternions, since turns about axes would not come back exactly. */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "deck/read.h"
+#include "out/number.h"
+#include "out/stream.h"
+#include "sim/parts.h"
+
+static bool is_state(const struct origin *s)
+{
+    return s->type == FROM_Q || s->type == FROM_V;
+}
+
+static int place(const struct catalogue *c, const char *name)
+{
+    for (int i = 0; i < c->n; i++)
+        if (is_state(&c->origin[i]) && strcmp(c->column[i].name, name) == 0) return i;
+    return -1;
+}
+
+static void tell_unknown(const struct catalogue *c, const struct node *n, struct reader *rd, struct arena *life)
+{
+    const char **names = TAKE(life, const char *, c->n);
+    int count = 0;
+    for (int i = 0; i < c->n; i++)
+        if (is_state(&c->origin[i])) names[count++] = c->column[i].name;
+    read_unknown(n, AT_KEY, "E-unknown-coordinate", "coordinate or rate", n->key, names, count, rd);
+}
+
+static void tell_missing(const struct catalogue *c, const bool *given, const struct node *at, struct diags *diags)
+{
+    const char *first = NULL;
+    int missing = 0;
+    for (int i = 0; i < c->n; i++) {
+        if (!is_state(&c->origin[i]) || given[i]) continue;
+        if (!first) first = c->column[i].name;
+        missing++;
+    }
+    if (missing == 1) diag_error(diags, at, AT_VALUE, "E-state", "the state has no '%.80s'", first);
+    if (missing > 1)
+        diag_error(diags, at, AT_VALUE, "E-state", "the state has no '%.80s', and %d more are missing", first,
+                   missing - 1);
+}
+
+/* Quaternions that were written have length 1 but for round-off, and stay as they are. */
+static void check_quaternions(const struct model *m, const double *q, const struct node *at, struct diags *diags)
+{
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        if (j->nq == j->nv) continue;
+        const double *p = &q[j->iq[j->nq - 4]];
+        double square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3];
+        if (!(fabs(square - 1) <= 1e-9))
+            diag_error(diags, at, AT_VALUE, "E-quaternion", "the quaternion of '%.80s' has length %.6g", j->name,
+                       sqrt(square));
+    }
+}
+
+enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life)
+{
+    const struct node *from = sim->scene->from;
+    const struct catalogue *c = &sim->catalogue;
+    if (!from) return OK;
+    struct reader rd = {diags, (struct deck *)sim->scene->deck, sim->scene->space};
+    double *q = TAKE(life, double, m->nq), *v = TAKE(life, double, m->n);
+    bool *given = TAKE(life, bool, c->n);
+    for (int k = 0; k < from->count; k++) {
+        const struct node *n = from->item[k];
+        int i = place(c, n->key);
+        double x = 0;
+        if (i < 0) { /* the state of another deck: one word is enough */
+            tell_unknown(c, n, &rd, life);
+            return diags_status(diags);
+        }
+        read_number(&x, n, NULL, &rd);
+        given[i] = true;
+        *(c->origin[i].type == FROM_Q ? &q[c->origin[i].index] : &v[c->origin[i].index]) = x;
+    }
+    if (diags_status(diags) == OK) tell_missing(c, given, from, diags);
+    if (diags_status(diags) == OK) check_quaternions(m, q, from, diags);
+    m->q0 = q;
+    m->v0 = v;
+    return diags_status(diags);
+}
+
+static double state_of(const struct sim *sim, const struct origin *s)
+{
+    if (s->type == FROM_Q) return sim->x.q[s->index];
+    return sim->model->nloop ? system_rates(sim->system)[s->index] : sim->x.v[s->index];
+}
+
+/* `"name": x` lines; names of columns hold nothing that JSON would escape. */
+static enum status put(struct stream *s, const char *name, double x, const char *end, struct report *report)
+{
+    char *to = stream_begin(s, strlen(name) + NUMBER_MOST + 16);
+    to += sprintf(to, "\"%s\": ", name);
+    to += number_write(to, x);
+    to += sprintf(to, "%s\n", end);
+    return stream_end(s, to, report);
+}
+
+enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report)
+{
+    static const char head[] = "{\"fmdsub_state\": 1,\n", open[] = "\"state\": {\n", close[] = "}}\n";
+    const struct catalogue *c = &sim->catalogue;
+    int last = 0;
+    for (int i = 0; i < c->n; i++)
+        if (is_state(&c->origin[i])) last = i;
+    if (sim->model->nloop) /* the rates of what follows */
+        TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, SEE_MOTION, &sim->trouble));
+    TRY(stream_put(stream, head, sizeof head - 1, report));
+    TRY(put(stream, "t", sim->x.t, ",", report));
+    TRY(stream_put(stream, open, sizeof open - 1, report));
+    for (int i = 0; i < c->n; i++)
+        if (is_state(&c->origin[i]))
+            TRY(put(stream, c->column[i].name, state_of(sim, &c->origin[i]), i < last ? "," : "", report));
+    return stream_put(stream, close, sizeof close - 1, report);
+}
