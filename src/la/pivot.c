@@ -109,3 +109,61 @@ void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, d
         for (int i = j + 1; i < n; i++) work[j] -= LU[i + j * ld] * work[i];
     for (int i = 0; i < n; i++) x[row[i]] = work[i];
 }
+
+/* Elimination of column k, zeros passed over. */
+static void eliminate_rows(double *A, int k, int n, int ld)
+{
+    double pivot = A[k + k * ld];
+    int last = k;
+    for (int i = k + 1; i < n; i++)
+        if (A[i + k * ld] != 0) A[i + k * ld] /= pivot, last = i;
+    for (int j = k + 1; last > k && j < n; j++) {
+        double u = A[k + j * ld];
+        if (u == 0) continue;
+        for (int i = k + 1; i <= last; i++)
+            if (A[i + k * ld] != 0) A[i + j * ld] -= A[i + k * ld] * u;
+    }
+}
+
+int pivot_rows(double *A, int *row, int n, int ld)
+{
+    for (int i = 0; i < n; i++) row[i] = i;
+    for (int k = 0; k < n; k++) {
+        int p = k;
+        double best = 0;
+        for (int i = k; i < n; i++)
+            if (fabs(A[i + k * ld]) > best) best = fabs(A[i + k * ld]), p = i;
+        if (!(best > 0 && isfinite(best))) return k;
+        for (int j = 0; p != k && j < n; j++) {
+            double x = A[k + j * ld];
+            A[k + j * ld] = A[p + j * ld];
+            A[p + j * ld] = x;
+        }
+        exchange(row, k, p);
+        eliminate_rows(A, k, n, ld);
+    }
+    return n;
+}
+
+void pivot_rows_solve(const double *LU, const int *row, double *x, double *work, int n, int ld)
+{
+    for (int i = 0; i < n; i++) work[i] = x[row[i]];
+    for (int j = 0; j < n; j++)
+        for (int i = j + 1; work[j] != 0 && i < n; i++) work[i] -= LU[i + j * ld] * work[j];
+    for (int j = n - 1; j >= 0; j--) {
+        x[j] = work[j] / LU[j + j * ld];
+        for (int i = 0; x[j] != 0 && i < j; i++) work[i] -= LU[i + j * ld] * x[j];
+    }
+}
+
+void pivot_rows_tsolve(const double *LU, const int *row, double *x, double *work, int n, int ld)
+{
+    for (int j = 0; j < n; j++) {
+        double sum = x[j];
+        for (int i = 0; i < j; i++) sum -= LU[i + j * ld] * work[i];
+        work[j] = sum / LU[j + j * ld];
+    }
+    for (int j = n - 1; j >= 0; j--)
+        for (int i = j + 1; i < n; i++) work[j] -= LU[i + j * ld] * work[i];
+    for (int i = 0; i < n; i++) x[row[i]] = work[i];
+}

@@ -13,6 +13,7 @@
 
 static const double CLOSED = 1e-9;    /* a Newton correction below this leaves its square */
 static const double RANK = 1e-8;      /* least pivot over the first one */
+static const double NOTHING = 1e-10;  /* a pivot of round-off: C_q is scaled to numbers of order 1 */
 static const double ASSEMBLY = 1e-3;  /* |C| closed at all */
 static const double DEGRADED = 0.1;   /* pivot ratio against that at the choice: time to look for a better one */
 static const double MUCH_BETTER = 20; /* so much better must it be */
@@ -32,8 +33,9 @@ struct component {
     int *prow, *pcol; /* [max(nrow, nk)] */
     double *x, *work; /* [max(nrow, nk)] */
     double *whole;    /* [nrow x nk] */
-    double *weight;   /* [nk] */
     bool *dependent;  /* [nk] work of take_split() */
+    int *loop_of;     /* [nk] the first loop that a coordinate is in */
+    double *weight;   /* [nk] */
     double chosen;    /* pivot ratio when the partition was chosen */
 };
 
@@ -115,12 +117,12 @@ static int factor(struct condense *o, struct component *c, const double *dx)
     for (int j = 0; j < c->nr; j++)
         memcpy(c->A + (size_t)j * (size_t)c->nr, c->F + (size_t)c->dep[j] * (size_t)c->nr,
                sizeof *c->A * (size_t)c->nr);
-    return pivot_lu(c->A, c->prow, c->pcol, c->nr, c->nr, c->nr, NULL, c->nr, 0) == c->nr;
+    return pivot_rows(c->A, c->prow, c->nr, c->nr) == c->nr;
 }
 
 static void solve(const struct component *c, double *x)
 {
-    pivot_solve(c->A, c->prow, c->pcol, x, c->work, c->nr, c->nr);
+    pivot_rows_solve(c->A, c->prow, x, c->work, c->nr, c->nr);
 }
 
 static void make_G(const struct component *c, double *G)
@@ -207,7 +209,7 @@ enum status condense_rates(struct condense *o, double *vt, double *at, const dou
 static void multipliers(const struct component *c, const double *rt)
 {
     for (int r = 0; r < c->nr; r++) c->x[r] = -rt[c->k[c->dep[r]]];
-    pivot_tsolve(c->A, c->prow, c->pcol, c->x, c->work, c->nr, c->nr);
+    pivot_rows_tsolve(c->A, c->prow, c->x, c->work, c->nr, c->nr);
 }
 
 /* r = r_i + C_qi' lambda */
@@ -469,35 +471,54 @@ static void whole_matrix(struct condense *o, struct component *c)
 static int rank_of(struct condense *o, struct component *c, double least)
 {
     whole_matrix(o, c);
-    return pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, NULL, c->nrow, least);
+    int rank = pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, NULL, c->nrow, least);
+    while (rank > 0 && fabs(c->whole[(size_t)(rank - 1) * (size_t)(c->nrow + 1)]) < NOTHING) rank--;
+    return rank;
 }
 
-/* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent. */
+/* x [n] sorted by key[x], the smallest first. */
+static void sort_by(int *x, int n, const int *key)
+{
+    for (int i = 1; i < n; i++) {
+        int here = x[i], k = i;
+        for (; k > 0 && (key ? key[x[k - 1]] > key[here] : x[k - 1] > here); k--) x[k] = x[k - 1];
+        x[k] = here;
+    }
+}
+
+/* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent.  Rows and dependent
+ * columns go from loop to loop, so that C_qd has its numbers near the diagonal. */
 static void take_split(const struct condense *o, struct component *c)
 {
-    bool *dependent = c->dependent;
     memcpy(c->kept, c->prow, sizeof *c->kept * (size_t)c->nrow);
-    for (int k = 0; k < c->nk; k++) dependent[k] = false;
+    for (int k = 0; k < c->nk; k++) c->dependent[k] = false;
     for (int r = 0; r < c->nr; r++) {
         c->dep[r] = c->pcol[r];
-        dependent[c->pcol[r]] = true;
+        c->dependent[c->pcol[r]] = true;
     }
+    sort_by(c->kept, c->nr, NULL);
+    sort_by(c->dep, c->nr, c->loop_of);
     int n = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < c->nk; k++)
-            if (!dependent[k] && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
+            if (!c->dependent[k] && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
 }
 
-/* Pivot ratio of C_qd as chosen, lengths scaled. */
-static double quality(struct component *c)
+/* Pivot ratio of C_qd as last factored, lengths scaled. */
+static double ratio(const struct condense *o, const struct component *c)
 {
-    for (int j = 0; j < c->nr; j++)
-        for (int r = 0; r < c->nr; r++) {
-            size_t at = (size_t)c->kept[r] + (size_t)c->dep[j] * (size_t)c->nrow;
-            c->A[r + (size_t)j * (size_t)c->nr] = c->whole[at];
-        }
-    if (pivot_lu(c->A, c->prow, c->pcol, c->nr, c->nr, c->nr, NULL, c->nr, 0) < c->nr) return 0;
-    return pivot_ratio(c->A, c->nr, c->nr);
+    double least = INFINITY, most = 0;
+    for (int j = 0; j < c->nr; j++) {
+        double x = fabs(c->A[(size_t)j * (size_t)(c->nr + 1)]) * o->size[c->k[c->dep[j]]];
+        least = fmin(least, x);
+        most = fmax(most, x);
+    }
+    return c->nr == 0 ? 1 : most > 0 ? least / most : 0;
+}
+
+static double quality(struct condense *o, struct component *c)
+{
+    return factor(o, c, NULL) ? ratio(o, c) : 0;
 }
 
 /* Numbers the independent coordinates: fast, then slow; coordinates in no loop are all independent.  A component
@@ -531,8 +552,7 @@ static double choose(struct condense *o, struct component *c)
     whole_matrix(o, c);
     pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, c->weight, c->nr, 0);
     take_split(o, c);
-    whole_matrix(o, c);
-    return quality(c);
+    return quality(o, c);
 }
 
 static void keep_split(int *to, const struct component *c)
@@ -552,8 +572,7 @@ static void put_back(struct component *c, const int *from)
 /* A new split, if the old one has become bad and there is a much better one. */
 static int improve(struct condense *o, struct component *c)
 {
-    whole_matrix(o, c);
-    double now = quality(c);
+    double now = ratio(o, c);
     if (now >= DEGRADED * c->chosen) {
         c->chosen = fmax(c->chosen, now);
         return 0;
@@ -829,6 +848,10 @@ static void build_component(struct condense *o, int i, struct arena *life)
     c->work = TAKE(life, double, most);
     c->weight = TAKE(life, double, c->nk);
     c->dependent = TAKE(life, bool, c->nk);
+    c->loop_of = TAKE(life, int, c->nk);
+    for (int l = o->model->nloop - 1; l >= 0; l--)
+        for (int k = 0; m->loop[l].component == i && k < o->loops->nk[l]; k++)
+            c->loop_of[o->column[o->loops->k[l][k]]] = l;
 }
 
 static void build_components(struct condense *o, struct arena *life)
