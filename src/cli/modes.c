@@ -8,7 +8,7 @@
 #include "cli/cli.h"
 #include "out/table.h"
 
-static const double two_pi = 6.28318530717958647693;
+static const double two_pi = 6.28318530717958647693, MOST_MAJORS = 1e12;
 
 static const char *participants(const struct sim *sim, const struct mode *m, struct arena *life)
 {
@@ -47,8 +47,12 @@ static enum status at_time(struct sim *sim, const struct request *request, struc
     double t = strtod(request->at, &end);
     if (*end || !(t >= 0) || !isfinite(t)) return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
     if (t == 0) return OK;
+    double majors = ceil(t / (sim->plan.step * sim->plan.ratio) - 1e-9);
+    if (!(majors <= MOST_MAJORS))
+        return fail(report, E_LIMIT, "--at %.40s is %.3g major steps away: the limit is %g", request->at, majors,
+                    MOST_MAJORS);
     sim->plan.until = t;
-    sim->majors = (long)ceil(t / (sim->plan.step * sim->plan.ratio) - 1e-9);
+    sim->majors = (long)fmax(1, majors);
     enum status status = sim_run(sim, NULL, report);
     return status == E_VERDICT ? OK : status;
 }
@@ -59,7 +63,7 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     struct diags *diags = NULL;
     struct sim sim;
     struct modes modes;
-    const struct sim_options options = {.version = FMDSUB_VERSION};
+    const struct sim_options options = {.version = FMDSUB_VERSION, .counting = true};
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     if (diags) diags_print(stderr, diags, cli_color(request));

@@ -209,18 +209,30 @@ enum status deck_number(double *out, const struct node *n, struct deck *deck)
     return OK;
 }
 
-enum status deck_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck)
+static enum status compile(struct expr **out, const struct node *n, const struct expr_names *names, bool truth,
+                           struct deck *deck)
 {
     struct lookup look = {.deck = deck, .scope = n->scope, .more = names, .pending = -1};
     struct expr_error error;
     *out = NULL;
     if (n->told) return E_DECK;
     if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0)
-        return tell_type(n, "a number or an expression", deck);
-    if (expr_parse(out, n->text, n->len, &(struct expr_names){lookup_find, &look}, deck->arena, &error)) {
+        return tell_type(n, truth ? "a condition" : "a number or an expression", deck);
+    if ((truth ? expr_parse_truth : expr_parse)(out, n->text, n->len, &(struct expr_names){lookup_find, &look},
+                                                deck->arena, &error)) {
         if (look.broken) return tell(n);
         return tell_error(n, &error, deck);
     }
     ((struct node *)n)->formula = true;
     return OK;
+}
+
+enum status deck_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck)
+{
+    return compile(out, n, names, false, deck);
+}
+
+enum status deck_truth(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck)
+{
+    return compile(out, n, names, true, deck);
 }

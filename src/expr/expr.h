@@ -46,6 +46,10 @@ struct expr_names {
 int expr_parse(struct expr **out, const char *text, size_t len, const struct expr_names *names, struct arena *arena,
                struct expr_error *error);
 
+/* The same for a truth by itself, "t > 1 and hub.angle < 0": its value is 1 or 0. */
+int expr_parse_truth(struct expr **out, const char *text, size_t len, const struct expr_names *names,
+                     struct arena *arena, struct expr_error *error);
+
 double expr_value(const struct expr *e, const double *slot);
 
 /* The value, and d[i] = d value / d slot[which[i]] for i in [0,n). */

@@ -528,12 +528,19 @@ static enum made all_finite(struct parser *p)
     return NUMBER;
 }
 
-int expr_parse(struct expr **out, const char *text, size_t len, const struct expr_names *names, struct arena *arena,
-               struct expr_error *error)
+static enum made only_truth(struct parser *p)
+{
+    enum made made = truth(p);
+    if (made != NUMBER || next(p)) return made;
+    return wrong(p, 0, p->at, "expected a condition such as 't < 1'");
+}
+
+static int parse(struct expr **out, const char *text, size_t len, const struct expr_names *names, bool condition,
+                 struct arena *arena, struct expr_error *error)
 {
     *out = NULL;
     *error = (struct expr_error){.length = 1};
-    struct parser p = {.names = names, .arena = arena, .error = error};
+    struct parser p = {.names = names, .condition = condition, .arena = arena, .error = error};
     if (len > EXPR_LENGTH) {
         error->limit = true;
         wrong(&p, EXPR_LENGTH, 1, "the expression is longer than %d characters", EXPR_LENGTH);
@@ -541,9 +548,21 @@ int expr_parse(struct expr **out, const char *text, size_t len, const struct exp
     }
     p.text = arena_copy(arena, text, len);
     if (strlen(p.text) != len) return wrong(&p, strlen(p.text), 1, "a zero byte in the expression"), 1;
-    if (sum(&p) == FAILED || the_end(&p) == FAILED || all_finite(&p) == FAILED) return 1;
+    if ((condition ? only_truth(&p) : sum(&p)) == FAILED || the_end(&p) == FAILED || all_finite(&p) == FAILED) return 1;
     emit(&p, (struct instruction){.op = OP_END});
     *out = TAKE(arena, struct expr, 1);
     **out = (struct expr){p.n, p.code};
     return 0;
+}
+
+int expr_parse(struct expr **out, const char *text, size_t len, const struct expr_names *names, struct arena *arena,
+               struct expr_error *error)
+{
+    return parse(out, text, len, names, false, arena, error);
+}
+
+int expr_parse_truth(struct expr **out, const char *text, size_t len, const struct expr_names *names,
+                     struct arena *arena, struct expr_error *error)
+{
+    return parse(out, text, len, names, true, arena, error);
 }

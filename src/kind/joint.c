@@ -8,14 +8,19 @@
 #define AT_CENTRE AT(0, "where the joint stands; default: the second body's centre of mass")
 #define AXIS(flags, brief) PARAM_NODE(struct joint_keys, axis, "axis", "vector", flags, brief)
 #define AXIS2(flags, brief) PARAM_NODE(struct joint_keys, axis2, "axis2", "vector", flags, brief)
+#define RANGE(unit)                                                                                                    \
+    PARAM_NODE(struct joint_keys, range, "range", "[lowest, highest] [" unit "]", 0,                                   \
+               "where the coordinate should stay: leaving it is told, nothing holds it")
 #define LOOP                                                                                                           \
     PARAM_BOOL(struct joint_keys, loop, "loop", 0, "false",                                                            \
                "keep it out of the tree: it closes a loop where the bodies are joined otherwise")
 
 static const struct key keys_fixed[] = {AT_CENTRE, LOOP, KEYS_END};
 static const struct key keys_revolute[] = {
-    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation; in 2-D out of the plane"), LOOP, KEYS_END};
-static const struct key keys_prismatic[] = {AT_CENTRE, AXIS(KEY_REQUIRED, "direction of motion"), LOOP, KEYS_END};
+    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation; in 2-D out of the plane"), RANGE("rad"), LOOP,
+    KEYS_END};
+static const struct key keys_prismatic[] = {AT_CENTRE, AXIS(KEY_REQUIRED, "direction of motion"), RANGE("m"), LOOP,
+                                            KEYS_END};
 static const struct key keys_cylindrical[] = {
     AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation and displacement"), LOOP, KEYS_END};
 static const struct key keys_universal[] = {

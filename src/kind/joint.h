@@ -37,6 +37,7 @@ struct joint_keys {
     const struct node *at;     /* where it stands: a point; default for free: the second body's centre */
     const struct node *axis;   /* z (revolute, prismatic, cylindrical), normal (planar) */
     const struct node *axis2;  /* universal: y; planar: x */
+    const struct node *range;  /* revolute, prismatic: [lowest, highest] of the coordinate */
     int loop;                  /* better one that closes a loop than one of the tree */
 };
 

@@ -53,6 +53,10 @@ struct bushing_keys {
 struct partition_keys {
     const struct node *fast, *independent;
 };
+struct until_keys {
+    const struct node *when;
+    double latest;
+};
 struct state_keys {
     int version;
     double t;
@@ -73,7 +77,7 @@ struct vector_keys {
 };
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_orient[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_table[], keys_bushing[], keys_partition[],
-    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[];
+    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_until[];
 
 /* places.c: vectors, points, frames */
 /* A vector of the deck's space; 2-D: o[2] = 0.  what: "'at' of body 'rod'" */
@@ -110,6 +114,7 @@ int read_bodies(struct builder *b, const struct node *n);
 int read_joints(struct builder *b, const struct node *n);
 int read_measures(struct builder *b, const struct node *n);
 int read_forces(struct builder *b, const struct node *n);
+int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
 int read_initial(struct builder *b, const struct node *n);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n);

@@ -59,6 +59,23 @@ static int read_expression(struct slots *s, struct signal *o, const struct node 
     return 0;
 }
 
+int read_condition(struct builder *b, struct scene_condition *o, const struct node *n)
+{
+    struct slots s = {.b = b, .n = 1};
+    const struct expr_names names = {find_name, &s};
+    struct expr *expr;
+    if (deck_truth(&expr, n, &names, b->reader.deck) != OK) return 1;
+    struct scene_slot *slot = TAKE(b->life, struct scene_slot, s.n);
+    memcpy(slot, s.slot, (size_t)s.n * sizeof *slot);
+    *o = (struct scene_condition){n, expr, s.n, slot};
+    return 0;
+}
+
+bool scene_met(const struct scene_condition *o, const double *slot)
+{
+    return expr_value(o->expr, slot) != 0;
+}
+
 static int table_times(struct builder *b, const struct node *n, const struct signal *o)
 {
     for (int i = 1; i < o->n; i++) {

@@ -68,6 +68,16 @@ static int joint_axes(struct builder *b, struct scene_joint *j, const struct joi
     return 0;
 }
 
+static int read_range(struct builder *b, struct scene_joint *j, const struct node *n, const char *what)
+{
+    if (read_vector(j->range, 2, n, what, &b->reader)) return 1;
+    j->ranged = true;
+    if (j->range[0] < j->range[1]) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-range", "%s: 'range' goes from %g to %g; the lower end comes first", what,
+               j->range[0], j->range[1]);
+    return 1;
+}
+
 static int read_joint(struct builder *b, struct scene_joint *j, const struct node *n)
 {
     struct joint_keys k = {0};
@@ -89,6 +99,7 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
     if (errors) return errors;
     j->loop = k.loop;
+    if (k.range && read_range(b, j, k.range, what)) return 1;
     struct marker at = {j->second, {0}};
     if (k.at && read_point(b, &at, k.at, what)) return 1;
     marker_drawn(j->at, b->scene, &at);

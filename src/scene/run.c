@@ -220,6 +220,17 @@ static int check_steps(struct builder *b, const struct integrate *o, const struc
     return 0;
 }
 
+static int read_until(struct builder *b, struct integrate *o)
+{
+    static const struct key seconds[] = {
+        PARAM_REAL(struct integrate, until, "until", "s", 0, INFINITY, KEY_ABOVE, NULL, ""), KEYS_END};
+    struct until_keys k = {0};
+    if (o->end->type != NODE_MAP) return read_number(&o->until, o->end, seconds, &b->reader);
+    if (read_keys(&k, keys_until, o->end, NULL, "'until'", &b->reader)) return 1;
+    o->until = k.latest;
+    return read_condition(b, &b->scene->when, k.when);
+}
+
 int read_integrate(struct builder *b, const struct node *n)
 {
     struct integrate *o = &b->scene->integrate;
@@ -228,7 +239,8 @@ int read_integrate(struct builder *b, const struct node *n)
         o->until = 0;
         return 1;
     }
-    int errors = check_newmark(b, o, n) + check_steps(b, o, n);
+    int errors = check_newmark(b, o, n);
+    errors += read_until(b, o) || check_steps(b, o, n);
     if (errors) o->until = 0;
     return errors;
 }

@@ -39,7 +39,9 @@ struct scene_joint {
     int first, second;
     double at[3]; /* world, drawn */
     double E[9];  /* joint axes x, y, z by column, world, drawn */
-    bool loop;    /* the deck wants it out of the tree */
+    bool ranged;  /* its coordinate should stay in range[0] ... range[1] */
+    double range[2];
+    bool loop; /* the deck wants it out of the tree */
 };
 
 struct scene_measure {
@@ -59,6 +61,14 @@ struct scene_slot {
     enum scene_slot_type type;
     int index; /* measure or joint */
     int k;     /* which q (SCENE_COORDINATE) or v (SCENE_RATE) of the joint */
+};
+
+/* A condition on time, coordinates, rates and measures. */
+struct scene_condition {
+    const struct node *node; /* NULL: none */
+    const struct expr *expr;
+    int nslot;
+    const struct scene_slot *slot; /* [nslot]; slot 0 is t */
 };
 
 struct scene_force {
@@ -104,6 +114,7 @@ struct integrate {
     int iteration, symmetric;
     double newton_tolerance;
     double tolerance;        /* adaptive schemes */
+    const struct node *end;  /* until as the deck gives it */
     const struct node *node; /* the section */
 };
 
@@ -139,6 +150,7 @@ struct scene {
     const struct node *from; /* {coordinate or rate: number, ...} of a final state; NULL: none */
     bool at_rest;            /* start in static equilibrium, found from there */
     struct integrate integrate;
+    struct scene_condition when; /* ends the run */
     struct output output;
     double delta; /* of (2-26) */
 };
@@ -149,6 +161,9 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
 /* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
  * a rate (k counts v), 3 for an acceleration, 0 for none. */
 int scene_coordinate(const struct scene_joint *joint, int space, const char *word, int *k);
+
+/* Is it true when its slots have these values? */
+bool scene_met(const struct scene_condition *o, const double *slot);
 
 /* The key tables by section, for `fmdsub list`, `fmdsub schema` and the manual. */
 struct section {

@@ -138,7 +138,8 @@ const struct key keys_integrate[] = {
     PARAM_REAL(struct integrate, step, "step", "s", 0, INFINITY, KEY_ABOVE, NULL,
                "minor step h; fixed-step schemes need it"),
     PARAM_INT(struct integrate, ratio, "ratio", 1, 1000000, 0, "1", "n: the major step is n h"),
-    PARAM_REAL(struct integrate, until, "until", "s", 0, INFINITY, KEY_REQUIRED | KEY_ABOVE, NULL, "end of the run"),
+    PARAM_NODE(struct integrate, end, "until", "seconds, or {when: condition, latest: seconds}", KEY_REQUIRED,
+               "end of the run"),
     PARAM_REAL(struct integrate, rho_infinity, "rho_infinity", NULL, 0, 1, 0, "1",
                "subcycle: 1 keeps all energy, less damps what the minor step cannot resolve"),
     PARAM_REAL(struct integrate, beta, "beta", NULL, 0, 1, KEY_ABOVE, "0.25", "newmark, miao: beta of (2-5)"),
@@ -179,6 +180,14 @@ const struct key keys_omega[] = {
     KEYS_END,
 };
 
+const struct key keys_until[] = {
+    PARAM_NODE(struct until_keys, when, "when", "condition", KEY_REQUIRED,
+               "ends the run with the major step in which it turns true"),
+    PARAM_REAL(struct until_keys, latest, "latest", "s", 0, INFINITY, KEY_REQUIRED | KEY_ABOVE, NULL,
+               "end of the run if it does not"),
+    KEYS_END,
+};
+
 const struct key keys_state[] = {
     PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 1, KEY_REQUIRED, NULL, "version of this form: 1"),
     PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL, "when it was, for people"),
@@ -204,6 +213,7 @@ static const struct section fixed[] = {
     {"initial.JOINT.omega", NULL, "angular velocity with its axes", keys_omega},
     {"partition", NULL, "slow and fast coordinates", keys_partition},
     {"integrate", NULL, "time stepping", keys_integrate},
+    {"integrate.until", NULL, "an end that the motion decides", keys_until},
     {"output", NULL, "records", keys_output},
     {"output.every", NULL, "records by major steps", keys_every},
     {"energy", NULL, "the balance (2-26)", keys_energy},

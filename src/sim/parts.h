@@ -18,7 +18,12 @@ enum status tell_partition(struct sim *sim, struct sink *sink, struct report *re
 /* state.c: the model's initial state from the file that the deck names */
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
 
-/* record.c: the chosen columns at the present state */
+/* events.c: the end that the deck describes, joints that leave their range */
+enum status events_open(struct sim *sim, struct diags *diags, struct arena *life);
+enum status events_look(struct sim *sim, struct sink *sink, struct report *report);
+
+/* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
+double record_value(const struct sim *sim, const struct origin *s);
 enum status record_fill(struct sim *sim);
 
 /* rest.c: moves sim->x to a stable static equilibrium near it, at rest */

@@ -85,7 +85,7 @@ static double force_part(const struct sim *sim, const struct origin *s)
     return s->type == FROM_FORCE ? force : s->type == FROM_ELONGATION ? elongation : power;
 }
 
-static double value(const struct sim *sim, const struct origin *s)
+double record_value(const struct sim *sim, const struct origin *s)
 {
     double a, b, f[6];
     switch (s->type) {
@@ -129,6 +129,7 @@ enum status record_fill(struct sim *sim)
 {
     if (sim->needs || sim->model->nloop)
         TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, sim->needs, &sim->trouble));
-    for (int i = 0; i < sim->chosen.n; i++) sim->row[i] = value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
+    for (int i = 0; i < sim->chosen.n; i++)
+        sim->row[i] = record_value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
     return OK;
 }

@@ -71,6 +71,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(plan_columns(sim, diags, life, report));
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
+    TRY(events_open(sim, diags, life));
     sim->system = system_build(m, life);
     sim->x = new_state(m, life);
     warn_of_loops(sim, diags);
@@ -152,6 +153,12 @@ static enum status signalled(void)
     return stop == SIGINT ? E_SIGINT : stop == SIGTERM ? E_SIGTERM : stop ? E_LIMIT : OK;
 }
 
+static enum status look(struct sim *sim, struct sink *sink, struct report *report)
+{
+    enum status status = events_look(sim, sink, report);
+    return status == E_NUMERIC ? say_trouble(sim, &sim->trouble, status, report) : status;
+}
+
 /* Steps from record to record: the clock is read there and every so many steps, not at each. */
 static enum status step_on(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
@@ -161,13 +168,15 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         enum status status = major(sim, k);
         if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));
-        bool due = k % sim->every == 0 || k == sim->majors;
+        TRY(look(sim, sink, report));
+        bool due = k % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(tell_row(sim, sink, report));
         if (due || k % LOOK_EVERY == 0) {
             double now = clock_wall();
             progress_show(progress, now, sim->x.t, sim->plan.until);
             if (sink) TRY(sink->ops->tick(sink, now, report));
         }
+        if (sim->watch.met) return OK;
         if (stop && k < sim->majors) {
             if (!due) TRY(tell_row(sim, sink, report));
             return signalled();
@@ -194,6 +203,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     say_plan(sim);
     TRY(tell_meta(sim, sink, report));
     enum status status = tell_row(sim, sink, report);
+    if (status == OK) status = look(sim, sink, report);
     if (status == OK) status = step_on(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;

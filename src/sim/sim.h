@@ -23,7 +23,25 @@ struct sim_options {
     FILE *say; /* plan line, progress, end summary; NULL: silent */
     enum sim_progress progress;
     bool general;  /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
-    bool counting; /* columns are all coordinates, rates and measures, whatever the deck says (study) */
+    bool counting; /* columns are all coordinates, rates and measures, whatever the deck says, and it runs to the latest
+                    * end: no condition ends it (study, modes) */
+};
+
+/* events.c: what a run looks for at the end of every major step. */
+struct watch {
+    unsigned needs;      /* SEE_... */
+    struct origin *slot; /* [nslot] of the condition */
+    double *value;       /* [nslot] */
+    bool was;            /* the condition, last looked at */
+    bool met;            /* it has ended the run */
+    int nrange;
+    struct watched_range {
+        const struct scene_joint *joint;
+        const char *name; /* of the coordinate */
+        struct origin place;
+        int side;  /* -1 below, 0 inside, 1 above */
+        bool told; /* to people */
+    } * range;     /* [nrange] */
 };
 
 struct sim {
@@ -42,7 +60,8 @@ struct sim {
     double *row;            /* [chosen.n] */
     unsigned needs;         /* SEE_... */
     long majors, every;     /* major steps in all; between records */
-    double last_h;          /* minor step of the last step */
+    struct watch watch;
+    double last_h; /* minor step of the last step */
     long rows;
     double min_h;           /* smallest minor step taken */
     double cpu;             /* seconds of stepping, without records */

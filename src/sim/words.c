@@ -58,6 +58,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     facts[n++] = pair_text("status", status_word(sim->status));
     facts[n++] = pair_number("exit", sim->status);
     facts[n++] = pair_number("t_end", sim->x.t);
+    if (sim->watch.slot) facts[n++] = pair_bool("condition_met", sim->watch.met);
     facts[n++] = pair_number("rows", (double)sim->rows);
     facts[n++] = pair_number("major_steps", (double)e->majors);
     facts[n++] = pair_number("minor_steps", (double)e->minors);
@@ -97,8 +98,8 @@ void say_plan(const struct sim *sim)
         fprintf(to, "%s h = %g s, H = %d h", kind->name, p->step, p->ratio);
     else
         fprintf(to, "%s h = %g s", kind->name, p->step);
-    fprintf(to, ", to t = %g s, %ld records of %d columns\n", p->until, (sim->majors + sim->every - 1) / sim->every + 1,
-            sim->chosen.n);
+    fprintf(to, ", to t = %g s%s, %ld records of %d columns\n", p->until, sim->watch.slot ? " at the latest" : "",
+            (sim->majors + sim->every - 1) / sim->every + 1, sim->chosen.n);
 }
 
 void say_end(const struct sim *sim, double wall)
@@ -107,6 +108,9 @@ void say_end(const struct sim *sim, double wall)
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     if (!to) return;
+    if (sim->watch.slot && (sim->watch.met || sim->status == OK))
+        fprintf(to, "'%.80s' %s\n", sim->scene->when.node->text,
+                sim->watch.met ? "turned true" : "has not turned true until the latest end");
     fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim->status), sim->x.t, e->majors,
             e->minors);
     if (e->rejected) fprintf(to, " (%ld rejected", e->rejected);

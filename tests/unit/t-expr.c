@@ -490,11 +490,47 @@ static void speed(void **state)
     arena_close(arena);
 }
 
+/* A truth by itself is what it is as the condition of if. */
+static void truths(void **state)
+{
+    static const char *const texts[] = {"t < 1",
+                                        "x >= 0 and not hub.angle > 0.5",
+                                        "t < 1 or x < 0 and u2 > 0",
+                                        "(t < x or 1 > 2)",
+                                        "not (not t < 1)",
+                                        "sin(t) != x*(1 + t)"};
+    static const char *const wrongs[] = {"t", "t + (x)", "", "t < 1 2", "t < 1)", "not t", "1 < t < 2"};
+    struct arena *arena = arena_open();
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct expr *alone, *within;
+        struct expr_error error;
+        const char *text = arena_print(arena, "if(%s, 1, 0)", texts[i]);
+        assert_int_equal(expr_parse_truth(&alone, texts[i], strlen(texts[i]), &names, arena, &error), 0);
+        assert_int_equal(expr_parse(&within, text, strlen(text), &names, arena, &error), 0);
+        int met = 0;
+        for (int k = 0; k < 200; k++) {
+            double slot[SLOTS];
+            for (int s = 0; s < SLOTS; s++) slot[s] = 4 * uniform() - 2;
+            assert_true(expr_value(alone, slot) == expr_value(within, slot));
+            met += expr_value(alone, slot) != 0;
+        }
+        assert_true(met > 0);
+    }
+    for (size_t i = 0; i < sizeof wrongs / sizeof *wrongs; i++) {
+        struct expr *e;
+        struct expr_error error;
+        assert_int_equal(expr_parse_truth(&e, wrongs[i], strlen(wrongs[i]), &names, arena, &error), 1);
+        assert_true(error.text[0] != 0);
+    }
+    arena_close(arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values), cmocka_unit_test(errors), cmocka_unit_test(limits),       cmocka_unit_test(corners),
-        cmocka_unit_test(slots),  cmocka_unit_test(speed),  cmocka_unit_test(random_trees),
+        cmocka_unit_test(slots),  cmocka_unit_test(speed),  cmocka_unit_test(random_trees), cmocka_unit_test(truths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
