@@ -17,12 +17,13 @@ static void print_bodies(FILE *to, const struct model *m)
     }
 }
 
-static void print_coordinates(FILE *to, const struct model *m)
+static void print_coordinates(FILE *to, const struct sim *sim)
 {
-    fprintf(to, "freedoms: %d, of these fast: %d\n", m->n, m->ns);
+    const struct model *m = sim->model;
+    fprintf(to, "freedoms: %d, of these fast: %d\n", sim->stepper.ode->n, sim->stepper.ode->ns);
     for (int i = 0; i < m->ncoordinate; i++)
         fprintf(to, "  %-24s %s  start %.6g\n", m->coordinate[i].name, m->coordinate[i].fast ? "fast" : "slow",
-                m->q0[m->coordinate[i].iq]);
+                sim->x.q[m->coordinate[i].iq]);
 }
 
 static void print_forces(FILE *to, const struct model *m)
@@ -75,7 +76,8 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         printf("%s: %s%s%s\n", scene->deck->name, scene->title, *scene->title ? ", " : "",
                sim.model->space == 2 ? "planar" : "spatial");
         print_bodies(stdout, sim.model);
-        print_coordinates(stdout, sim.model);
+        print_coordinates(stdout, &sim);
+        sim_print_loops(&sim, stdout);
         print_forces(stdout, sim.model);
         print_frequencies(stdout, &sim, life);
         printf("records: %ld columns of %d, every %ld major steps, %ld major steps in all\n", (long)sim.chosen.n,

@@ -79,8 +79,8 @@ enum status check_json(const struct sim *sim, struct arena *life, struct report 
     cJSON_AddStringToObject(o, "deck", sim->scene->deck->name);
     facts_add(o, "title", facts_text(sim->scene->title, life));
     facts_add(o, "space", facts_number(sim->model->space));
-    facts_add(o, "freedoms", facts_number(sim->model->n));
-    facts_add(o, "fast", facts_number(sim->model->ns));
+    facts_add(o, "freedoms", facts_number(sim->stepper.ode->n));
+    facts_add(o, "fast", facts_number(sim->stepper.ode->ns));
     facts_add(o, "bodies", bodies(sim->model));
     facts_add(o, "coordinates", coordinates(sim));
     facts_add(o, "forces", forces(sim->model));

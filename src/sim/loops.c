@@ -19,6 +19,15 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
     const struct condense *c = system_loops(sim->system);
     if (!c || condense_started(c)->status != OK) return;
     const struct condense_start *s = condense_started(c);
+    if (s->redundant) {
+        int row = 0;
+        while (!condense_dropped(c, row)) row++;
+        const struct scene_joint *first = joint_of(sim, condense_loops(c)->row[row].loop);
+        diag_warn(diags, first->node, AT_KEY, "W-redundant",
+                  "%d equation(s) of the loops say nothing new, the first of constraint '%s': the motion is whole, "
+                  "some reactions are not unique (`fmdsub check` shows which)",
+                  s->redundant, first->name);
+    }
     if (s->misfit < SILENT) return;
     const struct scene_joint *j = joint_of(sim, condense_loops(c)->row[s->misfit_row].loop);
     diag_warn(diags, j->node, AT_KEY, "W-assembly",
@@ -35,4 +44,38 @@ enum status tell_partition(struct sim *sim, struct sink *sink, struct report *re
     for (int i = 0; i < o->n && used + 80 < sizeof text; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, " %.70s", sim_coordinate_name(sim, i));
     return sink ? sink->ops->event(sink, sim->x.t, "partition", text, report) : OK;
+}
+
+static void print_loop(const struct sim *sim, FILE *to, int l, bool unique)
+{
+    const struct condense *c = system_loops(sim->system);
+    const struct loops *loops = condense_loops(c);
+    const struct model_loop *loop = &sim->model->loop[l];
+    int dropped = 0;
+    for (int r = loops->first[l]; r < loops->first[l + 1]; r++) dropped += condense_dropped(c, r);
+    fprintf(to, "  %-16s %s, %s to %s, %d equations", loop->name, joint_kind(loop->type, sim->model->space == 3)->name,
+            sim->model->body[loop->first].name, sim->model->body[loop->second].name,
+            loops->first[l + 1] - loops->first[l]);
+    if (dropped) fprintf(to, ", %d of them redundant", dropped);
+    fprintf(to, "%s\n", unique ? "" : "; reactions not unique");
+}
+
+void sim_print_loops(const struct sim *sim, FILE *to)
+{
+    const struct model *m = sim->model;
+    struct condense *c = system_loops(sim->system);
+    if (!c) return;
+    struct arena *scratch = arena_open();
+    bool *unique = TAKE(scratch, bool, m->nloop), *unique_joint = TAKE(scratch, bool, m->njoint);
+    condense_mark(c, unique, unique_joint);
+    fprintf(to, "loops: %d, in %d component(s); %d equations, rank %d\n", m->nloop, m->ncomponent,
+            condense_loops(c)->nrow, condense_loops(c)->nrow - condense_started(c)->redundant);
+    for (int l = 0; l < m->nloop; l++) print_loop(sim, to, l, unique[l]);
+    for (int i = 0; i < m->njoint; i++)
+        if (!unique_joint[i]) fprintf(to, "  %-16s of the tree; reactions not unique\n", m->joint[i].name);
+    fprintf(to, "  independent:");
+    for (int i = 0; i < sim->stepper.ode->n; i++) fprintf(to, " %s", sim_coordinate_name(sim, i));
+    fprintf(to, "\n  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", condense_ratio(c),
+            condense_started(c)->misfit, condense_worst(c, sim->x.q));
+    arena_close(scratch);
 }

@@ -81,6 +81,9 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report);
 struct stream;
 enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report);
 
+/* The loops in words, for `fmdsub check`; nothing where there are none. */
+void sim_print_loops(const struct sim *sim, FILE *to);
+
 /* The run's settings and its summary as facts, for sinks and for people. */
 int sim_settings(const struct sim *sim, struct pair *facts, int most);
 int sim_facts(const struct sim *sim, struct pair *facts, int most);

@@ -51,6 +51,10 @@ const struct loops *condense_loops(const struct condense *c);
 double condense_worst(struct condense *c, const double *q); /* max |C| */
 int condense_place(const struct condense *c, int i);        /* place in the tree's v of independent i */
 bool condense_independent(const struct condense *c, int iv);
+/* Whose reactions no dynamics can tell, because rows are redundant: unique [nloop], unique_joint [njoint]. */
+void condense_mark(struct condense *c, bool *unique, bool *unique_joint);
+bool condense_dropped(const struct condense *c, int row);
+double condense_ratio(struct condense *c);      /* least pivot ratio of C_qd at the start */
 long condense_charts(const struct condense *c); /* partitions chosen since the start */
 
 #endif

@@ -265,7 +265,7 @@ enum status system_start(const struct system *s, double *q, double *v, struct re
     return OK;
 }
 
-const struct condense *system_loops(const struct system *s)
+struct condense *system_loops(const struct system *s)
 {
     return s->loops;
 }

@@ -40,7 +40,7 @@ void system_energies(const struct system *s, struct energies *e);
 
 /* The loops, NULL: none.  Largest |C| of all states seen; the model's place in v of the door's number i. */
 struct condense;
-const struct condense *system_loops(const struct system *s);
+struct condense *system_loops(const struct system *s);
 double system_constraint_worst(const struct system *s);
 int system_place(const struct system *s, int i);
 long system_charts(const struct system *s); /* partitions chosen since the start */
