@@ -148,17 +148,25 @@ void decouple_recoil(const struct decouple *p, double *y, double s, const double
 
 void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m)
 {
-    int rows = p->reach < m ? p->reach : m;
-    copy(out, x, p->ns);
-    copy(out + p->ns, y, m);
-    if (rows) dense_gemv(out + p->ns, -1, p->W, x, rows, p->ns, p->nl);
+    int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    const double *W = p->W;
+    double *slow = out + ns;
+    if (out != x) copy(out, x, ns);
+    for (int i = 0; i < rows; i++) slow[i] = y[i] - W[i] * out[0];
+    for (int j = 1; j < ns; j++)
+        for (int i = 0; i < rows; i++) slow[i] -= W[i + (long)j * p->nl] * out[j];
+    if (rows < m) copy(slow + rows, y + rows, m - rows);
 }
 
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m)
 {
-    int rows = p->reach < m ? p->reach : m;
-    copy(rs, r, p->ns);
-    if (rows) dense_gemtv(rs, -1, p->W, r + p->ns, rows, p->ns, p->nl);
+    int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    for (int j = 0; j < ns; j++) {
+        const double *W = p->W + (long)j * p->nl;
+        double sum = 0;
+        for (int i = 0; i < rows; i++) sum += W[i] * r[ns + i];
+        rs[j] = r[j] - sum;
+    }
 }
 
 void decouple_slopes(const struct decouple *p, double *K, int m)

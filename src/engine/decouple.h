@@ -52,7 +52,7 @@ void decouple_dense(struct decouple *p);
 
 /* y [nl] += s W x. */
 void decouple_recoil(const struct decouple *p, double *y, double s, const double *x);
-/* out [ns + m] = P (y, x), the first m slow coordinates. */
+/* out [ns + m] = P (y, x), the first m slow coordinates; x = out is allowed. */
 void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m);
 /* rs [ns] := the fast rows of P' r, where r has its first m slow rows. */
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m);

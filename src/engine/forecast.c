@@ -6,13 +6,18 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
+static const double FADE = .9;    /* weight of the step before */
+static const double VAGUE = 1e-6; /* of c = (1, 0) against the past */
+
 void forecast_open(struct forecast *f, const struct decouple *dec, struct arena *life)
 {
     *f = (struct forecast){.ns = dec->ns, .nl = dec->nl, .ml = dec->ml};
-    double **fast[] = {&f->as, &f->dx, &f->vs, &f->trend, &f->c, &f->g, &f->x, &f->v, &f->s};
+    double **fast[] = {&f->as,   &f->dx, &f->vs, &f->trend, &f->phi, &f->phi1,
+                       &f->phi2, &f->c,  &f->g,  &f->x,     &f->v,   &f->s};
     double **known[] = {&f->y, &f->w, &f->dy, &f->dw};
-    for (int i = 0; i < 9; i++) *fast[i] = TAKE(life, double, f->ns);
+    for (int i = 0; i < 12; i++) *fast[i] = TAKE(life, double, f->ns);
     for (int i = 0; i < 4; i++) *known[i] = TAKE(life, double, f->ml);
+    f->fit = TAKE(life, struct fit, f->nl);
     f->ay = TAKE(life, double, f->nl);
     f->aybefore = TAKE(life, double, f->nl);
 }
@@ -30,6 +35,31 @@ void forecast_forget(struct forecast *f, const struct decouple *dec, const doubl
     zero(f->y, f->ml);
     copy(f->w, u0, f->ml);
     f->H = f->Hbefore = H;
+    for (int i = 0; i < f->nl; i++) f->fit[i] = (struct fit){0};
+    zero(f->phi1, f->ns);
+    zero(f->phi2, f->ns);
+    f->differences = 0;
+}
+
+static void learn(struct fit *o, double delta)
+{
+    double a = o->last, b = o->before;
+    o->s11 = FADE * o->s11 + a * a;
+    o->s12 = FADE * o->s12 + a * b;
+    o->s22 = FADE * o->s22 + b * b;
+    o->s01 = FADE * o->s01 + delta * a;
+    o->s02 = FADE * o->s02 + delta * b;
+    o->before = a;
+    o->last = delta;
+}
+
+/* The next delta.  What the past does not determine is c = (1, 0). */
+static double next(const struct fit *o)
+{
+    double e = VAGUE * (o->s11 + o->s22), a = o->s11 + e, b = o->s12, c = o->s22 + e, x = o->s01 + e, y = o->s02;
+    double det = a * c - b * b;
+    if (!(det > 0)) return o->last;
+    return ((c * x - b * y) * o->last + (a * y - b * x) * o->before) / det;
 }
 
 /* The driving by the slow coordinates: y and w - w_last constant, w H f_k as a ramp. */
@@ -47,7 +77,7 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
 {
     int n = p->n, ns = p->ns;
     double h = p->h, s = (p->H + f->H) / (f->H + f->Hbefore);
-    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * (f->ay[i] - f->aybefore[i]));
+    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * next(&f->fit[i]));
     zero(f->c, ns);
     zero(f->g, ns);
     dense_gemv(f->c, -h, p->Mss, f->as, ns, ns, ns);
@@ -67,6 +97,63 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     }
     copy(f->v, v0, ns);
     response_run(p, d, f->c, f->g, f->x, f->v, f->s, 0);
+}
+
+/* c := what the slow coordinates do to the fast rows in minor step k. */
+static void driving_at(struct forecast *f, const struct response *p, const double *w, int k)
+{
+    int n = p->n, ns = p->ns, ml = p->ml;
+    zero(f->c, ns);
+    if (!p->drives) return;
+    for (int i = 0; i < ml; i++) f->dy[i] = (k + .5) * p->h * w[i];
+    dense_gemv(f->c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
+    dense_gemv(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
+}
+
+/* J d_k = h { phi - K_SL y_k+1/2 - C_SL w - K_SS x_k } - V v_k. */
+void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
+                    const double *w, int k)
+{
+    const struct minor *m = &p->one;
+    int ns = p->ns;
+    if (k == 0) return;
+    driving_at(f, p, w, k);
+    for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
+    dense_gemv(d, -p->h, m->K, x, ns, ns, p->n);
+    dense_gemv(d, -1, m->V, v, ns, ns, ns);
+    minor_solve(m, d);
+}
+
+/* f->g := phi of d_k by the same equation. */
+static void force_of(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
+                     const double *w, int k)
+{
+    const struct minor *m = &p->one;
+    int ns = p->ns;
+    double per = 1 / p->h;
+    driving_at(f, p, w, k);
+    copy(f->g, f->c, ns);
+    dense_gemv(f->g, 1, m->K, x, ns, ns, p->n);
+    dense_gemv(f->g, per, m->V, v, ns, ns, ns);
+    dense_gemv(f->g, per, m->S, d, ns, ns, ns);
+    dense_gemv(f->g, per, p->Mss, d, ns, ns, ns);
+}
+
+/* At the first minor step phi jumps, and its differences go on. */
+void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
+                    const double *w, const double *rest, int k)
+{
+    int ns = p->ns, known = k > 0 && rest;
+    double per = 1 / p->h;
+    if (!known) force_of(f, p, d, x, v, w, k);
+    for (int i = 0; i < ns; i++) {
+        double guess = f->phi1[i] + f->phi2[i], phi = known ? f->phi[i] + guess - per * rest[i] : f->g[i];
+        double step = k > 0 ? phi - f->phi[i] : guess;
+        if (k > 0) f->phi2[i] = f->differences > 0 ? step - f->phi1[i] : 0;
+        f->phi1[i] = step;
+        f->phi[i] = phi;
+    }
+    f->differences += k > 0;
 }
 
 double forecast_error(const struct forecast *f, const struct found *x, const double *per)
@@ -122,7 +209,10 @@ void forecast_keep(struct forecast *f, const struct response *p, const struct fo
     double *before = f->aybefore;
     f->aybefore = f->ay;
     f->ay = before;
-    for (int i = 0; i < f->nl; i++) f->ay[i] = x->du[i] / x->H;
+    for (int i = 0; i < f->nl; i++) {
+        f->ay[i] = x->du[i] / x->H;
+        learn(&f->fit[i], f->ay[i] - f->aybefore[i]);
+    }
     for (int i = 0; i < f->ml; i++) {
         f->w[i] = x->w[i];
         f->y[i] = x->h / 2 * x->w[i];

@@ -1,22 +1,40 @@
 /* forecast.h -- where a step of subcycle begins its iteration, from the steps before it.
  *
- * du goes on as its last two values.  d_k are linear minor steps under the force of the last one, whose
- * unknown part goes on with its trend over the last major step:
+ * du/H: its differences delta from step to step follow
  *
- *     M d_k/h = M as - K_SS (x_k+1/2 - x_last) - K_SL (y_k+1/2 - y_last) - C (v_k - v_last) + trend (t - t_last)
+ *     delta_n = c1 delta_n-1 + c2 delta_n-2
  *
- * which is exact for a linear system under constant loads. */
+ * fitted to each coordinate's past by least squares, older steps fading: what the fast vibration puts into du is
+ * sampled once a major step and looks like any frequency; such a recursion goes through it as well as
+ * through a smooth motion, c = (2, -1).
+ *
+ * d_k: linear minor steps under a force,
+ *
+ *     M d_k/h + K_SS x_k+1/2 + K_SL y_k+1/2 + C v_k = phi_k.
+ *
+ * Before the first sweep phi goes on from the last minor step with its trend over the last major step,
+ * which is exact for a linear system under constant loads.  In the first sweep it goes on from the minor steps
+ * that have just been found, by a parabola; from step to step, where du/n jumps, only its differences do. */
 #ifndef FMDSUB_ENGINE_FORECAST_H
 #define FMDSUB_ENGINE_FORECAST_H
 
 #include "base/arena.h"
 #include "engine/response.h"
 
+/* Normal equations of c1, c2: sums of products of delta_n, delta_n-1, delta_n-2. */
+struct fit {
+    double s11, s12, s22, s01, s02;
+    double last, before; /* the last two delta */
+};
+
 struct forecast {
     int ns, nl, ml;
     double *as, *dx, *vs;      /* [ns] the last minor step: acceleration, displacement, mean velocity */
     double *y, *w;             /* [ml] half of its slow displacement, its slow velocity */
     double *trend;             /* [ns] rate of the force that the linear model does not know */
+    struct fit *fit;           /* [nl] */
+    double *phi, *phi1, *phi2; /* [ns] of the last minor step, its first and second difference */
+    int differences;           /* that have been seen */
     double *ay, *aybefore;     /* [nl] du/H of the last step and the one before it */
     double H, Hbefore;         /* their sizes */
     double *c, *g, *x, *v, *s; /* [ns] scratch */
@@ -39,6 +57,12 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
                    const double *v0);
 /* Its local error, h/12 |a_k - a_k-1| summed and H/12 |a_y - a_y,last|, in units 1/per [n]; before keep(). */
 double forecast_error(const struct forecast *f, const struct found *x, const double *per);
+/* In the first sweep: d [ns] of minor step k from x, v [ns] at its start; then phi for d as it was found, after one
+ * correction by J of the rest [ns] of the fast rows (NULL: however). */
+void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
+                    const double *w, int k);
+void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
+                    const double *w, const double *rest, int k);
 void forecast_keep(struct forecast *f, const struct response *p, const struct found *x);
 
 #endif

@@ -10,6 +10,7 @@
  * iterate (so that a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
 static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
 static const double POWERED = 1e2;    /* tolerances the last correction may have where power is integrated */
+static const double LATER = .1;       /* of the least contraction that is believed, after two iterations */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
 static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
 enum { LIMIT = 30, ENERGY_LIFE = 16, MOST_REFRESHED = 4 };
@@ -120,8 +121,9 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     nt->effort->sweeps++;
     nt->fresh--;
     if (!(err <= DBL_MAX)) return FAILED;
-    theta = fmax(theta, nt->trust);
+    theta = fmax(theta, nt->count > 2 ? LATER * nt->trust : nt->trust);
     double rate = nt->pairs && nt->count > 2 ? sqrt(err / nt->last2) : theta;
+    if (nt->pairs) theta = fmax(theta, rate);
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
     int done = err == 0 || (nt->remain * err <= nt->tol && (!nt->powered || err <= POWERED * nt->tol));
     if (err == 0) nt->remain = 0;

@@ -28,7 +28,7 @@ struct newton {
     int age;             /* steps since energy was looked at */
     double theta;        /* contraction to expect of the first iteration; 1: unknown */
     double trust;        /* least contraction that is believed: a large part of the error may vanish at once and
-                          * leave a small one that converges slowly */
+                          * leave a small one that converges slowly, which shows from the third iteration on */
     int pairs;           /* errors go round two blocks of unknowns: contraction is measured over two iterations */
     int stale;           /* a fresh matrix is due at the next step */
 

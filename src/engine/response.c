@@ -34,10 +34,20 @@ static void times_B(double *Y, double s, const double *X, const double *A, int r
     dense_gemm(Y, s, X, A, rows, ns, ns, rows, ld, ns);
 }
 
+enum { FEW = 6 }; /* so many fast coordinates or less: J is inverted */
+
 int minor_mass(struct minor *m)
 {
-    for (int i = 0; i < m->ns * m->ns; i++) m->J[i] = m->S[i] + m->Mss[i];
-    return factor_dense(m->J, m->swap, m->spare, &m->form, m->ns);
+    int ns = m->ns;
+    for (int i = 0; i < ns * ns; i++) m->J[i] = m->S[i] + m->Mss[i];
+    int pivot = factor_dense(m->J, m->swap, m->spare, &m->form, ns);
+    if (pivot >= 0 || ns > FEW) return pivot;
+    zero(m->spare, ns * ns);
+    for (int i = 0; i < ns; i++) {
+        m->spare[i * (ns + 1)] = 1;
+        solve_dense(m->J, m->swap, m->form, m->spare + i * ns, ns);
+    }
+    return -1;
 }
 
 int minor_factor(struct minor *m)
@@ -53,7 +63,15 @@ int minor_factor(struct minor *m)
 
 void minor_solve(const struct minor *m, double *x)
 {
-    solve_dense(m->J, m->swap, m->form, x, m->ns);
+    int ns = m->ns;
+    double b[FEW];
+    if (ns > FEW) {
+        solve_dense(m->J, m->swap, m->form, x, ns);
+        return;
+    }
+    for (int i = 0; i < ns; i++) b[i] = x[i], x[i] = 0;
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < ns; i++) x[i] += m->spare[i + j * ns] * b[j];
 }
 
 /* ---- what is frozen */

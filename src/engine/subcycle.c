@@ -58,6 +58,7 @@ struct subcycle {
     struct minor here;    /* J of a minor step whose slopes have changed */
     int local;            /* it is in use */
     struct forecast forecast;
+    int guessed;       /* d_k are the forecast's */
     double last_local; /* local error of the last step; negative: unknown */
     int n, ns, nl, ratio, room;
     int near; /* slow coordinates that the minor steps move */
@@ -66,7 +67,7 @@ struct subcycle {
     struct instant centre; /* where W stands */
 
     double *d, *dbefore;                        /* [ns x ratio] */
-    double *du, *u0, *w, *hw, *pull;            /* [nl]; hw = h w, pull = du/n */
+    double *du, *u0, *w, *pull;                 /* [nl]; pull = du/H */
     double *R, *slow, *Du;                      /* [nl]: slow rows; slow bodies' share; correction */
     double *vs, *dx, *xn, *xbefore;             /* [ns] */
     double *dsum, *dmean, *esum;                /* [ns] sum of d_k when the slow bodies were asked, mean; .. */
@@ -87,7 +88,7 @@ static void room_for(struct subcycle *c, int ratio, struct arena *life)
 
 static void take_vectors(struct subcycle *c, struct arena *life)
 {
-    double **slow[] = {&c->du, &c->u0, &c->w, &c->hw, &c->pull, &c->R, &c->slow, &c->Du};
+    double **slow[] = {&c->du, &c->u0, &c->w, &c->pull, &c->R, &c->slow, &c->Du};
     double **fast[] = {&c->vs, &c->dx, &c->xn, &c->xbefore, &c->dsum, &c->dmean, &c->esum,
                        &c->es, &c->cs, &c->c,  &c->g,       &c->x,    &c->v_,    &c->s_};
     double **place[] = {&c->q, &c->qmid, &c->qend, &c->qn, &c->qbar};
@@ -135,7 +136,7 @@ static enum status damping(struct subcycle *c, struct trouble *why)
 {
     struct response *p = &c->resp;
     const double *K = p->one.K;
-    double s = c->h * c->h / 8, *MX = p->one.spare; /* X = (h^2/4) K~, symmetrized */
+    double s = c->h * c->h / 8, *MX = p->dd; /* X = (h^2/4) K~, symmetrized */
     int n = c->n, ns = c->ns;
     for (int j = 0; j < ns; j++)
         for (int i = 0; i < ns; i++) {
@@ -240,49 +241,56 @@ static enum status refresh_here(struct subcycle *c, const struct instant *x, str
 
 /* ---- the step for du and d_k as they are -------------------------------------------------------- */
 
-/* dx_k of d_k from v_S. */
-static void fast_move(struct subcycle *c, const double *d)
+/* v_k,S = dx_k/h of d_k from v_S. */
+static void fast_velocity(struct subcycle *c, const double *d)
 {
-    for (int i = 0; i < c->ns; i++) c->dx[i] = c->h * (c->vs[i] + d[i] / 2);
-    if (c->alpha > 0) dense_gemv(c->dx, c->h / 2, c->resp.A, d, c->ns, c->ns, c->ns);
+    for (int i = 0; i < c->ns; i++) c->v[i] = c->vs[i] + d[i] / 2;
+    if (c->alpha > 0) dense_gemv(c->v, .5, c->resp.A, d, c->ns, c->ns, c->ns);
 }
 
-/* dq = P (h w, dx), as far as the minor steps move. */
-static void whole_move(struct subcycle *c)
+/* v_k = P (w, dx_k/h), as far as the minor steps move. */
+static void whole_velocity(struct subcycle *c, const double *d)
 {
-    decouple_out(&c->dec, c->dq, c->hw, c->dx, c->near);
+    fast_velocity(c, d);
+    decouple_out(&c->dec, c->v, c->w, c->v, c->near);
 }
 
-/* x1 = x0 (+) s dq, as far as the minor steps move. */
-static void point(const struct subcycle *c, double *x1, const double *x0, double s)
+/* x1 = x0 (+) t v_k, t = h s, as far as the minor steps move. */
+static void point(struct subcycle *c, double *x1, const double *x0, double s)
 {
-    if (c->ode->move)
+    int m = c->ns + c->near;
+    if (c->ode->move) {
+        for (int i = 0; i < m; i++) c->dq[i] = c->h * c->v[i];
         c->ode->move->point(c->ode, x1, x0, c->dq, s);
-    else
-        for (int i = 0; i < c->ns + c->near; i++) x1[i] = x0[i] + s * c->dq[i];
+    } else {
+        for (int i = 0; i < m; i++) x1[i] = x0[i] + s * c->h * c->v[i];
+    }
+}
+
+/* x_n, v_S after d_k at v_k. */
+static void advance(struct subcycle *c, const double *d)
+{
+    for (int i = 0; i < c->ns; i++) {
+        c->xn[i] += c->h * c->v[i];
+        c->vs[i] += d[i];
+    }
 }
 
 /* w, x_n, v_S at the end, q_n, and the sum of the d_k. */
 static void compose(struct subcycle *c)
 {
-    for (int i = 0; i < c->nl; i++) {
-        c->w[i] = c->u0[i] + c->du[i] / 2;
-        c->hw[i] = c->h * c->w[i];
-    }
+    for (int i = 0; i < c->nl; i++) c->w[i] = c->u0[i] + c->du[i] / 2;
     copy(c->vs, c->v0, c->ns);
     zero(c->xn, c->ns);
     zero(c->dsum, c->ns);
     if (c->ode->move) copy(c->qn, c->q0, c->ode->nq);
     for (int k = 0; k < c->ratio; k++) {
         const double *d = c->d + k * c->ns;
-        fast_move(c, d);
-        for (int i = 0; i < c->ns; i++) {
-            c->xn[i] += c->dx[i];
-            c->vs[i] += d[i];
-            c->dsum[i] += d[i];
-        }
+        fast_velocity(c, d);
+        advance(c, d);
+        for (int i = 0; i < c->ns; i++) c->dsum[i] += d[i];
         if (!c->ode->move) continue;
-        whole_move(c);
+        decouple_out(&c->dec, c->v, c->w, c->v, c->near);
         point(c, c->qn, c->qn, 1);
     }
     if (c->ode->move) return;
@@ -328,7 +336,7 @@ static enum status slow_bodies(struct subcycle *c, struct trouble *why)
     if (dk > STALE_SLOPE) c->newton.stale = 1;
     book(c, c->H, power);
     for (int i = 0; i < nl; i++) c->slow[i] = c->H * c->r[ns + i];
-    for (int i = 0; i < nl; i++) c->pull[i] = c->du[i] / c->ratio;
+    for (int i = 0; i < nl; i++) c->pull[i] = c->du[i] / c->H;
     for (int i = 0; i < ns; i++) c->dmean[i] = c->dsum[i] / c->ratio;
     zero(c->cs, ns);
     if (c->dec.reach) dense_gemtv(c->cs, -1. / c->ratio, c->dec.W, c->slow, c->dec.reach, ns, nl);
@@ -339,16 +347,13 @@ static enum status slow_bodies(struct subcycle *c, struct trouble *why)
 static enum status minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
                               struct trouble *why)
 {
-    int ns = c->ns, m = ns + c->near;
-    fast_move(c, d);
-    whole_move(c);
+    int ns = c->ns;
+    double per = 1 / c->h;
+    whole_velocity(c, d);
     point(c, c->qmid, c->q, .5);
     point(c, c->qend, c->q, 1);
-    decouple_out(&c->dec, c->a, c->pull, d, c->near);
-    for (int i = 0; i < m; i++) {
-        c->v[i] = c->dq[i] / c->h;
-        c->a[i] /= c->h;
-    }
+    for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
+    decouple_out(&c->dec, c->a, c->pull, c->a, c->near);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
     decouple_fast(&c->dec, c->es, c->r, c->dec.ml);
@@ -356,7 +361,7 @@ static enum status minor_rows(struct subcycle *c, const double *d, double *power
     if (c->dec.reach)
         for (int j = 0; j < ns; j++)
             for (int i = 0; i < ns; i++) c->es[i] += c->dec.WMW[i + j * ns] * (d[j] - c->dmean[j]);
-    if (c->alpha > 0) dense_gemv(c->es, c->h / 2, c->resp.D, c->dx, ns, ns, ns);
+    if (c->alpha > 0) dense_gemv(c->es, c->h * c->h / 2, c->resp.D, c->v, ns, ns, ns);
     return OK;
 }
 
@@ -398,7 +403,7 @@ static void minor_sums(struct subcycle *c, const double *d)
     for (int i = 0; i < c->ns; i++) {
         c->dsum[i] -= d[i] + c->es[i]; /* as it was when the rows were taken */
         c->esum[i] += c->es[i];
-        c->push += c->s_[i] * c->dx[i] / c->h;
+        c->push += c->s_[i] * c->v[i];
     }
 }
 
@@ -406,6 +411,7 @@ static void minor_sums(struct subcycle *c, const double *d)
 static enum status minor_steps(struct subcycle *c, struct trouble *why)
 {
     struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->qend};
+    int first = c->guessed;
     copy(c->q, c->q0, c->ode->nq);
     copy(c->vs, c->v0, c->ns);
     copy(c->xbefore, c->xn, c->ns);
@@ -417,17 +423,19 @@ static enum status minor_steps(struct subcycle *c, struct trouble *why)
         x.ta = c->t0 + k * c->h;
         x.tb = k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
         x.t = x.ta + (x.tb - x.ta) / 2;
+        if (first) {
+            forecast_minor(&c->forecast, &c->resp, d, c->xn, c->vs, c->w, k);
+            copy(c->dbefore + k * c->ns, d, c->ns);
+        }
         TRY(minor(c, d, power, &x, why));
+        if (first) forecast_force(&c->forecast, &c->resp, d, c->xn, c->vs, c->w, c->local ? NULL : c->s_, k);
         book(c, c->h, power);
         minor_sums(c, d);
-        fast_move(c, d);
-        whole_move(c);
+        whole_velocity(c, d);
         point(c, c->q, c->q, 1);
-        for (int i = 0; i < c->ns; i++) {
-            c->xn[i] += c->dx[i];
-            c->vs[i] += d[i];
-        }
+        advance(c, d);
     }
+    c->guessed = 0;
     return OK;
 }
 
@@ -546,6 +554,7 @@ static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
     else
         TRY(renew(c, why));
     forecast_make(&c->forecast, &c->resp, c->du, c->d, c->u0, c->v0);
+    c->guessed = 1;
     TRY(solve(c, why));
     for (int pass = 1; pass < passes; pass++) TRY(symmetric_pass(c, why));
     return OK;
@@ -570,7 +579,8 @@ static double damped(struct subcycle *c)
     copy(c->vs, c->v0, ns);
     for (int k = 0; k < c->ratio; k++) {
         const double *d = c->d + k * ns;
-        fast_move(c, d);
+        fast_velocity(c, d);
+        for (int i = 0; i < ns; i++) c->dx[i] = c->h * c->v[i];
         zero(c->x, ns);
         zero(c->g, ns);
         zero(c->s_, ns);
@@ -583,9 +593,10 @@ static double damped(struct subcycle *c)
     return sum / 2;
 }
 
-/* After compose: c->dx stands at the last minor step. */
+/* After compose: c->v stands at the last minor step. */
 static void remember(struct subcycle *c)
 {
+    for (int i = 0; i < c->ns; i++) c->dx[i] = c->h * c->v[i];
     const struct found x = {c->h, c->H, c->ratio, c->d, c->du, c->w, c->dx, c->xn};
     c->last_local = forecast_error(&c->forecast, &x, c->newton.per);
     forecast_keep(&c->forecast, &c->resp, &x);
