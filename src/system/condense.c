@@ -755,6 +755,11 @@ static enum status go_to_start(struct condense *o, const double *q0)
 {
     enum { STEPS = 50 };
     double most = 0;
+    int row;
+    if (misfit(o, &row, q0) <= CLOSED) { /* a whole state that is closed as it is */
+        memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
+        return OK;
+    }
     moves_diff(o->moves, o->zero, q0, o->q); /* borrowed: wiped below */
     double *way = o->way;
     memcpy(way, o->zero, sizeof *way * (size_t)o->nt);
