@@ -33,7 +33,9 @@ int deck_parameter(double *out, const char *name, const struct deck *deck)
 /* Asks the caller's names last; a near miss may come from parameters and loop variables. */
 static int not_here(struct lookup *look, int *slot, double *value, const char *name, struct expr_error *error)
 {
-    if (look->more && look->more->find(look->more->self, slot, value, name, error) == 0) return 0;
+    int unknown = look->more ? look->more->find(look->more->self, slot, value, name, error) : 1;
+    if (unknown == 0) return 0;
+    if (unknown == 2) look->broken = true;
     const char *near = diag_nearest(name, look->deck->parameter_name, look->deck->nparameter);
     for (const struct scope *s = look->scope; s && !near; s = s->up)
         if (diag_nearest(name, &s->name, 1)) near = s->name;

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/text.h"
 #include "deck/stages.h"
 
 enum { WORDS = 256 };
@@ -339,11 +340,25 @@ static int refuse_unknown(const struct key *keys, const struct node *map, const 
     return errors;
 }
 
+/* Is there an unknown key that was meant to be this one?  Then that has been told. */
+static bool misspelt(const struct key *key, const struct key *keys, const struct node *map)
+{
+    for (int i = 0; i < map->count; i++) {
+        const char *word = map->item[i]->key;
+        bool known = false;
+        for (const struct key *k = keys; k->name && !known; k++) known = !strcmp(word, k->name);
+        if (!known && text_nearest(word, &key->name, 1)) return true;
+    }
+    return false;
+}
+
 int read_keys(void *out, const struct key *keys, const struct node *map, const char *const *also, const char *what,
               struct reader *rd)
 {
     if (read_map(map, what, rd)) return 1;
     int errors = refuse_unknown(keys, map, also, what, rd);
-    for (const struct key *k = keys; k->name; k++) errors += read_key(out, k, map, what, rd);
+    for (const struct key *k = keys; k->name; k++)
+        if (!errors || !(k->flags & KEY_REQUIRED) || node_find(map, k->name) || !misspelt(k, keys, map))
+            errors += read_key(out, k, map, what, rd);
     return errors;
 }

@@ -113,6 +113,9 @@ int read_space(struct builder *b, const struct deck_keys *k);
 int read_bodies(struct builder *b, const struct node *n);
 int read_joints(struct builder *b, const struct node *n);
 int read_measures(struct builder *b, const struct node *n);
+/* Does the deck name it, but in a way that is wrong and was told? */
+bool known_but_wrong(const struct builder *b, const char *name);
+
 int read_forces(struct builder *b, const struct node *n);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
 int read_initial(struct builder *b, const struct node *n);

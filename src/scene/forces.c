@@ -29,6 +29,7 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
     *slot = -1;
     *value = 0;
     if (!find_quantity(s->b->scene, &found, name)) {
+        if (known_but_wrong(s->b, name)) return 2;
         const char *const *list;
         int n = quantity_names(s->b, &list);
         const char *nearest = text_nearest(name, list, n);

@@ -11,18 +11,22 @@ static bool same(const char *name, const char *text, size_t len)
 
 /* Is the thing whose name leads `name` in the deck, but left out of the scene for errors of its own?  Then enough
  * has been said. */
-static bool known_but_wrong(const struct builder *b, const char *name)
+bool known_but_wrong(const struct builder *b, const char *name)
 {
-    static const char *const sections[] = {"constraints", "measures"};
+    static const char *const others[] = {"bodies", "forces", "parameters", "initial", "partition", "integrate"};
+    const struct node *root = b->reader.deck->root;
     char lead[64];
     size_t len = strcspn(name, ".");
     if (len >= sizeof lead) return false;
     memcpy(lead, name, len);
     lead[len] = 0;
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
-    for (int i = 0; i < 2; i++) {
-        const struct node *section = node_find(b->reader.deck->root, sections[i]);
-        if (section && section->type == NODE_MAP && node_find(section, lead)) return true;
+    if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
+    for (int i = 0; i < root->count; i++) { /* constraints, measures, or a misspelt one of them */
+        const struct node *section = root->item[i];
+        bool other = false;
+        for (size_t k = 0; k < sizeof others / sizeof *others; k++) other |= strcmp(section->key, others[k]) == 0;
+        if (!other && section->type == NODE_MAP && node_find(section, lead)) return true;
     }
     return false;
 }
