@@ -42,6 +42,10 @@ static const struct cut {
     {"planar-bushings", "fr, pp"},     /* free body and a leaf elsewhere */
     {"reversed-chain", "p, u.angle2"}, /* joints written child first */
     {"reversed-chain", "cy.displacement"},
+    {"loop-leaf", "P"},    /* a leaf on a slow loop */
+    {"loop-leaf", "A"},    /* a fast loop with slow leaves */
+    {"loop-spatial", "L"}, /* a ball joint on a slow loop */
+    {"loop-spatial", "A"},
 };
 
 /* End of a run: positions, velocities, works; returns their number. */
