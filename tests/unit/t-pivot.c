@@ -1,0 +1,136 @@
+/* t-pivot.c -- LU with full pivoting: products, solutions, ranks, preferences. */
+#include <math.h>
+#include <string.h>
+
+#include "la/pivot.h"
+#include "unit/trees.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+enum { MOST = 12 };
+
+static void random_matrix(double *A, struct tree_dice *d, int m, int n, double zeros)
+{
+    for (int i = 0; i < m * n; i++) A[i] = tree_roll(d, 0, 1) < zeros ? 0 : tree_roll(d, -1, 1);
+}
+
+/* A [m x n] of the given rank: a product of thin matrices. */
+static void ranked_matrix(double *A, struct tree_dice *d, int m, int n, int rank)
+{
+    double X[MOST * MOST], Y[MOST * MOST];
+    random_matrix(X, d, m, rank, 0);
+    random_matrix(Y, d, rank, n, 0);
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < m; i++) {
+            A[i + j * m] = 0;
+            for (int k = 0; k < rank; k++) A[i + j * m] += X[i + k * m] * Y[k + j * rank];
+        }
+}
+
+static void ranks(void **state)
+{
+    struct tree_dice d = {1};
+    (void)state;
+    for (int trial = 0; trial < 500; trial++) {
+        int m = 1 + tree_pick(&d, MOST), n = 1 + tree_pick(&d, MOST), least = m < n ? m : n;
+        int rank = tree_pick(&d, least + 1), row[MOST], col[MOST];
+        double A[MOST * MOST], LU[MOST * MOST];
+        ranked_matrix(A, &d, m, n, rank);
+        memcpy(LU, A, sizeof A);
+        assert_int_equal(pivot_lu(LU, row, col, m, n, m, NULL, least, 1e-11), rank);
+        for (int i = 0; i < m; i++) /* P A Q = L U */
+            for (int j = 0; j < n; j++) {
+                double sum = 0;
+                for (int k = 0; k < rank && k <= i && k <= j; k++) sum += (k == i ? 1 : LU[i + k * m]) * LU[k + j * m];
+                assert_true(fabs(sum - A[row[i] + col[j] * m]) < 1e-12);
+            }
+    }
+}
+
+/* b = A x, or A' x. */
+static void product(double *b, const double *A, const double *x, int n, bool transposed)
+{
+    for (int i = 0; i < n; i++) b[i] = 0;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) b[transposed ? j : i] += A[i + j * n] * x[transposed ? i : j];
+}
+
+static void near_all(const double *a, const double *b, int n)
+{
+    for (int i = 0; i < n; i++) assert_true(fabs(a[i] - b[i]) < 1e-11);
+}
+
+/* Both solvers, both ways, against the product. */
+static void solutions(void **state)
+{
+    struct tree_dice d = {2};
+    int done = 0;
+    (void)state;
+    for (int trial = 0; trial < 500; trial++) {
+        int n = 1 + tree_pick(&d, MOST), row[MOST], col[MOST], swap[MOST];
+        double A[MOST * MOST], LU[MOST * MOST], rows[MOST * MOST], x[MOST], b[MOST], work[MOST];
+        random_matrix(A, &d, n, n, trial % 2 ? .6 : 0);
+        for (int i = 0; i < n; i++) A[i + n * ((i + trial) % n)] += 3;
+        for (int i = 0; i < n; i++) x[i] = tree_roll(&d, -1, 1);
+        memcpy(LU, A, sizeof A);
+        memcpy(rows, A, sizeof A);
+        if (pivot_lu(LU, row, col, n, n, n, NULL, n, 1e-3) < n) continue;
+        assert_int_equal(pivot_rows(rows, swap, n, n), n);
+        product(b, A, x, n, false);
+        pivot_solve(LU, row, col, b, work, n, n);
+        near_all(b, x, n);
+        product(b, A, x, n, true);
+        pivot_tsolve(LU, row, col, b, work, n, n);
+        near_all(b, x, n);
+        product(b, A, x, n, false);
+        pivot_rows_solve(rows, swap, b, work, n, n);
+        near_all(b, x, n);
+        product(b, A, x, n, true);
+        pivot_rows_tsolve(rows, swap, b, work, n, n);
+        near_all(b, x, n);
+        done++;
+    }
+    assert_true(done > 300);
+}
+
+/* Columns that are to stay out are taken last: never while others give the rank. */
+static void preferences(void **state)
+{
+    struct tree_dice d = {3};
+    (void)state;
+    for (int trial = 0; trial < 200; trial++) {
+        const int m = 4, n = 8;
+        int row[4], col[8], out = tree_pick(&d, n);
+        double A[32], weight[8];
+        random_matrix(A, &d, m, n, 0);
+        for (int j = 0; j < n; j++) weight[j] = j == out ? 1e-7 : 1;
+        assert_int_equal(pivot_lu(A, row, col, m, n, m, weight, m, 0), m);
+        for (int k = 0; k < m; k++) assert_int_not_equal(col[k], out);
+    }
+}
+
+static void hopeless(void **state)
+{
+    (void)state;
+    int row[3], col[3];
+    double zero[9] = {0}, nan[9], gap[9] = {1, 0, 0, 0, 0, 0, 0, 0, 1};
+    for (int i = 0; i < 9; i++) nan[i] = NAN;
+    assert_int_equal(pivot_lu(zero, row, col, 3, 3, 3, NULL, 3, 0), 0);
+    assert_int_equal(pivot_lu(nan, row, col, 3, 3, 3, NULL, 3, 0), 0);
+    assert_int_equal(pivot_rows(zero, row, 3, 3), 0);
+    assert_int_equal(pivot_rows(nan, row, 3, 3), 0);
+    assert_int_equal(pivot_rows(gap, row, 3, 3), 1);
+    assert_true(pivot_ratio((double[]){4, 0, 0, 1}, 2, 2) == .25);
+    assert_true(pivot_ratio(NULL, 0, 0) == 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ranks), cmocka_unit_test(solutions),
+                                       cmocka_unit_test(preferences), cmocka_unit_test(hopeless)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
