@@ -91,6 +91,7 @@ static int read_shape(struct builder *b, struct scene_body *body, const struct b
         diag_error(b->diags, node_find(k->shape, "density"), AT_KEY, "E-two-kinds", "%s: both mass and density", what);
         return 1;
     }
+    warn_of_density(b, k->shape, body->mass, solid.volume, what);
     for (int i = 0; i < 3; i++) body->inertia[i] = body->mass * solid.i[i];
     return 0;
 }

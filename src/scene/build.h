@@ -113,6 +113,11 @@ int read_space(struct builder *b, const struct deck_keys *k);
 int read_bodies(struct builder *b, const struct node *n);
 int read_joints(struct builder *b, const struct node *n);
 int read_measures(struct builder *b, const struct node *n);
+/* plausible.c: warnings about numbers that look like other units */
+void warn_of_gravity(struct builder *b, const struct node *n);
+void warn_of_density(struct builder *b, const struct node *shape, double mass, double volume, const char *what);
+void warn_of_angle(struct builder *b, const struct node *n, double angle);
+
 /* Does the deck name it, but in a way that is wrong and was told? */
 bool known_but_wrong(const struct builder *b, const char *name);
 

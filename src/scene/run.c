@@ -70,7 +70,11 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
             return 1;
         }
         o->type = found == 1 ? INITIAL_POSITION : INITIAL_RATE;
-        if (found == 1 || found == 2) return read_number(o->x, n, NULL, &b->reader);
+        if (found == 1 || found == 2) {
+            if (read_number(o->x, n, NULL, &b->reader)) return 1;
+            if (found == 1 && strncmp(j->kind->qunit[o->k], "rad", 3) == 0) warn_of_angle(b, n, o->x[0]);
+            return 0;
+        }
     }
     const char *const *list;
     int count = initial_names(b, &list);

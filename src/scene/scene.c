@@ -66,7 +66,7 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
     scene->title = k.title ? k.title : "";
     if (k.bodies) {
         read_space(&b, &k);
-        if (k.gravity) read_place(&b, scene->gravity, k.gravity, "'gravity'");
+        if (k.gravity && read_place(&b, scene->gravity, k.gravity, "'gravity'") == 0) warn_of_gravity(&b, k.gravity);
         read_bodies(&b, k.bodies);
         read_joints(&b, k.constraints);
         read_measures(&b, k.measures);

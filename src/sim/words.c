@@ -129,9 +129,12 @@ static const char *force_name(const struct sim *sim, int i)
 static const char *advice(const struct sim *sim, const struct trouble *why)
 {
     switch (why->code) {
-    case TROUBLE_NOT_FINITE:
     case TROUBLE_LAW:
         return "look at the expressions and tables of its forces";
+    case TROUBLE_NOT_FINITE:
+        return sim->stepper.effort.majors || sim->stepper.effort.rejected
+                   ? "try a smaller step, or look at the forces"
+                   : "look for numbers of the deck that are too large, and at its forces";
     case TROUBLE_MASS:
         return "give the bodies it moves mass and inertia";
     case TROUBLE_CLOSURE:
@@ -153,7 +156,10 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
         why->index >= 0 && why->index < sim->stepper.ode->n ? sim_coordinate_name(sim, why->index) : "?";
     switch (why->code) {
     case TROUBLE_NOT_FINITE:
-        snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate);
+        if (*coordinate == '?')
+            snprintf(what, sizeof what, "the state has a part that is not a number");
+        else
+            snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate);
         break;
     case TROUBLE_LAW:
         snprintf(what, sizeof what, "force '%s' is not a number", force_name(sim, why->index));

@@ -1,0 +1,44 @@
+# warnings.sh -- what a deck may say but hardly means: one warning, with its place and code; --strict makes it status 1.
+. tests/tools/lib.sh
+cd "$work" || exit 1
+
+plane='fmdsub: 1
+gravity: [0, -9.81]
+bodies: {arm: {mass: 1, inertia: 0.1, at: [1, 0]}}
+constraints: {pin: {revolute: [ground, arm], at: [0, 0]}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
+space='fmdsub: 1
+bodies: {top: {mass: 8, shape: {box: [0.1, 0.1, 0.1]}, at: [0, 0, 0]}}
+constraints: {ball: {spherical: [ground, top], at: [0, 0, 0]}}
+initial: {ball.omega: [1, 2, 3]}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
+
+warned() { # NAME DECK PATTERN [SET]: status 0, one warning, 1 with --strict
+    echo "$2" >deck.yaml
+    "$FMDSUB" run -q -s "title=x" -s "${4:-title=x}" deck.yaml >out 2>err
+    rc=$?
+    "$FMDSUB" run -q --strict -s "title=x" -s "${4:-title=x}" deck.yaml >out 2>strict
+    if [ "$rc $?" = "0 1" ] && [ "$(grep -c ': warning: ' err)" = 1 ] && grep -q -- "$3" err; then ok "$1"
+    else not_ok "$1" "status $rc; expected 0, 1 with --strict, and one warning with: $3" err strict; fi
+}
+silent() { # NAME DECK [SET]
+    echo "$2" >deck.yaml
+    "$FMDSUB" run -q --strict -s "${3:-title=x}" deck.yaml >out 2>err
+    expect "$1" "0 0" "$? $(wc -l <err)" err
+}
+
+silent "nothing to warn of, planar" "$plane"
+silent "nothing to warn of, spatial" "$space"
+warned "gravity in mm/s2" "$plane" "^--set:1:9: warning: gravity of 9810 m/s2 is 1e+03 times that of the earth \[W-units\]" 'gravity=[0, -9810]'
+silent "gravity of the sun" "$plane" 'gravity=[0, -274]'
+warned "degrees" "$plane" "^--set:1:21: warning: an angle of 45 rad is 7.16 turns \[W-units\]" 'initial={pin.angle: 45}'
+silent "one turn" "$plane" 'initial={pin.angle: -2*pi}'
+silent "a rate is no angle" "$plane" 'initial={pin.angle_rate: 45}'
+warned "a box in mm" "$space" "warning: body 'top' has a density of 8e-06 kg/m3 \[W-units\]" 'bodies.top.shape.box=[100, 100, 100]'
+warned "a density in kg/mm3" "$(echo "$space" | sed 's/mass: 8, //; s/0.1]}/0.1], density: 7.85e-6}/')" "density of 7.85e-06"
+silent "the densest" "$space" 'bodies.top.mass=22.5'
+warned "a turn too far" "$space" "^deck.yaml:4:23: warning: at this rate it turns by 1.87 rad in a major step of 0.5 s \[W-turn\]" \
+    'integrate={scheme: midpoint, step: 0.5, until: 1}'
+silent "a turn within reach" "$space" 'integrate={scheme: midpoint, step: 0.4, until: 1}'
+echo "$plane" | sed '/constraints/d' >free.yaml
+warned "a body that nothing holds" "$(cat free.yaml)" "W-unconnected"
