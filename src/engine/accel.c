@@ -1,13 +1,11 @@
-/* accel.c -- (2-4) solved for the accelerations: M^ a = -r(q, v, a = 0, t), by Cholesky; long systems
- * go through the owner's own solver when there is one (O(N) on trees). */
+/* accel.c -- (2-4) solved for the accelerations: M^ a = -r(q, v, a = 0, t), by the owner's own solver when there is
+ * one (articulated bodies on trees: O(n), and no slower for two links), else by Cholesky. */
 #include "engine/accel.h"
 
 #include <math.h>
 
 #include "engine/motion.h"
 #include "la/dense.h"
-
-enum { SMALL = 12 }; /* up to here dense is no slower, and the residual gives the powers at once */
 
 void accel_open(struct accel *c, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
@@ -30,26 +28,17 @@ static enum status dense(struct accel *c, double *a, double *w, const struct ins
     return OK;
 }
 
-static enum status structured(struct accel *c, double *a, double *w, const struct instant *x, struct trouble *why)
-{
-    const struct ode2 *o = c->ode;
-    c->effort->slow++;
-    c->effort->fast++;
-    if (w) { /* a is only the place for a residual nobody needs */
-        TRY(o->ops->resid(o, a, w, NULL, x, ALL, why));
-        c->effort->slow++;
-        c->effort->fast++;
-    }
-    return o->direct->accel(o, a, x->q, x->v, x->t, why);
-}
-
 enum status accel_solve(struct accel *c, double *a, double *w, const double *q, const double *v, double t,
                         struct trouble *why)
 {
     const struct ode2 *o = c->ode;
     struct instant x = {.t = t, .q = q, .v = v, .ta = t, .tb = t};
-    int long_one = o->n > SMALL && o->direct && o->direct->accel;
-    TRY((long_one ? structured : dense)(c, a, w, &x, why));
+    if (o->direct && o->direct->accel && o->direct->accel(o, a, w, q, v, t, NULL) == OK) {
+        c->effort->slow++;
+        c->effort->fast++;
+    } else {
+        TRY(dense(c, a, w, &x, why)); /* which knows the coordinate to blame, too */
+    }
     for (int i = 0; i < o->n; i++)
         if (!isfinite(a[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, a[i], t);
     return OK;

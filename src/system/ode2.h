@@ -62,8 +62,8 @@ struct ode2_move {
 
 /* Solvers that know the structure.  NULL, or a NULL member: dense. */
 struct ode2_direct {
-    /* a = M^-1 Q^: (2-4) solved. */
-    enum status (*accel)(const struct ode2 *o, double *a, const double *q, const double *v, double t,
+    /* a = M^-1 Q^: (2-4) solved.  w as in resid(). */
+    enum status (*accel)(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
                          struct trouble *why);
     /* F := (cm M + cc C + ck K)(x), factored; the caller owns F [factor_size bytes].
      * E_NUMERIC with TROUBLE_SINGULAR when the structure does not allow it: the caller goes dense. */

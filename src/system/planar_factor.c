@@ -85,7 +85,7 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
 {
     double(*arm)[2] = arms(F);
     struct pivot *pivot = pivots(s, F) + s->n;
-    planar_place(s, q, ALL);
+    if (q) planar_place(s, q, ALL);
     for (int i = 1; i < s->nbody; i++) {
         double *I = s->part[i].I;
         I[0] = cm * s->link[i].inertia;

@@ -133,13 +133,13 @@ static const struct ode2_move move = {.point = move_point, .diff = move_diff, .r
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
-static enum status accel(const struct ode2 *o, double *a, const double *q, const double *v, double t,
+static enum status accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
                          struct trouble *why)
 {
     struct system *s = system_of(o);
     const struct instant x = {.t = t, .q = q, .v = v};
-    TRY(resid(o, a, NULL, NULL, &x, ALL, why));
-    if (!s->ops->factor(s->work, s->factor, 1, s->zero, q)) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
+    TRY(resid(o, a, w, NULL, &x, ALL, why));
+    if (!s->ops->factor(s->work, s->factor, 1, s->zero, NULL)) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
     s->ops->solve(s->work, s->factor, a);
     for (int i = 0; i < o->n; i++) a[i] = -a[i];
     return OK;
@@ -305,7 +305,7 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
     }
     if (what & SEE_ACCELERATION) {
         const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
-        TRY(s->loops ? loops_accel(s, q, v, t, why) : accel(&s->ode, s->a, q, v, t, why));
+        TRY(s->loops ? loops_accel(s, q, v, t, why) : accel(&s->ode, s->a, NULL, q, v, t, why));
         memset(s->r, 0, sizeof *s->r * (size_t)m->n);
         s->ops->forward(s->view, s->q, s->v, s->a, ALL);
         elements_load(s->elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);

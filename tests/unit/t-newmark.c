@@ -271,11 +271,12 @@ static void rope_solve(const struct ode2 *o, const void *F, double *x)
     dense_cholesky_solve(F, x, LONG, LONG);
 }
 
-static enum status rope_accel(const struct ode2 *o, double *a, const double *q, const double *v, double t,
+static enum status rope_accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
                               struct trouble *why)
 {
     double A[LONG * LONG];
     (void)v, (void)t, (void)why;
+    if (w) memset(w, 0, POWER_CHANNELS * sizeof *w);
     memset(a, 0, LONG * sizeof *a);
     rope_matrix(o->self, A, 0, -1);
     multiply_add(a, A, q, LONG);
@@ -289,10 +290,8 @@ static void test_direct(void **state)
 {
     (void)state;
     static const struct ode2_ops ops = {rope_resid, rope_mass, rope_slopes};
-    static const struct ode2_direct direct = {.accel = rope_accel,
-                                              .factor_size = LONG * LONG * sizeof(double),
-                                              .factor = rope_factor,
-                                              .solve = rope_solve};
+    static const struct ode2_direct direct = {
+        .accel = rope_accel, .factor_size = LONG * LONG * sizeof(double), .factor = rope_factor, .solve = rope_solve};
     const char *schemes[] = {"newmark", "midpoint", "rk4"};
     double q[LONG], v[LONG] = {0}, end[3][LONG];
     for (int i = 0; i < LONG; i++) q[i] = sin(.3 * i);

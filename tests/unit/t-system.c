@@ -152,7 +152,7 @@ static void the_same_bits_twice(void **state)
         struct energies e;
         open_tree(&f, space, 6, seed, TREE_FORCES | TREE_FAST_LEAVES);
         resid(r, w, &f, f.a, ALL);
-        f.o->direct->accel(f.o, other, f.q, f.a, 2, NULL);
+        f.o->direct->accel(f.o, other, NULL, f.q, f.a, 2, NULL);
         system_see(f.s, f.q, f.a, 1, SEE_ACCELERATION | SEE_ENERGY, NULL);
         system_energy_at(f.s, &e, f.q, f.a, 0);
         resid(other, NULL, &f, NULL, FAST);
@@ -177,7 +177,7 @@ static void nothing_is_allocated(void **state)
         f.o->ops->resid(f.o, r, NULL, NULL, &x, ALL, NULL);
         f.o->ops->slopes(f.o, K, C, &x, ALL, NULL);
         f.o->ops->mass(f.o, K, f.q, 0, ALL, NULL);
-        f.o->direct->accel(f.o, r, f.q, f.v, 0, NULL);
+        f.o->direct->accel(f.o, r, NULL, f.q, f.v, 0, NULL);
         system_see(f.s, f.q, f.v, 0, SEE_ACCELERATION | SEE_ENERGY, NULL);
         assert_int_equal(arena_used(f.arena), used);
         close_tree(&f);
@@ -192,7 +192,7 @@ static void accelerations_solve_the_equations(void **state)
         struct fixture f;
         double a[MOST], r[MOST], r0[MOST];
         open_tree(&f, space, 8, seed, TREE_FORCES);
-        assert_int_equal(f.o->direct->accel(f.o, a, f.q, f.v, f.t, NULL), OK);
+        assert_int_equal(f.o->direct->accel(f.o, a, NULL, f.q, f.v, f.t, NULL), OK);
         resid(r, NULL, &f, a, ALL);
         resid(r0, NULL, &f, NULL, ALL);
         assert_true(largest(r, f.m->n) <= 1e-10 * (1 + largest(r0, f.m->n)));
@@ -251,7 +251,7 @@ static void power_is_the_rate_of_energy(void **state)
         struct fixture f;
         double a[MOST], r[MOST], w[POWER_CHANNELS], q[MOST], v[MOST], dx[MOST], e = 1e-4, E[2];
         open_tree(&f, space, 5, seed, TREE_FORCES);
-        f.o->direct->accel(f.o, a, f.q, f.v, f.t, NULL);
+        f.o->direct->accel(f.o, a, NULL, f.q, f.v, f.t, NULL);
         resid(r, w, &f, a, ALL);
         for (int side = 0; side < 2; side++) {
             double h = side ? e : -e;
@@ -308,7 +308,7 @@ static void momenta_are_kept(void **state)
         double a[MOST], q[MOST], v[MOST], dx[MOST], e = 1e-5, P[2][6], scale = 1;
         open_some(&f, space, 3, seed, TREE_FORCES | TREE_ADRIFT | TREE_FREE_FALL, between_bodies);
         tried += f.m->nforce;
-        f.o->direct->accel(f.o, a, f.q, f.v, f.t, NULL);
+        f.o->direct->accel(f.o, a, NULL, f.q, f.v, f.t, NULL);
         for (int side = 0; side < 2; side++) {
             double h = side ? e : -e;
             for (int i = 0; i < f.m->n; i++) dx[i] = h * (f.v[i] + .5 * h * a[i]), v[i] = f.v[i] + h * a[i];
@@ -495,7 +495,7 @@ static void a_massless_body_has_no_acceleration(void **state)
     struct model_body *last = (struct model_body *)&f.m->body[3];
     last->mass = last->inertia[2] = 0;
     start(&f);
-    assert_int_equal(f.o->direct->accel(f.o, a, f.q, f.v, 0, &why), E_NUMERIC);
+    assert_int_equal(f.o->direct->accel(f.o, a, NULL, f.q, f.v, 0, &why), E_NUMERIC);
     assert_int_equal(why.code, TROUBLE_MASS);
     close_tree(&f);
 }
