@@ -9,7 +9,7 @@
 
 enum { MOST_HALVINGS = 10 };
 
-static void push(struct sim *sim, double h)
+static void push(struct sim *sim, double h, int ratio)
 {
     struct energies e;
     const struct stepper *s = &sim->stepper;
@@ -17,6 +17,7 @@ static void push(struct sim *sim, double h)
     ledger_push(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity, s->work, s->lost, s->left);
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
+    turns_note(sim, h, ratio);
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);
@@ -24,7 +25,7 @@ static enum status halve(struct sim *sim, double h, int ratio, double to, int de
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
-    if (status == OK) push(sim, h);
+    if (status == OK) push(sim, h, ratio);
     if (status == E_NUMERIC && depth < MOST_HALVINGS) return halve(sim, h, ratio, to, depth);
     return status;
 }

@@ -22,6 +22,10 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
 enum status events_open(struct sim *sim, struct diags *diags, struct arena *life);
 enum status events_look(struct sim *sim, struct sink *sink, struct report *report);
 
+/* turns.c: the farthest turn of a ball or free joint in one step */
+void turns_note(struct sim *sim, double h, int ratio);
+void say_turns(const struct sim *sim, FILE *to);
+
 /* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
 double record_value(const struct sim *sim, const struct origin *s);
 enum status record_fill(struct sim *sim);

@@ -64,6 +64,8 @@ struct sim {
     double last_h; /* minor step of the last step */
     long rows;
     double min_h;           /* smallest minor step taken */
+    double turn, t_turn;    /* farthest turn of a ball or free joint in one step [rad], when */
+    int turn_joint;         /* and whose */
     double cpu;             /* seconds of stepping, without records */
     struct trouble trouble; /* why it stopped */
     enum status status;     /* how it ended */

@@ -48,27 +48,36 @@ static const struct cut {
     {"loop-spatial", "A"},
 };
 
+static struct arena *open_run(struct sim *sim, const char *path, int nset, const char *const *set, FILE *say)
+{
+    struct report report = {0};
+    struct scene *scene;
+    const struct deck_options options = {.nset = nset, .set = set};
+    const struct sim_options how = {.version = "test", .say = say};
+    struct arena *life = arena_open();
+    struct diags *diags = diags_open(life);
+    enum status status = sim_load(&scene, path, &options, diags, life, &report);
+    if (status == OK) status = sim_open(sim, scene, &scene->integrate, &how, diags, life, &report);
+    if (status != OK) {
+        diags_print(stderr, diags, false);
+        fprintf(stderr, "%s: %s\n", path, report.text);
+    }
+    assert_int_equal(status, OK);
+    return life;
+}
+
 /* End of a run: positions, velocities, works; returns their number. */
 static int end_of_run(double *end, const struct cut *cut, const char *how)
 {
     char path[80], fast[60];
     struct report report = {0};
     struct sim sim;
-    struct scene *scene;
     snprintf(path, sizeof path, "tests/decks/audit-%s.yaml", cut->deck);
     snprintf(fast, sizeof fast, "partition={fast: [%s]}", cut->fast);
     const char *const set[] = {fast, how, "integrate.until=0.4", "output.every=0.4"};
-    const struct deck_options options = {.nset = 4, .set = set};
-    const struct sim_options quiet = {.version = "test"};
-    struct arena *life = arena_open();
-    struct diags *diags = diags_open(life);
-    enum status status = sim_load(&scene, path, &options, diags, life, &report);
-    if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &quiet, diags, life, &report);
-    if (status == OK) status = sim_run(&sim, NULL, &report);
-    if (status != OK) {
-        diags_print(stderr, diags, false);
-        fprintf(stderr, "%s, %s: %s\n", path, how, report.text);
-    }
+    struct arena *life = open_run(&sim, path, 4, set, NULL);
+    enum status status = sim_run(&sim, NULL, &report);
+    if (status != OK) fprintf(stderr, "%s, %s: %s\n", path, how, report.text);
     assert_int_equal(status, OK);
     int nq = sim.model->nq, n = nq + sim.model->n;
     assert_true(n + 2 <= MOST);
@@ -123,11 +132,35 @@ static void test_load_on_slow_body(void **state)
     }
 }
 
+/* A body that turns farther in a step than the step can tell is told of, though its energy is kept. */
+static void test_far_turns_are_told(void **state)
+{
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        const char *const set[] = {far ? "integrate={scheme: midpoint, step: 0.4, until: 4}"
+                                       : "integrate={scheme: midpoint, step: 0.2, until: 4}",
+                                   "output.every=4", "initial={float.omega: [0, 0, 5]}"};
+        char words[2000];
+        struct report report = {0};
+        struct sim sim;
+        FILE *say = tmpfile();
+        assert_non_null(say);
+        struct arena *life = open_run(&sim, "decks/free-top.yaml", 3, set, say);
+        assert_int_equal(sim_run(&sim, NULL, &report), OK);
+        arena_close(life);
+        rewind(say);
+        words[fread(words, 1, sizeof words - 1, say)] = 0;
+        fclose(say);
+        assert_int_equal(strstr(words, "warning: 'float' turns by") != NULL, far); /* 2 rad or 1 */
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_order_of_every_cut),
         cmocka_unit_test(test_load_on_slow_body),
+        cmocka_unit_test(test_far_turns_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,37 @@
+/* turns.c -- how far a ball or free joint turns in one step.
+ *
+ * The implicit schemes turn a body about one axis by the Cayley map, by 2 atan(|omega| h/2) in place of |omega| h: a
+ * seventh is lost at pi/2, and of 10 rad 2.75 are left.  Energy and momenta are kept all the same, so the balance
+ * (2-26) says nothing: beyond pi/2 these words do. */
+#include "la/vec3.h"
+#include "sim/parts.h"
+
+static const double quarter_turn = 1.57079632679489662;
+
+/* After an accepted step of `ratio` minor steps h; rates as the last system_energy_at left them. */
+void turns_note(struct sim *sim, double h, int ratio)
+{
+    const struct model *m = sim->model;
+    const double *v = m->nloop ? system_rates(sim->system) : sim->x.v;
+    if (sim->stepper.kind->adaptive) return; /* watches its own error */
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        if (j->nq == j->nv) continue;
+        int iv = j->iv[j->nv - 3];
+        double span = iv < m->ns || sim->stepper.kind->rates == 1 ? h : h * ratio;
+        double turn = v3_norm(v + iv) * span;
+        if (!(turn > sim->turn)) continue;
+        sim->turn = turn;
+        sim->turn_joint = i;
+        sim->t_turn = sim->x.t;
+    }
+}
+
+void say_turns(const struct sim *sim, FILE *to)
+{
+    if (!(sim->turn > quarter_turn)) return;
+    fprintf(to,
+            "warning: '%s' turns by %.3g rad in one step at t = %.6g s: more than pi/2 is not resolved; try a smaller "
+            "step\n",
+            sim->model->joint[sim->turn_joint].name, sim->turn, sim->t_turn);
+}
