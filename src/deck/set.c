@@ -166,13 +166,18 @@ static void make(const struct setting *s, struct node *n, const char *rest, stru
 /* What is to be made waits for repeat:, unless it is for repeat: itself. */
 static bool made_early(const char *path)
 {
-    return !strncmp(path, "parameters.", 11) || strchr(path, '$');
+    return !strcmp(path, "parameters") || !strncmp(path, "parameters.", 11) || strchr(path, '$');
 }
 
 static void apply(struct setting *s, bool late, struct deck *deck)
 {
     const char *rest;
     if (s->done) return;
+    if (!strcmp(s->path, "include") || !strncmp(s->path, "include.", 8)) {
+        s->done = true;
+        diag_error_in(deck->diags, path_span(s), "E-set", "'include' is done before --set: it belongs into the deck");
+        return;
+    }
     struct node *n = walk(deck->root, s->path, &rest, deck->arena);
     if (*rest && !late && !made_early(s->path)) return;
     s->done = true;

@@ -205,7 +205,7 @@ int read_bodies(struct builder *b, const struct node *n)
         body->name = item->key;
         body->node = item;
         memcpy(body->R, identity, sizeof identity);
-        if (!text_is_name(item->key) || strcmp(item->key, "energy") == 0 || strcmp(item->key, "step") == 0) {
+        if (!may_own_columns(item->key)) {
             diag_error(b->diags, item, AT_KEY, "E-name", "'%.60s' cannot name a body", item->key);
             diag_hint(b->diags, "names are letters, digits and '_', a letter first; energy and step are taken");
             errors++;

@@ -118,6 +118,9 @@ void warn_of_gravity(struct builder *b, const struct node *n);
 void warn_of_density(struct builder *b, const struct node *shape, double mass, double volume, const char *what);
 void warn_of_angle(struct builder *b, const struct node *n, double angle);
 
+/* A name, and not one of those that columns of the program's own begin with. */
+bool may_own_columns(const char *name);
+
 /* Does the deck name it, but in a way that is wrong and was told? */
 bool known_but_wrong(const struct builder *b, const char *name);
 

@@ -321,8 +321,8 @@ int read_forces(struct builder *b, const struct node *n)
     scene->force = TAKE(b->life, struct scene_force, n->count);
     for (int i = 0; i < n->count; i++) {
         struct scene_force f = {0};
-        if (!text_is_name(n->item[i]->key)) {
-            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' is not a name", n->item[i]->key);
+        if (!may_own_columns(n->item[i]->key)) {
+            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a force", n->item[i]->key);
             errors++;
         } else if (read_force(b, &f, n->item[i])) {
             errors++;

@@ -115,9 +115,9 @@ int read_joints(struct builder *b, const struct node *n)
     scene->joint = TAKE(b->life, struct scene_joint, n->count);
     for (int i = 0; i < n->count; i++) {
         struct scene_joint joint = {0};
-        if (!text_is_name(n->item[i]->key)) {
-            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' is not a name", n->item[i]->key);
-            diag_hint(b->diags, "names are letters, digits and '_', a letter first");
+        if (!may_own_columns(n->item[i]->key)) {
+            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a joint", n->item[i]->key);
+            diag_hint(b->diags, "names are letters, digits and '_', a letter first; ground, energy and step are taken");
             errors++;
         } else if (read_joint(b, &joint, n->item[i])) {
             errors++;

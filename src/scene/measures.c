@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "expr/expr.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 #include "scene/build.h"
@@ -110,6 +111,14 @@ static bool is_body(const struct scene *scene, const char *name)
     return false;
 }
 
+/* Expressions would find the parameter and never the measure. */
+static bool is_parameter(const struct builder *b, const char *name)
+{
+    double x;
+    const struct deck *deck = b->reader.deck;
+    return deck_parameter(&x, name, deck) == 0 || deck_parameter(&x, arena_print(b->life, "%s_rate", name), deck) == 0;
+}
+
 int read_measures(struct builder *b, const struct node *n)
 {
     int errors = 0;
@@ -117,11 +126,14 @@ int read_measures(struct builder *b, const struct node *n)
     if (read_map(n, "'measures'", &b->reader)) return 1;
     for (int i = 0; i < n->count; i++) {
         const struct node *m = n->item[i];
-        if (!text_is_name(m->key) || strcmp(m->key, "t") == 0 || strcmp(m->key, "type") == 0) {
+        if (!text_is_name(m->key) || strcmp(m->key, "t") == 0 || strcmp(m->key, "type") == 0 || expr_is_word(m->key)) {
             diag_error(b->diags, m, AT_KEY, "E-name", "'%.60s' cannot name a measure", m->key);
             errors++;
         } else if (find_joint(b->scene, m->key, strlen(m->key)) >= 0) {
             diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a constraint already", m->key);
+            errors++;
+        } else if (is_parameter(b, m->key)) {
+            diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' or its rate is a parameter already", m->key);
             errors++;
         } else if (is_body(b->scene, m->key)) {
             diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a body already", m->key);

@@ -78,6 +78,14 @@ int find_two_bodies(struct builder *b, int *first, int *second, const struct nod
     return 0;
 }
 
+bool may_own_columns(const char *name)
+{
+    static const char *const taken[] = {"ground", "energy", "step"};
+    for (int i = 0; i < 3; i++)
+        if (strcmp(name, taken[i]) == 0) return false;
+    return text_is_name(name);
+}
+
 int find_joint(const struct scene *scene, const char *name, size_t len)
 {
     for (int i = 0; i < scene->njoint; i++)
