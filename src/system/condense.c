@@ -630,27 +630,43 @@ static const char *place_name(const struct model *m, int iv)
     return "?";
 }
 
-/* The deck's choice leaves C_qd singular: names a coordinate it can do without and one it could have. */
-static enum status refuse_choice(struct condense *o, struct component *c)
+/* Is the coordinate one that the deck wants independent? */
+static bool chosen_by_deck(const struct condense *o, int iv)
 {
-    const struct model *m = o->model;
-    int asked = -1, instead = -1;
-    keep_split(o->split, c);
+    return o->model->follow[iv] < 1e-3;
+}
+
+/* The deck's choice leaves C_qd singular: names a coordinate that must follow, and one that may lead. */
+static enum status refuse_choice(struct condense *o, struct component *c, int asked)
+{
+    int instead = -1;
     for (int k = 0; k < c->nk; k++) c->weight[k] = 1;
     choose(o, c);
-    for (int r = 0; r < c->nr && asked < 0; r++)
-        if (m->follow[c->k[c->dep[r]]] < 1e-3) asked = c->k[c->dep[r]];
     for (int j = 0; j < c->ni && instead < 0; j++)
-        if (m->follow[c->k[c->ind[j]]] >= 1e-3) instead = c->k[c->ind[j]];
+        if (!chosen_by_deck(o, c->k[c->ind[j]])) instead = c->k[c->ind[j]];
+    if (instead < 0)
+        return fail(&o->start.report, E_MODEL,
+                    "'%s' cannot be independent: the loops leave %d freedom(s), and these are chosen",
+                    place_name(o->model, asked), c->ni);
     return fail(&o->start.report, E_MODEL,
                 "'%s' cannot be independent here: the loops' equations for the others are singular; try '%s'",
-                place_name(m, asked), place_name(m, instead));
+                place_name(o->model, asked), place_name(o->model, instead));
+}
+
+/* The deck's coordinate that makes the split impossible or all but singular; -1: none. */
+static int to_blame(const struct condense *o, const struct component *c)
+{
+    static const double SINGULAR = 1e-7;
+    for (int r = 0; r < c->nr; r++)
+        if (chosen_by_deck(o, c->k[c->dep[r]])) return c->k[c->dep[r]];
+    for (int j = 0; j < c->ni && c->chosen < SINGULAR; j++)
+        if (chosen_by_deck(o, c->k[c->ind[j]])) return c->k[c->ind[j]];
+    return -1;
 }
 
 /* Ranks and splits at q, where the loops miss by so much. */
 static enum status split_all(struct condense *o, const double *q, double miss)
 {
-    static const double SINGULAR = 1e-7, REGULAR = 1e-4;
     look(o, q, o->zero);
     o->start.redundant = 0;
     for (int i = 0; i < o->ncomponent; i++) {
@@ -663,11 +679,8 @@ static enum status split_all(struct condense *o, const double *q, double miss)
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->follow[c->k[k]];
         c->chosen = choose(o, c);
         o->start.redundant += c->nrow - c->nr;
-        if (c->chosen > SINGULAR) continue;
-        double chosen = c->chosen;
-        keep_split(o->split, c);
-        for (int k = 0; k < c->nk; k++) c->weight[k] = 1;
-        if (choose(o, c) > fmax(REGULAR, chosen)) return refuse_choice(o, c);
+        int asked = to_blame(o, c);
+        if (asked >= 0) return refuse_choice(o, c, asked);
     }
     number(o);
     return OK;
