@@ -4,6 +4,11 @@
 
 #include <signal.h>
 
+#include "base/status.h"
+
 extern volatile sig_atomic_t stop;
+
+/* How it ends what is under way: E_SIGINT, E_SIGTERM, E_LIMIT (CPU time); OK: there was none. */
+enum status stop_status(void);
 
 #endif

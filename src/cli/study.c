@@ -16,6 +16,7 @@ static enum status read_number_list(double *x, int *n, const char *option, const
                                     struct arena *life, struct report *report)
 {
     const char **words = columns_split(n, list, life);
+    if (*n == 0) return fail(report, E_USAGE, "--%s names no number", option);
     if (*n > MOST_CHOICES) return fail(report, E_USAGE, "--%s: more than %d", option, MOST_CHOICES);
     for (int i = 0; i < *n; i++) {
         char *end;
@@ -39,6 +40,7 @@ static enum status choose_schemes(struct study_options *o, struct choices *c, co
     static const char *const usual[] = {"midpoint", "subcycle", "miao", "newmark"};
     if (request->schemes) {
         const char **words = columns_split(&o->nscheme, request->schemes, life);
+        if (o->nscheme == 0) return fail(report, E_USAGE, "--schemes names no scheme");
         if (o->nscheme > MOST_CHOICES) return fail(report, E_USAGE, "--schemes: more than %d", MOST_CHOICES);
         for (int i = 0; i < o->nscheme; i++) {
             c->scheme[i] = words[i];

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/stop.h"
 #include "deck/stages.h"
 
 void hash_text(struct deck *deck, const char *text, size_t len)
@@ -47,6 +48,7 @@ static enum status read_file(struct source **out, struct stat *self, const char 
 {
     bool stdin_ = !strcmp(path, "-");
     int fd = stdin_ ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0 && errno == EINTR && stop) return stop_status(); /* a named pipe that nobody writes */
     if (fd < 0) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
     if (fstat(fd, self)) *self = (struct stat){0};
     enum status status = source_read(out, fd, deck->path, deck->max_bytes, deck->arena, report);

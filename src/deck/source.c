@@ -9,6 +9,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "base/stop.h"
+
 /* ---- lines and places ---- */
 
 size_t source_break(const char *p, const char *end)
@@ -157,6 +159,7 @@ enum status source_read(struct source **out, int fd, const char *path, size_t ma
         }
         ssize_t n = read(fd, text + len, room - len);
         if (n == 0) break;
+        if (n < 0 && errno == EINTR && stop) return stop_status();
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
         len += (size_t)n;

@@ -148,11 +148,6 @@ static enum status major(struct sim *sim, long k)
     return advance(sim, h, p->ratio, to);
 }
 
-static enum status signalled(void)
-{
-    return stop == SIGINT ? E_SIGINT : stop == SIGTERM ? E_SIGTERM : stop ? E_LIMIT : OK;
-}
-
 static enum status look(struct sim *sim, struct sink *sink, struct report *report)
 {
     enum status status = events_look(sim, sink, report);
@@ -179,7 +174,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->watch.met) return OK;
         if (stop && k < sim->majors) {
             if (!due) TRY(tell_row(sim, sink, report));
-            return signalled();
+            return stop_status();
         }
     }
     return OK;

@@ -34,6 +34,8 @@ refuse "takes no argument" schema "$deck"
 # Empty names.
 refuse "names no column" run --columns '' "$deck"
 refuse "names no column" run --columns ' , ' "$deck"
+refuse "names no scheme" study --schemes , "$deck"
+refuse "names no number" study --ratios '' "$deck"
 refuse "needs the name of a file" run -o '' "$deck"
 [ -e .part ] && not_ok "-o '': nothing is written" ".part is there" || ok "-o '': nothing is written"
 

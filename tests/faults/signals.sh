@@ -50,3 +50,12 @@ kill -INT $pid
 wait $pid
 expect "a second SIGINT ends a run that waits for its reader" 130 $?
 wait
+
+# While the deck is still to come: from a pipe that says nothing, or one that nobody opens.
+mkfifo "$work/silent"
+sleep 3 >"$work/silent" &
+timeout --preserve-status -k 1 -s INT 0.3 "$FMDSUB" run - <"$work/silent" 2>"$work/err"
+expect "SIGINT while standard input is read" 130 $? "$work/err"
+wait
+timeout --preserve-status -k 1 -s TERM 0.3 "$FMDSUB" run "$work/silent" 2>"$work/err"
+expect "SIGTERM while a named pipe waits for its writer" 143 $? "$work/err"
