@@ -15,8 +15,7 @@ static const double CLOSED = 1e-9;    /* a Newton correction below this leaves i
 static const double RANK = 1e-8;      /* least pivot over the first one */
 static const double NOTHING = 1e-10;  /* a pivot of round-off: C_q is scaled to numbers of order 1 */
 static const double ASSEMBLY = 1e-3;  /* |C| closed at all */
-static const double DEGRADED = 0.1;   /* pivot ratio against that at the choice: time to look for a better one */
-static const double MUCH_BETTER = 20; /* so much better must it be */
+static const double LARGE = 3;        /* rate of a dependent coordinate per unit: time to look for a better split */
 static const double KEEP_FAST = 1e-2; /* weight of fast columns in later choices */
 static const double FAR = 1;          /* a correction this large after two iterations leads elsewhere */
 enum { MOST_ITERATIONS = 20 };
@@ -37,6 +36,7 @@ struct component {
     int *loop_of;     /* [nk] the first loop that a coordinate is in */
     double *weight;   /* [nk] */
     double chosen;    /* pivot ratio when the partition was chosen */
+    double gain;      /* least gain() since then */
 };
 
 struct condense {
@@ -569,19 +569,31 @@ static void put_back(struct component *c, const int *from)
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
 }
 
-/* A new split, if the old one has become bad and there is a much better one. */
+/* Largest rate of a dependent coordinate per unit of an independent one, in scales. */
+static double gain(const struct condense *o, struct component *c)
+{
+    double most = 0;
+    make_G(c, c->G);
+    for (int j = 0; j < c->ni; j++)
+        for (int r = 0; r < c->nr; r++) {
+            double g = c->G[r + (size_t)j * (size_t)c->nr] * o->size[c->k[c->ind[j]]] / o->size[c->k[c->dep[r]]];
+            most = fmax(most, fabs(g));
+        }
+    return most;
+}
+
+/* A new split, if dependent coordinates have come to run away from the independent ones and there is a better one.
+ * Where all splits are singular alike, as in a flat posture, the rates stay moderate and nothing changes. */
 static int improve(struct condense *o, struct component *c)
 {
-    double now = ratio(o, c);
-    if (now >= DEGRADED * c->chosen) {
-        c->chosen = fmax(c->chosen, now);
-        return 0;
-    }
+    double now = gain(o, c);
+    c->gain = fmin(c->gain, now);
+    if (now <= fmax(LARGE, 2 * c->gain)) return 0;
     keep_split(o->split, c);
-    c->chosen = choose(o, c);
-    if (c->chosen > MUCH_BETTER * now) return 1;
+    c->gain = choose(o, c) > 0 ? gain(o, c) : INFINITY;
+    if (c->gain < now / 2) return 1;
     put_back(c, o->split);
-    c->chosen = now;
+    c->gain = now;
     return 0;
 }
 
@@ -834,6 +846,7 @@ static enum status start(struct condense *o, const double *q0, const double *v0)
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;
+        c->gain = gain(o, c);
     }
     return OK;
 }
