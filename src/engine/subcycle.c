@@ -315,13 +315,13 @@ static enum status slow_bodies(struct subcycle *c, struct trouble *why)
 {
     const struct ode2 *o = c->ode;
     int ns = c->ns, nl = c->nl;
-    double power[POWER_CHANNELS], dk = 0;
+    double power[POWER_CHANNELS], dk = 0, per = 1 / c->H;
     motion_diff(o, c->dq, c->qn, c->q0);
     motion_point(o, c->qbar, c->q0, c->dq, .5);
     decouple_out(&c->dec, c->abar, c->du, c->dsum, nl);
     for (int i = 0; i < c->n; i++) {
-        c->vbar[i] = c->dq[i] / c->H;
-        c->abar[i] /= c->H;
+        c->vbar[i] = per * c->dq[i];
+        c->abar[i] *= per;
     }
     struct instant x = {.t = c->t0 + (c->t1 - c->t0) / 2,
                         .q = c->qbar,
@@ -336,7 +336,7 @@ static enum status slow_bodies(struct subcycle *c, struct trouble *why)
     if (dk > STALE_SLOPE) c->newton.stale = 1;
     book(c, c->H, power);
     for (int i = 0; i < nl; i++) c->slow[i] = c->H * c->r[ns + i];
-    for (int i = 0; i < nl; i++) c->pull[i] = c->du[i] / c->H;
+    for (int i = 0; i < c->near; i++) c->pull[i] = per * c->du[i];
     for (int i = 0; i < ns; i++) c->dmean[i] = c->dsum[i] / c->ratio;
     zero(c->cs, ns);
     if (c->dec.reach) dense_gemtv(c->cs, -1. / c->ratio, c->dec.W, c->slow, c->dec.reach, ns, nl);
@@ -605,6 +605,7 @@ static void remember(struct subcycle *c)
 static void accept(struct subcycle *c, struct stepper *s, struct state *x)
 {
     int n = c->n;
+    double per = 1 / c->H;
     s->lost = damped(c);
     s->left = fabs(c->push) * fmin(1, c->newton.remain);
     copy(s->work, c->work, POWER_CHANNELS);
@@ -612,7 +613,7 @@ static void accept(struct subcycle *c, struct stepper *s, struct state *x)
     remember(c);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
-    for (int i = 0; i < n; i++) x->a[i] = (c->v[i] - x->v[i]) / c->H;
+    for (int i = 0; i < n; i++) x->a[i] = per * (c->v[i] - x->v[i]);
     copy(x->v, c->v, n);
     copy(x->q, c->qn, c->ode->nq);
     x->t = c->t1;
