@@ -89,8 +89,9 @@ void say_plan(const struct sim *sim)
     const struct stepper_kind *kind = sim->stepper.kind;
     const double *g = m->gravity;
     if (!to) return;
-    fprintf(to, "%s: %s, %d bodies, %d freedoms (%d fast), %s, ", sim->scene->deck->name,
-            m->space == 2 ? "planar" : "spatial", m->nbody - 1, sim->stepper.ode->n, sim->stepper.ode->ns,
+    fprintf(to, "%s: %s, %d bod%s, %d freedom%s (%d fast), %s, ", sim->scene->deck->name,
+            m->space == 2 ? "planar" : "spatial", m->nbody - 1, m->nbody == 2 ? "y" : "ies", sim->stepper.ode->n,
+            sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
         fprintf(to, "%s to tolerance %g", kind->name, p->tolerance);
