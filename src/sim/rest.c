@@ -91,12 +91,24 @@ static double dot(const double *a, const double *b, int n)
     return sum;
 }
 
-/* One step downhill: 1 taken, 0 nothing was to be gained. */
+/* Is it stable here, and Newton's step next to nothing?  Asked before a step is taken: at round-off no step goes
+ * downhill any more, and mu would only grow. */
+static bool settled(struct rest *s)
+{
+    static const double tiny = 1e-11; /* [m], [rad] */
+    double size = 0;
+    memcpy(s->J, s->K, sizeof *s->J * (size_t)(s->n * s->n));
+    if (dense_cholesky(s->J, s->n, s->n) >= 0) return false;
+    memcpy(s->dx, s->r, sizeof *s->dx * (size_t)s->n);
+    dense_cholesky_solve(s->J, s->dx, s->n, s->n);
+    for (int k = 0; k < s->n; k++) size = fmax(size, fabs(s->dx[k]));
+    return size <= tiny;
+}
+
+/* One step downhill, M and K as they are here. */
 static enum status descend(struct rest *s, double *size, struct trouble *why)
 {
     static const double longest = 0.5; /* [m], [rad] a step */
-    TRY(s->ode->ops->mass(s->ode, s->M, s->q, s->t, ALL, why));
-    TRY(stiffness(s, why));
     for (int i = 0; i < MOST_TRIES; i++) {
         if (!factor(s)) return trouble_set(why, TROUBLE_SINGULAR, -1, s->mu, s->t);
         for (int k = 0; k < s->n; k++) s->dx[k] = -s->r[k];
@@ -119,14 +131,17 @@ static enum status descend(struct rest *s, double *size, struct trouble *why)
 
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why)
 {
-    static const double tiny = 1e-11; /* [m], [rad] */
     struct rest s = open_rest(sim, scratch);
     double size = INFINITY;
     s.mu = 1;
     TRY(resid(&s, s.r, s.q, why));
     for (int i = 0; i < MOST_STEPS; i++) {
-        TRY(descend(&s, &size, why));
-        if (size > tiny || s.mu > 1e-3) continue;
+        TRY(s.ode->ops->mass(s.ode, s.M, s.q, s.t, ALL, why));
+        TRY(stiffness(&s, why));
+        if (!settled(&s)) {
+            TRY(descend(&s, &size, why));
+            continue;
+        }
         memcpy(sim->x.q, s.q, sizeof *s.q * (size_t)s.ode->nq);
         memset(sim->x.v, 0, sizeof *sim->x.v * (size_t)s.n);
         return OK;
