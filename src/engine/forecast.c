@@ -41,9 +41,7 @@ void forecast_forget(struct forecast *f, const struct decouple *dec, const doubl
     for (int i = 0; i < f->ns; i++) f->miss[i] = (struct fit){0};
     zero(f->with, f->ns);
     zero(f->without, f->ns);
-    zero(f->phi1, f->ns);
-    zero(f->phi2, f->ns);
-    f->differences = 0;
+    f->kept = 0;
 }
 
 static void learn(struct fit *o, double delta)
@@ -86,11 +84,23 @@ static void mean_of(double *mean, const double *d, int ns, int ratio)
     }
 }
 
+/* What a step that failed has left of phi is worth nothing. */
+static void start_force(struct forecast *f)
+{
+    if (!f->kept) {
+        zero(f->phi1, f->ns);
+        zero(f->phi2, f->ns);
+        f->differences = 0;
+    }
+    f->kept = 0;
+}
+
 void forecast_make(struct forecast *f, const struct response *p, double *du, double *d, const double *u0,
                    const double *v0)
 {
     int n = p->n, ns = p->ns;
     double h = p->h, s = (p->H + f->H) / (f->H + f->Hbefore);
+    start_force(f);
     for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * next(&f->fit[i]));
     zero(f->c, ns);
     zero(f->g, ns);
@@ -246,4 +256,5 @@ void forecast_keep(struct forecast *f, const struct response *p, const struct fo
     }
     f->Hbefore = f->H;
     f->H = x->H;
+    f->kept = 1;
 }

@@ -39,6 +39,7 @@ struct forecast {
     double *with, *without;    /* [ns] squares of what was left with it and without it, older ones fading */
     struct fit *fit;           /* [nl] */
     double *phi, *phi1, *phi2; /* [ns] of the last minor step, its first and second difference */
+    int kept;                  /* the step foreseen last was accepted */
     int differences;           /* that have been seen */
     double *ay, *aybefore;     /* [nl] du/H of the last step and the one before it */
     double H, Hbefore;         /* their sizes */

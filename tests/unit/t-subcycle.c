@@ -220,6 +220,29 @@ static void test_sweeps(void **state)
     }
 }
 
+/* A step that failed leaves nothing behind: not the state, not the forecasts. */
+static void test_after_failure(void **state)
+{
+    (void)state;
+    struct linear s;
+    struct run a, b;
+    struct step_options o = sharp();
+    linear_both(&s);
+    run_open(&a, "subcycle", &s.ode, &o, both_q, both_v);
+    run_open(&b, "subcycle", &s.ode, &o, both_q, both_v);
+    assert_int_equal(run_steps(&a, .01, 5, 10), OK);
+    assert_int_equal(run_steps(&b, .01, 5, 10), OK);
+    s.f[0] = NAN;
+    assert_int_equal(run_steps(&b, .01, 5, 1), E_NUMERIC);
+    s.f[0] = 0;
+    for (int i = 0; i < 2; i++) assert_true(a.q[i] == b.q[i] && a.v[i] == b.v[i]);
+    assert_int_equal(run_steps(&a, .01, 5, 10), OK);
+    assert_int_equal(run_steps(&b, .01, 5, 10), OK);
+    same(&a, &b, 1e-12);
+    run_close(&a);
+    run_close(&b);
+}
+
 /* Nonlinear: swinging chain with a vibrating outer hinge at the program's own tolerance. */
 static void test_effort(void **state)
 {
@@ -493,10 +516,11 @@ static void test_stop(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_order),   cmocka_unit_test(test_one),
-        cmocka_unit_test(test_degenerate), cmocka_unit_test(test_sweeps),  cmocka_unit_test(test_effort),
-        cmocka_unit_test(test_ledger),     cmocka_unit_test(test_damping), cmocka_unit_test(test_drift),
-        cmocka_unit_test(test_reversal),   cmocka_unit_test(test_stop),    cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_order),    cmocka_unit_test(test_one),
+        cmocka_unit_test(test_degenerate), cmocka_unit_test(test_sweeps),   cmocka_unit_test(test_after_failure),
+        cmocka_unit_test(test_effort),     cmocka_unit_test(test_ledger),   cmocka_unit_test(test_damping),
+        cmocka_unit_test(test_drift),      cmocka_unit_test(test_reversal), cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_tolerance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
