@@ -91,17 +91,18 @@ static double dot(const double *a, const double *b, int n)
     return sum;
 }
 
-/* Is it stable here, and Newton's step next to nothing?  Asked before a step is taken: at round-off no step goes
- * downhill any more, and mu would only grow. */
+/* Is it stable here, and Newton's step, to q1, next to nothing?  Asked before a step is taken: at round-off no step
+ * goes downhill any more, and mu would only grow. */
 static bool settled(struct rest *s)
 {
     static const double tiny = 1e-11; /* [m], [rad] */
     double size = 0;
     memcpy(s->J, s->K, sizeof *s->J * (size_t)(s->n * s->n));
     if (dense_cholesky(s->J, s->n, s->n) >= 0) return false;
-    memcpy(s->dx, s->r, sizeof *s->dx * (size_t)s->n);
+    for (int k = 0; k < s->n; k++) s->dx[k] = -s->r[k];
     dense_cholesky_solve(s->J, s->dx, s->n, s->n);
     for (int k = 0; k < s->n; k++) size = fmax(size, fabs(s->dx[k]));
+    displaced(s, s->q1, s->dx);
     return size <= tiny;
 }
 
@@ -142,7 +143,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
             TRY(descend(&s, &size, why));
             continue;
         }
-        memcpy(sim->x.q, s.q, sizeof *s.q * (size_t)s.ode->nq);
+        memcpy(sim->x.q, s.q1, sizeof *s.q1 * (size_t)s.ode->nq);
         memset(sim->x.v, 0, sizeof *sim->x.v * (size_t)s.n);
         return OK;
     }
