@@ -199,7 +199,7 @@ static int read_value(struct builder *b, struct scene_force *f, const struct nod
         errors = read_components(&s, f, k.value);
     } else {
         const struct node *frame = node_find(n, "frame");
-        if (frame && !frame->implied) {
+        if (f->body_axes) {
             diag_error(b->diags, frame, AT_KEY, "E-kind", "%s: 'frame' is for loads on bodies", what);
             return 1;
         }

@@ -92,7 +92,7 @@ static enum status look_at_range(struct sim *sim, struct watched_range *r, struc
     int side = (x > range[1]) - (x < range[0]);
     if (side == r->side) return OK;
     r->side = side;
-    snprintf(text, sizeof text, "%.80s %s %.6g ... %.6g: %.6g", r->name, side ? "has left its range" : "is back in",
+    snprintf(text, sizeof text, "%.80s %s %.6g ... %.6g: %.6g", r->name, side ? "is outside its range" : "is back in",
              range[0], range[1], x);
     if (sim->options.say && !r->told) fprintf(sim->options.say, "t = %.6g s: %s\n", sim->x.t, text);
     r->told = true;

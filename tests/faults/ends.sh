@@ -34,7 +34,7 @@ expect "study goes on to the latest end" 0 $? err
 # Ranges: every crossing is an event, the first of a joint is a line for people.
 run -f ndjson -s 'constraints.pin.range=[-1, 2]' --until 6 >range.json 2>err
 expect "a range: status" 0 $? err
-expect "a range: lines on stderr" 1 "$(grep -c 'has left its range' err)" err
+expect "a range: lines on stderr" 1 "$(grep -c 'is outside its range' err)" err
 run -q --every 1.0e-3 --until 6 | awk -F, 'NR > 1 { out = $2 < -1 || $2 > 2; n += NR > 2 && out != was; was = out } END { print n }' >want
 grep -c '"kind":"range"' range.json >got
 same "a range: an event at every crossing" want got
