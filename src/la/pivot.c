@@ -2,6 +2,7 @@
 #include "la/pivot.h"
 
 #include <math.h>
+#include <stddef.h>
 
 /* Where the next pivot stands, and the largest |number| left; false: nothing but zeros and NaN. */
 static int choose(int *pi, int *pj, double *largest, const double *A, const int *col, int from, int m, int n, int ld,
@@ -110,60 +111,69 @@ void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, d
     for (int i = 0; i < n; i++) x[row[i]] = work[i];
 }
 
-/* Elimination of column k, zeros passed over. */
-static void eliminate_rows(double *A, int k, int n, int ld)
+static int least_of(int a, int b)
 {
-    double pivot = A[k + k * ld];
-    int last = k;
-    for (int i = k + 1; i < n; i++)
-        if (A[i + k * ld] != 0) A[i + k * ld] /= pivot, last = i;
-    for (int j = k + 1; last > k && j < n; j++) {
-        double u = A[k + j * ld];
-        if (u == 0) continue;
-        for (int i = k + 1; i <= last; i++)
-            if (A[i + k * ld] != 0) A[i + j * ld] -= A[i + k * ld] * u;
-    }
+    return a < b ? a : b;
 }
 
-int pivot_rows(double *A, int *row, int n, int ld)
+/* Columns before k keep the multipliers where they were made: exchanges are repeated in solving (as LAPACK's dgbtrf).
+ */
+int pivot_rows(double *A, int *swap, const int *band, int n, int ld)
 {
-    for (int i = 0; i < n; i++) row[i] = i;
     for (int k = 0; k < n; k++) {
+        const int rows = least_of(k + band[0] + 1, n), cols = least_of(k + band[1] + 1, n);
+        double *pivots = A + (size_t)k * (size_t)ld, best = 0;
         int p = k;
-        double best = 0;
-        for (int i = k; i < n; i++)
-            if (fabs(A[i + k * ld]) > best) best = fabs(A[i + k * ld]), p = i;
+        for (int i = k; i < rows; i++)
+            if (fabs(pivots[i]) > best) best = fabs(pivots[i]), p = i;
         if (!(best > 0 && isfinite(best))) return k;
-        for (int j = 0; p != k && j < n; j++) {
-            double x = A[k + j * ld];
-            A[k + j * ld] = A[p + j * ld];
-            A[p + j * ld] = x;
+        swap[k] = p;
+        for (int j = k; j < cols; j++) {
+            double *x = A + (size_t)j * (size_t)ld, u = x[p];
+            x[p] = x[k];
+            x[k] = u;
+            if (j == k)
+                for (int i = k + 1; i < rows; i++) x[i] /= u;
+            else if (u != 0)
+                for (int i = k + 1; i < rows; i++) x[i] -= pivots[i] * u;
         }
-        exchange(row, k, p);
-        eliminate_rows(A, k, n, ld);
     }
     return n;
 }
 
-void pivot_rows_solve(const double *LU, const int *row, double *x, double *work, int n, int ld)
+static void exchange_x(double *x, int i, int j)
 {
-    for (int i = 0; i < n; i++) work[i] = x[row[i]];
-    for (int j = 0; j < n; j++)
-        for (int i = j + 1; work[j] != 0 && i < n; i++) work[i] -= LU[i + j * ld] * work[j];
+    double y = x[i];
+    x[i] = x[j];
+    x[j] = y;
+}
+
+void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
+{
+    for (int j = 0; j < n; j++) {
+        const double *l = LU + (size_t)j * (size_t)ld;
+        const int rows = least_of(j + band[0] + 1, n);
+        exchange_x(x, j, swap[j]);
+        for (int i = j + 1; x[j] != 0 && i < rows; i++) x[i] -= l[i] * x[j];
+    }
     for (int j = n - 1; j >= 0; j--) {
-        x[j] = work[j] / LU[j + j * ld];
-        for (int i = 0; x[j] != 0 && i < j; i++) work[i] -= LU[i + j * ld] * x[j];
+        const double *u = LU + (size_t)j * (size_t)ld;
+        x[j] /= u[j];
+        for (int i = j > band[1] ? j - band[1] : 0; x[j] != 0 && i < j; i++) x[i] -= u[i] * x[j];
     }
 }
 
-void pivot_rows_tsolve(const double *LU, const int *row, double *x, double *work, int n, int ld)
+void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
 {
     for (int j = 0; j < n; j++) {
-        double sum = x[j];
-        for (int i = 0; i < j; i++) sum -= LU[i + j * ld] * work[i];
-        work[j] = sum / LU[j + j * ld];
+        const double *u = LU + (size_t)j * (size_t)ld;
+        for (int i = j > band[1] ? j - band[1] : 0; i < j; i++) x[j] -= u[i] * x[i];
+        x[j] /= u[j];
     }
-    for (int j = n - 1; j >= 0; j--)
-        for (int i = j + 1; i < n; i++) work[j] -= LU[i + j * ld] * work[i];
-    for (int i = 0; i < n; i++) x[row[i]] = work[i];
+    for (int j = n - 1; j >= 0; j--) {
+        const double *l = LU + (size_t)j * (size_t)ld;
+        const int rows = least_of(j + band[0] + 1, n);
+        for (int i = j + 1; i < rows; i++) x[j] -= l[i] * x[i];
+        exchange_x(x, j, swap[j]);
+    }
 }

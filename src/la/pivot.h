@@ -19,10 +19,11 @@ double pivot_ratio(const double *LU, int n, int ld);
 void pivot_solve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld);
 void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld);
 
-/* P A = L U by partial pivoting, for a square A with many zeros: these are passed over.  Returns the number of
- * pivots, n unless A is singular or not finite.  x := A^-1 x and x := A^-T x with it; work [n]. */
-int pivot_rows(double *A, int *row, int n, int ld);
-void pivot_rows_solve(const double *LU, const int *row, double *x, double *work, int n, int ld);
-void pivot_rows_tsolve(const double *LU, const int *row, double *x, double *work, int n, int ld);
+/* L^-1 P A = U by partial pivoting, for a square A with its numbers near the diagonal: none more than band[0] below it,
+ * none more than band[1] - band[0] above (row exchanges fill up to band[1]); the rest of A is not looked at.
+ * swap [n].  Returns the number of pivots, n unless A is singular or not finite.  x := A^-1 x, x := A^-T x. */
+int pivot_rows(double *A, int *swap, const int *band, int n, int ld);
+void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld);
+void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld);
 
 #endif

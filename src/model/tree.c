@@ -107,7 +107,22 @@ static struct threads thread_joints(struct making *o)
 }
 
 /* How much a joint is wanted in the tree: its coordinates are read, or it has none. */
-enum { AVOIDED = -1, PLAIN = 0, WANTED = 1 };
+enum { AVOIDED = -1, PLAIN = 0, LIKED = 1, WANTED = 2 };
+
+/* Does the output ask for one of its coordinates by name? */
+static bool is_printed(const struct making *o, const struct scene_joint *joint)
+{
+    const struct output *out = &o->scene->output;
+    const size_t len = strlen(joint->name);
+    for (int i = 0; i < out->npattern; i++) {
+        const char *text = out->pattern[i]->text;
+        int k;
+        if (strncmp(text, joint->name, len) == 0 && text[len] == '.' &&
+            scene_coordinate(joint, o->scene->space, text + len + 1, &k))
+            return true;
+    }
+    return false;
+}
 
 static int wish(const struct making *o, int joint)
 {
@@ -127,7 +142,8 @@ static int wish(const struct making *o, int joint)
             if (coordinate && slot->index == joint) return WANTED;
         }
     if (s->joint[joint].loop) return AVOIDED;
-    return s->joint[joint].kind->type == JOINT_FIXED ? WANTED : PLAIN;
+    if (s->joint[joint].kind->type == JOINT_FIXED) return WANTED;
+    return is_printed(o, &s->joint[joint]) ? LIKED : PLAIN;
 }
 
 /* The bodies met so far, in the order they are to be looked at. */
@@ -135,29 +151,38 @@ struct search {
     struct threads threads;
     int *wish; /* [njoint]; all PLAIN while the joints make a tree: then the order is the deck's */
     int *queue, tail;
+    int liked; /* bodies of the queue whose liked joints have been followed */
 };
 
-/* Hangs on `body` what joins it by joints that are wanted at least so much; at once whole chains of wanted joints, so
- * that none of these is met by another way first. */
-static void reach(struct making *o, struct search *s, int body, int least)
+static void reach_liked(struct making *o, struct search *s);
+
+/* Hangs on `body` what joins it by joints of one level.  Whole chains of wanted joints follow at once, then those of
+ * liked ones, so that none of these is met by another way first. */
+static void reach(struct making *o, struct search *s, int body, int level)
 {
     const struct scene *scene = o->scene;
-    for (int pass = WANTED; pass >= least; pass--)
-        for (int e = s->threads.first[body]; e >= 0; e = s->threads.next[e]) {
-            int other = e & 1 ? scene->joint[e / 2].first : scene->joint[e / 2].second;
-            if (s->wish[e / 2] != pass || o->body_of[other] >= 0) continue;
-            hang_by(o, e / 2, body, other);
-            s->queue[s->tail++] = other;
-            reach(o, s, other, WANTED);
-        }
+    for (int e = s->threads.first[body]; e >= 0; e = s->threads.next[e]) {
+        int other = e & 1 ? scene->joint[e / 2].first : scene->joint[e / 2].second;
+        if (s->wish[e / 2] != level || o->body_of[other] >= 0) continue;
+        hang_by(o, e / 2, body, other);
+        s->queue[s->tail++] = other;
+        reach(o, s, other, WANTED);
+        if (level == PLAIN) reach_liked(o, s);
+    }
 }
 
-static void reach_from(struct making *o, struct search *s, int body, int least)
+static void reach_liked(struct making *o, struct search *s)
 {
-    s->tail = 0;
+    for (; s->liked < s->tail; s->liked++) reach(o, s, s->queue[s->liked], LIKED);
+}
+
+static void reach_from(struct making *o, struct search *s, int body)
+{
+    s->tail = s->liked = 0;
     s->queue[s->tail++] = body;
     reach(o, s, body, WANTED);
-    for (int head = 0; head < s->tail; head++) reach(o, s, s->queue[head], least);
+    reach_liked(o, s);
+    for (int head = 0; head < s->tail; head++) reach(o, s, s->queue[head], PLAIN);
 }
 
 static int root(int *above, int i)
@@ -183,7 +208,7 @@ static bool closes_loops(const struct making *o)
 /* Avoided joints come in only where nothing else joins their bodies to the ground. */
 static void grow(struct making *o, struct search *s)
 {
-    reach_from(o, s, 0, PLAIN);
+    reach_from(o, s, 0);
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < o->scene->njoint; i++) {
@@ -192,7 +217,7 @@ static void grow(struct making *o, struct search *s)
             if (first == second) continue;
             int from = first ? j->first : j->second, to = first ? j->second : j->first;
             hang_by(o, i, from, to);
-            reach_from(o, s, to, PLAIN);
+            reach_from(o, s, to);
             more = true;
         }
     }
@@ -246,14 +271,14 @@ enum status make_tree(struct making *o)
     for (int i = 0; i < scene->njoint; i++) o->joint_of[i] = o->loop_of[i] = -1;
     o->body[0] = (struct model_body){.name = "ground", .parent = -1, .joint = -1, .R = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
     o->m->nbody = 1;
-    struct search s = {thread_joints(o), TAKE(o->life, int, scene->njoint), TAKE(o->life, int, n), 0};
+    struct search s = {thread_joints(o), TAKE(o->life, int, scene->njoint), TAKE(o->life, int, n), 0, 0};
     if (closes_loops(o))
         for (int i = 0; i < scene->njoint; i++) s.wish[i] = wish(o, i);
     grow(o, &s);
     for (int i = 1; i < n; i++) { /* an island: free, with what hangs on it */
         if (o->body_of[i] >= 0) continue;
         hang_free(o, i);
-        reach_from(o, &s, i, PLAIN);
+        reach_from(o, &s, i);
         grow(o, &s);
     }
     return add_loops(o);

@@ -30,7 +30,8 @@ struct component {
     double *A;        /* [nr x nr] C_qd, factored */
     double *G, *G0;   /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
     int *prow, *pcol; /* [max(nrow, nk)] */
-    double *x, *work; /* [max(nrow, nk)] */
+    int band[2];      /* of A */
+    double *x;        /* [max(nrow, nk)] */
     double *whole;    /* [nrow x nk] */
     bool *dependent;  /* [nk] work of take_split() */
     int *loop_of;     /* [nk] the first loop that a coordinate is in */
@@ -80,13 +81,12 @@ static struct condense *condense_of(const struct ode2 *o)
 
 /* --- C_q, its factor, G -------------------------------------------------------------------------- */
 
-/* Row r (a number in c->row) of the component's part of C_q, into x[0], x[ld], ... */
+/* The numbers of row r (a number in c->row) of the component's part of C_q, into x[0], x[ld], ... */
 static void put_row(const struct condense *o, const struct component *c, int r, double *x, int ld)
 {
     const struct loops *l = o->loops;
     int loop = l->row[c->row[r]].loop, nk = l->nk[loop];
     const double *from = l->Cq[loop] + (c->row[r] - l->first[loop]) * nk;
-    for (int k = 0; k < c->nk; k++) x[(size_t)k * (size_t)ld] = 0;
     for (int k = 0; k < nk; k++) x[(size_t)o->column[l->k[loop][k]] * (size_t)ld] = from[k];
 }
 
@@ -114,15 +114,17 @@ static int factor(struct condense *o, struct component *c, const double *dx)
         const struct turn *t = &o->moves->turn[i];
         if (o->bound[i] && o->owner[t->iv[0]] == (int)(c - o->component)) along_phi(o, c, t, dx);
     }
-    for (int j = 0; j < c->nr; j++)
-        memcpy(c->A + (size_t)j * (size_t)c->nr, c->F + (size_t)c->dep[j] * (size_t)c->nr,
-               sizeof *c->A * (size_t)c->nr);
-    return pivot_rows(c->A, c->prow, c->nr, c->nr) == c->nr;
+    for (int j = 0; j < c->nr; j++) {
+        int from = j > c->band[1] ? j - c->band[1] : 0, to = j + c->band[0] < c->nr ? j + c->band[0] + 1 : c->nr;
+        memcpy(c->A + (size_t)j * (size_t)c->nr + from, c->F + (size_t)c->dep[j] * (size_t)c->nr + from,
+               sizeof *c->A * (size_t)(to - from));
+    }
+    return pivot_rows(c->A, c->prow, c->band, c->nr, c->nr) == c->nr;
 }
 
 static void solve(const struct component *c, double *x)
 {
-    pivot_rows_solve(c->A, c->prow, x, c->work, c->nr, c->nr);
+    pivot_rows_solve(c->A, c->prow, c->band, x, c->nr, c->nr);
 }
 
 static void make_G(const struct component *c, double *G)
@@ -209,7 +211,7 @@ enum status condense_rates(struct condense *o, double *vt, double *at, const dou
 static void multipliers(const struct component *c, const double *rt)
 {
     for (int r = 0; r < c->nr; r++) c->x[r] = -rt[c->k[c->dep[r]]];
-    pivot_rows_tsolve(c->A, c->prow, c->x, c->work, c->nr, c->nr);
+    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->nr);
 }
 
 /* r = r_i + C_qi' lambda */
@@ -463,6 +465,7 @@ static const struct ode2_move move = {.point = move_point, .diff = move_diff, .r
 /* Columns of displacements times the length: all numbers of C_q are then of like size. */
 static void whole_matrix(struct condense *o, struct component *c)
 {
+    memset(c->whole, 0, sizeof *c->whole * (size_t)c->nrow * (size_t)c->nk);
     for (int r = 0; r < c->nrow; r++) put_row(o, c, r, c->whole + r, c->nrow);
     for (int k = 0; k < c->nk; k++)
         for (int r = 0; r < c->nrow; r++) c->whole[r + (size_t)k * (size_t)c->nrow] *= o->size[c->k[k]];
@@ -486,6 +489,24 @@ static void sort_by(int *x, int n, const int *key)
     }
 }
 
+/* Where C_qd can have numbers; the rest of F and A is zero from now on. */
+static void find_band(const struct condense *o, struct component *c)
+{
+    int below = 0, above = 0;
+    memset(c->F, 0, sizeof *c->F * (size_t)c->nr * (size_t)c->nk);
+    for (int r = 0; r < c->nr; r++) {
+        int loop = o->loops->row[c->row[c->kept[r]]].loop;
+        for (int j = 0; j < c->nr; j++)
+            for (int k = 0; k < o->loops->nk[loop]; k++) {
+                if (o->column[o->loops->k[loop][k]] != c->dep[j]) continue;
+                if (r - j > below) below = r - j;
+                if (j - r > above) above = j - r;
+            }
+    }
+    c->band[0] = below;
+    c->band[1] = above + below;
+}
+
 /* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent.  Rows and dependent
  * columns go from loop to loop, so that C_qd has its numbers near the diagonal. */
 static void take_split(const struct condense *o, struct component *c)
@@ -502,6 +523,7 @@ static void take_split(const struct condense *o, struct component *c)
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < c->nk; k++)
             if (!c->dependent[k] && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
+    find_band(o, c);
 }
 
 /* Pivot ratio of C_qd as last factored, lengths scaled. */
@@ -562,11 +584,12 @@ static void keep_split(int *to, const struct component *c)
     memcpy(to + c->nrow + c->nr, c->ind, sizeof *to * (size_t)c->ni);
 }
 
-static void put_back(struct component *c, const int *from)
+static void put_back(const struct condense *o, struct component *c, const int *from)
 {
     memcpy(c->kept, from, sizeof *from * (size_t)c->nrow);
     memcpy(c->dep, from + c->nrow, sizeof *from * (size_t)c->nr);
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
+    find_band(o, c);
 }
 
 /* Largest rate of a dependent coordinate per unit of an independent one, in scales. */
@@ -592,7 +615,7 @@ static int improve(struct condense *o, struct component *c)
     keep_split(o->split, c);
     c->gain = choose(o, c) > 0 ? gain(o, c) : INFINITY;
     if (c->gain < now / 2) return 1;
-    put_back(c, o->split);
+    put_back(o, c, o->split);
     c->gain = now;
     return 0;
 }
@@ -876,7 +899,6 @@ static void build_component(struct condense *o, int i, struct arena *life)
     c->prow = TAKE(life, int, most);
     c->pcol = TAKE(life, int, most);
     c->x = TAKE(life, double, most);
-    c->work = TAKE(life, double, most);
     c->weight = TAKE(life, double, c->nk);
     c->dependent = TAKE(life, bool, c->nk);
     c->loop_of = TAKE(life, int, c->nk);
@@ -1037,9 +1059,10 @@ double condense_ratio(struct condense *o)
 static void null_vector(struct condense *o, struct component *c, int r, double *lambda)
 {
     memset(lambda, 0, sizeof *lambda * (size_t)o->loops->nrow);
+    memset(c->whole, 0, sizeof *c->whole * (size_t)c->nk);
     put_row(o, c, c->kept[r], c->whole, 1);
     for (int j = 0; j < c->nr; j++) c->x[j] = c->whole[c->dep[j]];
-    pivot_rows_tsolve(c->A, c->prow, c->x, c->work, c->nr, c->nr);
+    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->nr);
     for (int k = 0; k < c->nr; k++) lambda[c->row[c->kept[k]]] = c->x[k];
     lambda[c->row[c->kept[r]]] = -1;
 }

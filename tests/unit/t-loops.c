@@ -51,7 +51,7 @@ static void open_text(struct opened *o, const char *text)
 /* decks/bricard.yaml with pin i marked to close the loop. */
 static void open_bricard(struct opened *o, int i)
 {
-    char text[4000], deck[4100], pin[10];
+    char text[4000], deck[4100], pin[20];
     FILE *file = fopen("decks/bricard.yaml", "r");
     assert_non_null(file);
     text[fread(text, 1, sizeof text - 1, file)] = 0;

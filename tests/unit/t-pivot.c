@@ -71,15 +71,18 @@ static void solutions(void **state)
     int done = 0;
     (void)state;
     for (int trial = 0; trial < 500; trial++) {
-        int n = 1 + tree_pick(&d, MOST), row[MOST], col[MOST], swap[MOST];
+        int n = 1 + tree_pick(&d, MOST), row[MOST], col[MOST], swap[MOST], band[2] = {n, 2 * n};
         double A[MOST * MOST], LU[MOST * MOST], rows[MOST * MOST], x[MOST], b[MOST], work[MOST];
         random_matrix(A, &d, n, n, trial % 2 ? .6 : 0);
         for (int i = 0; i < n; i++) A[i + n * ((i + trial) % n)] += 3;
+        for (int i = 0; trial % 5 == 4 && i < n; i++) /* a band */
+            for (int j = 0; j < n; j++) A[i + j * n] = i - j > 2 || j - i > 1 ? 0 : tree_roll(&d, -1, 1);
+        if (trial % 5 == 4) band[0] = 2, band[1] = 3;
         for (int i = 0; i < n; i++) x[i] = tree_roll(&d, -1, 1);
         memcpy(LU, A, sizeof A);
         memcpy(rows, A, sizeof A);
         if (pivot_lu(LU, row, col, n, n, n, NULL, n, 1e-3) < n) continue;
-        assert_int_equal(pivot_rows(rows, swap, n, n), n);
+        assert_int_equal(pivot_rows(rows, swap, band, n, n), n);
         product(b, A, x, n, false);
         pivot_solve(LU, row, col, b, work, n, n);
         near_all(b, x, n);
@@ -87,10 +90,10 @@ static void solutions(void **state)
         pivot_tsolve(LU, row, col, b, work, n, n);
         near_all(b, x, n);
         product(b, A, x, n, false);
-        pivot_rows_solve(rows, swap, b, work, n, n);
+        pivot_rows_solve(rows, swap, band, b, n, n);
         near_all(b, x, n);
         product(b, A, x, n, true);
-        pivot_rows_tsolve(rows, swap, b, work, n, n);
+        pivot_rows_tsolve(rows, swap, band, b, n, n);
         near_all(b, x, n);
         done++;
     }
@@ -117,13 +120,14 @@ static void hopeless(void **state)
 {
     (void)state;
     int row[3], col[3];
+    const int band[2] = {3, 6};
     double zero[9] = {0}, nan[9], gap[9] = {1, 0, 0, 0, 0, 0, 0, 0, 1};
     for (int i = 0; i < 9; i++) nan[i] = NAN;
     assert_int_equal(pivot_lu(zero, row, col, 3, 3, 3, NULL, 3, 0), 0);
     assert_int_equal(pivot_lu(nan, row, col, 3, 3, 3, NULL, 3, 0), 0);
-    assert_int_equal(pivot_rows(zero, row, 3, 3), 0);
-    assert_int_equal(pivot_rows(nan, row, 3, 3), 0);
-    assert_int_equal(pivot_rows(gap, row, 3, 3), 1);
+    assert_int_equal(pivot_rows(zero, row, band, 3, 3), 0);
+    assert_int_equal(pivot_rows(nan, row, band, 3, 3), 0);
+    assert_int_equal(pivot_rows(gap, row, band, 3, 3), 1);
     assert_true(pivot_ratio((double[]){4, 0, 0, 1}, 2, 2) == .25);
     assert_true(pivot_ratio(NULL, 0, 0) == 1);
 }
