@@ -64,6 +64,9 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     struct diags *diags = NULL;
     struct sim sim;
     const struct sim_options options = {.version = FMDSUB_VERSION};
+    if (request->format && (strcmp(request->format, "json") != 0 || request->expanded))
+        return fail(report, E_USAGE,
+                    "'fmdsub check' prints words, or one object by --format json, or a deck by --expanded");
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     if (diags) diags_print(stderr, diags, cli_color(request));

@@ -36,6 +36,8 @@ refuse "names no column" run --columns '' "$deck"
 refuse "names no column" run --columns ' , ' "$deck"
 refuse "names no scheme" study --schemes , "$deck"
 refuse "names no number" study --ratios '' "$deck"
+refuse "one object by --format json" check -f csv "$deck"
+refuse "one object by --format json" check -f json --expanded "$deck"
 refuse "needs the name of a file" run -o '' "$deck"
 [ -e .part ] && not_ok "-o '': nothing is written" ".part is there" || ok "-o '': nothing is written"
 
