@@ -30,8 +30,10 @@ struct system {
     double *M;              /* [n x n] M^ with loops */
     double *lambda;         /* [rows] at the last see() */
     double constraint_worst;
-    void *factor;           /* of M^, for accel() */
-    double *d, *zero;       /* [n] */
+    void *factor;     /* of M^, for accel() */
+    double *at;       /* [nq] where system_energy_at() has put the bodies of `work`, while `placed`: a factor there */
+    bool placed;      /* need not find their positions again */
+    double *d, *zero; /* [n] */
     struct effect *suspect; /* [nforce] for naming the element that is not finite */
     /* at the last see() */
     double *q, *v, *a, *r; /* [nq], [n] */
@@ -52,6 +54,7 @@ static enum status not_finite(struct system *s, const double *r, const struct in
 {
     const struct model *m = s->model;
     memset(s->suspect, 0, sizeof *s->suspect * (size_t)m->nforce);
+    s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, cls);
     elements_load(s->elements, s->work, s->d, NULL, NULL, s->suspect, x, cls);
     for (int i = 0; i < m->nforce; i++) {
@@ -82,6 +85,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
     if (w)
         for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
     if (dk) *dk = 0;
+    s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, rate);
     elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
     s->ops->backward(s->work, r, rate);
@@ -91,6 +95,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
 {
     struct system *s = system_of(o);
+    s->placed = false;
     s->ops->mass(s->work, M, q, cls);
     /* all that enters M enters its diagonal */
     return all_finite(M, o->n, o->n + 1) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
@@ -103,6 +108,7 @@ static enum status slopes(const struct ode2 *o, double *K, double *C, const stru
     const size_t nn = (size_t)o->n * (size_t)o->n;
     if (K) memset(K, 0, nn * sizeof *K);
     if (C) memset(C, 0, nn * sizeof *C);
+    s->placed = s->placed && s->diagonal;
     if (!s->diagonal) s->ops->move(s->work, x->q, x->v, cls);
     elements_slopes(s->elements, s->work, K, C, x, (enum rate)cls);
     if ((K && !all_finite(K, o->n * o->n, 1)) || (C && !all_finite(C, o->n * o->n, 1)))
@@ -152,6 +158,7 @@ static enum status factor(const struct ode2 *o, void *F, double cm, double cc, d
     if (!s->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
     memset(s->d, 0, sizeof *s->d * (size_t)o->n);
     elements_diagonal(s->elements, s->d, cc, ck, x);
+    s->placed = false;
     return s->ops->factor(s->work, F, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
 }
 
@@ -159,7 +166,8 @@ static enum status stiffen(const struct ode2 *o, void *F, const double *d, const
                            struct trouble *why)
 {
     struct system *s = system_of(o);
-    return s->ops->factor(s->work, F, 1, d, q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
+    s->placed = s->placed && memcmp(s->at, q, sizeof *q * (size_t)o->nq) == 0;
+    return s->ops->factor(s->work, F, 1, d, s->placed ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
 }
 
 static void solve(const struct ode2 *o, const void *F, double *x)
@@ -223,6 +231,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->factor = arena_take(life, 1, bytes);
     s->d = TAKE(life, double, m->n);
     s->zero = TAKE(life, double, m->n);
+    s->at = TAKE(life, double, m->nq);
     s->q = TAKE(life, double, m->nq);
     s->v = TAKE(life, double, m->n);
     s->a = TAKE(life, double, m->n);
@@ -386,6 +395,8 @@ void system_energy_at(struct system *s, struct energies *e, const double *q, con
         v = s->v;
     }
     s->ops->move(s->work, q, v, ALL);
+    memcpy(s->at, q, sizeof *q * (size_t)s->model->nq);
+    s->placed = true;
     see_energies(s, e, s->work, q, v);
 }
 
