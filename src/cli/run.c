@@ -1,4 +1,5 @@
 /* run.c -- fmdsub run: a deck to a stream of records */
+#include <math.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -20,6 +21,14 @@ static enum status open_stream(struct stream *stream, const struct request *requ
     return stream_open(stream, STDOUT_FILENO, "standard output", life, report);
 }
 
+static void write_number(char *to, double x)
+{
+    if (isfinite(x))
+        to[number_round(to, x, 12)] = 0;
+    else
+        strcpy(to, "-");
+}
+
 /* Counts, and the CPU time of stepping: `key value` lines. */
 static enum status write_stats(const struct sim *sim, const struct request *request, struct report *report)
 {
@@ -30,7 +39,7 @@ static enum status write_stats(const struct sim *sim, const struct request *requ
     if (!to) return fail(report, E_FILE, "%s: cannot open for writing", request->stats);
     facts[n++] = pair_number("cpu_seconds", sim->cpu);
     for (int i = 0; i < n; i++) {
-        if (facts[i].kind == PAIR_NUMBER) number[number_round(number, facts[i].number, 12)] = 0;
+        if (facts[i].kind == PAIR_NUMBER) write_number(number, facts[i].number);
         fprintf(to, "%-22s %s\n", facts[i].key,
                 facts[i].kind == PAIR_NUMBER ? number
                 : facts[i].kind == PAIR_TEXT ? facts[i].text

@@ -56,13 +56,17 @@ static void learn(struct fit *o, double delta)
     o->last = delta;
 }
 
-/* The next one.  What the past does not determine is c = (1, 0). */
+/* The next one.  What the past does not determine is c = (1, 0).  Where the past was round-off the quotients
+ * are noise: no forecast is larger than three times what was seen. */
 static double next(const struct fit *o)
 {
+    static const double growth = 3;
+    double most = growth * fmax(fabs(o->last), fabs(o->before));
     double e = VAGUE * (o->s11 + o->s22), a = o->s11 + e, b = o->s12, c = o->s22 + e, x = o->s01 + e, y = o->s02;
     double det = a * c - b * b;
     if (!(det > 0)) return o->last;
-    return ((c * x - b * y) * o->last + (a * y - b * x) * o->before) / det;
+    double fitted = ((c * x - b * y) * o->last + (a * y - b * x) * o->before) / det;
+    return fmax(-most, fmin(most, fitted));
 }
 
 /* The driving by the slow coordinates: y and w - w_last constant, w H f_k as a ramp. */
