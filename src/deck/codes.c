@@ -138,9 +138,6 @@ const struct diag_help diag_helps[] = {
     /* warnings */
     {"W-units",
      "The number is far from what is usual in SI units (m, kg, s, rad, N). If it is meant, nothing is wrong."},
-    {"W-turn",
-     "A body turns by more than a quarter turn in a major step. Orientations are followed below half a turn a "
-     "step; accuracy needs far less. Take a smaller step or ratio."},
     {"W-quaternion", "The quaternion was scaled to length 1."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},

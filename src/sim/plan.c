@@ -90,19 +90,6 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
     return E_DECK;
 }
 
-/* A free rotation is followed while a step turns by less than pi. */
-static void warn_of_turns(const struct sim *sim, double H, struct diags *diags)
-{
-    static const double QUARTER = 1.5707963267948966;
-    for (int i = 0; i < sim->scene->ninitial; i++) {
-        const struct scene_initial *s = &sim->scene->initial[i];
-        double turn = sqrt(s->x[0] * s->x[0] + s->x[1] * s->x[1] + s->x[2] * s->x[2]) * H;
-        if (s->type == INITIAL_OMEGA && turn > QUARTER)
-            diag_warn(diags, s->node, AT_VALUE, "W-turn", "at this rate it turns by %.3g rad in a major step of %.4g s",
-                      turn, H);
-    }
-}
-
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report)
 {
     struct integrate *p = &sim->plan;
@@ -118,8 +105,6 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
         p->ratio = 1;
     } else if (!(p->step > 0)) {
         return missing_step(sim, diags);
-    } else if (!sim->options.counting) {
-        warn_of_turns(sim, H, diags);
     }
     double steps = p->until / H;
     if (!(steps <= MOST_STEPS))
