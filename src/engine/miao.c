@@ -6,11 +6,12 @@
  *     M_SS q''_S1 + M_SL ((n-1) q''_L0 + q''_Ln)/n              = Q_S(t+h)              (2-14), (2-17*)
  *     M_LL q''_Ln + M_LS (q''_S0 + n (q''_S1 - q''_S0))         = Q_L(t+H)              (2-13), (2-18*)
  *
+ * (both together (2-19*), for the accelerations instead of the positions)
  * with L at t+h interpolated, q_L1 = ((n-1) q_L0 + q_Ln)/n (2-15), its rates likewise, and S at t+H
  * extrapolated, q_S0 + n (q_S1 - q_S0) (2-16*), its rates likewise.  The other minor steps i = 1..n-1
  * solve
  *
- *     M_SS q''_S(i+1) + M_SL q''_L(i+1)                         = Q_S(t+(i+1)h)         (2-20*)...(2-25*)
+ *     M_SS q''_S(i+1) + M_SL q''_L(i+1)                         = Q_S(t+(i+1)h)         (2-20*), (2-21*), (2-25*)
  *
  * with L interpolated, (2-22), (2-23).  As printed, (2-17), (2-18) and (2-24) take Newmark's difference
  * of interpolated positions for accelerations, which gives (2n-1) q''_L, and the scheme diverges for

@@ -4,6 +4,8 @@
  *     v1 = v0 + h ((1 - gamma) a0 + gamma a1)                               (2-6)
  *     M^(q1) a1 = Q^(q1, v1, t1)                                            (2-7)
  *
+ * The unknown is a1: (2-8), the same solved for q1, has the large factor 1/(beta h^2).
+ *
  * Newton for a1 with J = M^ + gamma h C + beta h^2 K.  The paper's own iteration (2-9) is kept as an
  * option: a1 := M^^-1 Q^ at the last iterate, from (2-10*) a1 = a0.  It converges only for
  * beta (omega h)^2 < 1, the limit of an explicit method. */
