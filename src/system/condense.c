@@ -71,6 +71,9 @@ struct condense {
     double *last_dx, *last_dt; /* [n], [nt]: of the last point(), for rate() */
     double *last_q;            /* [nq] its end */
     double *qtry, *way;        /* [nq], [nt] */
+    double *side[2];           /* [nq] postures beside a singular one */
+    double *aside, *mean;      /* [nt] */
+    double *M_side;            /* [nt x nt] */
     int *split;                /* a component's split, to go back to */
 };
 
@@ -205,6 +208,20 @@ enum status condense_rates(struct condense *o, double *vt, double *at, const dou
     return OK;
 }
 
+/* Pivot ratio of C_qd as last factored, lengths scaled. */
+static double ratio(const struct condense *o, const struct component *c)
+{
+    double least = INFINITY, most = 0;
+    for (int j = 0; j < c->nr; j++) {
+        double x = fabs(c->A[(size_t)j * (size_t)(c->nr + 1)]) * o->size[c->k[c->dep[j]]];
+        least = fmin(least, x);
+        most = fmax(most, x);
+    }
+    return c->nr == 0 ? 1 : most > 0 ? least / most : 0;
+}
+
+static void move_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s);
+
 /* --- r, M^, slopes ------------------------------------------------------------------------------- */
 
 /* lambda = -C_qd^-T r_d of one component, in c->x by dependent rows: row kept[i] has x[i]. */
@@ -247,18 +264,59 @@ static enum status in_own_rows(const struct condense *o, enum status status, str
     return status;
 }
 
-static enum status resid(const struct ode2 *ode, double *r, double *w, double *dk, const struct instant *x,
-                         unsigned cls, struct trouble *why)
+static enum status resid_there(struct condense *o, double *r, double *w, double *dk, const struct instant *x,
+                               unsigned cls, struct trouble *why)
 {
-    struct condense *o = condense_of(ode);
     TRY(condense_rates(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
     struct instant whole = *x;
     whole.v = o->vt;
     whole.a = o->at;
     TRY(in_own_rows(o, o->tree->ops->resid(o->tree, o->rt, w, dk, &whole, cls, why), why));
     gather(o, r, o->rt);
-    for (int i = 0; i < ode->n; i++)
+    for (int i = 0; i < o->ode.n; i++)
         if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);
+    return OK;
+}
+
+/* Least pivot ratio at the posture last factored. */
+static double least_ratio(const struct condense *o)
+{
+    double least = 1;
+    for (int i = 0; i < o->ncomponent; i++) least = fmin(least, ratio(o, &o->component[i]));
+    return least;
+}
+
+/* Postures on both sides of q, where C_qd is nearly singular: round-off eps of the closure would come into r as
+ * eps/ratio^3.  r and M^ pass smoothly through such a posture, and their mean over the two sides differs from them by
+ * ASIDE^2 only.  0: not nearly singular, or the sides are no better. */
+static int look_aside(struct condense *o, const double *q)
+{
+    static const double NEARLY = 3e-4, ASIDE = 2e-3;
+    const double here = least_ratio(o);
+    struct trouble why;
+    if (here >= NEARLY) return 0;
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->size[o->ind[i]];
+        move_point(&o->ode, o->side[side], q, o->aside, 1);
+        if (factor_all(o, o->side[side], 0, &why) != OK || least_ratio(o) < 2 * here) return 0;
+    }
+    return 1;
+}
+
+static enum status resid(const struct ode2 *ode, double *r, double *w, double *dk, const struct instant *x,
+                         unsigned cls, struct trouble *why)
+{
+    struct condense *o = condense_of(ode);
+    TRY(resid_there(o, r, w, dk, x, cls, why));
+    if (!look_aside(o, x->q)) return OK;
+    double w_side[2][POWER_CHANNELS];
+    for (int side = 0; side < 2; side++) {
+        struct instant there = *x;
+        there.q = o->side[side];
+        TRY(resid_there(o, side ? o->mean : r, w ? w_side[side] : NULL, dk, &there, cls, why));
+    }
+    for (int i = 0; i < ode->n; i++) r[i] = (r[i] + o->mean[i]) / 2;
+    for (int i = 0; w && i < POWER_CHANNELS; i++) w[i] = (w_side[0][i] + w_side[1][i]) / 2;
     return OK;
 }
 
@@ -301,13 +359,25 @@ static void symmetric(double *M, int n)
         for (int i = 0; i < j; i++) M[i + j * n] = M[j + i * n] = (M[i + j * n] + M[j + i * n]) / 2;
 }
 
-static enum status mass(const struct ode2 *ode, double *M, const double *q, double t, unsigned cls, struct trouble *why)
+static enum status mass_there(struct condense *o, double *M, const double *q, double t, unsigned cls,
+                              struct trouble *why)
 {
-    struct condense *o = condense_of(ode);
     TRY(prepare_T(o, q, t, why));
     TRY(in_own_rows(o, o->tree->ops->mass(o->tree, o->M, q, t, cls, why), why));
     congruence(o, M, o->M);
-    symmetric(M, ode->n);
+    symmetric(M, o->ode.n);
+    return OK;
+}
+
+static enum status mass(const struct ode2 *ode, double *M, const double *q, double t, unsigned cls, struct trouble *why)
+{
+    struct condense *o = condense_of(ode);
+    const int nn = ode->n * ode->n;
+    TRY(mass_there(o, M, q, t, cls, why));
+    if (!look_aside(o, q)) return OK;
+    TRY(mass_there(o, M, o->side[0], t, cls, why));
+    TRY(mass_there(o, o->M_side, o->side[1], t, cls, why));
+    for (int i = 0; i < nn; i++) M[i] = (M[i] + o->M_side[i]) / 2;
     return OK;
 }
 
@@ -524,18 +594,6 @@ static void take_split(const struct condense *o, struct component *c)
         for (int k = 0; k < c->nk; k++)
             if (!c->dependent[k] && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
     find_band(o, c);
-}
-
-/* Pivot ratio of C_qd as last factored, lengths scaled. */
-static double ratio(const struct condense *o, const struct component *c)
-{
-    double least = INFINITY, most = 0;
-    for (int j = 0; j < c->nr; j++) {
-        double x = fabs(c->A[(size_t)j * (size_t)(c->nr + 1)]) * o->size[c->k[c->dep[j]]];
-        least = fmin(least, x);
-        most = fmax(most, x);
-    }
-    return c->nr == 0 ? 1 : most > 0 ? least / most : 0;
 }
 
 static double quality(struct condense *o, struct component *c)
@@ -932,13 +990,15 @@ static void build_components(struct condense *o, struct arena *life)
 
 static void build_workspace(struct condense *o, struct arena *life)
 {
-    double **of[] = {&o->vt, &o->at, &o->rt, &o->zero, &o->dx, &o->dxs, &o->last_dx, &o->last_dt, &o->v, &o->way};
-    double **places[] = {&o->q, &o->base, &o->G0_at, &o->last_q, &o->qtry};
+    double **of[] = {&o->vt,      &o->at,      &o->rt, &o->zero, &o->dx,    &o->dxs,
+                     &o->last_dx, &o->last_dt, &o->v,  &o->way,  &o->aside, &o->mean};
+    double **places[] = {&o->q, &o->base, &o->G0_at, &o->last_q, &o->qtry, &o->side[0], &o->side[1]};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
     o->C = TAKE(life, double, o->loops->nrow);
     o->C2 = TAKE(life, double, o->loops->nrow);
     o->M = TAKE(life, double, o->nt * o->nt);
+    o->M_side = TAKE(life, double, o->nt * o->nt);
     o->ind = TAKE(life, int, o->nt);
     o->slot = TAKE(life, int, o->nt);
     o->split = TAKE(life, int, 2 * o->nt + o->loops->nrow);

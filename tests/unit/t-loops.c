@@ -419,6 +419,27 @@ static void through_singular_postures(void **state)
     }
 }
 
+/* Small steps come close to the flat postures, some very close: N = 2 after ten passes, by elliptic functions. */
+static void close_to_singular_postures(void **state)
+{
+    (void)state;
+    static const char *const step[] = {"integrate.step=2.5e-4", "integrate.step=1.25e-4"};
+    for (int i = 0; i < 2; i++) {
+        struct opened o;
+        struct trouble why;
+        struct pose p;
+        open_path(&o, "decks/windows.yaml", 1, &step[i]);
+        run(&o);
+        assert_int_equal(o.status, OK);
+        assert_int_equal(system_see(o.sim.system, o.sim.x.q, o.sim.x.v, 10, SEE_MOTION, &why), OK);
+        system_pose(o.sim.system, &p, 1);
+        near_to(2 * p.r[0], .3284581115, 1e-6);
+        near_to(2 * p.r[1], .9445185382, 1e-6);
+        assert_true(o.sim.ledger.worst < 1e-4);
+        shut(&o);
+    }
+}
+
 /* H06: what is redundant, and whose reactions are not unique. */
 static void marks(void **state)
 {
@@ -452,6 +473,7 @@ int main(void)
         cmocka_unit_test(nothing_is_lost),
         cmocka_unit_test(bricard_any_way),
         cmocka_unit_test(through_singular_postures),
+        cmocka_unit_test(close_to_singular_postures),
         cmocka_unit_test(marks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
