@@ -192,6 +192,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     struct dopri5 *m = s->self;
     const struct ode2 *o = s->ode;
     (void)h, (void)ratio;
+    if (o->n == 0) return x->t = to, OK; /* nothing moves */
     TRY(begin(s, x, to, why));
     int breaks = to > x->t && o->breaks && o->breaks->next;
     for (double t = x->t, end; t != to; t = end) {
