@@ -4,9 +4,10 @@
  *     v_d = G v_i,  a_d = G a_i + C_qd^-1 gacc,  G = -C_qd^-1 C_qi
  *     r = r_i + G' r_d,  lambda = -C_qd^-T r_d,  M^ = T' M T,  T = [1; G]     (2-4)
  *
- * (Wehage & Haug, J. Mech. Design 104 (1982) 247): the augmented system (2-3) by elimination.  r_t = M a - Q is the tree's own residual, which this
- * takes from the tree's ode2.  Positions q are those of the whole tree; v and a are of the independent
- * coordinates only, fast ones first.  Nothing is kept of trial states. */
+ * (Wehage & Haug, J. Mech. Design 104 (1982) 247): the augmented system (2-3) by elimination.
+ * r_t = M a - Q is the tree's own residual, which this takes from the tree's ode2.  Positions q are those of
+ * the whole tree; v and a are of the independent coordinates only, fast ones first.  Nothing is kept of trial
+ * states. */
 #ifndef FMDSUB_SYSTEM_CONDENSE_H
 #define FMDSUB_SYSTEM_CONDENSE_H
 

@@ -92,12 +92,12 @@ struct ode2_breaks {
 };
 
 struct ode2 {
-    int n;  /* independent velocities */
-    int ns; /* of these fast, the first ns */
-    int nq; /* positions, >= n */
+    int n;    /* independent velocities */
+    int ns;   /* of these fast, the first ns */
+    int nq;   /* positions, >= n */
     int near; /* resid(FAST) depends on, and has rows in, the first `near` velocities only; 0: not known */
-    const struct ode2_ops *ops;       /* required */
-    const struct ode2_move *move;     /* the rest optional */
+    const struct ode2_ops *ops;   /* required */
+    const struct ode2_move *move; /* the rest optional */
     const struct ode2_direct *direct;
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;

@@ -52,8 +52,8 @@ struct sweep_ops {
     /* The velocities that move the body, ascending from the ground; returns how many. */
     int (*path)(const struct sweep *s, const int **k, int body);
 
-    /* cm M + diag(d), d [n], factored at q (NULL: where forward(ALL) or move(ALL) has left the bodies) by articulated bodies into
-     * F; 0 when a pivot is not positive. */
+    /* cm M + diag(d), d [n], factored at q (NULL: where forward(ALL) or move(ALL) has left the bodies) by articulated
+     * bodies into F; 0 when a pivot is not positive. */
     size_t (*factor_size)(const struct sweep *s);
     int (*factor)(struct sweep *s, void *F, double cm, const double *d, const double *q);
     void (*solve)(const struct sweep *s, const void *F, double *x);
