@@ -403,12 +403,14 @@ static struct node *document(struct builder *b)
     yaml_event_type_t type;
     struct span at;
     yaml_event_t e;
-    if (!expect(b, &type, &at) || !expect(b, &type, &at)) return NULL;
+    if (!expect(b, &type, &at)) return NULL;
+    if (!expect(b, &type, &at)) return NULL;
     if (type == YAML_STREAM_END_EVENT) return nothing(b);
     if (!next_event(b, &e)) return NULL;
     struct node *root = build(b, &e);
     yaml_event_delete(&e);
-    if (!root || !expect(b, &type, &at) || !expect(b, &type, &at)) return NULL;
+    if (!root || !expect(b, &type, &at)) return NULL;
+    if (!expect(b, &type, &at)) return NULL;
     if (type != YAML_STREAM_END_EVENT) {
         diag_error_in(b->diags, at, "E-documents", "a second document; a deck is one");
         return NULL;

@@ -453,7 +453,8 @@ static enum made sum(struct parser *p)
 
 static enum made relation(struct parser *p)
 {
-    size_t start = (next(p), p->at), offset, n;
+    size_t offset, n;
+    next(p);
     int left = p->n;
     enum op op, second;
     enum made made = sum(p);
@@ -461,7 +462,7 @@ static enum made relation(struct parser *p)
     offset = p->at;
     p->at += n;
     int right = p->n;
-    start = p->at;
+    size_t start = p->at;
     if (a_number(p, sum(p), start) == FAILED) return FAILED;
     binary(p, op, left, right, offset);
     if ((n = relation_at(p, &second))) return wrong(p, p->at, n, "two comparisons are joined by 'and' or 'or'");

@@ -46,7 +46,7 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
 
 bool signal_reads_time(const struct signal *s)
 {
-    int first;
+    int first = -1;
     return s->expr ? expr_reads(s->expr, &first, 1) > 0 && first == 0 : s->n > 0;
 }
 

@@ -24,24 +24,59 @@ struct equation {
 
 enum { MOST_ROWS = 6 };
 
+struct equations {
+    int n;
+    struct equation e[MOST_ROWS];
+};
+
+/* Along an axis of the first body; of an axis of the second leaning towards one of the first. */
+#define X                                                                                                              \
+    {                                                                                                                  \
+        ROW_ALONG, 0, 0                                                                                                \
+    }
+#define Y                                                                                                              \
+    {                                                                                                                  \
+        ROW_ALONG, 1, 0                                                                                                \
+    }
+#define Z                                                                                                              \
+    {                                                                                                                  \
+        ROW_ALONG, 2, 0                                                                                                \
+    }
+#define XY                                                                                                             \
+    {                                                                                                                  \
+        ROW_LEAN, 0, 1                                                                                                 \
+    }
+#define YZ                                                                                                             \
+    {                                                                                                                  \
+        ROW_LEAN, 1, 2                                                                                                 \
+    }
+#define ZX                                                                                                             \
+    {                                                                                                                  \
+        ROW_LEAN, 2, 0                                                                                                 \
+    }
+#define XZ                                                                                                             \
+    {                                                                                                                  \
+        ROW_LEAN, 0, 2                                                                                                 \
+    }
+#define TURN                                                                                                           \
+    {                                                                                                                  \
+        ROW_TURN, 0, 0                                                                                                 \
+    }
+
+static const struct equations plane[JOINT_TYPES] = {
+    [JOINT_FIXED] = {3, {X, Y, TURN}}, [JOINT_REVOLUTE] = {2, {X, Y}}, [JOINT_PRISMATIC] = {2, {X, TURN}}};
+
+static const struct equations room[JOINT_TYPES] = {[JOINT_FIXED] = {6, {X, Y, Z, XY, YZ, ZX}},
+                                                   [JOINT_REVOLUTE] = {5, {X, Y, Z, XZ, YZ}},
+                                                   [JOINT_PRISMATIC] = {5, {X, Y, XY, YZ, ZX}},
+                                                   [JOINT_CYLINDRICAL] = {4, {X, Y, XZ, YZ}},
+                                                   [JOINT_UNIVERSAL] = {4, {X, Y, Z, XY}},
+                                                   [JOINT_SPHERICAL] = {3, {X, Y, Z}},
+                                                   [JOINT_PLANAR] = {3, {Z, XZ, YZ}}};
+
 /* The equations of a joint: each freedom it takes away. */
 static int equations_of(struct equation *o, enum joint_type type, int space)
 {
-    static const struct equation x = {ROW_ALONG, 0, 0}, y = {ROW_ALONG, 1, 0}, z = {ROW_ALONG, 2, 0};
-    static const struct equation xy = {ROW_LEAN, 0, 1}, yz = {ROW_LEAN, 1, 2}, zx = {ROW_LEAN, 2, 0},
-                                 xz = {ROW_LEAN, 0, 2}, turn = {ROW_TURN, 0, 0};
-    static const struct {
-        int n;
-        struct equation e[MOST_ROWS];
-    } plane[JOINT_TYPES] =
-        {[JOINT_FIXED] = {3, {x, y, turn}}, [JOINT_REVOLUTE] = {2, {x, y}}, [JOINT_PRISMATIC] = {2, {x, turn}}},
-      room[JOINT_TYPES] = {[JOINT_FIXED] = {6, {x, y, z, xy, yz, zx}},
-                           [JOINT_REVOLUTE] = {5, {x, y, z, xz, yz}},
-                           [JOINT_PRISMATIC] = {5, {x, y, xy, yz, zx}},
-                           [JOINT_CYLINDRICAL] = {4, {x, y, xz, yz}},
-                           [JOINT_UNIVERSAL] = {4, {x, y, z, xy}},
-                           [JOINT_SPHERICAL] = {3, {x, y, z}},
-                           [JOINT_PLANAR] = {3, {z, xz, yz}}};
     int n = space == 2 ? plane[type].n : room[type].n;
     memcpy(o, space == 2 ? plane[type].e : room[type].e, sizeof *o * (size_t)n);
     return n;
@@ -75,7 +110,7 @@ static void add_path(struct loops *o, int l, const int *k, int n, const int *oth
 {
     for (int i = 0; i < n; i++) {
         if (among(other, nother, k[i])) continue;
-        o->side[l][o->nk[l]] = (signed char)side;
+        o->side[l][o->nk[l]] = side;
         o->k[l][o->nk[l]++] = k[i];
     }
 }
@@ -86,7 +121,7 @@ static void tie(struct loops *o, int l, const struct sweep *s, struct arena *lif
     const int *a, *b;
     int na = o->ops->path(s, &a, loop->first), nb = o->ops->path(s, &b, loop->second);
     o->k[l] = TAKE(life, int, na + nb);
-    o->side[l] = TAKE(life, signed char, na + nb);
+    o->side[l] = TAKE(life, int, na + nb);
     add_path(o, l, a, na, b, nb, -1);
     add_path(o, l, b, nb, a, na, 1);
     o->Cq[l] = TAKE(life, double, (o->first[l + 1] - o->first[l]) * o->nk[l]);
@@ -103,7 +138,7 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->place = TAKE(life, struct loop_place, m->nloop);
     o->nk = TAKE(life, int, m->nloop);
     o->k = TAKE(life, int *, m->nloop);
-    o->side = TAKE(life, signed char *, m->nloop);
+    o->side = TAKE(life, int *, m->nloop);
     o->Cq = TAKE(life, double *, m->nloop);
     struct sweep *paths = ops->build(m, life);
     for (int l = 0; l < m->nloop; l++) {

@@ -38,7 +38,7 @@ struct loops {
     int *first;               /* [nloop + 1] first row of each loop */
     struct loop_place *place; /* [nloop] */
     int *nk, **k;             /* [nloop] coordinates tied: places in v */
-    signed char **side;       /* [nloop][nk] +1: moves the second body, -1: the first */
+    int **side;               /* [nloop][nk] +1: moves the second body, -1: the first */
     double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
 };
 
