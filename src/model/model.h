@@ -10,19 +10,24 @@
 #include <stdbool.h>
 
 #include "base/rate.h"
+#include "flex/body.h"
 #include "kind/force.h"
 #include "kind/joint.h"
 
 struct model_body {
     const char *name;
     double mass;
-    double inertia[6]; /* xx yy zz xy xz yz: tensor about the centre of mass, body axes [kg m2] */
-    double at[3];      /* drawn position of the centre of mass, world [m] */
-    double R[9];       /* drawn orientation, body to world, by column */
-    int parent;        /* -1 for the ground */
-    int joint;         /* its tree joint; -1 for the ground */
-    bool fast;         /* a fast coordinate moves it */
-    bool near;         /* the fast class reads or moves the coordinates of its joint */
+    double inertia[6];            /* xx yy zz xy xz yz: tensor about the centre of mass, body axes [kg m2] */
+    double at[3];                 /* drawn position of the centre of mass, world [m] */
+    double R[9];                  /* drawn orientation, body to world, by column */
+    int parent;                   /* -1 for the ground */
+    int joint;                    /* its tree joint; -1 for the ground */
+    bool fast;                    /* a fast coordinate moves it */
+    bool near;                    /* the fast class reads or moves the coordinates of its joint */
+    const struct flex_body *flex; /* NULL: rigid; mass and inertia are then those of the undeformed body */
+    int nmode, *mode_q, *mode_v;  /* [nmode] places of its elastic coordinates in q and v: q' = v */
+    bool at_node;                 /* a massless body that stands at a node of its parent, which is flexible: fixed */
+    int node;                     /* to it by a joint of no freedom; number of the node */
 };
 
 struct model_joint {

@@ -1,0 +1,74 @@
+/* body.h -- a reduced flexible body as data.
+ *
+ * A floating frame and n elastic coordinates q: a particle drawn at x stands, in the frame, at
+ *
+ *     x + u,   u = Phi q + 1/2 q' S q                                                          [m]
+ *
+ * (second-order kinematics: S is the shortening that comes with bending; it carries all of the geometric
+ * stiffness), and a node's small body turns by the Cayley map of theta = Psi q.  The frame is that of the reference
+ * node, which does not move in it: Phi = Psi = S = 0 there.  Its axes are the body's, its origin the undeformed
+ * centre of mass, so that the integral of x is zero.
+ *
+ * All inertia terms come from one kinetic energy T(v, w, q, q'); the integrals below are all it needs (the standard
+ * input data of Wallrapp, Mech. Struct. Mach. 22 (1994) 441, in another order).  dm runs over the body; integrals
+ * of products ab' are 3 x 3, by column.  SI units. */
+#ifndef FMDSUB_FLEX_BODY_H
+#define FMDSUB_FLEX_BODY_H
+
+#include <stdbool.h>
+
+#include "base/arena.h"
+
+/* Where a joint, force or measure may take hold. */
+struct flex_node {
+    const char *name; /* NULL: none */
+    double x[3];      /* undeformed, from the centre of mass, body axes [m] */
+    double *phi;      /* [3 x n] displacement by coordinate */
+    double *psi;      /* [3 x n] rotation [rad] */
+    double *S;        /* [3 x n x n], S[a + 3 (i + n j)], symmetric in i and j; NULL: zero */
+};
+
+/* A stress at a named point, linear in the coordinates: six rows xx yy zz xy xz yz of the tensor in the axes that
+ * the maker chose (a beam's: x along it), and a beam's parts of xx. */
+struct flex_stress {
+    const char *name;
+    double *tensor;  /* [6 x n] [Pa] by coordinate */
+    double *axial;   /* [n], NULL: not told apart */
+    double *bending; /* [n] */
+};
+
+struct flex_body {
+    int n;         /* elastic coordinates */
+    int reference; /* number of the reference node */
+    int nnode;
+    struct flex_node *node; /* [nnode] */
+    int nstress;
+    struct flex_stress *stress; /* [nstress] */
+    double mass;
+    double xx[9];  /* int x x' dm; symmetric */
+    double rot[9]; /* int rho I: rotary inertia of sections, body axes; symmetric */
+    double *f;     /* [3 x n]         int phi_j dm */
+    double *xf;    /* [9 x n]         int x phi_j' dm */
+    double *ff;    /* [9 x n x n]     int phi_i phi_j' dm, block i + n j */
+    double *rpsi;  /* [3 x n]         int rho I psi_j */
+    double *ppsi;  /* [n x n]         int psi_i' rho I psi_j */
+    double *s;     /* [3 x n x n]     int S_ij dm; NULL with xs: no geometric stiffening */
+    double *xs;    /* [9 x n x n]     int x S_ij' dm */
+    double *K;     /* [n x n] stiffness; symmetric >= 0 [N/m] */
+    double *D;     /* [n x n] damping; NULL: none */
+    double *hertz; /* [n] frequencies with the reference node clamped, by coordinate, where coordinates are modes;
+                    * NULL: they are not */
+};
+
+/* Takes all arrays for n coordinates, nnode nodes and nstress stresses, zero; stiffening: with s, xs and S. */
+struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening, struct arena *life);
+
+/* The same body with the frame at another node: the same coordinates, every field less the rigid motion of that node,
+ *     phi' = phi - phi_0 - psi_0 x (x - x_0),  psi' = psi - psi_0,
+ * and S' to second order in the same way.  Stiffness, damping and stresses do not change. */
+struct flex_body *flex_refer(const struct flex_body *o, int node, struct arena *life);
+
+/* Int (phi_i + S q ..)' dm of the energy's q'q' block, Me = tr ff + ppsi [n x n]. */
+void flex_mass(double *Me, const struct flex_body *o);
+
+#endif
