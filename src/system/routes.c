@@ -12,11 +12,25 @@ static void own(struct routes *o, const struct model *m, struct arena *life)
     o->local = TAKE(life, int, m->n);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = joint_of(m, i);
+        const struct model_body *b = &m->body[i];
         for (int k = 0; k < j->nv; k++) {
             o->owner[j->iv[k]] = i;
             o->local[j->iv[k]] = k;
         }
+        for (int k = 0; k < b->nmode; k++) {
+            o->owner[b->mode_v[k]] = i;
+            o->local[b->mode_v[k]] = j->nv + k;
+        }
     }
+}
+
+/* The velocities that move body i and not its parent: those of its joint, or at a node the modes of the parent. */
+static int step_of(const struct model *m, int i, const int **k)
+{
+    const struct model_body *b = &m->body[i];
+    const struct model_joint *j = joint_of(m, i);
+    *k = b->at_node ? m->body[b->parent].mode_v : j->iv;
+    return b->at_node ? m->body[b->parent].nmode : j->nv;
 }
 
 /* Preorder numbers: a body's tree takes size[i] of them, its children's trees one after the other. */
@@ -43,13 +57,14 @@ static void write_paths(struct routes *o, const struct model *m, struct arena *l
 {
     o->npath = TAKE(life, int, m->nbody);
     o->path = TAKE(life, int *, m->nbody);
-    for (int i = 1; i < m->nbody; i++) o->npath[i] = o->npath[m->body[i].parent] + joint_of(m, i)->nv;
+    const int *own;
+    for (int i = 1; i < m->nbody; i++) o->npath[i] = o->npath[m->body[i].parent] + step_of(m, i, &own);
     for (int i = m->nbody - 1; i > 0; i--) {
         if (o->path[i]) continue;
         int *k = TAKE(life, int, o->npath[i]);
         for (int j = i; j > 0; j = m->body[j].parent) {
-            const struct model_joint *joint = joint_of(m, j);
-            for (int c = 0; c < joint->nv; c++) k[o->npath[j] - joint->nv + c] = joint->iv[c];
+            int n = step_of(m, j, &own);
+            for (int c = 0; c < n; c++) k[o->npath[j] - n + c] = own[c];
             if (!o->path[j]) o->path[j] = k;
         }
     }

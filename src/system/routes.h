@@ -8,7 +8,8 @@
 #include "model/model.h"
 
 struct routes {
-    int *owner, *local; /* [n] the body moved by v[k], and k's place in its joint */
+    int *owner, *local; /* [n] the body moved by v[k], and k's place in its joint; a mode's body, and behind the
+                         * joint's velocities its number there: it moves what hangs on the body, not the frame */
     int *enter, *leave; /* [nbody] the tree in preorder: i is above j when enter_i <= enter_j < leave_i */
     int *npath, **path; /* [nbody] velocities that move the body, from the ground outwards */
 };
