@@ -1,0 +1,149 @@
+/* condense_close.c -- positions that keep the loops closed.
+ *
+ * A move is given by its independent part dx_i; the dependent part starts on the tangent at the base, dx_d = G0 dx_i,
+ * and goes by Newton's method to C(q0 (+) dx) = 0:
+ *
+ *     dx_d := dx_d - C_qd^-1 C
+ *
+ * where the columns of a rotation with dependents are those along its Cayley vector: convergence is quadratic. */
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+#include "system/condense_parts.h"
+
+static const double CLOSED = 1e-9; /* a Newton correction below this leaves its square */
+static const double FAR = 1;       /* a correction this large after two iterations leads elsewhere */
+enum { MOST_ITERATIONS = 20 };
+
+double condense_misfit(struct condense *o, int *row, const double *q)
+{
+    double most = 0;
+    o->ops->move(o->sweep, q, o->zero, ALL);
+    loops_look(o->loops, o->sweep);
+    loops_values(o->C, o->loops);
+    for (int i = 0; i < o->loops->nrow; i++)
+        if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), *row = i;
+    return most;
+}
+
+/* q1 = base (+) dx; of rotations that are wholly independent the fraction s of the way. */
+static void place(struct condense *o, double *q1, const double *base, double s)
+{
+    moves_point(o->moves, q1, base, o->dx, 1);
+    for (int i = 0; s != 1 && i < o->moves->nturn; i++) {
+        const struct turn *t = &o->moves->turn[i];
+        if (o->bound[i]) continue;
+        double q[4], phi[3];
+        for (int k = 0; k < 4; k++) q[k] = base[t->iq[k]];
+        for (int k = 0; k < 3; k++) phi[k] = o->dxs[t->iv[k]];
+        quat_move(q, q, phi, s);
+        for (int k = 0; k < 4; k++) q1[t->iq[k]] = q[k];
+    }
+}
+
+/* One Newton correction of all dependents at q1 = base (+) dx; returns its size in scales. */
+static double correct(struct condense *o, const double *q1, int *worst)
+{
+    double most = 0;
+    condense_look(o, q1, o->zero);
+    loops_values(o->C, o->loops);
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        if (!component_factor(o, c, o->dx)) return *worst = o->loops->row[c->row[0]].loop, NAN;
+        for (int r = 0; r < c->nr; r++) c->x[r] = -o->C[c->row[c->kept[r]]];
+        component_solve(c, c->x);
+        for (int r = 0; r < c->nr; r++) {
+            int k = c->k[c->dep[r]];
+            double size = fabs(c->x[r]) / o->size[k];
+            o->dx[k] += c->x[r];
+            if (size <= most) continue;
+            most = size;
+            *worst = o->loops->row[c->row[c->kept[r]]].loop;
+        }
+        if (!isfinite(most)) return NAN;
+    }
+    return most;
+}
+
+int condense_close(struct condense *o, double *q1, const double *base, double s)
+{
+    int worst = 0;
+    for (int i = 0; i < MOST_ITERATIONS; i++) {
+        place(o, q1, base, s);
+        double size = correct(o, q1, &worst);
+        if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
+        if (size > CLOSED) continue;
+        place(o, q1, base, s);
+        return 1;
+    }
+    return 0;
+}
+
+int condense_tangent(struct condense *o, const double *q)
+{
+    if (memcmp(q, o->G0_at, sizeof *q * (size_t)o->model->nq) == 0) return 1;
+    o->G0_at[0] = NAN;
+    struct trouble why;
+    if (condense_factor(o, q, 0, &why) != OK) return 0;
+    for (int i = 0; i < o->ncomponent; i++) component_G(&o->component[i], o->component[i].G0);
+    memcpy(o->G0_at, q, sizeof *q * (size_t)o->model->nq);
+    return 1;
+}
+
+void condense_predict(struct condense *o)
+{
+    for (int i = 0; i < o->ncomponent; i++) {
+        const struct component *c = &o->component[i];
+        for (int r = 0; r < c->nr; r++) {
+            double sum = 0;
+            for (int j = 0; j < c->ni; j++) sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->k[c->ind[j]]];
+            o->dx[c->k[c->dep[r]]] = sum;
+        }
+    }
+}
+
+void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s)
+{
+    struct condense *o = ode->self;
+    const size_t nq = (size_t)o->model->nq;
+    memcpy(o->base, q0, sizeof *q0 * nq);
+    condense_spread(o, o->dxs, dx);
+    for (int i = 0; i < o->nt; i++) o->dx[i] = s * o->dxs[i];
+    int closed = condense_tangent(o, o->base);
+    if (closed) {
+        condense_predict(o);
+        closed = condense_close(o, q1, o->base, s);
+    }
+    for (size_t i = 0; !closed && i < nq; i++) q1[i] = NAN;
+    for (int i = 0; i < ode->n; i++) o->last_dx[i] = s * dx[i];
+    memcpy(o->last_dt, o->dx, sizeof *dx * (size_t)o->nt);
+    memcpy(o->last_q, q1, sizeof *q1 * nq);
+}
+
+static void move_diff(const struct ode2 *ode, double *dx, const double *q1, const double *q0)
+{
+    struct condense *o = ode->self;
+    moves_diff(o->moves, o->dxs, q1, q0);
+    for (int i = 0; i < ode->n; i++) dx[i] = o->dxs[o->ind[i]];
+}
+
+/* A rotation that is independent in part turns with all of its angular velocity: that follows from the
+ * posture, which must be that of the last point(), with the same dx. */
+static void move_rate(const struct ode2 *ode, double *dxrate, const double *dx, const double *v)
+{
+    struct condense *o = ode->self;
+    struct trouble why;
+    condense_spread(o, o->dxs, dx);
+    condense_spread(o, o->vt, v);
+    bool partly = false;
+    for (int i = 0; i < o->moves->nturn; i++) partly |= o->bound[i];
+    if (partly && memcmp(dx, o->last_dx, sizeof *dx * (size_t)ode->n) == 0) {
+        memcpy(o->dxs, o->last_dt, sizeof *dx * (size_t)o->nt);
+        condense_rates(o, o->vt, NULL, o->last_q, v, NULL, 0, &why);
+    }
+    moves_rate(o->moves, o->at, o->dxs, o->vt);
+    for (int i = 0; i < ode->n; i++) dxrate[i] = o->at[o->ind[i]];
+}
+
+const struct ode2_move condense_move = {.point = condense_point, .diff = move_diff, .rate = move_rate};
