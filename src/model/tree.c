@@ -240,10 +240,27 @@ static void add_loop(struct making *o, int index)
     o->loop_of[index] = o->m->nloop++;
 }
 
+/* Between the bodies of its measure. */
+static void add_drive(struct making *o, const struct scene_drive *d)
+{
+    const struct scene_measure *s = &o->scene->measure[d->measure];
+    struct model_loop *l = &o->loop[o->m->nloop++];
+    *l = (struct model_loop){.name = d->name, .drive = &d->value, .measure = d->measure};
+    if (s->type == MEASURE_COORDINATE) {
+        const struct model_joint *j = &o->joint[o->joint_of[s->joint]];
+        l->first = j->parent;
+        l->second = j->child;
+    } else {
+        l->first = o->body_of[s->a.body];
+        l->second = o->body_of[s->b.body];
+    }
+    o->m->ndrive++;
+}
+
 static enum status add_loops(struct making *o)
 {
     enum status status = OK;
-    o->loop = TAKE(o->life, struct model_loop, o->scene->njoint);
+    o->loop = TAKE(o->life, struct model_loop, o->scene->njoint + o->scene->ndrive);
     for (int i = 0; i < o->scene->njoint; i++) {
         const struct scene_joint *j = &o->scene->joint[i];
         if (o->joint_of[i] >= 0) continue;
@@ -254,6 +271,7 @@ static enum status add_loops(struct making *o)
         diag_hint(o->diags, "other joints of this loop are asked for too; put a measure in place of one of them");
         status = E_DECK;
     }
+    for (int i = 0; status == OK && i < o->scene->ndrive; i++) add_drive(o, &o->scene->drive[i]);
     return status;
 }
 

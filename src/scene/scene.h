@@ -85,6 +85,14 @@ struct scene_force {
     bool torque, body_axes;
 };
 
+/* A measure that moves as a function of time, s(q) = c(t): rheonomic constraint. */
+struct scene_drive {
+    const char *name;
+    const struct node *node;
+    int measure;
+    struct signal value; /* of t alone */
+};
+
 /* One coordinate, or all of a joint (k = -1). */
 struct scene_choice {
     const struct node *node;
@@ -141,6 +149,8 @@ struct scene {
     struct scene_measure *measure;
     int nforce;
     struct scene_force *force;
+    int ndrive;
+    struct scene_drive *drive;
     int nfast;
     struct scene_choice *fast;
     int nindependent;

@@ -5,12 +5,19 @@
 #include "sim/parts.h"
 #include "system/condense.h"
 
-/* The scene's joint that closes loop l. */
-static const struct scene_joint *joint_of(const struct sim *sim, int l)
+/* Where the deck has the joint that closes loop l, or the drive. */
+static const struct node *node_of(const struct sim *sim, int l)
 {
+    const struct model *m = sim->model;
     int i = 0;
-    while (sim->model->loop_of[i] != l) i++;
-    return &sim->scene->joint[i];
+    if (m->loop[l].drive) return sim->scene->drive[l - (m->nloop - m->ndrive)].node;
+    while (m->loop_of[i] != l) i++;
+    return sim->scene->joint[i].node;
+}
+
+const char *sim_loop_kind(const struct sim *sim, int l)
+{
+    return sim->model->loop[l].drive ? "drive" : "constraint";
 }
 
 void warn_of_loops(const struct sim *sim, struct diags *diags)
@@ -22,18 +29,17 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
     if (s->redundant) {
         int row = 0;
         while (!condense_dropped(c, row)) row++;
-        const struct scene_joint *first = joint_of(sim, condense_loops(c)->row[row].loop);
-        diag_warn(diags, first->node, AT_KEY, "W-redundant",
-                  "%d equation(s) of the loops say nothing new, the first of constraint '%s': the motion is whole, "
+        const int first = condense_loops(c)->row[row].loop;
+        diag_warn(diags, node_of(sim, first), AT_KEY, "W-redundant",
+                  "%d equation(s) of the loops say nothing new, the first of %s '%s': the motion is whole, "
                   "some reactions are not unique (`fmdsub check` shows which)",
-                  s->redundant, first->name);
+                  s->redundant, sim_loop_kind(sim, first), sim->model->loop[first].name);
     }
     if (s->misfit < SILENT) return;
-    const struct scene_joint *j = joint_of(sim, condense_loops(c)->row[s->misfit_row].loop);
-    diag_warn(diags, j->node, AT_KEY, "W-assembly",
-              "constraint '%s' closes a loop that misses by %.3g of the mechanism's size as drawn; closed by moving "
-              "'%s' %.3g",
-              j->name, s->misfit, sim_place_name(sim, s->moved_at), s->moved);
+    const int l = condense_loops(c)->row[s->misfit_row].loop;
+    diag_warn(diags, node_of(sim, l), AT_KEY, "W-assembly",
+              "%s '%s' misses by %.3g of the mechanism's size as drawn; closed by moving '%s' %.3g",
+              sim_loop_kind(sim, l), sim->model->loop[l].name, s->misfit, sim_place_name(sim, s->moved_at), s->moved);
 }
 
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report)
@@ -53,9 +59,10 @@ static void print_loop(const struct sim *sim, FILE *to, int l, bool unique)
     const struct model_loop *loop = &sim->model->loop[l];
     int dropped = 0;
     for (int r = loops->first[l]; r < loops->first[l + 1]; r++) dropped += condense_dropped(c, r);
-    fprintf(to, "  %-16s %s, %s to %s, %d equations", loop->name, joint_kind(loop->type, sim->model->space == 3)->name,
-            sim->model->body[loop->first].name, sim->model->body[loop->second].name,
-            loops->first[l + 1] - loops->first[l]);
+    const char *kind = loop->drive ? "drive" : joint_kind(loop->type, sim->model->space == 3)->name;
+    fprintf(to, "  %-16s %s, %s to %s, %d equation%s", loop->name, kind, sim->model->body[loop->first].name,
+            sim->model->body[loop->second].name, loops->first[l + 1] - loops->first[l],
+            loops->first[l + 1] - loops->first[l] == 1 ? "" : "s");
     if (dropped) fprintf(to, ", %d of them redundant", dropped);
     fprintf(to, "%s\n", unique ? "" : "; reactions not unique");
 }
@@ -76,6 +83,6 @@ void sim_print_loops(const struct sim *sim, FILE *to)
     fprintf(to, "  independent:");
     for (int i = 0; i < sim->stepper.ode->n; i++) fprintf(to, " %s", sim_coordinate_name(sim, i));
     fprintf(to, "\n  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", condense_ratio(c),
-            condense_started(c)->misfit, condense_worst(c, sim->x.q));
+            condense_started(c)->misfit, condense_worst(c, sim->x.q, sim->x.t));
     arena_close(scratch);
 }

@@ -107,6 +107,9 @@ double record_value(const struct sim *sim, const struct origin *s)
     case FROM_LOOP:
         system_loop_reaction(sim->system, f, f + 3, s->index);
         return f[s->k];
+    case FROM_DRIVE:
+        system_drive(sim->system, &a, &b, s->index);
+        return s->k == 0 ? a : b;
     case FROM_MEASURE:
     case FROM_MEASURE_RATE:
         system_measure(sim->system, &a, &b, s->index);

@@ -1,4 +1,6 @@
 /* condense.c -- see condense.h: building, and what others ask. */
+#include <math.h>
+
 #include "system/condense_parts.h"
 
 static void build_component(struct condense *o, int i, struct arena *life)
@@ -15,6 +17,11 @@ static void build_component(struct condense *o, int i, struct arena *life)
         c->k[c->nk++] = k;
     }
     const int most = c->nrow > c->nk ? c->nrow : c->nk, size = c->nrow * c->nk;
+    int drives = 0;
+    for (int r = 0; r < c->nrow; r++) drives += m->loop[o->loops->row[c->row[r]].loop].drive != NULL;
+    c->lead = TAKE(life, int, drives);
+    c->s0 = TAKE(life, double, drives);
+    c->T0 = TAKE(life, double, drives * c->nrow);
     double **of[] = {&c->F, &c->G, &c->G0, &c->whole};
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) *of[k] = TAKE(life, double, size);
     c->A = TAKE(life, double, c->nrow * c->nrow);
@@ -40,8 +47,9 @@ static void build_components(struct condense *o, struct arena *life)
     o->column = TAKE(life, int, o->nt);
     o->owner = TAKE(life, int, o->nt);
     o->size = TAKE(life, double, o->nt);
-    for (int i = 0; i < m->njoint; i++)
-        for (int k = 0; k < m->joint[i].nv; k++) o->owner[m->joint[i].iv[k]] = m->component[i];
+    for (int i = 0; i < o->nt; i++) o->owner[i] = -1;
+    for (int l = 0; l < m->nloop; l++)
+        for (int k = 0; k < o->loops->nk[l]; k++) o->owner[o->loops->k[l][k]] = m->loop[l].component;
     for (int i = 0; i < o->nt; i++) o->size[i] = 1;
     for (int i = 0; i < m->njoint; i++) {
         const struct model_joint *j = &m->joint[i];
@@ -57,9 +65,8 @@ static void build_components(struct condense *o, struct arena *life)
 
 static void build_workspace(struct condense *o, struct arena *life)
 {
-    double **of[] = {&o->vt,      &o->at,      &o->rt, &o->zero, &o->dx,    &o->dxs,
-                     &o->last_dx, &o->last_dt, &o->v,  &o->way,  &o->aside, &o->mean};
-    double **places[] = {&o->q, &o->base, &o->G0_at, &o->last_q, &o->qtry, &o->side[0], &o->side[1]};
+    double **of[] = {&o->vt, &o->at, &o->rt, &o->zero, &o->dx, &o->dxs, &o->v, &o->way, &o->aside, &o->mean};
+    double **places[] = {&o->q, &o->base, &o->G0_at, &o->qtry, &o->side[0], &o->side[1]};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
     o->C = TAKE(life, double, o->loops->nrow);
@@ -75,7 +82,10 @@ static void build_workspace(struct condense *o, struct arena *life)
 static double next_kink(const struct ode2 *ode, double t)
 {
     const struct condense *o = ode->self;
-    return o->tree->breaks->next(o->tree, t);
+    const struct model *m = o->model;
+    double next = o->tree->breaks ? o->tree->breaks->next(o->tree, t) : INFINITY;
+    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) next = fmin(next, signal_next(m->loop[l].drive, t));
+    return next;
 }
 
 struct condense *condense_build(const struct model *m, const struct sweep_ops *sweep, const struct ode2 *tree,
@@ -91,12 +101,12 @@ struct condense *condense_build(const struct model *m, const struct sweep_ops *s
     o->loops = loops_build(m, sweep, life);
     o->seen = loops_build(m, sweep, life);
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
-    o->breaks = (struct ode2_breaks){.next = next_kink};
+    o->breaks = (struct ode2_breaks){.next = next_kink, .jump = m->ndrive ? condense_jump : NULL};
     o->ode = (struct ode2){.nq = m->nq,
                            .ops = &condense_ops,
                            .move = &condense_move,
                            .chart = &o->chart,
-                           .breaks = tree->breaks ? &o->breaks : NULL,
+                           .breaks = tree->breaks || m->ndrive ? &o->breaks : NULL,
                            .self = o};
     build_components(o, life);
     build_workspace(o, life);
@@ -131,10 +141,17 @@ const struct loops *condense_loops(const struct condense *c)
     return c->loops;
 }
 
-void condense_push(struct condense *c, struct sweep *s, const double *lambda)
+void condense_push(struct condense *c, struct sweep *s, const double *q, const double *v, double t,
+                   const double *lambda)
 {
-    loops_look(c->seen, s);
+    loops_when(c->seen, t);
+    loops_look(c->seen, s, q, v);
     loops_push(c->seen, s, lambda);
+}
+
+void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda)
+{
+    loops_drive(c->seen, force, power, loop, lambda);
 }
 
 void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda)
@@ -142,9 +159,10 @@ void condense_reaction(const struct condense *c, double *f, double *n, int loop,
     loops_reaction(c->seen, f, n, loop, lambda);
 }
 
-double condense_worst(struct condense *c, const double *q)
+double condense_worst(struct condense *c, const double *q, double t)
 {
     int row;
+    loops_when(c->loops, t);
     return condense_misfit(c, &row, q);
 }
 

@@ -20,7 +20,7 @@ double condense_misfit(struct condense *o, int *row, const double *q)
 {
     double most = 0;
     o->ops->move(o->sweep, q, o->zero, ALL);
-    loops_look(o->loops, o->sweep);
+    loops_look(o->loops, o->sweep, q, o->zero);
     loops_values(o->C, o->loops);
     for (int i = 0; i < o->loops->nrow; i++)
         if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), *row = i;
@@ -66,18 +66,48 @@ static double correct(struct condense *o, const double *q1, int *worst)
     return most;
 }
 
+/* The least that the loops missed by on the way. */
+static void note_miss(struct condense *o)
+{
+    double most = 0;
+    int row = 0;
+    for (int i = 0; i < o->loops->nrow; i++)
+        if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), row = i;
+    if (most < o->lost_by) o->lost_by = most, o->lost = o->loops->row[row].loop;
+}
+
 int condense_close(struct condense *o, double *q1, const double *base, double s)
 {
     int worst = 0;
+    o->lost_by = INFINITY;
     for (int i = 0; i < MOST_ITERATIONS; i++) {
         place(o, q1, base, s);
         double size = correct(o, q1, &worst);
+        if (!(size <= CLOSED)) note_miss(o);
         if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
         if (size > CLOSED) continue;
         place(o, q1, base, s);
         return 1;
     }
     return 0;
+}
+
+/* T0 and s0 of the posture looked at and factored. */
+static void lead_at(struct condense *o)
+{
+    if (o->model->ndrive == 0) return;
+    loops_values(o->C, o->loops);
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        for (int k = 0; k < c->nlead; k++) {
+            const int row = c->row[c->kept[c->lead[k]]];
+            double *x = c->T0 + (size_t)k * (size_t)c->nr;
+            memset(x, 0, sizeof *x * (size_t)c->nr);
+            x[c->lead[k]] = 1;
+            component_solve(c, x);
+            c->s0[k] = o->C[row] + o->loops->c[row];
+        }
+    }
 }
 
 int condense_tangent(struct condense *o, const double *q)
@@ -87,6 +117,7 @@ int condense_tangent(struct condense *o, const double *q)
     struct trouble why;
     if (condense_factor(o, q, 0, &why) != OK) return 0;
     for (int i = 0; i < o->ncomponent; i++) component_G(&o->component[i], o->component[i].G0);
+    lead_at(o);
     memcpy(o->G0_at, q, sizeof *q * (size_t)o->model->nq);
     return 1;
 }
@@ -98,27 +129,27 @@ void condense_predict(struct condense *o)
         for (int r = 0; r < c->nr; r++) {
             double sum = 0;
             for (int j = 0; j < c->ni; j++) sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->k[c->ind[j]]];
+            for (int k = 0; k < c->nlead; k++)
+                sum += c->T0[r + k * c->nr] * (o->loops->c[c->row[c->kept[c->lead[k]]]] - c->s0[k]);
             o->dx[c->k[c->dep[r]]] = sum;
         }
     }
 }
 
-void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s)
+void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
     struct condense *o = ode->self;
     const size_t nq = (size_t)o->model->nq;
     memcpy(o->base, q0, sizeof *q0 * nq);
     condense_spread(o, o->dxs, dx);
     for (int i = 0; i < o->nt; i++) o->dx[i] = s * o->dxs[i];
+    loops_when(o->loops, t);
     int closed = condense_tangent(o, o->base);
     if (closed) {
         condense_predict(o);
         closed = condense_close(o, q1, o->base, s);
     }
     for (size_t i = 0; !closed && i < nq; i++) q1[i] = NAN;
-    for (int i = 0; i < ode->n; i++) o->last_dx[i] = s * dx[i];
-    memcpy(o->last_dt, o->dx, sizeof *dx * (size_t)o->nt);
-    memcpy(o->last_q, q1, sizeof *q1 * nq);
 }
 
 static void move_diff(const struct ode2 *ode, double *dx, const double *q1, const double *q0)
@@ -128,9 +159,9 @@ static void move_diff(const struct ode2 *ode, double *dx, const double *q1, cons
     for (int i = 0; i < ode->n; i++) dx[i] = o->dxs[o->ind[i]];
 }
 
-/* A rotation that is independent in part turns with all of its angular velocity: that follows from the
- * posture, which must be that of the last point(), with the same dx. */
-static void move_rate(const struct ode2 *ode, double *dxrate, const double *dx, const double *v)
+/* A rotation that is independent in part turns with all of its angular velocity. */
+static void move_rate(const struct ode2 *ode, double *dxrate, const double *q1, const double *q0, const double *dx,
+                      const double *v, double t)
 {
     struct condense *o = ode->self;
     struct trouble why;
@@ -138,9 +169,9 @@ static void move_rate(const struct ode2 *ode, double *dxrate, const double *dx, 
     condense_spread(o, o->vt, v);
     bool partly = false;
     for (int i = 0; i < o->moves->nturn; i++) partly |= o->bound[i];
-    if (partly && memcmp(dx, o->last_dx, sizeof *dx * (size_t)ode->n) == 0) {
-        memcpy(o->dxs, o->last_dt, sizeof *dx * (size_t)o->nt);
-        condense_rates(o, o->vt, NULL, o->last_q, v, NULL, 0, &why);
+    if (partly) {
+        moves_diff(o->moves, o->dxs, q1, q0);
+        condense_rates(o, o->vt, NULL, q1, v, NULL, t, &why);
     }
     moves_rate(o->moves, o->at, o->dxs, o->vt);
     for (int i = 0; i < ode->n; i++) dxrate[i] = o->at[o->ind[i]];

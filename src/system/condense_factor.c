@@ -2,8 +2,8 @@
  *
  * With C_q = [C_qd C_qi] of each component, its rows cut down to the rank, and C_qd = P L U,
  *
- *     v_d = -C_qd^-1 C_qi v_i                              velocities
- *     a_d = -C_qd^-1 (C_qi a_i + (C_q v)_q v)              accelerations
+ *     v_d = -C_qd^-1 (C_qi v_i + C_t)                      velocities
+ *     a_d = -C_qd^-1 (C_qi a_i + (C_q v)_q v + C_tt)       accelerations
  *     lambda = -C_qd^-T r_d                                multipliers          (2-4)
  *
  * A is banded: rows and dependent columns go from loop to loop. */
@@ -89,7 +89,7 @@ double condense_least_ratio(const struct condense *o)
 void condense_look(struct condense *o, const double *q, const double *v)
 {
     o->ops->move(o->sweep, q, v, ALL);
-    loops_look(o->loops, o->sweep);
+    loops_look(o->loops, o->sweep, q, v);
     loops_jacobian(o->loops, o->sweep);
 }
 
@@ -113,6 +113,7 @@ void condense_follow(struct condense *o, double *xt)
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
+        for (int k = 0; k < c->nlead; k++) c->x[c->lead[k]] = o->loops->c1[c->row[c->kept[c->lead[k]]]];
         for (int j = 0; j < c->ni; j++) {
             double xi = xt[c->k[c->ind[j]]];
             const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
@@ -123,10 +124,10 @@ void condense_follow(struct condense *o, double *xt)
     }
 }
 
-/* x_d := -C_qd^-1 C'' , C'' with x_d = 0: (C_q v)_q v + C_qi a_i. */
+/* x_d := -C_qd^-1 C'' , C'' with x_d = 0: (C_q v)_q v + C_qi a_i + C_tt. */
 static void accelerate(struct condense *o, double *at)
 {
-    loops_second(o->C2, o->loops);
+    loops_second(o->C2, o->loops, at);
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int r = 0; r < c->nr; r++) c->x[r] = -o->C2[c->row[c->kept[r]]];
@@ -135,8 +136,8 @@ static void accelerate(struct condense *o, double *at)
     }
 }
 
-enum status condense_rates(struct condense *o, double *vt, double *at, const double *q, const double *v,
-                           const double *a, double t, struct trouble *why)
+enum status condense_motion(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                            const double *a, double t, struct trouble *why)
 {
     TRY(condense_factor(o, q, t, why));
     condense_spread(o, vt, v);
@@ -147,9 +148,16 @@ enum status condense_rates(struct condense *o, double *vt, double *at, const dou
     else
         memset(at, 0, sizeof *at * (size_t)o->nt);
     o->ops->forward(o->sweep, q, vt, at, ALL);
-    loops_look(o->loops, o->sweep);
+    loops_look(o->loops, o->sweep, q, vt);
     accelerate(o, at);
     return OK;
+}
+
+enum status condense_rates(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                           const double *a, double t, struct trouble *why)
+{
+    condense_time(o, t, t, t);
+    return condense_motion(o, vt, at, q, v, a, t, why);
 }
 
 void component_multipliers(const struct component *c, const double *rt)

@@ -6,6 +6,7 @@
  *     condense_split.c   which coordinates are dependent
  *     condense_start.c   the start: assembled, closed, or refused
  *     condense_unique.c  which reactions redundant rows leave open
+ *     condense_drive.c   drives: their time, their power, the impulse of their corners
  *     condense.c         building, and what others ask
  *
  * A component is a set of loops that hang together by their coordinates; each has rows, a rank and a split of its own.
@@ -21,6 +22,8 @@ struct component {
     int nr, *kept;    /* [nrow] numbers in `row` */
     int *dep, *ind;   /* [nr], [nk - nr]: numbers in k */
     int ni, nfast;    /* nk - nr; fast ones among them */
+    int nlead, *lead; /* [nrow] kept rows of drives: numbers in `kept` */
+    double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
     double *F;        /* [nr x nk] kept rows of C_q */
     double *A;        /* [nr x nr] C_qd, factored */
     double *G, *G0;   /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
@@ -57,19 +60,20 @@ struct condense {
     long charts;
     double *q, *v; /* start */
     /* workspace */
-    double *C, *C2;            /* [rows] */
-    double *vt, *at, *rt;      /* [nt] */
-    double *zero;              /* [nt] */
-    double *dx, *dxs, *base;   /* [nt], [nt], [nq] */
-    double *G0_at;             /* [nq] where G0 holds */
-    double *M;                 /* [nt x nt] */
-    double *last_dx, *last_dt; /* [n], [nt]: of the last point(), for rate() */
-    double *last_q;            /* [nq] its end */
-    double *qtry, *way;        /* [nq], [nt] */
-    double *side[2];           /* [nq] postures beside a singular one */
-    double *aside, *mean;      /* [nt] */
-    double *M_side;            /* [nt x nt] */
-    int *split;                /* a component's split, to go back to */
+    double *C, *C2;          /* [rows] */
+    double *vt, *at, *rt;    /* [nt] */
+    double *zero;            /* [nt] */
+    double *dx, *dxs, *base; /* [nt], [nt], [nq] */
+    double *G0_at;           /* [nq] where G0 holds */
+    double *M;               /* [nt x nt] */
+    double *qtry, *way;      /* [nq], [nt] */
+    double *side[2];         /* [nq] postures beside a singular one */
+    double *aside, *mean;    /* [nt] */
+    double *M_side;          /* [nt x nt] */
+    int *split;              /* a component's split, to go back to */
+    bool contested;          /* rows were dropped in a component with a drive: they are watched */
+    int lost;                /* of the last posture that could not be closed: the worst loop, */
+    double lost_by;          /* its |C| at the nearest posture met */
 };
 
 /* --- C_q and its factor ---------------------------------------------------------------------------- */
@@ -88,27 +92,45 @@ void component_G(const struct component *c, double *G);
 double component_ratio(const struct condense *o, const struct component *c);
 /* lambda = -C_qd^-T r_d of one component, in c->x by dependent rows: row kept[i] has x[i]. */
 void component_multipliers(const struct component *c, const double *rt);
+/* Drives as they are at t, by their means over [ta, tb] where that is an interval. */
+void condense_time(struct condense *o, double t, double ta, double tb);
+/* The posture NAN is one that could not be closed: says which loop was lost. */
+enum status condense_lost(const struct condense *o, double t, struct trouble *why);
+/* r [n] = r_i + C_qi' lambda of the tree's rt, which leaves the multipliers in component->x; w: NULL, or takes the
+ * drives' power. */
+void condense_gather(struct condense *o, double *r, double *w, const double *rt);
+/* w += power of the drives, with the multipliers in component->x */
+void component_power(const struct condense *o, const struct component *c, double *w);
+/* E_NUMERIC where a dropped row of a contested component no longer holds, at the posture looked at. */
+enum status condense_contest(struct condense *o, double t, struct trouble *why);
+/* As ode2_breaks has it. */
+int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
+
 /* All components looked at and factored at q. */
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
 /* Least pivot ratio at the posture last factored. */
 double condense_least_ratio(const struct condense *o);
 /* x [n] of the independents into the whole xt [nt], dependents 0. */
 void condense_spread(const struct condense *o, double *xt, const double *x);
-/* x_d := -C_qd^-1 C_qi x_i, with the factors at hand. */
+/* x_d := -C_qd^-1 (C_qi x_i + C_t), with the factors and the drives' rates at hand. */
 void condense_follow(struct condense *o, double *xt);
 
 /* --- positions ------------------------------------------------------------------------------------ */
+
+/* condense_rates() with the drives as condense_time() has left them. */
+enum status condense_motion(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                            const double *a, double t, struct trouble *why);
 
 /* Largest |C| of all rows at q, which go to o->C; *row stays where all are 0. */
 double condense_misfit(struct condense *o, int *row, const double *q);
 /* G0 := G at q, where condense_predict() starts; 0: singular there. */
 int condense_tangent(struct condense *o, const double *q);
-/* o->dx: independents given, dependents along the tangent. */
+/* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
 void condense_predict(struct condense *o);
 /* Closes q1 = base (+) o->dx by its dependents; 0: it cannot be. */
 int condense_close(struct condense *o, double *q1, const double *base, double s);
-/* The point() of condense_move: predicted and closed; NAN where it cannot be. */
-void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s);
+/* The point() of condense_move: predicted and closed at time t; NAN where it cannot be. */
+void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t);
 
 /* --- partition ------------------------------------------------------------------------------------ */
 

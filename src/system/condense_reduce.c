@@ -7,13 +7,13 @@
 
 #include "system/condense_parts.h"
 
-/* r = r_i + C_qi' lambda */
-static void gather(struct condense *o, double *r, const double *rt)
+void condense_gather(struct condense *o, double *r, double *w, const double *rt)
 {
     for (int i = 0; i < o->ode.n; i++) r[i] = rt[o->ind[i]];
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         component_multipliers(c, rt);
+        if (w) component_power(o, c, w);
         for (int j = 0; j < c->ni; j++) {
             const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
             double sum = 0;
@@ -33,12 +33,14 @@ static enum status in_own_rows(const struct condense *o, enum status status, str
 static enum status resid_there(struct condense *o, double *r, double *w, double *dk, const struct instant *x,
                                unsigned cls, struct trouble *why)
 {
-    TRY(condense_rates(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
+    condense_time(o, x->t, x->ta, x->tb);
+    TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
+    TRY(condense_contest(o, x->t, why));
     struct instant whole = *x;
     whole.v = o->vt;
     whole.a = o->at;
     TRY(in_own_rows(o, o->tree->ops->resid(o->tree, o->rt, w, dk, &whole, cls, why), why));
-    gather(o, r, o->rt);
+    condense_gather(o, r, w, o->rt);
     for (int i = 0; i < o->ode.n; i++)
         if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);
     return OK;
@@ -47,7 +49,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
 /* Postures on both sides of q, where C_qd is nearly singular: round-off eps of the closure would come into r as
  * eps/ratio^3.  r and M^ pass smoothly through such a posture, and their mean over the two sides differs from them by
  * ASIDE^2 only.  0: not nearly singular, or the sides are no better. */
-static int look_aside(struct condense *o, const double *q)
+static int look_aside(struct condense *o, const double *q, double t)
 {
     static const double NEARLY = 3e-4, ASIDE = 2e-3;
     const double here = condense_least_ratio(o);
@@ -55,8 +57,8 @@ static int look_aside(struct condense *o, const double *q)
     if (here >= NEARLY) return 0;
     for (int side = 0; side < 2; side++) {
         for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->size[o->ind[i]];
-        condense_point(&o->ode, o->side[side], q, o->aside, 1);
-        if (condense_factor(o, o->side[side], 0, &why) != OK || condense_least_ratio(o) < 2 * here) return 0;
+        condense_point(&o->ode, o->side[side], q, o->aside, 1, t);
+        if (condense_factor(o, o->side[side], t, &why) != OK || condense_least_ratio(o) < 2 * here) return 0;
     }
     return 1;
 }
@@ -65,8 +67,9 @@ static enum status resid(const struct ode2 *ode, double *r, double *w, double *d
                          unsigned cls, struct trouble *why)
 {
     struct condense *o = ode->self;
+    if (isnan(x->q[0])) return condense_lost(o, x->t, why);
     TRY(resid_there(o, r, w, dk, x, cls, why));
-    if (!look_aside(o, x->q)) return OK;
+    if (!look_aside(o, x->q, x->t)) return OK;
     double w_side[2][POWER_CHANNELS];
     for (int side = 0; side < 2; side++) {
         struct instant there = *x;
@@ -131,8 +134,9 @@ static enum status mass(const struct ode2 *ode, double *M, const double *q, doub
 {
     struct condense *o = ode->self;
     const int nn = ode->n * ode->n;
+    if (isnan(q[0])) return condense_lost(o, t, why);
     TRY(mass_there(o, M, q, t, cls, why));
-    if (!look_aside(o, q)) return OK;
+    if (!look_aside(o, q, t)) return OK;
     TRY(mass_there(o, M, o->side[0], t, cls, why));
     TRY(mass_there(o, o->M_side, o->side[1], t, cls, why));
     for (int i = 0; i < nn; i++) M[i] = (M[i] + o->M_side[i]) / 2;
@@ -144,6 +148,8 @@ static enum status slopes(const struct ode2 *ode, double *K, double *C, const st
                           struct trouble *why)
 {
     struct condense *o = ode->self;
+    if (isnan(x->q[0])) return condense_lost(o, x->t, why);
+    condense_time(o, x->t, x->ta, x->tb);
     TRY(prepare_T(o, x->q, x->t, why));
     condense_spread(o, o->vt, x->v);
     condense_follow(o, o->vt);

@@ -57,6 +57,13 @@ static void find_band(const struct condense *o, struct component *c)
     c->band[1] = above + below;
 }
 
+static void find_leads(const struct condense *o, struct component *c)
+{
+    c->nlead = 0;
+    for (int r = 0; r < c->nr; r++)
+        if (o->model->loop[o->loops->row[c->row[c->kept[r]]].loop].drive) c->lead[c->nlead++] = r;
+}
+
 /* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent.  Rows and dependent
  * columns go from loop to loop, so that C_qd has its numbers near the diagonal. */
 static void take_split(const struct condense *o, struct component *c)
@@ -74,6 +81,7 @@ static void take_split(const struct condense *o, struct component *c)
         for (int k = 0; k < c->nk; k++)
             if (!c->dependent[k] && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
     find_band(o, c);
+    find_leads(o, c);
 }
 
 static double quality(struct condense *o, struct component *c)
@@ -139,6 +147,7 @@ static void put_back(const struct condense *o, struct component *c, const int *f
     memcpy(c->dep, from + c->nrow, sizeof *from * (size_t)c->nr);
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
     find_band(o, c);
+    find_leads(o, c);
 }
 
 /* A new split, if dependent coordinates have come to run away from the independent ones and there is a better one.

@@ -94,12 +94,16 @@ static double scatter(unsigned i)
     return (double)(x >> 8) / 8388608 - 1;
 }
 
-static double dropped_miss(const struct condense *o)
+/* By how much the dropped rows miss, of the last misfit; the worst. */
+static double dropped_miss(const struct condense *o, int *worst)
 {
     double most = 0;
     for (int i = 0; i < o->ncomponent; i++) {
         const struct component *c = &o->component[i];
-        for (int r = c->nr; r < c->nrow; r++) most = fmax(most, fabs(o->C[c->row[c->kept[r]]]));
+        for (int r = c->nr; r < c->nrow; r++) {
+            const int row = c->row[c->kept[r]];
+            if (fabs(o->C[row]) > most) most = fabs(o->C[row]), *worst = row;
+        }
     }
     return most;
 }
@@ -154,7 +158,7 @@ static enum status assemble(struct condense *o)
         memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
         int row = 0;
         miss = condense_misfit(o, &row, o->q);
-        if (dropped_miss(o) > fmax(1e-9, 3 * s->misfit))
+        if (dropped_miss(o, &row) > fmax(1e-9, 3 * s->misfit))
             return fail(&s->report, E_MODEL, "constraint '%s' contradicts the others by %.3g of the mechanism's size",
                         row_name(o, row), miss);
     }
@@ -167,6 +171,8 @@ static enum status go_to_start(struct condense *o, const double *q0)
     enum { STEPS = 50 };
     double most = 0;
     int row;
+    o->loops->share = 1;
+    loops_when(o->loops, 0);
     if (condense_misfit(o, &row, q0) <= HOLDS) {
         memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
         return OK;
@@ -176,15 +182,20 @@ static enum status go_to_start(struct condense *o, const double *q0)
     memcpy(way, o->zero, sizeof *way * (size_t)o->nt);
     memset(o->zero, 0, sizeof *way * (size_t)o->nt);
     for (int i = 0; i < o->ode.n; i++) most = fmax(most, fabs(way[o->ind[i]]) / o->size[o->ind[i]]);
+    for (int i = 0; i < o->loops->nrow; i++) most = fmax(most, fabs(o->loops->c[i] - o->loops->drawn[i]));
     if (most == 0) return OK;
     for (int k = 0; k < STEPS; k++) {
+        o->loops->share = (k + 1.) / STEPS;
+        loops_when(o->loops, 0);
         memset(o->dx, 0, sizeof *o->dx * (size_t)o->nt);
         for (int i = 0; i < o->ode.n; i++) o->dx[o->ind[i]] = way[o->ind[i]] / STEPS;
         int closed = condense_tangent(o, o->q);
         if (closed) condense_predict(o);
         if (!closed || !condense_close(o, o->qtry, o->q, 1))
-            return fail(&o->start.report, E_MODEL, "'initial' cannot be reached: the loops lock at %d %% of the way",
-                        100 * k / STEPS);
+            return fail(&o->start.report, E_MODEL,
+                        "the start ('initial' and drives) cannot be reached: '%s' locks at %d %% of the way from the "
+                        "drawn position",
+                        o->model->loop[o->lost].name, 100 * k / STEPS);
         memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
     }
     for (int i = 0; i < o->model->nq; i++) { /* exactly what the deck says */
@@ -219,16 +230,82 @@ static enum status agrees(struct condense *o, const double *q0, const double *v0
     return OK;
 }
 
+/* By how much the dropped rows' rates miss for the velocities o->vt, at the posture looked at; the worst. */
+static double dropped_rate(const struct condense *o, int *worst)
+{
+    const struct loops *l = o->loops;
+    double most = 0;
+    for (int i = 0; i < o->ncomponent; i++) {
+        const struct component *c = &o->component[i];
+        for (int r = c->nr; r < c->nrow; r++) {
+            const int row = c->row[c->kept[r]], loop = l->row[row].loop;
+            double rate = -l->c1[row];
+            for (int k = 0; k < l->nk[loop]; k++)
+                rate += l->Cq[loop][(row - l->first[loop]) * l->nk[loop] + k] * o->vt[l->k[loop][k]];
+            if (fabs(rate) > most) most = fabs(rate), *worst = row;
+        }
+    }
+    return most;
+}
+
+/* Drives that ask for more than the mechanism has freedoms must agree at the start. */
+static enum status contradiction(struct condense *o)
+{
+    static const double DISAGREE = 1e-6; /* |C|, and |C'| per second */
+    struct trouble why;
+    int row = 0;
+    condense_misfit(o, &row, o->q);
+    double by = dropped_miss(o, &row), rate = 0;
+    if (by <= DISAGREE) {
+        condense_rates(o, o->vt, NULL, o->q, o->v, NULL, 0, &why);
+        rate = dropped_rate(o, &row);
+        if (rate <= DISAGREE) return OK;
+    }
+    return fail(&o->start.report, E_MODEL, "%s '%s' contradicts the others at t = 0: by %.3g of the mechanism's size%s",
+                o->model->loop[o->loops->row[row].loop].drive ? "drive" : "constraint", row_name(o, row),
+                rate > 0 ? rate : by, rate > 0 ? " per second" : "");
+}
+
+/* Drives begin where they are drawn. */
+static void draw_drives(struct condense *o)
+{
+    struct loops *l = o->loops;
+    int row;
+    if (o->model->ndrive == 0) return;
+    condense_misfit(o, &row, o->q); /* their targets are still 0 */
+    for (int i = 0; i < l->nrow; i++)
+        if (l->row[i].type == ROW_DRIVE) l->drawn[i] = o->C[i];
+    l->share = 0;
+    loops_when(l, 0);
+}
+
+/* Rows that were dropped where a drive has a say must go on to hold. */
+static bool is_contested(const struct condense *o)
+{
+    bool any = false;
+    for (int i = 0; i < o->ncomponent; i++) {
+        const struct component *c = &o->component[i];
+        bool led = false;
+        for (int r = 0; r < c->nrow; r++) led |= o->model->loop[o->loops->row[c->row[r]].loop].drive != NULL;
+        any |= led && c->nr < c->nrow;
+    }
+    return any;
+}
+
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)
 {
     for (int i = 0; i < o->moves->nturn; i++) o->q[o->moves->turn[i].iq[0]] = 1;
+    draw_drives(o);
     TRY(assemble(o));
     TRY(go_to_start(o, q0));
     int row;
     TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
     TRY(agrees(o, q0, v0));
-    if (o->ode.n == 0) return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
+    if (o->ode.n == 0 && o->model->ndrive == 0)
+        return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
+    o->contested = is_contested(o);
+    if (o->contested) TRY(contradiction(o));
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;
