@@ -2,6 +2,7 @@
 #include "sim/parts.h"
 
 #include "la/rot.h"
+#include "la/vec3.h"
 
 static double energy(const struct sim *sim, int k)
 {
@@ -126,6 +127,23 @@ double record_value(const struct sim *sim, const struct origin *s)
         break;
     }
     return pose_part(sim, s);
+}
+
+double sim_mass(const struct sim *sim, double *centre)
+{
+    const struct model *m = sim->model;
+    double mass = 0;
+    struct trouble why;
+    centre[0] = centre[1] = centre[2] = 0;
+    system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, SEE_MOTION, &why);
+    for (int i = 1; i < m->nbody; i++) {
+        struct pose p;
+        system_pose(sim->system, &p, i);
+        mass += m->body[i].mass;
+        v3_axpy(centre, m->body[i].mass, p.r);
+    }
+    if (mass > 0) v3_scale(centre, 1 / mass, centre);
+    return mass;
 }
 
 enum status record_fill(struct sim *sim)
