@@ -40,6 +40,7 @@ struct model_joint {
     double a[3], b[3];   /* the joint's point: from the parent's centre in parent axes; child likewise [m] */
     double Ea[9], Eb[9]; /* joint axes x, y, z by column in parent axes, in child axes: equal in the
                           * world when the coordinates are 0 */
+    const double *own;   /* [9] axes of its reactions by column, in axes of the deck's first body; NULL: the world's */
     int nq, nv;
     int iq[JOINT_MAX_Q]; /* places in q */
     int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
@@ -53,6 +54,7 @@ struct model_loop {
     int first, second;          /* bodies, in the deck's order */
     double a[3], b[3];          /* the joint's point: from the first body's centre, its axes; second likewise [m] */
     double Ea[9], Eb[9];        /* joint axes x, y, z by column in the axes of the first, the second body */
+    const double *own;          /* as in model_joint */
     int component;              /* loops that share coordinates are one component */
     const struct signal *drive; /* not a joint but one equation, s(q) = c(t) of a measure; NULL: a joint */
     int measure;

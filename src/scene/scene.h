@@ -42,6 +42,7 @@ struct scene_joint {
     bool ranged;  /* its coordinate should stay in range[0] ... range[1] */
     double range[2];
     bool loop; /* the deck wants it out of the tree */
+    bool own;  /* reactions in joint axes */
 };
 
 struct scene_measure {

@@ -86,9 +86,27 @@ static double force_part(const struct sim *sim, const struct origin *s)
     return s->type == FROM_FORCE ? force : s->type == FROM_ELONGATION ? elongation : power;
 }
 
+static double reaction_part(const struct sim *sim, const struct origin *s)
+{
+    const struct model_joint *j = &sim->model->joint[s->index];
+    const struct model_loop *l = &sim->model->loop[s->index];
+    const bool tree = s->type == FROM_REACTION;
+    const double *own = tree ? j->own : l->own;
+    struct pose first;
+    double f[6], A[9];
+    if (tree)
+        system_reaction(sim->system, f, f + 3, s->index);
+    else
+        system_loop_reaction(sim->system, f, f + 3, s->index);
+    if (!own) return f[s->k];
+    system_pose(sim->system, &first, !tree ? l->first : j->reversed ? j->child : j->parent);
+    m3_mulm(A, first.R, own);
+    return v3_dot(A + 3 * (s->k % 3), s->k < 3 ? f : f + 3);
+}
+
 double record_value(const struct sim *sim, const struct origin *s)
 {
-    double a, b, f[6];
+    double a, b;
     switch (s->type) {
     case FROM_TIME:
         return sim->x.t;
@@ -103,11 +121,8 @@ double record_value(const struct sim *sim, const struct origin *s)
     case FROM_POINT_ACCELERATION:
         return point_part(sim, s);
     case FROM_REACTION:
-        system_reaction(sim->system, f, f + 3, s->index);
-        return f[s->k];
     case FROM_LOOP:
-        system_loop_reaction(sim->system, f, f + 3, s->index);
-        return f[s->k];
+        return reaction_part(sim, s);
     case FROM_DRIVE:
         system_drive(sim->system, &a, &b, s->index);
         return s->k == 0 ? a : b;
