@@ -4,7 +4,7 @@
 run() { # DECK COLUMNS [--set ...]
     run_deck=$1 run_columns=$2
     shift 2
-    "$FMDSUB" run -q --until 0.2 --every 0.1 --columns "$run_columns" "$@" "$run_deck" 2>"$work/err" | sed 1d
+    "$FMDSUB" run -q --until 0.2 --every 0.1 --columns "$run_columns" "$@" "$run_deck" 2>"$work/err" | sed 1d | cut -d , -f 2-
 }
 
 # sizes agree to 1e-9 line by line; column WHICH of the second is nothing
