@@ -328,6 +328,9 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
 {
     const struct flex_beam *beam = w->beam;
     double B[9], length, from;
+    for (int k = 0; k < beam->nsection; k++)
+        if (beam->space == 2 && beam->section[k].twist != 0)
+            return fail(report, E_MODEL, "a beam in the plane has no twist");
     TRY(orient(B, &length, beam, report));
     m3_tmulm(w->axes, beam->R, B);
     rod_build(&w->rod, beam, length, scratch);
