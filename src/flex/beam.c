@@ -38,8 +38,10 @@ static enum status orient(double *B, double *length, const struct flex_beam *o, 
     v3_diff(d, o->b, o->a);
     *length = v3_norm(d);
     if (!(*length > 0)) return fail(report, E_MODEL, "the ends of the beam are one point");
-    if (o->space == 3 && v3_norm(o->up) > 0) v3_copy(up, o->up);
-    else if (o->space == 3 && hypot(d[0], d[1]) <= 1e-6 * *length) v3_copy(up, y);
+    if (o->space == 3 && v3_norm(o->up) > 0)
+        v3_copy(up, o->up);
+    else if (o->space == 3 && hypot(d[0], d[1]) <= 1e-6 * *length)
+        v3_copy(up, y);
     if (!matrix_of_axes(B, 0, d, 2, up)) return fail(report, E_MODEL, "the beam runs along its 'up'");
     return OK;
 }
@@ -138,10 +140,10 @@ static void stiffness(struct flex_body *o, const struct flex_beam *beam, const d
 
 struct march {
     int n;
-    double *I, *S;             /* [3 x n x n] Lambda_2 e_x and r_2 of pairs at the node reached, beam axes */
-    double *W[ROD_GAUSS];      /* [12 x n] fields at the points of an element */
-    double *slope[ROD_GAUSS];  /* [3 x n x n] integrands */
-    double *inner[ROD_GAUSS];  /* [3 x n x n] Lambda_2 e_x, then r_2 */
+    double *I, *S;            /* [3 x n x n] Lambda_2 e_x and r_2 of pairs at the node reached, beam axes */
+    double *W[ROD_GAUSS];     /* [12 x n] fields at the points of an element */
+    double *slope[ROD_GAUSS]; /* [3 x n x n] integrands */
+    double *inner[ROD_GAUSS]; /* [3 x n x n] Lambda_2 e_x, then r_2 */
 };
 
 static void march_take(struct march *o, int n, bool second, struct arena *scratch)
@@ -185,8 +187,7 @@ static void march_element(struct march *o, double h, bool back)
 {
     int n = o->n;
     for (int g = 0; g < ROD_GAUSS; g++)
-        for (int k = 0; k < n * n; k++)
-            bend_slope(o->slope[g] + 3 * k, o->W[g] + 12 * (k % n), o->W[g] + 12 * (k / n));
+        for (int k = 0; k < n * n; k++) bend_slope(o->slope[g] + 3 * k, o->W[g] + 12 * (k % n), o->W[g] + 12 * (k / n));
     run(o->I, o->inner, o->slope, 3 * n * n, h, back);
     for (int g = 0; g < ROD_GAUSS; g++)
         for (int k = 0; k < n * n; k++) {
@@ -235,10 +236,9 @@ static void add_element(struct flex_body *o, const struct work *w, struct march 
 static void at_node(struct flex_body *o, const struct work *w, const struct march *m, const int *mesh, int node,
                     double *phi)
 {
-    int n = w->n, element = node < w->rod.nnode - 1 ? node : node - 1;
-    double x[3], I[9], N[12 * 12], *psi = phi + 3 * n, *S = psi + 3 * n, *W = m->W[0];
-    rod_fields(N, &w->rod, element, w->rod.s[node]);
-    rod_apply(W, N, &w->rod, element, w->Phi, n);
+    int n = w->n;
+    double x[3], I[9], *psi = phi + 3 * n, *S = psi + 3 * n, *W = m->W[0];
+    rod_at_node(W, &w->rod, node, w->Phi, n);
     linear(phi, psi, W, w);
     place_at(x, w, w->rod.s[node]);
     if (o->s) {
@@ -271,7 +271,7 @@ static void fill_side(struct flex_body *o, const struct work *w, struct march *m
     memset(m->S, 0, bytes);
     for (int node = w->reference; node != stop; node += step) {
         int e = back ? node - 1 : node;
-        for (int g = 0; g < ROD_GAUSS; g++) rod_apply(m->W[g], rod->point[ROD_GAUSS * e + g].N, rod, e, w->Phi, n);
+        for (int g = 0; g < ROD_GAUSS; g++) rod_at_point(m->W[g], rod, ROD_GAUSS * e + g, w->Phi, n);
         if (o->s) march_element(m, rod->s[e + 1] - rod->s[e], back);
         add_element(o, w, m, e, phi);
         at_node(o, w, m, mesh, node + step, phi);
@@ -301,14 +301,12 @@ static enum status stress(struct flex_stress *o, const struct work *w, const str
                           struct report *report)
 {
     struct flex_section c;
-    double N[12 * 12], s = probe->station * w->rod.length, E = w->beam->E;
-    int element = rod_element(&w->rod, s);
+    double E = w->beam->E;
     rod_section(&c, w->beam, probe->station);
     if ((probe->y != 0 && !(c.y > 0)) || (probe->z != 0 && w->beam->space == 3 && !(c.z > 0)))
         return fail(report, E_MODEL, "the stress point '%s' needs a section whose outline is known",
                     probe->name ? probe->name : "");
-    rod_fields(N, &w->rod, element, s);
-    rod_apply(W, N, &w->rod, element, w->Phi, w->n);
+    rod_strains(W, &w->rod, probe->station * w->rod.length, w->Phi, w->n);
     double py = probe->y * c.y, pz = probe->z * c.z;
     double y = cos(c.twist) * py - sin(c.twist) * pz, z = sin(c.twist) * py + cos(c.twist) * pz;
     o->name = probe->name;

@@ -38,16 +38,17 @@ struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening,
     o->nstress = nstress;
     o->stress = TAKE(life, struct flex_stress, nstress);
     for (int k = 0; k < nstress; k++)
-        o->stress[k] = (struct flex_stress){NULL, TAKE(life, double, 6 * n), TAKE(life, double, n), TAKE(life, double, n)};
+        o->stress[k] =
+            (struct flex_stress){NULL, TAKE(life, double, 6 * n), TAKE(life, double, n), TAKE(life, double, n)};
     o->f = TAKE(life, double, 3 * n);
     o->xf = TAKE(life, double, 9 * n);
     o->ff = TAKE(life, double, 9 * n * n);
     o->rpsi = TAKE(life, double, 3 * n);
-    o->ppsi = TAKE(life, double, n * n);
+    o->ppsi = TAKE(life, double, n *n);
     o->s = stiffening ? TAKE(life, double, 3 * n * n) : NULL;
     o->xs = stiffening ? TAKE(life, double, 9 * n * n) : NULL;
-    o->K = TAKE(life, double, n * n);
-    o->D = TAKE(life, double, n * n);
+    o->K = TAKE(life, double, n *n);
+    o->D = TAKE(life, double, n *n);
     o->hertz = TAKE(life, double, n);
     return o;
 }
@@ -115,7 +116,8 @@ static struct rigid rigid_of(const struct flex_node *o, int n, struct arena *lif
 }
 
 /* S += the quadratic part of the rigid motion at d = x - x0 where the field less that of node 0 is phi. */
-static void add_turn(double *S, const struct rigid *r, int i, int j, const double *d, const double *fi, const double *fj)
+static void add_turn(double *S, const struct rigid *r, int i, int j, const double *d, const double *fi,
+                     const double *fj)
 {
     const double *pi = r->psi + 3 * i, *pj = r->psi + 3 * j;
     double a[3], b[3];

@@ -66,7 +66,7 @@ static enum status fixed_modes(double *Phi, const struct craig *o, const struct 
                                const bool *held, struct arena *scratch, struct report *report)
 {
     int size = M->n, family[MOST_PER], n = 0;
-    double *l = TAKE(scratch, double, o->modes), *X = TAKE(scratch, double, o->modes * size);
+    double *l = TAKE(scratch, double, o->modes), *X = TAKE(scratch, double, o->modes *size);
     double *lambda = TAKE(scratch, double, o->modes);
     bool *use = TAKE(scratch, bool, size);
     families(family, o);
@@ -132,7 +132,7 @@ static enum status diagonal(double *lambda, double *Phi, const struct craig *o, 
                             struct report *report)
 {
     int n = craig_count(o), size = o->K->n;
-    double *K = TAKE(scratch, double, n * n), *M = TAKE(scratch, double, n * n), *Q = TAKE(scratch, double, n * n);
+    double *K = TAKE(scratch, double, n *n), *M = TAKE(scratch, double, n *n), *Q = TAKE(scratch, double, n *n);
     double *work = TAKE(scratch, double, size);
     project(K, o->K, Phi, n, work);
     project(M, o->M, Phi, n, work);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "la/dense.h"
 #include "la/vec3.h"
 
 /* Abramowitz & Stegun 25.4.30 moved to 0 ... 1; part: Lagrange's polynomials integrated. */
@@ -11,7 +12,8 @@ const struct rod_gauss rod_gauss = {
     {0.046910077030668004, 0.23076534494715845, 0.50000000000000000, 0.76923465505284155, 0.95308992296933200},
     {0.11846344252809454, 0.23931433524968323, 0.28444444444444444, 0.23931433524968323, 0.11846344252809454},
     {
-        {0.059231721264047272, -0.019570364359076037, 0.011254400818642956, -0.0055937936608121849, 0.0015881129678659985},
+        {0.059231721264047272, -0.019570364359076037, 0.011254400818642956, -0.0055937936608121849,
+         0.0015881129678659985},
         {0.12815100567004528, 0.11965716762484162, -0.024592114619642200, 0.010318280670683357, -0.0027689943987696030},
         {0.11377628800422460, 0.26000465168064152, 0.14222222222222222, -0.020690316430958285, 0.0046871545238699412},
         {0.12123243692686415, 0.22899605457899988, 0.30903655906408664, 0.11965716762484162, -0.0096875631419507397},
@@ -73,13 +75,6 @@ int rod_node(const struct rod *o, double station)
     return best;
 }
 
-int rod_element(const struct rod *o, double s)
-{
-    int e = 0;
-    while (e < o->nnode - 2 && o->s[e + 1] <= s + SAME * o->length) e++;
-    return e;
-}
-
 /* ---- sections ---- */
 
 void rod_section(struct flex_section *o, const struct flex_beam *beam, double station)
@@ -98,102 +93,148 @@ void rod_section(struct flex_section *o, const struct flex_beam *beam, double st
     o->station = station;
 }
 
-/* (T_yy, T_zz, T_yz) of the tensor diag(p, q) turned by the angle about x. */
-static void turned(double *T, double p, double q, double angle)
+/* y and z rows of the tensor diag(p, q) turned by the angle about x, entries step apart. */
+static void turned(double *T, int ld, double p, double q, double angle)
 {
     double c = cos(angle), s = sin(angle);
     T[0] = c * c * p + s * s * q;
-    T[1] = s * s * p + c * c * q;
-    T[2] = c * s * p - c * s * q;
+    T[1 + ld] = s * s * p + c * c * q;
+    T[1] = T[ld] = c * s * p - c * s * q;
 }
 
-static void put(double *A, int ld, int y, int z, const double *T)
-{
-    A[y + ld * y] = T[0];
-    A[z + ld * z] = T[1];
-    A[y + ld * z] = A[z + ld * y] = T[2];
-}
-
-static void take_section(struct rod_point *o, const struct flex_beam *beam, double station)
+/* rho A and rho I.  Torsion always has inertia; in the plane nothing else turns than about z. */
+static void section_mass(struct rod_point *o, const struct flex_beam *beam, double station)
 {
     struct flex_section c;
-    double T[3];
     rod_section(&c, beam, station);
+    double y = c.rotary * beam->density * c.Iy, z = c.rotary * beam->density * c.Iz;
     o->m = beam->density * c.A;
+    if (beam->space == 2) {
+        o->I[8] = z;
+        return;
+    }
     o->I[0] = beam->density * (c.Iy + c.Iz);
-    turned(T, c.rotary * beam->density * c.Iy, c.rotary * beam->density * c.Iz, c.twist);
-    put(o->I, 3, 1, 2, T);
-    o->C[0] = beam->E * c.A;
-    o->C[3 + 6 * 3] = beam->G * c.J;
-    turned(T, beam->G * c.A * c.ky, beam->G * c.A * c.kz, c.twist);
-    put(o->C, 6, 1, 2, T);
-    turned(T, beam->E * c.Iy, beam->E * c.Iz, c.twist);
-    put(o->C, 6, 4, 5, T);
+    turned(o->I + 4, 3, y, z, c.twist);
 }
 
-/* ---- shape functions ---- */
-
-static void stretch(double *N, int row, int strain, int column, double xi, double h)
+static double inverse(double x)
 {
-    N[row + 12 * column] = 1 - xi;
-    N[row + 12 * (column + 6)] = xi;
-    N[strain + 12 * column] = -1 / h;
-    N[strain + 12 * (column + 6)] = 1 / h;
+    return x > 0 ? 1 / x : 0;
 }
 
-/* Bending along row a (1: y, 2: z), section rotation about row b with sign (rz = v', ry = -w').  P is Phi =
- * 12 EI / (k G A h^2). */
-static void bend(double *N, int a, int b, double sign, double xi, double h, double P)
+/* Strains by force F [3 x 3] and curvatures by moment B [3 x 3].  In the plane the bending that no freedom has is
+ * given the stiffness of the one that has. */
+static void section_give(double *F, double *B, const struct flex_beam *beam, double station)
 {
-    double mu = 1 / (1 + P), xi2 = xi * xi, xi3 = xi2 * xi;
-    double v[4] = {1 - 3 * xi2 + 2 * xi3 + P * (1 - xi), h * (xi - 2 * xi2 + xi3 + P * (xi - xi2) / 2),
-                   3 * xi2 - 2 * xi3 + P * xi, h * (xi3 - xi2 - P * (xi - xi2) / 2)};
-    double turn[4] = {6 * (xi2 - xi) / h, 1 - 4 * xi + 3 * xi2 + P * (1 - xi), 6 * (xi - xi2) / h,
-                      3 * xi2 - 2 * xi + P * xi};
-    double bent[4] = {(12 * xi - 6) / (h * h), (6 * xi - 4 - P) / h, (6 - 12 * xi) / (h * h), (6 * xi - 2 + P) / h};
-    double slid[4] = {-P / h, -P / 2, P / h, -P / 2};
-    int column[4] = {a, 3 + b, 6 + a, 9 + b};
-    for (int k = 0; k < 4; k++) {
-        double *c = N + 12 * column[k], f = k % 2 ? mu * sign : mu;
-        c[ROD_R + a] = f * v[k];
-        c[ROD_THETA + b] = f * sign * turn[k];
-        c[ROD_GAMMA + a] = f * slid[k];
-        c[ROD_KAPPA + b] = f * sign * bent[k];
+    struct flex_section c;
+    rod_section(&c, beam, station);
+    int flat = beam->space == 2;
+    memset(F, 0, 9 * sizeof *F);
+    memset(B, 0, 9 * sizeof *B);
+    F[0] = 1 / (beam->E * c.A);
+    turned(F + 4, 3, inverse(beam->G * c.A * c.ky), inverse(beam->G * c.A * c.kz), c.twist);
+    B[0] = 1 / (flat ? beam->E * c.Iz : beam->G * c.J);
+    turned(B + 4, 3, 1 / (beam->E * (flat ? c.Iz : c.Iy)), 1 / (beam->E * c.Iz), c.twist);
+}
+
+/* ---- elements ---- */
+
+/* What end loads Q = (force, moment at the right end) strain at a distance `arm` before the end: S [6 x 6]. */
+static void strain_by_load(double *S, const struct flex_beam *beam, double station, double arm)
+{
+    double F[9], B[9];
+    section_give(F, B, beam, station);
+    for (int j = 0; j < 3; j++) {
+        const double force[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const double moment[3][3] = {{0, 0, 0}, {0, 0, arm}, {0, -arm, 0}}; /* arm e_x x force */
+        m3_mul(S + 6 * j, F, force[j]);
+        m3_mul(S + 6 * j + 3, B, moment[j]);
+        v3_set(S + 6 * (j + 3), 0, 0, 0);
+        m3_mul(S + 6 * (j + 3) + 3, B, force[j]);
     }
 }
 
-/* From axes turned by the angle about x to beam axes: rows, then columns, three by three. */
-static void turn_fields(double *N, double angle)
+/* T [6 x 12]: what the right end does beyond following the left one as a rigid body. */
+static void relative(double *T, double h)
 {
-    double c = cos(angle), s = sin(angle);
-    if (angle == 0) return;
-    for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; k < 12; k++)
-            for (int a = 0; a < 12; a += 3) {
-                double *y = pass ? N + k + 12 * (a + 1) : N + 12 * k + a + 1, *z = y + (pass ? 12 : 1);
-                double ye = *y, ze = *z;
-                *y = c * ye - s * ze;
-                *z = s * ye + c * ze;
-            }
+    memset(T, 0, 6 * 12 * sizeof *T);
+    for (int a = 0; a < 6; a++) {
+        T[a + 6 * a] = -1;
+        T[a + 6 * (a + 6)] = 1;
+    }
+    T[1 + 6 * 5] = -h; /* theta x e_x h = (0, h rz, -h ry) */
+    T[2 + 6 * 4] = h;
 }
 
-static double slack(double EI, double GA, double h)
+/* Load of a unit force or moment j at the end on the section `arm` before it: sum over all of S'...: the flexibility
+ * int b' S ds, b = (force, moment) there. */
+static void add_flexibility(double *A, const double *S, double arm, double ds)
 {
-    return GA > 0 ? 12 * EI / (GA * h * h) : 0;
+    for (int j = 0; j < 6; j++) {
+        const double *e = S + 6 * j;
+        for (int i = 0; i < 6; i++) A[i + 6 * j] += ds * e[i];
+        A[1 + 6 * j] += ds * arm * e[5];
+        A[2 + 6 * j] -= ds * arm * e[4];
+    }
 }
 
-void rod_fields(double *N, const struct rod *o, int element, double s)
+/* o += theta x e_x + Gamma, the slope of the displacement. */
+static void add_slope(double *o, double ds, const double *fields)
 {
-    const struct flex_beam *beam = o->beam;
-    struct flex_section c;
-    double h = o->s[element + 1] - o->s[element], xi = (s - o->s[element]) / h;
-    rod_section(&c, beam, (o->s[element] + h / 2) / o->length);
-    memset(N, 0, 12 * 12 * sizeof *N);
-    stretch(N, ROD_R, ROD_GAMMA, 0, xi, h);
-    stretch(N, ROD_THETA, ROD_KAPPA, 3, xi, h);
-    bend(N, 1, 2, 1, xi, h, slack(beam->E * c.Iz, beam->G * c.A * c.ky, h));
-    bend(N, 2, 1, -1, xi, h, slack(beam->E * c.Iy, beam->G * c.A * c.kz, h));
-    turn_fields(N, c.twist);
+    const double *theta = fields + ROD_THETA;
+    v3_axpy(o, ds, fields + ROD_GAMMA);
+    o[1] += ds * theta[2];
+    o[2] -= ds * theta[1];
+}
+
+/* theta and r at the Gauss points from the strains there: running integrals from the left node. */
+static void integrate(struct rod_point *p, double h)
+{
+    for (int j = 0; j < 12; j++)
+        for (int g = 0; g < ROD_GAUSS; g++) {
+            double *theta = p[g].N + 12 * j + ROD_THETA;
+            for (int a = 0; a < 3; a++) theta[a] = j == 3 + a;
+            for (int k = 0; k < ROD_GAUSS; k++) v3_axpy(theta, h * rod_gauss.part[g][k], p[k].N + 12 * j + ROD_KAPPA);
+        }
+    for (int j = 0; j < 12; j++)
+        for (int g = 0; g < ROD_GAUSS; g++) {
+            double *r = p[g].N + 12 * j + ROD_R;
+            for (int a = 0; a < 3; a++) r[a] = j == a;
+            for (int k = 0; k < ROD_GAUSS; k++) add_slope(r, h * rod_gauss.part[g][k], p[k].N + 12 * j);
+        }
+}
+
+/* N [6 x 12] strains = S G, into rows of N [12 x 12]. */
+static void strains(double *N, const double *S, const double *G)
+{
+    for (int j = 0; j < 12; j++)
+        for (int i = 0; i < 6; i++) {
+            double sum = 0;
+            for (int k = 0; k < 6; k++) sum += S[i + 6 * k] * G[k + 6 * j];
+            N[ROD_GAMMA + i + 12 * j] = sum;
+        }
+}
+
+/* G = A^-1 T with the flexibility A; zero where A is not positive. */
+static void build_element(struct rod *o, int element)
+{
+    struct rod_point *p = o->point + ROD_GAUSS * element;
+    double A[36] = {0}, S[ROD_GAUSS][36], *G = o->G + 72 * element, right = o->s[element + 1];
+    double h = right - o->s[element];
+    for (int g = 0; g < ROD_GAUSS; g++) {
+        p[g].s = o->s[element] + rod_gauss.x[g] * h;
+        p[g].ds = rod_gauss.w[g] * h;
+        section_mass(&p[g], o->beam, p[g].s / o->length);
+        strain_by_load(S[g], o->beam, p[g].s / o->length, right - p[g].s);
+        add_flexibility(A, S[g], right - p[g].s, p[g].ds);
+    }
+    relative(G, h);
+    if (dense_cholesky(A, 6, 6) < 0)
+        dense_cholesky_solves(A, G, 6, 6, 12, 6);
+    else
+        memset(G, 0, 72 * sizeof *G);
+    for (int g = 0; g < ROD_GAUSS; g++) strains(p[g].N, S[g], G);
+    integrate(p, h);
 }
 
 void rod_build(struct rod *o, const struct flex_beam *beam, double length, struct arena *life)
@@ -203,14 +244,8 @@ void rod_build(struct rod *o, const struct flex_beam *beam, double length, struc
     o->length = length;
     mesh(o, beam, life);
     o->point = TAKE(life, struct rod_point, ROD_GAUSS * (o->nnode - 1));
-    for (int k = 0; k < ROD_GAUSS * (o->nnode - 1); k++) {
-        int e = k / ROD_GAUSS, g = k % ROD_GAUSS;
-        double h = o->s[e + 1] - o->s[e];
-        o->point[k].s = o->s[e] + rod_gauss.x[g] * h;
-        o->point[k].ds = rod_gauss.w[g] * h;
-        take_section(&o->point[k], beam, o->point[k].s / length);
-        rod_fields(o->point[k].N, o, e, o->point[k].s);
-    }
+    o->G = TAKE(life, double, 72 * (o->nnode - 1));
+    for (int e = 0; e < o->nnode - 1; e++) build_element(o, e);
 }
 
 /* ---- matrices ---- */
@@ -223,17 +258,6 @@ static int freedom(const struct rod *o, int element, int k)
     return own < 0 ? -1 : node * o->per + own;
 }
 
-/* Y [rows x 12] = A X, A [rows x rows]; X, Y in matrices of 12 rows. */
-static void times(double *Y, const double *A, const double *X, int rows)
-{
-    for (int j = 0; j < 12; j++)
-        for (int i = 0; i < rows; i++) {
-            double sum = 0;
-            for (int k = 0; k < rows; k++) sum += A[i + rows * k] * X[k + 12 * j];
-            Y[i + 12 * j] = sum;
-        }
-}
-
 static double dot(const double *a, const double *b, int n)
 {
     double sum = 0;
@@ -241,20 +265,32 @@ static double dot(const double *a, const double *b, int n)
     return sum;
 }
 
-/* K += N' C N ds over the strains, M += (m r'r + theta' I theta) ds. */
-static void add_point(struct band *K, struct band *M, const struct rod *o, int element, const struct rod_point *p)
+/* K += T' G. */
+static void add_stiffness(struct band *K, const struct rod *o, int element)
 {
-    double F[12 * 12], H[12 * 12];
-    times(F, p->C, p->N + ROD_GAMMA, 6);
-    times(H, p->I, p->N + ROD_THETA, 3);
+    double T[72], *G = o->G + 72 * element;
+    relative(T, o->s[element + 1] - o->s[element]);
     for (int j = 0; j < 12; j++)
         for (int i = j; i < 12; i++) {
             int a = freedom(o, element, i), b = freedom(o, element, j);
-            const double *c = p->N + 12 * i;
-            if (a < 0 || b < 0) continue;
-            *band_at(K, a, b) += p->ds * dot(c + ROD_GAMMA, F + 12 * j, 6);
-            *band_at(M, a, b) += p->ds * (p->m * dot(c, p->N + 12 * j, 3) + dot(c + ROD_THETA, H + 12 * j, 3));
+            if (a >= 0 && b >= 0) *band_at(K, a, b) += dot(T + 6 * i, G + 6 * j, 6);
         }
+}
+
+/* M += (m r'r + theta' I theta) ds. */
+static void add_mass(struct band *M, const struct rod *o, int element, const struct rod_point *p)
+{
+    for (int j = 0; j < 12; j++) {
+        const double *right = p->N + 12 * j;
+        double h[3];
+        m3_mul(h, p->I, right + ROD_THETA);
+        for (int i = j; i < 12; i++) {
+            int a = freedom(o, element, i), b = freedom(o, element, j);
+            const double *left = p->N + 12 * i;
+            if (a >= 0 && b >= 0)
+                *band_at(M, a, b) += p->ds * (p->m * v3_dot(left, right) + v3_dot(left + ROD_THETA, h));
+        }
+    }
 }
 
 static void add_lump(struct band *M, const struct rod *o, int node, double mass, const double *I)
@@ -271,12 +307,16 @@ void rod_matrices(struct band *K, struct band *M, const struct rod *o, const dou
     const struct flex_beam *beam = o->beam;
     *K = band_take(o->nnode * o->per, 2 * o->per - 1, life);
     *M = band_take(o->nnode * o->per, 2 * o->per - 1, life);
-    for (int k = 0; k < ROD_GAUSS * (o->nnode - 1); k++) add_point(K, M, o, k / ROD_GAUSS, &o->point[k]);
+    for (int e = 0; e < o->nnode - 1; e++) add_stiffness(K, o, e);
+    for (int k = 0; k < ROD_GAUSS * (o->nnode - 1); k++) add_mass(M, o, k / ROD_GAUSS, &o->point[k]);
     for (int k = 0; k < beam->nlump; k++)
         add_lump(M, o, rod_node(o, beam->lump[k].station), beam->lump[k].mass, inertia + 9 * k);
 }
 
-void rod_apply(double *W, const double *N, const struct rod *o, int element, const double *Phi, int n)
+/* ---- fields ---- */
+
+/* W [12 x n] = N times the rows of Phi that belong to the element. */
+static void apply(double *W, const double *N, const struct rod *o, int element, const double *Phi, int n)
 {
     int size = o->nnode * o->per;
     memset(W, 0, (size_t)(12 * n) * sizeof *W);
@@ -286,4 +326,30 @@ void rod_apply(double *W, const double *N, const struct rod *o, int element, con
             double q = a < 0 ? 0 : Phi[a + (long)size * j];
             for (int i = 0; q != 0 && i < 12; i++) W[i + 12 * j] += N[i + 12 * k] * q;
         }
+}
+
+void rod_at_point(double *W, const struct rod *o, int point, const double *Phi, int n)
+{
+    apply(W, o->point[point].N, o, point / ROD_GAUSS, Phi, n);
+}
+
+void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, int n)
+{
+    int size = o->nnode * o->per, element = node < o->nnode - 1 ? node : node - 1, first = 6 * (node - element);
+    memset(W, 0, (size_t)(12 * n) * sizeof *W);
+    for (int j = 0; j < n; j++)
+        for (int k = 0; k < 6; k++) {
+            int a = freedom(o, element, first + k);
+            if (a >= 0) W[k + 12 * j] = Phi[a + (long)size * j];
+        }
+}
+
+void rod_strains(double *W, const struct rod *o, double s, const double *Phi, int n)
+{
+    double S[36], N[12 * 12] = {0};
+    int e = 0;
+    while (e < o->nnode - 2 && o->s[e + 1] <= s + SAME * o->length) e++;
+    strain_by_load(S, o->beam, s / o->length, o->s[e + 1] - s);
+    strains(N, S, o->G + 72 * e);
+    apply(W, N, o, e, Phi, n);
 }

@@ -6,10 +6,11 @@
  *     Gamma = r' - theta x e_x = (u', v' - rz, w' + ry),     kappa = theta',
  *
  * with energies 1/2 int Gamma' diag(EA, shear) Gamma + kappa' diag(GJ, bending) kappa ds and
- * 1/2 int rho A r'.r' + theta' rho I theta' ds.  u and rx are linear; v, rz and w, ry cubic and quadratic, so that the
- * shear strain is constant and right for a uniform element (Przemieniecki, Theory of Matrix Structural Analysis, 1968,
- * 5.6; Friedman & Kosmatka, Computers & Structures 47 (1993) 473); without shear they are Hermite's cubics.  Sections
- * that vary and twist are taken at five Gauss points an element. */
+ * 1/2 int rho A r'.r' + theta' rho I theta' ds.  The shape functions of an element are its own statics: the fields that
+ * forces and moments at its ends alone produce, whatever its section does in between.  Of a uniform element these are
+ * Hermite's cubics, with shear those of Timoshenko's beam (Przemieniecki, Theory of Matrix Structural Analysis, 1968,
+ * 5.6; Friedman & Kosmatka, Computers & Structures 47 (1993) 473); tapered or twisted, static loads at nodes still
+ * bend the mesh exactly.  Sections are taken at five Gauss points an element. */
 #ifndef FMDSUB_FLEX_ROD_H
 #define FMDSUB_FLEX_ROD_H
 
@@ -27,19 +28,19 @@ struct rod_gauss {
 extern const struct rod_gauss rod_gauss;
 
 struct rod_point {
-    double s, ds;         /* place, weight [m] */
-    double m, I[9];       /* rho A [kg/m], rho I [kg m] */
-    double C[36];         /* Gamma, kappa to forces and moments */
-    double N[12 * 12];    /* [12 fields x 12 freedoms of the element] */
+    double s, ds;      /* place, weight [m] */
+    double m, I[9];    /* rho A [kg/m], rho I [kg m] */
+    double N[12 * 12]; /* [12 fields x 12 freedoms of the element] */
 };
 
 struct rod {
     const struct flex_beam *beam;
-    int per;      /* freedoms of a node: 6, in the plane 3 */
-    int nnode;    /* elements and one */
-    double *s;    /* [nnode] place [m] */
+    int per;   /* freedoms of a node: 6, in the plane 3 */
+    int nnode; /* elements and one */
+    double *s; /* [nnode] place [m] */
     double length;
     struct rod_point *point; /* [ROD_GAUSS x elements] */
+    double *G;               /* [6 x 12 x elements] force and moment at an element's right end, by its freedoms */
 };
 
 /* Mesh: nodes at every interface, point, lump and section station; equal elements between, none longer than
@@ -48,15 +49,16 @@ void rod_build(struct rod *o, const struct flex_beam *beam, double length, struc
 /* Node at a station that the mesh has taken in. */
 int rod_node(const struct rod *o, double station);
 
-/* The section at a station; strains' stiffness and fields there are those of the element that begins at or before. */
 void rod_section(struct flex_section *o, const struct flex_beam *beam, double station);
-int rod_element(const struct rod *o, double s);
-void rod_fields(double *N, const struct rod *o, int element, double s);
 
 /* Stiffness and consistent mass of all freedoms; lumps' inertia has to come in beam axes, [9] each. */
 void rod_matrices(struct band *K, struct band *M, const struct rod *o, const double *inertia, struct arena *life);
 
-/* W [12 x n] = N Phi, Phi [freedoms x n] of the whole mesh. */
-void rod_apply(double *W, const double *N, const struct rod *o, int element, const double *Phi, int n);
+/* For n columns Phi [freedoms x n] of the mesh: W [12 x n], the fields at a Gauss point; displacement and rotation at
+ * a node (the strains, which may jump there, are left zero); strains alone at s, those of the element that begins at or
+ * before. */
+void rod_at_point(double *W, const struct rod *o, int point, const double *Phi, int n);
+void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, int n);
+void rod_strains(double *W, const struct rod *o, double s, const double *Phi, int n);
 
 #endif

@@ -117,9 +117,9 @@ struct subspace {
 
 static struct subspace subspace_take(int n, int p, struct arena *scratch)
 {
-    struct subspace o = {n, p, TAKE(scratch, double, n * p), TAKE(scratch, double, n * p), NULL, NULL, NULL, NULL};
-    o.H = TAKE(scratch, double, p * p);
-    o.Q = TAKE(scratch, double, p * p);
+    struct subspace o = {n, p, TAKE(scratch, double, n *p), TAKE(scratch, double, n *p), NULL, NULL, NULL, NULL};
+    o.H = TAKE(scratch, double, p *p);
+    o.Q = TAKE(scratch, double, p *p);
     o.now = TAKE(scratch, double, p);
     o.last = TAKE(scratch, double, p);
     return o;

@@ -21,8 +21,8 @@ static inline struct flex_section rectangle(double station, double width, double
 }
 
 /* Along world x, body axes the world's; interface stations as given. */
-static inline struct flex_beam bar(int space, double length, int elements, int modes, const struct flex_section *section,
-                                   int ninterface, const double *interface)
+static inline struct flex_beam bar(int space, double length, int elements, int modes,
+                                   const struct flex_section *section, int ninterface, const double *interface)
 {
     return (struct flex_beam){.space = space,
                               .b = {length, 0, 0},

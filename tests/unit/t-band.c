@@ -75,11 +75,12 @@ static void test_not_positive(void **state)
 static void check_lowest(int count, int step, int first)
 {
     struct arena *life = arena_open();
-    double *A = TAKE(life, double, N * N), *B = TAKE(life, double, N * N), *Q = TAKE(life, double, N * N), l[N];
-    double lambda[N], *X = TAKE(life, double, N * N), y[N];
+    double *A = TAKE(life, double, N *N), *B = TAKE(life, double, N *N), *Q = TAKE(life, double, N *N), l[N];
+    double lambda[N], *X = TAKE(life, double, N *N), y[N];
     bool use[N];
     uint64_t dice = 17;
-    struct band K = random_band(A, step, 20, &dice, life), M = random_band(B, step, 0, &dice, life), L = band_copy(&K, life);
+    struct band K = random_band(A, step, 20, &dice, life), M = random_band(B, step, 0, &dice, life),
+                L = band_copy(&K, life);
     int n = 0, k = 0;
     for (int i = 0; i < N; i++) use[i] = i >= first && (i - first) % step == 0;
     for (int j = 0; j < N; j++) /* the dense pair of the freedoms used */

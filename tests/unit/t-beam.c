@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <string.h>
-#include <time.h>
 
 #include "la/eigen.h"
 #include "la/rot.h"
@@ -68,7 +67,7 @@ static void test_cantilever(void **state)
 {
     (void)state;
     assert_true(cantilever_error(20, 6) < 1e-3);
-    for (int elements = 6; elements <= 12; elements *= 2) { /* the order is four */
+    for (int elements = 10; elements <= 20; elements *= 2) { /* the order is four */
         double ratio = cantilever_error(elements, 3) / cantilever_error(2 * elements, 3);
         assert_true(ratio > 15 && ratio < 17);
     }
@@ -124,15 +123,14 @@ static void test_timoshenko(void **state)
     c.rotary = 1;
     (void)state;
     for (int fine = 0; fine < 2; fine++) {
-        struct flex_beam o = bar(2, 1, fine ? 40 : 20, 6, &c, 1, ROOT_ONLY);
-        o.E = 2.1e11;
-        const double *f = made(&o, at, life)->hertz; /* bending 1, 2, stretch 1, bending 3, 4, stretch 2 */
-        for (int i = 0; i < 4; i++) error[fine][i] = fabs(f[i < 2 ? i : i == 2 ? 3 : 4] / exact[i] - 1);
-        if (f[2] > f[3]) error[fine][2] = fabs(f[2] / exact[2] - 1);
-        assert_true(error[fine][0] < 1e-4 && error[fine][3] < (fine ? 1e-3 : 3e-3));
-        near(fmin(f[2], f[3]) < 1300 ? fmin(f[2], f[3]) : 0, axial[0], 1e-3);
-        near(f[5], axial[1], 5e-3);
+        struct flex_beam o = bar(2, 1, fine ? 40 : 20, 7, &c, 1, ROOT_ONLY);
+        const double *f = made(&o, at, life)->hertz; /* bending 1 2, stretch 1, bending 3 4 5, stretch 2 */
+        for (int i = 0; i < 4; i++) error[fine][i] = fabs(f[i < 2 ? i : i + 1] / exact[i] - 1);
+        for (int i = 0; i < 4; i++) assert_true(error[fine][i] < (fine ? 1e-3 : 4e-3));
+        near(f[2], axial[0], 1e-3);
+        near(f[6], axial[1], 5e-3);
     }
+    for (int i = 1; i < 4; i++) assert_true(error[0][i] / error[1][i] > 3.5); /* elements shorter than deep: two */
     struct flex_beam o = bar(3, 1, 40, 8, &c, 1, ROOT_ONLY);
     const double *f = made(&o, at, life)->hertz;
     double torsion = sqrt(o.G * c.J / (o.density * (c.Iy + c.Iz))) / 4;
@@ -320,8 +318,7 @@ static void test_rigid(void **state)
     along = polar + v3_dot(e, d);
     near(v3_dot(e, h), along, 1e-12);
     flex_mass(Me, body);
-    for (int k = 0; k < body->n * body->n; k++)
-        assert_true(fabs(Me[k] - (k % (body->n + 1) == 0)) < 1e-11);
+    for (int k = 0; k < body->n * body->n; k++) assert_true(fabs(Me[k] - (k % (body->n + 1) == 0)) < 1e-11);
     for (int k = 0; k < 3; k++) /* both ends stand where they were drawn */
         for (int end = 0; end < 2; end++) {
             double x[3];
@@ -331,12 +328,12 @@ static void test_rigid(void **state)
     arena_close(life);
 }
 
-/* Modes of the plane are among those of space, with the same data. */
+/* Modes of the plane are among those of space, with the same data: all of both. */
 static void test_plane_in_space(void **state)
 {
     struct arena *life = arena_open();
     struct flex_section c = rectangle(0, 0.03, 0.01);
-    struct flex_beam flat = bar(2, 1, 8, 5, &c, 2, BOTH), solid = bar(3, 1, 8, 16, &c, 2, BOTH);
+    struct flex_beam flat = bar(2, 1, 5, 12, &c, 2, BOTH), solid = bar(3, 1, 5, 24, &c, 2, BOTH);
     double at[3];
     (void)state;
     c.ky = c.kz = 5.0 / 6;
@@ -358,7 +355,7 @@ static void test_plane_in_space(void **state)
             }
             assert_true(fabs(f->rpsi[3 * i + 2] - s->rpsi[3 * j + 2]) < 1e-8);
         }
-    assert_true(found >= 5); /* stretch and bending with the same number of fixed modes; the highest differ */
+    assert_int_equal(found, f->n);
     arena_close(life);
 }
 
@@ -412,7 +409,7 @@ static void test_taper(void **state)
             o.elements = 6 << k;
             worst[k] = error(made(&o, at, life)->hertz, fine, 4);
         }
-        assert_true(worst[1] < 1e-3 && worst[0] / worst[1] > (shear ? 3.5 : 12));
+        assert_true(worst[1] < 1e-3 && worst[0] / worst[1] > (shear ? 7 : 12));
     }
     arena_close(life);
 }
@@ -600,8 +597,7 @@ static void test_rotating(void **state)
             worst = fmax(worst, fabs(sqrt(lambda[2 * i + 1]) / unit / FLAP[k][i] - 1));
         }
     }
-    print_message("rotating beam: worst %.2g\n", worst);
-    assert_true(worst < 5e-4);
+    assert_true(worst < 1e-4);
     arena_close(life);
 }
 
@@ -631,8 +627,10 @@ static void test_stress(void **state)
 #define AT(x_) (c[0].x_ + x * (c[1].x_ - c[0].x_))
         double bend = -F[1] * (1 - x) * probe[k].y * AT(y) / AT(Iz) - F[2] * (1 - x) * probe[k].z * AT(z) / AT(Iy);
         near(sum[0], F[0] / AT(A), 0.02);
-        if (k < 2) near(sum[1], bend, 2e-3);
-        else assert_true(sum[1] == 0);
+        if (k < 2)
+            near(sum[1], bend, 2e-3);
+        else
+            assert_true(sum[1] == 0);
         near(sum[2], sum[0] + sum[1], 1e-12);
         for (int a = 1; a < 6; a++) assert_true(sum[2 + a] == 0);
         assert_string_equal(body->stress[k].name, probe[k].name);
@@ -640,7 +638,7 @@ static void test_stress(void **state)
     arena_close(life);
 }
 
-/* ---- damping, refusals, time ---- */
+/* ---- damping, refusals ---- */
 
 static void test_damping(void **state)
 {
@@ -706,14 +704,12 @@ static void test_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cantilever),     cmocka_unit_test(test_textbook),
-        cmocka_unit_test(test_timoshenko),     cmocka_unit_test(test_solid),
-        cmocka_unit_test(test_ends),           cmocka_unit_test(test_tip_force),
-        cmocka_unit_test(test_rigid),          cmocka_unit_test(test_plane_in_space),
-        cmocka_unit_test(test_taper_static),   cmocka_unit_test(test_taper),
-        cmocka_unit_test(test_turned),         cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_rotating),       cmocka_unit_test(test_stress),
-        cmocka_unit_test(test_damping),        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_cantilever), cmocka_unit_test(test_textbook),       cmocka_unit_test(test_timoshenko),
+        cmocka_unit_test(test_solid),      cmocka_unit_test(test_ends),           cmocka_unit_test(test_tip_force),
+        cmocka_unit_test(test_rigid),      cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_taper_static),
+        cmocka_unit_test(test_taper),      cmocka_unit_test(test_turned),         cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_rotating),   cmocka_unit_test(test_stress),         cmocka_unit_test(test_damping),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
