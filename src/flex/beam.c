@@ -306,7 +306,7 @@ static enum status stress(struct flex_stress *o, const struct work *w, const str
     if ((probe->y != 0 && !(c.y > 0)) || (probe->z != 0 && w->beam->space == 3 && !(c.z > 0)))
         return fail(report, E_MODEL, "the stress point '%s' needs a section whose outline is known",
                     probe->name ? probe->name : "");
-    rod_strains(W, &w->rod, probe->station * w->rod.length, w->Phi, w->n);
+    rod_strains(W, &w->rod, probe->station, w->Phi, w->n);
     double py = probe->y * c.y, pz = probe->z * c.z;
     double y = cos(c.twist) * py - sin(c.twist) * pz, z = sin(c.twist) * py + cos(c.twist) * pz;
     o->name = probe->name;

@@ -211,6 +211,13 @@ static void refer_second(struct flex_body *o, const struct flex_body *old, const
     }
 }
 
+static bool moves(const struct flex_node *o, int n)
+{
+    for (int k = 0; k < 3 * n; k++)
+        if (o->phi[k] != 0 || o->psi[k] != 0) return true;
+    return false;
+}
+
 struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena *life)
 {
     int n = old->n;
@@ -225,7 +232,10 @@ struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena
     for (int k = 0; k < n * n; k++) o->K[k] = old->K[k];
     for (int k = 0; old->D && k < n * n; k++) o->D[k] = old->D[k];
     if (!old->D) o->D = NULL;
-    o->hertz = NULL;
+    if (moves(&old->node[node], n) || !old->hertz)
+        o->hertz = NULL;
+    else
+        memcpy(o->hertz, old->hertz, (size_t)n * sizeof *o->hertz);
     for (int k = 0; k < o->nnode; k++) refer_node(&o->node[k], &old->node[k], &r, n);
     refer_single(o, old, &r);
     for (int k = 0; k < n * n; k++) refer_pair(o, old, &r, k % n, k / n);

@@ -70,9 +70,9 @@ void flex_body_add(struct flex_body *o, const double *x, double m, const double 
 
 /* The same body with the frame at another node: the same coordinates, every field less the rigid motion of that node,
  *     phi' = phi - phi_0 - psi_0 x (x - x_0),  psi' = psi - psi_0,
- * and S' to second order in the same way.  Stiffness, damping and stresses do not change; hertz is gone, since the
- * coordinates are no modes of the body so held.  (A node's turn is linear in q: a turn of second order, which bending
- * about two axes has, is in neither frame.) */
+ * and S' to second order in the same way.  Stiffness, damping and stresses do not change; hertz is gone where the
+ * node moves, since the coordinates are no modes of the body so held.  (A node's turn is linear in q: a turn of second
+ * order, which bending about two axes has, is in neither frame.) */
 struct flex_body *flex_refer(const struct flex_body *o, int node, struct arena *life);
 
 /* Mass matrix of the coordinates with the frame at rest, q = 0: Me = tr ff + ppsi [n x n]. */

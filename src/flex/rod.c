@@ -93,7 +93,7 @@ void rod_section(struct flex_section *o, const struct flex_beam *beam, double st
     o->station = station;
 }
 
-/* y and z rows of the tensor diag(p, q) turned by the angle about x, entries step apart. */
+/* T [2 x 2] in a matrix of ld rows: the tensor diag(p, q) across the beam, turned by the angle about x. */
 static void turned(double *T, int ld, double p, double q, double angle)
 {
     double c = cos(angle), s = sin(angle);
@@ -166,8 +166,7 @@ static void relative(double *T, double h)
     T[2 + 6 * 4] = h;
 }
 
-/* Load of a unit force or moment j at the end on the section `arm` before it: sum over all of S'...: the flexibility
- * int b' S ds, b = (force, moment) there. */
+/* A += b' S ds, b = (force, moment) at the section by the end loads: what moves the end where the section strains. */
 static void add_flexibility(double *A, const double *S, double arm, double ds)
 {
     for (int j = 0; j < 6; j++) {
@@ -344,12 +343,12 @@ void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, in
         }
 }
 
-void rod_strains(double *W, const struct rod *o, double s, const double *Phi, int n)
+void rod_strains(double *W, const struct rod *o, double station, const double *Phi, int n)
 {
-    double S[36], N[12 * 12] = {0};
+    double S[36], N[12 * 12] = {0}, s = station * o->length;
     int e = 0;
     while (e < o->nnode - 2 && o->s[e + 1] <= s + SAME * o->length) e++;
-    strain_by_load(S, o->beam, s / o->length, o->s[e + 1] - s);
+    strain_by_load(S, o->beam, station, o->s[e + 1] - s);
     strains(N, S, o->G + 72 * e);
     apply(W, N, o, e, Phi, n);
 }

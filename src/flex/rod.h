@@ -55,10 +55,10 @@ void rod_section(struct flex_section *o, const struct flex_beam *beam, double st
 void rod_matrices(struct band *K, struct band *M, const struct rod *o, const double *inertia, struct arena *life);
 
 /* For n columns Phi [freedoms x n] of the mesh: W [12 x n], the fields at a Gauss point; displacement and rotation at
- * a node (the strains, which may jump there, are left zero); strains alone at s, those of the element that begins at or
- * before. */
+ * a node (the strains, which may jump there, are left zero); strains alone at a station, those of the element that
+ * begins at or before. */
 void rod_at_point(double *W, const struct rod *o, int point, const double *Phi, int n);
 void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, int n);
-void rod_strains(double *W, const struct rod *o, double s, const double *Phi, int n);
+void rod_strains(double *W, const struct rod *o, double station, const double *Phi, int n);
 
 #endif
