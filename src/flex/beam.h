@@ -3,7 +3,7 @@
  * The beam runs straight from a to b.  Nodes stand at its ends and at every interface, point, lump and section
  * station; between them equal elements, none longer than length / `elements`.  Elements bend (Euler-Bernoulli, or
  * Timoshenko where shear factors are given), stretch and twist by their own statics and have consistent mass: see
- * rod.h. Beam axes: x along it, y and z across; body axes are where the deck puts them.  All numbers of a section vary
+ * rod.h.  Beam axes: x along it, y and z across; body axes are where the deck puts them.  All numbers of a section vary
  * linearly between the stations given (two at one station: a jump) and stay what they are beyond the first and last.
  *
  * Modes: constraint modes of every interface node but the first, then the `modes` lowest modes with all interface nodes
@@ -63,9 +63,9 @@ struct flex_beam {
 
 /* Nodes of the result: interfaces in order, then points in order, then both ends; the reference is node 0, the first
  * interface.  Interfaces at one station share its constraint modes.  at [3]: world place of the undeformed centre of
- * mass.  Stresses are xx alone, E (axial strain and bending of the section's point), as static loads at the nodes make
- * them; shear stresses are left zero.  Fails (E_MODEL) where there are more modes than freedoms, a matrix is not
- * positive, or a stress point lies in a section of unknown outline. */
+ * mass.  Stresses are xx alone, E times the strain by stretch and bending at the section's point, exact for static
+ * loads at nodes; shear stresses are left zero.  Fails (E_MODEL) where there are more modes than freedoms, a matrix is
+ * not positive, or a stress point lies in a section of unknown outline. */
 enum status flex_beam_make(struct flex_body **out, double *at, const struct flex_beam *o, struct arena *life,
                            struct report *report);
 

@@ -17,7 +17,7 @@
 #include "flex/beam.h"
 #include "la/band.h"
 
-enum { ROD_GAUSS = 5, ROD_FIELDS = 12 };
+enum { ROD_GAUSS = 5 };
 /* Rows of fields: displacement r, rotation theta, strains Gamma and kappa, three each. */
 enum { ROD_R = 0, ROD_THETA = 3, ROD_GAMMA = 6, ROD_KAPPA = 9 };
 
@@ -49,6 +49,7 @@ void rod_build(struct rod *o, const struct flex_beam *beam, double length, struc
 /* Node at a station that the mesh has taken in. */
 int rod_node(const struct rod *o, double station);
 
+/* Numbers of the section there. */
 void rod_section(struct flex_section *o, const struct flex_beam *beam, double station);
 
 /* Stiffness and consistent mass of all freedoms; lumps' inertia has to come in beam axes, [9] each. */
