@@ -37,14 +37,6 @@ size_t planar_factor_size(const struct sweep *s)
     return sizeof(double[2]) * (size_t)s->nbody + sizeof(struct pivot) * (size_t)s->n;
 }
 
-static inline void unit(double *u, const struct part *x, const struct link *l, int k)
-{
-    bool turns = planar_turns(l, k);
-    u[0] = turns ? l->turn : 0;
-    u[1] = turns ? -l->turn * x->c_b[1] : x->e[k][0];
-    u[2] = turns ? l->turn * x->c_b[0] : x->e[k][1];
-}
-
 /* 1 when the coordinate is held or the pivot stands out of the round-off of the terms it is a sum of. */
 static inline int eliminate(struct pivot *o, double *I, double d)
 {
@@ -97,7 +89,7 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
         struct part *x = &s->part[i];
         pivot -= l->nv;
         for (int k = 0; k < l->nv; k++) {
-            unit(pivot[k].s, x, l, k);
+            planar_unit(pivot[k].s, x, l, k);
             if (!eliminate(&pivot[k], x->I, d[l->iv[k]])) return 0;
         }
         arm[i][0] = x->arm[0];
