@@ -286,9 +286,9 @@ static void energy(const struct sweep *s, double *kinetic, double *gravity)
         T += l->mass * (x->v[0] * x->v[0] + x->v[1] * x->v[1]) + l->inertia * x->w * x->w;
         V -= l->mass * (g[0] * x->r[0] + g[1] * x->r[1]);
     }
-    if (s->bend) planar_flex_energy(s, &T, &V);
     *kinetic = .5 * T;
     *gravity = V;
+    if (s->bend) planar_flex_energy(s, kinetic, gravity);
 }
 
 /* What elements along the joint's own coordinates carry is taken out: the free directions. */

@@ -88,7 +88,7 @@ void planar_flex_outwards(struct sweep *s, const double *q, const double *v, con
 void planar_flex_load(struct sweep *s, unsigned cls); /* inertia into F, N and the modes' rows */
 void planar_flex_inwards(struct sweep *s, double *r, unsigned cls);
 void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
-void planar_flex_energy(const struct sweep *s, double *T2, double *V); /* adds to 2 T and V */
+void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity); /* adds */
 void planar_flex_compose(struct sweep *s, const struct roster *o);
 void planar_flex_columns(double *M, struct sweep *s, const struct roster *o);
 

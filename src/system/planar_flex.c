@@ -103,7 +103,7 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
     xv[1] += w[2] * (x[0] - at->r[0]);
 }
 
-void planar_flex_energy(const struct sweep *s, double *T2, double *V)
+void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
 {
     const double *g = s->model->gravity;
     for (int i = 1; i < s->nbody; i++) {
@@ -113,8 +113,8 @@ void planar_flex_energy(const struct sweep *s, double *T2, double *V)
         double v[2], h[2], m = s->model->body[i].mass;
         turn_back(v, b->cs, x->v);
         turn2(h, b->cs, b->shape.h);
-        *T2 += 2 * flex_planar_kinetic(b->kernel, &b->shape, v, x->w, b->v);
-        *V -= g[0] * (m * x->r[0] + h[0]) + g[1] * (m * x->r[1] + h[1]);
+        *kinetic += flex_planar_kinetic(b->kernel, &b->shape, v, x->w, b->v);
+        *gravity -= g[0] * (m * x->r[0] + h[0]) + g[1] * (m * x->r[1] + h[1]);
     }
 }
 
