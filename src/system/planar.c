@@ -16,6 +16,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "system/planar_flex.h"
+
 /* --- motion ------------------------------------------------------------------------------------ */
 
 static inline void turn2(double *y, double c, double s, const double *x)

@@ -7,7 +7,6 @@
 #ifndef FMDSUB_SYSTEM_PLANAR_H
 #define FMDSUB_SYSTEM_PLANAR_H
 
-#include "flex/planar.h"
 #include "system/routes.h"
 #include "system/sweep.h"
 
@@ -40,25 +39,6 @@ struct part {
     double I[6];          /* articulated body: ww wx wy xx xy yy */
 };
 
-/* A flexible body: its frame is a part like all others, whose link has no mass; this is the rest. */
-struct bend {
-    const struct flex_planar *kernel;
-    struct flex_planar_shape shape;
-    int n;
-    const int *iq, *iv;     /* [n] places of its modes */
-    double *q, *v, *a, *Q;  /* [n] gathered; the modes' rows */
-    double drawn[2], cs[2]; /* cos, sin of its axes drawn and now */
-    double *U, *M;          /* [3 x n], [n x n] work of planar_flex_columns() */
-    size_t at;              /* its place in a factor */
-};
-
-/* A body at a node of `of`. */
-struct stand {
-    struct bend *of;
-    int node;
-    struct flex_planar_place place;
-};
-
 struct sweep {
     const struct model *model;
     struct rosters rosters;
@@ -68,8 +48,9 @@ struct sweep {
     double (*bias)[3]; /* [nbody] work of solve(): moment and force, then twist */
     double *zero;      /* [n] */
     struct routes routes;
-    struct bend **bend;   /* [nbody] NULL: not flexible; the list is NULL if none is */
+    struct bend **bend;   /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
     struct stand **stand; /* [nbody] NULL: not at a node; likewise */
+    size_t for_modes;     /* numbers that they take in a factor */
     bool accelerated;     /* the last motion had accelerations */
 };
 
@@ -81,16 +62,6 @@ void planar_hang(struct part *x, const struct part *p, const struct link *l, con
                  const double *a);
 /* The joint's rows of r; force and moment go to the parent. */
 void planar_bring_up(double *r, const struct part *x, struct part *p, const struct link *l);
-
-/* What the recursion does otherwise where there are flexible bodies. */
-void planar_flex_build(struct sweep *s, struct arena *life);
-void planar_flex_outwards(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
-void planar_flex_load(struct sweep *s, unsigned cls); /* inertia into F, N and the modes' rows */
-void planar_flex_inwards(struct sweep *s, double *r, unsigned cls);
-void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
-void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity); /* adds */
-void planar_flex_compose(struct sweep *s, const struct roster *o);
-void planar_flex_columns(double *M, struct sweep *s, const struct roster *o);
 
 /* Is the k-th velocity of l its rotation? */
 static inline bool planar_turns(const struct link *l, int k)
@@ -105,15 +76,6 @@ static inline void planar_unit(double *u, const struct part *x, const struct lin
     u[0] = turns ? l->turn : 0;
     u[1] = turns ? -l->turn * x->c_b[1] : x->e[k][0];
     u[2] = turns ? l->turn * x->c_b[0] : x->e[k][1];
-}
-
-/* The same of a body at a node by the k-th mode there. */
-static inline void planar_stand_unit(double *u, const struct stand *o, int k)
-{
-    const double *cs = o->of->cs, dx = o->place.dx[k], dy = o->place.dy[k];
-    u[0] = o->place.dw[k];
-    u[1] = cs[0] * dx - cs[1] * dy;
-    u[2] = cs[1] * dx + cs[0] * dy;
 }
 
 void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);

@@ -15,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "system/planar.h"
+#include "system/planar_flex.h"
 
 static inline void turn2(double *y, const double *cs, const double *x)
 {
@@ -112,7 +112,7 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
         const struct part *x = &s->part[i];
         double v[2], h[2], m = s->model->body[i].mass;
         turn_back(v, b->cs, x->v);
-        turn2(h, b->cs, b->shape.h);
+        planar_flex_first_moment(h, b);
         *kinetic += flex_planar_kinetic(b->kernel, &b->shape, v, x->w, b->v);
         *gravity -= g[0] * (m * x->r[0] + h[0]) + g[1] * (m * x->r[1] + h[1]);
     }
@@ -173,7 +173,8 @@ void planar_flex_inwards(struct sweep *s, double *r, unsigned cls)
 
 /* --- building ----------------------------------------------------------------------------------- */
 
-static struct bend *build_bend(const struct model_body *body, const struct link *l, struct arena *life)
+/* A factor keeps L and Z of a flexible body, B of a body at a node. */
+static struct bend *build_bend(struct sweep *s, const struct model_body *body, const struct link *l, struct arena *life)
 {
     struct bend *b = TAKE(life, struct bend, 1);
     const int n = b->n = body->nmode;
@@ -188,15 +189,19 @@ static struct bend *build_bend(const struct model_body *body, const struct link 
     b->U = TAKE(life, double, 3 * n);
     b->M = TAKE(life, double, n *n);
     memcpy(b->drawn, l->drawn, sizeof b->drawn);
+    b->at = s->for_modes;
+    s->for_modes += (size_t)(n * n + 3 * n);
     return b;
 }
 
-static struct stand *build_stand(const struct model_body *body, struct bend *of, struct arena *life)
+static struct stand *build_stand(struct sweep *s, const struct model_body *body, struct bend *of, struct arena *life)
 {
     struct stand *o = TAKE(life, struct stand, 1);
     o->of = of;
     o->node = body->node;
     flex_planar_place_take(&o->place, of->kernel, o->node, life);
+    o->at = s->for_modes;
+    s->for_modes += 3 * (size_t)of->n;
     return o;
 }
 
@@ -215,9 +220,9 @@ void planar_flex_build(struct sweep *s, struct arena *life)
     s->stand = TAKE(life, struct stand *, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *body = &m->body[i];
-        if (body->at_node) s->stand[i] = build_stand(body, s->bend[body->parent], life);
+        if (body->at_node) s->stand[i] = build_stand(s, body, s->bend[body->parent], life);
         if (!body->flex) continue;
         s->link[i].mass = s->link[i].inertia = 0;
-        s->bend[i] = build_bend(body, &s->link[i], life);
+        s->bend[i] = build_bend(s, body, &s->link[i], life);
     }
 }

@@ -10,7 +10,7 @@
  * as B'f. */
 #include <string.h>
 
-#include "system/planar.h"
+#include "system/planar_flex.h"
 
 /* Inertia of the bent bodies about their frames' origins. */
 void planar_flex_compose(struct sweep *s, const struct roster *o)
@@ -19,10 +19,8 @@ void planar_flex_compose(struct sweep *s, const struct roster *o)
         const struct bend *b = s->bend[o->body[i]];
         struct part *x = &s->part[o->body[i]];
         if (!b || !o->bears[i]) continue;
-        const double *h = b->shape.h;
         x->cm = s->model->body[o->body[i]].mass;
-        x->cs[0] = b->cs[0] * h[0] - b->cs[1] * h[1];
-        x->cs[1] = b->cs[1] * h[0] + b->cs[0] * h[1];
+        planar_flex_first_moment(x->cs, b);
         x->cj = b->shape.J;
     }
 }
@@ -66,8 +64,7 @@ static void rise(double *M, const struct sweep *s, double *f, int body, int col)
     }
 }
 
-/* What the body itself has of U and of the modes' block. */
-static void own_columns(const struct bend *b)
+void planar_flex_own(struct bend *b)
 {
     memcpy(b->M, flex_planar_mass(b->kernel), sizeof *b->M * (size_t)(b->n * b->n));
     for (int k = 0; k < b->n; k++) {
@@ -78,18 +75,20 @@ static void own_columns(const struct bend *b)
     }
 }
 
-/* What hangs on the node where x stands adds to both. */
-static void node_columns(const struct bend *b, const struct stand *o, const struct part *x)
+void planar_flex_couple(const struct stand *o, const double *I, const double *arm)
 {
+    const struct bend *b = o->of;
     for (int k = 0; k < b->n; k++) {
         double u[3], f[3], *U = b->U + 3 * k;
         planar_stand_unit(u, o, k);
-        wrench(f, x, u);
-        for (int i = 0; i <= k; i++) {
+        f[0] = I[0] * u[0] + I[1] * u[1] + I[2] * u[2];
+        f[1] = I[1] * u[0] + I[3] * u[1] + I[4] * u[2];
+        f[2] = I[2] * u[0] + I[4] * u[1] + I[5] * u[2];
+        for (int i = k; i < b->n; i++) {
             planar_stand_unit(u, o, i);
             b->M[i + b->n * k] += dot3(u, f);
         }
-        U[0] += f[0] + x->arm[0] * f[2] - x->arm[1] * f[1];
+        U[0] += f[0] + arm[0] * f[2] - arm[1] * f[1];
         U[1] += f[1];
         U[2] += f[2];
     }
@@ -99,13 +98,14 @@ static void node_columns(const struct bend *b, const struct stand *o, const stru
 static void collect(struct sweep *s, const struct roster *o)
 {
     for (int i = 0; i < o->n; i++) {
-        const struct bend *b = s->bend[o->body[i]];
-        const struct stand *node = s->stand[o->body[i]];
-        if (node) node_columns(node->of, node, &s->part[o->body[i]]);
+        struct bend *b = s->bend[o->body[i]];
+        const struct part *x = &s->part[o->body[i]];
+        const double I[6] = {x->cj, -x->cs[1], x->cs[0], x->cm, 0, x->cm};
+        if (s->stand[o->body[i]]) planar_flex_couple(s->stand[o->body[i]], I, x->arm);
         if (!b) continue;
         memset(b->U, 0, sizeof *b->U * 3 * (size_t)b->n);
         memset(b->M, 0, sizeof *b->M * (size_t)(b->n * b->n));
-        if (o->bears[i]) own_columns(b);
+        if (o->bears[i]) planar_flex_own(b);
     }
 }
 
@@ -113,7 +113,7 @@ static void mode_columns(double *M, const struct sweep *s, int body)
 {
     const struct bend *b = s->bend[body];
     for (int k = 0; k < b->n; k++) {
-        for (int i = 0; i <= k; i++) put(M, s->n, b->iv[i], b->iv[k], b->M[i + b->n * k]);
+        for (int i = k; i < b->n; i++) put(M, s->n, b->iv[i], b->iv[k], b->M[i + b->n * k]);
         rise(M, s, b->U + 3 * k, body, b->iv[k]);
     }
 }

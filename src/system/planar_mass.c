@@ -5,7 +5,7 @@
  * carried inwards, at every joint on the path.  Walker & Orin, J. Dyn. Syst. Meas. Control 104 (1982) 205. */
 #include <string.h>
 
-#include "system/planar.h"
+#include "system/planar_flex.h"
 
 /* Composite bodies, from the tips to the ground. */
 static void compose(struct sweep *s, const struct roster *o)

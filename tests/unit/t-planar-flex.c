@@ -603,6 +603,69 @@ static void reactions_hold_what_is_behind(void **state)
     }
 }
 
+/* Some coordinates are held: their d is infinite, and the dense system is without their rows and columns. */
+static void articulated_bodies_solve_the_dense_system(void **state)
+{
+    (void)state;
+    static double M[MOST * MOST];
+    for (unsigned seed = 0; seed < 2 * SEEDS; seed++) {
+        struct fixture f;
+        struct tree_dice dice = {seed};
+        double d[MOST], x[MOST], b[MOST], y[MOST], cm = .7;
+        open_grove(&f, 8, seed, GROVE_STIFFENING | (seed % 3 ? 0 : GROVE_CHAIN));
+        int n = f.n;
+        void *F = arena_take(f.arena, 1, sweep_planar.factor_size(f.s));
+        for (int i = 0; i < n; i++) {
+            bool held = seed % 2 && tree_pick(&dice, 5) == 0;
+            d[i] = held ? INFINITY : tree_roll(&dice, 0, 5);
+            b[i] = x[i] = tree_roll(&dice, -1, 1);
+        }
+        sweep_planar.forward(f.s, f.q, f.v, NULL, ALL);
+        assert_true(sweep_planar.factor(f.s, F, cm, d, seed % 4 < 2 ? f.q : NULL));
+        sweep_planar.move(f.s, f.v, f.q, ALL); /* elsewhere: the factor stands by itself */
+        sweep_planar.solve(f.s, F, x);
+        sweep_planar.mass(f.s, M, f.q, ALL);
+        for (int i = 0; i < n; i++) {
+            if (isinf(d[i])) assert_true(x[i] == 0);
+            y[i] = isinf(d[i]) ? b[i] : d[i] * x[i];
+            for (int j = 0; j < n; j++)
+                if (!isinf(d[i])) y[i] += cm * M[i + n * j] * x[j];
+        }
+        near_all(y, b, n, 1e-10);
+        arena_close(f.arena);
+    }
+}
+
+/* Modes that move nothing need something stiff that holds them. */
+static void massless_modes_have_no_pivot(void **state)
+{
+    (void)state;
+    int bodies = 0;
+    for (unsigned seed = 0; seed < SEEDS; seed++) {
+        struct fixture f;
+        double d[MOST] = {0};
+        open_grove(&f, 1, seed, 0);
+        const struct model_body *body = &f.m->body[1];
+        if (body->nmode && f.m->joint[0].nv == 1) {
+            const int n = body->nmode;
+            struct flex_body *o = &f.grove->cloud[1]->body;
+            memset(o->f, 0, sizeof *o->f * 3 * (size_t)n);
+            memset(o->xf, 0, sizeof *o->xf * 9 * (size_t)n);
+            memset(o->ff, 0, sizeof *o->ff * 9 * (size_t)(n * n));
+            memset(o->rpsi, 0, sizeof *o->rpsi * 3 * (size_t)n);
+            memset(o->ppsi, 0, sizeof *o->ppsi * (size_t)(n * n));
+            struct sweep *s = sweep_planar.build(f.m, f.arena);
+            void *F = arena_take(f.arena, 1, sweep_planar.factor_size(s));
+            assert_false(sweep_planar.factor(s, F, 1, d, f.q));
+            for (int k = 0; k < n; k++) d[body->mode_v[k]] = 1;
+            assert_true(sweep_planar.factor(s, F, 1, d, f.q));
+            bodies++;
+        }
+        arena_close(f.arena);
+    }
+    assert_true(bodies > 5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -621,6 +684,8 @@ int main(void)
         cmocka_unit_test(pushes_do_work),
         cmocka_unit_test(modes_at_rest_are_a_rigid_body),
         cmocka_unit_test(reactions_hold_what_is_behind),
+        cmocka_unit_test(articulated_bodies_solve_the_dense_system),
+        cmocka_unit_test(massless_modes_have_no_pivot),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
