@@ -18,6 +18,13 @@
 
 #include "system/planar_flex.h"
 
+/* Compiled twice, with and without modes: trees of rigid bodies pay nothing for them. */
+#if defined(__GNUC__)
+#define TWICE __attribute__((always_inline)) static inline
+#else
+#define TWICE static inline
+#endif
+
 struct pivot {
     double s[3], U[3], inverse;
 };
@@ -80,7 +87,7 @@ static inline void carry(double *to, const double *I, const double *arm)
     to[5] += I[5];
 }
 
-static inline int factor(struct sweep *s, void *F, double cm, const double *d, bool flexible)
+TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flexible)
 {
     double(*arm)[2] = arms(F);
     struct pivot *pivot = pivots(s, F) + s->n;
@@ -118,7 +125,7 @@ static inline double dot3(const double *x, const double *y)
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-static inline void solve(const struct sweep *s, const void *F, double *x, bool flexible)
+TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
 {
     double(*arm)[2] = arms(F);
     const struct pivot *pivot = pivots(s, F) + s->n;
