@@ -153,11 +153,10 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
     o->x[0] = d->x[0] + .5 * x;
     o->x[1] = d->x[1] + .5 * y;
     o->angle = angle;
-    if (q1) {
-        o->v[0] = dot(o->dx, q1, k->n);
-        o->v[1] = dot(o->dy, q1, k->n);
-        o->w = dot(o->dw, q1, k->n);
-    }
+    if (!q1) return;
+    o->v[0] = dot(o->dx, q1, k->n);
+    o->v[1] = dot(o->dy, q1, k->n);
+    o->w = dot(o->dw, q1, k->n);
     if (!q2) return;
     o->a[0] = dot(o->dx, q2, k->n);
     o->a[1] = dot(o->dy, q2, k->n);
