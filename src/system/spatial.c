@@ -16,6 +16,8 @@
  *     F = m a - f + sum over children,   N = I al + w x I w - n + sum (N_j + arm_j x F_j)
  *     row of a displacement: e_k . F,    of a rotation: e_k . (N + c x F)
  *
+ * Flexible bodies, and the bodies that stand at their nodes, have steps of their own in spatial_flex.c.
+ *
  * Luh, Walker & Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69. */
 #include "system/spatial.h"
 
@@ -116,12 +118,20 @@ static inline void place(struct part *restrict x, const struct part *restrict p,
 }
 
 /* A loop of its own: right after their stores the loads of R in pairs would wait (12 ns a body of 65). */
-void spatial_place(struct sweep *s, const double *q, unsigned cls)
+void spatial_place(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
+    if (s->nflexible) spatial_flex_gather(s, q, v, a);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
-        place(&s->part[o->body[i]], &s->part[l->parent], l, q);
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        if (stand)
+            spatial_stand_place(x, stand, p);
+        else
+            place(x, p, l, q);
+        if (flexible) spatial_flex_place(flexible, x, l);
     }
 }
 
@@ -225,12 +235,16 @@ static void move(struct sweep *s, const double *q, const double *v, unsigned cls
 {
     const struct roster *o = &s->rosters.of[cls];
     s->accelerated = false;
-    spatial_place(s, q, cls);
+    spatial_place(s, q, v, NULL, cls);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        const struct stand *stand = spatial_stand(s, o->body[i]);
         struct motion joint;
-        move_on(x, &joint, p, l, v);
+        if (stand)
+            spatial_stand_move(x, stand, p);
+        else
+            move_on(x, &joint, p, l, v);
     }
 }
 
@@ -247,6 +261,13 @@ static inline void bring_up(struct part *restrict x, const struct link *restrict
     v3_scale(x->F, l->mass, x->a);
 }
 
+static inline void stay_light(struct part *x, struct flexible *f)
+{
+    v3_set(x->F, 0, 0, 0);
+    v3_set(x->N, 0, 0, 0);
+    if (f) memset(f->Q, 0, sizeof *f->Q * (size_t)f->n);
+}
+
 static void forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
@@ -254,19 +275,26 @@ static void forward(struct sweep *s, const double *q, const double *v, const dou
     s->accelerated = true;
     v3_set(s->part[0].F, 0, 0, 0);
     v3_set(s->part[0].N, 0, 0, 0);
-    spatial_place(s, q, cls);
+    spatial_place(s, q, v, a, cls);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        const struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
-        move_on(x, &joint, p, l, v);
-        speed_up(x, &joint, p, l, v, a);
-        if (o->bears[i]) {
-            bring_up(x, l);
+        if (stand) {
+            spatial_stand_move(x, stand, p);
+            spatial_stand_speed_up(x, stand, p);
         } else {
-            v3_set(x->F, 0, 0, 0);
-            v3_set(x->N, 0, 0, 0);
+            move_on(x, &joint, p, l, v);
+            speed_up(x, &joint, p, l, v, a);
         }
+        if (!o->bears[i] || stand)
+            stay_light(x, flexible);
+        else if (flexible)
+            spatial_flex_bring_up(x, flexible);
+        else
+            bring_up(x, l);
     }
 }
 
@@ -317,6 +345,21 @@ static void twist(struct sweep *s, int body, const double *n)
     v3_take(s->part[body].N, n);
 }
 
+/* Of the j-th coordinate of a flexible body. */
+static void partial_flexible(const struct sweep *s, double *xv, double *w, int body, const double *x,
+                             const struct flexible *f, int j)
+{
+    struct twist u;
+    double d[3];
+    int node = spatial_stand_below(s, f, body);
+    if (!node) return;
+    spatial_stand_unit(&u, &s->stand[node], j);
+    v3_diff(d, x, s->part[node].r);
+    v3_copy(w, u.w);
+    v3_copy(xv, u.v);
+    v3_cross_add(xv, w, d);
+}
+
 static void partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k)
 {
     int o = s->routes.owner[k];
@@ -324,6 +367,10 @@ static void partial(const struct sweep *s, double *xv, double *w, int body, cons
     v3_set(xv, 0, 0, 0);
     v3_set(w, 0, 0, 0);
     if (!routes_above(&s->routes, o, body)) return;
+    if (s->routes.local[k] >= s->link[o].nv) {
+        partial_flexible(s, xv, w, body, x, s->flexible_of[o], s->routes.local[k] - s->link[o].nv);
+        return;
+    }
     const double *e = spatial_axis(p, &s->link[o], s->routes.local[k]);
     if (!spatial_turns(&s->link[o], s->routes.local[k])) {
         v3_copy(xv, e);
@@ -365,6 +412,10 @@ static void backward(struct sweep *s, double *r, unsigned cls)
         const struct link *l = &s->link[o->body[i]];
         const struct part *x = &s->part[o->body[i]];
         struct part *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        const struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        if (stand) spatial_stand_load(stand, x);
+        if (flexible) spatial_flex_rows(r, flexible);
         rows(r, x, l);
         v3_add(p->F, x->F);
         v3_add(p->N, x->N);
@@ -378,7 +429,12 @@ static void energy(const struct sweep *s, double *kinetic, double *gravity)
     for (int i = 1; i < s->nbody; i++) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
+        const struct flexible *flexible = spatial_flexible(s, i);
         double w[3], L[3];
+        if (flexible) {
+            spatial_flex_energy(&T, &V, x, flexible, s->model->gravity);
+            continue;
+        }
         m3_tmul(w, x->R, x->w);
         s3_mul(L, l->inertia, w);
         T += l->mass * v3_dot(x->v, x->v) + v3_dot(w, L);
