@@ -425,8 +425,14 @@ void system_momentum(const struct system *s, double *p, double *L)
 {
     v3_set(p, 0, 0, 0);
     v3_set(L, 0, 0, 0);
+    for (int i = 0; i < s->elastic.n; i++) {
+        struct pose b;
+        s->ops->pose(s->view, &b, s->elastic.body[i].number);
+        elastic_momentum(p, L, &s->elastic.body[i], &b, s->q, s->v);
+    }
     for (int i = 1; i < s->model->nbody; i++) {
         const struct model_body *body = &s->model->body[i];
+        if (body->flex) continue;
         struct pose b;
         double mv[3], w[3], spin[3], world[3];
         s->ops->pose(s->view, &b, i);
