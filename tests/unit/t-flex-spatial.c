@@ -736,6 +736,31 @@ static void test_elastic(void **state)
     }
 }
 
+/* Elastic coordinates move by what they are told, however they lie among the others. */
+static void test_moves(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < SEEDS; seed++) {
+        struct scene o;
+        open_scene(&o, seed, 0);
+        const struct ode2 *ode = system_ode2(system_build(o.m, o.arena));
+        double q[MOST_Q], back[MOST], rate[MOST];
+        if (ode->move) {
+            memcpy(q, o.q, sizeof q);
+            ode->move->point(ode, q, o.q, o.v, .5);
+            ode->move->diff(ode, back, q, o.q);
+            ode->move->rate(ode, rate, o.v, o.a);
+        }
+        for (int b = 1; ode->move && b < o.m->nbody; b++)
+            for (int k = 0; k < o.m->body[b].nmode; k++) {
+                int iq = o.m->body[b].mode_q[k], iv = o.m->body[b].mode_v[k];
+                assert_true(fabs(q[iq] - o.q[iq] - .5 * o.v[iv]) < 1e-15);
+                assert_true(fabs(back[iv] - .5 * o.v[iv]) < 1e-15 && rate[iv] == o.a[iv]);
+            }
+        arena_close(o.arena);
+    }
+}
+
 /* The trees had every kind of joint on both sides of flexible bodies. */
 static void test_what_was_met(void **state)
 {
@@ -759,13 +784,13 @@ static void test_what_was_met(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mass),         cmocka_unit_test(test_residual),
-        cmocka_unit_test(test_motion),       cmocka_unit_test(test_accelerations),
-        cmocka_unit_test(test_partials),     cmocka_unit_test(test_affine_in_accelerations),
-        cmocka_unit_test(test_power),        cmocka_unit_test(test_classes),
-        cmocka_unit_test(test_held),         cmocka_unit_test(test_reactions),
-        cmocka_unit_test(test_momentum),     cmocka_unit_test(test_elastic),
-        cmocka_unit_test(test_what_was_met),
+        cmocka_unit_test(test_mass),     cmocka_unit_test(test_residual),
+        cmocka_unit_test(test_motion),   cmocka_unit_test(test_accelerations),
+        cmocka_unit_test(test_partials), cmocka_unit_test(test_affine_in_accelerations),
+        cmocka_unit_test(test_power),    cmocka_unit_test(test_classes),
+        cmocka_unit_test(test_held),     cmocka_unit_test(test_reactions),
+        cmocka_unit_test(test_momentum), cmocka_unit_test(test_elastic),
+        cmocka_unit_test(test_moves),    cmocka_unit_test(test_what_was_met),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
