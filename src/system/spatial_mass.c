@@ -80,14 +80,11 @@ static inline double row(const struct part *x, const struct link *l, int k, cons
     return v3_dot(e, n);
 }
 
-/* Rows of the first m coordinates of the body on which o stands. */
+/* Rows of the first m coordinates of the body on which o stands, of F and N in its axes. */
 static void flexible_rows(double *M, size_t n, size_t col, const struct stand *o, int m, const double *F,
                           const double *N)
 {
-    double f[3], moment[3];
-    m3_tmul(f, o->on->R, F);
-    m3_tmul(moment, o->on->R, N);
-    for (int i = 0; i < m; i++) M[(size_t)o->on->iv[i] + n * col] += spatial_stand_row(o, i, f, moment);
+    for (int i = 0; i < m; i++) M[(size_t)o->on->iv[i] + n * col] += spatial_stand_row(o, i, F, N);
 }
 
 static void mirror(double *M, size_t n, size_t col, const struct flexible *f, int m)
@@ -95,21 +92,27 @@ static void mirror(double *M, size_t n, size_t col, const struct flexible *f, in
     for (int i = 0; i < m; i++) M[col + n * (size_t)f->iv[i]] = M[(size_t)f->iv[i] + n * col];
 }
 
-/* Column col, from the first `last` rows of the body's joint to the ground: F, N about the body's centre, N lost. */
-static void carry(double *M, const struct sweep *s, int body, int last, size_t col, const double *F, double *N)
+/* Column col, from the first `last` rows of the body's joint to the ground, of F0 and N0 about the body's centre. */
+static inline void carry(double *M, const struct sweep *s, int body, int last, size_t col, const double *F0,
+                         const double *N0)
 {
     size_t n = (size_t)s->n;
+    double F[3], N[3], f[3], moment[3];
+    v3_copy(F, F0);
+    v3_copy(N, N0);
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
         const struct stand *stand = spatial_stand(s, i);
-        if (i != body) last = l->nv;
-        for (int o = 0; o < last; o++) {
+        int m = i == body ? last : l->nv;
+        for (int o = 0; o < m; o++) {
             size_t at = (size_t)l->iv[o];
             M[at + n * col] = M[col + n * at] = row(x, l, o, F, N);
         }
         if (stand) {
-            flexible_rows(M, n, col, stand, stand->on->n, F, N);
+            m3_tmul(f, stand->on->R, F);
+            m3_tmul(moment, stand->on->R, N);
+            flexible_rows(M, n, col, stand, stand->on->n, f, moment);
             mirror(M, n, col, stand->on, stand->on->n);
         }
         v3_cross_add(N, x->arm, F);
@@ -138,11 +141,13 @@ static void flexible_column(double *M, const struct sweep *s, const struct flexi
     }
     for (int i = 0; i < f->nnode[cls]; i++) {
         int node = f->node[cls][i];
-        double Fi[3], Ni[3];
+        double Fi[3], Ni[3], force[3], moment[3];
         struct twist u;
         spatial_stand_unit(&u, &s->stand[node], j);
         start(Fi, Ni, &s->composite[node], &u);
-        flexible_rows(M, n, col, &s->stand[node], j + 1, Fi, Ni);
+        m3_tmul(force, f->R, Fi);
+        m3_tmul(moment, f->R, Ni);
+        flexible_rows(M, n, col, &s->stand[node], j + 1, force, moment);
         v3_add(F, Fi);
         v3_add(N, Ni);
         v3_cross_add(N, s->part[node].arm, Fi);

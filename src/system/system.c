@@ -90,7 +90,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
     s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, rate);
     elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
-    if (w) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
+    if (w && s->elastic.n) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
     s->ops->backward(s->work, r, rate);
     return all_finite(r, o->n, 1) ? OK : not_finite(s, r, x, rate, why);
 }
