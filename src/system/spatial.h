@@ -177,6 +177,14 @@ static inline double spatial_stand_row(const struct stand *o, int j, const doubl
     return v3_dot(o->place.dx + 3 * j, F) + v3_dot(o->place.dw + 3 * j, N);
 }
 
+/* See sweep.h. */
+void spatial_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
+void spatial_pose(const struct sweep *s, struct pose *o, int body);
+void spatial_push(struct sweep *s, int body, const double *x, const double *f);
+void spatial_twist(struct sweep *s, int body, const double *n);
+void spatial_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+int spatial_path(const struct sweep *s, const int **k, int body);
+void spatial_energy(const struct sweep *s, double *kinetic, double *gravity);
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
 int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
