@@ -26,6 +26,33 @@ static void print_coordinates(FILE *to, const struct sim *sim)
                 sim->x.q[m->coordinate[i].iq]);
 }
 
+static void print_mass(FILE *to, const struct sim *sim)
+{
+    double centre[3], mass = sim_mass(sim, centre);
+    fprintf(to, "mass: %.6g kg, centre at (%.6g, %.6g", mass, centre[0], centre[1]);
+    fprintf(to, sim->model->space == 3 ? ", %.6g) m\n" : ") m\n", centre[2]);
+}
+
+static void print_closures(FILE *to, const struct sim *sim, struct arena *life)
+{
+    struct closures o;
+    sim_closures(&o, sim, life);
+    if (o.n == 0) return;
+    fprintf(to, "loops: %d, in %d component(s); %d equations, rank %d\n", o.n, o.components, o.equations, o.rank);
+    for (int i = 0; i < o.n; i++) {
+        const struct closure *c = &o.closure[i];
+        fprintf(to, "  %-16s %s, %s to %s, %d equation%s", c->name, c->kind, c->first, c->second, c->equations,
+                c->equations == 1 ? "" : "s");
+        if (c->redundant) fprintf(to, ", %d of them redundant", c->redundant);
+        fprintf(to, "%s\n", c->unique ? "" : "; reactions not unique");
+    }
+    for (int i = 0; i < o.nloose; i++) fprintf(to, "  %-16s of the tree; reactions not unique\n", o.loose[i]);
+    fprintf(to, "  independent:");
+    for (int i = 0; i < sim->stepper.ode->n; i++) fprintf(to, " %s", sim_coordinate_name(sim, i));
+    fprintf(to, "\n  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", o.pivots, o.drawn,
+            o.closed);
+}
+
 static void print_forces(FILE *to, const struct model *m)
 {
     if (m->nforce) fprintf(to, "forces: %d\n", m->nforce);
@@ -79,8 +106,9 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         printf("%s: %s%s%s\n", scene->deck->name, scene->title, *scene->title ? ", " : "",
                sim.model->space == 2 ? "planar" : "spatial");
         print_bodies(stdout, sim.model);
+        print_mass(stdout, &sim);
         print_coordinates(stdout, &sim);
-        sim_print_loops(&sim, stdout);
+        print_closures(stdout, &sim, life);
         print_forces(stdout, sim.model);
         print_frequencies(stdout, &sim, life);
         printf("records: %ld columns of %d, every %ld major steps, %ld major steps in all\n", (long)sim.chosen.n,

@@ -54,6 +54,47 @@ static cJSON *forces(const struct model *m)
     return list;
 }
 
+static void add_mass(cJSON *to, const struct sim *sim)
+{
+    double centre[3];
+    facts_add(to, "mass", facts_number(sim_mass(sim, centre)));
+    cJSON *list = cJSON_AddArrayToObject(to, "centre");
+    for (int i = 0; i < sim->model->space; i++) cJSON_AddItemToArray(list, facts_number(centre[i]));
+}
+
+static cJSON *closure(const struct closure *c)
+{
+    cJSON *o = cJSON_CreateObject();
+    cJSON_AddStringToObject(o, "name", c->name);
+    cJSON_AddStringToObject(o, "kind", c->kind);
+    cJSON_AddStringToObject(o, "first", c->first);
+    cJSON_AddStringToObject(o, "second", c->second);
+    facts_add(o, "equations", facts_number(c->equations));
+    facts_add(o, "redundant", facts_number(c->redundant));
+    facts_add(o, "reactions_unique", cJSON_CreateBool(c->unique));
+    return o;
+}
+
+static void add_loops(cJSON *to, const struct sim *sim, struct arena *life)
+{
+    struct closures c;
+    sim_closures(&c, sim, life);
+    if (c.n == 0) return;
+    cJSON *o = cJSON_AddObjectToObject(to, "loops"), *list = cJSON_AddArrayToObject(o, "constraints");
+    for (int i = 0; i < c.n; i++) cJSON_AddItemToArray(list, closure(&c.closure[i]));
+    facts_add(o, "components", facts_number(c.components));
+    facts_add(o, "equations", facts_number(c.equations));
+    facts_add(o, "rank", facts_number(c.rank));
+    list = cJSON_AddArrayToObject(o, "independent");
+    for (int i = 0; i < sim->stepper.ode->n; i++)
+        cJSON_AddItemToArray(list, cJSON_CreateString(sim_coordinate_name(sim, i)));
+    list = cJSON_AddArrayToObject(o, "joints_not_unique");
+    for (int i = 0; i < c.nloose; i++) cJSON_AddItemToArray(list, cJSON_CreateString(c.loose[i]));
+    facts_add(o, "pivot_ratio", facts_number(c.pivots));
+    facts_add(o, "misfit_drawn", facts_number(c.drawn));
+    facts_add(o, "misfit", facts_number(c.closed));
+}
+
 static void add_steps(cJSON *to, const struct sim *sim, struct arena *life)
 {
     struct modes modes;
@@ -84,6 +125,8 @@ enum status check_json(const struct sim *sim, struct arena *life, struct report 
     facts_add(o, "bodies", bodies(sim->model));
     facts_add(o, "coordinates", coordinates(sim));
     facts_add(o, "forces", forces(sim->model));
+    add_mass(o, sim);
+    add_loops(o, sim, life);
     add_steps(o, sim, life);
     char *text = cJSON_Print(o);
     cJSON_Delete(o);

@@ -124,6 +124,9 @@ const struct diag_help diag_helps[] = {
     {"W-assembly", "The joints of a loop miss each other as drawn. Give the places of its bodies with more digits."},
     {"E-ground", "A load must act on a body that can move."},
     {"E-kind", "A force acts along a length, a torque along an angle."},
+    {"E-drive",
+     "A drive gives a joint coordinate, a distance, a displacement or, in the plane, an angle as a function of "
+     "time alone: an expression of t, or a table."},
     {"E-table", "A table has rows [t, x] with increasing t."},
     /* the scene: start and run */
     {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "

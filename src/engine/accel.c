@@ -12,6 +12,7 @@ void accel_open(struct accel *c, const struct ode2 *ode, struct effort *effort, 
     c->ode = ode;
     c->effort = effort;
     c->M = TAKE(life, double, ode->n * ode->n);
+    c->r = TAKE(life, double, ode->n);
 }
 
 static enum status dense(struct accel *c, double *a, double *w, const struct instant *x, struct trouble *why)
@@ -25,7 +26,12 @@ static enum status dense(struct accel *c, double *a, double *w, const struct ins
     if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, x->t);
     for (int i = 0; i < o->n; i++) a[i] = -a[i];
     dense_cholesky_solve(c->M, a, o->n, o->n);
-    return OK;
+    if (!w || !o->breaks || !o->breaks->jump) return OK;
+    struct instant there = *x; /* drives: their forces, and so their power, depend on a */
+    there.a = a;
+    c->effort->slow++;
+    c->effort->fast++;
+    return o->ops->resid(o, c->r, w, NULL, &there, ALL, why);
 }
 
 enum status accel_solve(struct accel *c, double *a, double *w, const double *q, const double *v, double t,

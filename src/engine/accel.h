@@ -8,6 +8,7 @@
 struct accel {
     const struct ode2 *ode;
     struct effort *effort;
+    double *r; /* [n] */
     double *M; /* [n x n] */
 };
 

@@ -122,11 +122,12 @@ static enum status attempt(struct stepper *s, double *err, double t, double h, s
 {
     struct dopri5 *m = s->self;
     copy(m->rk.dv[0], m->a, s->ode->n); /* first same as last; w[0] is kept likewise */
-    motion_rate(s->ode, m->rk.du[0], (zero(m->rk.u, s->ode->n), m->rk.u), m->v);
+    zero(m->rk.u, s->ode->n);
+    motion_rate(s->ode, m->rk.du[0], m->q, m->q, m->rk.u, m->v, t);
     for (int i = 1; i < table.stages; i++) TRY(rk_stage(&m->rk, &table, i, m->q, m->v, t, h, why));
     copy(m->q1, m->q, s->ode->nq);
     copy(m->v1, m->v, s->ode->n);
-    rk_end(&m->rk, &table, m->q1, m->v1, NULL, h);
+    rk_end(&m->rk, &table, m->q1, m->v1, NULL, t, h);
     *err = error(s, h);
     return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
 }
@@ -187,16 +188,28 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     return OK;
 }
 
+/* The impulse of a drive's corner at t, and the slopes behind it. */
+static enum status turn_corner(struct stepper *s, double *t, double end, struct trouble *why)
+{
+    struct dopri5 *m = s->self;
+    const struct ode2 *o = s->ode;
+    if (!o->breaks || !o->breaks->jump || !o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, end)) return OK;
+    *t = nextafter(*t, end);
+    TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
+    copy(m->a, m->rk.dv[0], o->n);
+    return OK;
+}
+
 static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     struct dopri5 *m = s->self;
     const struct ode2 *o = s->ode;
     (void)h, (void)ratio;
-    if (o->n == 0) return x->t = to, OK; /* nothing moves */
     TRY(begin(s, x, to, why));
     int breaks = to > x->t && o->breaks && o->breaks->next;
     for (double t = x->t, end; t != to; t = end) {
         end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
+        if (to > x->t) TRY(turn_corner(s, &t, end, why));
         TRY(advance(s, t, end, why));
         if (end != to) { /* one-sided slopes beyond the kink */
             TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, end, 0, why));

@@ -112,10 +112,10 @@ static void trial_place(struct miao *m, double s)
     if (o->move) { /* what is missing of the slow way, seen from q_i */
         zero(m->dn, m->ns);
         copy(m->dn + m->ns, m->dx + m->ns, m->n - m->ns);
-        motion_point(o, m->target, m->q0, m->dn, s);
+        motion_point(o, m->target, m->q0, m->dn, s, m->x.t);
         motion_diff(o, m->dn, m->target, m->qi);
         copy(m->dn, m->dx, m->ns);
-        motion_point(o, m->q, m->qi, m->dn, 1);
+        motion_point(o, m->q, m->qi, m->dn, 1, m->x.t);
         return;
     }
     for (int i = 0; i < m->ns; i++) m->q[i] = m->qi[i] + m->dx[i];
@@ -148,7 +148,7 @@ static enum status slow_rows(struct miao *m, double *r, double *dk, double T, st
     }
     copy(m->dn + m->ns, m->dx + m->ns, m->n - m->ns);
     slow_rates(m, 1);
-    motion_point(o, m->q, m->q0, m->dn, 1);
+    motion_point(o, m->q, m->q0, m->dn, 1, x.t);
     m->effort->slow++;
     m->effort->fast++;
     TRY(o->ops->resid(o, m->part, NULL, &dkf, &x, FAST, why));
@@ -354,6 +354,7 @@ const struct stepper_kind step_miao = {
     .name = "miao",
     .brief = "Newmark sub-cycling (2-12)...(2-25) of Miao, Zhu, Shi & Chen, misprints corrected",
     .rates = 2,
+    .points = 1,
     .order = 2,
     .open = open,
     .step = step,

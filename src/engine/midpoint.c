@@ -57,8 +57,8 @@ static void place(struct midpoint *m, const double *a)
         m->v[i] = m->v0[i] + m->h / 2 * a[i];
         m->dx[i] = m->h * m->v[i];
     }
-    motion_point(m->ode, m->q, m->q0, m->dx, .5);
-    motion_point(m->ode, m->q1, m->q0, m->dx, 1);
+    motion_point(m->ode, m->q, m->q0, m->dx, .5, m->x.t);
+    motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     m->x.a = a;
 }
 

@@ -6,11 +6,12 @@
 
 #include "system/ode2.h"
 
-/* q1 = q0 (+) s dx; q1 may be q0. */
-static inline void motion_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s)
+/* q1 = q0 (+) s dx, at time t; q1 may be q0. */
+static inline void motion_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
+                                double t)
 {
     if (o->move)
-        o->move->point(o, q1, q0, dx, s);
+        o->move->point(o, q1, q0, dx, s, t);
     else
         for (int i = 0; i < o->n; i++) q1[i] = q0[i] + s * dx[i];
 }
@@ -24,11 +25,12 @@ static inline void motion_diff(const struct ode2 *o, double *dx, const double *q
         for (int i = 0; i < o->n; i++) dx[i] = q1[i] - q0[i];
 }
 
-/* dx' where q0 (+) dx moves with velocity v. */
-static inline void motion_rate(const struct ode2 *o, double *rate, const double *dx, const double *v)
+/* dx' where q1 = q0 (+) dx moves with velocity v at time t. */
+static inline void motion_rate(const struct ode2 *o, double *rate, const double *q1, const double *q0, const double *dx,
+                               const double *v, double t)
 {
     if (o->move)
-        o->move->rate(o, rate, dx, v);
+        o->move->rate(o, rate, q1, q0, dx, v, t);
     else
         memcpy(rate, v, (size_t)o->n * sizeof *v);
 }

@@ -66,7 +66,7 @@ static void place(struct newmark *m, const double *a1)
         m->dx[i] = h * m->v0[i] + b0 * m->a0[i] + b1 * a1[i];
         m->v[i] = m->v0[i] + g0 * m->a0[i] + g1 * a1[i];
     }
-    motion_point(m->ode, m->q, m->q0, m->dx, 1);
+    motion_point(m->ode, m->q, m->q0, m->dx, 1, m->x.t);
     m->x.a = a1;
 }
 
@@ -205,6 +205,7 @@ const struct stepper_kind step_newmark = {
     .name = "newmark",
     .brief = "Newmark's method (2-5)...(2-10), one rate",
     .rates = 1,
+    .points = 1,
     .order = 2,
     .open = open,
     .step = step,

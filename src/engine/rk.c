@@ -33,12 +33,12 @@ enum status rk_stage(struct rk *k, const struct rk_table *table, int i, const do
         add(k->u, h * table->a[i][j], k->du[j], n);
         add(k->v, h * table->a[i][j], k->dv[j], n);
     }
-    motion_point(k->ode, k->q, q0, k->u, 1);
-    motion_rate(k->ode, k->du[i], k->u, k->v);
+    motion_point(k->ode, k->q, q0, k->u, 1, t + table->c[i] * h);
+    motion_rate(k->ode, k->du[i], k->q, q0, k->u, k->v, t + table->c[i] * h);
     return accel_solve(k->accel, k->dv[i], k->w[i], k->q, k->v, t + table->c[i] * h, why);
 }
 
-void rk_end(struct rk *k, const struct rk_table *table, double *q, double *v, double *work, double h)
+void rk_end(struct rk *k, const struct rk_table *table, double *q, double *v, double *work, double t, double h)
 {
     int n = k->ode->n;
     zero(k->u, n);
@@ -47,5 +47,5 @@ void rk_end(struct rk *k, const struct rk_table *table, double *q, double *v, do
         add(v, h * table->b[j], k->dv[j], n);
         for (int c = 0; work && c < POWER_CHANNELS; c++) work[c] += h * table->b[j] * k->w[j][c];
     }
-    motion_point(k->ode, q, q, k->u, 1);
+    motion_point(k->ode, q, q, k->u, 1, t + h);
 }

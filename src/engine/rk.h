@@ -36,6 +36,6 @@ enum status rk_stage(struct rk *k, const struct rk_table *table, int i, const do
                      double h, struct trouble *why);
 
 /* x := the end of the step with the weights b, work (NULL: not wanted) added. */
-void rk_end(struct rk *k, const struct rk_table *table, double *q, double *v, double *work, double h);
+void rk_end(struct rk *k, const struct rk_table *table, double *q, double *v, double *work, double t, double h);
 
 #endif

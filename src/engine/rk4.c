@@ -26,7 +26,7 @@ static enum status one(struct stepper *s, struct state *x, double h, double t1, 
 {
     struct rk4 *m = s->self;
     for (int i = 0; i < table.stages; i++) TRY(rk_stage(&m->rk, &table, i, x->q, x->v, x->t, h, why));
-    rk_end(&m->rk, &table, x->q, x->v, s->work, h);
+    rk_end(&m->rk, &table, x->q, x->v, s->work, x->t, h);
     copy(x->a, m->rk.dv[3], s->ode->n);
     x->t = t1;
     return OK;
@@ -42,6 +42,7 @@ const struct stepper_kind step_rk4 = {
     .name = "rk4",
     .brief = "classical Runge-Kutta, explicit, one rate",
     .rates = 1,
+    .points = 1,
     .order = 4,
     .open = open,
     .step = step,

@@ -8,14 +8,14 @@ void single_open(struct single *keep, const struct ode2 *ode, struct arena *life
     keep->a = TAKE(life, double, ode->n);
 }
 
-static void save(struct single *keep, const struct ode2 *o, const struct state *x)
+void single_save(struct single *keep, const struct ode2 *o, const struct state *x)
 {
     copy(keep->q, x->q, o->nq);
     copy(keep->v, x->v, o->n);
     copy(keep->a, x->a, o->n);
 }
 
-static void restore(const struct single *keep, const struct ode2 *o, struct state *x, double t)
+void single_restore(const struct single *keep, const struct ode2 *o, struct state *x, double t)
 {
     copy(x->q, keep->q, o->nq);
     copy(x->v, keep->v, o->n);
@@ -29,12 +29,12 @@ enum status single_steps(struct single *keep, struct stepper *s, struct state *x
                          struct trouble *why)
 {
     double t0 = x->t;
-    if (ratio > 1) save(keep, s->ode, x);
+    if (ratio > 1) single_save(keep, s->ode, x);
     for (int k = 1; k <= ratio; k++) {
         enum status status = one(s, x, h, k < ratio ? t0 + k * h : to, why);
         if (status == OK) continue;
         if (k > 1) {
-            restore(keep, s->ode, x, t0);
+            single_restore(keep, s->ode, x, t0);
             s->fresh = 1; /* the predictors have gone ahead */
         }
         return status;

@@ -10,6 +10,8 @@ struct single {
 };
 
 void single_open(struct single *keep, const struct ode2 *ode, struct arena *life);
+void single_save(struct single *keep, const struct ode2 *o, const struct state *x);
+void single_restore(const struct single *keep, const struct ode2 *o, struct state *x, double t);
 
 /* one() takes x from its t to t1 by a step h, or fails and leaves x as it was. */
 enum status single_steps(struct single *keep, struct stepper *s, struct state *x, double h, int ratio, double to,

@@ -1,10 +1,13 @@
 /* stepper.c -- the schemes by name, and what all of them share; see stepper.h */
 #include "engine/stepper.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "engine/accel.h"
+#include "engine/kinematic.h"
 #include "engine/motion.h"
+#include "engine/single.h"
 
 extern const struct stepper_kind step_subcycle, step_newmark, step_midpoint, step_miao, step_rk4, step_dopri5;
 
@@ -28,6 +31,8 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, const stru
     *s = (struct stepper){.kind = kind, .ode = ode, .options = *options, .fresh = 1, .life = life};
     s->accel = TAKE(life, struct accel, 1);
     accel_open(s->accel, ode, &s->effort, life);
+    s->keep = TAKE(life, struct single, 1);
+    single_open(s->keep, ode, life);
     kind->open(s, life);
 }
 
@@ -39,12 +44,40 @@ static void begin_anew(struct stepper *s, struct state *x)
     if (ode->chart->rechart(ode, x->q, x->v, x->t)) stepper_start(s, x, &why);
 }
 
+/* One step of a scheme that would miss the impulse of a drive's corner: it comes first. */
+static enum status after_corners(struct stepper *s, struct state *x, double h, int ratio, double to,
+                                 struct trouble *why)
+{
+    const struct ode2 *o = s->ode;
+    const int fresh = s->fresh;
+    double work = 0;
+    single_save(s->keep, o, x);
+    if (!o->breaks->jump(o, x->v, &work, x->q, x->t, to)) return s->kind->step(s, x, h, ratio, to, why);
+    const double t0 = x->t;
+    x->t = nextafter(t0, to); /* behind the corner */
+    enum status status = stepper_start(s, x, why);
+    if (status == OK) status = s->kind->step(s, x, h, ratio, to, why);
+    s->work[POWER_DRIVE] += work;
+    if (status == OK) return OK;
+    single_restore(s->keep, o, x, t0);
+    s->fresh |= fresh;
+    return status;
+}
+
+static enum status any_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    const struct ode2 *o = s->ode;
+    if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
+    if (s->kind->points && o->breaks && o->breaks->jump) return after_corners(s, x, h, ratio, to, why);
+    return s->kind->step(s, x, h, ratio, to, why);
+}
+
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     memset(s->work, 0, sizeof s->work);
     s->lost = s->left = 0;
     s->last_sweeps = 0;
-    enum status status = s->kind->step(s, x, h, ratio, to, why);
+    enum status status = any_step(s, x, h, ratio, to, why);
     if (status == OK)
         s->effort.majors++;
     else
@@ -56,5 +89,6 @@ enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio
 enum status stepper_start(struct stepper *s, struct state *x, struct trouble *why)
 {
     s->fresh = 1;
+    if (s->ode->n == 0) return OK;
     return accel_solve(s->accel, x->a, NULL, x->q, x->v, x->t, why);
 }

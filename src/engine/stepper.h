@@ -56,6 +56,7 @@ struct stepper_kind {
     int rates;         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
     int adaptive;   /* chooses its own steps inside H */
+    int points;     /* sees drives at points of time: their corners are brought to it before each step */
     int quadrature; /* 1: its work sums are exact for the ledger; 0: of second order */
 
     /* Required.  Takes all memory into s->self. */
@@ -79,6 +80,7 @@ struct stepper {
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
     struct accel *accel;         /* solves (2-4) for a */
+    struct single *keep;         /* v, a before a corner */
     struct arena *life;
     void *self; /* the scheme's memory */
 };

@@ -255,13 +255,13 @@ static void whole_velocity(struct subcycle *c, const double *d)
     decouple_out(&c->dec, c->v, c->w, c->v, c->near);
 }
 
-/* x1 = x0 (+) t v_k, t = h s, as far as the minor steps move. */
-static void point(struct subcycle *c, double *x1, const double *x0, double s)
+/* x1 = x0 (+) s h v_k, at time t, as far as the minor steps move. */
+static void point(struct subcycle *c, double *x1, const double *x0, double s, double t)
 {
     int m = c->ns + c->near;
     if (c->ode->move) {
         for (int i = 0; i < m; i++) c->dq[i] = c->h * c->v[i];
-        c->ode->move->point(c->ode, x1, x0, c->dq, s);
+        c->ode->move->point(c->ode, x1, x0, c->dq, s, t);
     } else {
         for (int i = 0; i < m; i++) x1[i] = x0[i] + s * c->h * c->v[i];
     }
@@ -274,6 +274,12 @@ static void advance(struct subcycle *c, const double *d)
         c->xn[i] += c->h * c->v[i];
         c->vs[i] += d[i];
     }
+}
+
+/* When minor step k ends. */
+static double minor_end(const struct subcycle *c, int k)
+{
+    return k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
 }
 
 /* w, x_n, v_S at the end, q_n, and the sum of the d_k. */
@@ -291,7 +297,7 @@ static void compose(struct subcycle *c)
         for (int i = 0; i < c->ns; i++) c->dsum[i] += d[i];
         if (!c->ode->move) continue;
         decouple_out(&c->dec, c->v, c->w, c->v, c->near);
-        point(c, c->qn, c->qn, 1);
+        point(c, c->qn, c->qn, 1, minor_end(c, k));
     }
     if (c->ode->move) return;
     for (int i = 0; i < c->ns; i++) c->qn[i] = c->q0[i] + c->xn[i];
@@ -316,21 +322,16 @@ static enum status slow_bodies(struct subcycle *c, struct trouble *why)
     const struct ode2 *o = c->ode;
     int ns = c->ns, nl = c->nl;
     double power[POWER_CHANNELS], dk = 0, per = 1 / c->H;
+    const double mid = c->t0 + (c->t1 - c->t0) / 2;
     motion_diff(o, c->dq, c->qn, c->q0);
-    motion_point(o, c->qbar, c->q0, c->dq, .5);
+    motion_point(o, c->qbar, c->q0, c->dq, .5, mid);
     decouple_out(&c->dec, c->abar, c->du, c->dsum, nl);
     for (int i = 0; i < c->n; i++) {
         c->vbar[i] = per * c->dq[i];
         c->abar[i] *= per;
     }
-    struct instant x = {.t = c->t0 + (c->t1 - c->t0) / 2,
-                        .q = c->qbar,
-                        .v = c->vbar,
-                        .a = c->abar,
-                        .qa = c->q0,
-                        .qb = c->qn,
-                        .ta = c->t0,
-                        .tb = c->t1};
+    struct instant x = {
+        .t = mid, .q = c->qbar, .v = c->vbar, .a = c->abar, .qa = c->q0, .qb = c->qn, .ta = c->t0, .tb = c->t1};
     TRY(o->ops->resid(o, c->r, power, &dk, &x, SLOW, why));
     c->effort->slow++;
     if (dk > STALE_SLOPE) c->newton.stale = 1;
@@ -350,8 +351,8 @@ static enum status minor_rows(struct subcycle *c, const double *d, double *power
     int ns = c->ns;
     double per = 1 / c->h;
     whole_velocity(c, d);
-    point(c, c->qmid, c->q, .5);
-    point(c, c->qend, c->q, 1);
+    point(c, c->qmid, c->q, .5, x->t);
+    point(c, c->qend, c->q, 1, x->tb);
     for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
     decouple_out(&c->dec, c->a, c->pull, c->a, c->near);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
@@ -421,7 +422,7 @@ static enum status minor_steps(struct subcycle *c, struct trouble *why)
     for (int k = 0; k < c->ratio; k++) {
         double *d = c->d + k * c->ns, power[POWER_CHANNELS];
         x.ta = c->t0 + k * c->h;
-        x.tb = k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
+        x.tb = minor_end(c, k);
         x.t = x.ta + (x.tb - x.ta) / 2;
         if (first) {
             forecast_minor(&c->forecast, &c->resp, d, c->xn, c->vs, c->w, k);
@@ -432,7 +433,7 @@ static enum status minor_steps(struct subcycle *c, struct trouble *why)
         book(c, c->h, power);
         minor_sums(c, d);
         whole_velocity(c, d);
-        point(c, c->q, c->q, 1);
+        point(c, c->q, c->q, 1, x.tb);
         advance(c, d);
     }
     c->guessed = 0;
@@ -521,9 +522,10 @@ static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
 {
     compose(c);
     motion_diff(c->ode, c->dq, c->qn, c->q0);
-    motion_point(c->ode, c->qbar, c->q0, c->dq, .5);
+    const double mid = c->t0 + (c->t1 - c->t0) / 2;
+    motion_point(c->ode, c->qbar, c->q0, c->dq, .5, mid);
     decouple_recoil(&c->dec, c->du, -1, c->dsum);
-    TRY(decouple(c, c->qbar, c->t0 + (c->t1 - c->t0) / 2, why));
+    TRY(decouple(c, c->qbar, mid, why));
     decouple_recoil(&c->dec, c->du, 1, c->dsum);
     TRY(renew(c, why));
     c->newton.count = 0;

@@ -55,6 +55,9 @@ double expr_value(const struct expr *e, const double *slot);
 /* The value, and d[i] = d value / d slot[which[i]] for i in [0,n). */
 double expr_slopes(const struct expr *e, double *d, const double *slot, const int *which, int n);
 
+/* The value, and first and second derivative along the slot `which`. */
+double expr_jet(const struct expr *e, double *d, double *dd, const double *slot, int which);
+
 /* The distinct slots read, ascending, at most max of them; returns how many there are. */
 int expr_reads(const struct expr *e, int *slots, int max);
 bool expr_is_constant(const struct expr *e);

@@ -90,6 +90,11 @@ double signal_value(const struct signal *s, const double *slot);
 bool signal_reads_time(const struct signal *s);
 /* Value, and slopes d[i] along slots which[i]. */
 double signal_slopes(const struct signal *s, double *d, const double *slot, const int *which, int n);
+/* Of time alone: value x[0], rate x[1] and acceleration x[2] at t.  A table's rate is that of the piece before t; at
+ * its first point, where motion begins, that behind it. */
+void signal_motion(const struct signal *s, double *x, double t);
+/* By how much the rate jumps at corners in [ta, tb). */
+double signal_corner(const struct signal *s, double ta, double tb);
 /* The first point of a table after time t, where it may bend; infinity: none. */
 double signal_next(const struct signal *s, double t);
 

@@ -13,7 +13,9 @@
                "where the coordinate should stay: leaving it is told, nothing holds it")
 #define LOOP                                                                                                           \
     PARAM_BOOL(struct joint_keys, loop, "loop", 0, "false",                                                            \
-               "keep it out of the tree: it closes a loop where the bodies are joined otherwise")
+               "keep it out of the tree: it closes a loop where the bodies are joined otherwise"),                     \
+        PARAM_WORD(struct joint_keys, frame, "frame", "world|joint", 0, "world",                                       \
+                   "axes of its reaction columns; joint: the joint's own, which go with the first body")
 
 static const struct key keys_fixed[] = {AT_CENTRE, LOOP, KEYS_END};
 static const struct key keys_revolute[] = {

@@ -39,6 +39,7 @@ struct joint_keys {
     const struct node *axis2;  /* universal: y; planar: x */
     const struct node *range;  /* revolute, prismatic: [lowest, highest] of the coordinate */
     int loop;                  /* better one that closes a loop than one of the tree */
+    int frame;                 /* 1: reactions in joint axes */
 };
 
 struct joint_kind {

@@ -44,6 +44,61 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
     return x;
 }
 
+void signal_motion(const struct signal *s, double *x, double t)
+{
+    x[1] = x[2] = 0;
+    if (s->expr) {
+        x[0] = expr_jet(s->expr, &x[1], &x[2], &t, 0);
+        return;
+    }
+    x[0] = table_value(&x[1], s, t);
+    if (s->n < 2 || t < s->t[0] || t > s->t[s->n - 1]) return;
+    int i = t >= s->t[s->n - 1] ? s->n - 2 : piece(s, t);
+    if (i > 0 && t == s->t[i]) i--;
+    x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
+}
+
+/* What the rate gains from ta to tb beyond the mean of its accelerations (Gauss, five points). */
+static double excess(const struct signal *s, double *size, double ta, double tb)
+{
+    static const double at[5] = {.046910077030668, .230765344947158, .5, .769234655052842, .953089922969332};
+    static const double weight[5] = {.118463442528095, .239314335249683, .284444444444444, .239314335249683,
+                                     .118463442528095};
+    double a[3], b[3], x[3], sum = 0, most = 0;
+    signal_motion(s, a, ta);
+    signal_motion(s, b, tb);
+    for (int i = 0; i < 5; i++) {
+        signal_motion(s, x, ta + at[i] * (tb - ta));
+        sum += weight[i] * x[2];
+        most = fmax(most, fabs(x[2]));
+    }
+    *size = fabs(a[1]) + fabs(b[1]) + (tb - ta) * most;
+    return b[1] - a[1] - (tb - ta) * sum;
+}
+
+/* A table's corners are its points.  Of an expression, the half with the larger excess again and again: that of a true
+ * corner stays, that of a mere jump of the acceleration halves with the interval. */
+double signal_corner(const struct signal *s, double ta, double tb)
+{
+    double a[3], b[3], size, first;
+    if (!s->expr) {
+        signal_motion(s, a, ta);
+        signal_motion(s, b, tb);
+        return b[1] - a[1];
+    }
+    first = excess(s, &size, ta, tb);
+    if (fabs(first) <= 1e-6 * size) return 0;
+    double here = first;
+    for (int i = 0; i < 24; i++) {
+        double mid = ta + (tb - ta) / 2, left = excess(s, &size, ta, mid), right = excess(s, &size, mid, tb);
+        if (fabs(left) > fabs(right))
+            tb = mid, here = left;
+        else
+            ta = mid, here = right;
+    }
+    return fabs(here) > fabs(first) / 4 ? here : 0;
+}
+
 bool signal_reads_time(const struct signal *s)
 {
     int first = -1;

@@ -40,19 +40,24 @@ struct model_joint {
     double a[3], b[3];   /* the joint's point: from the parent's centre in parent axes; child likewise [m] */
     double Ea[9], Eb[9]; /* joint axes x, y, z by column in parent axes, in child axes: equal in the
                           * world when the coordinates are 0 */
+    const double *own;   /* [9] axes of its reactions by column, in axes of the deck's first body; NULL: the world's */
     int nq, nv;
     int iq[JOINT_MAX_Q]; /* places in q */
     int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
 };
 
-/* A joint that closes a loop: equations C(q) = 0 (2-2) between two bodies of the tree, which have no coordinates. */
+/* A joint that closes a loop: equations C(q) = 0 (2-2) between two bodies of the tree, which have no coordinates.  A
+ * drive is one more: C(q, t) = 0. */
 struct model_loop {
     const char *name;
     enum joint_type type;
-    int first, second;   /* bodies, in the deck's order */
-    double a[3], b[3];   /* the joint's point: from the first body's centre, its axes; second likewise [m] */
-    double Ea[9], Eb[9]; /* joint axes x, y, z by column in the axes of the first, the second body */
-    int component;       /* loops that share coordinates are one component */
+    int first, second;          /* bodies, in the deck's order */
+    double a[3], b[3];          /* the joint's point: from the first body's centre, its axes; second likewise [m] */
+    double Ea[9], Eb[9];        /* joint axes x, y, z by column in the axes of the first, the second body */
+    const double *own;          /* as in model_joint */
+    int component;              /* loops that share coordinates are one component */
+    const struct signal *drive; /* not a joint but one equation, s(q) = c(t) of a measure; NULL: a joint */
+    int measure;
 };
 
 /* A coordinate's plain positions and velocities have the same number k < n for q and v unless a
@@ -129,6 +134,7 @@ struct model {
     const int *body_of;                        /* model's index of the scene's body i (body 0: ground) */
     const int *joint_of;                       /* model's index of the scene's joint i; -1: not in the tree */
     const int *loop_of;                        /* likewise among the loops; -1: not there */
+    int ndrive;                                /* the last ndrive loops are drives, in the scene's order */
 };
 
 #endif

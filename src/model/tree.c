@@ -53,6 +53,22 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
     return j;
 }
 
+/* Axes of the reactions of a joint whose deck wants its own; in the plane x along a prismatic joint's axis. */
+static const double *own_axes(const struct making *o, const struct scene_joint *j)
+{
+    double E[9];
+    if (!j->own) return NULL;
+    memcpy(E, j->E, sizeof E);
+    if (o->scene->space == 2) {
+        v3_copy(E, j->kind->type == JOINT_PRISMATIC ? j->E + 6 : j->E);
+        v3_set(E + 6, 0, 0, 1);
+        v3_cross(E + 3, E + 6, E);
+    }
+    double *own = TAKE(o->life, double, 9);
+    m3_tmulm(own, o->scene->body[j->first].R, E);
+    return own;
+}
+
 static void hang_by(struct making *o, int index, int parent, int child)
 {
     const struct scene_joint *sj = &o->scene->joint[index];
@@ -66,6 +82,7 @@ static void hang_by(struct making *o, int index, int parent, int child)
     int s = o->scene->space == 3;
     j->name = sj->name;
     j->reversed = reversed;
+    j->own = own_axes(o, sj);
     j->nq = sj->kind->nq[s];
     j->nv = sj->kind->nv[s];
     o->joint_of[index] = j->child - 1;
@@ -237,13 +254,31 @@ static void add_loop(struct making *o, int index)
     m3_tmul(l->b, second->R, arm);
     m3_tmulm(l->Ea, first->R, sj->E);
     m3_tmulm(l->Eb, second->R, sj->E);
+    l->own = own_axes(o, sj);
     o->loop_of[index] = o->m->nloop++;
+}
+
+/* Between the bodies of its measure. */
+static void add_drive(struct making *o, const struct scene_drive *d)
+{
+    const struct scene_measure *s = &o->scene->measure[d->measure];
+    struct model_loop *l = &o->loop[o->m->nloop++];
+    *l = (struct model_loop){.name = d->name, .drive = &d->value, .measure = d->measure};
+    if (s->type == MEASURE_COORDINATE) {
+        const struct model_joint *j = &o->joint[o->joint_of[s->joint]];
+        l->first = j->parent;
+        l->second = j->child;
+    } else {
+        l->first = o->body_of[s->a.body];
+        l->second = o->body_of[s->b.body];
+    }
+    o->m->ndrive++;
 }
 
 static enum status add_loops(struct making *o)
 {
     enum status status = OK;
-    o->loop = TAKE(o->life, struct model_loop, o->scene->njoint);
+    o->loop = TAKE(o->life, struct model_loop, o->scene->njoint + o->scene->ndrive);
     for (int i = 0; i < o->scene->njoint; i++) {
         const struct scene_joint *j = &o->scene->joint[i];
         if (o->joint_of[i] >= 0) continue;
@@ -254,6 +289,7 @@ static enum status add_loops(struct making *o)
         diag_hint(o->diags, "other joints of this loop are asked for too; put a measure in place of one of them");
         status = E_DECK;
     }
+    for (int i = 0; status == OK && i < o->scene->ndrive; i++) add_drive(o, &o->scene->drive[i]);
     return status;
 }
 

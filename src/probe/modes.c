@@ -17,7 +17,7 @@ struct linear {
 static void displaced(const struct linear *l, double *q1, const double *dx)
 {
     if (l->ode->move)
-        l->ode->move->point(l->ode, q1, l->q, dx, 1);
+        l->ode->move->point(l->ode, q1, l->q, dx, 1, l->t);
     else
         for (int i = 0; i < l->n; i++) q1[i] = l->q[i] + dx[i];
 }

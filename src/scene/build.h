@@ -18,8 +18,8 @@ struct deck_keys {
     int version;
     const char *title;
     int units, space;
-    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *initial, *partition,
-        *integrate, *output, *energy;
+    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *drives, *initial,
+        *partition, *integrate, *output, *energy;
 };
 struct body_keys {
     double mass;
@@ -42,6 +42,9 @@ struct measure_keys {
 struct value_keys { /* force, torque */
     const struct node *on, *value;
     int frame;
+};
+struct drive_keys {
+    const struct node *drive, *value;
 };
 struct table_keys {
     const struct node *table;
@@ -76,8 +79,9 @@ struct vector_keys {
     int frame;
 };
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_orient[], keys_distance[],
-    keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_table[], keys_bushing[], keys_partition[],
-    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_until[];
+    keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_bushing[],
+    keys_partition[], keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[],
+    keys_until[];
 
 /* places.c: vectors, points, frames */
 /* A vector of the deck's space; 2-D: o[2] = 0.  what: "'at' of body 'rod'" */
@@ -125,6 +129,9 @@ bool may_own_columns(const char *name);
 bool known_but_wrong(const struct builder *b, const char *name);
 
 int read_forces(struct builder *b, const struct node *n);
+int read_drives(struct builder *b, const struct node *n);
+/* An expression or table of time alone. */
+int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
 int read_initial(struct builder *b, const struct node *n);
 int read_partition(struct builder *b, const struct node *n);

@@ -145,6 +145,15 @@ static int read_signal(struct slots *s, struct signal *o, const struct node *n)
     return 1;
 }
 
+int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what)
+{
+    struct slots s = {.b = b, .n = 1};
+    if (read_signal(&s, o, n)) return 1;
+    if (s.n == 1) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-drive", "%s: its value is to be of t alone", what);
+    return 1;
+}
+
 static void keep_slots(struct builder *b, struct scene_force *f, const struct slots *s)
 {
     f->nslot = s->n;

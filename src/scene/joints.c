@@ -99,6 +99,7 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
     if (errors) return errors;
     j->loop = k.loop;
+    j->own = k.frame == 1;
     if (k.range && read_range(b, j, k.range, what)) return 1;
     struct marker at = {j->second, {0}};
     if (k.at && read_point(b, &at, k.at, what)) return 1;

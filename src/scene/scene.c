@@ -71,6 +71,7 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
         read_joints(&b, k.constraints);
         read_measures(&b, k.measures);
         read_forces(&b, k.forces);
+        read_drives(&b, k.drives);
         read_initial(&b, k.initial);
         read_partition(&b, k.partition);
     }

@@ -42,6 +42,7 @@ struct scene_joint {
     bool ranged;  /* its coordinate should stay in range[0] ... range[1] */
     double range[2];
     bool loop; /* the deck wants it out of the tree */
+    bool own;  /* reactions in joint axes */
 };
 
 struct scene_measure {
@@ -83,6 +84,14 @@ struct scene_force {
     const struct scene_slot *slot; /* [nslot]; slot 0 is t */
     struct marker a, b;
     bool torque, body_axes;
+};
+
+/* A measure that moves as a function of time, s(q) = c(t): rheonomic constraint. */
+struct scene_drive {
+    const char *name;
+    const struct node *node;
+    int measure;
+    struct signal value; /* of t alone */
 };
 
 /* One coordinate, or all of a joint (k = -1). */
@@ -141,6 +150,8 @@ struct scene {
     struct scene_measure *measure;
     int nforce;
     struct scene_force *force;
+    int ndrive;
+    struct scene_drive *drive;
     int nfast;
     struct scene_choice *fast;
     int nindependent;

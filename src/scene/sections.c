@@ -18,6 +18,7 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, measures, "measures", "{name: measure}", 0,
                "distances, displacements, angles to print, to read in expressions, to put forces on"),
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
+    PARAM_NODE(struct deck_keys, drives, "drives", "{name: drive}", 0, "coordinates and measures that move as told"),
     PARAM_NODE(struct deck_keys, initial, "initial", "{coordinate: number}, {static: true} or {from: file}", 0,
                "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
                "nearest stable equilibrium"),
@@ -109,6 +110,14 @@ const struct key keys_table[] = {
     PARAM_NODE(struct table_keys, table, "table", "[[t, x], ...]", 0,
                "points of time; linear between, constant beyond the ends"),
     PARAM_TEXT(struct table_keys, file, "file", 0, NULL, "CSV file of t, x beside the deck"),
+    KEYS_END,
+};
+
+const struct key keys_drive[] = {
+    PARAM_NODE(struct drive_keys, drive, "drive", "coordinate, joint or measure", KEY_REQUIRED,
+               "what moves: a joint coordinate, a distance, a displacement, in the plane an angle"),
+    PARAM_NODE(struct drive_keys, value, "value", "expression of t, or table", KEY_REQUIRED,
+               "where it is at time t [m] or [rad]; a joint coordinate is 0 in the drawn position"),
     KEYS_END,
 };
 
@@ -209,6 +218,8 @@ static const struct section fixed[] = {
     {"forces.NAME", "torque", "a torque along a measure or on a body", keys_torque},
     {"forces.NAME", "bushing", "springs and dampers in all directions between two bodies", keys_bushing},
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},
+    {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},
+    {"drives.NAME.value", NULL, "a table in place of an expression", keys_table},
     {"initial.from", NULL, "what the file holds", keys_state},
     {"initial.JOINT.omega", NULL, "angular velocity with its axes", keys_omega},
     {"partition", NULL, "slow and fast coordinates", keys_partition},

@@ -120,6 +120,15 @@ static void add_force(struct listing *l, const struct model *m, const struct mod
     add(l, join(l, f->name, "power"), "W", "put into the system", (struct origin){FROM_POWER, i, 0, -1});
 }
 
+static void add_drive(struct listing *l, const struct model *m, int i)
+{
+    const struct model_loop *d = &m->loop[i];
+    bool angular = m->measure[d->measure].angular;
+    add(l, join(l, d->name, "force"), angular ? "N m" : "N", "of the drive, along its measure",
+        (struct origin){FROM_DRIVE, i, 0, -1});
+    add(l, join(l, d->name, "power"), "W", "put into the system", (struct origin){FROM_DRIVE, i, 1, -1});
+}
+
 static void add_energies(struct listing *l)
 {
     static const char *const names[] = {"kinetic", "elastic",  "gravity",   "external", "drive",
@@ -164,6 +173,7 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
     for (int i = 0; i < m->npoint; i++) add_point(&l, &m->point[i], i);
     for (int i = 0; i < m->nmeasure; i++) add_measure(&l, &m->measure[i], i);
     for (int i = 0; i < m->nforce; i++) add_force(&l, m, &m->force[i], i);
+    for (int i = m->nloop - m->ndrive; i < m->nloop; i++) add_drive(&l, m, i);
     add_energies(&l);
     add_steps(&l);
 }
@@ -184,6 +194,7 @@ unsigned catalogue_needs(const struct catalogue *o, const struct selection *chos
         case FROM_POINT_ACCELERATION:
         case FROM_REACTION:
         case FROM_LOOP:
+        case FROM_DRIVE:
             needs |= SEE_MOTION | SEE_ACCELERATION;
             break;
         default:

@@ -27,6 +27,7 @@ enum origin_type {
     FROM_FORCE, /* index: force */
     FROM_ELONGATION,
     FROM_POWER,
+    FROM_DRIVE,  /* index: loop; k: 0 force, 1 power */
     FROM_ENERGY, /* k: enum energy_column */
     FROM_STEP    /* k: enum step_column */
 };

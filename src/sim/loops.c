@@ -5,12 +5,19 @@
 #include "sim/parts.h"
 #include "system/condense.h"
 
-/* The scene's joint that closes loop l. */
-static const struct scene_joint *joint_of(const struct sim *sim, int l)
+/* Where the deck has the joint that closes loop l, or the drive. */
+static const struct node *node_of(const struct sim *sim, int l)
 {
+    const struct model *m = sim->model;
     int i = 0;
-    while (sim->model->loop_of[i] != l) i++;
-    return &sim->scene->joint[i];
+    if (m->loop[l].drive) return sim->scene->drive[l - (m->nloop - m->ndrive)].node;
+    while (m->loop_of[i] != l) i++;
+    return sim->scene->joint[i].node;
+}
+
+const char *sim_loop_kind(const struct sim *sim, int l)
+{
+    return sim->model->loop[l].drive ? "drive" : "constraint";
 }
 
 void warn_of_loops(const struct sim *sim, struct diags *diags)
@@ -22,18 +29,17 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
     if (s->redundant) {
         int row = 0;
         while (!condense_dropped(c, row)) row++;
-        const struct scene_joint *first = joint_of(sim, condense_loops(c)->row[row].loop);
-        diag_warn(diags, first->node, AT_KEY, "W-redundant",
-                  "%d equation(s) of the loops say nothing new, the first of constraint '%s': the motion is whole, "
+        const int first = condense_loops(c)->row[row].loop;
+        diag_warn(diags, node_of(sim, first), AT_KEY, "W-redundant",
+                  "%d equation(s) of the loops say nothing new, the first of %s '%s': the motion is whole, "
                   "some reactions are not unique (`fmdsub check` shows which)",
-                  s->redundant, first->name);
+                  s->redundant, sim_loop_kind(sim, first), sim->model->loop[first].name);
     }
     if (s->misfit < SILENT) return;
-    const struct scene_joint *j = joint_of(sim, condense_loops(c)->row[s->misfit_row].loop);
-    diag_warn(diags, j->node, AT_KEY, "W-assembly",
-              "constraint '%s' closes a loop that misses by %.3g of the mechanism's size as drawn; closed by moving "
-              "'%s' %.3g",
-              j->name, s->misfit, sim_place_name(sim, s->moved_at), s->moved);
+    const int l = condense_loops(c)->row[s->misfit_row].loop;
+    diag_warn(diags, node_of(sim, l), AT_KEY, "W-assembly",
+              "%s '%s' misses by %.3g of the mechanism's size as drawn; closed by moving '%s' %.3g",
+              sim_loop_kind(sim, l), sim->model->loop[l].name, s->misfit, sim_place_name(sim, s->moved_at), s->moved);
 }
 
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report)
@@ -46,36 +52,40 @@ enum status tell_partition(struct sim *sim, struct sink *sink, struct report *re
     return sink ? sink->ops->event(sink, sim->x.t, "partition", text, report) : OK;
 }
 
-static void print_loop(const struct sim *sim, FILE *to, int l, bool unique)
+static struct closure closure_of(const struct sim *sim, int l, bool unique)
 {
-    const struct condense *c = system_loops(sim->system);
-    const struct loops *loops = condense_loops(c);
-    const struct model_loop *loop = &sim->model->loop[l];
-    int dropped = 0;
-    for (int r = loops->first[l]; r < loops->first[l + 1]; r++) dropped += condense_dropped(c, r);
-    fprintf(to, "  %-16s %s, %s to %s, %d equations", loop->name, joint_kind(loop->type, sim->model->space == 3)->name,
-            sim->model->body[loop->first].name, sim->model->body[loop->second].name,
-            loops->first[l + 1] - loops->first[l]);
-    if (dropped) fprintf(to, ", %d of them redundant", dropped);
-    fprintf(to, "%s\n", unique ? "" : "; reactions not unique");
+    const struct model *m = sim->model;
+    const struct loops *loops = condense_loops(system_loops(sim->system));
+    const struct model_loop *loop = &m->loop[l];
+    struct closure o = {.name = loop->name,
+                        .kind = loop->drive ? "drive" : joint_kind(loop->type, m->space == 3)->name,
+                        .first = m->body[loop->first].name,
+                        .second = m->body[loop->second].name,
+                        .equations = loops->first[l + 1] - loops->first[l],
+                        .unique = unique};
+    for (int r = loops->first[l]; r < loops->first[l + 1]; r++)
+        o.redundant += condense_dropped(system_loops(sim->system), r);
+    return o;
 }
 
-void sim_print_loops(const struct sim *sim, FILE *to)
+void sim_closures(struct closures *o, const struct sim *sim, struct arena *life)
 {
     const struct model *m = sim->model;
     struct condense *c = system_loops(sim->system);
+    *o = (struct closures){0};
     if (!c) return;
-    struct arena *scratch = arena_open();
-    bool *unique = TAKE(scratch, bool, m->nloop), *unique_joint = TAKE(scratch, bool, m->njoint);
+    bool *unique = TAKE(life, bool, m->nloop), *unique_joint = TAKE(life, bool, m->njoint);
     condense_mark(c, unique, unique_joint);
-    fprintf(to, "loops: %d, in %d component(s); %d equations, rank %d\n", m->nloop, m->ncomponent,
-            condense_loops(c)->nrow, condense_loops(c)->nrow - condense_started(c)->redundant);
-    for (int l = 0; l < m->nloop; l++) print_loop(sim, to, l, unique[l]);
+    o->n = m->nloop;
+    o->closure = TAKE(life, struct closure, m->nloop);
+    for (int l = 0; l < m->nloop; l++) o->closure[l] = closure_of(sim, l, unique[l]);
+    o->loose = TAKE(life, const char *, m->njoint);
     for (int i = 0; i < m->njoint; i++)
-        if (!unique_joint[i]) fprintf(to, "  %-16s of the tree; reactions not unique\n", m->joint[i].name);
-    fprintf(to, "  independent:");
-    for (int i = 0; i < sim->stepper.ode->n; i++) fprintf(to, " %s", sim_coordinate_name(sim, i));
-    fprintf(to, "\n  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", condense_ratio(c),
-            condense_started(c)->misfit, condense_worst(c, sim->x.q));
-    arena_close(scratch);
+        if (!unique_joint[i]) o->loose[o->nloose++] = m->joint[i].name;
+    o->components = m->ncomponent;
+    o->equations = condense_loops(c)->nrow;
+    o->rank = o->equations - condense_started(c)->redundant;
+    o->pivots = condense_ratio(c);
+    o->drawn = condense_started(c)->misfit;
+    o->closed = condense_worst(c, sim->x.q, sim->x.t);
 }

@@ -13,6 +13,7 @@ enum status advance(struct sim *sim, double h, int ratio, double to);
 
 /* loops.c: warnings about the start; the event of a new partition */
 void warn_of_loops(const struct sim *sim, struct diags *diags);
+const char *sim_loop_kind(const struct sim *sim, int l); /* "constraint" or "drive" */
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
 
 /* state.c: the model's initial state from the file that the deck names */

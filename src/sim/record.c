@@ -2,6 +2,7 @@
 #include "sim/parts.h"
 
 #include "la/rot.h"
+#include "la/vec3.h"
 
 static double energy(const struct sim *sim, int k)
 {
@@ -85,9 +86,27 @@ static double force_part(const struct sim *sim, const struct origin *s)
     return s->type == FROM_FORCE ? force : s->type == FROM_ELONGATION ? elongation : power;
 }
 
+static double reaction_part(const struct sim *sim, const struct origin *s)
+{
+    const struct model_joint *j = &sim->model->joint[s->index];
+    const struct model_loop *l = &sim->model->loop[s->index];
+    const bool tree = s->type == FROM_REACTION;
+    const double *own = tree ? j->own : l->own;
+    struct pose first;
+    double f[6], A[9];
+    if (tree)
+        system_reaction(sim->system, f, f + 3, s->index);
+    else
+        system_loop_reaction(sim->system, f, f + 3, s->index);
+    if (!own) return f[s->k];
+    system_pose(sim->system, &first, !tree ? l->first : j->reversed ? j->child : j->parent);
+    m3_mulm(A, first.R, own);
+    return v3_dot(A + 3 * (s->k % 3), s->k < 3 ? f : f + 3);
+}
+
 double record_value(const struct sim *sim, const struct origin *s)
 {
-    double a, b, f[6];
+    double a, b;
     switch (s->type) {
     case FROM_TIME:
         return sim->x.t;
@@ -102,11 +121,11 @@ double record_value(const struct sim *sim, const struct origin *s)
     case FROM_POINT_ACCELERATION:
         return point_part(sim, s);
     case FROM_REACTION:
-        system_reaction(sim->system, f, f + 3, s->index);
-        return f[s->k];
     case FROM_LOOP:
-        system_loop_reaction(sim->system, f, f + 3, s->index);
-        return f[s->k];
+        return reaction_part(sim, s);
+    case FROM_DRIVE:
+        system_drive(sim->system, &a, &b, s->index);
+        return s->k == 0 ? a : b;
     case FROM_MEASURE:
     case FROM_MEASURE_RATE:
         system_measure(sim->system, &a, &b, s->index);
@@ -123,6 +142,23 @@ double record_value(const struct sim *sim, const struct origin *s)
         break;
     }
     return pose_part(sim, s);
+}
+
+double sim_mass(const struct sim *sim, double *centre)
+{
+    const struct model *m = sim->model;
+    double mass = 0;
+    struct trouble why;
+    centre[0] = centre[1] = centre[2] = 0;
+    system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, SEE_MOTION, &why);
+    for (int i = 1; i < m->nbody; i++) {
+        struct pose p;
+        system_pose(sim->system, &p, i);
+        mass += m->body[i].mass;
+        v3_axpy(centre, m->body[i].mass, p.r);
+    }
+    if (mass > 0) v3_scale(centre, 1 / mass, centre);
+    return mass;
 }
 
 enum status record_fill(struct sim *sim)

@@ -83,8 +83,26 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report);
 struct stream;
 enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report);
 
-/* The loops in words, for `fmdsub check`; nothing where there are none. */
-void sim_print_loops(const struct sim *sim, FILE *to);
+/* What closes loops, and drives, for `fmdsub check`. */
+struct closure {
+    const char *name, *kind, *first, *second; /* bodies */
+    int equations, redundant;
+    bool unique; /* its reactions */
+};
+struct closures {
+    int n;
+    struct closure *closure; /* [n] */
+    int nloose;
+    const char **loose; /* [nloose] joints of the tree whose reactions are not unique */
+    int components, equations, rank;
+    double pivots;        /* least over largest pivot of C_qd */
+    double drawn, closed; /* max |C| as drawn, and now */
+};
+/* n = 0: none. */
+void sim_closures(struct closures *o, const struct sim *sim, struct arena *life);
+
+/* Mass, and centre of mass as the bodies stand [3], world axes. */
+double sim_mass(const struct sim *sim, double *centre);
 
 /* The run's settings and its summary as facts, for sinks and for people. */
 int sim_settings(const struct sim *sim, struct pair *facts, int most);

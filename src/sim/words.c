@@ -174,7 +174,8 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
                  why->value);
         break;
     case TROUBLE_CLOSURE:
-        snprintf(what, sizeof what, "the loop of constraint '%s' cannot be closed", sim->model->loop[why->index].name);
+        snprintf(what, sizeof what, "%s '%s' cannot be kept: it misses by %.3g of the mechanism's size",
+                 sim_loop_kind(sim, why->index), sim->model->loop[why->index].name, why->value);
         break;
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);

@@ -45,12 +45,15 @@ enum status condense_rates(struct condense *c, double *vt, double *at, const dou
 void condense_lambda(struct condense *c, double *lambda, const double *rt);
 
 /* The multipliers as forces on the bodies of a sweep that stands where they were found; what joint `loop` exerts. */
-void condense_push(struct condense *c, struct sweep *s, const double *lambda);
+void condense_push(struct condense *c, struct sweep *s, const double *q, const double *v, double t,
+                   const double *lambda);
+/* Of a drive, after condense_push(): its force along its measure, its power. */
+void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda);
 void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda);
 
 const struct loops *condense_loops(const struct condense *c);
-double condense_worst(struct condense *c, const double *q); /* max |C| */
-int condense_place(const struct condense *c, int i);        /* place in the tree's v of independent i */
+double condense_worst(struct condense *c, const double *q, double t); /* max |C| */
+int condense_place(const struct condense *c, int i);                  /* place in the tree's v of independent i */
 bool condense_independent(const struct condense *c, int iv);
 /* Whose reactions no dynamics can tell, because rows are redundant: unique [nloop], unique_joint [njoint]. */
 void condense_mark(struct condense *c, bool *unique, bool *unique_joint);

@@ -6,11 +6,14 @@
  *     ALONG  C = e.d        C' = e.u            C'' = e.(d'' - al_A x d - w_A x (w_A x d) - 2 w_A x u)
  *     LEAN   C = e.g        C' = wr.(g x e)     C'' = e''.g + 2 e'.g' + e.g'',   e'' = al x e + w x (w x e)
  *     TURN   C = phi_B - phi_A                  C'' = al_B - al_A
+ *     DRIVE  C = s(q) - c(t), s a coordinate, a distance or displacement, in the plane an angle:
+ *            C'' of |d|: n.d'' + (d'.d' - s'^2)/s, n = d/s; of the others as above; less c''
  *
  * A row of C_q is C' per unit velocity of each coordinate.  Its multiplier lambda does the work -lambda C':
  * for ALONG a force -lambda e on B at its point and the opposite on A, for LEAN a pair of torques. */
 #include "system/loops.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "la/vec3.h"
@@ -120,6 +123,11 @@ static void tie(struct loops *o, int l, const struct sweep *s, struct arena *lif
     const struct model_loop *loop = &o->model->loop[l];
     const int *a, *b;
     int na = o->ops->path(s, &a, loop->first), nb = o->ops->path(s, &b, loop->second);
+    if (loop->drive && o->model->measure[loop->measure].type == MEASURE_COORDINATE) {
+        a = b = &o->model->measure[loop->measure].iv;
+        na = 0;
+        nb = 1;
+    }
     o->k[l] = TAKE(life, int, na + nb);
     o->side[l] = TAKE(life, int, na + nb);
     add_path(o, l, a, na, b, nb, -1);
@@ -142,12 +150,21 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->Cq = TAKE(life, double *, m->nloop);
     struct sweep *paths = ops->build(m, life);
     for (int l = 0; l < m->nloop; l++) {
-        struct equation e[MOST_ROWS];
-        int n = equations_of(e, m->loop[l].type, m->space);
+        struct equation e[MOST_ROWS] = {{ROW_DRIVE, 0, 0}};
+        int n = m->loop[l].drive ? 1 : equations_of(e, m->loop[l].type, m->space);
         for (int i = 0; i < n; i++) o->row[o->nrow++] = (struct loop_row){l, e[i].type, e[i].i, e[i].j};
         o->first[l + 1] = o->nrow;
         tie(o, l, paths, life);
     }
+    measures_build(&o->measures, m, ops, life);
+    o->grad = row_make(m->n, life);
+    o->act = TAKE(life, struct action, m->nloop);
+    o->c = TAKE(life, double, o->nrow);
+    o->c1 = TAKE(life, double, o->nrow);
+    o->c2 = TAKE(life, double, o->nrow);
+    o->cw = TAKE(life, double, o->nrow);
+    o->drawn = TAKE(life, double, o->nrow);
+    o->share = 1;
     return o;
 }
 
@@ -167,9 +184,60 @@ static void look(struct loop_place *p, const struct loops *o, const struct sweep
     m3_mulm(p->EB, p->B.R, l->Eb);
 }
 
-void loops_look(struct loops *o, const struct sweep *s)
+/* A driven measure and where its bodies stand. */
+static void look_at_drive(struct loops *o, const struct sweep *s, int l, const double *q, const double *v)
 {
-    for (int l = 0; l < o->model->nloop; l++) look(&o->place[l], o, s, &o->model->loop[l]);
+    const struct model_loop *d = &o->model->loop[l];
+    measure_at(&o->act[l], &o->measures, s, d->measure, q, v);
+    if (o->model->measure[d->measure].type == MEASURE_COORDINATE) return;
+    o->ops->pose(s, &o->place[l].A, d->first);
+    o->ops->pose(s, &o->place[l].B, d->second);
+}
+
+void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v)
+{
+    const int joints = o->model->nloop - o->model->ndrive;
+    for (int l = 0; l < joints; l++) look(&o->place[l], o, s, &o->model->loop[l]);
+    for (int l = joints; l < o->model->nloop; l++) look_at_drive(o, s, l, q, v);
+}
+
+/* A row's unit: angles as they are, lengths over the mechanism's. */
+static double scale(const struct loops *o, int l)
+{
+    return o->model->measure[o->model->loop[l].measure].angular ? 1 : 1 / o->length;
+}
+
+void loops_when(struct loops *o, double t)
+{
+    for (int l = o->model->nloop - o->model->ndrive; l < o->model->nloop; l++) {
+        double x[3], unit = scale(o, l);
+        int row = o->first[l];
+        signal_motion(o->model->loop[l].drive, x, t);
+        o->c[row] = o->share == 1 ? unit * x[0] : o->drawn[row] + o->share * (unit * x[0] - o->drawn[row]);
+        o->c1[row] = o->cw[row] = unit * x[1];
+        o->c2[row] = unit * x[2];
+    }
+}
+
+/* Is the mean rate so far from that of the ends because there is a corner between? */
+static bool has_corner(const struct signal *c, const double *a, const double *b, double ta, double tb)
+{
+    const double mean = (b[0] - a[0]) / (tb - ta), ends = (a[1] + b[1]) / 2;
+    return fabs(mean - ends) > 1e-3 * (fabs(mean) + fabs(ends)) && signal_corner(c, ta, tb) != 0;
+}
+
+void loops_over(struct loops *o, double ta, double tb)
+{
+    if (ta == tb) return;
+    for (int l = o->model->nloop - o->model->ndrive; l < o->model->nloop; l++) {
+        double a[3], b[3], unit = scale(o, l) / (tb - ta);
+        int row = o->first[l];
+        signal_motion(o->model->loop[l].drive, a, ta);
+        signal_motion(o->model->loop[l].drive, b, tb);
+        o->c1[row] = o->cw[row] = unit * (b[0] - a[0]);
+        o->c2[row] = unit * (b[1] - a[1]);
+        if (has_corner(o->model->loop[l].drive, a, b, ta, tb)) o->cw[row] = scale(o, l) * (a[1] + b[1]) / 2;
+    }
 }
 
 void loops_values(double *C, const struct loops *o)
@@ -187,6 +255,9 @@ void loops_values(double *C, const struct loops *o)
         case ROW_TURN:
             C[i] = p->B.angle - p->A.angle;
             break;
+        case ROW_DRIVE:
+            C[i] = scale(o, r->loop) * o->act[r->loop].s - o->c[i];
+            break;
         }
     }
 }
@@ -199,6 +270,13 @@ static void direction(double *dir, const struct loops *o, const struct loop_row 
     if (r->type == ROW_ALONG) v3_scale(dir, 1 / o->length, p->EA + 3 * r->i);
     if (r->type == ROW_LEAN) v3_cross(dir, p->EB + 3 * r->j, p->EA + 3 * r->i);
     if (r->type == ROW_TURN) v3_set(dir, 0, 0, 1);
+}
+
+static void drive_jacobian(struct loops *o, const struct sweep *s, int l)
+{
+    row_add_measure(&o->grad, &o->measures, s, &o->act[l], o->model->loop[l].measure);
+    for (int k = 0; k < o->nk[l]; k++) o->Cq[l][k] = scale(o, l) * o->grad.x[o->k[l][k]];
+    row_clear(&o->grad);
 }
 
 static void jacobian(struct loops *o, const struct sweep *s, int l)
@@ -218,7 +296,9 @@ static void jacobian(struct loops *o, const struct sweep *s, int l)
 
 void loops_jacobian(struct loops *o, const struct sweep *s)
 {
-    for (int l = 0; l < o->model->nloop; l++) jacobian(o, s, l);
+    const int joints = o->model->nloop - o->model->ndrive;
+    for (int l = 0; l < joints; l++) jacobian(o, s, l);
+    for (int l = joints; l < o->model->nloop; l++) drive_jacobian(o, s, l);
 }
 
 /* Of the second body's point b (from the centre, world) or the first's: v + w x b, a + al x b + w x (w x b). */
@@ -258,7 +338,38 @@ static double second_lean(const struct loop_place *p, const double *e, const dou
     return v3_dot(e2, g) + 2 * v3_dot(e1, g1) + v3_dot(e, g2);
 }
 
-void loops_second(double *C2, const struct loops *o)
+static double second_distance(const struct loop_place *p, const struct action *act)
+{
+    double b[3], vb[3], ab[3], va[3], aa[3];
+    v3_diff(b, act->at_b, p->B.r);
+    point_rates(vb, ab, &p->B, b);
+    v3_diff(b, act->at_a, p->A.r);
+    point_rates(va, aa, &p->A, b);
+    v3_take(vb, va);
+    v3_take(ab, aa);
+    return v3_dot(act->dir, ab) + (v3_dot(vb, vb) - act->rate * act->rate) / act->s;
+}
+
+static double second_measure(const struct loops *o, int l, const double *a)
+{
+    const struct model_measure *m = &o->model->measure[o->model->loop[l].measure];
+    const struct action *act = &o->act[l];
+    struct loop_place *p = &o->place[l];
+    switch (m->type) {
+    case MEASURE_COORDINATE:
+        return a[m->iv];
+    case MEASURE_DISTANCE:
+        return second_distance(p, act);
+    case MEASURE_DISPLACEMENT:
+        v3_copy(p->x, act->at_b);
+        return second_along(p, act->dir);
+    case MEASURE_ANGLE:
+        break;
+    }
+    return act->dir[2] * (p->B.al[2] - p->A.al[2]);
+}
+
+void loops_second(double *C2, const struct loops *o, const double *a)
 {
     for (int i = 0; i < o->nrow; i++) {
         const struct loop_row *r = &o->row[i];
@@ -272,6 +383,9 @@ void loops_second(double *C2, const struct loops *o)
             break;
         case ROW_TURN:
             C2[i] = p->B.al[2] - p->A.al[2];
+            break;
+        case ROW_DRIVE:
+            C2[i] = scale(o, r->loop) * second_measure(o, r->loop, a) - o->c2[i];
             break;
         }
     }
@@ -290,9 +404,27 @@ static void wrench(double *f, double *n, const struct loops *o, int l, const dou
     }
 }
 
+/* A drive along a coordinate is a matter of its joint: nothing to push. */
+static void push_drive(const struct loops *o, struct sweep *s, int l, const double *lambda)
+{
+    if (o->model->measure[o->model->loop[l].measure].type == MEASURE_COORDINATE) return;
+    action_push(&o->measures, s, &o->act[l], -lambda[o->first[l]] * scale(o, l));
+}
+
+void loops_drive(const struct loops *o, double *force, double *power, int l, const double *lambda)
+{
+    const int row = o->first[l];
+    *force = -lambda[row] * scale(o, l);
+    *power = -lambda[row] * o->c1[row];
+}
+
 void loops_push(const struct loops *o, struct sweep *s, const double *lambda)
 {
     for (int l = 0; l < o->model->nloop; l++) {
+        if (o->model->loop[l].drive) {
+            push_drive(o, s, l, lambda);
+            continue;
+        }
         const struct model_loop *loop = &o->model->loop[l];
         double f[3], n[3];
         wrench(f, n, o, l, lambda);

@@ -1,4 +1,4 @@
-/* loops.h -- the joints that close loops as equations between coordinates, C(q) = 0 (2-2).
+/* loops.h -- the joints that close loops, and the drives, as equations between coordinates, C(q, t) = 0 (2-2).
  *
  * Rows are dimensionless: lengths over `length`, a length of the mechanism.  All but loops_build read or feed a
  * sweep at its last motion. */
@@ -7,13 +7,15 @@
 
 #include "base/arena.h"
 #include "model/model.h"
+#include "system/measure.h"
 #include "system/sweep.h"
 
 /* What one equation says of the second body's axes and point against the first's. */
 enum loop_row_type {
     ROW_ALONG, /* the second's point has not moved along axis i of the first */
     ROW_LEAN,  /* axis i of the first and axis j of the second stay at right angles */
-    ROW_TURN   /* plane: both bodies have turned alike */
+    ROW_TURN,  /* plane: both bodies have turned alike */
+    ROW_DRIVE  /* a measure stands where its drive has it: s(q) = c(t) */
 };
 
 struct loop_row {
@@ -40,17 +42,30 @@ struct loops {
     int *nk, **k;             /* [nloop] coordinates tied: places in v */
     int **side;               /* [nloop][nk] +1: moves the second body, -1: the first */
     double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
+    struct measures measures;
+    struct row grad;      /* of a driven measure */
+    struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
+    double *c, *c1, *c2;  /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
+    double *cw;           /* [nrow] the rate that their force works with */
+    double *drawn, share; /* [nrow] of drives: their measure as drawn; how far they have gone from there to c(t) */
 };
 
 struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
 
-/* Looks at the bodies: first of all, after each motion. */
-void loops_look(struct loops *o, const struct sweep *s);
-void loops_values(double *C, const struct loops *o);                           /* C [nrow] */
-void loops_jacobian(struct loops *o, const struct sweep *s);                   /* fills Cq */
-void loops_second(double *C2, const struct loops *o);                          /* C'' [nrow], after forward() */
+/* Drives as they are at t; over [ta, tb], if that is longer than nothing, by their mean rate and acceleration. */
+void loops_when(struct loops *o, double t);
+void loops_over(struct loops *o, double ta, double tb);
+/* Looks at the bodies: first of all, after each motion; v may be that of any motion where rates are not asked. */
+void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v);
+void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
+void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
+/* C'' [nrow], after forward(), with the coordinates' own accelerations a where a drive is of one: C_q a + (C_q v)_q v
+ * + C_tt. */
+void loops_second(double *C2, const struct loops *o, const double *a);
 void loops_push(const struct loops *o, struct sweep *s, const double *lambda); /* applies -C_q' lambda */
 /* Force and moment about its point that loop joint l exerts on the deck's second body, world axes [3]. */
+/* Force of the drive along its measure [N] or [N m], and its power [W]. */
+void loops_drive(const struct loops *o, double *force, double *power, int l, const double *lambda);
 void loops_reaction(const struct loops *o, double *f, double *n, int l, const double *lambda);
 
 #endif

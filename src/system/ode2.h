@@ -29,8 +29,8 @@ struct instant {
     double t;
     const double *q;       /* [nq] */
     const double *v, *a;   /* [n]; a NULL: zero */
-    const double *qa, *qb; /* [nq] ends of the interval, for discrete gradients and drives; NULL: point law */
-    double ta, tb;         /* [s] times of the ends */
+    const double *qa, *qb; /* [nq] ends of the interval, for discrete gradients; NULL: point law */
+    double ta, tb;         /* [s] times of the ends: drives move by their means over it; equal: as they are at t */
 };
 
 struct ode2_ops {
@@ -51,13 +51,15 @@ struct ode2_ops {
 /* Positions moved by quasi-displacements.  NULL: q1 = q0 + s dx, nq = n. */
 struct ode2_move {
     /* q1 = q0 (+) s dx: the point at fraction s of the path that ends at q0 (+) dx.  For rotations
-     * R1 = R0 cay(dx), and the fractions lie on the same axis.  q1 may be q0. */
-    void (*point)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s);
+     * R1 = R0 cay(dx), and the fractions lie on the same axis.  Loops are closed and drives stand where they are at
+     * the time t of q1; NaN where that cannot be.  q1 may be q0. */
+    void (*point)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
     /* dx with q1 = q0 (+) dx. */
     void (*diff)(const struct ode2 *o, double *dx, const double *q1, const double *q0);
-    /* The rate of dx where q = q0 (+) dx moves with velocity v; exact (explicit schemes need its
+    /* The rate of dx where q1 = q0 (+) dx, at time t, moves with velocity v; exact (explicit schemes need its
      * order): for rotations dx' = (I + [dx]x/2 + dx dx'/4) v. */
-    void (*rate)(const struct ode2 *o, double *dxrate, const double *dx, const double *v);
+    void (*rate)(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
+                 const double *v, double t);
 };
 
 /* Solvers that know the structure.  NULL, or a NULL member: dense. */
@@ -86,9 +88,12 @@ struct ode2_chart {
     void (*carry)(const struct ode2 *o, double *x);
 };
 
-/* Next known kink in time after t (infinity: none). */
 struct ode2_breaks {
+    /* Next known kink in time after t (infinity: none). */
     double (*next)(const struct ode2 *o, double t);
+    /* Corners of drives in [ta, tb): v takes their impulse at q, ta, and work += what it brought [J]; 1 if there was
+     * one. For schemes that ask for accelerations at points of time and so miss it.  NULL: no drives. */
+    int (*jump)(const struct ode2 *o, double *v, double *work, const double *q, double ta, double tb);
 };
 
 struct ode2 {

@@ -124,8 +124,9 @@ static const struct ode2_ops ops = {.resid = resid, .mass = mass, .slopes = slop
 
 /* --- positions ---------------------------------------------------------------------------------- */
 
-static void move_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s)
+static void move_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t)
 {
+    (void)t;
     moves_point(&system_of(o)->moves, q1, q0, dx, s);
 }
 
@@ -134,8 +135,10 @@ static void move_diff(const struct ode2 *o, double *dx, const double *q1, const 
     moves_diff(&system_of(o)->moves, dx, q1, q0);
 }
 
-static void move_rate(const struct ode2 *o, double *dxrate, const double *dx, const double *v)
+static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
+                      const double *v, double t)
 {
+    (void)q1, (void)q0, (void)t;
     moves_rate(&system_of(o)->moves, dxrate, dx, v);
 }
 
@@ -328,7 +331,7 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
     memcpy(s->q, q, sizeof *q * (size_t)m->nq);
     if (s->loops) {
         TRY(condense_rates(s->loops, s->v, NULL, q, v, NULL, t, why));
-        s->constraint_worst = fmax(s->constraint_worst, condense_worst(s->loops, q));
+        s->constraint_worst = fmax(s->constraint_worst, condense_worst(s->loops, q, t));
     } else {
         memcpy(s->v, v, sizeof *v * (size_t)m->n);
     }
@@ -338,7 +341,7 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
         memset(s->r, 0, sizeof *s->r * (size_t)m->n);
         s->ops->forward(s->view, s->q, s->v, s->a, ALL);
         elements_load(s->elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
-        if (s->loops) condense_push(s->loops, s->view, s->lambda);
+        if (s->loops) condense_push(s->loops, s->view, s->q, s->v, t, s->lambda);
         s->ops->backward(s->view, s->r, ALL);
     } else {
         s->ops->move(s->view, s->q, s->v, ALL);
@@ -393,6 +396,11 @@ void system_reaction(const struct system *s, double *f, double *n, int joint)
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop)
 {
     condense_reaction(s->loops, f, n, loop, s->lambda);
+}
+
+void system_drive(const struct system *s, double *force, double *power, int loop)
+{
+    condense_drive(s->loops, force, power, loop, s->lambda);
 }
 
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i)

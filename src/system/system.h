@@ -34,6 +34,8 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 void system_measure(const struct system *s, double *value, double *rate, int measure);
 void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop);
+/* Of drive `loop`: its force along its measure, its power [W]. */
+void system_drive(const struct system *s, double *force, double *power, int loop);
 /* force: value along the measure, or size of the load; length: the measure; power [W]. */
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i);
 void system_energies(const struct system *s, struct energies *e);

@@ -293,8 +293,10 @@ static inline void turned(double *y, const double *q, const double *x)
     y[0] = p[1], y[1] = p[2], y[2] = p[3];
 }
 
-static inline void carrier_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s)
+static inline void carrier_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
+                                 double t)
 {
+    (void)t;
     int f = o->ns;
     if (f) q1[0] = q0[0] + s * dx[0];
     double size = sqrt(dx[f] * dx[f] + dx[f + 1] * dx[f + 1] + dx[f + 2] * dx[f + 2]);
@@ -312,8 +314,10 @@ static inline void carrier_diff(const struct ode2 *o, double *dx, const double *
     for (int i = 0; i < 3; i++) dx[f + i] = 2 * p[i + 1] / p[0];
 }
 
-static inline void carrier_rate(const struct ode2 *o, double *rate, const double *dx, const double *v)
+static inline void carrier_rate(const struct ode2 *o, double *rate, const double *q1, const double *q0,
+                                const double *dx, const double *v, double t)
 {
+    (void)q1, (void)q0, (void)t;
     int f = o->ns;
     const double *x = dx + f, *u = v + f;
     double xu[3], s = (x[0] * u[0] + x[1] * u[1] + x[2] * u[2]) / 4;

@@ -109,7 +109,7 @@ static void scatter(struct opened *o, unsigned seed)
         o->v[i] = tree_roll(&d, -2, 2);
         o->a[i] = tree_roll(&d, -5, 5);
     }
-    o->ode->move->point(o->ode, o->q, o->sim.x.q, dx, 1);
+    o->ode->move->point(o->ode, o->q, o->sim.x.q, dx, 1, 0);
     assert_true(isfinite(o->q[0]));
 }
 
@@ -199,9 +199,9 @@ static void rates_of(const char *text)
         for (int side = 0; side < 2; side++) {
             double s = side ? h : -h, rate[MOST];
             for (int i = 0; i < o.n; i++) dx[i] = s * o.v[i];
-            o.ode->move->point(o.ode, q[side], o.q, dx, 1);
-            o.ode->move->rate(o.ode, rate, dx, o.v);
-            assert_true(condense_worst(c, q[side]) < 1e-13);
+            o.ode->move->point(o.ode, q[side], o.q, dx, 1, 0);
+            o.ode->move->rate(o.ode, rate, q[side], o.q, dx, o.v, 0);
+            assert_true(condense_worst(c, q[side], 0) < 1e-13);
             /* rate() is 1 plus terms of second order along the path itself */
             for (int i = 0; i < o.n; i++) assert_true(fabs(rate[i] - o.v[i]) < 1e-2);
             assert_int_equal(condense_rates(c, w[side], NULL, q[side], o.v, NULL, 0, &why), OK);
@@ -235,16 +235,16 @@ static void ways(void **state)
             double dx[MOST], back[MOST], q1[MOST], q2[MOST];
             scatter(&o, seed);
             for (int i = 0; i < o.n; i++) dx[i] = tree_roll(&d, -.1, .1);
-            o.ode->move->point(o.ode, q1, o.q, dx, 1);
+            o.ode->move->point(o.ode, q1, o.q, dx, 1, 0);
             o.ode->move->diff(o.ode, back, q1, o.q);
             near_all(back, dx, o.n, 1e-12);
-            o.ode->move->point(o.ode, q2, o.q, dx, .5);
-            assert_true(condense_worst(c, q1) < 1e-13 && condense_worst(c, q2) < 1e-13);
+            o.ode->move->point(o.ode, q2, o.q, dx, .5, 0);
+            assert_true(condense_worst(c, q1, 0) < 1e-13 && condense_worst(c, q2, 0) < 1e-13);
             for (int i = 0; i < o.n; i++) dx[i] = -dx[i];
-            o.ode->move->point(o.ode, q2, q1, dx, 1);
+            o.ode->move->point(o.ode, q2, q1, dx, 1, 0);
             near_all(q2, o.q, o.ode->nq, 1e-11);
             memcpy(q2, q1, sizeof q1); /* in place */
-            o.ode->move->point(o.ode, q2, q2, dx, 1);
+            o.ode->move->point(o.ode, q2, q2, dx, 1, 0);
             near_all(q2, o.q, o.ode->nq, 1e-11);
         }
         arena_close(o.life);
@@ -261,7 +261,7 @@ static void out_of_reach(void **state)
     struct trouble why = {0};
     for (int i = 0; i < 8; i++) {
         for (int k = 0; k < o.n; k++) dx[k] = (i >> k & 1 ? 1 : -1) * 2.5;
-        o.ode->move->point(o.ode, q, o.sim.x.q, dx, 1);
+        o.ode->move->point(o.ode, q, o.sim.x.q, dx, 1, 0);
         if (!isfinite(q[0])) break;
     }
     assert_false(isfinite(q[0]));

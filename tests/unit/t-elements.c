@@ -78,7 +78,7 @@ static void along(double *q1, const struct fixture *f, const double *q, const do
     double d[MOST];
     for (int i = 0; i < f->n; i++) d[i] = s * dx[i];
     if (f->o->move) {
-        f->o->move->point(f->o, q1, q, d, 1);
+        f->o->move->point(f->o, q1, q, d, 1, 0);
         return;
     }
     for (int i = 0; i < f->n; i++) q1[i] = q[i] + d[i];

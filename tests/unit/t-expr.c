@@ -490,6 +490,49 @@ static void speed(void **state)
     arena_close(arena);
 }
 
+/* Value and first derivative are those of the slopes, the second their central difference. */
+static void jets(void **state)
+{
+    static const char *const texts[] = {"t*t*t - 2*t",
+                                        "sin(3*t)*cos(t)",
+                                        "tan(t/3)",
+                                        "exp(-t)*log(2 + t)",
+                                        "sqrt(1 + t^2)",
+                                        "(1 + t)^2.5",
+                                        "(2 + t)^t",
+                                        "asin(t/4) + acos(t/5) + atan(2*t)",
+                                        "sinh(t)*cosh(t) - tanh(2*t)",
+                                        "atan2(1 + t, 2 - t^2)",
+                                        "hypot(t, 1 + 2*t)",
+                                        "1/(1 + t*t)",
+                                        "log10(3 + t)",
+                                        "abs(t - 0.3)*t",
+                                        "min(t^2, 0.4*t)",
+                                        "max(t^3, x*t)",
+                                        "mod(t, 0.37)*t",
+                                        "if(t < 0.5, t^2, 1 - t^3)",
+                                        "x*t^2 + u2/(t + 2)",
+                                        "floor(t) + sign(t)*t^4"};
+    static const int which = 0;
+    struct arena *arena = arena_open();
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct expr *e = parsed(arena, texts[i]);
+        for (int k = 0; k < 20; k++) {
+            double slot[SLOTS], d, dd, up, down, first, h = 1e-5;
+            for (int s = 0; s < SLOTS; s++) slot[s] = uniform() + .01;
+            double value = expr_jet(e, &d, &dd, slot, 0), t = slot[0];
+            assert_float_equal(value, expr_slopes(e, &first, slot, &which, 1), 0);
+            assert_float_equal(d, first, 1e-12 * (1 + fabs(first)));
+            slot[0] = t + h, expr_slopes(e, &up, slot, &which, 1);
+            slot[0] = t - h, expr_slopes(e, &down, slot, &which, 1);
+            if (fabs(up - 2 * first + down) > 1e-3) continue; /* a corner between */
+            assert_float_equal(dd, (up - down) / (2 * h), 2e-7 * (1 + fabs(dd)));
+        }
+    }
+    arena_close(arena);
+}
+
 /* A truth by itself is what it is as the condition of if. */
 static void truths(void **state)
 {
@@ -529,8 +572,9 @@ static void truths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values), cmocka_unit_test(errors), cmocka_unit_test(limits),       cmocka_unit_test(corners),
-        cmocka_unit_test(slots),  cmocka_unit_test(speed),  cmocka_unit_test(random_trees), cmocka_unit_test(truths),
+        cmocka_unit_test(values),       cmocka_unit_test(errors), cmocka_unit_test(limits),
+        cmocka_unit_test(corners),      cmocka_unit_test(slots),  cmocka_unit_test(speed),
+        cmocka_unit_test(random_trees), cmocka_unit_test(truths), cmocka_unit_test(jets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

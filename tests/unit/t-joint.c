@@ -154,6 +154,41 @@ static void expressions_are_signals_too(void **state)
     arena_close(arena);
 }
 
+static struct signal formula(struct arena *arena, const char *text)
+{
+    struct expr *e;
+    struct expr_error error;
+    static const struct expr_names names = {.find = find};
+    assert_int_equal(expr_parse(&e, text, strlen(text), &names, arena, &error), 0);
+    return (struct signal){.expr = e};
+}
+
+/* What a rate jumps by in an interval: each corner once, a jump of the acceleration not at all. */
+static void corners(void **state)
+{
+    static const double t[] = {0, 1, 3}, x[] = {0, 2, 0};
+    const struct signal table = {.n = 3, .t = t, .x = x};
+    struct arena *arena = arena_open();
+    double m[3];
+    (void)state;
+    signal_motion(&table, m, 0);
+    assert_true(m[0] == 0 && m[1] == 2 && m[2] == 0);
+    signal_motion(&table, m, 1);
+    assert_true(m[0] == 2 && m[1] == 2);
+    assert_true(signal_corner(&table, 0, 1) == 0 && signal_corner(&table, 1, 1.5) == -3);
+    assert_true(signal_corner(&table, .5, 1.5) == -3 && signal_corner(&table, 2.9, 3.1) == 1);
+    const struct signal bent = formula(arena, "abs(t - 0.4)"), push = formula(arena, "if(t < 0.4, 0, (t - 0.4)^2)");
+    const struct signal smooth = formula(arena, "sin(20*t) + t^3");
+    double sum = 0;
+    for (int i = 0; i < 10; i++) {
+        sum += signal_corner(&bent, i * .1, i * .1 + .1);
+        assert_true(signal_corner(&push, i * .1 + .03, i * .1 + .13) == 0);
+        assert_true(signal_corner(&smooth, i * .1, i * .1 + .1) == 0);
+    }
+    assert_true(fabs(sum - 2) < 1e-12);
+    arena_close(arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -163,6 +198,7 @@ int main(void)
         cmocka_unit_test(laws_are_the_slopes_of_what_they_store),
         cmocka_unit_test(tables_are_linear_between_their_points),
         cmocka_unit_test(expressions_are_signals_too),
+        cmocka_unit_test(corners),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

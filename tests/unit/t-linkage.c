@@ -403,7 +403,7 @@ static void try_one(struct figures *g, int space, unsigned seed, bool redundant)
     struct report report = {0};
     assert_int_equal(system_start(s, q, v, &report), OK);
     for (int i = 0; i < ode->n; i++) dx[i] = tree_roll(d, -.05, .05), v[i] = tree_roll(d, -1, 1);
-    ode->move->point(ode, q, q, dx, 1);
+    ode->move->point(ode, q, q, dx, 1, 0);
     if (!isfinite(q[0])) { /* locks on the way */
         g->refused++;
     } else {

@@ -355,7 +355,7 @@ static void nothing_is_lost(void **state)
     int steps = 0;
     do {
         double dx = (r + l - drawn - coordinate(&o, "rail.displacement", false)) / 2;
-        ode->move->point(ode, x->q, x->q, &dx, 1);
+        ode->move->point(ode, x->q, x->q, &dx, 1, 0);
         system_energy_at(o.sim.system, &before, x->q, x->v, 0);
         assert_true(++steps < 20);
     } while (!ode->chart->rechart(ode, x->q, x->v, 0));

@@ -85,7 +85,7 @@ static void resid(double *r, double *w, struct fixture *f, const double *a, unsi
 static void along(double *q1, const struct fixture *f, const double *dx, double s)
 {
     if (f->o->move) {
-        f->o->move->point(f->o, q1, f->q, dx, s);
+        f->o->move->point(f->o, q1, f->q, dx, s, 0);
         return;
     }
     for (int i = 0; i < f->m->n; i++) q1[i] = f->q[i] + s * dx[i];

@@ -1,0 +1,86 @@
+/* condense_drive.c -- drives: constraints that know the time, C(q, t) = s(q) - c(t) (2-2).
+ *
+ * Over a step they move by their means, C_t = -(c_b - c_a)/(t_b - t_a) and C_tt = -(c'_b - c'_a)/(t_b - t_a): a corner
+ * of c delivers its impulse, whole, in the step it lies in.  The power lambda C_t does the drive's work exactly; an
+ * impulse works with the mean of the rates before and behind the corner, and in such a step so does all of lambda.  A
+ * scheme that looks at points of time takes the impulse by itself: where the rates of drives jump by dc', the momentum
+ * of the independent coordinates stays,
+ *
+ *     T' M (T dv_i + g) = 0,   g_d = C_qd^-1 dc'
+ */
+#include <math.h>
+#include <string.h>
+
+#include "la/dense.h"
+#include "system/condense_parts.h"
+
+void condense_time(struct condense *o, double t, double ta, double tb)
+{
+    if (o->model->ndrive == 0) return;
+    loops_when(o->loops, t);
+    loops_over(o->loops, ta, tb);
+}
+
+enum status condense_lost(const struct condense *o, double t, struct trouble *why)
+{
+    return trouble_set(why, TROUBLE_CLOSURE, o->lost, o->lost_by, t);
+}
+
+void component_power(const struct condense *o, const struct component *c, double *w)
+{
+    for (int k = 0; k < c->nlead; k++) w[POWER_DRIVE] -= c->x[c->lead[k]] * o->loops->cw[c->row[c->kept[c->lead[k]]]];
+}
+
+enum status condense_contest(struct condense *o, double t, struct trouble *why)
+{
+    static const double HOLDS = 1e-5;
+    if (!o->contested) return OK;
+    loops_values(o->C, o->loops);
+    for (int i = 0; i < o->ncomponent; i++) {
+        const struct component *c = &o->component[i];
+        for (int r = c->nr; r < c->nrow; r++) {
+            const int row = c->row[c->kept[r]];
+            if (!(fabs(o->C[row]) <= HOLDS))
+                return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[row].loop, fabs(o->C[row]), t);
+        }
+    }
+    return OK;
+}
+
+/* c1 := by how much the drives' rates jump in [ta, tb); 0: nowhere. */
+static int corners(struct condense *o, double ta, double tb)
+{
+    const struct model *m = o->model;
+    int any = 0;
+    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) {
+        const double unit = m->measure[m->loop[l].measure].angular ? 1 : 1 / o->loops->length;
+        any |= (o->loops->c1[o->loops->first[l]] = unit * signal_corner(m->loop[l].drive, ta, tb)) != 0;
+    }
+    return any;
+}
+
+int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb)
+{
+    struct condense *o = ode->self;
+    struct trouble why;
+    const int n = ode->n, nt = o->nt;
+    double *dv = o->mean, *M = o->M_side;
+    if (condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK || !corners(o, ta, tb)) return 0;
+    if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
+    if (o->tree->ops->mass(o->tree, o->M, q, ta, ALL, &why) != OK) return 0;
+    condense_factor(o, q, ta, &why);
+    memset(o->at, 0, sizeof *o->at * (size_t)nt);
+    condense_follow(o, o->at);
+    memset(o->rt, 0, sizeof *o->rt * (size_t)nt);
+    dense_gemv(o->rt, 1, o->M, o->at, nt, nt, nt);
+    condense_gather(o, dv, NULL, o->rt);
+    dense_cholesky_solve(M, dv, n, n);
+    for (int i = 0; i < n; i++) dv[i] = -dv[i];
+    condense_spread(o, o->at, dv);
+    condense_follow(o, o->at); /* all of the jump */
+    memset(o->rt, 0, sizeof *o->rt * (size_t)nt);
+    dense_gemv(o->rt, 1, o->M, o->at, nt, nt, nt);
+    for (int i = 0; i < nt; i++) *work += o->rt[i] * (o->vt[i] + o->at[i] / 2);
+    for (int i = 0; i < n; i++) v[i] += dv[i];
+    return 1;
+}

@@ -1,0 +1,177 @@
+/* condense_factor.c -- the equations of the loops at a posture, solved for the dependents.
+ *
+ * With C_q = [C_qd C_qi] of each component, its rows cut down to the rank, and C_qd = P L U,
+ *
+ *     v_d = -C_qd^-1 (C_qi v_i + C_t)                      velocities
+ *     a_d = -C_qd^-1 (C_qi a_i + (C_q v)_q v + C_tt)       accelerations
+ *     lambda = -C_qd^-T r_d                                multipliers          (2-4)
+ *
+ * A is banded: rows and dependent columns go from loop to loop. */
+#include <math.h>
+#include <string.h>
+
+#include "la/pivot.h"
+#include "la/vec3.h"
+#include "system/condense_parts.h"
+
+void component_row(const struct condense *o, const struct component *c, int r, double *x, int ld)
+{
+    const struct loops *l = o->loops;
+    int loop = l->row[c->row[r]].loop, nk = l->nk[loop];
+    const double *from = l->Cq[loop] + (c->row[r] - l->first[loop]) * nk;
+    for (int k = 0; k < nk; k++) x[(size_t)o->column[l->k[loop][k]] * (size_t)ld] = from[k];
+}
+
+/* Columns of a rotation, along the Cayley vector phi from the base in place of the angular velocity:
+ * F := F T^-1,  T^-1 = (1 - [phi]x/2)/(1 + |phi|^2/4). */
+static void along_phi(const struct condense *o, const struct component *c, const struct turn *t, const double *dx)
+{
+    const double phi[3] = {dx[t->iv[0]], dx[t->iv[1]], dx[t->iv[2]]};
+    const double s = 1 / (1 + v3_dot(phi, phi) / 4);
+    double *col[3];
+    for (int k = 0; k < 3; k++) col[k] = c->F + (size_t)o->column[t->iv[k]] * (size_t)c->nr;
+    for (int i = 0; i < c->nr; i++) {
+        const double f[3] = {col[0][i], col[1][i], col[2][i]};
+        double x[3]; /* f' [phi]x = (f x phi)' */
+        v3_cross(x, f, phi);
+        for (int k = 0; k < 3; k++) col[k][i] = s * (f[k] - x[k] / 2);
+    }
+}
+
+int component_factor(struct condense *o, struct component *c, const double *dx)
+{
+    for (int r = 0; r < c->nr; r++) component_row(o, c, c->kept[r], c->F + r, c->nr);
+    for (int i = 0; dx && i < o->moves->nturn; i++) {
+        const struct turn *t = &o->moves->turn[i];
+        if (o->bound[i] && o->owner[t->iv[0]] == (int)(c - o->component)) along_phi(o, c, t, dx);
+    }
+    for (int j = 0; j < c->nr; j++) {
+        int from = j > c->band[1] ? j - c->band[1] : 0, to = j + c->band[0] < c->nr ? j + c->band[0] + 1 : c->nr;
+        memcpy(c->A + (size_t)j * (size_t)c->nr + from, c->F + (size_t)c->dep[j] * (size_t)c->nr + from,
+               sizeof *c->A * (size_t)(to - from));
+    }
+    return pivot_rows(c->A, c->prow, c->band, c->nr, c->nr) == c->nr;
+}
+
+void component_solve(const struct component *c, double *x)
+{
+    pivot_rows_solve(c->A, c->prow, c->band, x, c->nr, c->nr);
+}
+
+void component_G(const struct component *c, double *G)
+{
+    for (int j = 0; j < c->ni; j++) {
+        double *g = G + (size_t)j * (size_t)c->nr;
+        const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
+        for (int i = 0; i < c->nr; i++) g[i] = -f[i];
+        component_solve(c, g);
+    }
+}
+
+double component_ratio(const struct condense *o, const struct component *c)
+{
+    double least = INFINITY, most = 0;
+    for (int j = 0; j < c->nr; j++) {
+        double x = fabs(c->A[(size_t)j * (size_t)(c->nr + 1)]) * o->size[c->k[c->dep[j]]];
+        least = fmin(least, x);
+        most = fmax(most, x);
+    }
+    return c->nr == 0 ? 1 : most > 0 ? least / most : 0;
+}
+
+double condense_least_ratio(const struct condense *o)
+{
+    double least = 1;
+    for (int i = 0; i < o->ncomponent; i++) least = fmin(least, component_ratio(o, &o->component[i]));
+    return least;
+}
+
+void condense_look(struct condense *o, const double *q, const double *v)
+{
+    o->ops->move(o->sweep, q, v, ALL);
+    loops_look(o->loops, o->sweep, q, v);
+    loops_jacobian(o->loops, o->sweep);
+}
+
+enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why)
+{
+    condense_look(o, q, o->zero);
+    for (int i = 0; i < o->ncomponent; i++)
+        if (!component_factor(o, &o->component[i], NULL))
+            return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[o->component[i].row[0]].loop, NAN, t);
+    return OK;
+}
+
+void condense_spread(const struct condense *o, double *xt, const double *x)
+{
+    memset(xt, 0, sizeof *xt * (size_t)o->nt);
+    for (int i = 0; i < o->ode.n; i++) xt[o->ind[i]] = x[i];
+}
+
+void condense_follow(struct condense *o, double *xt)
+{
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
+        for (int k = 0; k < c->nlead; k++) c->x[c->lead[k]] = o->loops->c1[c->row[c->kept[c->lead[k]]]];
+        for (int j = 0; j < c->ni; j++) {
+            double xi = xt[c->k[c->ind[j]]];
+            const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
+            for (int r = 0; xi != 0 && r < c->nr; r++) c->x[r] -= f[r] * xi;
+        }
+        component_solve(c, c->x);
+        for (int r = 0; r < c->nr; r++) xt[c->k[c->dep[r]]] = c->x[r];
+    }
+}
+
+/* x_d := -C_qd^-1 C'' , C'' with x_d = 0: (C_q v)_q v + C_qi a_i + C_tt. */
+static void accelerate(struct condense *o, double *at)
+{
+    loops_second(o->C2, o->loops, at);
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        for (int r = 0; r < c->nr; r++) c->x[r] = -o->C2[c->row[c->kept[r]]];
+        component_solve(c, c->x);
+        for (int r = 0; r < c->nr; r++) at[c->k[c->dep[r]]] = c->x[r];
+    }
+}
+
+enum status condense_motion(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                            const double *a, double t, struct trouble *why)
+{
+    TRY(condense_factor(o, q, t, why));
+    condense_spread(o, vt, v);
+    condense_follow(o, vt);
+    if (!at) return OK;
+    if (a)
+        condense_spread(o, at, a);
+    else
+        memset(at, 0, sizeof *at * (size_t)o->nt);
+    o->ops->forward(o->sweep, q, vt, at, ALL);
+    loops_look(o->loops, o->sweep, q, vt);
+    accelerate(o, at);
+    return OK;
+}
+
+enum status condense_rates(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                           const double *a, double t, struct trouble *why)
+{
+    condense_time(o, t, t, t);
+    return condense_motion(o, vt, at, q, v, a, t, why);
+}
+
+void component_multipliers(const struct component *c, const double *rt)
+{
+    for (int r = 0; r < c->nr; r++) c->x[r] = -rt[c->k[c->dep[r]]];
+    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->nr);
+}
+
+void condense_lambda(struct condense *o, double *lambda, const double *rt)
+{
+    memset(lambda, 0, sizeof *lambda * (size_t)o->loops->nrow);
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        component_multipliers(c, rt);
+        for (int r = 0; r < c->nr; r++) lambda[c->row[c->kept[r]]] = c->x[r];
+    }
+}

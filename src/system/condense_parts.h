@@ -1,0 +1,156 @@
+/* condense_parts.h -- what the files of the condensation share.
+ *
+ *     condense_factor.c  C_q at a posture, C_qd factored; rates and accelerations of the dependents, multipliers
+ *     condense_reduce.c  r, M^ and slopes of the independents
+ *     condense_close.c   dependents that close the loops; positions moved
+ *     condense_split.c   which coordinates are dependent
+ *     condense_start.c   the start: assembled, closed, or refused
+ *     condense_unique.c  which reactions redundant rows leave open
+ *     condense_drive.c   drives: their time, their power, the impulse of their corners
+ *     condense.c         building, and what others ask
+ *
+ * A component is a set of loops that hang together by their coordinates; each has rows, a rank and a split of its own.
+ */
+#ifndef FMDSUB_SYSTEM_CONDENSE_PARTS_H
+#define FMDSUB_SYSTEM_CONDENSE_PARTS_H
+
+#include "system/condense.h"
+
+struct component {
+    int nk, *k;       /* coordinates: places in v */
+    int nrow, *row;   /* all its rows; the first nr of `kept` are used */
+    int nr, *kept;    /* [nrow] numbers in `row` */
+    int *dep, *ind;   /* [nr], [nk - nr]: numbers in k */
+    int ni, nfast;    /* nk - nr; fast ones among them */
+    int nlead, *lead; /* [nrow] kept rows of drives: numbers in `kept` */
+    double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
+    double *F;        /* [nr x nk] kept rows of C_q */
+    double *A;        /* [nr x nr] C_qd, factored */
+    double *G, *G0;   /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
+    int *prow, *pcol; /* [max(nrow, nk)] */
+    int band[2];      /* of A */
+    double *x;        /* [max(nrow, nk)] */
+    double *whole;    /* [nrow x nk] */
+    bool *dependent;  /* [nk] work of component_choose() */
+    int *loop_of;     /* [nk] the first loop that a coordinate is in */
+    double *weight;   /* [nk] */
+    double chosen;    /* pivot ratio when the partition was chosen */
+    double gain;      /* least component_gain() since then */
+};
+
+struct condense {
+    const struct model *model;
+    const struct sweep_ops *ops;
+    const struct ode2 *tree;
+    const struct moves *moves;
+    struct sweep *sweep;
+    struct loops *loops, *seen; /* at trial states; where condense_push() stood */
+    int nt, ncomponent;
+    struct component *component;
+    int *column;  /* [nt] number in its component's k */
+    int *owner;   /* [nt] component; -1: in none */
+    int *ind;     /* [n] places of the independent ones */
+    int *slot;    /* [nt] number among the independent ones; -1: dependent */
+    bool *bound;  /* [nturn] a rate of this rotation is dependent */
+    double *size; /* [nt] scale of a coordinate: 1, or the loops' length */
+    struct condense_start start;
+    struct ode2 ode;
+    struct ode2_chart chart;
+    struct ode2_breaks breaks;
+    long charts;
+    double *q, *v; /* start */
+    /* workspace */
+    double *C, *C2;          /* [rows] */
+    double *vt, *at, *rt;    /* [nt] */
+    double *zero;            /* [nt] */
+    double *dx, *dxs, *base; /* [nt], [nt], [nq] */
+    double *G0_at;           /* [nq] where G0 holds */
+    double *M;               /* [nt x nt] */
+    double *qtry, *way;      /* [nq], [nt] */
+    double *side[2];         /* [nq] postures beside a singular one */
+    double *aside, *mean;    /* [nt] */
+    double *M_side;          /* [nt x nt] */
+    int *split;              /* a component's split, to go back to */
+    bool contested;          /* rows were dropped in a component with a drive: they are watched */
+    int lost;                /* of the last posture that could not be closed: the worst loop, */
+    double lost_by;          /* its |C| at the nearest posture met */
+};
+
+/* --- C_q and its factor ---------------------------------------------------------------------------- */
+
+/* Poses at q and C_q there. */
+void condense_look(struct condense *o, const double *q, const double *v);
+/* The numbers of row r (a number in c->row) of the component's part of C_q, into x[0], x[ld], ... */
+void component_row(const struct condense *o, const struct component *c, int r, double *x, int ld);
+/* F, A, factored; dx: along the Cayley vectors it holds, NULL: at the posture itself.  0: singular or not finite. */
+int component_factor(struct condense *o, struct component *c, const double *dx);
+/* x [nr] := C_qd^-1 x */
+void component_solve(const struct component *c, double *x);
+/* G := -C_qd^-1 C_qi */
+void component_G(const struct component *c, double *G);
+/* Pivot ratio of C_qd as last factored, lengths scaled. */
+double component_ratio(const struct condense *o, const struct component *c);
+/* lambda = -C_qd^-T r_d of one component, in c->x by dependent rows: row kept[i] has x[i]. */
+void component_multipliers(const struct component *c, const double *rt);
+/* Drives as they are at t, by their means over [ta, tb] where that is an interval. */
+void condense_time(struct condense *o, double t, double ta, double tb);
+/* The posture NAN is one that could not be closed: says which loop was lost. */
+enum status condense_lost(const struct condense *o, double t, struct trouble *why);
+/* r [n] = r_i + C_qi' lambda of the tree's rt, which leaves the multipliers in component->x; w: NULL, or takes the
+ * drives' power. */
+void condense_gather(struct condense *o, double *r, double *w, const double *rt);
+/* w += power of the drives, with the multipliers in component->x */
+void component_power(const struct condense *o, const struct component *c, double *w);
+/* E_NUMERIC where a dropped row of a contested component no longer holds, at the posture looked at. */
+enum status condense_contest(struct condense *o, double t, struct trouble *why);
+/* As ode2_breaks has it. */
+int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
+
+/* All components looked at and factored at q. */
+enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
+/* Least pivot ratio at the posture last factored. */
+double condense_least_ratio(const struct condense *o);
+/* x [n] of the independents into the whole xt [nt], dependents 0. */
+void condense_spread(const struct condense *o, double *xt, const double *x);
+/* x_d := -C_qd^-1 (C_qi x_i + C_t), with the factors and the drives' rates at hand. */
+void condense_follow(struct condense *o, double *xt);
+
+/* --- positions ------------------------------------------------------------------------------------ */
+
+/* condense_rates() with the drives as condense_time() has left them. */
+enum status condense_motion(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                            const double *a, double t, struct trouble *why);
+
+/* Largest |C| of all rows at q, which go to o->C; *row stays where all are 0. */
+double condense_misfit(struct condense *o, int *row, const double *q);
+/* G0 := G at q, where condense_predict() starts; 0: singular there. */
+int condense_tangent(struct condense *o, const double *q);
+/* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
+void condense_predict(struct condense *o);
+/* Closes q1 = base (+) o->dx by its dependents; 0: it cannot be. */
+int condense_close(struct condense *o, double *q1, const double *base, double s);
+/* The point() of condense_move: predicted and closed at time t; NAN where it cannot be. */
+void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t);
+
+/* --- partition ------------------------------------------------------------------------------------ */
+
+/* Rank of C_q at the posture of the last condense_look(): pivots at least `least` times the first. */
+int component_rank(struct condense *o, struct component *c, double least);
+/* The best split of a component at the present posture; how good it is. */
+double component_choose(struct condense *o, struct component *c);
+/* Largest rate of a dependent coordinate per unit of an independent one, in scales. */
+double component_gain(const struct condense *o, struct component *c);
+/* Numbers the independent coordinates by the components' splits. */
+void condense_number(struct condense *o);
+/* Between major steps: a better split, if one is needed; 1: changed. */
+int condense_rechart(struct ode2 *ode, double *q, double *v, double t);
+
+/* --- start ---------------------------------------------------------------------------------------- */
+
+/* Splits, and o->q, o->v closed at the deck's start; o->start.report says what is wrong. */
+enum status condense_begin(struct condense *o, const double *q0, const double *v0);
+
+extern const struct ode2_ops condense_ops;   /* condense_reduce.c */
+extern const struct ode2_move condense_move; /* condense_close.c */
+
+#endif

@@ -1,0 +1,170 @@
+/* condense_reduce.c -- residual, mass and slopes of the independent coordinates from those of the tree.
+ *
+ *     r = r_i + G' r_d,   M^ = T' M T,   K^ = T' K T,   C^ = T' C T,   T = [1; G]             (2-4)
+ *
+ * Where C_qd is nearly singular, r and M^ are means over two postures on either side. */
+#include <math.h>
+
+#include "system/condense_parts.h"
+
+void condense_gather(struct condense *o, double *r, double *w, const double *rt)
+{
+    for (int i = 0; i < o->ode.n; i++) r[i] = rt[o->ind[i]];
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        component_multipliers(c, rt);
+        if (w) component_power(o, c, w);
+        for (int j = 0; j < c->ni; j++) {
+            const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
+            double sum = 0;
+            for (int k = 0; k < c->nr; k++) sum += f[k] * c->x[k];
+            r[o->slot[c->k[c->ind[j]]]] += sum;
+        }
+    }
+}
+
+/* The tree names a row by its place in the whole v. */
+static enum status in_own_rows(const struct condense *o, enum status status, struct trouble *why)
+{
+    if (status != OK && why && why->code != TROUBLE_LAW && why->index >= 0) why->index = o->slot[why->index];
+    return status;
+}
+
+static enum status resid_there(struct condense *o, double *r, double *w, double *dk, const struct instant *x,
+                               unsigned cls, struct trouble *why)
+{
+    condense_time(o, x->t, x->ta, x->tb);
+    TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
+    TRY(condense_contest(o, x->t, why));
+    struct instant whole = *x;
+    whole.v = o->vt;
+    whole.a = o->at;
+    TRY(in_own_rows(o, o->tree->ops->resid(o->tree, o->rt, w, dk, &whole, cls, why), why));
+    condense_gather(o, r, w, o->rt);
+    for (int i = 0; i < o->ode.n; i++)
+        if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);
+    return OK;
+}
+
+/* Postures on both sides of q, where C_qd is nearly singular: round-off eps of the closure would come into r as
+ * eps/ratio^3.  r and M^ pass smoothly through such a posture, and their mean over the two sides differs from them by
+ * ASIDE^2 only.  0: not nearly singular, or the sides are no better. */
+static int look_aside(struct condense *o, const double *q, double t)
+{
+    static const double NEARLY = 3e-4, ASIDE = 2e-3;
+    const double here = condense_least_ratio(o);
+    struct trouble why;
+    if (here >= NEARLY) return 0;
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->size[o->ind[i]];
+        condense_point(&o->ode, o->side[side], q, o->aside, 1, t);
+        if (condense_factor(o, o->side[side], t, &why) != OK || condense_least_ratio(o) < 2 * here) return 0;
+    }
+    return 1;
+}
+
+static enum status resid(const struct ode2 *ode, double *r, double *w, double *dk, const struct instant *x,
+                         unsigned cls, struct trouble *why)
+{
+    struct condense *o = ode->self;
+    if (isnan(x->q[0])) return condense_lost(o, x->t, why);
+    TRY(resid_there(o, r, w, dk, x, cls, why));
+    if (!look_aside(o, x->q, x->t)) return OK;
+    double w_side[2][POWER_CHANNELS];
+    for (int side = 0; side < 2; side++) {
+        struct instant there = *x;
+        there.q = o->side[side];
+        TRY(resid_there(o, side ? o->mean : r, w ? w_side[side] : NULL, dk, &there, cls, why));
+    }
+    for (int i = 0; i < ode->n; i++) r[i] = (r[i] + o->mean[i]) / 2;
+    for (int i = 0; w && i < POWER_CHANNELS; i++) w[i] = (w_side[0][i] + w_side[1][i]) / 2;
+    return OK;
+}
+
+/* X [nt x nt] := T' X T in place, its independent rows and columns; then moved together into Y [n x n]. */
+static void congruence(struct condense *o, double *Y, double *X)
+{
+    const size_t nt = (size_t)o->nt, n = (size_t)o->ode.n;
+    for (int i = 0; i < o->ncomponent; i++) {
+        const struct component *c = &o->component[i];
+        for (int j = 0; j < c->ni; j++)
+            for (int r = 0; r < c->nr; r++) {
+                double g = c->G[r + (size_t)j * (size_t)c->nr];
+                double *to = X + nt * (size_t)c->k[c->ind[j]], *from = X + nt * (size_t)c->k[c->dep[r]];
+                for (size_t k = 0; g != 0 && k < nt; k++) to[k] += g * from[k];
+            }
+    }
+    for (int i = 0; i < o->ncomponent; i++) {
+        const struct component *c = &o->component[i];
+        for (int j = 0; j < c->ni; j++)
+            for (int r = 0; r < c->nr; r++) {
+                double g = c->G[r + (size_t)j * (size_t)c->nr];
+                double *to = X + c->k[c->ind[j]], *from = X + c->k[c->dep[r]];
+                for (size_t k = 0; g != 0 && k < n; k++) to[nt * (size_t)o->ind[k]] += g * from[nt * (size_t)o->ind[k]];
+            }
+    }
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n; i++) Y[i + n * j] = X[(size_t)o->ind[i] + nt * (size_t)o->ind[j]];
+}
+
+static enum status prepare_T(struct condense *o, const double *q, double t, struct trouble *why)
+{
+    TRY(condense_factor(o, q, t, why));
+    for (int i = 0; i < o->ncomponent; i++) component_G(&o->component[i], o->component[i].G);
+    return OK;
+}
+
+static void symmetric(double *M, int n)
+{
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < j; i++) M[i + j * n] = M[j + i * n] = (M[i + j * n] + M[j + i * n]) / 2;
+}
+
+static enum status mass_there(struct condense *o, double *M, const double *q, double t, unsigned cls,
+                              struct trouble *why)
+{
+    TRY(prepare_T(o, q, t, why));
+    TRY(in_own_rows(o, o->tree->ops->mass(o->tree, o->M, q, t, cls, why), why));
+    congruence(o, M, o->M);
+    symmetric(M, o->ode.n);
+    return OK;
+}
+
+static enum status mass(const struct ode2 *ode, double *M, const double *q, double t, unsigned cls, struct trouble *why)
+{
+    struct condense *o = ode->self;
+    const int nn = ode->n * ode->n;
+    if (isnan(q[0])) return condense_lost(o, t, why);
+    TRY(mass_there(o, M, q, t, cls, why));
+    if (!look_aside(o, q, t)) return OK;
+    TRY(mass_there(o, M, o->side[0], t, cls, why));
+    TRY(mass_there(o, o->M_side, o->side[1], t, cls, why));
+    for (int i = 0; i < nn; i++) M[i] = (M[i] + o->M_side[i]) / 2;
+    return OK;
+}
+
+/* The change of G with q, which counts with the forces, is left out: modified Newton. */
+static enum status slopes(const struct ode2 *ode, double *K, double *C, const struct instant *x, unsigned cls,
+                          struct trouble *why)
+{
+    struct condense *o = ode->self;
+    if (isnan(x->q[0])) return condense_lost(o, x->t, why);
+    condense_time(o, x->t, x->ta, x->tb);
+    TRY(prepare_T(o, x->q, x->t, why));
+    condense_spread(o, o->vt, x->v);
+    condense_follow(o, o->vt);
+    struct instant whole = *x;
+    whole.v = o->vt;
+    whole.a = NULL;
+    if (K) {
+        TRY(in_own_rows(o, o->tree->ops->slopes(o->tree, o->M, NULL, &whole, cls, why), why));
+        congruence(o, K, o->M);
+    }
+    if (C) {
+        TRY(in_own_rows(o, o->tree->ops->slopes(o->tree, NULL, o->M, &whole, cls, why), why));
+        congruence(o, C, o->M);
+    }
+    return OK;
+}
+
+const struct ode2_ops condense_ops = {.resid = resid, .mass = mass, .slopes = slopes};
