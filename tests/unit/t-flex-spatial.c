@@ -736,6 +736,53 @@ static void test_elastic(void **state)
     }
 }
 
+/* Over an interval a spring between any two points does the work that its energy loses, whatever moves them. */
+static void test_work(void **state)
+{
+    (void)state;
+    const double h = .05;
+    int bent = 0;
+    for (unsigned seed = 0; seed < 3 * SEEDS; seed++) {
+        struct scene o;
+        struct tree_dice d = {seed + 3};
+        open_tree(&o, seed, TREE_FREE_FALL, CLOUD_S);
+        struct spring par = {.k = 20, .rest = .3, .cubic = 15};
+        struct model_measure gap = {.name = "gap", .type = MEASURE_DISTANCE};
+        struct model_force spring = {
+            .name = "spring", .type = FORCE_LAW, .cls = SLOW, .kind = &force_spring, .par = &par};
+        struct model with = *o.m;
+        tree_pair(&gap.a.body, &gap.b.body, &d, o.m->nbody);
+        tree_vector(gap.a.p, &d, 3);
+        tree_vector(gap.b.p, &d, 3);
+        with.nmeasure = with.nforce = 1, with.measure = &gap, with.force = &spring;
+        const struct ode2 *ode = system_ode2(system_build(&with, o.arena));
+        const struct ode2 *bare = system_ode2(system_build(o.m, o.arena));
+        double mid[MOST_Q], end[MOST_Q], dx[MOST], r[MOST], none[MOST], work = 0, x[2][2][3], v[3], V[2];
+        for (int k = 0; k < o.m->n; k++) dx[k] = h * o.v[k];
+        for (int k = 0; k < o.m->nq && !ode->move; k++) mid[k] = o.q[k] + dx[k] / 2, end[k] = o.q[k] + dx[k];
+        if (ode->move) {
+            ode->move->point(ode, mid, o.q, dx, .5, 0);
+            ode->move->point(ode, end, o.q, dx, 1, 0);
+        }
+        const struct instant at = {.q = mid, .v = o.v, .qa = o.q, .qb = end, .tb = h};
+        assert_int_equal(ode->ops->resid(ode, r, NULL, NULL, &at, ALL, NULL), OK);
+        assert_int_equal(bare->ops->resid(bare, none, NULL, NULL, &at, ALL, NULL), OK);
+        for (int k = 0; k < o.m->n; k++) work += dx[k] * (r[k] - none[k]);
+        for (int i = 0; i < 2; i++) {
+            ops->move(o.s, i ? end : o.q, o.v, ALL);
+            ops->point(o.s, x[i][0], v, gap.a.body, gap.a.p);
+            ops->point(o.s, x[i][1], v, gap.b.body, gap.b.p);
+            double l = 0;
+            for (int c = 0; c < 3; c++) l += (x[i][1][c] - x[i][0][c]) * (x[i][1][c] - x[i][0][c]);
+            V[i] = force_spring.stored(&par, sqrt(l));
+        }
+        assert_true(fabs(work - (V[1] - V[0])) < 1e-12 * size(V, 2));
+        bent += V[0] != V[1] && (o.m->body[gap.a.body].at_node || o.m->body[gap.b.body].at_node);
+        arena_close(o.arena);
+    }
+    assert_true(bent > SEEDS / 2);
+}
+
 /* Elastic coordinates move by what they are told, however they lie among the others. */
 static void test_moves(void **state)
 {
@@ -784,13 +831,14 @@ static void test_what_was_met(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mass),     cmocka_unit_test(test_residual),
-        cmocka_unit_test(test_motion),   cmocka_unit_test(test_accelerations),
-        cmocka_unit_test(test_partials), cmocka_unit_test(test_affine_in_accelerations),
-        cmocka_unit_test(test_power),    cmocka_unit_test(test_classes),
-        cmocka_unit_test(test_held),     cmocka_unit_test(test_reactions),
-        cmocka_unit_test(test_momentum), cmocka_unit_test(test_elastic),
-        cmocka_unit_test(test_moves),    cmocka_unit_test(test_what_was_met),
+        cmocka_unit_test(test_mass),         cmocka_unit_test(test_residual),
+        cmocka_unit_test(test_motion),       cmocka_unit_test(test_accelerations),
+        cmocka_unit_test(test_partials),     cmocka_unit_test(test_affine_in_accelerations),
+        cmocka_unit_test(test_power),        cmocka_unit_test(test_classes),
+        cmocka_unit_test(test_held),         cmocka_unit_test(test_reactions),
+        cmocka_unit_test(test_momentum),     cmocka_unit_test(test_elastic),
+        cmocka_unit_test(test_moves),        cmocka_unit_test(test_work),
+        cmocka_unit_test(test_what_was_met),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
