@@ -1,13 +1,15 @@
 /* beam.h -- a beam made into a reduced flexible body: finite elements, Craig-Bampton.
  *
- * The beam runs straight from a to b, `elements` elements of equal length, two nodes each, cubic bending
- * (Euler-Bernoulli, or Timoshenko's with the consistent shear correction where shear factors are given: Przemieniecki
- * 1968), linear stretch and torsion, consistent mass with rotary inertia.  Beam axes: x along it, y and z across; body
- * axes are where the deck puts them.  Sections vary linearly between the stations given and are taken at the
- * integration points.  Modes: constraint modes of every interface node but the first, then the `modes` lowest modes
- * with all interface nodes clamped (Craig & Bampton, AIAA J. 6 (1968) 1313), then one diagonalisation of the whole:
- * coordinates are modes with the first interface node clamped, mass one, ascending, their largest displacement or
- * rotation positive. */
+ * The beam runs straight from a to b.  Nodes stand at its ends and at every interface, point, lump and section
+ * station; between them equal elements, none longer than length / `elements`.  Elements bend (Euler-Bernoulli, or
+ * Timoshenko where shear factors are given), stretch and twist by their own statics and have consistent mass: see
+ * rod.h.  Beam axes: x along it, y and z across; body axes are where the deck puts them.  All numbers of a section vary
+ * linearly between the stations given (two at one station: a jump) and stay what they are beyond the first and last.
+ *
+ * Modes: constraint modes of every interface node but the first, then the `modes` lowest modes with all interface nodes
+ * clamped (Craig & Bampton, AIAA J. 6 (1968) 1313), then one diagonalisation of the whole: coordinates are modes with
+ * the first interface node clamped, mass one, ascending, their largest displacement (without any: rotation) positive.
+ * Stretch and torsion count among them. */
 #ifndef FMDSUB_FLEX_BEAM_H
 #define FMDSUB_FLEX_BEAM_H
 
@@ -19,10 +21,10 @@ struct flex_section {
     double station; /* 0 ... 1 along the beam */
     double A;       /* area [m2] */
     double Iy, Iz;  /* int z2, int y2 dA [m4] */
-    double J;       /* torsion constant [m4] */
+    double J;       /* torsion constant [m4]; Iy, J, kz, z do not count in the plane */
     double ky, kz;  /* shear area over area, for forces along y, z; 0: no shear deformation */
     double twist;   /* of the section's axes about x [rad] */
-    double rotary;  /* 1: rotary inertia rho I counts, 0: it does not */
+    double rotary;  /* 1: rotary inertia rho I of bending counts, 0: it does not; that of torsion always does */
     double y, z;    /* half sizes: where the corners are, for stresses [m]; 0: not known */
 };
 
@@ -41,7 +43,7 @@ struct flex_beam {
     int space;         /* 2: stretch and bending in the plane: rotation about body z, beam z is body z */
     double a[3], b[3]; /* ends, world axes as drawn [m] */
     double R[9];       /* body axes in the world, by column */
-    double up[3];      /* space 3: beam z leans towards it (world); 0: any, chosen as for joints */
+    double up[3];      /* space 3: beam z leans towards it (world); 0: towards world z, along z towards world y */
     int elements, modes;
     int nsection;
     const struct flex_section *section; /* [nsection] ascending; one holds for all */
@@ -56,12 +58,14 @@ struct flex_beam {
     const struct flex_lump *lump;
     int nprobe;
     const struct flex_probe *probe;
-    bool stiffening; /* geometric: shortening by bending */
+    bool stiffening; /* geometric: second-order displacements by bending, torsion and stretch (beam.c) */
 };
 
-/* Nodes of the result: interfaces in order, then points in order, then both ends.  at [3]: world place of its
- * undeformed centre of mass. An interface or point between two nodes of the mesh gets its own node there: the mesh
- * takes it in. Fails (E_MODEL) where there are more modes than freedoms, or a matrix is not positive. */
+/* Nodes of the result: interfaces in order, then points in order, then both ends; the reference is node 0, the first
+ * interface.  Interfaces at one station share its constraint modes.  at [3]: world place of the undeformed centre of
+ * mass.  Stresses are xx alone, E times the strain by stretch and bending at the section's point, exact for static
+ * loads at nodes; shear stresses are left zero.  Fails (E_MODEL) where there are more modes than freedoms, a matrix is
+ * not positive, or a stress point lies in a section of unknown outline. */
 enum status flex_beam_make(struct flex_body **out, double *at, const struct flex_beam *o, struct arena *life,
                            struct report *report);
 

@@ -63,12 +63,19 @@ struct flex_body {
 /* Takes all arrays for n coordinates, nnode nodes and nstress stresses, zero; stiffening: with s, xs and S. */
 struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening, struct arena *life);
 
+/* Adds to all integrals the mass m at x (from the centre of mass) with rotary inertia I [9], where the fields are phi,
+ * psi [3 x n], S [3 x n x n] (NULL: zero). */
+void flex_body_add(struct flex_body *o, const double *x, double m, const double *I, const double *phi,
+                   const double *psi, const double *S);
+
 /* The same body with the frame at another node: the same coordinates, every field less the rigid motion of that node,
  *     phi' = phi - phi_0 - psi_0 x (x - x_0),  psi' = psi - psi_0,
- * and S' to second order in the same way.  Stiffness, damping and stresses do not change. */
+ * and S' to second order in the same way.  Stiffness, damping and stresses do not change; hertz is gone where the
+ * node moves, since the coordinates are no modes of the body so held.  (A node's turn is linear in q: a turn of second
+ * order, which bending about two axes has, is in neither frame.) */
 struct flex_body *flex_refer(const struct flex_body *o, int node, struct arena *life);
 
-/* Int (phi_i + S q ..)' dm of the energy's q'q' block, Me = tr ff + ppsi [n x n]. */
+/* Mass matrix of the coordinates with the frame at rest, q = 0: Me = tr ff + ppsi [n x n]. */
 void flex_mass(double *Me, const struct flex_body *o);
 
 #endif

@@ -16,6 +16,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "system/planar_flex.h"
+
 /* --- motion ------------------------------------------------------------------------------------ */
 
 static inline void turn2(double *y, double c, double s, const double *x)
@@ -88,8 +90,21 @@ static inline void speed_up(struct part *restrict x, const double *restrict rho,
         }
 }
 
+void planar_hang(struct part *x, const struct part *p, const struct link *l, const double *q, const double *v,
+                 const double *a)
+{
+    double rho[2];
+    place(x, rho, p, l, q);
+    if (v) move_on(x, rho, p, l, v);
+    if (a) speed_up(x, rho, p, l, v, a);
+}
+
 void planar_place(struct sweep *s, const double *q, unsigned cls)
 {
+    if (s->bend) {
+        planar_flex_outwards(s, q, NULL, NULL, cls);
+        return;
+    }
     const struct roster *o = &s->rosters.of[cls];
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
@@ -102,6 +117,10 @@ static void move(struct sweep *s, const double *q, const double *v, unsigned cls
 {
     const struct roster *o = &s->rosters.of[cls];
     s->accelerated = false;
+    if (s->bend) {
+        planar_flex_outwards(s, q, v, NULL, cls);
+        return;
+    }
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
@@ -117,6 +136,11 @@ static void forward(struct sweep *s, const double *q, const double *v, const dou
     if (!a) a = s->zero;
     s->accelerated = true;
     s->part[0].F[0] = s->part[0].F[1] = s->part[0].N = 0;
+    if (s->bend) {
+        planar_flex_outwards(s, q, v, a, cls);
+        planar_flex_load(s, cls);
+        return;
+    }
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
@@ -192,6 +216,10 @@ static void partial(const struct sweep *s, double *xv, double *w, int body, cons
     memset(xv, 0, 3 * sizeof *xv);
     memset(w, 0, 3 * sizeof *w);
     if (!routes_above(&s->routes, o, body)) return;
+    if (s->routes.local[k] >= s->link[o].nv) {
+        planar_flex_partial(s, xv, w, body, x, k);
+        return;
+    }
     if (!planar_turns(&s->link[o], s->routes.local[k])) {
         memcpy(xv, p->e[s->routes.local[k]], 2 * sizeof *xv);
         return;
@@ -210,31 +238,43 @@ static int path(const struct sweep *s, const int **k, int body)
 
 /* --- forces inwards ---------------------------------------------------------------------------- */
 
+static inline void bring_up(double *r, const struct part *x, struct part *p, const struct link *l)
+{
+    switch (l->type) {
+    case GLIDE:
+        r[l->iv[2]] += l->turn * (x->N + cross2(x->c_b, x->F));
+        r[l->iv[1]] += x->e[1][0] * x->F[0] + x->e[1][1] * x->F[1];
+        r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
+        break;
+    case TURN:
+        r[l->iv[0]] += l->turn * (x->N + cross2(x->c_b, x->F));
+        break;
+    case SLIDE:
+        r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
+        break;
+    case HELD:
+        break;
+    }
+    p->F[0] += x->F[0];
+    p->F[1] += x->F[1];
+    p->N += x->N + cross2(x->arm, x->F);
+}
+
+void planar_bring_up(double *r, const struct part *x, struct part *p, const struct link *l)
+{
+    bring_up(r, x, p, l);
+}
+
 static void backward(struct sweep *s, double *r, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
+    if (s->bend) {
+        planar_flex_inwards(s, r, cls);
+        return;
+    }
     for (int i = o->n - 1; i >= 0; i--) {
         const struct link *l = &s->link[o->body[i]];
-        const struct part *x = &s->part[o->body[i]];
-        struct part *p = &s->part[l->parent];
-        switch (l->type) {
-        case GLIDE:
-            r[l->iv[2]] += l->turn * (x->N + cross2(x->c_b, x->F));
-            r[l->iv[1]] += x->e[1][0] * x->F[0] + x->e[1][1] * x->F[1];
-            r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
-            break;
-        case TURN:
-            r[l->iv[0]] += l->turn * (x->N + cross2(x->c_b, x->F));
-            break;
-        case SLIDE:
-            r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
-            break;
-        case HELD:
-            break;
-        }
-        p->F[0] += x->F[0];
-        p->F[1] += x->F[1];
-        p->N += x->N + cross2(x->arm, x->F);
+        bring_up(r, &s->part[o->body[i]], &s->part[l->parent], l);
     }
 }
 
@@ -250,6 +290,7 @@ static void energy(const struct sweep *s, double *kinetic, double *gravity)
     }
     *kinetic = .5 * T;
     *gravity = V;
+    if (s->bend) planar_flex_energy(s, kinetic, gravity);
 }
 
 /* What elements along the joint's own coordinates carry is taken out: the free directions. */
@@ -329,6 +370,7 @@ static struct sweep *build(const struct model *m, struct arena *life)
         build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
     }
     routes_build(&s->routes, m, life);
+    planar_flex_build(s, life);
     return s;
 }
 

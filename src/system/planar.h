@@ -48,16 +48,34 @@ struct sweep {
     double (*bias)[3]; /* [nbody] work of solve(): moment and force, then twist */
     double *zero;      /* [n] */
     struct routes routes;
-    bool accelerated; /* the last motion had accelerations */
+    struct bend **bend;   /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
+    struct stand **stand; /* [nbody] NULL: not at a node; likewise */
+    size_t for_modes;     /* numbers that they take in a factor */
+    bool accelerated;     /* the last motion had accelerations */
 };
 
 /* Position of body x of link l hanging on p, and its world axes and arms. */
 void planar_place(struct sweep *s, const double *q, unsigned cls);
 
+/* One body on its joint; v, a NULL: not wanted. */
+void planar_hang(struct part *x, const struct part *p, const struct link *l, const double *q, const double *v,
+                 const double *a);
+/* The joint's rows of r; force and moment go to the parent. */
+void planar_bring_up(double *r, const struct part *x, struct part *p, const struct link *l);
+
 /* Is the k-th velocity of l its rotation? */
 static inline bool planar_turns(const struct link *l, int k)
 {
     return l->type == TURN || (l->type == GLIDE && k == 2);
+}
+
+/* The twist (w, vx, vy of the centre) of its body by the k-th velocity of l. */
+static inline void planar_unit(double *u, const struct part *x, const struct link *l, int k)
+{
+    bool turns = planar_turns(l, k);
+    u[0] = turns ? l->turn : 0;
+    u[1] = turns ? -l->turn * x->c_b[1] : x->e[k][0];
+    u[2] = turns ? l->turn * x->c_b[0] : x->e[k][1];
 }
 
 void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);

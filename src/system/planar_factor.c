@@ -9,19 +9,28 @@
  *
  *     e = b - s.p,   p := p + U e/D;      x = (e - U.V)/D,   V := V + s x.
  *
- * A coordinate with d = INFINITY is held: 1/D = 0, and I, p and V pass it as they are.
+ * A coordinate with d = INFINITY is held: 1/D = 0, and I, p and V pass it as they are.  A flexible body's modes are
+ * eliminated all together before its joint.
  *
  * Featherstone, Int. J. Robotics Res. 2 (1983) 13. */
 #include <float.h>
 #include <math.h>
 
-#include "system/planar.h"
+#include "system/planar_flex.h"
+
+/* Compiled twice, with and without modes: trees of rigid bodies pay nothing for them. */
+#if defined(__GNUC__)
+#define TWICE __attribute__((always_inline)) static inline
+#else
+#define TWICE static inline
+#endif
 
 struct pivot {
     double s[3], U[3], inverse;
 };
 
-/* F: the arms of all bodies, then the pivots by body and place in its joint. */
+/* F: the arms of all bodies, then the pivots by body and place in its joint (as many again as there are modes are
+ * not used), then what the modes need. */
 static double (*arms(const void *F))[2]
 {
     return (double(*)[2])F;
@@ -32,17 +41,14 @@ static struct pivot *pivots(const struct sweep *s, const void *F)
     return (struct pivot *)(arms(F) + s->nbody);
 }
 
-size_t planar_factor_size(const struct sweep *s)
+static double *modes(const struct sweep *s, const void *F)
 {
-    return sizeof(double[2]) * (size_t)s->nbody + sizeof(struct pivot) * (size_t)s->n;
+    return (double *)(pivots(s, F) + s->n);
 }
 
-static inline void unit(double *u, const struct part *x, const struct link *l, int k)
+size_t planar_factor_size(const struct sweep *s)
 {
-    bool turns = planar_turns(l, k);
-    u[0] = turns ? l->turn : 0;
-    u[1] = turns ? -l->turn * x->c_b[1] : x->e[k][0];
-    u[2] = turns ? l->turn * x->c_b[0] : x->e[k][1];
+    return sizeof(double[2]) * (size_t)s->nbody + sizeof(struct pivot) * (size_t)s->n + sizeof(double) * s->for_modes;
 }
 
 /* 1 when the coordinate is held or the pivot stands out of the round-off of the terms it is a sum of. */
@@ -81,23 +87,24 @@ static inline void carry(double *to, const double *I, const double *arm)
     to[5] += I[5];
 }
 
-int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q)
+TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flexible)
 {
     double(*arm)[2] = arms(F);
     struct pivot *pivot = pivots(s, F) + s->n;
-    if (q) planar_place(s, q, ALL);
     for (int i = 1; i < s->nbody; i++) {
         double *I = s->part[i].I;
         I[0] = cm * s->link[i].inertia;
         I[3] = I[5] = cm * s->link[i].mass;
         I[1] = I[2] = I[4] = 0;
     }
+    if (flexible) planar_flex_start(s, cm, d);
     for (int i = s->nbody - 1; i > 0; i--) {
         const struct link *l = &s->link[i];
         struct part *x = &s->part[i];
         pivot -= l->nv;
+        if (flexible && !planar_flex_eliminate(s, modes(s, F), i, d)) return 0;
         for (int k = 0; k < l->nv; k++) {
-            unit(pivot[k].s, x, l, k);
+            planar_unit(pivot[k].s, x, l, k);
             if (!eliminate(&pivot[k], x->I, d[l->iv[k]])) return 0;
         }
         arm[i][0] = x->arm[0];
@@ -107,12 +114,18 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
     return 1;
 }
 
+int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q)
+{
+    if (q) planar_place(s, q, ALL);
+    return s->bend ? factor(s, F, cm, d, true) : factor(s, F, cm, d, false);
+}
+
 static inline double dot3(const double *x, const double *y)
 {
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 
-void planar_solve(const struct sweep *s, const void *F, double *x)
+TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
 {
     double(*arm)[2] = arms(F);
     const struct pivot *pivot = pivots(s, F) + s->n;
@@ -122,6 +135,7 @@ void planar_solve(const struct sweep *s, const void *F, double *x)
         const struct link *l = &s->link[i];
         double *here = p[i], *up = p[l->parent];
         pivot -= l->nv;
+        if (flexible) planar_flex_forces(s, modes(s, F), here, x, i);
         for (int k = 0; k < l->nv; k++) {
             const struct pivot *o = &pivot[k];
             double e = (x[l->iv[k]] - dot3(o->s, here)) * o->inverse;
@@ -142,7 +156,16 @@ void planar_solve(const struct sweep *s, const void *F, double *x)
             double here = x[l->iv[k]] -= o->inverse * dot3(o->U, V);
             for (int c = 0; c < 3; c++) V[c] += o->s[c] * here;
         }
+        if (flexible) planar_flex_twist(s, modes(s, F), V, x, i);
         for (int c = 0; c < 3; c++) p[i][c] = V[c];
         pivot += l->nv;
     }
+}
+
+void planar_solve(const struct sweep *s, const void *F, double *x)
+{
+    if (s->bend)
+        solve(s, F, x, true);
+    else
+        solve(s, F, x, false);
 }

@@ -5,7 +5,7 @@
  * carried inwards, at every joint on the path.  Walker & Orin, J. Dyn. Syst. Meas. Control 104 (1982) 205. */
 #include <string.h>
 
-#include "system/planar.h"
+#include "system/planar_flex.h"
 
 /* Composite bodies, from the tips to the ground. */
 static void compose(struct sweep *s, const struct roster *o)
@@ -17,6 +17,7 @@ static void compose(struct sweep *s, const struct roster *o)
         x->cj = o->bears[i] ? l->inertia : 0;
         x->cs[0] = x->cs[1] = 0;
     }
+    if (s->bend) planar_flex_compose(s, o);
     for (int i = o->n - 1; i >= 0; i--) {
         const struct part *x = &s->part[o->body[i]];
         struct part *p = &s->part[s->link[o->body[i]].parent];
@@ -80,6 +81,10 @@ void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls)
     planar_place(s, q, cls);
     s->part[0].cm = s->part[0].cj = s->part[0].cs[0] = s->part[0].cs[1] = 0;
     compose(s, o);
+    if (s->bend) {
+        planar_flex_columns(M, s, o);
+        return;
+    }
     for (int i = 0; i < o->n; i++)
         for (int k = 0; k < s->link[o->body[i]].nv; k++) column(M, s, o->body[i], k);
 }

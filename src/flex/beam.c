@@ -1,0 +1,361 @@
+/* beam.c -- see beam.h
+ *
+ * Second order: let the strains of the geometrically exact rod, Gamma = Lambda' r' - e_x and kappa = axial vector of
+ * Lambda' dLambda/ds (both in beam axes; an initial twist drops out), be linear in the coordinates, so that the elastic
+ * energy is exactly q'Kq/2.  Then, with Lambda = 1 + [theta]x + Lambda_2 and the linear fields r, theta, Gamma, kappa,
+ *
+ *     dLambda_2/ds = [theta]x [kappa]x,     dr_2/ds = Lambda_2 e_x + theta x Gamma,
+ *     Lambda_2 e_x = int theta x (kappa x e_x) ds = -e_x theta_t.theta_t / 2 + int theta_x kappa_t ds  (t: y and z),
+ *
+ * from zero at the reference.  The first term is the shortening by bending, -e_x/2 int (v'^2 + w'^2) ds; the others go
+ * with torsion and with stretch, and make the result the same whichever node is the reference.  1/2 q'Sq = r_2. */
+#include "flex/beam.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "flex/craig.h"
+#include "flex/rod.h"
+#include "la/rot.h"
+#include "la/vec3.h"
+
+struct work {
+    const struct flex_beam *beam;
+    struct rod rod;
+    struct band K, M;
+    double start[3], axes[9]; /* of the beam, in the body: start against the centre of mass; x y z by column */
+    double *inertia;          /* [9 x nlump] of lumps, beam axes */
+    int reference, n;         /* mesh node; coordinates */
+    double *lambda, *Phi;     /* [n], [freedoms x n] beam axes */
+};
+
+/* ---- place and axes ---- */
+
+/* B: beam axes in the world. */
+static enum status orient(double *B, double *length, const struct flex_beam *o, struct report *report)
+{
+    double d[3], up[3] = {0, 0, 1}, y[3] = {0, 1, 0};
+    v3_diff(d, o->b, o->a);
+    *length = v3_norm(d);
+    if (!(*length > 0)) return fail(report, E_MODEL, "the ends of the beam are one point");
+    if (o->space == 3 && v3_norm(o->up) > 0)
+        v3_copy(up, o->up);
+    else if (o->space == 3 && hypot(d[0], d[1]) <= 1e-6 * *length)
+        v3_copy(up, y);
+    if (!matrix_of_axes(B, 0, d, 2, up)) return fail(report, E_MODEL, "the beam runs along its 'up'");
+    return OK;
+}
+
+/* Start of the beam against the centre of mass, along the beam [m]. */
+static double before(const struct work *w)
+{
+    double m = 0, ms = 0;
+    for (int k = 0; k < ROD_GAUSS * (w->rod.nnode - 1); k++) {
+        const struct rod_point *p = &w->rod.point[k];
+        m += p->m * p->ds;
+        ms += p->m * p->ds * p->s;
+    }
+    for (int k = 0; k < w->beam->nlump; k++) {
+        m += w->beam->lump[k].mass;
+        ms += w->beam->lump[k].mass * w->beam->lump[k].station * w->rod.length;
+    }
+    return -ms / m;
+}
+
+static void lump_inertia(struct work *w, struct arena *scratch)
+{
+    w->inertia = TAKE(scratch, double, 9 * w->beam->nlump);
+    for (int k = 0; k < w->beam->nlump; k++) {
+        double S[6], Bt[9], *I = w->inertia + 9 * k;
+        for (int a = 0; a < 9; a++) Bt[a] = w->axes[a / 3 + 3 * (a % 3)];
+        s3_turn(S, Bt, w->beam->lump[k].inertia);
+        memcpy(I, (double[]){S[0], S[3], S[4], S[3], S[1], S[5], S[4], S[5], S[2]}, 9 * sizeof *I);
+    }
+}
+
+/* From beam axes to body axes: n vectors. */
+static void to_body(double *v, const double *axes, int n)
+{
+    for (int k = 0; k < n; k++) {
+        double x[3] = {v[3 * k], v[3 * k + 1], v[3 * k + 2]};
+        m3_mul(v + 3 * k, axes, x);
+    }
+}
+
+static void place_at(double *x, const struct work *w, double s)
+{
+    v3_copy(x, w->start);
+    v3_axpy(x, s, w->axes);
+}
+
+/* ---- modes ---- */
+
+/* Largest displacement positive; of a mode without any, the largest rotation. */
+static double sign_of(const double *x, const struct rod *o)
+{
+    double most[2] = {0, 0}, sign[2] = {1, 1};
+    for (int i = 0; i < o->nnode * o->per; i++) {
+        int turn = i % o->per >= (o->per == 3 ? 2 : 3);
+        if (fabs(x[i]) <= most[turn] * (1 + 1e-6)) continue;
+        most[turn] = fabs(x[i]);
+        sign[turn] = x[i] < 0 ? -1 : 1;
+    }
+    return sign[most[0] < 1e-6 * o->length * most[1]];
+}
+
+static enum status modes(struct work *w, struct arena *scratch, struct report *report)
+{
+    int *interface = TAKE(scratch, int, w->beam->ninterface), count = 0, size = w->K.n;
+    for (int k = 0; k < w->beam->ninterface; k++) {
+        int node = rod_node(&w->rod, w->beam->interface[k]), known = 0;
+        while (known < count && interface[known] != node) known++;
+        if (known == count) interface[count++] = node;
+    }
+    struct craig c = {&w->K, &w->M, w->rod.per, interface, count, w->beam->modes};
+    w->reference = interface[0];
+    w->n = craig_count(&c);
+    w->lambda = TAKE(scratch, double, w->n);
+    w->Phi = TAKE(scratch, double, size * w->n);
+    TRY(craig_reduce(w->lambda, w->Phi, &c, scratch, report));
+    for (int j = 0; j < w->n; j++) {
+        double *x = w->Phi + (long)size * j, sign = sign_of(x, &w->rod);
+        for (int i = 0; i < size; i++) x[i] *= sign;
+    }
+    return OK;
+}
+
+static void stiffness(struct flex_body *o, const struct flex_beam *beam, const double *lambda)
+{
+    bool damped = beam->alpha != 0 || beam->beta != 0 || beam->zeta != 0;
+    for (int j = 0; j < o->n; j++) {
+        double root = sqrt(fmax(lambda[j], 0));
+        o->K[j * (o->n + 1)] = lambda[j];
+        o->D[j * (o->n + 1)] = beam->alpha + beam->beta * lambda[j] + 2 * beam->zeta * root;
+        o->hertz[j] = root / (2 * acos(-1));
+    }
+    if (!damped) o->D = NULL;
+}
+
+/* ---- second order, along the beam ---- */
+
+struct march {
+    int n;
+    double *I, *S;            /* [3 x n x n] Lambda_2 e_x and r_2 of pairs at the node reached, beam axes */
+    double *W[ROD_GAUSS];     /* [12 x n] fields at the points of an element */
+    double *slope[ROD_GAUSS]; /* [3 x n x n] integrands */
+    double *inner[ROD_GAUSS]; /* [3 x n x n] Lambda_2 e_x, then r_2 */
+};
+
+static void march_take(struct march *o, int n, bool second, struct arena *scratch)
+{
+    int size = second ? 3 * n * n : 0;
+    *o = (struct march){.n = n, .I = TAKE(scratch, double, size), .S = TAKE(scratch, double, size)};
+    for (int g = 0; g < ROD_GAUSS; g++) {
+        o->W[g] = TAKE(scratch, double, 12 * n);
+        o->slope[g] = TAKE(scratch, double, size);
+        o->inner[g] = TAKE(scratch, double, size);
+    }
+}
+
+/* d/ds of the pair's Lambda_2 e_x: theta x (kappa x e_x), both orders. */
+static void bend_slope(double *o, const double *a, const double *b)
+{
+    const double *ta = a + ROD_THETA, *tb = b + ROD_THETA, *ka = a + ROD_KAPPA, *kb = b + ROD_KAPPA;
+    o[0] = -(ta[1] * kb[1] + ta[2] * kb[2]) - (tb[1] * ka[1] + tb[2] * ka[2]);
+    o[1] = ta[0] * kb[1] + tb[0] * ka[1];
+    o[2] = ta[0] * kb[2] + tb[0] * ka[2];
+}
+
+/* end [size] and at[g]: running integrals of f[g] over an element of length h from start, forward from its left end
+ * or backward from its right. */
+static void run(double *end, double **at, double **f, int size, double h, bool back)
+{
+    for (int k = 0; k < size; k++) {
+        double total = 0;
+        for (int g = 0; g < ROD_GAUSS; g++) total += rod_gauss.w[g] * f[g][k];
+        for (int g = 0; g < ROD_GAUSS; g++) {
+            double sum = back ? -total : 0;
+            for (int i = 0; i < ROD_GAUSS; i++) sum += rod_gauss.part[g][i] * f[i][k];
+            at[g][k] = end[k] + h * sum;
+        }
+        end[k] += back ? -h * total : h * total;
+    }
+}
+
+/* inner[g] := S of the element's points. */
+static void march_element(struct march *o, double h, bool back)
+{
+    int n = o->n;
+    for (int g = 0; g < ROD_GAUSS; g++)
+        for (int k = 0; k < n * n; k++) bend_slope(o->slope[g] + 3 * k, o->W[g] + 12 * (k % n), o->W[g] + 12 * (k / n));
+    run(o->I, o->inner, o->slope, 3 * n * n, h, back);
+    for (int g = 0; g < ROD_GAUSS; g++)
+        for (int k = 0; k < n * n; k++) {
+            const double *a = o->W[g] + 12 * (k % n), *b = o->W[g] + 12 * (k / n);
+            double *c = o->slope[g] + 3 * k;
+            v3_copy(c, o->inner[g] + 3 * k);
+            v3_cross_add(c, a + ROD_THETA, b + ROD_GAMMA);
+            v3_cross_add(c, b + ROD_THETA, a + ROD_GAMMA);
+        }
+    run(o->S, o->inner, o->slope, 3 * n * n, h, back);
+}
+
+/* ---- integrals and nodes ---- */
+
+/* Displacement and rotation of the fields W, body axes. */
+static void linear(double *phi, double *psi, const double *W, const struct work *w)
+{
+    for (int j = 0; j < w->n; j++) {
+        m3_mul(phi + 3 * j, w->axes, W + 12 * j + ROD_R);
+        m3_mul(psi + 3 * j, w->axes, W + 12 * j + ROD_THETA);
+    }
+}
+
+static void turn_tensor(double *T, const double *axes, const double *I)
+{
+    double X[9];
+    m3_mulm(X, axes, I);
+    m3_mulmt(T, X, axes);
+}
+
+static void add_element(struct flex_body *o, const struct work *w, struct march *m, int element, double *phi)
+{
+    for (int g = 0; g < ROD_GAUSS; g++) {
+        const struct rod_point *p = &w->rod.point[ROD_GAUSS * element + g];
+        double x[3], I[9], *psi = phi + 3 * w->n;
+        linear(phi, psi, m->W[g], w);
+        if (o->s) to_body(m->inner[g], w->axes, w->n * w->n);
+        turn_tensor(I, w->axes, p->I);
+        for (int a = 0; a < 9; a++) I[a] *= p->ds;
+        place_at(x, w, p->s);
+        flex_body_add(o, x, p->m * p->ds, I, phi, psi, o->s ? m->inner[g] : NULL);
+    }
+}
+
+/* Lumps and nodes of the body that sit at a node of the mesh. */
+static void at_node(struct flex_body *o, const struct work *w, const struct march *m, const int *mesh, int node,
+                    double *phi)
+{
+    int n = w->n;
+    double x[3], I[9], *psi = phi + 3 * n, *S = psi + 3 * n, *W = m->W[0];
+    rod_at_node(W, &w->rod, node, w->Phi, n);
+    linear(phi, psi, W, w);
+    place_at(x, w, w->rod.s[node]);
+    if (o->s) {
+        memcpy(S, m->S, (size_t)(3 * n * n) * sizeof *S);
+        to_body(S, w->axes, n * n);
+    }
+    for (int k = 0; k < o->nnode; k++) {
+        struct flex_node *c = &o->node[k];
+        if (mesh[k] != node) continue;
+        v3_copy(c->x, x);
+        memcpy(c->phi, phi, (size_t)(3 * n) * sizeof *phi);
+        memcpy(c->psi, psi, (size_t)(3 * n) * sizeof *psi);
+        if (o->s) memcpy(c->S, S, (size_t)(3 * n * n) * sizeof *S);
+    }
+    for (int k = 0; k < w->beam->nlump; k++) {
+        if (rod_node(&w->rod, w->beam->lump[k].station) != node) continue;
+        turn_tensor(I, w->axes, w->inertia + 9 * k);
+        flex_body_add(o, x, w->beam->lump[k].mass, I, phi, psi, o->s ? S : NULL);
+    }
+}
+
+/* From the reference to one end. */
+static void fill_side(struct flex_body *o, const struct work *w, struct march *m, const int *mesh, bool back,
+                      double *phi)
+{
+    const struct rod *rod = &w->rod;
+    int n = w->n, step = back ? -1 : 1, stop = back ? 0 : rod->nnode - 1;
+    size_t bytes = o->s ? (size_t)(3 * n * n) * sizeof(double) : 0;
+    memset(m->I, 0, bytes);
+    memset(m->S, 0, bytes);
+    for (int node = w->reference; node != stop; node += step) {
+        int e = back ? node - 1 : node;
+        for (int g = 0; g < ROD_GAUSS; g++) rod_at_point(m->W[g], rod, ROD_GAUSS * e + g, w->Phi, n);
+        if (o->s) march_element(m, rod->s[e + 1] - rod->s[e], back);
+        add_element(o, w, m, e, phi);
+        at_node(o, w, m, mesh, node + step, phi);
+    }
+}
+
+static void fill(struct flex_body *o, const struct work *w, struct arena *scratch)
+{
+    const struct flex_beam *beam = w->beam;
+    int n = w->n, *mesh = TAKE(scratch, int, o->nnode), k = 0;
+    double *phi = TAKE(scratch, double, 6 * n + 3 * n * n);
+    struct march m;
+    for (int i = 0; i < beam->ninterface; i++) mesh[k++] = rod_node(&w->rod, beam->interface[i]);
+    for (int i = 0; i < beam->npoint; i++) mesh[k++] = rod_node(&w->rod, beam->point[i]);
+    mesh[k++] = 0;
+    mesh[k++] = w->rod.nnode - 1;
+    march_take(&m, n, o->s != NULL, scratch);
+    at_node(o, w, &m, mesh, w->reference, phi);
+    fill_side(o, w, &m, mesh, false, phi);
+    fill_side(o, w, &m, mesh, true, phi);
+}
+
+/* ---- stresses ---- */
+
+/* xx = E (u' - y rz' + z ry') at the point of the section. */
+static enum status stress(struct flex_stress *o, const struct work *w, const struct flex_probe *probe, double *W,
+                          struct report *report)
+{
+    struct flex_section c;
+    double E = w->beam->E;
+    rod_section(&c, w->beam, probe->station);
+    if ((probe->y != 0 && !(c.y > 0)) || (probe->z != 0 && w->beam->space == 3 && !(c.z > 0)))
+        return fail(report, E_MODEL, "the stress point '%s' needs a section whose outline is known",
+                    probe->name ? probe->name : "");
+    rod_strains(W, &w->rod, probe->station, w->Phi, w->n);
+    double py = probe->y * c.y, pz = probe->z * c.z;
+    double y = cos(c.twist) * py - sin(c.twist) * pz, z = sin(c.twist) * py + cos(c.twist) * pz;
+    o->name = probe->name;
+    for (int j = 0; j < w->n; j++) {
+        const double *f = W + 12 * j;
+        o->axial[j] = E * f[ROD_GAMMA];
+        o->bending[j] = E * (z * f[ROD_KAPPA + 1] - y * f[ROD_KAPPA + 2]);
+        o->tensor[6 * j] = o->axial[j] + o->bending[j];
+    }
+    return OK;
+}
+
+/* ---- all ---- */
+
+static enum status make(struct flex_body **out, double *at, struct work *w, struct arena *life, struct arena *scratch,
+                        struct report *report)
+{
+    const struct flex_beam *beam = w->beam;
+    double B[9], length, from;
+    for (int k = 0; k < beam->nsection; k++)
+        if (beam->space == 2 && beam->section[k].twist != 0)
+            return fail(report, E_MODEL, "a beam in the plane has no twist");
+    TRY(orient(B, &length, beam, report));
+    m3_tmulm(w->axes, beam->R, B);
+    rod_build(&w->rod, beam, length, scratch);
+    lump_inertia(w, scratch);
+    rod_matrices(&w->K, &w->M, &w->rod, w->inertia, scratch);
+    TRY(modes(w, scratch, report));
+    from = before(w);
+    v3_scale(w->start, from, w->axes);
+    v3_copy(at, beam->a);
+    v3_axpy(at, -from, B);
+    struct flex_body *o =
+        flex_body_take(w->n, beam->ninterface + beam->npoint + 2, beam->nprobe, beam->stiffening, life);
+    o->reference = 0;
+    stiffness(o, beam, w->lambda);
+    fill(o, w, scratch);
+    double *W = TAKE(scratch, double, 12 * w->n);
+    for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], W, report));
+    *out = o;
+    return OK;
+}
+
+enum status flex_beam_make(struct flex_body **out, double *at, const struct flex_beam *o, struct arena *life,
+                           struct report *report)
+{
+    struct arena *scratch = arena_open();
+    struct work w = {.beam = o};
+    enum status status = make(out, at, &w, life, scratch, report);
+    arena_close(scratch);
+    return status;
+}

@@ -1,0 +1,320 @@
+/* planar.c -- see planar.h.
+ *
+ * Everything linear in q is one product: the blocks that are not zero (of W, B, sx, sy for the shape, of Sx, Sy for
+ * a node) stand below each other in one table by column, the zero ones of a beam along an axis take no time.  The
+ * same with P, X, sx, sy and q'. */
+#include "flex/planar.h"
+
+#include <string.h>
+
+enum { BLOCKS = 4 };
+
+/* out = base + A x; block b of out begins at at[b]. */
+struct panel {
+    int n, size, rows; /* size of out; rows of A, whose other blocks are zero */
+    int at[BLOCKS];
+    double *base; /* [size] */
+    double *A;    /* [rows x n] */
+};
+
+/* y += A x; where A is diagonal, as for modes, [n] numbers will do. */
+struct form {
+    bool diagonal;
+    double *A;
+};
+
+struct node {
+    double x[2];
+    double *psi; /* [n] */
+    struct panel d, S;
+};
+
+struct flex_planar {
+    int n;
+    double mass, j0;
+    double *f, *e; /* [n x 2], [n] */
+    struct panel shape, rates;
+    struct form Me, K, D;
+    const double *mass_matrix;
+    struct node *node;
+};
+
+/* --- products ----------------------------------------------------------------------------------- */
+
+/* y [rows] += A x, four columns at a time; the order of sums is that of the text. */
+static inline void multiply(double *restrict y, const double *restrict A, const double *restrict x, int rows, int n)
+{
+    int j = 0;
+    for (; j + 4 <= n; j += 4, A += 4 * (long)rows) {
+        const double *A1 = A + rows, *A2 = A1 + rows, *A3 = A2 + rows;
+        double x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
+        for (int i = 0; i < rows; i++) y[i] += (A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3);
+    }
+    for (; j < n; j++, A += rows)
+        for (int i = 0; i < rows; i++) y[i] += A[i] * x[j];
+}
+
+static inline void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
+{
+    for (int i = 0; i < o->size; i++) out[i] = o->base[i];
+    multiply(out, o->A, x, o->rows, o->n);
+}
+
+static inline void form_add(double *restrict y, const struct form *o, const double *restrict x, int n)
+{
+    if (!o->diagonal)
+        multiply(y, o->A, x, n, n);
+    else
+        for (int i = 0; i < n; i++) y[i] += o->A[i] * x[i];
+}
+
+static inline double dot(const double *x, const double *y, int n)
+{
+    double sum = 0;
+    for (int i = 0; i < n; i++) sum += x[i] * y[i];
+    return sum;
+}
+
+/* --- shape -------------------------------------------------------------------------------------- */
+
+void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
+{
+    const double *fx = k->f, *fy = k->f + k->n;
+    double hx = 0, hy = 0, J = 0;
+    panel_at(o->work, &k->shape, q);
+    for (int i = 0; i < k->n; i++) {
+        hx += (fx[i] + o->Hx[i]) * q[i];
+        hy += (fy[i] + o->Hy[i]) * q[i];
+        J += (k->e[i] + o->y[i]) * q[i];
+    }
+    o->h[0] = .5 * hx;
+    o->h[1] = .5 * hy;
+    o->J = k->j0 + J;
+}
+
+void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
+                         const double *a, double w, double al, const double *q1, const double *q2)
+{
+    const double *r = o->rates, *P = r + k->rates.at[0], *X = r + k->rates.at[1];
+    const double *sx = r + k->rates.at[2], *sy = r + k->rates.at[3], ww = w * w;
+    double h1x = 0, h1y = 0, bx = 0, by = 0, g = 0, y = 0;
+    panel_at(o->rates, &k->rates, q1);
+    for (int i = 0; i < k->n; i++) {
+        h1x += o->Hx[i] * q1[i];
+        h1y += o->Hy[i] * q1[i];
+        y += o->y[i] * q1[i];
+        bx += o->Hx[i] * q2[i] + sx[i] * q1[i];
+        by += o->Hy[i] * q2[i] + sy[i] * q1[i];
+        g += o->G[i] * q2[i] + X[i] * q1[i];
+    }
+    for (int i = 0; i < k->n; i++)
+        Q[i] = (o->Hx[i] * a[0] + o->Hy[i] * a[1]) + (o->G[i] * al - o->y[i] * ww) + P[i] * w;
+    form_add(Q, &k->Me, q2, k->n);
+    F[0] = k->mass * a[0] - al * o->h[1] - ww * o->h[0] - 2 * w * h1y + bx;
+    F[1] = k->mass * a[1] + al * o->h[0] - ww * o->h[1] + 2 * w * h1x + by;
+    *N = o->h[0] * a[1] - o->h[1] * a[0] + o->J * al + 2 * w * y + g;
+}
+
+void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q, const double *q1)
+{
+    form_add(Q, &k->K, q, k->n);
+    if (k->D.A) form_add(Q, &k->D, q1, k->n);
+}
+
+double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
+                           const double *q1)
+{
+    const int n = k->n;
+    double p[2] = {dot(o->Hx, q1, n) - w * o->h[1], dot(o->Hy, q1, n) + w * o->h[0]}, T = 0;
+    for (int j = 0; j < n; j++) T += q1[j] * dot(k->mass_matrix + (long)n * j, q1, n);
+    T += k->mass * (v[0] * v[0] + v[1] * v[1]) + o->J * w * w;
+    return .5 * T + v[0] * p[0] + v[1] * p[1] + w * dot(o->G, q1, n);
+}
+
+const double *flex_planar_mass(const struct flex_planar *k)
+{
+    return k->mass_matrix;
+}
+
+/* --- nodes -------------------------------------------------------------------------------------- */
+
+void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q,
+                          const double *q1, const double *q2)
+{
+    const struct node *d = &k->node[node];
+    const double *base = d->d.base, *px = base + d->d.at[0], *py = base + d->d.at[1];
+    double x = 0, y = 0, angle = 0;
+    panel_at(o->work, &d->d, q);
+    for (int i = 0; i < k->n; i++) {
+        x += (px[i] + o->dx[i]) * q[i];
+        y += (py[i] + o->dy[i]) * q[i];
+        angle += o->dw[i] * q[i];
+    }
+    o->x[0] = d->x[0] + .5 * x;
+    o->x[1] = d->x[1] + .5 * y;
+    o->angle = angle;
+    if (!q1) return;
+    o->v[0] = dot(o->dx, q1, k->n);
+    o->v[1] = dot(o->dy, q1, k->n);
+    o->w = dot(o->dw, q1, k->n);
+    if (!q2) return;
+    o->a[0] = dot(o->dx, q2, k->n);
+    o->a[1] = dot(o->dy, q2, k->n);
+    o->al = dot(o->dw, q2, k->n);
+    if (d->S.rows == 0) return;
+    double *S = o->work + 2 * (long)k->n;
+    panel_at(S, &d->S, q1);
+    o->a[0] += dot(S + d->S.at[0], q1, k->n);
+    o->a[1] += dot(S + d->S.at[1], q1, k->n);
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+static bool all_zero(const double *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (x[i] != 0) return false;
+    return true;
+}
+
+/* Tables [n x n] and bases [n] (NULL: zero) by block. */
+static void panel_build(struct panel *o, int n, int blocks, double *const *table, double *const *base,
+                        struct arena *life)
+{
+    bool zero[BLOCKS];
+    int next = 0;
+    o->n = n;
+    o->size = blocks * n;
+    o->base = TAKE(life, double, o->size);
+    for (int b = 0; b < blocks; b++) {
+        zero[b] = all_zero(table[b], n * n);
+        if (!zero[b]) o->rows += n;
+    }
+    for (int pass = 0; pass < 2; pass++) /* those that are not zero first */
+        for (int b = 0; b < blocks; b++)
+            if (zero[b] == pass) o->at[b] = next, next += n;
+    o->A = TAKE(life, double, (long)o->rows *n);
+    for (int b = 0; b < blocks; b++) {
+        if (base && base[b]) memcpy(o->base + o->at[b], base[b], sizeof(double) * (size_t)n);
+        for (int j = 0; !zero[b] && j < n; j++)
+            memcpy(o->A + o->at[b] + (long)o->rows * j, table[b] + (long)n * j, sizeof(double) * (size_t)n);
+    }
+}
+
+static void form_build(struct form *o, const double *A, int n, struct arena *life)
+{
+    o->diagonal = true;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++)
+            if (i != j && A[i + n * j] != 0) o->diagonal = false;
+    o->A = TAKE(life, double, o->diagonal ? n : n *n);
+    if (!o->diagonal) memcpy(o->A, A, sizeof *A * (size_t)(n * n));
+    for (int i = 0; o->diagonal && i < n; i++) o->A[i] = A[i + n * i];
+}
+
+/* Trace and scalar cross product of a 3 x 3 product a b' in the plane. */
+static double trace2(const double *ab)
+{
+    return ab[0] + ab[4];
+}
+
+static double cross2(const double *ab)
+{
+    return ab[3] - ab[1];
+}
+
+static void build_linear(struct flex_planar *k, double *g, const struct flex_body *o, struct arena *life)
+{
+    const int n = o->n;
+    k->f = TAKE(life, double, 2 * n);
+    k->e = TAKE(life, double, n);
+    for (int j = 0; j < n; j++) {
+        k->f[j] = o->f[3 * j];
+        k->f[j + n] = o->f[3 * j + 1];
+        k->e[j] = trace2(o->xf + 9 * j);
+        g[j] = cross2(o->xf + 9 * j) + o->rpsi[3 * j + 2];
+    }
+}
+
+/* Symmetric parts of s and xs: the antisymmetric ones do no harm anywhere, if there are any. */
+static void build_square(struct flex_planar *k, const double *g, const struct flex_body *o, struct arena *life)
+{
+    const int n = o->n, nn = n * n;
+    double *W = TAKE(life, double, nn), *B = TAKE(life, double, nn), *P = TAKE(life, double, nn);
+    double *X = TAKE(life, double, nn), *sx = TAKE(life, double, nn), *sy = TAKE(life, double, nn);
+    double *Me = TAKE(life, double, nn);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            const int ij = i + n * j, ji = j + n * i;
+            W[ij] = .5 * (trace2(o->ff + 9 * ij) + trace2(o->ff + 9 * ji));
+            Me[ij] = W[ij] + .5 * (o->ppsi[ij] + o->ppsi[ji]);
+            P[ij] = cross2(o->ff + 9 * ji) - cross2(o->ff + 9 * ij); /* 2 P_ji */
+            if (o->s) {
+                sx[ij] = .5 * (o->s[3 * ij] + o->s[3 * ji]);
+                sy[ij] = .5 * (o->s[3 * ij + 1] + o->s[3 * ji + 1]);
+            }
+            if (o->xs) {
+                W[ij] += .5 * (trace2(o->xs + 9 * ij) + trace2(o->xs + 9 * ji));
+                X[ij] = .5 * (cross2(o->xs + 9 * ij) + cross2(o->xs + 9 * ji));
+            }
+            B[ij] = X[ij] + .5 * P[ij];
+        }
+    double *const base[BLOCKS] = {k->e, (double *)g, k->f, k->f + n};
+    panel_build(&k->shape, n, BLOCKS, (double *const[]){W, B, sx, sy}, base, life);
+    panel_build(&k->rates, n, BLOCKS, (double *const[]){P, X, sx, sy}, NULL, life);
+    form_build(&k->Me, Me, n, life);
+    k->mass_matrix = Me;
+}
+
+static void build_node(struct node *o, const struct flex_node *from, int n, struct arena *life)
+{
+    double *phi = TAKE(life, double, 2 * n), *Sx = TAKE(life, double, n *n), *Sy = TAKE(life, double, n *n);
+    o->psi = TAKE(life, double, n);
+    o->x[0] = from->x[0];
+    o->x[1] = from->x[1];
+    for (int j = 0; j < n; j++) {
+        phi[j] = from->phi[3 * j];
+        phi[j + n] = from->phi[3 * j + 1];
+        o->psi[j] = from->psi[3 * j + 2];
+    }
+    for (int ij = 0; from->S && ij < n * n; ij++) {
+        Sx[ij] = from->S[3 * ij];
+        Sy[ij] = from->S[3 * ij + 1];
+    }
+    panel_build(&o->d, n, 2, (double *const[]){Sx, Sy}, (double *const[]){phi, phi + n}, life);
+    panel_build(&o->S, n, 2, (double *const[]){Sx, Sy}, NULL, life);
+}
+
+struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *life)
+{
+    struct flex_planar *k = TAKE(life, struct flex_planar, 1);
+    double *g = TAKE(life, double, o->n);
+    k->n = o->n;
+    k->mass = o->mass;
+    k->j0 = trace2(o->xx) + o->rot[8];
+    build_linear(k, g, o, life);
+    build_square(k, g, o, life);
+    form_build(&k->K, o->K, o->n, life);
+    if (o->D) form_build(&k->D, o->D, o->n, life);
+    k->node = TAKE(life, struct node, o->nnode);
+    for (int i = 0; i < o->nnode; i++) build_node(&k->node[i], &o->node[i], o->n, life);
+    return k;
+}
+
+void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life)
+{
+    o->work = TAKE(life, double, BLOCKS * k->n);
+    o->rates = TAKE(life, double, BLOCKS * k->n);
+    o->y = o->work + k->shape.at[0];
+    o->G = o->work + k->shape.at[1];
+    o->Hx = o->work + k->shape.at[2];
+    o->Hy = o->work + k->shape.at[3];
+}
+
+void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)
+{
+    o->work = TAKE(life, double, 4 * k->n);
+    o->dx = o->work + k->node[node].d.at[0];
+    o->dy = o->work + k->node[node].d.at[1];
+    o->dw = k->node[node].psi;
+}

@@ -1,0 +1,228 @@
+/* planar_flex.c -- flexible bodies in the planar recursion.
+ *
+ * The frame of a flexible body hangs on its joint as a rigid body does; flex/planar.h says what force F at its
+ * origin, moment N and modes' forces Q its motion takes.  What hangs on it outboard stands at nodes: a body at a node
+ * is R (x + u) away from the origin and turned by theta, and moves with
+ *
+ *     arm = R (x + u)       w  = w_p + theta'
+ *     v = v_p + w_p J arm + R u'
+ *     a = a_p + al_p J arm - w_p^2 arm + 2 w_p J R u' + R u''
+ *
+ * whose partial velocities by q' are R (phi + S q) and psi.  By virtual power the force F and moment N that the body
+ * at the node needs go to the frame as from any child, and to the modes' rows as
+ *
+ *     Q_k += (phi + S q)_k . R'F + psi_k N. */
+#include <math.h>
+#include <string.h>
+
+#include "system/planar_flex.h"
+
+static inline void turn2(double *y, const double *cs, const double *x)
+{
+    y[0] = cs[0] * x[0] - cs[1] * x[1];
+    y[1] = cs[1] * x[0] + cs[0] * x[1];
+}
+
+static inline void turn_back(double *y, const double *cs, const double *x)
+{
+    y[0] = cs[0] * x[0] + cs[1] * x[1];
+    y[1] = cs[0] * x[1] - cs[1] * x[0];
+}
+
+static void gather(double *x, const int *i, const double *from, int n)
+{
+    for (int k = 0; k < n; k++) x[k] = from[i[k]];
+}
+
+/* --- motion ------------------------------------------------------------------------------------- */
+
+/* Body axes and modes; the shape is wanted by those that bear mass. */
+static void bend(struct bend *b, const struct part *x, const double *q, const double *v, const double *a, bool bears)
+{
+    turn2(b->cs, (double[]){x->c, x->s}, b->drawn);
+    gather(b->q, b->iq, q, b->n);
+    if (v) gather(b->v, b->iv, v, b->n);
+    if (a) gather(b->a, b->iv, a, b->n);
+    if (bears) flex_planar_shape_at(&b->shape, b->kernel, b->q);
+}
+
+/* x at its node of p. */
+static void stand(struct stand *o, struct part *x, const struct part *p, bool moves, bool speeds_up)
+{
+    const struct bend *b = o->of;
+    const struct flex_planar_place *d = &o->place;
+    double u[2];
+    flex_planar_place_at(&o->place, b->kernel, o->node, b->q, moves ? b->v : NULL, speeds_up ? b->a : NULL);
+    turn2(x->arm, b->cs, d->x);
+    x->c_b[0] = x->c_b[1] = 0;
+    x->phi = p->phi + d->angle;
+    sincos(x->phi, &x->s, &x->c);
+    for (int i = 0; i < 2; i++) x->r[i] = p->r[i] + x->arm[i];
+    if (!moves) return;
+    turn2(u, b->cs, d->v);
+    x->w = p->w + d->w;
+    x->v[0] = p->v[0] - p->w * x->arm[1] + u[0];
+    x->v[1] = p->v[1] + p->w * x->arm[0] + u[1];
+    if (!speeds_up) return;
+    const double ww = p->w * p->w, w2 = 2 * p->w;
+    turn2(x->a, b->cs, d->a);
+    x->al = p->al + d->al;
+    x->a[0] += p->a[0] - p->al * x->arm[1] - ww * x->arm[0] - w2 * u[1];
+    x->a[1] += p->a[1] + p->al * x->arm[0] - ww * x->arm[1] + w2 * u[0];
+}
+
+void planar_flex_outwards(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    for (int i = 0; i < o->n; i++) {
+        const int body = o->body[i];
+        const struct link *l = &s->link[body];
+        struct part *x = &s->part[body], *p = &s->part[l->parent];
+        if (s->stand[body])
+            stand(s->stand[body], x, p, v != NULL, a != NULL);
+        else
+            planar_hang(x, p, l, q, v, a);
+        if (s->bend[body]) bend(s->bend[body], x, q, v, a, o->bears[i]);
+    }
+}
+
+/* --- what elements ask -------------------------------------------------------------------------- */
+
+/* A mode of body o moves what hangs on the nodes of o, each node in its own way. */
+void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k)
+{
+    const int o = s->routes.owner[k], mode = s->routes.local[k] - s->link[o].nv;
+    if (body == o) return;
+    while (s->link[body].parent != o) body = s->link[body].parent;
+    const struct stand *node = s->stand[body];
+    const struct part *at = &s->part[body];
+    if (!node) return;
+    turn2(xv, node->of->cs, (double[]){node->place.dx[mode], node->place.dy[mode]});
+    w[2] = node->place.dw[mode];
+    xv[0] -= w[2] * (x[1] - at->r[1]);
+    xv[1] += w[2] * (x[0] - at->r[0]);
+}
+
+void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
+{
+    const double *g = s->model->gravity;
+    for (int i = 1; i < s->nbody; i++) {
+        const struct bend *b = s->bend[i];
+        if (!b) continue;
+        const struct part *x = &s->part[i];
+        double v[2], h[2], m = s->model->body[i].mass;
+        turn_back(v, b->cs, x->v);
+        planar_flex_first_moment(h, b);
+        *kinetic += flex_planar_kinetic(b->kernel, &b->shape, v, x->w, b->v);
+        *gravity -= g[0] * (m * x->r[0] + h[0]) + g[1] * (m * x->r[1] + h[1]);
+    }
+}
+
+/* --- forces ------------------------------------------------------------------------------------- */
+
+static void load(struct bend *b, struct part *x)
+{
+    double a[2], F[2];
+    turn_back(a, b->cs, x->a);
+    flex_planar_inertia(F, &x->N, b->Q, b->kernel, &b->shape, a, x->w, x->al, b->v, b->a);
+    flex_planar_elastic(b->Q, b->kernel, b->q, b->v);
+    turn2(x->F, b->cs, F);
+}
+
+void planar_flex_load(struct sweep *s, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]];
+        struct bend *b = s->bend[o->body[i]];
+        const double bears = o->bears[i];
+        if (b && o->bears[i]) {
+            load(b, x);
+            continue;
+        }
+        x->F[0] = bears * l->mass * x->a[0];
+        x->F[1] = bears * l->mass * x->a[1];
+        x->N = bears * l->inertia * x->al;
+        if (b) memset(b->Q, 0, sizeof *b->Q * (size_t)b->n);
+    }
+}
+
+/* The modes' rows of force F and moment N at the node, both in the world. */
+static void bend_by(double *Q, const struct stand *o, const double *F, double N)
+{
+    double f[2];
+    turn_back(f, o->of->cs, F);
+    for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * N;
+}
+
+void planar_flex_inwards(struct sweep *s, double *r, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    for (int i = o->n - 1; i >= 0; i--) {
+        const int body = o->body[i];
+        const struct link *l = &s->link[body];
+        const struct part *x = &s->part[body];
+        const struct bend *b = s->bend[body];
+        if (s->stand[body]) bend_by(s->stand[body]->of->Q, s->stand[body], x->F, x->N);
+        if (b)
+            for (int k = 0; k < b->n; k++) r[b->iv[k]] += b->Q[k];
+        planar_bring_up(r, x, &s->part[l->parent], l);
+    }
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+/* A factor keeps L and Z of a flexible body, B of a body at a node. */
+static struct bend *build_bend(struct sweep *s, const struct model_body *body, const struct link *l, struct arena *life)
+{
+    struct bend *b = TAKE(life, struct bend, 1);
+    const int n = b->n = body->nmode;
+    b->kernel = flex_planar_build(body->flex, life);
+    flex_planar_shape_take(&b->shape, b->kernel, life);
+    b->iq = body->mode_q;
+    b->iv = body->mode_v;
+    b->q = TAKE(life, double, n);
+    b->v = TAKE(life, double, n);
+    b->a = TAKE(life, double, n);
+    b->Q = TAKE(life, double, n);
+    b->U = TAKE(life, double, 3 * n);
+    b->M = TAKE(life, double, n *n);
+    memcpy(b->drawn, l->drawn, sizeof b->drawn);
+    b->at = s->for_modes;
+    s->for_modes += (size_t)(n * n + 3 * n);
+    return b;
+}
+
+static struct stand *build_stand(struct sweep *s, const struct model_body *body, struct bend *of, struct arena *life)
+{
+    struct stand *o = TAKE(life, struct stand, 1);
+    o->of = of;
+    o->node = body->node;
+    flex_planar_place_take(&o->place, of->kernel, o->node, life);
+    o->at = s->for_modes;
+    s->for_modes += 3 * (size_t)of->n;
+    return o;
+}
+
+static bool any_flexible(const struct model *m)
+{
+    for (int i = 1; i < m->nbody; i++)
+        if (m->body[i].flex) return true;
+    return false;
+}
+
+void planar_flex_build(struct sweep *s, struct arena *life)
+{
+    const struct model *m = s->model;
+    if (!any_flexible(m)) return;
+    s->bend = TAKE(life, struct bend *, m->nbody);
+    s->stand = TAKE(life, struct stand *, m->nbody);
+    for (int i = 1; i < m->nbody; i++) {
+        const struct model_body *body = &m->body[i];
+        if (body->at_node) s->stand[i] = build_stand(s, body, s->bend[body->parent], life);
+        if (!body->flex) continue;
+        s->link[i].mass = s->link[i].inertia = 0;
+        s->bend[i] = build_bend(s, body, &s->link[i], life);
+    }
+}
