@@ -76,7 +76,6 @@ static void fill_pair(struct flex_kernel *o, int j, int k)
     add_inertia(change + 3 * n + 6 * j, 1, b->ff + 9 * (k + n * j));
     add_axial(change + 9 * n + 3 * j, 1, b->ff + 9 * (k + n * j));
     add_axial(fast + 3 * j, 2, b->ff + 9 * (k + n * j));
-    o->Me[jk] = b->ff[9 * jk] + b->ff[9 * jk + 4] + b->ff[9 * jk + 8] + b->ppsi[jk];
     if (o->fixed) return;
     v3_copy(change + 3 * j, b->s + 3 * jk);
     add_inertia(change + 3 * n + 6 * j, 2, b->xs + 9 * jk);
@@ -95,6 +94,7 @@ struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *l
     k->fast = TAKE(life, double, k->nfast *n);
     k->Me = TAKE(life, double, n *n);
     undeformed(k, o);
+    flex_mass(k->Me, o);
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) fill_pair(k, i, j);
     return k;
