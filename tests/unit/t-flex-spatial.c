@@ -796,7 +796,7 @@ static void test_moves(void **state)
             memcpy(q, o.q, sizeof q);
             ode->move->point(ode, q, o.q, o.v, .5, 0);
             ode->move->diff(ode, back, q, o.q);
-            ode->move->rate(ode, rate, q, o.q, o.v, o.a, 0);
+            ode->move->rate(ode, rate, q, o.q, back, o.a, 0);
         }
         for (int b = 1; ode->move && b < o.m->nbody; b++)
             for (int k = 0; k < o.m->body[b].nmode; k++) {
