@@ -8,8 +8,8 @@
  *    lines, s (s_b^2 - s_a^2)/2 = (x_b - x_a) . (change of x_b - x_a) s, the work is exact so, and the
  *    force stays on the line of the points, which keeps both momenta;
  *  - what is left is of third order and made by rotations: a remainder E of work goes to the rotations u_k that
- *    change the measure, Q_k += E u_k / (h u.u).  Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with this choice
- *    of the direction dq. */
+ *    change the measure, Q_k += E u_k / (h u.u); where only flexible bodies change it, to their coordinates.  Gonzalez,
+ * J. Nonlinear Sci. 6 (1996) 449, with this choice of the direction dq. */
 #include "system/elements.h"
 
 #include <float.h>
@@ -369,20 +369,35 @@ static bool *rotations(const struct model *m, struct arena *life)
     return turns;
 }
 
-static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
+/* Counts in the row how often the velocities on the ways to the two bodies are met; modes is set for those of
+ * flexible bodies. */
+static void meet(struct elements *e, bool *modes, int a, int b)
 {
     const struct model *m = e->model;
     const int ends[2] = {a, b};
-    int *turn = TAKE(life, int, m->n);
     for (int end = 0; end < 2; end++)
         for (int i = ends[end]; i > 0; i = m->body[i].parent) {
             const struct model_joint *j = &m->joint[m->body[i].joint];
+            const struct model_body *p = &m->body[m->body[i].parent];
             for (int k = 0; k < j->nv; k++) row_add(&e->row, j->iv[k], 1);
+            for (int k = 0; m->body[i].at_node && k < p->nmode; k++) {
+                row_add(&e->row, p->mode_v[k], 1);
+                modes[p->mode_v[k]] = true;
+            }
         }
-    for (int i = 0; i < e->row.n; i++) {
-        int k = e->row.k[i];
-        if (e->row.x[k] == 1 && turns[k]) turn[p->nturn++] = k;
-    }
+}
+
+/* Without rotations the elastic coordinates, which bend the points' ways too. */
+static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
+{
+    int *turn = TAKE(life, int, e->model->n);
+    bool *modes = TAKE(life, bool, e->model->n);
+    meet(e, modes, a, b);
+    for (int pass = 0; pass < 2 && !p->nturn; pass++)
+        for (int i = 0; i < e->row.n; i++) {
+            int k = e->row.k[i];
+            if (pass ? modes[k] : turns[k] && e->row.x[k] == 1) turn[p->nturn++] = k;
+        }
     p->turn = turn;
     row_clear(&e->row);
 }

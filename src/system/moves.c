@@ -36,6 +36,10 @@ void moves_build(struct moves *o, const struct model *m, struct arena *life)
         for (int k = 0; k < 4; k++) t->iq[k] = joint->iq[at + k];
         for (int k = 0; k < 3; k++) t->iv[k] = joint->iv[at + k];
     }
+    for (int b = 1; b < m->nbody; b++) {
+        const struct model_body *body = &m->body[b];
+        for (int k = 0; k < body->nmode; k++) o->nplain = by_place(iq, iv, o->nplain, body->mode_q[k], body->mode_v[k]);
+    }
     while (o->nfirst < o->nplain && iq[o->nfirst] == o->nfirst && iv[o->nfirst] == o->nfirst) o->nfirst++;
 }
 

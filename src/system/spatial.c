@@ -16,6 +16,8 @@
  *     F = m a - f + sum over children,   N = I al + w x I w - n + sum (N_j + arm_j x F_j)
  *     row of a displacement: e_k . F,    of a rotation: e_k . (N + c x F)
  *
+ * Flexible bodies, and the bodies that stand at their nodes, have steps of their own in spatial_flex.c.
+ *
  * Luh, Walker & Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69. */
 #include "system/spatial.h"
 
@@ -116,12 +118,20 @@ static inline void place(struct part *restrict x, const struct part *restrict p,
 }
 
 /* A loop of its own: right after their stores the loads of R in pairs would wait (12 ns a body of 65). */
-void spatial_place(struct sweep *s, const double *q, unsigned cls)
+void spatial_place(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
+    if (s->nflexible) spatial_flex_gather(s, q, v, a);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
-        place(&s->part[o->body[i]], &s->part[l->parent], l, q);
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        if (stand)
+            spatial_stand_place(x, stand, p);
+        else
+            place(x, p, l, q);
+        if (flexible) spatial_flex_place(flexible, x, l);
     }
 }
 
@@ -225,12 +235,16 @@ static void move(struct sweep *s, const double *q, const double *v, unsigned cls
 {
     const struct roster *o = &s->rosters.of[cls];
     s->accelerated = false;
-    spatial_place(s, q, cls);
+    spatial_place(s, q, v, NULL, cls);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        const struct stand *stand = spatial_stand(s, o->body[i]);
         struct motion joint;
-        move_on(x, &joint, p, l, v);
+        if (stand)
+            spatial_stand_move(x, stand, p);
+        else
+            move_on(x, &joint, p, l, v);
     }
 }
 
@@ -247,6 +261,13 @@ static inline void bring_up(struct part *restrict x, const struct link *restrict
     v3_scale(x->F, l->mass, x->a);
 }
 
+static inline void stay_light(struct part *x, struct flexible *f)
+{
+    v3_set(x->F, 0, 0, 0);
+    v3_set(x->N, 0, 0, 0);
+    if (f) memset(f->Q, 0, sizeof *f->Q * (size_t)f->n);
+}
+
 static void forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
@@ -254,92 +275,27 @@ static void forward(struct sweep *s, const double *q, const double *v, const dou
     s->accelerated = true;
     v3_set(s->part[0].F, 0, 0, 0);
     v3_set(s->part[0].N, 0, 0, 0);
-    spatial_place(s, q, cls);
+    spatial_place(s, q, v, a, cls);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        const struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
-        move_on(x, &joint, p, l, v);
-        speed_up(x, &joint, p, l, v, a);
-        if (o->bears[i]) {
-            bring_up(x, l);
+        if (stand) {
+            spatial_stand_move(x, stand, p);
+            spatial_stand_speed_up(x, stand, p);
         } else {
-            v3_set(x->F, 0, 0, 0);
-            v3_set(x->N, 0, 0, 0);
+            move_on(x, &joint, p, l, v);
+            speed_up(x, &joint, p, l, v, a);
         }
+        if (!o->bears[i] || stand)
+            stay_light(x, flexible);
+        else if (flexible)
+            spatial_flex_bring_up(x, flexible);
+        else
+            bring_up(x, l);
     }
-}
-
-/* --- what elements ask and give ---------------------------------------------------------------- */
-
-/* From the centre to the point p of body axes, world axes. */
-static inline void offset(double *d, const struct sweep *s, int body, const double *p)
-{
-    double inner[3];
-    m3_tmul(inner, s->link[body].turned, p);
-    m3_mul(d, s->part[body].R, inner);
-}
-
-static void point(const struct sweep *s, double *x, double *xv, int body, const double *p)
-{
-    const struct part *b = &s->part[body];
-    double d[3];
-    offset(d, s, body, p);
-    v3_sum(x, b->r, d);
-    v3_copy(xv, b->v);
-    v3_cross_add(xv, b->w, d);
-}
-
-static void pose(const struct sweep *s, struct pose *o, int body)
-{
-    const struct part *b = &s->part[body];
-    memset(o, 0, sizeof *o);
-    m3_mulmt(o->R, b->R, s->link[body].turned);
-    v3_copy(o->r, b->r);
-    v3_copy(o->v, b->v);
-    v3_copy(o->w, b->w);
-    if (!s->accelerated) return;
-    v3_sum(o->a, b->a, s->model->gravity);
-    v3_copy(o->al, b->al);
-}
-
-static void push(struct sweep *s, int body, const double *x, const double *f)
-{
-    struct part *b = &s->part[body];
-    double d[3];
-    v3_diff(d, b->r, x);
-    v3_take(b->F, f);
-    v3_cross_add(b->N, d, f);
-}
-
-static void twist(struct sweep *s, int body, const double *n)
-{
-    v3_take(s->part[body].N, n);
-}
-
-static void partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k)
-{
-    int o = s->routes.owner[k];
-    const struct part *p = &s->part[o];
-    v3_set(xv, 0, 0, 0);
-    v3_set(w, 0, 0, 0);
-    if (!routes_above(&s->routes, o, body)) return;
-    const double *e = spatial_axis(p, &s->link[o], s->routes.local[k]);
-    if (!spatial_turns(&s->link[o], s->routes.local[k])) {
-        v3_copy(xv, e);
-        return;
-    }
-    double d[3];
-    v3_diff(d, x, p->r);
-    v3_add(d, p->c);
-    v3_copy(w, e);
-    v3_cross(xv, e, d);
-}
-
-static int path(const struct sweep *s, const int **k, int body)
-{
-    *k = s->routes.path[body];
-    return s->routes.npath[body];
 }
 
 /* --- forces inwards ---------------------------------------------------------------------------- */
@@ -365,27 +321,15 @@ static void backward(struct sweep *s, double *r, unsigned cls)
         const struct link *l = &s->link[o->body[i]];
         const struct part *x = &s->part[o->body[i]];
         struct part *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        const struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        if (stand) spatial_stand_load(stand, x);
+        if (flexible) spatial_flex_rows(r, flexible);
         rows(r, x, l);
         v3_add(p->F, x->F);
         v3_add(p->N, x->N);
         v3_cross_add(p->N, x->arm, x->F);
     }
-}
-
-static void energy(const struct sweep *s, double *kinetic, double *gravity)
-{
-    double T = 0, V = 0;
-    for (int i = 1; i < s->nbody; i++) {
-        const struct part *x = &s->part[i];
-        const struct link *l = &s->link[i];
-        double w[3], L[3];
-        m3_tmul(w, x->R, x->w);
-        s3_mul(L, l->inertia, w);
-        T += l->mass * v3_dot(x->v, x->v) + v3_dot(w, L);
-        V -= l->mass * v3_dot(s->model->gravity, x->r);
-    }
-    *kinetic = .5 * T;
-    *gravity = V;
 }
 
 /* The axes of every joint's rotations are at right angles to each other, those of its displacements too, so the
@@ -407,16 +351,16 @@ static void reaction(const struct sweep *s, double *f, double *n, int joint)
 const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .forward = forward,
                                         .move = move,
-                                        .point = point,
-                                        .pose = pose,
-                                        .push = push,
-                                        .twist = twist,
+                                        .point = spatial_point,
+                                        .pose = spatial_pose,
+                                        .push = spatial_push,
+                                        .twist = spatial_twist,
                                         .backward = backward,
                                         .mass = spatial_mass,
-                                        .partial = partial,
-                                        .path = path,
+                                        .partial = spatial_partial,
+                                        .path = spatial_path,
                                         .factor_size = spatial_factor_size,
                                         .factor = spatial_factor,
                                         .solve = spatial_solve,
-                                        .energy = energy,
+                                        .energy = spatial_energy,
                                         .reaction = reaction};

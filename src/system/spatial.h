@@ -6,6 +6,7 @@
 #ifndef FMDSUB_SYSTEM_SPATIAL_H
 #define FMDSUB_SYSTEM_SPATIAL_H
 
+#include "flex/motion.h"
 #include "la/vec3.h"
 #include "system/routes.h"
 #include "system/sweep.h"
@@ -53,6 +54,28 @@ struct twist {
     double w[3], v[3];
 };
 
+/* A flexible body: its part is the frame, its inertia the kernel's. */
+struct flexible {
+    const struct flex_kernel *kernel;
+    struct flex_shape shape;
+    double mass;
+    int body, n;
+    const int *iq, *iv;  /* [n] its coordinates */
+    double *q, *q1, *q2; /* [n] at hand; q1, q2 as far as `order` says: 0, 1, 2 derivatives */
+    int order;
+    double *Q;              /* [n] what the rows of its coordinates need */
+    double R[9];            /* body axes to world */
+    int nnode[4], *node[4]; /* bodies at its nodes by class, as the rosters have them */
+};
+
+/* A body that stands at a node of a flexible one. */
+struct stand {
+    const struct flexible *on; /* NULL: it hangs on a joint */
+    int node;
+    struct flex_place place;
+    double E[9]; /* its inner frame in the node's axes */
+};
+
 struct sweep {
     const struct model *model;
     struct rosters rosters;
@@ -64,7 +87,11 @@ struct sweep {
     struct twist *bias;              /* [nbody] work of solve(): forces, then twists */
     double *zero;                    /* [n] */
     struct routes routes;
-    bool accelerated; /* the last motion had accelerations */
+    int nflexible;
+    struct flexible *flexible;     /* [nflexible], parents first */
+    struct flexible **flexible_of; /* [nbody] NULL: rigid; itself NULL where all are, like the next */
+    struct stand *stand;           /* [nbody] */
+    bool accelerated;              /* the last motion had accelerations */
 };
 
 /* Is the k-th velocity of l a rotation? */
@@ -116,9 +143,48 @@ static inline void spatial_unit(struct twist *o, const struct part *x, const str
 
 struct sweep *spatial_build(const struct model *m, struct arena *life);
 
-/* Positions of the bodies of cls. */
-void spatial_place(struct sweep *s, const double *q, unsigned cls);
+/* Positions of the bodies of cls; for the nodes of flexible bodies with v and a (NULL: not known) their motion. */
+void spatial_place(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
 
+static inline struct flexible *spatial_flexible(const struct sweep *s, int body)
+{
+    return s->nflexible ? s->flexible_of[body] : NULL;
+}
+
+static inline struct stand *spatial_stand(const struct sweep *s, int body)
+{
+    return s->nflexible && s->stand[body].on ? &s->stand[body] : NULL;
+}
+
+/* Flexible bodies: see spatial_flex.c. */
+void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *life);
+void spatial_flex_gather(struct sweep *s, const double *q, const double *v, const double *a);
+void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l);
+void spatial_flex_bring_up(struct part *x, struct flexible *f);
+void spatial_flex_rows(double *r, const struct flexible *f);
+void spatial_flex_energy(double *T, double *V, const struct part *x, const struct flexible *f, const double *gravity);
+void spatial_stand_place(struct part *x, struct stand *o, const struct part *p);
+void spatial_stand_move(struct part *x, const struct stand *o, const struct part *p);
+void spatial_stand_speed_up(struct part *x, const struct stand *o, const struct part *p);
+void spatial_stand_load(struct stand *o, const struct part *x);
+/* The body at a node that i hangs on, or is; both of one flexible body f. */
+int spatial_stand_below(const struct sweep *s, const struct flexible *f, int i);
+/* Velocity of the node (v) and angular velocity for a unit rate of the j-th coordinate, world axes. */
+void spatial_stand_unit(struct twist *u, const struct stand *o, int j);
+/* The same the other way: what force F and moment N at the node do on the j-th coordinate; both in body axes. */
+static inline double spatial_stand_row(const struct stand *o, int j, const double *F, const double *N)
+{
+    return v3_dot(o->place.dx + 3 * j, F) + v3_dot(o->place.dw + 3 * j, N);
+}
+
+/* See sweep.h. */
+void spatial_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
+void spatial_pose(const struct sweep *s, struct pose *o, int body);
+void spatial_push(struct sweep *s, int body, const double *x, const double *f);
+void spatial_twist(struct sweep *s, int body, const double *n);
+void spatial_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+int spatial_path(const struct sweep *s, const int **k, int body);
+void spatial_energy(const struct sweep *s, double *kinetic, double *gravity);
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
 int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);

@@ -75,5 +75,6 @@ struct sweep *spatial_build(const struct model *m, struct arena *life)
         build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
     }
     routes_build(&s->routes, m, life);
+    spatial_flex_build(s, m, life);
     return s;
 }

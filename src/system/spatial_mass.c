@@ -6,6 +6,10 @@
  *
  *     F = m a + al x h,   N = J al + h x a.
  *
+ * A unit rate of a flexible body's j-th coordinate starts the body itself with H_j and G_j in the frame and with
+ * column j of Me in its rows, and what hangs on its nodes like unit velocities of a joint there; the rows of the
+ * coordinates are dx_i . F + dw_i . N of each node's force and moment.
+ *
  * Walker & Orin, J. Dyn. Syst. Meas. Control 104 (1982) 205. */
 #include <string.h>
 
@@ -39,11 +43,17 @@ static void compose(struct sweep *s, const struct roster *o)
 {
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
+        const struct flexible *f = spatial_flexible(s, o->body[i]);
         struct composite *x = &s->composite[o->body[i]];
         memset(x, 0, sizeof *x);
         if (!o->bears[i]) continue;
         x->m = l->mass;
-        s3_turn(x->J, s->part[o->body[i]].R, l->inertia);
+        if (f) {
+            m3_mul(x->h, f->R, f->shape.h);
+            s3_turn(x->J, f->R, f->shape.J);
+        } else {
+            s3_turn(x->J, s->part[o->body[i]].R, l->inertia);
+        }
     }
     for (int i = o->n - 1; i >= 0; i--) {
         int body = o->body[i], parent = s->link[body].parent;
@@ -70,31 +80,91 @@ static inline double row(const struct part *x, const struct link *l, int k, cons
     return v3_dot(e, n);
 }
 
+/* Rows of the first m coordinates of the body on which o stands, of F and N in its axes. */
+static void flexible_rows(double *M, size_t n, size_t col, const struct stand *o, int m, const double *F,
+                          const double *N)
+{
+    for (int i = 0; i < m; i++) M[(size_t)o->on->iv[i] + n * col] += spatial_stand_row(o, i, F, N);
+}
+
+static void mirror(double *M, size_t n, size_t col, const struct flexible *f, int m)
+{
+    for (int i = 0; i < m; i++) M[col + n * (size_t)f->iv[i]] = M[(size_t)f->iv[i] + n * col];
+}
+
+/* Column col, from the first `last` rows of the body's joint to the ground, of F0 and N0 about the body's centre. */
+static inline void carry(double *M, const struct sweep *s, int body, int last, size_t col, const double *F0,
+                         const double *N0)
+{
+    size_t n = (size_t)s->n;
+    double F[3], N[3], f[3], moment[3];
+    v3_copy(F, F0);
+    v3_copy(N, N0);
+    for (int i = body; i > 0; i = s->link[i].parent) {
+        const struct part *x = &s->part[i];
+        const struct link *l = &s->link[i];
+        const struct stand *stand = spatial_stand(s, i);
+        int m = i == body ? last : l->nv;
+        for (int o = 0; o < m; o++) {
+            size_t at = (size_t)l->iv[o];
+            M[at + n * col] = M[col + n * at] = row(x, l, o, F, N);
+        }
+        if (stand) {
+            m3_tmul(f, stand->on->R, F);
+            m3_tmul(moment, stand->on->R, N);
+            flexible_rows(M, n, col, stand, stand->on->n, f, moment);
+            mirror(M, n, col, stand->on, stand->on->n);
+        }
+        v3_cross_add(N, x->arm, F);
+    }
+}
+
 static void column(double *M, const struct sweep *s, int body, int k)
 {
     double F[3], N[3];
     struct twist u;
-    size_t n = (size_t)s->n, col = (size_t)s->link[body].iv[k];
     spatial_unit(&u, &s->part[body], &s->link[body], k);
     start(F, N, &s->composite[body], &u);
-    for (int i = body; i > 0; i = s->link[i].parent) {
-        const struct part *x = &s->part[i];
-        const struct link *l = &s->link[i];
-        int last = i == body ? k + 1 : l->nv;
-        for (int o = 0; o < last; o++) {
-            size_t at = (size_t)l->iv[o];
-            M[at + n * col] = M[col + n * at] = row(x, l, o, F, N);
-        }
-        v3_cross_add(N, x->arm, F);
+    carry(M, s, body, k + 1, (size_t)s->link[body].iv[k], F, N);
+}
+
+/* Column of the j-th coordinate of f, whose own inertia is in it where it bears. */
+static void flexible_column(double *M, const struct sweep *s, const struct flexible *f, int j, bool bears, unsigned cls)
+{
+    double F[3] = {0}, N[3] = {0};
+    size_t n = (size_t)s->n, col = (size_t)f->iv[j];
+    if (bears) {
+        const double *Me = flex_kernel_mass(f->kernel) + f->n * j;
+        m3_mul(F, f->R, f->shape.H + 3 * j);
+        m3_mul(N, f->R, f->shape.G + 3 * j);
+        for (int i = 0; i <= j; i++) M[(size_t)f->iv[i] + n * col] = Me[i];
     }
+    for (int i = 0; i < f->nnode[cls]; i++) {
+        int node = f->node[cls][i];
+        double Fi[3], Ni[3], force[3], moment[3];
+        struct twist u;
+        spatial_stand_unit(&u, &s->stand[node], j);
+        start(Fi, Ni, &s->composite[node], &u);
+        m3_tmul(force, f->R, Fi);
+        m3_tmul(moment, f->R, Ni);
+        flexible_rows(M, n, col, &s->stand[node], j + 1, force, moment);
+        v3_add(F, Fi);
+        v3_add(N, Ni);
+        v3_cross_add(N, s->part[node].arm, Fi);
+    }
+    mirror(M, n, col, f, j);
+    carry(M, s, f->body, s->link[f->body].nv, col, F, N);
 }
 
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
     memset(M, 0, sizeof *M * (size_t)s->n * (size_t)s->n);
-    spatial_place(s, q, cls);
+    spatial_place(s, q, NULL, NULL, cls);
     compose(s, o);
-    for (int i = 0; i < o->n; i++)
+    for (int i = 0; i < o->n; i++) {
+        const struct flexible *f = spatial_flexible(s, o->body[i]);
         for (int k = 0; k < s->link[o->body[i]].nv; k++) column(M, s, o->body[i], k);
+        for (int j = 0; f && j < f->n; j++) flexible_column(M, s, f, j, o->bears[i], cls);
+    }
 }

@@ -3,8 +3,8 @@
  *     r(q, v, a, t) = M^ a - Q^                                              (2-4)
  *
  * is one sweep outwards, the elements, one sweep inwards; M^ comes from composite bodies, a from r(a = 0) by
- * articulated bodies.  All that is called in the step loop works in the sweep `work`; what the output asks
- * for stands in `view`, which the step loop leaves alone. */
+ * articulated bodies, or by M^ where these do not go (flexible bodies in space).  All that is called in the step loop
+ * works in the sweep `work`; what the output asks for stands in `view`, which the step loop leaves alone. */
 #include "system/system.h"
 
 #include <math.h>
@@ -13,6 +13,7 @@
 #include "la/dense.h"
 #include "la/vec3.h"
 #include "system/condense.h"
+#include "system/elastic.h"
 #include "system/elements.h"
 #include "system/moves.h"
 
@@ -21,13 +22,14 @@ struct system {
     const struct sweep_ops *ops;
     struct sweep *work, *view;
     struct elements *elements;
-    bool diagonal; /* elements_are_diagonal() */
+    struct elastic elastic; /* flexible bodies */
+    bool diagonal;          /* elements_are_diagonal() */
     struct moves moves;
     struct ode2_direct direct;
     struct ode2_breaks breaks;
     struct ode2 ode;        /* of the tree */
     struct condense *loops; /* of the tree with its loops; NULL: none */
-    double *M;              /* [n x n] M^ with loops */
+    double *M;              /* [n x n] M^ with loops or flexible bodies */
     double *lambda;         /* [rows] at the last see() */
     double constraint_worst;
     void *factor;     /* of M^, for accel() */
@@ -88,6 +90,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
     s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, rate);
     elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
+    if (w && s->elastic.n) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
     s->ops->backward(s->work, r, rate);
     return all_finite(r, o->n, 1) ? OK : not_finite(s, r, x, rate, why);
 }
@@ -111,6 +114,7 @@ static enum status slopes(const struct ode2 *o, double *K, double *C, const stru
     s->placed = s->placed && s->diagonal;
     if (!s->diagonal) s->ops->move(s->work, x->q, x->v, cls);
     elements_slopes(s->elements, s->work, K, C, x, (enum rate)cls);
+    elastic_slopes(&s->elastic, K, C, o->n, (enum rate)cls);
     if ((K && !all_finite(K, o->n * o->n, 1)) || (C && !all_finite(C, o->n * o->n, 1)))
         return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
     return OK;
@@ -142,14 +146,29 @@ static const struct ode2_move move = {.point = move_point, .diff = move_diff, .r
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
+/* x := M^-1 x where the last sweep has stood. */
+static enum status solve_mass(struct system *s, double *x, const double *q, double t, struct trouble *why)
+{
+    const int n = s->model->n;
+    if (s->ops->factor(s->work, s->factor, 1, s->zero, NULL)) {
+        s->ops->solve(s->work, s->factor, x);
+        return OK;
+    }
+    if (!s->elastic.n) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
+    TRY(mass(&s->ode, s->M, q, t, ALL, why));
+    int pivot = dense_cholesky(s->M, n, n);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
+    dense_cholesky_solve(s->M, x, n, n);
+    return OK;
+}
+
 static enum status accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
                          struct trouble *why)
 {
     struct system *s = system_of(o);
     const struct instant x = {.t = t, .q = q, .v = v};
     TRY(resid(o, a, w, NULL, &x, ALL, why));
-    if (!s->ops->factor(s->work, s->factor, 1, s->zero, NULL)) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
-    s->ops->solve(s->work, s->factor, a);
+    TRY(solve_mass(s, a, q, t, why));
     for (int i = 0; i < o->n; i++) a[i] = -a[i];
     return OK;
 }
@@ -158,7 +177,7 @@ static enum status factor(const struct ode2 *o, void *F, double cm, double cc, d
                           struct trouble *why)
 {
     struct system *s = system_of(o);
-    if (!s->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+    if (!s->diagonal || s->elastic.n) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
     memset(s->d, 0, sizeof *s->d * (size_t)o->n);
     elements_diagonal(s->elements, s->d, cc, ck, x);
     s->placed = false;
@@ -197,7 +216,6 @@ static void build_loops(struct system *s, struct arena *life)
 {
     const struct model *m = s->model;
     s->loops = condense_build(m, s->ops, &s->ode, &s->moves, m->q0, m->v0, life);
-    s->M = TAKE(life, double, m->n * m->n);
     s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
 }
 
@@ -229,6 +247,8 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->view = s->ops->build(m, life);
     s->elements = elements_build(m, s->ops, life);
     s->diagonal = elements_are_diagonal(s->elements);
+    elastic_build(&s->elastic, m, life);
+    if (m->nloop || s->elastic.n) s->M = TAKE(life, double, m->n * m->n);
     moves_build(&s->moves, m, life);
     const size_t bytes = s->ops->factor_size(s->work);
     s->factor = arena_take(life, 1, bytes);
@@ -302,7 +322,7 @@ double system_constraint_worst(const struct system *s)
 static void see_energies(struct system *s, struct energies *e, struct sweep *sweep, const double *q, const double *v)
 {
     s->ops->energy(sweep, &e->kinetic, &e->gravity);
-    e->elastic = elements_stored(s->elements, sweep, q, v);
+    e->elastic = elements_stored(s->elements, sweep, q, v) + elastic_stored(&s->elastic, q);
 }
 
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what, struct trouble *why)
@@ -418,8 +438,14 @@ void system_momentum(const struct system *s, double *p, double *L)
 {
     v3_set(p, 0, 0, 0);
     v3_set(L, 0, 0, 0);
+    for (int i = 0; i < s->elastic.n; i++) {
+        struct pose b;
+        s->ops->pose(s->view, &b, s->elastic.body[i].number);
+        elastic_momentum(p, L, &s->elastic.body[i], &b, s->q, s->v);
+    }
     for (int i = 1; i < s->model->nbody; i++) {
         const struct model_body *body = &s->model->body[i];
+        if (body->flex) continue;
         struct pose b;
         double mv[3], w[3], spin[3], world[3];
         s->ops->pose(s->view, &b, i);

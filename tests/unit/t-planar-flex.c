@@ -1,6 +1,5 @@
 /* t-planar-flex.c -- the planar recursion with flexible bodies against sums over all rigid bodies and particles, with
  * Jacobians by differences. */
-#include <complex.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +7,8 @@
 
 #include "la/dense.h"
 #include "unit/grove.h"
+
+#include <complex.h>
 
 #include <cmocka.h>
 

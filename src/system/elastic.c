@@ -1,0 +1,94 @@
+/* elastic.c -- see elastic.h */
+#include "system/elastic.h"
+
+#include "la/vec3.h"
+#include "system/ode2.h"
+
+void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
+{
+    *o = (struct elastic){.body = TAKE(life, struct elastic_body, m->nbody)};
+    for (int i = 1; i < m->nbody; i++) {
+        const struct model_body *b = &m->body[i];
+        if (!b->flex) continue;
+        struct elastic_body *e = &o->body[o->n++];
+        e->model = b;
+        e->number = i;
+        e->kernel = flex_kernel_build(b->flex, life);
+        flex_shape_take(&e->shape, e->kernel, life);
+        e->q = TAKE(life, double, b->nmode);
+        e->q1 = TAKE(life, double, b->nmode);
+    }
+}
+
+static bool in_class(const struct model_body *b, enum rate cls)
+{
+    return cls & (b->fast ? FAST : SLOW);
+}
+
+/* x'A x of a body's coordinates, which stand at `at` in x. */
+static double square(const double *A, const double *x, const int *at, int n)
+{
+    double sum = 0;
+    for (int j = 0; j < n; j++) {
+        double Ax = 0;
+        for (int i = 0; i < n; i++) Ax += A[i + n * j] * x[at[i]];
+        sum += Ax * x[at[j]];
+    }
+    return sum;
+}
+
+double elastic_stored(const struct elastic *o, const double *q)
+{
+    double V = 0;
+    for (int i = 0; i < o->n; i++) {
+        const struct model_body *b = o->body[i].model;
+        V += .5 * square(b->flex->K, q, b->mode_q, b->nmode);
+    }
+    return V;
+}
+
+double elastic_lost(const struct elastic *o, const double *v, enum rate cls)
+{
+    double lost = 0;
+    for (int i = 0; i < o->n; i++) {
+        const struct model_body *b = o->body[i].model;
+        if (b->flex->D && in_class(b, cls)) lost += square(b->flex->D, v, b->mode_v, b->nmode);
+    }
+    return lost;
+}
+
+static void add(double *A, size_t n, const double *part, const struct model_body *b)
+{
+    if (!A || !part) return;
+    for (int j = 0; j < b->nmode; j++)
+        for (int i = 0; i < b->nmode; i++) A[(size_t)b->mode_v[i] + n * (size_t)b->mode_v[j]] += part[i + b->nmode * j];
+}
+
+void elastic_slopes(const struct elastic *o, double *K, double *C, int n, enum rate cls)
+{
+    for (int i = 0; i < o->n; i++) {
+        const struct model_body *b = o->body[i].model;
+        if (!in_class(b, cls)) continue;
+        add(K, (size_t)n, b->flex->K, b);
+        add(C, (size_t)n, b->flex->D, b);
+    }
+}
+
+/* In the frame P and H about its origin; about the world's H + r x P. */
+void elastic_momentum(double *p, double *L, struct elastic_body *o, const struct pose *frame, const double *q,
+                      const double *v)
+{
+    double P[3], H[3], moving[3], turning[3], world[3];
+    for (int i = 0; i < o->model->nmode; i++) {
+        o->q[i] = q[o->model->mode_q[i]];
+        o->q1[i] = v[o->model->mode_v[i]];
+    }
+    flex_shape_at(&o->shape, o->kernel, o->q);
+    m3_tmul(moving, frame->R, frame->v);
+    m3_tmul(turning, frame->R, frame->w);
+    flex_momentum(P, H, o->kernel, &o->shape, moving, turning, o->q1);
+    m3_mul(world, frame->R, P);
+    v3_add(p, world);
+    v3_cross_add(L, frame->r, world);
+    m3_mul_add(L, frame->R, H);
+}
