@@ -146,8 +146,25 @@ static void take(struct stepper *s, double h)
     s->effort.minors++;
 }
 
+/* Better coordinates at t, where there are any: what is known in the old ones is made anew.  The state x goes along, as
+ * it cannot go back behind t. */
+static enum status recoordinate(struct stepper *s, struct state *x, double t, struct trouble *why)
+{
+    struct dopri5 *m = s->self;
+    struct ode2 *o = (struct ode2 *)s->ode; /* the owner's, who lets it change here */
+    if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
+    zero(m->span, o->n);
+    TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, t, 0, why));
+    copy(m->a, m->rk.dv[0], o->n);
+    copy(x->q, m->q, o->nq);
+    copy(x->v, m->v, o->n);
+    copy(x->a, m->a, o->n);
+    x->t = t;
+    return OK;
+}
+
 /* From t to end, landing there; either may be the later one. */
-static enum status advance(struct stepper *s, double t, double end, struct trouble *why)
+static enum status advance(struct stepper *s, struct state *x, double t, double end, struct trouble *why)
 {
     struct dopri5 *m = s->self;
     while (t != end) {
@@ -166,6 +183,7 @@ static enum status advance(struct stepper *s, double t, double end, struct troub
         if (!cut || grow < 1) m->h = h * grow;
         m->old = fmax(err, 1e-4);
         t = last ? end : t + way * h;
+        if (!last) TRY(recoordinate(s, x, t, why));
     }
     return OK;
 }
@@ -206,11 +224,11 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     const struct ode2 *o = s->ode;
     (void)h, (void)ratio;
     TRY(begin(s, x, to, why));
-    int breaks = to > x->t && o->breaks && o->breaks->next;
+    const int forth = to > x->t, breaks = forth && o->breaks && o->breaks->next;
     for (double t = x->t, end; t != to; t = end) {
         end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
-        if (to > x->t) TRY(turn_corner(s, &t, end, why));
-        TRY(advance(s, t, end, why));
+        if (forth) TRY(turn_corner(s, &t, end, why));
+        TRY(advance(s, x, t, end, why));
         if (end != to) { /* one-sided slopes beyond the kink */
             TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, end, 0, why));
             copy(m->a, m->rk.dv[0], o->n);
