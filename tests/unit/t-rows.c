@@ -208,8 +208,8 @@ static void open_text(struct opened *o, const char *text)
     unlink(path);
 }
 
-/* A deck up to its integrate:, then to be integrated closely to `until`. */
-static void open_closely(struct opened *o, const char *path, double until)
+/* A deck up to its integrate:, then `also`, to be integrated closely to `until`. */
+static void open_closely(struct opened *o, const char *path, const char *also, double until)
 {
     char text[6000], deck[6200];
     FILE *file = fopen(path, "r");
@@ -218,8 +218,8 @@ static void open_closely(struct opened *o, const char *path, double until)
     fclose(file);
     char *end = strstr(text, "integrate:");
     assert_non_null(end);
-    snprintf(deck, sizeof deck, "%.*sintegrate: {scheme: dopri5, tolerance: 1.0e-11, until: %g}\n", (int)(end - text),
-             text, until);
+    snprintf(deck, sizeof deck, "%.*s%sintegrate: {scheme: dopri5, tolerance: 1.0e-11, until: %g}\n", (int)(end - text),
+             text, also, until);
     open_text(o, deck);
     assert_int_equal(o->status, OK);
 }
@@ -293,7 +293,7 @@ static void a_gear_train_is_one_mass(void **state)
     (void)state;
     struct opened o;
     const double J = .02, i = 1 / 7.5, g = 9.81, al = (5 - i * 30 * g * .1) / J, t = .7;
-    open_closely(&o, "decks/gear-train.yaml", t);
+    open_closely(&o, "decks/gear-train.yaml", "", t);
     assert_int_equal(o.sim.stepper.ode->n, 1);
     run(&o);
     near_to(column(&o, "shaft1.angle"), al * t * t / 2, 1e-9);
@@ -305,6 +305,23 @@ static void a_gear_train_is_one_mass(void **state)
     near_to(column(&o, "first.force"), (2e-3 * al - 5) * 3, 1e-8);
     near_to(column(&o, "rope.force"), 30 * (g + .1 * i * al), 1e-8);
     near_to(column(&o, "second.force"), .43125 * i * al + .1 * column(&o, "rope.force"), 1e-8);
+    shut(&o);
+}
+
+/* The motor's angle told: no freedom is left, and its drive must bring up what the whole train needs. */
+static void a_driven_train_needs_its_torque(void **state)
+{
+    (void)state;
+    struct opened o;
+    double force = 0, power = 0;
+    open_closely(&o, "decks/gear-train.yaml", "drives: {turn: {drive: shaft1, value: \"5*t^2\"}}\n", .7);
+    assert_int_equal(o.sim.stepper.ode->n, 0);
+    run(&o);
+    near_to(column(&o, "guide.displacement"), .1 / 7.5 * 5 * .49, 1e-9);
+    for (int i = 0; i < o.sim.model->nloop; i++)
+        if (o.sim.model->loop[i].drive) system_drive(o.sim.system, &force, &power, i);
+    near_to(force + 5, .02 * 10 + 30 * 9.81 * .1 / 7.5, 1e-8); /* the motor's own 5 N m are still there */
+    near_to(power, force * 10 * .7, 1e-7);
     shut(&o);
 }
 
@@ -346,7 +363,7 @@ static void the_quick_return_is_its_crank(void **state)
     (void)state;
     struct opened o;
     double y[2] = {0, 6}, dy[2];
-    open_closely(&o, "decks/quick-return.yaml", 1.3);
+    open_closely(&o, "decks/quick-return.yaml", "", 1.3);
     run(&o);
     for (int i = 0; i < 13000; i++) rk4(y, 2, 1e-4, crank_rates);
     crank_rates(dy, y);
@@ -410,7 +427,7 @@ static void the_governor_has_two_freedoms(void **state)
     struct opened o;
     struct energies e[2];
     double y[4] = {.5, 0, 0, 14}, p[3], L[2][3];
-    open_closely(&o, "decks/governor.yaml", 1.2);
+    open_closely(&o, "decks/governor.yaml", "", 1.2);
     assert_int_equal(o.sim.stepper.ode->n, 2);
     see(&o);
     system_energies(o.sim.system, &e[0]);
@@ -524,6 +541,7 @@ int main(void)
         cmocka_unit_test(rows_are_derivatives),
         cmocka_unit_test(pushing_is_the_transpose),
         cmocka_unit_test(a_gear_train_is_one_mass),
+        cmocka_unit_test(a_driven_train_needs_its_torque),
         cmocka_unit_test(the_quick_return_is_its_crank),
         cmocka_unit_test(the_governor_has_two_freedoms),
         cmocka_unit_test(a_rack_on_one_joint_is_a_screw),
