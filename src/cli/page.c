@@ -141,7 +141,8 @@ static void print_coordinates(FILE *to)
 {
     fputs(".Bl -tag -width cylindrical\n", to);
     for (int i = 0; joint_kind_at(i); i++) {
-        const struct joint_kind *plane = joint_kind((enum joint_type)i, 0), *space = joint_kind((enum joint_type)i, 1);
+        const enum joint_type type = joint_kind_at(i)->type;
+        const struct joint_kind *plane = joint_kind(type, 0), *space = joint_kind(type, 1);
         bool two = plane && plane->nq[0] != space->nq[1];
         if (space->nq[1] == 0) continue;
         if (two) print_coordinate(to, plane, 0, ", 2-D");

@@ -105,8 +105,9 @@ const struct diag_help diag_helps[] = {
     {"E-unknown-force", "`fmdsub list forces` shows the kinds of forces."},
     {"E-unknown-scheme", "`fmdsub list schemes` shows the integration schemes."},
     {"E-two-kinds", "Two keys say what the thing is, or give the same quantity. Keep one of them."},
-    {"E-which-coordinate", "The joint has several freedoms, or turns freely: name one plain coordinate of it, or use a "
-                           "measure."},
+    {"E-which-coordinate",
+     "The joint has several freedoms, none, or turns freely: name one plain coordinate of it, or use "
+     "a measure; a gear ties two different ones."},
     /* the scene: bodies, joints, forces */
     {"E-no-bodies", "A scene needs a body besides the ground."},
     {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},
@@ -123,7 +124,9 @@ const struct diag_help diag_helps[] = {
                     "cylindrical for a prismatic."},
     {"W-assembly", "The joints of a loop miss each other as drawn. Give the places of its bodies with more digits."},
     {"E-ground", "A load must act on a body that can move."},
-    {"E-kind", "A force acts along a length, a torque along an angle."},
+    {"E-kind",
+     "A force acts along a length, a torque along an angle. A gear ties two angles or two displacements, a rack "
+     "an angle and then a displacement."},
     {"E-drive",
      "A drive gives a joint coordinate, a distance, a displacement or, in the plane, an angle as a function of "
      "time alone: an expression of t, or a table."},

@@ -1,6 +1,7 @@
 /* joint.c -- the table of joints: words, keys, names and units of their coordinates; see joint.h */
 #include "kind/joint.h"
 
+#include <math.h>
 #include <string.h>
 
 #define AT(flags, brief) PARAM_NODE(struct joint_keys, at, "at", "point", flags, brief)
@@ -11,11 +12,13 @@
 #define RANGE(unit)                                                                                                    \
     PARAM_NODE(struct joint_keys, range, "range", "[lowest, highest] [" unit "]", 0,                                   \
                "where the coordinate should stay: leaving it is told, nothing holds it")
+#define FRAME                                                                                                          \
+    PARAM_WORD(struct joint_keys, frame, "frame", "world|joint", 0, "world",                                           \
+               "axes of its reaction columns; joint: the joint's own, which go with the first body")
 #define LOOP                                                                                                           \
     PARAM_BOOL(struct joint_keys, loop, "loop", 0, "false",                                                            \
                "keep it out of the tree: it closes a loop where the bodies are joined otherwise"),                     \
-        PARAM_WORD(struct joint_keys, frame, "frame", "world|joint", 0, "world",                                       \
-                   "axes of its reaction columns; joint: the joint's own, which go with the first body")
+        FRAME
 
 static const struct key keys_fixed[] = {AT_CENTRE, LOOP, KEYS_END};
 static const struct key keys_revolute[] = {
@@ -34,6 +37,23 @@ static const struct key keys_planar[] = {AT_CENTRE, AXIS(KEY_REQUIRED | KEY_SPAT
                                          AXIS2(KEY_SPATIAL, "direction of the displacement x in the plane"), LOOP,
                                          KEYS_END};
 static const struct key keys_free[] = {AT_CENTRE, LOOP, KEYS_END};
+static const struct key keys_distance[] = {
+    PARAM_REAL(struct joint_keys, length, "length", "m", 0, INFINITY, KEY_ABOVE, NULL,
+               "distance of the two points; default: as drawn, from which it may differ a little only"),
+    KEYS_END};
+static const struct key keys_line[] = {
+    AT(KEY_REQUIRED, "the point of the second body, which stands on the line when drawn"),
+    AXIS(KEY_REQUIRED, "direction of the line, fixed in the first body"), FRAME, KEYS_END};
+static const struct key keys_gear[] = {PARAM_REAL(struct joint_keys, ratio, "ratio", NULL, -INFINITY, INFINITY,
+                                                  KEY_REQUIRED, NULL,
+                                                  "second coordinate per first, both 0 when drawn; negative: they run "
+                                                  "against each other; not 0"),
+                                       KEYS_END};
+static const struct key keys_rack[] = {
+    PARAM_REAL(struct joint_keys, radius, "radius", "m", -INFINITY, INFINITY, KEY_REQUIRED, NULL,
+               "displacement per radian, both 0 when drawn; negative: the other way; "
+               "not 0"),
+    KEYS_END};
 
 /* Names of positions; rates and accelerations are named after them, of quaternions after omega. */
 static const char *const q_angle[] = {"angle"};
@@ -69,7 +89,7 @@ static const char *const u_free[] = {"m", "m", "m", "1", "1", "1", "1"};
 static const char *const u_free_s[] = {"m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"};
 static const char *const u_free_s2[] = {"m/s2", "m/s2", "m/s2", "rad/s2", "rad/s2", "rad/s2"};
 
-static const struct joint_kind joints[JOINT_TYPES] = {
+static const struct joint_kind joints[JOINT_WORDS] = {
     {JOINT_FIXED,
      "fixed",
      "holds two bodies together",
@@ -155,6 +175,25 @@ static const struct joint_kind joints[JOINT_TYPES] = {
      a_plane,
      u_plane_s2},
     {JOINT_FREE, "free", "any motion", keys_free, {3, 7}, {3, 6}, q_free, u_free, v_free, u_free_s, a_free, u_free_s2},
+    {.type = JOINT_DISTANCE,
+     .name = "distance",
+     .brief = "a massless rod: two points, [point, point], keep their distance",
+     .keys = keys_distance},
+    {.type = JOINT_POINT_ON_LINE,
+     .name = "point-on-line",
+     .brief = "a point of the second body stays on a line of the first: a pin in a straight slot",
+     .keys = keys_line},
+    {.type = JOINT_GEAR,
+     .name = "gear",
+     .brief = "ties two coordinates, [first, second], both angles or both displacements: second = ratio * first; a "
+              "joint with one coordinate can stand for it",
+     .keys = keys_gear},
+    {.type = JOINT_RACK,
+     .name = "rack",
+     .brief = "ties a displacement to an angle, [angle, displacement]: displacement = radius * angle; with both "
+              "coordinates of one cylindrical joint a screw",
+     .keys = keys_rack},
+    {.type = JOINT_FIXED, .name = "weld", .brief = "another word for fixed", .keys = keys_fixed},
 };
 
 static const struct joint_kind free_in_plane = {JOINT_FREE, "free",  "any motion", keys_free, {3, 7},  {3, 6},
@@ -168,12 +207,12 @@ const struct joint_kind *joint_kind(enum joint_type type, int space)
 
 const struct joint_kind *joint_find(const char *name)
 {
-    for (int i = 0; i < JOINT_TYPES; i++)
+    for (int i = 0; i < JOINT_WORDS; i++)
         if (strcmp(joints[i].name, name) == 0) return &joints[i];
     return NULL;
 }
 
 const struct joint_kind *joint_kind_at(int i)
 {
-    return i >= 0 && i < JOINT_TYPES ? &joints[i] : NULL;
+    return i >= 0 && i < JOINT_WORDS ? &joints[i] : NULL;
 }

@@ -3,7 +3,7 @@
  * A body is fast if a fast coordinate moves it, or a component of loops that has one. */
 #include "model/parts.h"
 
-static int scene_k(const struct model_joint *j, int k)
+int scene_k(const struct model_joint *j, int k)
 {
     return j->type == JOINT_UNIVERSAL && j->reversed ? 1 - k : k;
 }

@@ -1,8 +1,9 @@
 /* loops.c -- which coordinates the loops tie together, and what that makes of them.
  *
  * Loop joint l ties the coordinates on the path of one of its bodies and not of the other: those on both
- * move its bodies as one.  Loops that share such a joint are one component: one block of C_q.  A component with a
- * fast coordinate is fast: its dependent coordinates follow in the minor steps. */
+ * move its bodies as one; gears and racks tie two coordinates whatever these move.  Loops that share such a joint are
+ * one component: one block of C_q.  A component with a fast coordinate is fast: its dependent coordinates follow in the
+ * minor steps. */
 #include <string.h>
 
 #include "model/parts.h"
@@ -19,6 +20,16 @@ static void cross(const struct making *o, bool *on, int body)
     for (; body > 0; body = o->body[body].parent) on[o->body[body].joint] ^= true;
 }
 
+/* on[i]: loop l ties coordinates of tree joint i. */
+static void mark_tied(const struct making *o, bool *on, const struct model_loop *l)
+{
+    memset(on, 0, sizeof *on * (size_t)o->m->njoint);
+    for (int i = 0; i < l->nterm; i++) on[l->term[i].joint] = true;
+    if (l->nterm) return;
+    cross(o, on, l->first);
+    cross(o, on, l->second);
+}
+
 void make_components(struct making *o)
 {
     struct model *m = o->m;
@@ -31,10 +42,8 @@ void make_components(struct making *o)
     int *number = TAKE(o->life, int, m->nloop);
     for (int i = 0; i < m->njoint; i++) owner[i] = -1;
     for (int l = 0; l < m->nloop; l++) {
-        memset(on, 0, sizeof *on * (size_t)m->njoint);
         above[l] = l;
-        cross(o, on, o->loop[l].first);
-        cross(o, on, o->loop[l].second);
+        mark_tied(o, on, &o->loop[l]);
         for (int i = 0; i < m->njoint; i++) {
             if (!on[i]) continue;
             if (owner[i] >= 0) above[root(above, owner[i])] = root(above, l);

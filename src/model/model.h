@@ -46,14 +46,24 @@ struct model_joint {
     int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
 };
 
-/* A joint that closes a loop: equations C(q) = 0 (2-2) between two bodies of the tree, which have no coordinates.  A
- * drive is one more: C(q, t) = 0. */
+/* A coordinate of the tree in a sum. */
+struct model_term {
+    int joint, k; /* its k-th position and rate, which pair up */
+    bool angular;
+    double factor;
+};
+
+/* A joint that closes a loop, or a tie: equations C(q) = 0 (2-2) between two bodies of the tree, which have no
+ * coordinates.  A drive is one more: C(q, t) = 0. */
 struct model_loop {
     const char *name;
     enum joint_type type;
-    int first, second;          /* bodies, in the deck's order */
-    double a[3], b[3];          /* the joint's point: from the first body's centre, its axes; second likewise [m] */
-    double Ea[9], Eb[9];        /* joint axes x, y, z by column in the axes of the first, the second body */
+    int first, second;   /* bodies, in the deck's order; gear, rack: those that the coordinates move */
+    double a[3], b[3];   /* the joint's point: from the first body's centre, its axes; second likewise [m] */
+    double Ea[9], Eb[9]; /* joint axes x, y, z by column in the axes of the first, the second body */
+    double length;       /* distance [m] */
+    int nterm;           /* gear, rack: sum of factors times coordinates = 0; others: 0 */
+    struct model_term term[2];
     const double *own;          /* as in model_joint */
     int component;              /* loops that share coordinates are one component */
     const struct signal *drive; /* not a joint but one equation, s(q) = c(t) of a measure; NULL: a joint */

@@ -32,6 +32,8 @@ void make_elements(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
 
+/* Which rate of the scene's joint is the k-th of this one, and the other way round. */
+int scene_k(const struct model_joint *j, int k);
 /* Does the deck call rate k of tree joint i fast? */
 bool is_fast(const struct making *o, int joint, int k);
 /* Is the place in v fast, by itself or by its loops? */

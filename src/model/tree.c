@@ -1,7 +1,7 @@
 /* tree.c -- the spanning tree: from the ground outwards, breadth first, joints in the deck's order.
  *
  * Where joints close loops, those whose coordinates the deck names, and fixed ones, come first, and those it marks
- * `loop: true` last; the joints that are left over become equations (2-2).
+ * `loop: true` last; the joints that are left over become equations (2-2), as do ties, which never are in the tree.
  *
  * A joint met from its second body is turned round: with axes z -> -z, y -> -y its coordinate is still that
  * of the deck's second body against its first; a universal joint's two axes change places and sign.
@@ -53,14 +53,16 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
     return j;
 }
 
-/* Axes of the reactions of a joint whose deck wants its own; in the plane x along a prismatic joint's axis. */
+/* Axes of the reactions of a joint whose deck wants its own; in the plane x along the axis of a prismatic joint or
+ * a line. */
 static const double *own_axes(const struct making *o, const struct scene_joint *j)
 {
     double E[9];
     if (!j->own) return NULL;
     memcpy(E, j->E, sizeof E);
     if (o->scene->space == 2) {
-        v3_copy(E, j->kind->type == JOINT_PRISMATIC ? j->E + 6 : j->E);
+        bool along = j->kind->type == JOINT_PRISMATIC || j->kind->type == JOINT_POINT_ON_LINE;
+        v3_copy(E, along ? j->E + 6 : j->E);
         v3_set(E + 6, 0, 0, 1);
         v3_cross(E + 3, E + 6, E);
     }
@@ -89,13 +91,25 @@ static void hang_by(struct making *o, int index, int parent, int child)
     o->scene_joint[j->child - 1] = index;
 }
 
+/* Does a rod or a line hold the body? */
+static bool is_tied(const struct scene *scene, int body)
+{
+    for (int i = 0; i < scene->njoint; i++) {
+        const struct scene_joint *j = &scene->joint[i];
+        if (joint_is_tie(j->kind->type) && j->nterm == 0 && (j->first == body || j->second == body)) return true;
+    }
+    return false;
+}
+
 static void hang_free(struct making *o, int body)
 {
     static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const struct scene_body *sb = &o->scene->body[body];
     int s = o->scene->space == 3;
     const struct joint_kind *kind = joint_kind(JOINT_FREE, s);
-    diag_warn(o->diags, sb->node, AT_KEY, "W-unconnected", "body '%s' hangs on no joint: it moves freely", sb->name);
+    if (!is_tied(o->scene, body))
+        diag_warn(o->diags, sb->node, AT_KEY, "W-unconnected", "body '%s' hangs on no joint: it moves freely",
+                  sb->name);
     struct model_joint *j = hang(o, 0, body, JOINT_FREE, sb->at, identity);
     j->name = arena_print(o->life, "%s_free", sb->name);
     j->nq = kind->nq[s];
@@ -114,6 +128,7 @@ static struct threads thread_joints(struct making *o)
     struct threads t = {TAKE(o->life, int, scene->nbody), TAKE(o->life, int, 2 * scene->njoint)};
     for (int i = 0; i < scene->nbody; i++) t.first[i] = -1;
     for (int j = scene->njoint - 1; j >= 0; j--) {
+        if (joint_is_tie(scene->joint[j].kind->type)) continue;
         const int ends[2] = {scene->joint[j].first, scene->joint[j].second};
         for (int side = 0; side < 2; side++) {
             t.next[2 * j + side] = t.first[ends[side]];
@@ -152,6 +167,9 @@ static int wish(const struct making *o, int joint)
         if (s->initial[i].joint == joint) return WANTED;
     for (int i = 0; i < s->nmeasure; i++)
         if (s->measure[i].type == MEASURE_COORDINATE && s->measure[i].joint == joint) return WANTED;
+    for (int i = 0; i < s->njoint; i++)
+        for (int k = 0; k < s->joint[i].nterm; k++)
+            if (s->joint[i].term[k].joint == joint) return WANTED;
     for (int i = 0; i < s->nforce; i++)
         for (int k = 0; k < s->force[i].nslot; k++) {
             const struct scene_slot *slot = &s->force[i].slot[k];
@@ -215,6 +233,7 @@ static bool closes_loops(const struct making *o)
     int *above = TAKE(o->life, int, scene->nbody);
     for (int i = 0; i < scene->nbody; i++) above[i] = i;
     for (int i = 0; i < scene->njoint; i++) {
+        if (joint_is_tie(scene->joint[i].kind->type)) continue;
         int a = root(above, scene->joint[i].first), b = root(above, scene->joint[i].second);
         if (a == b) return true;
         above[a] = b;
@@ -230,6 +249,7 @@ static void grow(struct making *o, struct search *s)
         more = false;
         for (int i = 0; i < o->scene->njoint; i++) {
             const struct scene_joint *j = &o->scene->joint[i];
+            if (joint_is_tie(j->kind->type)) continue;
             bool first = o->body_of[j->first] >= 0, second = o->body_of[j->second] >= 0;
             if (first == second) continue;
             int from = first ? j->first : j->second, to = first ? j->second : j->first;
@@ -240,6 +260,20 @@ static void grow(struct making *o, struct search *s)
     }
 }
 
+/* Gears and racks; a joint that is not in the tree has no coordinate to tie, and is told elsewhere. */
+static void add_terms(struct making *o, struct model_loop *l, const struct scene_joint *sj)
+{
+    l->nterm = sj->nterm;
+    for (int i = 0; i < sj->nterm; i++) {
+        const struct scene_term *t = &sj->term[i];
+        int joint = o->joint_of[t->joint];
+        if (joint < 0) continue;
+        l->term[i] = (struct model_term){joint, scene_k(&o->joint[joint], t->k), t->angular, t->factor};
+    }
+    l->first = o->joint[l->term[0].joint].child;
+    l->second = o->joint[l->term[sj->nterm - 1].joint].child;
+}
+
 static void add_loop(struct making *o, int index)
 {
     const struct scene_joint *sj = &o->scene->joint[index];
@@ -248,14 +282,19 @@ static void add_loop(struct making *o, int index)
     struct model_loop *l = &o->loop[o->m->nloop];
     *l = (struct model_loop){
         .name = sj->name, .type = sj->kind->type, .first = o->body_of[sj->first], .second = o->body_of[sj->second]};
-    v3_diff(arm, sj->at, first->at);
+    o->loop_of[index] = o->m->nloop++;
+    l->length = sj->length;
+    if (sj->nterm) {
+        add_terms(o, l, sj);
+        return;
+    }
+    v3_diff(arm, sj->from, first->at);
     m3_tmul(l->a, first->R, arm);
     v3_diff(arm, sj->at, second->at);
     m3_tmul(l->b, second->R, arm);
     m3_tmulm(l->Ea, first->R, sj->E);
     m3_tmulm(l->Eb, second->R, sj->E);
     l->own = own_axes(o, sj);
-    o->loop_of[index] = o->m->nloop++;
 }
 
 /* Between the bodies of its measure. */

@@ -117,6 +117,12 @@ int read_space(struct builder *b, const struct deck_keys *k);
 int read_bodies(struct builder *b, const struct node *n);
 int read_joints(struct builder *b, const struct node *n);
 int read_measures(struct builder *b, const struct node *n);
+/* ties.c: the two points of a rod; when all joints are known, what gears and racks tie */
+int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, double length, const char *what);
+int read_ties(struct builder *b);
+/* measures.c: a plain coordinate by name, "hub.angle", or by that of its joint if it has one only; 0, or 1 and an error
+ */
+int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what);
 /* plausible.c: warnings about numbers that look like other units */
 void warn_of_gravity(struct builder *b, const struct node *n);
 void warn_of_density(struct builder *b, const struct node *shape, double mass, double volume, const char *what);

@@ -6,6 +6,33 @@
 #include "la/vec3.h"
 #include "scene/build.h"
 
+/* Is it a key of any kind? */
+static bool is_key(const char *word)
+{
+    for (int i = 0; joint_kind_at(i); i++)
+        for (const struct key *k = joint_kind_at(i)->keys; k->name; k++)
+            if (strcmp(k->name, word) == 0) return true;
+    return false;
+}
+
+static void say_no_kind(struct builder *b, const struct node *map)
+{
+    const char *names[JOINT_WORDS], *all = "";
+    int n = 0;
+    for (; joint_kind_at(n); n++) {
+        names[n] = joint_kind_at(n)->name;
+        all = arena_print(b->life, "%s%s%s", all, n ? ", " : "", names[n]);
+    }
+    for (int i = 0; i < map->count; i++) {
+        const struct node *member = map->item[i];
+        if (is_key(member->key)) continue;
+        unknown_name(b, member, AT_KEY, "E-unknown-joint", "kind of joint", member->key, names, n);
+        return;
+    }
+    diag_error(b->diags, map, AT_KEY, "E-missing-key", "constraint '%s' has no kind", map->key);
+    diag_hint(b->diags, "expected one of: %s", all);
+}
+
 /* The member of map that names a kind of joint; NULL, and an error, if there is not exactly one. */
 static const struct joint_kind *joint_word(struct builder *b, const struct node *map, const struct node **word)
 {
@@ -23,18 +50,7 @@ static const struct joint_kind *joint_word(struct builder *b, const struct node 
         *word = map->item[i];
     }
     if (kind) return kind;
-    const char *names[JOINT_TYPES];
-    int n = 0;
-    for (int i = 0; joint_kind_at(i); i++) names[n++] = joint_kind_at(i)->name;
-    for (int i = 0; i < map->count; i++) {
-        const struct node *member = map->item[i];
-        if (strcmp(member->key, "at") == 0 || strncmp(member->key, "axis", 4) == 0 || strcmp(member->key, "loop") == 0)
-            continue;
-        unknown_name(b, member, AT_KEY, "E-unknown-joint", "kind of joint", member->key, names, n);
-        return NULL;
-    }
-    diag_error(b->diags, map, AT_KEY, "E-missing-key", "constraint '%s' has no kind", map->key);
-    diag_hint(b->diags, "expected one of: fixed, revolute, prismatic, cylindrical, universal, spherical, planar, free");
+    say_no_kind(b, map);
     return NULL;
 }
 
@@ -78,9 +94,21 @@ static int read_range(struct builder *b, struct scene_joint *j, const struct nod
     return 1;
 }
 
+/* What gears and racks tie is read when all joints are known. */
+static int read_factor(struct builder *b, struct scene_joint *j, const struct joint_keys *k, const struct node *n,
+                       const char *what)
+{
+    const char *word = j->kind->type == JOINT_GEAR ? "ratio" : "radius";
+    j->factor = j->kind->type == JOINT_GEAR ? k->ratio : k->radius;
+    if (j->factor != 0) return 0;
+    diag_error(b->diags, node_find(n, word), AT_VALUE, "E-range", "%s: '%s' is 0: the second coordinate could not move",
+               what, word);
+    return 1;
+}
+
 static int read_joint(struct builder *b, struct scene_joint *j, const struct node *n)
 {
-    struct joint_keys k = {0};
+    struct joint_keys k = {.length = NAN};
     const struct node *word;
     j->name = n->key;
     j->node = n;
@@ -96,6 +124,8 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     }
     const char *also[] = {found->name, NULL};
     int errors = read_keys(&k, j->kind->keys, n, also, what, &b->reader);
+    if (found->type == JOINT_DISTANCE) return read_rod(b, j, word, k.length, what) + errors;
+    if (found->type == JOINT_GEAR || found->type == JOINT_RACK) return errors ? errors : read_factor(b, j, &k, n, what);
     if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
     if (errors) return errors;
     j->loop = k.loop;
@@ -104,6 +134,7 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     struct marker at = {j->second, {0}};
     if (k.at && read_point(b, &at, k.at, what)) return 1;
     marker_drawn(j->at, b->scene, &at);
+    v3_copy(j->from, j->at);
     return joint_axes(b, j, &k, what);
 }
 
@@ -126,5 +157,5 @@ int read_joints(struct builder *b, const struct node *n)
             scene->joint[scene->njoint++] = joint;
         }
     }
-    return errors;
+    return errors + read_ties(b);
 }

@@ -176,27 +176,46 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
     int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k;
     if (joint < 0) return 0;
     const struct scene_joint *j = &scene->joint[joint];
+    if (j->kind->nv[scene->space == 3] == 0) {
+        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' (%s) has no coordinates", j->name, j->kind->name);
+        return -1;
+    }
     if (!dot) {
         k = only_rate(scene, j);
         if (k < 0) {
             diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is a %s joint: name one of its coordinates",
                        j->name, j->kind->name);
-            if (j->kind->nv[scene->space == 3] > 0 && strchr(j->kind->v[0], '_'))
-                diag_hint(b->diags, "such as '%s.%s'", j->name, j->kind->q[0]);
+            if (strchr(j->kind->v[0], '_')) diag_hint(b->diags, "such as '%s.%s'", j->name, j->kind->q[0]);
             return -1;
         }
     } else {
         if (scene_coordinate(j, scene->space, dot + 1, &k) != 1) return 0;
         k = rate_of(j, scene->space, k);
         if (k < 0) {
-            diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "no force can act along '%s'", n->text);
-            diag_hint(b->diags, "use a measure, a torque on the body, or a bushing");
+            diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is no angle or displacement of its own",
+                       n->text);
+            diag_hint(b->diags, "a free rotation has none: use a measure, a torque on the body, or a bushing");
             return -1;
         }
     }
     *m = (struct scene_measure){.node = n, .type = MEASURE_COORDINATE, .joint = joint, .k = k};
     m->angular = is_angular(j, scene->space, k);
     return 1;
+}
+
+int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what)
+{
+    if (n->type != NODE_SCALAR) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "%s: expected a joint or one of its coordinates", what);
+        return 1;
+    }
+    int made = coordinate_measure(b, m, n);
+    if (made == 0) {
+        const char *const *list;
+        int count = quantity_names(b, &list);
+        unknown_name(b, n, AT_VALUE, "E-unknown-name", "joint or coordinate", n->text, list + 1, count - 1);
+    }
+    return made <= 0;
 }
 
 int measure_of(struct builder *b, const struct node *n, const char *what)

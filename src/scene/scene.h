@@ -32,14 +32,26 @@ struct scene_point {
     struct marker at;
 };
 
+/* A coordinate in a sum that is 0. */
+struct scene_term {
+    int joint, k; /* k-th rate of the joint */
+    bool angular;
+    double factor;
+};
+
 struct scene_joint {
     const char *name;
     const struct node *node;
     const struct joint_kind *kind;
     int first, second;
-    double at[3]; /* world, drawn */
-    double E[9];  /* joint axes x, y, z by column, world, drawn */
-    bool ranged;  /* its coordinate should stay in range[0] ... range[1] */
+    double at[3];   /* world, drawn */
+    double from[3]; /* distance: the first body's point, at being the second's */
+    double length;  /* distance [m] */
+    double factor;  /* gear: ratio; rack: radius [m/rad] */
+    int nterm;      /* gear, rack: what they tie, 0 when drawn */
+    struct scene_term term[2];
+    double E[9]; /* joint axes x, y, z by column, world, drawn */
+    bool ranged; /* its coordinate should stay in range[0] ... range[1] */
     double range[2];
     bool loop; /* the deck wants it out of the tree */
     bool own;  /* reactions in joint axes */

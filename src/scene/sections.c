@@ -242,7 +242,7 @@ bool scene_section(struct section *o, int i)
         *o = (struct section){"constraints.NAME", joint->name, joint->brief, joint->keys};
         return true;
     }
-    const struct force_kind *force = force_kind_at(i - FIXED - JOINT_TYPES);
+    const struct force_kind *force = force_kind_at(i - FIXED - JOINT_WORDS);
     if (!force) return false;
     *o = (struct section){"forces.NAME", force->name, force->brief, force->keys};
     return true;

@@ -52,6 +52,28 @@ static void add_reactions(struct listing *l, const char *name, enum origin_type 
         add_parts(l, name, moment, moments, 3, "N m", "reaction on the second body, at the joint, world axes", type, i);
 }
 
+/* Ties: a rod's and a line's force on the second body, at its point; what a rod or a gear bears. */
+static void add_tie(struct listing *l, const struct model_loop *loop, int i)
+{
+    static const char *const force[] = {"fx", "fy", "fz"};
+    const int last = loop->nterm - 1;
+    if (last < 0)
+        add_parts(l, loop->name, force, first_parts, l->plane ? 2 : 3, "N", "force on the second body, world axes",
+                  FROM_LOOP, i);
+    if (loop->type == JOINT_POINT_ON_LINE) return;
+    add(l, join(l, loop->name, "force"), last >= 0 && loop->term[last].angular ? "N m" : "N",
+        last >= 0 ? "what drives the second coordinate upwards" : "what drives the points apart",
+        (struct origin){FROM_TIE, i, 0, -1});
+}
+
+static void add_loop(struct listing *l, const struct model_loop *loop, int i)
+{
+    if (joint_is_tie(loop->type))
+        add_tie(l, loop, i);
+    else
+        add_reactions(l, loop->name, FROM_LOOP, i);
+}
+
 static void add_joint(struct listing *l, const struct model *m, int i, int unnamed)
 {
     const struct model_joint *j = &m->joint[i];
@@ -154,6 +176,16 @@ static void add_steps(struct listing *l)
     add(l, "step.sweeps", NULL, "Newton sweeps of the last step", (struct origin){FROM_STEP, 0, STEP_SWEEPS, -1});
 }
 
+/* Joints of the tree that are not the deck's: free by default. */
+static void add_unnamed(struct listing *l, const struct scene *scene, const struct model *m)
+{
+    bool *named = TAKE(l->life, bool, m->njoint);
+    for (int i = 0; i < scene->njoint; i++)
+        if (m->joint_of[i] >= 0) named[m->joint_of[i]] = true;
+    for (int i = 0; i < m->njoint; i++)
+        if (!named[i]) add_joint(l, m, i, 1);
+}
+
 void catalogue_build(struct catalogue *o, const struct scene *scene, const struct model *m, struct arena *life)
 {
     struct listing l = {o, life, m->space == 2};
@@ -163,12 +195,8 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
         if (m->joint_of[i] >= 0)
             add_joint(&l, m, m->joint_of[i], 0);
         else
-            add_reactions(&l, m->loop[m->loop_of[i]].name, FROM_LOOP, m->loop_of[i]);
-    for (int i = 0; m->njoint > scene->njoint && i < m->njoint; i++) { /* free by default */
-        int named = 0;
-        for (int k = 0; k < scene->njoint && !named; k++) named = m->joint_of[k] == i;
-        if (!named) add_joint(&l, m, i, 1);
-    }
+            add_loop(&l, &m->loop[m->loop_of[i]], m->loop_of[i]);
+    add_unnamed(&l, scene, m);
     for (int i = 1; i < scene->nbody; i++) add_body(&l, &m->body[m->body_of[i]], m->body_of[i]);
     for (int i = 0; i < m->npoint; i++) add_point(&l, &m->point[i], i);
     for (int i = 0; i < m->nmeasure; i++) add_measure(&l, &m->measure[i], i);
@@ -195,6 +223,7 @@ unsigned catalogue_needs(const struct catalogue *o, const struct selection *chos
         case FROM_REACTION:
         case FROM_LOOP:
         case FROM_DRIVE:
+        case FROM_TIE:
             needs |= SEE_MOTION | SEE_ACCELERATION;
             break;
         default:

@@ -22,6 +22,7 @@ enum origin_type {
     FROM_POINT_ACCELERATION,
     FROM_REACTION, /* index: joint; k: fx fy fz mx my mz */
     FROM_LOOP,     /* index: loop; likewise */
+    FROM_TIE,      /* index: loop; its force */
     FROM_MEASURE,  /* index: measure */
     FROM_MEASURE_RATE,
     FROM_FORCE, /* index: force */

@@ -52,6 +52,15 @@ enum status tell_partition(struct sim *sim, struct sink *sink, struct report *re
     return sink ? sink->ops->event(sink, sim->x.t, "partition", text, report) : OK;
 }
 
+/* What the loop joint holds: a body, or the coordinate of a gear or rack. */
+static const char *end_name(const struct sim *sim, const struct model_loop *l, int side)
+{
+    const struct model *m = sim->model;
+    if (l->nterm == 0) return m->body[side ? l->second : l->first].name;
+    const struct model_term *t = &l->term[side];
+    return m->coordinate[m->joint[t->joint].iq[t->k]].name;
+}
+
 static struct closure closure_of(const struct sim *sim, int l, bool unique)
 {
     const struct model *m = sim->model;
@@ -59,8 +68,8 @@ static struct closure closure_of(const struct sim *sim, int l, bool unique)
     const struct model_loop *loop = &m->loop[l];
     struct closure o = {.name = loop->name,
                         .kind = loop->drive ? "drive" : joint_kind(loop->type, m->space == 3)->name,
-                        .first = m->body[loop->first].name,
-                        .second = m->body[loop->second].name,
+                        .first = end_name(sim, loop, 0),
+                        .second = end_name(sim, loop, 1),
                         .equations = loops->first[l + 1] - loops->first[l],
                         .unique = unique};
     for (int r = loops->first[l]; r < loops->first[l + 1]; r++)

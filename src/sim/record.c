@@ -126,6 +126,8 @@ double record_value(const struct sim *sim, const struct origin *s)
     case FROM_DRIVE:
         system_drive(sim->system, &a, &b, s->index);
         return s->k == 0 ? a : b;
+    case FROM_TIE:
+        return system_loop_force(sim->system, s->index);
     case FROM_MEASURE:
     case FROM_MEASURE_RATE:
         system_measure(sim->system, &a, &b, s->index);

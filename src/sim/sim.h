@@ -85,7 +85,7 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
 
 /* What closes loops, and drives, for `fmdsub check`. */
 struct closure {
-    const char *name, *kind, *first, *second; /* bodies */
+    const char *name, *kind, *first, *second; /* bodies; of gears and racks coordinates */
     int equations, redundant;
     bool unique; /* its reactions */
 };

@@ -1,4 +1,4 @@
-/* loops.c -- values, derivatives and forces of loop joints.
+/* loops.c -- values, derivatives and forces of loop joints, ties and drives.
  *
  * With d the vector from the first body's point to the second's, e axes of the first (A), g of the second (B),
  * wr = w_B - w_A, and u = d' - w_A x d the velocity of B's point as A sees it:
@@ -6,167 +6,21 @@
  *     ALONG  C = e.d        C' = e.u            C'' = e.(d'' - al_A x d - w_A x (w_A x d) - 2 w_A x u)
  *     LEAN   C = e.g        C' = wr.(g x e)     C'' = e''.g + 2 e'.g' + e.g'',   e'' = al x e + w x (w x e)
  *     TURN   C = phi_B - phi_A                  C'' = al_B - al_A
+ *     SPAN   C = |d| - L      C' = n.d'         C'' = n.d'' + (d'.d' - (n.d')^2)/|d|,   n = d/|d|
+ *     SUM    C = sum f_i q_i                    C'' = sum f_i a_i
  *     DRIVE  C = s(q) - c(t), s a coordinate, a distance or displacement, in the plane an angle:
- *            C'' of |d|: n.d'' + (d'.d' - s'^2)/s, n = d/s; of the others as above; less c''
+ *            C'' as above, less c''
  *
  * A row of C_q is C' per unit velocity of each coordinate.  Its multiplier lambda does the work -lambda C':
- * for ALONG a force -lambda e on B at its point and the opposite on A, for LEAN a pair of torques. */
+ * for ALONG a force -lambda e on B at its point and the opposite on A, for SPAN along n, for LEAN a pair of torques.
+ * A sum's is the generalized force -lambda f_i on each of its coordinates, which is a matter of their joints: these
+ * bear nothing of it. */
 #include "system/loops.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "la/vec3.h"
-
-/* --- building ----------------------------------------------------------------------------------- */
-
-struct equation {
-    enum loop_row_type type;
-    int i, j;
-};
-
-enum { MOST_ROWS = 6 };
-
-struct equations {
-    int n;
-    struct equation e[MOST_ROWS];
-};
-
-/* Along an axis of the first body; of an axis of the second leaning towards one of the first. */
-#define X                                                                                                              \
-    {                                                                                                                  \
-        ROW_ALONG, 0, 0                                                                                                \
-    }
-#define Y                                                                                                              \
-    {                                                                                                                  \
-        ROW_ALONG, 1, 0                                                                                                \
-    }
-#define Z                                                                                                              \
-    {                                                                                                                  \
-        ROW_ALONG, 2, 0                                                                                                \
-    }
-#define XY                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 0, 1                                                                                                 \
-    }
-#define YZ                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 1, 2                                                                                                 \
-    }
-#define ZX                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 2, 0                                                                                                 \
-    }
-#define XZ                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 0, 2                                                                                                 \
-    }
-#define TURN                                                                                                           \
-    {                                                                                                                  \
-        ROW_TURN, 0, 0                                                                                                 \
-    }
-
-static const struct equations plane[JOINT_TYPES] = {
-    [JOINT_FIXED] = {3, {X, Y, TURN}}, [JOINT_REVOLUTE] = {2, {X, Y}}, [JOINT_PRISMATIC] = {2, {X, TURN}}};
-
-static const struct equations room[JOINT_TYPES] = {[JOINT_FIXED] = {6, {X, Y, Z, XY, YZ, ZX}},
-                                                   [JOINT_REVOLUTE] = {5, {X, Y, Z, XZ, YZ}},
-                                                   [JOINT_PRISMATIC] = {5, {X, Y, XY, YZ, ZX}},
-                                                   [JOINT_CYLINDRICAL] = {4, {X, Y, XZ, YZ}},
-                                                   [JOINT_UNIVERSAL] = {4, {X, Y, Z, XY}},
-                                                   [JOINT_SPHERICAL] = {3, {X, Y, Z}},
-                                                   [JOINT_PLANAR] = {3, {Z, XZ, YZ}}};
-
-/* The equations of a joint: each freedom it takes away. */
-static int equations_of(struct equation *o, enum joint_type type, int space)
-{
-    int n = space == 2 ? plane[type].n : room[type].n;
-    memcpy(o, space == 2 ? plane[type].e : room[type].e, sizeof *o * (size_t)n);
-    return n;
-}
-
-/* The largest arm of a joint on a body; the ground's place in the world does not count. */
-static double length_of(const struct model *m)
-{
-    double most = 0;
-    for (int i = 0; i < m->njoint; i++) {
-        const struct model_joint *j = &m->joint[i];
-        if (j->parent) most = fmax(most, v3_norm(j->a));
-        most = fmax(most, v3_norm(j->b));
-    }
-    for (int i = 0; i < m->nloop; i++) {
-        const struct model_loop *l = &m->loop[i];
-        if (l->first) most = fmax(most, v3_norm(l->a));
-        if (l->second) most = fmax(most, v3_norm(l->b));
-    }
-    return most > 0 ? most : 1;
-}
-
-static bool among(const int *k, int n, int what)
-{
-    for (int i = 0; i < n; i++)
-        if (k[i] == what) return true;
-    return false;
-}
-
-static void add_path(struct loops *o, int l, const int *k, int n, const int *other, int nother, int side)
-{
-    for (int i = 0; i < n; i++) {
-        if (among(other, nother, k[i])) continue;
-        o->side[l][o->nk[l]] = side;
-        o->k[l][o->nk[l]++] = k[i];
-    }
-}
-
-static void tie(struct loops *o, int l, const struct sweep *s, struct arena *life)
-{
-    const struct model_loop *loop = &o->model->loop[l];
-    const int *a, *b;
-    int na = o->ops->path(s, &a, loop->first), nb = o->ops->path(s, &b, loop->second);
-    if (loop->drive && o->model->measure[loop->measure].type == MEASURE_COORDINATE) {
-        a = b = &o->model->measure[loop->measure].iv;
-        na = 0;
-        nb = 1;
-    }
-    o->k[l] = TAKE(life, int, na + nb);
-    o->side[l] = TAKE(life, int, na + nb);
-    add_path(o, l, a, na, b, nb, -1);
-    add_path(o, l, b, nb, a, na, 1);
-    o->Cq[l] = TAKE(life, double, (o->first[l + 1] - o->first[l]) * o->nk[l]);
-}
-
-struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)
-{
-    struct loops *o = TAKE(life, struct loops, 1);
-    o->model = m;
-    o->ops = ops;
-    o->length = length_of(m);
-    o->row = TAKE(life, struct loop_row, MOST_ROWS * m->nloop);
-    o->first = TAKE(life, int, m->nloop + 1);
-    o->place = TAKE(life, struct loop_place, m->nloop);
-    o->nk = TAKE(life, int, m->nloop);
-    o->k = TAKE(life, int *, m->nloop);
-    o->side = TAKE(life, int *, m->nloop);
-    o->Cq = TAKE(life, double *, m->nloop);
-    struct sweep *paths = ops->build(m, life);
-    for (int l = 0; l < m->nloop; l++) {
-        struct equation e[MOST_ROWS] = {{ROW_DRIVE, 0, 0}};
-        int n = m->loop[l].drive ? 1 : equations_of(e, m->loop[l].type, m->space);
-        for (int i = 0; i < n; i++) o->row[o->nrow++] = (struct loop_row){l, e[i].type, e[i].i, e[i].j};
-        o->first[l + 1] = o->nrow;
-        tie(o, l, paths, life);
-    }
-    measures_build(&o->measures, m, ops, life);
-    o->grad = row_make(m->n, life);
-    o->act = TAKE(life, struct action, m->nloop);
-    o->c = TAKE(life, double, o->nrow);
-    o->c1 = TAKE(life, double, o->nrow);
-    o->c2 = TAKE(life, double, o->nrow);
-    o->cw = TAKE(life, double, o->nrow);
-    o->drawn = TAKE(life, double, o->nrow);
-    o->share = 1;
-    return o;
-}
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
@@ -184,6 +38,15 @@ static void look(struct loop_place *p, const struct loops *o, const struct sweep
     m3_mulm(p->EB, p->B.R, l->Eb);
 }
 
+static void look_at_terms(struct loop_place *p, const struct model *m, const struct model_loop *l, const double *q)
+{
+    p->sum = 0;
+    for (int i = 0; i < l->nterm; i++) {
+        const struct model_term *t = &l->term[i];
+        p->sum += t->factor * q[m->joint[t->joint].iq[t->k]];
+    }
+}
+
 /* A driven measure and where its bodies stand. */
 static void look_at_drive(struct loops *o, const struct sweep *s, int l, const double *q, const double *v)
 {
@@ -197,7 +60,13 @@ static void look_at_drive(struct loops *o, const struct sweep *s, int l, const d
 void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v)
 {
     const int joints = o->model->nloop - o->model->ndrive;
-    for (int l = 0; l < joints; l++) look(&o->place[l], o, s, &o->model->loop[l]);
+    for (int l = 0; l < joints; l++) {
+        const struct model_loop *loop = &o->model->loop[l];
+        if (loop->nterm)
+            look_at_terms(&o->place[l], o->model, loop, q);
+        else
+            look(&o->place[l], o, s, loop);
+    }
     for (int l = joints; l < o->model->nloop; l++) look_at_drive(o, s, l, q, v);
 }
 
@@ -255,6 +124,12 @@ void loops_values(double *C, const struct loops *o)
         case ROW_TURN:
             C[i] = p->B.angle - p->A.angle;
             break;
+        case ROW_SPAN:
+            C[i] = (v3_norm(p->d) - o->model->loop[r->loop].length) / o->length;
+            break;
+        case ROW_SUM:
+            C[i] = p->sum / o->scale[r->loop];
+            break;
         case ROW_DRIVE:
             C[i] = scale(o, r->loop) * o->act[r->loop].s - o->c[i];
             break;
@@ -262,14 +137,29 @@ void loops_values(double *C, const struct loops *o)
     }
 }
 
-/* The row as a pair of opposite unit wrenches: C' = dir.(relative velocity at the second's point), or of (relative
- * angular velocity). */
+/* n of a span; 0 while its points are in one place. */
+static void along(double *n, const double *d)
+{
+    const double size = v3_norm(d);
+    v3_scale(n, size > 0 ? 1 / size : 0, d);
+}
+
+static bool is_force(const struct loop_row *r)
+{
+    return r->type == ROW_ALONG || r->type == ROW_SPAN;
+}
+
+/* The row of a joint or rod as a pair of opposite unit wrenches: C' = dir.(relative velocity at the second's point), or
+ * of (relative angular velocity). */
 static void direction(double *dir, const struct loops *o, const struct loop_row *r)
 {
     const struct loop_place *p = &o->place[r->loop];
     if (r->type == ROW_ALONG) v3_scale(dir, 1 / o->length, p->EA + 3 * r->i);
     if (r->type == ROW_LEAN) v3_cross(dir, p->EB + 3 * r->j, p->EA + 3 * r->i);
     if (r->type == ROW_TURN) v3_set(dir, 0, 0, 1);
+    if (r->type != ROW_SPAN) return;
+    along(dir, p->d);
+    v3_scale(dir, 1 / o->length, dir);
 }
 
 static void drive_jacobian(struct loops *o, const struct sweep *s, int l)
@@ -283,21 +173,21 @@ static void jacobian(struct loops *o, const struct sweep *s, int l)
 {
     const struct model_loop *loop = &o->model->loop[l];
     const int nk = o->nk[l], first = o->first[l], n = o->first[l + 1] - first;
-    double dir[MOST_ROWS][3];
+    double dir[LOOP_ROWS][3];
     for (int i = 0; i < n; i++) direction(dir[i], o, &o->row[first + i]);
     for (int k = 0; k < nk; k++) {
         double v[3], w[3];
         int side = o->side[l][k];
         o->ops->partial(s, v, w, side > 0 ? loop->second : loop->first, o->place[l].x, o->k[l][k]);
-        for (int i = 0; i < n; i++)
-            o->Cq[l][i * nk + k] = side * v3_dot(dir[i], o->row[first + i].type == ROW_ALONG ? v : w);
+        for (int i = 0; i < n; i++) o->Cq[l][i * nk + k] = side * v3_dot(dir[i], is_force(&o->row[first + i]) ? v : w);
     }
 }
 
 void loops_jacobian(struct loops *o, const struct sweep *s)
 {
     const int joints = o->model->nloop - o->model->ndrive;
-    for (int l = 0; l < joints; l++) jacobian(o, s, l);
+    for (int l = 0; l < joints; l++)
+        if (o->model->loop[l].nterm == 0) jacobian(o, s, l);
     for (int l = joints; l < o->model->nloop; l++) drive_jacobian(o, s, l);
 }
 
@@ -338,16 +228,34 @@ static double second_lean(const struct loop_place *p, const double *e, const dou
     return v3_dot(e2, g) + 2 * v3_dot(e1, g1) + v3_dot(e, g2);
 }
 
-static double second_distance(const struct loop_place *p, const struct action *act)
+/* Of the distance between the world points a on A and b on B. */
+static double second_distance(const struct loop_place *p, const double *a, const double *b)
 {
-    double b[3], vb[3], ab[3], va[3], aa[3];
-    v3_diff(b, act->at_b, p->B.r);
-    point_rates(vb, ab, &p->B, b);
-    v3_diff(b, act->at_a, p->A.r);
-    point_rates(va, aa, &p->A, b);
+    double arm[3], vb[3], ab[3], va[3], aa[3], d[3], n[3];
+    v3_diff(arm, b, p->B.r);
+    point_rates(vb, ab, &p->B, arm);
+    v3_diff(arm, a, p->A.r);
+    point_rates(va, aa, &p->A, arm);
     v3_take(vb, va);
     v3_take(ab, aa);
-    return v3_dot(act->dir, ab) + (v3_dot(vb, vb) - act->rate * act->rate) / act->s;
+    v3_diff(d, b, a);
+    along(n, d);
+    const double rate = v3_dot(n, vb);
+    return v3_dot(n, ab) + (v3_dot(vb, vb) - rate * rate) / v3_norm(d);
+}
+
+static double second_span(const struct loop_place *p)
+{
+    double a[3];
+    v3_diff(a, p->x, p->d);
+    return second_distance(p, a, p->x);
+}
+
+static double second_sum(const struct model *m, const struct model_loop *l, const double *a)
+{
+    double sum = 0;
+    for (int i = 0; i < l->nterm; i++) sum += l->term[i].factor * a[m->joint[l->term[i].joint].iv[l->term[i].k]];
+    return sum;
 }
 
 static double second_measure(const struct loops *o, int l, const double *a)
@@ -359,7 +267,7 @@ static double second_measure(const struct loops *o, int l, const double *a)
     case MEASURE_COORDINATE:
         return a[m->iv];
     case MEASURE_DISTANCE:
-        return second_distance(p, act);
+        return second_distance(p, act->at_a, act->at_b);
     case MEASURE_DISPLACEMENT:
         v3_copy(p->x, act->at_b);
         return second_along(p, act->dir);
@@ -384,6 +292,12 @@ void loops_second(double *C2, const struct loops *o, const double *a)
         case ROW_TURN:
             C2[i] = p->B.al[2] - p->A.al[2];
             break;
+        case ROW_SPAN:
+            C2[i] = second_span(p) / o->length;
+            break;
+        case ROW_SUM:
+            C2[i] = second_sum(o->model, &o->model->loop[r->loop], a) / o->scale[r->loop];
+            break;
         case ROW_DRIVE:
             C2[i] = scale(o, r->loop) * second_measure(o, r->loop, a) - o->c2[i];
             break;
@@ -397,10 +311,10 @@ static void wrench(double *f, double *n, const struct loops *o, int l, const dou
 {
     v3_set(f, 0, 0, 0);
     v3_set(n, 0, 0, 0);
-    for (int i = o->first[l]; i < o->first[l + 1]; i++) {
+    for (int i = o->first[l]; i < o->first[l + 1] && o->model->loop[l].nterm == 0; i++) {
         double dir[3];
         direction(dir, o, &o->row[i]);
-        v3_axpy(o->row[i].type == ROW_ALONG ? f : n, -lambda[i], dir);
+        v3_axpy(is_force(&o->row[i]) ? f : n, -lambda[i], dir);
     }
 }
 
@@ -426,6 +340,7 @@ void loops_push(const struct loops *o, struct sweep *s, const double *lambda)
             continue;
         }
         const struct model_loop *loop = &o->model->loop[l];
+        if (loop->nterm) continue;
         double f[3], n[3];
         wrench(f, n, o, l, lambda);
         o->ops->push(s, loop->second, o->place[l].x, f);
@@ -440,4 +355,12 @@ void loops_push(const struct loops *o, struct sweep *s, const double *lambda)
 void loops_reaction(const struct loops *o, double *f, double *n, int l, const double *lambda)
 {
     wrench(f, n, o, l, lambda);
+}
+
+double loops_force(const struct loops *o, int l, const double *lambda)
+{
+    const struct model_loop *loop = &o->model->loop[l];
+    const double x = -lambda[o->first[l]];
+    if (loop->nterm) return x * loop->term[loop->nterm - 1].factor / o->scale[l];
+    return loop->type == JOINT_DISTANCE && !loop->drive ? x / o->length : 0;
 }

@@ -1,4 +1,4 @@
-/* loops.h -- the joints that close loops, and the drives, as equations between coordinates, C(q, t) = 0 (2-2).
+/* loops.h -- the joints that close loops, ties and drives as equations between coordinates, C(q, t) = 0 (2-2).
  *
  * Rows are dimensionless: lengths over `length`, a length of the mechanism.  All but loops_build read or feed a
  * sweep at its last motion. */
@@ -15,8 +15,12 @@ enum loop_row_type {
     ROW_ALONG, /* the second's point has not moved along axis i of the first */
     ROW_LEAN,  /* axis i of the first and axis j of the second stay at right angles */
     ROW_TURN,  /* plane: both bodies have turned alike */
+    ROW_SPAN,  /* the second's point keeps its distance from the first's */
+    ROW_SUM,   /* coordinates times factors sum to 0 */
     ROW_DRIVE  /* a measure stands where its drive has it: s(q) = c(t) */
 };
+
+enum { LOOP_ROWS = 6 }; /* of one loop at most */
 
 struct loop_row {
     int loop;
@@ -29,6 +33,7 @@ struct loop_place {
     struct pose A, B;
     double d[3], x[3];   /* from the first's point to the second's; the second's point, world */
     double EA[9], EB[9]; /* joint axes in the world, by column */
+    double sum;          /* ROW_SUM: of the coordinates */
 };
 
 struct loops {
@@ -42,6 +47,7 @@ struct loops {
     int *nk, **k;             /* [nloop] coordinates tied: places in v */
     int **side;               /* [nloop][nk] +1: moves the second body, -1: the first */
     double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
+    double *scale;            /* [nloop] what the terms of a sum are divided by [m] or [rad] */
     struct measures measures;
     struct row grad;      /* of a driven measure */
     struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
@@ -59,13 +65,16 @@ void loops_over(struct loops *o, double ta, double tb);
 void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v);
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
 void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
-/* C'' [nrow], after forward(), with the coordinates' own accelerations a where a drive is of one: C_q a + (C_q v)_q v
+/* C'' [nrow], after forward(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
  * + C_tt. */
 void loops_second(double *C2, const struct loops *o, const double *a);
 void loops_push(const struct loops *o, struct sweep *s, const double *lambda); /* applies -C_q' lambda */
-/* Force and moment about its point that loop joint l exerts on the deck's second body, world axes [3]. */
 /* Force of the drive along its measure [N] or [N m], and its power [W]. */
 void loops_drive(const struct loops *o, double *force, double *power, int l, const double *lambda);
+/* Force and moment about its point that loop joint l exerts on the deck's second body, world axes [3]; of a sum: 0. */
 void loops_reaction(const struct loops *o, double *f, double *n, int l, const double *lambda);
+/* A rod's force, positive when it drives its points apart [N]; of gears and racks the generalized force on their last
+ * coordinate [N] or [N m]; of other loop joints 0. */
+double loops_force(const struct loops *o, int l, const double *lambda);
 
 #endif

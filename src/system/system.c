@@ -403,6 +403,11 @@ void system_drive(const struct system *s, double *force, double *power, int loop
     condense_drive(s->loops, force, power, loop, s->lambda);
 }
 
+double system_loop_force(const struct system *s, int loop)
+{
+    return loops_force(condense_loops(s->loops), loop, s->lambda);
+}
+
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i)
 {
     *force = s->effect[i].force;

@@ -36,6 +36,7 @@ void system_reaction(const struct system *s, double *f, double *n, int joint); /
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop);
 /* Of drive `loop`: its force along its measure, its power [W]. */
 void system_drive(const struct system *s, double *force, double *power, int loop);
+double system_loop_force(const struct system *s, int loop); /* of a tie: see loops_force() */
 /* force: value along the measure, or size of the load; length: the measure; power [W]. */
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i);
 void system_energies(const struct system *s, struct energies *e);

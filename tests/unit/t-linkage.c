@@ -1,8 +1,8 @@
 /* t-linkage.c -- random closed linkages against an independent formulation.
  *
  * Bodies hang on a random tree of joints; further joints, drawn where the bodies stand, close loops, some of them
- * twice over.  The same mechanism in absolute coordinates, every joint as constraint equations, is solved
- * here as (2-3)
+ * twice over; rods, points on lines and gears between any two coordinates are among them.  The same mechanism in
+ * absolute coordinates, every joint as constraint equations, is solved here as (2-3)
  *
  *     [M J'; J 0] [a; lambda] = [Q; -J' v],
  *
@@ -33,6 +33,7 @@ struct any_joint {
     enum joint_type type;
     int A, B;
     const double *b, *Ea, *Eb;
+    const struct model_loop *loop; /* NULL: of the tree */
 };
 
 struct linkage {
@@ -49,23 +50,59 @@ struct linkage {
 
 static void close_between(struct linkage *o, struct tree_dice *d, int A, int B)
 {
-    static const enum joint_type plane[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_REVOLUTE, JOINT_FIXED, JOINT_PLANAR};
-    static const enum joint_type room[] = {JOINT_REVOLUTE, JOINT_SPHERICAL, JOINT_CYLINDRICAL, JOINT_UNIVERSAL,
-                                           JOINT_PLANAR,   JOINT_PRISMATIC, JOINT_SPHERICAL,   JOINT_FIXED};
+    static const enum joint_type plane[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_REVOLUTE,     JOINT_FIXED,
+                                            JOINT_PLANAR,   JOINT_DISTANCE,  JOINT_POINT_ON_LINE};
+    static const enum joint_type room[] = {JOINT_REVOLUTE, JOINT_SPHERICAL, JOINT_CYLINDRICAL,  JOINT_UNIVERSAL,
+                                           JOINT_PLANAR,   JOINT_PRISMATIC, JOINT_SPHERICAL,    JOINT_FIXED,
+                                           JOINT_DISTANCE, JOINT_DISTANCE,  JOINT_POINT_ON_LINE};
     const int space = o->model.space;
     struct model_loop *l = &o->loop[o->model.nloop++];
-    double at[3], arm[3], E[9];
+    double at[3], from[3], arm[3], E[9];
     const struct model_body *a = &o->model.body[A], *b = &o->model.body[B];
     *l = (struct model_loop){.name = "loop", .first = A, .second = B};
-    l->type = space == 2 ? plane[tree_pick(d, 5)] : room[tree_pick(d, 8)];
+    l->type = space == 2 ? plane[tree_pick(d, 7)] : room[tree_pick(d, 11)];
     tree_vector(at, d, space);
     tree_axes(E, d, l->type, space);
-    for (int i = 0; i < 3; i++) arm[i] = at[i] - a->at[i];
+    memcpy(from, at, sizeof from);
+    if (l->type == JOINT_DISTANCE) tree_vector(from, d, space);
+    for (int i = 0; i < 3; i++) l->length += (at[i] - from[i]) * (at[i] - from[i]);
+    l->length = sqrt(l->length);
+    for (int i = 0; i < 3; i++) arm[i] = from[i] - a->at[i];
     tree_mtv(l->a, a->R, arm);
     for (int i = 0; i < 3; i++) arm[i] = at[i] - b->at[i];
     tree_mtv(l->b, b->R, arm);
     tree_mtm(l->Ea, a->R, E);
     tree_mtm(l->Eb, b->R, E);
+}
+
+/* The coordinates that may be geared, with their unit velocities, are those that are no free rotations'. */
+static int plain_coordinates(struct model_term *o, const struct model *m)
+{
+    int n = 0;
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        const bool slides = j->type == JOINT_PRISMATIC || j->type == JOINT_PLANAR || j->type == JOINT_FREE;
+        for (int k = 0; k < j->nv && !(j->nq > j->nv && k + 3 >= j->nv); k++) {
+            bool angular = !slides && !(j->type == JOINT_CYLINDRICAL && k == 1);
+            if (j->nq == j->nv && (j->type == JOINT_PLANAR || j->type == JOINT_FREE) && k == 2) angular = true;
+            o[n++] = (struct model_term){i, k, angular, 1};
+        }
+    }
+    return n;
+}
+
+static void gear(struct linkage *o, struct tree_dice *d)
+{
+    struct model_term all[6 * MOST_BODIES];
+    struct model_loop *l = &o->loop[o->model.nloop];
+    const int n = plain_coordinates(all, &o->model);
+    if (n < 2) return;
+    int a = tree_pick(d, n), b = (a + 1 + tree_pick(d, n - 1)) % n;
+    *l = (struct model_loop){.name = "gear", .type = JOINT_GEAR, .nterm = 2, .term = {all[a], all[b]}};
+    l->term[0].factor = tree_roll(d, .2, 3) * (tree_pick(d, 2) ? 1 : -1);
+    l->first = o->model.joint[all[a].joint].child;
+    l->second = o->model.joint[all[b].joint].child;
+    o->model.nloop++;
 }
 
 /* A loop that says again what another joint says: all of it, or of a revolute joint its point only. */
@@ -89,11 +126,11 @@ static void list_joints(struct linkage *o)
     o->njoint = 0;
     for (int i = 0; i < o->model.njoint; i++) {
         const struct model_joint *j = &o->model.joint[i];
-        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->b, j->Ea, j->Eb};
+        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->b, j->Ea, j->Eb, NULL};
     }
     for (int i = 0; i < o->model.nloop; i++) {
         const struct model_loop *l = &o->loop[i];
-        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->b, l->Ea, l->Eb};
+        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->b, l->Ea, l->Eb, l};
     }
 }
 
@@ -117,6 +154,7 @@ static void make_linkage(struct linkage *o, int space, unsigned seed, bool redun
         tree_pair(&a, &b, d, o->model.nbody);
         close_between(o, d, a, b);
     }
+    if (tree_pick(d, 2)) gear(o, d);
     if (redundant) repeat_joint(o, d);
     list_joints(o);
 }
@@ -132,6 +170,53 @@ static void cross(double *o, const double *a, const double *b)
     o[0] = a[1] * b[2] - a[2] * b[1], o[1] = a[2] * b[0] - a[0] * b[2], o[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+static void add_unit(double *J, int body, const double *dir, const double *arm, double factor)
+{
+    double moment[3];
+    if (arm) cross(moment, arm, dir);
+    for (int k = 0; body && k < 3; k++) {
+        if (arm) J[6 * (body - 1) + k] += factor * dir[k];
+        J[6 * (body - 1) + 3 + k] += factor * (arm ? moment[k] : dir[k]);
+    }
+}
+
+/* The rate of one coordinate of joint j, from its two bodies' velocities: of the child's point along an axis of the
+ * parent's, or of turning about the joint's axis. */
+static void coordinate_row(double *J, const struct model_joint *j, const struct model_term *t, const struct place *p)
+{
+    const struct place *A = &p[j->parent], *B = &p[j->child];
+    double E[9], F[9], a[3], b[3];
+    tree_mm(E, A->R, j->Ea);
+    tree_mm(F, B->R, j->Eb);
+    tree_mv(b, B->R, j->b);
+    for (int i = 0; i < 3; i++) a[i] = B->r[i] + b[i] - A->r[i];
+    const bool many = j->type == JOINT_PLANAR || j->type == JOINT_FREE;
+    const double *axis = j->type == JOINT_UNIVERSAL ? (t->k ? F + 3 : E) : many && !t->angular ? E + 3 * t->k : E + 6;
+    add_unit(J, j->child, axis, t->angular ? NULL : b, t->factor);
+    add_unit(J, j->parent, axis, t->angular ? NULL : a, -t->factor);
+}
+
+static int gear_row(double *J, const struct model *m, const struct model_loop *l, const struct place *p)
+{
+    memset(J, 0, MOST * sizeof *J);
+    for (int i = 0; i < l->nterm; i++) coordinate_row(J, &m->joint[l->term[i].joint], &l->term[i], p);
+    return 1;
+}
+
+/* The row of a rod: the rate of the distance times the distance. */
+static int rod_row(double *J, const struct any_joint *j, const struct place *p)
+{
+    const struct place *A = &p[j->A], *B = &p[j->B];
+    double a[3], b[3], d[3];
+    memset(J, 0, MOST * sizeof *J);
+    tree_mv(a, A->R, j->loop->a);
+    tree_mv(b, B->R, j->b);
+    for (int i = 0; i < 3; i++) d[i] = B->r[i] + b[i] - A->r[i] - a[i];
+    add_unit(J, j->B, d, b, 1);
+    add_unit(J, j->A, d, a, -1);
+    return 1;
+}
+
 /* Rows of J of one joint: blocked velocities of B against A at B's point, along axes of A; blocked turns. */
 static int rows_of(double (*J)[MOST], const struct any_joint *j, const struct place *p, int space)
 {
@@ -139,11 +224,12 @@ static int rows_of(double (*J)[MOST], const struct any_joint *j, const struct pl
         int slide[3], turn[3];
     } plane[JOINT_TYPES] = {[JOINT_FIXED] = {{1, 1, 0}, {0, 0, 1}},
                             [JOINT_REVOLUTE] = {{1, 1, 0}, {0, 0, 0}},
-                            [JOINT_PRISMATIC] = {{1, 0, 0}, {0, 0, 1}}},
+                            [JOINT_PRISMATIC] = {{1, 0, 0}, {0, 0, 1}},
+                            [JOINT_POINT_ON_LINE] = {{1, 0, 0}, {0, 0, 0}}},
       room[JOINT_TYPES] = {[JOINT_FIXED] = {{1, 1, 1}, {1, 1, 1}},     [JOINT_REVOLUTE] = {{1, 1, 1}, {1, 1, 0}},
                            [JOINT_PRISMATIC] = {{1, 1, 0}, {1, 1, 1}}, [JOINT_CYLINDRICAL] = {{1, 1, 0}, {1, 1, 0}},
                            [JOINT_UNIVERSAL] = {{1, 1, 1}, {0, 0, 0}}, [JOINT_SPHERICAL] = {{1, 1, 1}, {0, 0, 0}},
-                           [JOINT_PLANAR] = {{0, 0, 1}, {1, 1, 0}}};
+                           [JOINT_PLANAR] = {{0, 0, 1}, {1, 1, 0}},    [JOINT_POINT_ON_LINE] = {{1, 1, 0}, {0, 0, 0}}};
     const struct place *A = &p[j->A], *B = &p[j->B];
     const int *slide = space == 2 ? plane[j->type].slide : room[j->type].slide;
     const int *turn = space == 2 ? plane[j->type].turn : room[j->type].turn;
@@ -178,7 +264,15 @@ static int rows_of(double (*J)[MOST], const struct any_joint *j, const struct pl
 static int all_rows(double (*J)[MOST], const struct linkage *o, const struct place *p)
 {
     int n = 0;
-    for (int i = 0; i < o->njoint; i++) n += rows_of(J + n, &o->joint[i], p, o->model.space);
+    for (int i = 0; i < o->njoint; i++) {
+        const struct any_joint *j = &o->joint[i];
+        if (j->type == JOINT_GEAR)
+            n += gear_row(J[n], &o->model, j->loop, p);
+        else if (j->type == JOINT_DISTANCE)
+            n += rod_row(J[n], j, p);
+        else
+            n += rows_of(J + n, j, p, o->model.space);
+    }
     return n;
 }
 
@@ -303,7 +397,9 @@ static double accelerations(double *x, const struct linkage *o, const struct pla
 
 struct figures {
     int closed, redundant, refused;
+    int met[JOINT_TYPES]; /* loops of each kind */
     double worst, balance, constraint;
+    double aside; /* worst of those near a singular posture, where r is a mean over both sides of it */
     unsigned seed;
 };
 
@@ -319,6 +415,28 @@ static void add_reaction(double *F, const struct place *p, int body, const doubl
     }
 }
 
+/* What a gear does to the bodies of its coordinates: the force on the last of these, along its row. */
+static void add_gear(double *F, const struct linkage *o, const struct system *s, const struct place *p, int loop)
+{
+    const struct model_loop *l = &o->loop[loop];
+    double J[MOST], Q = system_loop_force(s, loop) / l->term[l->nterm - 1].factor;
+    gear_row(J, &o->model, l, p);
+    for (int i = 6; i < 6 * o->model.nbody; i++) F[i] += Q * J[i - 6];
+}
+
+/* A rod pushes with loops_force() along its line. */
+static double off_line(const struct linkage *o, const struct system *s, const struct place *p, int loop)
+{
+    const struct model_loop *l = &o->loop[loop];
+    double f[3], n[3], a[3], b[3], d[3], size = 0, worst = 0, force = system_loop_force(s, loop);
+    system_loop_reaction(s, f, n, loop);
+    tree_mv(a, p[l->first].R, l->a);
+    tree_mv(b, p[l->second].R, l->b);
+    for (int i = 0; i < 3; i++) d[i] = p[l->second].r[i] + b[i] - p[l->first].r[i] - a[i], size += d[i] * d[i];
+    for (int i = 0; i < 3; i++) worst = fmax(worst, fabs(f[i] - force * d[i] / sqrt(size)) + fabs(n[i]));
+    return worst;
+}
+
 /* All reactions against m (a - g) and I al + w x I w of every body. */
 static double unbalanced(const struct linkage *o, const struct system *s, const struct place *p, const double *a)
 {
@@ -327,6 +445,11 @@ static double unbalanced(const struct linkage *o, const struct system *s, const 
     for (int i = 0; i < o->njoint; i++) {
         const struct any_joint *j = &o->joint[i];
         bool loop = i >= m->njoint;
+        if (j->type == JOINT_GEAR) {
+            add_gear(F, o, s, p, i - m->njoint);
+            continue;
+        }
+        if (j->type == JOINT_DISTANCE) worst = fmax(worst, off_line(o, s, p, i - m->njoint));
         double f[3], n[3], x[3], sign = !loop && m->joint[i].reversed ? -1 : 1;
         if (loop)
             system_loop_reaction(s, f, n, i - m->njoint);
@@ -378,7 +501,10 @@ static void compare(struct figures *g, const struct linkage *o, struct system *s
             worst = fmax(worst, fabs(pose.al[k] - x[6 * (b - 1) + 3 + k]));
         }
     }
-    if (!(worst / most <= g->worst)) g->worst = worst / most, g->seed = seed;
+    if (condense_ratio(system_loops(s)) < 1e-3)
+        g->aside = fmax(g->aside, worst / most);
+    else if (!(worst / most <= g->worst))
+        g->worst = worst / most, g->seed = seed;
     g->balance = fmax(g->balance, unbalanced(o, s, p, x));
     g->constraint = fmax(g->constraint, system_constraint_worst(s));
 }
@@ -410,6 +536,7 @@ static void try_one(struct figures *g, int space, unsigned seed, bool redundant)
         compare(g, &o, s, q, v, seed);
         g->closed++;
         g->redundant += start->redundant > 0;
+        for (int i = 0; i < o.model.nloop; i++) g->met[o.loop[i].type]++;
     }
     arena_close(arena);
 }
@@ -418,12 +545,15 @@ static void linkages(int space)
 {
     struct figures g = {0};
     for (unsigned seed = 1; g.closed < 500 && seed < 2000; seed++) try_one(&g, space, seed, seed % 2);
-    print_message("space %d: %d linkages, %d with redundant rows, %d refused; accelerations differ %.2g (seed %u), "
+    print_message("space %d: %d linkages, %d with redundant rows, %d refused; accelerations differ %.2g (seed %u; %.2g "
+                  "near singular postures), "
                   "reactions miss %.2g, |C| %.2g\n",
-                  space, g.closed, g.redundant, g.refused, g.worst, g.seed, g.balance, g.constraint);
+                  space, g.closed, g.redundant, g.refused, g.worst, g.seed, g.aside, g.balance, g.constraint);
+    assert_true(g.met[JOINT_DISTANCE] > 50 && g.met[JOINT_POINT_ON_LINE] > 50 && g.met[JOINT_GEAR] > 100);
     assert_int_equal(g.closed, 500);
     assert_true(g.redundant > 100);
     assert_true(g.worst < 1e-8);
+    assert_true(g.aside < 1e-5);
     assert_true(g.balance < 1e-8);
     assert_true(g.constraint < 1e-12);
 }
