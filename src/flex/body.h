@@ -63,9 +63,9 @@ struct flex_body {
 /* Takes all arrays for n coordinates, nnode nodes and nstress stresses, zero; stiffening: with s, xs and S. */
 struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening, struct arena *life);
 
-/* Adds to all integrals the mass m at x (from the centre of mass) with rotary inertia I [9], where the fields are phi,
- * psi [3 x n], S [3 x n x n] (NULL: zero). */
-void flex_body_add(struct flex_body *o, const double *x, double m, const double *I, const double *phi,
+/* Adds to all integrals the mass m at x (from the centre of mass) with rotary inertia `spin` [9], where the fields are
+ * phi, psi [3 x n], S [3 x n x n] (NULL: zero). */
+void flex_body_add(struct flex_body *o, const double *x, double m, const double *spin, const double *phi,
                    const double *psi, const double *S);
 
 /* The same body with the frame at another node: the same coordinates, every field less the rigid motion of that node,

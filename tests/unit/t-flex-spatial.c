@@ -824,7 +824,7 @@ static void test_what_was_met(void **state)
         }
         arena_close(o.arena);
     }
-    for (int t = 0; t < JOINT_TYPES; t++) assert_true(inboard[t] && outboard[t]);
+    for (int t = 0; t <= JOINT_FREE; t++) assert_true(inboard[t] && outboard[t]);
     assert_true(twice > SEEDS / 2);
 }
 
