@@ -112,6 +112,7 @@ const struct diag_help diag_helps[] = {
     {"E-no-bodies", "A scene needs a body besides the ground."},
     {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},
     {"E-shape", "A shape is one of box, cylinder, rod, sphere, tube."},
+    {"E-flexible", "The file is not a reduced body as fmdsub-reduce writes it, or it was changed since."},
     {"E-material",
      "A material has a name that the program knows, or its constants: {E: 70.0e+9, nu: 0.33, density: 2700}."},
     {"E-section",
@@ -154,9 +155,8 @@ const struct diag_help diag_helps[] = {
     {"W-units",
      "The number is far from what is usual in SI units (m, kg, s, rad, N). If it is meant, nothing is wrong."},
     {"W-quaternion", "The quaternion was scaled to length 1."},
-    {"W-offset",
-     "The place belongs to the beam's nearest section and moves with it as if it were rigid. If the beam should "
-     "end there, or the joint stand on its axis, change its place."},
+    {"W-offset", "The place belongs to the beam's nearest section, or to the nearest node of a body from a file, and "
+                 "moves with it as if it were rigid. If it should stand on the axis or on a node, change its place."},
     {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
                      "right for small loads only."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},

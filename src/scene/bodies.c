@@ -130,6 +130,14 @@ int read_inertia(struct builder *b, double *J, const struct node *n, const char 
     return 1;
 }
 
+/* A place on a body: a vector, on a beam a station, of a body from a file the name of a node. */
+static int read_spot(struct builder *b, double *p, int body, const struct node *n, const char *what)
+{
+    if (n->type == NODE_MAP && b->draft[body]) return read_station(b, p, body, n, what);
+    if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p, body, n);
+    return read_place(b, p, n, what);
+}
+
 static int read_points(struct builder *b, int body, const struct node *n, const char *what)
 {
     struct scene *scene = b->scene;
@@ -145,8 +153,7 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
         }
         p->name = arena_print(b->life, "%s.%s", scene->body[body].name, n->item[i]->key);
         p->at.body = body;
-        bool station = n->item[i]->type == NODE_MAP && b->draft[body];
-        if (station ? read_station(b, p->at.p, body, n->item[i], what) : read_place(b, p->at.p, n->item[i], what))
+        if (read_spot(b, p->at.p, body, n->item[i], what))
             errors++;
         else
             scene->npoint++;
@@ -159,7 +166,7 @@ static int read_rigid(struct builder *b, struct scene_body *body, const struct n
     struct body_keys k = {.mass = NAN};
     char what[100];
     snprintf(what, sizeof what, "body '%.60s'", n->key);
-    static const char *const others[] = {"beam", NULL};
+    static const char *const others[] = {"beam", "flexible", NULL};
     int errors = read_keys(&k, keys_body, n, others, what, &b->reader);
     body->mass = k.mass;
     if (k.at) errors += read_place(b, body->at, k.at, what);
@@ -185,6 +192,7 @@ static bool is_beam(const struct node *n)
 static int read_body(struct builder *b, int index, const struct node *n)
 {
     struct scene_body *body = &b->scene->body[index];
+    if (n->type == NODE_MAP && node_find(n, "flexible")) return read_reduced(b, body, n);
     if (is_beam(n)) return read_beam(b, body, index, n);
     return read_rigid(b, body, n);
 }
@@ -196,9 +204,10 @@ static int read_ground(struct builder *b, const struct node *n)
     return read_points(b, 0, k.points, "points of the ground");
 }
 
-static int count_points(const struct node *bodies)
+static int count_points(const struct scene *scene, const struct node *bodies)
 {
     int count = 0;
+    for (int i = 1; i < scene->nbody; i++) count += scene->body[i].flex ? scene->body[i].flex->nnode : 0;
     for (int i = 0; i < bodies->count; i++) {
         const struct node *points = bodies->item[i]->type == NODE_MAP ? node_find(bodies->item[i], "points") : NULL;
         if (points) count += points->count;
@@ -233,11 +242,14 @@ int read_bodies(struct builder *b, const struct node *n)
         errors += read_body(b, scene->nbody - 1, item);
     }
     const struct node *ground = node_find(n, "ground");
-    scene->point = TAKE(b->life, struct scene_point, count_points(n));
+    scene->point = TAKE(b->life, struct scene_point, count_points(scene, n));
     if (ground) errors += read_ground(b, ground);
-    for (int i = 1; i < scene->nbody; i++)
-        if (scene->body[i].node->type == NODE_MAP)
-            errors += read_points(b, i, node_find(scene->body[i].node, "points"), "'points'");
+    for (int i = 1; i < scene->nbody; i++) {
+        if (scene->body[i].node->type != NODE_MAP) continue;
+        const struct node *points = node_find(scene->body[i].node, "points");
+        if (scene->body[i].flex) name_nodes(b, i, points);
+        errors += read_points(b, i, points, "'points'");
+    }
     if (scene->nbody == 1) {
         diag_error(b->diags, n, AT_KEY, "E-no-bodies", "no bodies: nothing to simulate");
         errors++;

@@ -8,8 +8,9 @@
 #include "la/vec3.h"
 #include "scene/flexible.h"
 
-static const double SAME = 1e-9; /* stations that are one */
-static const double FAR = 0.1;   /* from the axis, in lengths: more is told */
+static const double SAME = 1e-9;  /* stations that are one */
+static const double FAR = 0.1;    /* from the axis, in lengths: more is told */
+static const double CLOSE = 1e-3; /* from a node, in sizes of the body: more is told */
 
 struct stations {
     int n, room;
@@ -35,12 +36,26 @@ static void take_station(struct stations *o, double s, struct arena *life)
     o->at[o->n++] = s;
 }
 
-/* One beam while its nodes are collected. */
+/* One body while its nodes are collected. */
 struct collecting {
     struct builder *b;
     int body;
     struct stations interfaces, points;
 };
+
+/* The same of a body from a file: its nodes are what they are. */
+static void look_at_node(struct collecting *c, const double *world, const struct node *at)
+{
+    const struct scene_body *body = &c->b->scene->body[c->body];
+    double offset[3], size = 0;
+    int node = scene_node(offset, body, world);
+    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
+    if (v3_norm(offset) <= CLOSE * size) return;
+    const char *name = body->flex->node[node].name;
+    diag_warn(c->b->diags, at, AT_KEY, "W-offset",
+              "a place %.3g m from the nearest node of '%s', %s: it carries it rigidly", v3_norm(offset), body->name,
+              name ? name : "which has no name");
+}
 
 /* The station whose section carries a world place; the ends are snapped to. */
 static double foot(struct collecting *c, const double *world, const struct node *at)
@@ -60,12 +75,20 @@ static double foot(struct collecting *c, const double *world, const struct node 
     return s;
 }
 
+static void take_place(struct collecting *c, struct stations *to, const double *world, const struct node *at)
+{
+    if (c->b->draft[c->body])
+        take_station(to, foot(c, world, at), c->b->life);
+    else
+        look_at_node(c, world, at);
+}
+
 static void take_marker(struct collecting *c, const struct marker *m, const struct node *at)
 {
     double world[3];
     if (m->body != c->body) return;
     marker_drawn(world, c->b->scene, m);
-    take_station(&c->points, foot(c, world, at), c->b->life);
+    take_place(c, &c->points, world, at);
 }
 
 static void collect(struct collecting *c)
@@ -74,8 +97,8 @@ static void collect(struct collecting *c)
     for (int i = 0; i < s->njoint; i++) {
         const struct scene_joint *j = &s->joint[i];
         if (j->nterm) continue;
-        if (j->first == c->body) take_station(&c->interfaces, foot(c, j->from, j->node), c->b->life);
-        if (j->second == c->body) take_station(&c->interfaces, foot(c, j->at, j->node), c->b->life);
+        if (j->first == c->body) take_place(c, &c->interfaces, j->from, j->node);
+        if (j->second == c->body) take_place(c, &c->interfaces, j->at, j->node);
     }
     for (int i = 0; i < s->npoint; i++) take_marker(c, &s->point[i].at, s->body[c->body].node);
     for (int i = 0; i < s->nmeasure; i++) {
@@ -88,7 +111,8 @@ static void collect(struct collecting *c)
         if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) take_marker(c, &f->b, f->node);
         if (f->type == FORCE_BUSHING) take_marker(c, &f->a, f->node);
     }
-    if (c->interfaces.n == 0) take_station(&c->interfaces, c->b->draft[c->body]->centre, c->b->life);
+    if (c->interfaces.n == 0 && c->b->draft[c->body])
+        take_station(&c->interfaces, c->b->draft[c->body]->centre, c->b->life);
 }
 
 /* Further nodes are not interfaces at the same time. */
@@ -136,8 +160,15 @@ int make_flexible(struct builder *b)
 {
     int errors = 0;
     if (diags_errors(b->diags)) return 0; /* half a deck would make other bodies */
-    for (int i = 1; i < b->scene->nbody; i++)
-        if (b->draft[i]) errors += make(b, i);
+    for (int i = 1; i < b->scene->nbody; i++) {
+        struct collecting c = {.b = b, .body = i};
+        if (b->draft[i]) {
+            errors += make(b, i);
+        } else if (b->scene->body[i].flex) {
+            collect(&c);
+            weigh(&b->scene->body[i]);
+        }
+    }
     return errors;
 }
 

@@ -39,8 +39,12 @@ struct probe_keys {
     double station, y, z;
     int corner;
 };
-extern const struct key keys_beam_body[], keys_beam[], keys_section[], keys_sections[], keys_material[], keys_damping[],
-    keys_lump[], keys_station[], keys_probe[];
+struct reduced_keys {
+    const char *file;
+    const struct node *at, *origin, *orient, *points;
+};
+extern const struct key keys_reduced[], keys_beam_body[], keys_beam[], keys_section[], keys_sections[], keys_material[],
+    keys_damping[], keys_lump[], keys_station[], keys_probe[];
 
 /* A beam that is still to be made. */
 struct draft {
@@ -65,6 +69,11 @@ double rectangle_torsion(double a, double b);
 int read_beam(struct builder *b, struct scene_body *body, int index, const struct node *n);
 /* A point {station: s, offset: [...]} of a beam: from the centre of mass, body axes. */
 int read_station(struct builder *b, double *p, int body, const struct node *n, const char *what);
+
+/* reduced.c: a body from a file; a point of it by the name of a node; its named nodes as points */
+int read_reduced(struct builder *b, struct scene_body *body, const struct node *n);
+int read_node_name(struct builder *b, double *p, int body, const struct node *n);
+void name_nodes(struct builder *b, int body, const struct node *points);
 
 /* bodies.c: a tensor [6] about the centre of mass; a number in the plane */
 int read_inertia(struct builder *b, double *J, const struct node *n, const char *what);

@@ -26,13 +26,14 @@ static const struct node *beam_end(const struct node *beam)
     return beam && beam->type == NODE_MAP ? node_find(beam, "from") : NULL;
 }
 
-/* Places of bodies decide: `at`, or `from` of a beam, is required there and is always a vector. */
+/* Places of bodies decide: `at`, `from` of a beam, `origin` of a body from a file; they are always vectors. */
 static const struct node *deciding_vector(const struct node *bodies)
 {
     for (int i = 0; bodies && bodies->type == NODE_MAP && i < bodies->count; i++) {
         const struct node *body = bodies->item[i];
         const struct node *at = body->type == NODE_MAP ? node_find(body, "at") : NULL;
         if (!at && body->type == NODE_MAP) at = beam_end(node_find(body, "beam"));
+        if (!at && body->type == NODE_MAP) at = node_find(body, "origin");
         if (first_vector(at)) return first_vector(at);
     }
     return NULL;

@@ -216,6 +216,7 @@ static const struct section fixed[] = {
     {"", NULL, "the deck", keys_deck},
     {"bodies.NAME", NULL, "a rigid body", keys_body},
     {"bodies.NAME", "beam", "a flexible body: a straight beam", keys_beam_body},
+    {"bodies.NAME", "flexible", "a flexible body from a file", keys_reduced},
     {"bodies.ground", NULL, "the world", keys_ground},
     {"bodies.NAME.shape", NULL, "one solid, which gives the inertia", keys_shape},
     {"bodies.NAME.orient", NULL, "body axes when drawn", keys_orient},

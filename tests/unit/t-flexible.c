@@ -12,6 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "flex/file.h"
 #include "probe/modes.h"
 #include "sim/load.h"
 #include "sim/parts.h"
@@ -25,14 +26,23 @@ struct opened {
     struct report report;
 };
 
-static void open_deck(struct opened *o, const char *text)
+static void write_file(const char *path, const char *head, const char *text)
 {
-    char path[] = "/tmp/t-flexible-XXXXXX";
-    int fd = mkstemp(path);
-    FILE *f = fdopen(fd, "w");
+    FILE *f = fopen(path, "w");
     assert_non_null(f);
-    fprintf(f, "fmdsub: 1\n%s\n", text);
+    fprintf(f, "%s%s\n", head, text);
     fclose(f);
+}
+
+/* beside: the text of body.json in the deck's folder; NULL: none. */
+static void open_beside(struct opened *o, const char *text, const char *beside)
+{
+    char folder[] = "/tmp/t-flexible-XXXXXX", path[60], file[60];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/deck.yaml", folder);
+    snprintf(file, sizeof file, "%s/body.json", folder);
+    write_file(path, "fmdsub: 1\n", text);
+    if (beside) write_file(file, "", beside);
     const struct sim_options options = {.version = "test"};
     o->report = (struct report){0};
     o->life = arena_open();
@@ -40,9 +50,16 @@ static void open_deck(struct opened *o, const char *text)
     enum status status = sim_load(&o->scene, path, NULL, diags, o->life, &o->report);
     if (status == OK) status = sim_open(&o->sim, o->scene, &o->scene->integrate, &options, diags, o->life, &o->report);
     unlink(path);
+    unlink(file);
+    rmdir(folder);
     if (status == OK) return;
     diags_print(stderr, diags, false);
     fail_msg("%s", o->report.text);
+}
+
+static void open_deck(struct opened *o, const char *text)
+{
+    open_beside(o, text, NULL);
 }
 
 /* The column's value now. */
@@ -336,11 +353,69 @@ static void test_cut(void **state)
     }
 }
 
+static const char turning[] = "constraints:\n"
+                              "  shaft: {revolute: [ground, hub], at: [0, 0, 0], axis: [0, 0, 1]}\n"
+                              "  clamp: {fixed: [hub, arm], at: [0, 0.5, 0]}\n"
+                              "  end: {spherical: [arm, bob], at: [0, 1.7, 0.9]}\n"
+                              "forces: {push: {force: arm.mid, value: [5, 0, 1]}}\n"
+                              "initial: {shaft.angle_rate: 2, arm.mode2: 0.001}\n"
+                              "integrate: {scheme: midpoint, step: 1.0e-3, until: 0.1}\n"
+                              "energy: {delta: 0.1}\n";
+
+/* A beam, and the same reduced body from a file: the same motion. */
+static void test_file(void **state)
+{
+    static const char hub[] = "gravity: [0, 0, -9.81]\n"
+                              "bodies:\n"
+                              "  hub: {mass: 3, inertia: [0.1, 0.1, 0.1], at: [0, 0, 0]}\n"
+                              "  bob: {mass: 0.5, inertia: [0.01, 0.01, 0.01], at: [0, 1.7, 0.8]}\n";
+    static const char *const columns[] = {"shaft.angle", "arm.mid.x", "arm.mid.dz", "arm.root.von_mises",
+                                          "bob.z",       "end.fz",    "arm.x",      "arm.qx"};
+    struct opened beam, file;
+    char text[3000];
+    (void)state;
+    snprintf(text, sizeof text,
+             "%s  arm:\n"
+             "    beam: {from: [0, 0.5, 0], to: [0, 1.7, 0.9]}\n"
+             "    sections: [{station: 0, rectangle: [0.03, 0.02]}, {station: 1, rectangle: [0.02, 0.01]}]\n"
+             "    material: aluminium\n"
+             "    modes: 4\n"
+             "    damping: {ratio: 0.01}\n"
+             "    points: {mid: {station: 0.4}}\n"
+             "    stress: {root: {station: 0, corner: top}}\n%s",
+             hub, turning);
+    open_deck(&beam, text);
+    const struct scene_body *arm = &beam.scene->body[3];
+    const double *p = beam.scene->point[0].at.p, *c = arm->at, mesh[3] = {0.1, -0.2, 0.3};
+    double origin[3];
+    for (int i = 0; i < 3; i++) {
+        origin[i] = c[i];
+        for (int k = 0; k < 3; k++) origin[i] -= arm->R[i + 3 * k] * mesh[k];
+    }
+    snprintf(
+        text, sizeof text,
+        "%s  arm: {flexible: body.json, origin: [%.17g, %.17g, %.17g], orient: {z: [%.17g, %.17g, %.17g], x: [%.17g, "
+        "%.17g, %.17g]}, points: {mid: [%.17g, %.17g, %.17g]}}\n%s",
+        hub, origin[0], origin[1], origin[2], arm->R[6], arm->R[7], arm->R[8], arm->R[0], arm->R[1], arm->R[2], p[0],
+        p[1], p[2], turning);
+    open_beside(&file, text, flex_file_text(arm->flex, mesh, beam.life));
+    run(&beam);
+    run(&file);
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++) {
+        double x = value(&beam, columns[i]);
+        assert_true(x != 0);
+        near(value(&file, columns[i]), x, 1e-7 * fabs(x));
+    }
+    arena_close(beam.life);
+    arena_close(file.life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_static),         cmocka_unit_test(test_frequencies), cmocka_unit_test(test_free_flight),
         cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_rates),       cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_file),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
