@@ -5,15 +5,36 @@
 #include "probe/modes.h"
 #include "sim/sim.h"
 
-static void print_bodies(FILE *to, const struct model *m)
+const char *check_parent(const struct model *m, int body)
 {
-    fprintf(to, "bodies: %d\n", m->nbody - 1);
+    const struct model_body *parent = &m->body[m->body[body].parent];
+    return parent->at_node ? m->body[parent->parent].name : parent->name;
+}
+
+/* A flexible body's modes, and the places in use. */
+static void print_elastic(FILE *to, const struct model *m, int body)
+{
+    const struct model_body *b = &m->body[body];
+    int nodes = 1; /* the frame's */
+    for (int i = body + 1; i < m->nbody; i++) nodes += m->body[i].at_node && m->body[i].parent == body;
+    fprintf(to, "  %-16s flexible: %d elastic coordinates, %d node%s in use", "", b->nmode, nodes,
+            nodes == 1 ? "" : "s");
+    for (int k = 0; b->flex->hertz && k < b->nmode; k++)
+        fprintf(to, "%s%.4g", k ? ", " : "; clamped at its inboard joint ", b->flex->hertz[k]);
+    fprintf(to, "%s\n", b->flex->hertz ? " Hz" : "");
+}
+
+static void print_bodies(FILE *to, const struct model *m, int count)
+{
+    fprintf(to, "bodies: %d\n", count);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *b = &m->body[i];
         const struct model_joint *j = &m->joint[b->joint];
+        if (b->at_node) continue;
         fprintf(to, "  %-16s %8.4g kg, %s, on %s by %s (%s, %d freedom%s)\n", b->name, b->mass,
-                b->fast ? "fast" : "slow", m->body[b->parent].name, j->name, joint_kind(j->type, m->space == 3)->name,
-                j->nv, j->nv == 1 ? "" : "s");
+                b->fast ? "fast" : "slow", check_parent(m, i), j->name, joint_kind(j->type, m->space == 3)->name, j->nv,
+                j->nv == 1 ? "" : "s");
+        if (b->flex) print_elastic(to, m, i);
     }
 }
 
@@ -105,7 +126,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     } else {
         printf("%s: %s%s%s\n", scene->deck->name, scene->title, *scene->title ? ", " : "",
                sim.model->space == 2 ? "planar" : "spatial");
-        print_bodies(stdout, sim.model);
+        print_bodies(stdout, sim.model, scene->nbody - 1);
         print_mass(stdout, &sim);
         print_coordinates(stdout, &sim);
         print_closures(stdout, &sim, life);

@@ -9,20 +9,30 @@ static cJSON *rate_class(bool fast)
     return cJSON_CreateString(fast ? "fast" : "slow");
 }
 
+static void add_elastic(cJSON *to, const struct model_body *b)
+{
+    facts_add(to, "modes", facts_number(b->nmode));
+    if (!b->flex->hertz) return;
+    cJSON *hertz = cJSON_AddArrayToObject(to, "hertz");
+    for (int k = 0; k < b->nmode; k++) cJSON_AddItemToArray(hertz, facts_number(b->flex->hertz[k]));
+}
+
 static cJSON *bodies(const struct model *m)
 {
     cJSON *list = cJSON_CreateArray();
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *b = &m->body[i];
         const struct model_joint *j = &m->joint[b->joint];
+        if (b->at_node) continue;
         cJSON *o = cJSON_CreateObject();
         cJSON_AddStringToObject(o, "name", b->name);
         facts_add(o, "mass", facts_number(b->mass));
         facts_add(o, "class", rate_class(b->fast));
-        cJSON_AddStringToObject(o, "on", m->body[b->parent].name);
+        cJSON_AddStringToObject(o, "on", check_parent(m, i));
         cJSON_AddStringToObject(o, "joint", j->name);
         cJSON_AddStringToObject(o, "kind", joint_kind(j->type, m->space == 3)->name);
         facts_add(o, "freedoms", facts_number(j->nv));
+        if (b->flex) add_elastic(o, b);
         cJSON_AddItemToArray(list, o);
     }
     return list;

@@ -112,6 +112,15 @@ const struct diag_help diag_helps[] = {
     {"E-no-bodies", "A scene needs a body besides the ground."},
     {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},
     {"E-shape", "A shape is one of box, cylinder, rod, sphere, tube."},
+    {"E-flexible", "The file is not a reduced body as fmdsub-reduce writes it, or it was changed since."},
+    {"E-material",
+     "A material has a name that the program knows, or its constants: {E: 70.0e+9, nu: 0.33, density: 2700}."},
+    {"E-section",
+     "A beam's section is a rectangle, a circle, a tube, or its numbers (area, Iz, in 3-D Iy and J); several "
+     "go from station 0 to station 1. Shear needs ky and kz beside numbers, stresses half sizes y and z."},
+    {"E-beam",
+     "The finite elements of the beam do not go with what is asked of them: take fewer modes or more elements, "
+     "and look at its section and material."},
     {"E-inertia", "The tensor belongs to no body. Moments about any three axes at right angles are positive and none "
                   "exceeds the sum of the other two; check units, and whether the tensor is about the centre of mass."},
     {"E-direction", "A direction must have a length, and two axes must not be parallel."},
@@ -135,7 +144,8 @@ const struct diag_help diag_helps[] = {
     {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "
                 "nothing beside 'from' is set."},
     {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
-    {"E-partition", "Spherical and free joints are fast or slow as a whole."},
+    {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
+                    "them, or those above a frequency."},
     {"E-newmark", "Newmark's method is stable for every step if 2 beta >= gamma >= 1/2."},
     {"E-scheme", "The key belongs to other schemes. `fmdsub list schemes` shows them."},
     {"E-step", "The step is too long or too short for the run."},
@@ -145,6 +155,10 @@ const struct diag_help diag_helps[] = {
     {"W-units",
      "The number is far from what is usual in SI units (m, kg, s, rad, N). If it is meant, nothing is wrong."},
     {"W-quaternion", "The quaternion was scaled to length 1."},
+    {"W-offset", "The place belongs to the beam's nearest section, or to the nearest node of a body from a file, and "
+                 "moves with it as if it were rigid. If it should stand on the axis or on a node, change its place."},
+    {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
+                     "right for small loads only."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     {NULL, NULL},

@@ -114,7 +114,8 @@ int deck_open_file(const struct node *n, struct deck *deck)
     return -1;
 }
 
-const struct node *deck_yaml(const struct node *file, struct deck *deck)
+/* A file named by a node; NULL: told. */
+static struct source *read_beside(const struct node *file, struct deck *deck)
 {
     struct source *s;
     struct report report = {0};
@@ -123,9 +124,23 @@ const struct node *deck_yaml(const struct node *file, struct deck *deck)
     const char *path = arena_print(deck->arena, "%s%s", strcmp(deck->folder, ".") ? deck->folder : "", file->text);
     enum status status = source_read(&s, fd, path, deck->max_bytes, deck->arena, &report);
     close(fd);
-    if (status == OK) return deck_parse(deck, s, file->text);
+    if (status == OK) return s;
     diag_error(deck->diags, file, AT_VALUE, status == E_LIMIT ? "E-limit-file" : "E-path", "%s", report.text);
     return NULL;
+}
+
+const struct node *deck_yaml(const struct node *file, struct deck *deck)
+{
+    struct source *s = read_beside(file, deck);
+    return s ? deck_parse(deck, s, file->text) : NULL;
+}
+
+const char *deck_file(const struct node *file, struct deck *deck)
+{
+    struct source *s = read_beside(file, deck);
+    if (!s) return NULL;
+    hash_text(deck, s->text, s->len + 1);
+    return s->path;
 }
 
 /* ---- the whole ---- */

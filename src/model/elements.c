@@ -5,10 +5,25 @@
 #include "la/vec3.h"
 #include "model/parts.h"
 
-static struct model_point point_of(const struct making *o, const struct marker *at, const char *name)
+static struct model_point point_of(struct making *o, const struct marker *at)
 {
-    struct model_point p = {.name = name, .body = o->body_of[at->body]};
-    v3_copy(p.p, at->p);
+    struct model_point p = {.name = NULL};
+    p.body = marker_on(p.p, o, at);
+    return p;
+}
+
+/* A named point; of a flexible body with its place in the frame. */
+static struct model_point named_point(struct making *o, const struct scene_point *from)
+{
+    const struct scene_body *sb = &o->scene->body[from->at.body];
+    struct model_point p = point_of(o, &from->at);
+    double away[3];
+    p.name = from->name;
+    if (!sb->flex) return p;
+    p.frame = o->body_of[from->at.body];
+    v3_diff(away, sb->at, sb->origin);
+    m3_tmul(p.drawn, sb->R, away);
+    v3_add(p.drawn, from->at.p);
     return p;
 }
 
@@ -24,8 +39,8 @@ static void make_measure(struct making *o, struct model_measure *to, const struc
         to->b.body = j->child;
         return;
     }
-    to->a = point_of(o, &from->a, NULL);
-    to->b = point_of(o, &from->b, NULL);
+    to->a = point_of(o, &from->a);
+    to->b = point_of(o, &from->b);
     v3_copy(to->axis, from->axis);
     to->fast = o->body[to->a.body].fast || o->body[to->b.body].fast;
 }
@@ -41,6 +56,10 @@ static struct model_slot make_slot(const struct making *o, const struct scene_sl
         return (struct model_slot){SLOT_Q, position_place(o, s->index, s->k)};
     case SCENE_RATE:
         return (struct model_slot){SLOT_V, rate_place(o, s->index, s->k)};
+    case SCENE_MODE:
+        return (struct model_slot){SLOT_Q, o->body[o->body_of[s->index]].mode_q[s->k]};
+    case SCENE_MODE_RATE:
+        return (struct model_slot){SLOT_V, o->body[o->body_of[s->index]].mode_v[s->k]};
     case SCENE_TIME:
         break;
     }
@@ -89,8 +108,8 @@ static void make_force(struct making *o, struct model_force *to, const struct sc
         .par = from->par,
         .value = {from->value[0], from->value[1], from->value[2]},
         .nslot = from->nslot,
-        .a = point_of(o, &from->a, NULL),
-        .b = point_of(o, &from->b, NULL),
+        .a = point_of(o, &from->a),
+        .b = point_of(o, &from->b),
         .torque = from->torque,
         .body_axes = from->body_axes,
     };
@@ -113,7 +132,7 @@ void make_elements(struct making *o)
     m->force = force;
     m->nforce = scene->nforce;
     struct model_point *point = TAKE(o->life, struct model_point, scene->npoint);
-    for (int i = 0; i < scene->npoint; i++) point[i] = point_of(o, &scene->point[i].at, scene->point[i].name);
+    for (int i = 0; i < scene->npoint; i++) point[i] = named_point(o, &scene->point[i]);
     m->point = point;
     m->npoint = scene->npoint;
 }

@@ -1,9 +1,9 @@
 /* loops.c -- which coordinates the loops tie together, and what that makes of them.
  *
  * Loop joint l ties the coordinates on the path of one of its bodies and not of the other: those on both
- * move its bodies as one; gears and racks tie two coordinates whatever these move.  Loops that share such a joint are
- * one component: one block of C_q.  A component with a fast coordinate is fast: its dependent coordinates follow in the
- * minor steps. */
+ * move its bodies as one; gears and racks tie two coordinates whatever these move.  A path that passes through a node
+ * of a flexible body ties its elastic coordinates.  Loops that share such a joint or such a body are one component: one
+ * block of C_q.  A component with a fast coordinate is fast: its dependent coordinates follow in the minor steps. */
 #include <string.h>
 
 #include "model/parts.h"
@@ -30,34 +30,58 @@ static void mark_tied(const struct making *o, bool *on, const struct model_loop 
     cross(o, on, l->second);
 }
 
-void make_components(struct making *o)
+/* Who holds the coordinates that tree joint i lets move its child: itself; at a node the flexible parent, whose
+ * number lies behind those of joints. */
+static int holder(const struct making *o, int i)
 {
-    struct model *m = o->m;
-    o->component = TAKE(o->life, int, m->njoint);
-    o->quick = TAKE(o->life, bool, m->njoint);
-    for (int i = 0; i < m->njoint; i++) o->component[i] = -1;
-    m->component = o->component;
-    bool *on = TAKE(o->life, bool, m->njoint), *fast = TAKE(o->life, bool, m->nloop);
-    int *owner = TAKE(o->life, int, m->njoint), *above = TAKE(o->life, int, m->nloop);
-    int *number = TAKE(o->life, int, m->nloop);
-    for (int i = 0; i < m->njoint; i++) owner[i] = -1;
+    const struct model_body *b = &o->body[o->joint[i].child];
+    return b->at_node ? o->m->njoint + b->parent : i;
+}
+
+/* owner [njoint + nbody]: a loop that ties the holder's coordinates, -1: none; above: loops that share one, as trees.
+ */
+static void tie(const struct making *o, int *owner, int *above)
+{
+    const struct model *m = o->m;
+    bool *on = TAKE(o->life, bool, m->njoint);
+    for (int i = 0; i < m->njoint + m->nbody; i++) owner[i] = -1;
     for (int l = 0; l < m->nloop; l++) {
         above[l] = l;
         mark_tied(o, on, &o->loop[l]);
         for (int i = 0; i < m->njoint; i++) {
             if (!on[i]) continue;
-            if (owner[i] >= 0) above[root(above, owner[i])] = root(above, l);
-            owner[i] = l;
+            int h = holder(o, i);
+            if (owner[h] >= 0) above[root(above, owner[h])] = root(above, l);
+            owner[h] = l;
         }
     }
+}
+
+void make_components(struct making *o)
+{
+    struct model *m = o->m;
+    bool *fast = TAKE(o->life, bool, m->nloop);
+    int *owner = TAKE(o->life, int, m->njoint + m->nbody), *above = TAKE(o->life, int, m->nloop);
+    int *number = TAKE(o->life, int, m->nloop);
+    o->component = TAKE(o->life, int, m->njoint);
+    o->quick = TAKE(o->life, bool, m->njoint);
+    o->supple = TAKE(o->life, bool, m->nbody);
+    m->component = o->component;
+    tie(o, owner, above);
     for (int l = 0; l < m->nloop; l++) number[l] = root(above, l) == l ? m->ncomponent++ : -1;
     for (int l = 0; l < m->nloop; l++) o->loop[l].component = number[root(above, l)];
     for (int i = 0; i < m->njoint; i++) {
-        if (owner[i] < 0) continue;
-        o->component[i] = o->loop[owner[i]].component;
-        for (int k = 0; k < o->joint[i].nv; k++) fast[o->component[i]] |= is_fast(o, i, k);
+        o->component[i] = owner[i] >= 0 ? o->loop[owner[i]].component : -1;
+        for (int k = 0; owner[i] >= 0 && k < o->joint[i].nv; k++) fast[o->component[i]] |= is_fast(o, i, k);
+    }
+    for (int i = 1; i < m->nbody; i++) {
+        struct model_body *b = &o->body[i];
+        int loop = owner[m->njoint + i];
+        if (loop >= 0) b->component = o->loop[loop].component;
+        for (int k = 0; loop >= 0 && k < b->nmode; k++) fast[b->component] |= mode_is_fast(o, i, k);
     }
     for (int i = 0; i < m->njoint; i++) o->quick[i] = o->component[i] >= 0 && fast[o->component[i]];
+    for (int i = 1; i < m->nbody; i++) o->supple[i] = o->body[i].component >= 0 && fast[o->body[i].component];
 }
 
 static void at_most(double *x, double most)
@@ -75,14 +99,27 @@ static double readiness(const struct making *o, int joint, int k)
     if (is_fast(o, joint, k)) at_most(&x, FAST_ONE);
     for (int i = 0; i < s->nindependent; i++) {
         const struct scene_choice *c = &s->independent[i];
-        if (c->joint == index && (c->k < 0 || position_place(o, index, c->k) == o->joint[joint].iq[k]))
+        if (index >= 0 && c->joint == index && (c->k < 0 || position_place(o, index, c->k) == o->joint[joint].iq[k]))
             at_most(&x, CHOSEN);
     }
     for (int i = 0; i < s->ninitial; i++) {
         const struct scene_initial *c = &s->initial[i];
-        if (c->joint != index) continue;
+        if (index < 0 || c->joint != index) continue;
         bool whole = c->type == INITIAL_OMEGA || c->type == INITIAL_ROTATION;
         if (whole || rate_place(o, index, c->k) == o->joint[joint].iv[k]) at_most(&x, STARTED);
+    }
+    return x;
+}
+
+/* Elastic coordinates follow last: a small one of them would have to move far to close a loop. */
+static double mode_readiness(const struct making *o, int body, int k)
+{
+    static const double CHOSEN = 1e-7, ELASTIC = 2e-3;
+    const struct scene *s = o->scene;
+    double x = ELASTIC;
+    for (int i = 0; i < s->nindependent; i++) {
+        const struct scene_choice *c = &s->independent[i];
+        if (c->joint < 0 && o->body_of[c->body] == body && (c->k < 0 || c->k == k)) at_most(&x, CHOSEN);
     }
     return x;
 }
@@ -97,6 +134,11 @@ void make_choice(struct making *o)
         for (int k = 0; k < o->joint[i].nv; k++) {
             urgent[o->joint[i].iv[k]] = is_fast(o, i, k);
             follow[o->joint[i].iv[k]] = readiness(o, i, k);
+        }
+    for (int i = 1; i < m->nbody; i++)
+        for (int k = 0; k < o->body[i].nmode; k++) {
+            urgent[o->body[i].mode_v[k]] = mode_is_fast(o, i, k);
+            follow[o->body[i].mode_v[k]] = mode_readiness(o, i, k);
         }
     m->urgent = urgent;
     m->follow = follow;

@@ -28,6 +28,7 @@ struct model_body {
     int nmode, *mode_q, *mode_v;  /* [nmode] places of its elastic coordinates in q and v: q' = v */
     bool at_node;                 /* a massless body that stands at a node of its parent, which is flexible: fixed */
     int node;                     /* to it by a joint of no freedom; number of the node */
+    int component;                /* of the loops that tie its elastic coordinates; -1: none */
 };
 
 struct model_joint {
@@ -77,7 +78,9 @@ struct model_loop {
 struct model_point {
     const char *name; /* "body.point" */
     int body;
-    double p[3]; /* from the body's centre of mass, body axes [m] */
+    double p[3];     /* from the body's centre of mass, body axes [m] */
+    int frame;       /* named points of a flexible body: that body; else 0 */
+    double drawn[3]; /* from the frame's origin, its axes, undeformed [m] */
 };
 
 struct model_measure {
@@ -113,7 +116,7 @@ struct model_force {
 
 struct model_coordinate {
     const char *name; /* "hub.angle" */
-    int joint, k;     /* which one of its joint */
+    int joint, k;     /* which one of its joint; a mode: its body's joint, and behind the joint's own */
     int iq, iv;       /* iv = -1: a quaternion part */
     bool fast;        /* or in a component that has a fast coordinate */
 };

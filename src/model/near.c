@@ -23,6 +23,12 @@ static void touch_measure(struct making *o, int measure)
 
 static void touch_coordinate(struct making *o, const struct model_slot *s)
 {
+    for (int i = 1; i < o->m->nbody; i++) {
+        struct model_body *b = &o->body[i];
+        const int *place = s->type == SLOT_Q ? b->mode_q : b->mode_v;
+        for (int k = 0; k < b->nmode; k++)
+            if (place[k] == s->index) b->near = true;
+    }
     for (int i = 0; i < o->m->njoint; i++) {
         const struct model_joint *j = &o->joint[i];
         const int *place = s->type == SLOT_Q ? j->iq : j->iv;

@@ -16,10 +16,21 @@ struct making {
     int *scene_joint; /* [njoint] the scene's joint of a tree joint; -1: free by default */
     int *component;   /* [njoint] */
     bool *quick;      /* [njoint] the joint is in a component that has a fast coordinate */
+    bool *supple;     /* [nbody] likewise the body's elastic coordinates */
 };
 
 /* tree.c: spanning tree from the ground, breadth first, in the deck's order of joints; the rest are loops */
 enum status make_tree(struct making *o);
+/* nodes.c: bodies at the nodes of flexible ones */
+/* The model's body that a world place, drawn, on the scene's body belongs to; made where there is none yet. */
+int stand(struct making *o, int scene_body, const double *world);
+/* That body, and the place p from its centre in its axes; of a world place, of a marker. */
+int place_on(double *p, struct making *o, int scene_body, const double *world);
+int marker_on(double *p, struct making *o, const struct marker *m);
+/* Body `index` as the scene's flexible one, its frame at the node of its inboard joint. */
+void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint);
+int most_nodes(const struct scene *scene);
+void make_nodes(struct making *o);
 /* loops.c: components of loops and their class; with the numbering known, what makes a coordinate dependent */
 void make_components(struct making *o);
 void make_choice(struct making *o);
@@ -36,6 +47,8 @@ void make_start(struct making *o);
 int scene_k(const struct model_joint *j, int k);
 /* Does the deck call rate k of tree joint i fast? */
 bool is_fast(const struct making *o, int joint, int k);
+/* Does it call elastic coordinate k of the model's body fast? */
+bool mode_is_fast(const struct making *o, int body, int k);
 /* Is the place in v fast, by itself or by its loops? */
 bool place_is_fast(const struct making *o, int iv);
 

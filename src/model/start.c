@@ -43,6 +43,15 @@ static void joint_turn(double *J, const struct model_joint *j, const double *q)
     }
 }
 
+/* How a node's small body stands in the frame. */
+static void node_turn(double *T, const struct model_body *parent, int node, const double *q)
+{
+    double theta[3] = {0, 0, 0}, turn[4];
+    for (int k = 0; k < parent->nmode; k++) v3_axpy(theta, q[parent->mode_q[k]], parent->flex->node[node].psi + 3 * k);
+    quat_cay(turn, theta);
+    quat_matrix(T, turn);
+}
+
 /* World orientations of all bodies at q. */
 static void orientations(const struct making *o, double (*R)[9], const double *q)
 {
@@ -50,6 +59,11 @@ static void orientations(const struct making *o, double (*R)[9], const double *q
     for (int i = 1; i < o->m->nbody; i++) {
         const struct model_joint *j = &o->joint[o->body[i].joint];
         double J[9], A[9], B[9];
+        if (o->body[i].at_node) {
+            node_turn(J, &o->body[j->parent], o->body[i].node, q);
+            m3_mulm(R[i], R[j->parent], J);
+            continue;
+        }
         m3_mulm(A, R[j->parent], j->Ea);
         if (j->nq > j->nv) { /* the quaternion turns the child's own axes */
             double T[9];
@@ -92,6 +106,11 @@ void make_start(struct making *o)
         if (o->joint[i].nq > o->joint[i].nv) q[o->joint[i].iq[o->joint[i].nq - 4]] = 1;
     for (int i = 0; i < scene->ninitial; i++) {
         const struct scene_initial *s = &scene->initial[i];
+        if (s->joint < 0) {
+            const struct model_body *b = &o->body[o->body_of[s->body]];
+            *(s->type == INITIAL_POSITION ? &q[b->mode_q[s->k]] : &v[b->mode_v[s->k]]) = s->x[0];
+            continue;
+        }
         if (s->type == INITIAL_POSITION) q[position_place(o, s->joint, s->k)] = s->x[0];
         if (s->type == INITIAL_RATE) v[rate_place(o, s->joint, s->k)] = s->x[0];
         if (s->type == INITIAL_ROTATION) put_rotation(o, q, &o->joint[o->joint_of[s->joint]], s->x);

@@ -33,22 +33,24 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
                                 const double *E)
 {
     struct model *m = o->m;
-    const struct scene_body *pb = &o->scene->body[parent], *cb = &o->scene->body[child];
+    const struct scene_body *cb = &o->scene->body[child];
+    double a[3], arm[3];
+    int on = place_on(a, o, parent, at);
     int i = m->nbody++;
     struct model_joint *j = &o->joint[m->njoint];
-    double arm[3];
+    struct model_body *body = &o->body[i];
     o->body_of[child] = i;
-    o->body[i] =
-        (struct model_body){.name = cb->name, .mass = cb->mass, .parent = o->body_of[parent], .joint = m->njoint++};
-    memcpy(o->body[i].inertia, cb->inertia, sizeof cb->inertia);
-    v3_copy(o->body[i].at, cb->at);
-    memcpy(o->body[i].R, cb->R, sizeof cb->R);
-    *j = (struct model_joint){.type = type, .parent = o->body_of[parent], .child = i};
-    v3_diff(arm, at, pb->at);
-    m3_tmul(j->a, pb->R, arm);
-    v3_diff(arm, at, cb->at);
+    *body =
+        (struct model_body){.name = cb->name, .mass = cb->mass, .parent = on, .joint = m->njoint++, .component = -1};
+    memcpy(body->inertia, cb->inertia, sizeof cb->inertia);
+    v3_copy(body->at, cb->at);
+    memcpy(body->R, cb->R, sizeof cb->R);
+    if (cb->flex) make_flexible_body(o, i, cb, at);
+    *j = (struct model_joint){.type = type, .parent = on, .child = i};
+    v3_copy(j->a, a);
+    v3_diff(arm, at, body->at);
     m3_tmul(j->b, cb->R, arm);
-    m3_tmulm(j->Ea, pb->R, E);
+    m3_tmulm(j->Ea, o->body[on].R, E);
     m3_tmulm(j->Eb, cb->R, E);
     return j;
 }
@@ -277,23 +279,18 @@ static void add_terms(struct making *o, struct model_loop *l, const struct scene
 static void add_loop(struct making *o, int index)
 {
     const struct scene_joint *sj = &o->scene->joint[index];
-    const struct scene_body *first = &o->scene->body[sj->first], *second = &o->scene->body[sj->second];
-    double arm[3];
     struct model_loop *l = &o->loop[o->m->nloop];
-    *l = (struct model_loop){
-        .name = sj->name, .type = sj->kind->type, .first = o->body_of[sj->first], .second = o->body_of[sj->second]};
+    *l = (struct model_loop){.name = sj->name, .type = sj->kind->type};
     o->loop_of[index] = o->m->nloop++;
     l->length = sj->length;
     if (sj->nterm) {
         add_terms(o, l, sj);
         return;
     }
-    v3_diff(arm, sj->from, first->at);
-    m3_tmul(l->a, first->R, arm);
-    v3_diff(arm, sj->at, second->at);
-    m3_tmul(l->b, second->R, arm);
-    m3_tmulm(l->Ea, first->R, sj->E);
-    m3_tmulm(l->Eb, second->R, sj->E);
+    l->first = place_on(l->a, o, sj->first, sj->from);
+    l->second = place_on(l->b, o, sj->second, sj->at);
+    m3_tmulm(l->Ea, o->body[l->first].R, sj->E);
+    m3_tmulm(l->Eb, o->body[l->second].R, sj->E);
     l->own = own_axes(o, sj);
 }
 
@@ -308,8 +305,9 @@ static void add_drive(struct making *o, const struct scene_drive *d)
         l->first = j->parent;
         l->second = j->child;
     } else {
-        l->first = o->body_of[s->a.body];
-        l->second = o->body_of[s->b.body];
+        double p[3];
+        l->first = marker_on(p, o, &s->a);
+        l->second = marker_on(p, o, &s->b);
     }
     o->m->ndrive++;
 }
@@ -335,16 +333,17 @@ static enum status add_loops(struct making *o)
 enum status make_tree(struct making *o)
 {
     const struct scene *scene = o->scene;
-    int n = scene->nbody;
-    o->body = TAKE(o->life, struct model_body, n);
-    o->joint = TAKE(o->life, struct model_joint, n);
+    int n = scene->nbody, room = n + most_nodes(scene);
+    o->body = TAKE(o->life, struct model_body, room);
+    o->joint = TAKE(o->life, struct model_joint, room);
     o->body_of = TAKE(o->life, int, n);
     o->joint_of = TAKE(o->life, int, scene->njoint);
     o->loop_of = TAKE(o->life, int, scene->njoint);
-    o->scene_joint = TAKE(o->life, int, n);
+    o->scene_joint = TAKE(o->life, int, room);
     for (int i = 1; i < n; i++) o->body_of[i] = -1;
     for (int i = 0; i < scene->njoint; i++) o->joint_of[i] = o->loop_of[i] = -1;
-    o->body[0] = (struct model_body){.name = "ground", .parent = -1, .joint = -1, .R = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    o->body[0] = (struct model_body){.name = "ground", .parent = -1, .joint = -1, .component = -1};
+    m3_unit(o->body[0].R);
     o->m->nbody = 1;
     struct search s = {thread_joints(o), TAKE(o->life, int, scene->njoint), TAKE(o->life, int, n), 0, 0};
     if (closes_loops(o))
@@ -356,5 +355,7 @@ enum status make_tree(struct making *o)
         reach_from(o, &s, i);
         grow(o, &s);
     }
-    return add_loops(o);
+    TRY(add_loops(o));
+    make_nodes(o);
+    return OK;
 }

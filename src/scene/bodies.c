@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "scene/build.h"
+#include "scene/flexible.h"
 
 static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 static const double pi = 3.14159265358979323846;
@@ -108,10 +108,9 @@ static bool inertia_possible(const double *J)
     return a >= 0 && d >= 0 && f >= 0 && minor >= -tiny && minor2 >= -tiny && minor3 >= -tiny && det >= -tiny * half;
 }
 
-static int read_inertia(struct builder *b, struct scene_body *body, const struct node *n, const char *what)
+int read_inertia(struct builder *b, double *J, const struct node *n, const char *what)
 {
-    double *J = body->inertia;
-    memset(J, 0, sizeof body->inertia);
+    for (int i = 0; i < 6; i++) J[i] = 0;
     if (b->scene->space == 2) {
         if (read_number(&J[2], n, NULL, &b->reader)) return 1;
         if (J[2] >= 0) return 0;
@@ -131,6 +130,14 @@ static int read_inertia(struct builder *b, struct scene_body *body, const struct
     return 1;
 }
 
+/* A place on a body: a vector, on a beam a station, of a body from a file the name of a node. */
+static int read_spot(struct builder *b, double *p, int body, const struct node *n, const char *what)
+{
+    if (n->type == NODE_MAP && b->draft[body]) return read_station(b, p, body, n, what);
+    if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p, body, n);
+    return read_place(b, p, n, what);
+}
+
 static int read_points(struct builder *b, int body, const struct node *n, const char *what)
 {
     struct scene *scene = b->scene;
@@ -146,7 +153,7 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
         }
         p->name = arena_print(b->life, "%s.%s", scene->body[body].name, n->item[i]->key);
         p->at.body = body;
-        if (read_place(b, p->at.p, n->item[i], what))
+        if (read_spot(b, p->at.p, body, n->item[i], what))
             errors++;
         else
             scene->npoint++;
@@ -154,22 +161,40 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
     return errors;
 }
 
-static int read_body(struct builder *b, struct scene_body *body, const struct node *n)
+static int read_rigid(struct builder *b, struct scene_body *body, const struct node *n)
 {
     struct body_keys k = {.mass = NAN};
     char what[100];
     snprintf(what, sizeof what, "body '%.60s'", n->key);
-    int errors = read_keys(&k, keys_body, n, NULL, what, &b->reader);
+    static const char *const others[] = {"beam", "flexible", NULL};
+    int errors = read_keys(&k, keys_body, n, others, what, &b->reader);
     body->mass = k.mass;
     if (k.at) errors += read_place(b, body->at, k.at, what);
     if (k.orient) errors += read_orientation(b, body->R, k.orient, what);
     if (k.shape) errors += read_shape(b, body, &k, what);
-    if (k.inertia) errors += read_inertia(b, body, k.inertia, what);
+    if (k.inertia) errors += read_inertia(b, body->inertia, k.inertia, what);
     if (!errors && isnan(body->mass)) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s has no 'mass'", what);
         errors++;
     }
     return errors;
+}
+
+/* Has it a key that only a beam has?  Its own word may be misspelt. */
+static bool is_beam(const struct node *n)
+{
+    static const char *const keys[] = {"beam", "section", "sections", "material", "stress"};
+    for (int i = 0; n->type == NODE_MAP && i < 5; i++)
+        if (node_find(n, keys[i])) return true;
+    return false;
+}
+
+static int read_body(struct builder *b, int index, const struct node *n)
+{
+    struct scene_body *body = &b->scene->body[index];
+    if (n->type == NODE_MAP && node_find(n, "flexible")) return read_reduced(b, body, n);
+    if (is_beam(n)) return read_beam(b, body, index, n);
+    return read_rigid(b, body, n);
 }
 
 static int read_ground(struct builder *b, const struct node *n)
@@ -179,9 +204,10 @@ static int read_ground(struct builder *b, const struct node *n)
     return read_points(b, 0, k.points, "points of the ground");
 }
 
-static int count_points(const struct node *bodies)
+static int count_points(const struct scene *scene, const struct node *bodies)
 {
     int count = 0;
+    for (int i = 1; i < scene->nbody; i++) count += scene->body[i].flex ? scene->body[i].flex->nnode : 0;
     for (int i = 0; i < bodies->count; i++) {
         const struct node *points = bodies->item[i]->type == NODE_MAP ? node_find(bodies->item[i], "points") : NULL;
         if (points) count += points->count;
@@ -193,6 +219,7 @@ int read_bodies(struct builder *b, const struct node *n)
 {
     struct scene *scene = b->scene;
     scene->body = TAKE(b->life, struct scene_body, n->count + 1);
+    b->draft = TAKE(b->life, struct draft *, n->count + 1);
     scene->body[0].name = "ground";
     memcpy(scene->body[0].R, identity, sizeof identity);
     scene->nbody = 1;
@@ -212,14 +239,17 @@ int read_bodies(struct builder *b, const struct node *n)
             continue;
         }
         scene->nbody++; /* kept, right or wrong: joints may name it */
-        errors += read_body(b, body, item);
+        errors += read_body(b, scene->nbody - 1, item);
     }
     const struct node *ground = node_find(n, "ground");
-    scene->point = TAKE(b->life, struct scene_point, count_points(n));
+    scene->point = TAKE(b->life, struct scene_point, count_points(scene, n));
     if (ground) errors += read_ground(b, ground);
-    for (int i = 1; i < scene->nbody; i++)
-        if (scene->body[i].node->type == NODE_MAP)
-            errors += read_points(b, i, node_find(scene->body[i].node, "points"), "'points'");
+    for (int i = 1; i < scene->nbody; i++) {
+        if (scene->body[i].node->type != NODE_MAP) continue;
+        const struct node *points = node_find(scene->body[i].node, "points");
+        if (scene->body[i].flex) name_nodes(b, i, points);
+        errors += read_points(b, i, points, "'points'");
+    }
     if (scene->nbody == 1) {
         diag_error(b->diags, n, AT_KEY, "E-no-bodies", "no bodies: nothing to simulate");
         errors++;

@@ -5,11 +5,13 @@
 #include "deck/read.h"
 #include "scene/scene.h"
 
+struct draft;
 struct builder {
     struct scene *scene;
     struct diags *diags;
     struct reader reader;
     struct arena *life;
+    struct draft **draft;          /* [nbody] flexible bodies that are still to be made; NULL: not one */
     const struct node *space_from; /* the vector or key that decided 2-D or 3-D */
 };
 
@@ -56,6 +58,10 @@ struct bushing_keys {
 struct partition_keys {
     const struct node *fast, *independent;
 };
+struct band_keys {
+    const struct node *modes;
+    double above;
+};
 struct until_keys {
     const struct node *when;
     double latest;
@@ -81,7 +87,7 @@ struct vector_keys {
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_orient[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_bushing[],
     keys_partition[], keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[],
-    keys_until[];
+    keys_until[], keys_band[];
 
 /* places.c: vectors, points, frames */
 /* A vector of the deck's space; 2-D: o[2] = 0.  what: "'at' of body 'rod'" */

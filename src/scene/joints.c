@@ -132,6 +132,11 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     j->own = k.frame == 1;
     if (k.range && read_range(b, j, k.range, what)) return 1;
     struct marker at = {j->second, {0}};
+    if (!k.at && (b->draft[j->second] || b->scene->body[j->second].flex) && found->type != JOINT_FREE) {
+        diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s on the flexible body '%s' has no 'at'", what,
+                   b->scene->body[j->second].name);
+        return 1;
+    }
     if (k.at && read_point(b, &at, k.at, what)) return 1;
     marker_drawn(j->at, b->scene, &at);
     v3_copy(j->from, j->at);

@@ -1,4 +1,5 @@
 /* names.c -- names to indices, and the nearest name where one is unknown */
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -20,6 +21,10 @@ bool known_but_wrong(const struct builder *b, const char *name)
     if (len >= sizeof lead) return false;
     memcpy(lead, name, len);
     lead[len] = 0;
+    for (int i = 1; i < b->scene->nbody; i++) /* its modes are not known */
+        if (same(b->scene->body[i].name, name, len) && strncmp(name + len, ".mode", 5) == 0 && b->draft[i] &&
+            !b->scene->body[i].flex && diags_errors(b->diags))
+            return true;
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
     for (int i = 0; i < root->count; i++) { /* constraints, measures, or a misspelt one of them */
@@ -117,11 +122,29 @@ int scene_coordinate(const struct scene_joint *joint, int space, const char *wor
     return 0;
 }
 
+int scene_mode(const struct scene *scene, const char *name, int *body, int *k)
+{
+    const char *dot = strchr(name, '.');
+    if (!dot || strncmp(dot, ".mode", 5) != 0) return 0;
+    *body = body_index(scene, name, (size_t)(dot - name));
+    size_t digits = strspn(dot + 5, "0123456789");
+    const char *rest = dot + 5 + digits;
+    if (*body <= 0 || digits == 0 || digits > 6 || dot[5] == '0') return 0;
+    *k = atoi(dot + 5) - 1;
+    if (*k >= scene->body[*body].nmode) return 0;
+    return *rest == 0 ? 1 : strcmp(rest, "_rate") == 0 ? 2 : 0;
+}
+
 int find_quantity(const struct scene *scene, struct scene_slot *o, const char *name)
 {
     const char *dot = strchr(name, '.');
     if (dot) {
-        int k, joint = find_joint(scene, name, (size_t)(dot - name));
+        int k, joint = find_joint(scene, name, (size_t)(dot - name)), body;
+        int mode = scene_mode(scene, name, &body, &k);
+        if (mode) {
+            *o = (struct scene_slot){mode == 1 ? SCENE_MODE : SCENE_MODE_RATE, body, k};
+            return 1;
+        }
         if (joint < 0) return 0;
         int found = scene_coordinate(&scene->joint[joint], scene->space, dot + 1, &k);
         if (found != 1 && found != 2) return 0;
@@ -151,6 +174,7 @@ int quantity_names(struct builder *b, const char *const **list)
     int s = scene->space == 3, n = 1;
     for (int i = 0; i < scene->njoint; i++) n += 1 + scene->joint[i].kind->nq[s] + scene->joint[i].kind->nv[s];
     n += 2 * scene->nmeasure;
+    for (int i = 1; i < scene->nbody; i++) n += 2 * scene->body[i].nmode;
     const char **names = TAKE(b->life, const char *, n);
     int count = 0;
     names[count++] = "t";
@@ -160,6 +184,11 @@ int quantity_names(struct builder *b, const char *const **list)
         for (int k = 0; k < j->kind->nq[s]; k++) names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
         for (int k = 0; k < j->kind->nv[s]; k++) names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
     }
+    for (int i = 1; i < scene->nbody; i++)
+        for (int k = 1; k <= scene->body[i].nmode; k++) {
+            names[count++] = arena_print(b->life, "%s.mode%d", scene->body[i].name, k);
+            names[count++] = arena_print(b->life, "%s.mode%d_rate", scene->body[i].name, k);
+        }
     for (int i = 0; i < scene->nmeasure; i++) {
         if (!scene->measure[i].name) continue;
         names[count++] = scene->measure[i].name;

@@ -41,7 +41,9 @@ static int initial_names(struct builder *b, const char *const **out)
 {
     const struct scene *scene = b->scene;
     int s = scene->space == 3, n = 0;
-    const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2));
+    int modes = 0;
+    for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
+    const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2) + 2 * modes);
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         for (int k = 0; k < j->kind->nq[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
@@ -49,6 +51,11 @@ static int initial_names(struct builder *b, const char *const **out)
         if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.omega", j->name);
         if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.rotation", j->name);
     }
+    for (int i = 1; i < scene->nbody; i++)
+        for (int k = 1; k <= scene->body[i].nmode; k++) {
+            list[n++] = arena_print(b->life, "%s.mode%d", scene->body[i].name, k);
+            list[n++] = arena_print(b->life, "%s.mode%d_rate", scene->body[i].name, k);
+        }
     *out = list;
     return n;
 }
@@ -59,6 +66,12 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     const char *dot = strchr(n->key, '.');
     o->node = n;
     o->joint = dot ? find_joint(scene, n->key, (size_t)(dot - n->key)) : -1;
+    int mode = scene_mode(scene, n->key, &o->body, &o->k);
+    if (mode) {
+        o->joint = -1;
+        o->type = mode == 1 ? INITIAL_POSITION : INITIAL_RATE;
+        return read_number(o->x, n, NULL, &b->reader);
+    }
     if (o->joint >= 0) {
         const struct scene_joint *j = &scene->joint[o->joint];
         if (turns_freely(b, j) && strcmp(dot + 1, "omega") == 0) return read_omega(b, o, n);
@@ -133,15 +146,27 @@ int read_initial(struct builder *b, const struct node *n)
 
 /* ---- partition ---- */
 
+/* A flexible body, all its elastic coordinates; or one of them. */
+static bool choose_modes(const struct scene *scene, struct scene_choice *o, const struct node *n)
+{
+    int k;
+    for (int i = 1; i < scene->nbody; i++)
+        if (scene->body[i].nmode && strcmp(scene->body[i].name, n->text) == 0) return o->body = i, true;
+    if (scene_mode(scene, n->text, &o->body, &k) != 1) return false;
+    o->k = k;
+    return true;
+}
+
 static int read_choice(struct builder *b, struct scene_choice *o, const struct node *n)
 {
     const struct scene *scene = b->scene;
-    int s = scene->space == 3;
-    *o = (struct scene_choice){n, -1, -1};
+    int s = scene->space == 3, modes = 0;
+    *o = (struct scene_choice){n, -1, -1, 0};
     if (n->type == NODE_SCALAR) {
         const char *dot = strchr(n->text, '.');
         o->joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len);
         if (o->joint >= 0 && !dot) return 0;
+        if (o->joint < 0 && choose_modes(scene, o, n)) return 0;
         if (o->joint >= 0 && scene_coordinate(&scene->joint[o->joint], scene->space, dot + 1, &o->k) == 1) {
             if (!turns_freely(b, &scene->joint[o->joint])) return 0;
             diag_error(b->diags, n, AT_VALUE, "E-partition", "a %s joint is fast or slow as a whole",
@@ -151,26 +176,61 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
         }
     }
     int count = 0;
-    const char **list = TAKE(b->life, const char *, scene->njoint *(1 + JOINT_MAX_Q));
+    for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
+    const char **list = TAKE(b->life, const char *, scene->njoint *(1 + JOINT_MAX_Q) + scene->nbody + modes);
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         list[count++] = j->name;
         for (int k = 0; k < j->kind->nq[s] && !turns_freely(b, j); k++)
             list[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
     }
+    for (int i = 1; i < scene->nbody; i++) {
+        if (scene->body[i].nmode) list[count++] = scene->body[i].name;
+        for (int k = 1; k <= scene->body[i].nmode; k++)
+            list[count++] = arena_print(b->life, "%s.mode%d", scene->body[i].name, k);
+    }
     unknown_name(b, n, AT_VALUE, "E-unknown-coordinate", "joint or coordinate",
                  n->type == NODE_SCALAR ? n->text : "(not a name)", list, count);
+    return 1;
+}
+
+/* {modes: body, above: Hz}: its modes of higher frequency, clamped at its first joint. */
+static int read_band(struct builder *b, struct scene_choice *list, int *count, const struct node *n)
+{
+    struct band_keys k = {0};
+    if (read_keys(&k, keys_band, n, NULL, "modes", &b->reader)) return 1;
+    int index = find_body(b, k.modes), found = 0;
+    if (index < 0) return 1;
+    const struct scene_body *body = &b->scene->body[index];
+    if (body->nmode && !body->flex) return 0; /* it could not be made, and that was told */
+    if (!body->flex || !body->flex->hertz) {
+        diag_error(b->diags, k.modes, AT_VALUE, "E-partition", "'%s' has no modes with frequencies", body->name);
+        return 1;
+    }
+    for (int i = 0; i < body->nmode; i++)
+        if (body->flex->hertz[i] > k.above) {
+            list[(*count)++] = (struct scene_choice){n, -1, i, index};
+            found++;
+        }
+    if (found) return 0;
+    diag_error(b->diags, node_find(n, "above"), AT_VALUE, "E-partition",
+               "no mode of '%s' is above %g Hz; the highest is at %.4g Hz", body->name, k.above,
+               body->flex->hertz[body->nmode - 1]);
     return 1;
 }
 
 static int read_choices(struct builder *b, struct scene_choice **list, int *count, const struct node *n,
                         const char *what)
 {
-    int errors = 0;
+    int errors = 0, most = n->count;
     if (read_list(n, what, &b->reader)) return 1;
-    *list = TAKE(b->life, struct scene_choice, n->count);
+    for (int i = 0; i < n->count; i++) /* a map names a body's modes */
+        for (int k = 1; n->item[i]->type == NODE_MAP && k < b->scene->nbody; k++) most += b->scene->body[k].nmode;
+    *list = TAKE(b->life, struct scene_choice, most);
     for (int i = 0; i < n->count; i++) {
-        if (read_choice(b, &(*list)[*count], n->item[i]))
+        if (n->item[i]->type == NODE_MAP)
+            errors += read_band(b, *list, count, n->item[i]);
+        else if (read_choice(b, &(*list)[*count], n->item[i]))
             errors++;
         else
             ++*count;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "scene/build.h"
+#include "scene/flexible.h"
 
 /* The first list of two or three numbers in a subtree, in the deck's order. */
 static const struct node *first_vector(const struct node *n)
@@ -21,12 +21,19 @@ static const struct node *first_vector(const struct node *n)
     return NULL;
 }
 
-/* Places of bodies decide: `at` is required there and is always a vector. */
+static const struct node *beam_end(const struct node *beam)
+{
+    return beam && beam->type == NODE_MAP ? node_find(beam, "from") : NULL;
+}
+
+/* Places of bodies decide: `at`, `from` of a beam, `origin` of a body from a file; they are always vectors. */
 static const struct node *deciding_vector(const struct node *bodies)
 {
     for (int i = 0; bodies && bodies->type == NODE_MAP && i < bodies->count; i++) {
         const struct node *body = bodies->item[i];
         const struct node *at = body->type == NODE_MAP ? node_find(body, "at") : NULL;
+        if (!at && body->type == NODE_MAP) at = beam_end(node_find(body, "beam"));
+        if (!at && body->type == NODE_MAP) at = node_find(body, "origin");
         if (first_vector(at)) return first_vector(at);
     }
     return NULL;
@@ -72,6 +79,7 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
         read_measures(&b, k.measures);
         read_forces(&b, k.forces);
         read_drives(&b, k.drives);
+        make_flexible(&b);
         read_initial(&b, k.initial);
         read_partition(&b, k.partition);
     }

@@ -10,6 +10,7 @@
 #include "base/arena.h"
 #include "deck/deck.h"
 #include "deck/diag.h"
+#include "flex/body.h"
 #include "kind/force.h"
 #include "kind/joint.h"
 
@@ -22,9 +23,12 @@ struct scene_body {
     const char *name;
     const struct node *node;
     double mass;
-    double inertia[6]; /* xx yy zz xy xz yz about the centre of mass, body axes [kg m2] */
-    double at[3];      /* centre of mass when drawn, world [m] */
-    double R[9];       /* body axes when drawn, by column, world */
+    double inertia[6];            /* xx yy zz xy xz yz about the centre of mass, body axes [kg m2] */
+    double at[3];                 /* centre of mass when drawn, world [m] */
+    double R[9];                  /* body axes when drawn, by column, world */
+    int nmode;                    /* elastic coordinates; 0: rigid */
+    const struct flex_body *flex; /* NULL: rigid, or its deck is wrong */
+    double origin[3];             /* the frame's origin when drawn: `at` but for round-off, world [m] */
 };
 
 struct scene_point {
@@ -69,11 +73,19 @@ struct scene_measure {
 };
 
 /* What a slot of an expression stands for. */
-enum scene_slot_type { SCENE_TIME, SCENE_MEASURE, SCENE_MEASURE_RATE, SCENE_COORDINATE, SCENE_RATE };
+enum scene_slot_type {
+    SCENE_TIME,
+    SCENE_MEASURE,
+    SCENE_MEASURE_RATE,
+    SCENE_COORDINATE,
+    SCENE_RATE,
+    SCENE_MODE,
+    SCENE_MODE_RATE
+};
 struct scene_slot {
     enum scene_slot_type type;
-    int index; /* measure or joint */
-    int k;     /* which q (SCENE_COORDINATE) or v (SCENE_RATE) of the joint */
+    int index; /* measure, joint or flexible body */
+    int k;     /* which q (SCENE_COORDINATE) or v (SCENE_RATE) of the joint, which mode of the body */
 };
 
 /* A condition on time, coordinates, rates and measures. */
@@ -106,10 +118,11 @@ struct scene_drive {
     struct signal value; /* of t alone */
 };
 
-/* One coordinate, or all of a joint (k = -1). */
+/* One coordinate, or all of a joint (k = -1); or a flexible body's elastic ones. */
 struct scene_choice {
     const struct node *node;
-    int joint, k;
+    int joint, k; /* joint -1: of the body */
+    int body;
 };
 
 enum initial_type {
@@ -121,7 +134,8 @@ enum initial_type {
 struct scene_initial {
     const struct node *node;
     enum initial_type type;
-    int joint, k;
+    int joint, k; /* joint -1: mode k of the body */
+    int body;
     double x[4];
     bool body_axes; /* INITIAL_OMEGA: in axes of the second body, else world */
 };
@@ -184,6 +198,13 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
 /* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
  * a rate (k counts v), 3 for an acceleration, 0 for none. */
 int scene_coordinate(const struct scene_joint *joint, int space, const char *word, int *k);
+
+/* "body.mode3", "body.mode3_rate" of a flexible body: 1 for the coordinate, 2 for its rate, 0 for neither; k from 0. */
+int scene_mode(const struct scene *scene, const char *name, int *body, int *k);
+
+/* The node of a flexible body on which a place of its drawn state stands: the nearest.  offset: from there, body axes.
+ */
+int scene_node(double *offset, const struct scene_body *body, const double *world);
 
 /* Is it true when its slots have these values? */
 bool scene_met(const struct scene_condition *o, const double *slot);

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "kind/joint.h"
-#include "scene/build.h"
+#include "scene/flexible.h"
 
 const struct key keys_deck[] = {
     PARAM_INT(struct deck_keys, version, "fmdsub", 1, 1, KEY_REQUIRED, NULL, "version of the deck's grammar: 1"),
@@ -13,7 +13,7 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, include, "include", "file", 0, "merges a file of the deck's own folder"),
     PARAM_WORD(struct deck_keys, space, "space", "2d|3d", 0, NULL, "default: from the first vector met"),
     PARAM_NODE(struct deck_keys, gravity, "gravity", "vector [m/s2]", 0, "acceleration of free fall; absent: none"),
-    PARAM_NODE(struct deck_keys, bodies, "bodies", "{name: body}", KEY_REQUIRED, "rigid bodies"),
+    PARAM_NODE(struct deck_keys, bodies, "bodies", "{name: body}", KEY_REQUIRED, "rigid and flexible bodies"),
     PARAM_NODE(struct deck_keys, constraints, "constraints", "{name: joint}", 0, "joints between bodies"),
     PARAM_NODE(struct deck_keys, measures, "measures", "{name: measure}", 0,
                "distances, displacements, angles to print, to read in expressions, to put forces on"),
@@ -135,10 +135,17 @@ const struct key keys_bushing[] = {
 };
 
 const struct key keys_partition[] = {
-    PARAM_NODE(struct partition_keys, fast, "fast", "[joint or coordinate, ...]", 0,
+    PARAM_NODE(struct partition_keys, fast, "fast", "[joint, coordinate or flexible body, ...]", 0,
                "coordinates that take the minor step; all others take the major one"),
     PARAM_NODE(struct partition_keys, independent, "independent", "[joint or coordinate, ...]", 0,
                "with loops: coordinates that the others follow; default: the program's choice"),
+    KEYS_END,
+};
+
+const struct key keys_band[] = {
+    PARAM_NODE(struct band_keys, modes, "modes", "body", KEY_REQUIRED, "a flexible body"),
+    PARAM_REAL(struct band_keys, above, "above", "Hz", 0, INFINITY, KEY_REQUIRED, NULL,
+               "its modes of higher frequency, clamped at its first joint"),
     KEYS_END,
 };
 
@@ -208,9 +215,19 @@ const struct key keys_state[] = {
 static const struct section fixed[] = {
     {"", NULL, "the deck", keys_deck},
     {"bodies.NAME", NULL, "a rigid body", keys_body},
+    {"bodies.NAME", "beam", "a flexible body: a straight beam", keys_beam_body},
+    {"bodies.NAME", "flexible", "a flexible body from a file", keys_reduced},
     {"bodies.ground", NULL, "the world", keys_ground},
     {"bodies.NAME.shape", NULL, "one solid, which gives the inertia", keys_shape},
     {"bodies.NAME.orient", NULL, "body axes when drawn", keys_orient},
+    {"bodies.NAME.beam", NULL, "the axis of a beam", keys_beam},
+    {"bodies.NAME.section", NULL, "its cross-section", keys_section},
+    {"bodies.NAME.sections", NULL, "one of several cross-sections", keys_sections},
+    {"bodies.NAME.material", NULL, "its material", keys_material},
+    {"bodies.NAME.damping", NULL, "its damping", keys_damping},
+    {"bodies.NAME.masses.NAME", NULL, "a mass it carries", keys_lump},
+    {"bodies.NAME.points.NAME", NULL, "a point of a beam", keys_station},
+    {"bodies.NAME.stress.NAME", NULL, "a place where stresses are wanted", keys_probe},
     {"measures.NAME", "distance", "distance of two points", keys_distance},
     {"measures.NAME", "displacement", "displacement along an axis", keys_displacement},
     {"measures.NAME", "angle", "turn of a body against another", keys_angle},
@@ -223,6 +240,7 @@ static const struct section fixed[] = {
     {"initial.from", NULL, "what the file holds", keys_state},
     {"initial.JOINT.omega", NULL, "angular velocity with its axes", keys_omega},
     {"partition", NULL, "slow and fast coordinates", keys_partition},
+    {"partition.fast", NULL, "some of a body's modes", keys_band},
     {"integrate", NULL, "time stepping", keys_integrate},
     {"integrate.until", NULL, "an end that the motion decides", keys_until},
     {"output", NULL, "records", keys_output},

@@ -113,6 +113,31 @@ static void add_body(struct listing *l, const struct model_body *b, int i)
     add_parts(l, b->name, a, first_parts, n, "m/s2", "acceleration of the centre of mass", FROM_ACCELERATION, i);
 }
 
+/* Elastic coordinates, and stresses at named places. */
+static void add_elastic(struct listing *l, const struct model *m, int i)
+{
+    const struct model_body *b = &m->body[i];
+    static const char *const words[] = {"", "_rate", "_accel"};
+    static const char *const briefs[] = {"elastic coordinate", "its rate", "its acceleration"};
+    static const enum origin_type types[] = {FROM_Q, FROM_V, FROM_A};
+    for (int part = 0; part < 3; part++)
+        for (int k = 0; k < b->nmode; k++) {
+            int place = part ? b->mode_v[k] : b->mode_q[k];
+            int fast = part ? place < m->ns : m->coordinate[place].fast;
+            add(l, arena_print(l->life, "%s.mode%d%s", b->name, k + 1, words[part]), NULL, briefs[part],
+                (struct origin){types[part], place, 0, fast});
+        }
+    for (int k = 0; b->flex && k < b->flex->nstress; k++) {
+        const char *name = join(l, b->name, b->flex->stress[k].name);
+        if (b->flex->stress[k].axial)
+            add(l, join(l, name, "axial"), "Pa", "normal stress from stretch", (struct origin){FROM_AXIAL, i, k, -1});
+        if (b->flex->stress[k].bending)
+            add(l, join(l, name, "bending"), "Pa", "normal stress from bending",
+                (struct origin){FROM_BENDING, i, k, -1});
+        add(l, join(l, name, "von_mises"), "Pa", "equivalent stress", (struct origin){FROM_VON_MISES, i, k, -1});
+    }
+}
+
 static void add_point(struct listing *l, const struct model_point *p, int i)
 {
     static const char *const x[] = {"x", "y", "z"}, *const v[] = {"vx", "vy", "vz"}, *const a[] = {"ax", "ay", "az"};
@@ -120,6 +145,9 @@ static void add_point(struct listing *l, const struct model_point *p, int i)
     add_parts(l, p->name, x, first_parts, n, "m", "point, world axes", FROM_POINT, i);
     add_parts(l, p->name, v, first_parts, n, "m/s", "velocity of a point", FROM_POINT_VELOCITY, i);
     add_parts(l, p->name, a, first_parts, n, "m/s2", "acceleration of a point", FROM_POINT_ACCELERATION, i);
+    static const char *const d[] = {"dx", "dy", "dz"};
+    if (p->frame)
+        add_parts(l, p->name, d, first_parts, n, "m", "displacement by bending, body axes", FROM_DISPLACEMENT, i);
 }
 
 static void add_measure(struct listing *l, const struct model_measure *s, int i)
@@ -156,7 +184,7 @@ static void add_energies(struct listing *l)
     static const char *const names[] = {"kinetic", "elastic",  "gravity",   "external", "drive",
                                         "damper",  "friction", "numerical", "residual"};
     static const char *const briefs[] = {"kinetic energy",
-                                         "energy in springs",
+                                         "energy in springs and in flexible bodies",
                                          "energy in the field of gravity",
                                          "work of external forces since the start",
                                          "work of drives since the start",
@@ -183,7 +211,7 @@ static void add_unnamed(struct listing *l, const struct scene *scene, const stru
     for (int i = 0; i < scene->njoint; i++)
         if (m->joint_of[i] >= 0) named[m->joint_of[i]] = true;
     for (int i = 0; i < m->njoint; i++)
-        if (!named[i]) add_joint(l, m, i, 1);
+        if (!named[i] && !m->body[i + 1].at_node) add_joint(l, m, i, 1);
 }
 
 void catalogue_build(struct catalogue *o, const struct scene *scene, const struct model *m, struct arena *life)
@@ -197,6 +225,7 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
         else
             add_loop(&l, &m->loop[m->loop_of[i]], m->loop_of[i]);
     add_unnamed(&l, scene, m);
+    for (int i = 1; i < scene->nbody; i++) add_elastic(&l, m, m->body_of[i]);
     for (int i = 1; i < scene->nbody; i++) add_body(&l, &m->body[m->body_of[i]], m->body_of[i]);
     for (int i = 0; i < m->npoint; i++) add_point(&l, &m->point[i], i);
     for (int i = 0; i < m->nmeasure; i++) add_measure(&l, &m->measure[i], i);

@@ -20,6 +20,10 @@ enum origin_type {
     FROM_POINT, /* index: point */
     FROM_POINT_VELOCITY,
     FROM_POINT_ACCELERATION,
+    FROM_DISPLACEMENT, /* point; k: x, y, z of its flexible body */
+    FROM_AXIAL,        /* index: flexible body; k: its stress */
+    FROM_BENDING,
+    FROM_VON_MISES,
     FROM_REACTION, /* index: joint; k: fx fy fz mx my mz */
     FROM_LOOP,     /* index: loop; likewise */
     FROM_TIE,      /* index: loop; its force */

@@ -27,6 +27,10 @@ static const char *slot_name(const struct sim *sim, const struct scene_slot *s, 
         return scene->measure[s->index].name;
     case SCENE_MEASURE_RATE:
         return arena_print(life, "%s_rate", scene->measure[s->index].name);
+    case SCENE_MODE:
+        return arena_print(life, "%s.mode%d", scene->body[s->index].name, s->k + 1);
+    case SCENE_MODE_RATE:
+        return arena_print(life, "%s.mode%d_rate", scene->body[s->index].name, s->k + 1);
     case SCENE_COORDINATE:
         return arena_print(life, "%s.%s", j->name, j->kind->q[s->k]);
     default:

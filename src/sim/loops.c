@@ -52,11 +52,18 @@ enum status tell_partition(struct sim *sim, struct sink *sink, struct report *re
     return sink ? sink->ops->event(sink, sim->x.t, "partition", text, report) : OK;
 }
 
+/* The name of a body as the deck knows it. */
+static const char *shown(const struct sim *sim, int body)
+{
+    const struct model_body *b = &sim->model->body[body];
+    return b->at_node ? sim->model->body[b->parent].name : b->name;
+}
+
 /* What the loop joint holds: a body, or the coordinate of a gear or rack. */
 static const char *end_name(const struct sim *sim, const struct model_loop *l, int side)
 {
     const struct model *m = sim->model;
-    if (l->nterm == 0) return m->body[side ? l->second : l->first].name;
+    if (l->nterm == 0) return shown(sim, side ? l->second : l->first);
     const struct model_term *t = &l->term[side];
     return m->coordinate[m->joint[t->joint].iq[t->k]].name;
 }
@@ -90,7 +97,7 @@ void sim_closures(struct closures *o, const struct sim *sim, struct arena *life)
     for (int l = 0; l < m->nloop; l++) o->closure[l] = closure_of(sim, l, unique[l]);
     o->loose = TAKE(life, const char *, m->njoint);
     for (int i = 0; i < m->njoint; i++)
-        if (!unique_joint[i]) o->loose[o->nloose++] = m->joint[i].name;
+        if (!unique_joint[i] && !m->body[i + 1].at_node) o->loose[o->nloose++] = m->joint[i].name;
     o->components = m->ncomponent;
     o->equations = condense_loops(c)->nrow;
     o->rank = o->equations - condense_started(c)->redundant;

@@ -53,7 +53,7 @@ static double pose_part(const struct sim *sim, const struct origin *s)
 {
     struct pose p;
     double q[4];
-    system_pose(sim->system, &p, s->index);
+    system_centre(sim->system, &p, s->index);
     switch (s->type) {
     case FROM_PLACE:
         return p.r[s->k];
@@ -77,6 +77,19 @@ static double point_part(const struct sim *sim, const struct origin *s)
     double x[3], v[3], a[3];
     system_point(sim->system, x, v, a, &sim->model->point[s->index]);
     return s->type == FROM_POINT ? x[s->k] : s->type == FROM_POINT_VELOCITY ? v[s->k] : a[s->k];
+}
+
+static double elastic_part(const struct sim *sim, const struct origin *s)
+{
+    double d[3];
+    if (s->type == FROM_DISPLACEMENT) {
+        system_displacement(sim->system, d, &sim->model->point[s->index]);
+        return d[s->k];
+    }
+    return system_stress(sim->system, s->index, s->k,
+                         s->type == FROM_AXIAL     ? STRESS_AXIAL
+                         : s->type == FROM_BENDING ? STRESS_BENDING
+                                                   : STRESS_VON_MISES);
 }
 
 static double force_part(const struct sim *sim, const struct origin *s)
@@ -120,6 +133,11 @@ double record_value(const struct sim *sim, const struct origin *s)
     case FROM_POINT_VELOCITY:
     case FROM_POINT_ACCELERATION:
         return point_part(sim, s);
+    case FROM_DISPLACEMENT:
+    case FROM_AXIAL:
+    case FROM_BENDING:
+    case FROM_VON_MISES:
+        return elastic_part(sim, s);
     case FROM_REACTION:
     case FROM_LOOP:
         return reaction_part(sim, s);

@@ -22,7 +22,7 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
     }
     if (strcmp(kind->name, "subcycle") == 0) facts[n++] = pair_number("rho_infinity", p->rho_infinity);
     facts[n++] = pair_number("space", m->space);
-    facts[n++] = pair_number("bodies", m->nbody - 1);
+    facts[n++] = pair_number("bodies", sim->scene->nbody - 1);
     facts[n++] = pair_number("freedoms", sim->stepper.ode->n);
     facts[n++] = pair_number("fast", sim->stepper.ode->ns);
     facts[n++] = pair_number("delta", sim->scene->delta);
@@ -90,8 +90,8 @@ void say_plan(const struct sim *sim)
     const double *g = m->gravity;
     if (!to) return;
     fprintf(to, "%s: %s, %d bod%s, %d freedom%s (%d fast), %s, ", sim->scene->deck->name,
-            m->space == 2 ? "planar" : "spatial", m->nbody - 1, m->nbody == 2 ? "y" : "ies", sim->stepper.ode->n,
-            sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
+            m->space == 2 ? "planar" : "spatial", sim->scene->nbody - 1, sim->scene->nbody == 2 ? "y" : "ies",
+            sim->stepper.ode->n, sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
         fprintf(to, "%s to tolerance %g", kind->name, p->tolerance);

@@ -1,6 +1,7 @@
 /* condense.c -- see condense.h: building, and what others ask. */
 #include <math.h>
 
+#include "la/vec3.h"
 #include "system/condense_parts.h"
 
 static void build_component(struct condense *o, int i, struct arena *life)
@@ -39,6 +40,35 @@ static void build_component(struct condense *o, int i, struct arena *life)
             c->loop_of[o->column[o->loops->k[l][k]]] = l;
 }
 
+/* The farthest that elastic coordinate k moves a node of its body, per unit [m]. */
+static double reach(const struct flex_body *f, int k)
+{
+    double most = 0;
+    for (int i = 0; i < f->nnode; i++) most = fmax(most, v3_norm(f->node[i].phi + 3 * k));
+    return most;
+}
+
+/* A usual change of each coordinate: one radian, or what moves something by the mechanism's length. */
+static void build_sizes(struct condense *o)
+{
+    const struct model *m = o->model;
+    for (int i = 0; i < o->nt; i++) o->size[i] = 1;
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        int slides = j->type == JOINT_PRISMATIC || j->type == JOINT_CYLINDRICAL ? 1
+                     : j->type == JOINT_PLANAR                                  ? 2
+                     : j->type == JOINT_FREE                                    ? m->space
+                                                                                : 0;
+        int from = j->type == JOINT_CYLINDRICAL ? 1 : 0;
+        for (int k = from; k < from + slides; k++) o->size[j->iv[k]] = o->loops->length;
+    }
+    for (int i = 1; i < m->nbody; i++)
+        for (int k = 0; k < m->body[i].nmode; k++) {
+            double per_unit = reach(m->body[i].flex, k);
+            if (per_unit > 0) o->size[m->body[i].mode_v[k]] = o->loops->length / per_unit;
+        }
+}
+
 static void build_components(struct condense *o, struct arena *life)
 {
     const struct model *m = o->model;
@@ -50,16 +80,7 @@ static void build_components(struct condense *o, struct arena *life)
     for (int i = 0; i < o->nt; i++) o->owner[i] = -1;
     for (int l = 0; l < m->nloop; l++)
         for (int k = 0; k < o->loops->nk[l]; k++) o->owner[o->loops->k[l][k]] = m->loop[l].component;
-    for (int i = 0; i < o->nt; i++) o->size[i] = 1;
-    for (int i = 0; i < m->njoint; i++) {
-        const struct model_joint *j = &m->joint[i];
-        int slides = j->type == JOINT_PRISMATIC || j->type == JOINT_CYLINDRICAL ? 1
-                     : j->type == JOINT_PLANAR                                  ? 2
-                     : j->type == JOINT_FREE                                    ? m->space
-                                                                                : 0;
-        int from = j->type == JOINT_CYLINDRICAL ? 1 : 0;
-        for (int k = from; k < from + slides; k++) o->size[j->iv[k]] = o->loops->length;
-    }
+    build_sizes(o);
     for (int i = 0; i < o->ncomponent; i++) build_component(o, i, life);
 }
 

@@ -230,6 +230,16 @@ static enum status agrees(struct condense *o, const double *q0, const double *v0
     return OK;
 }
 
+/* In later choices, too, elastic coordinates follow only where nothing else can. */
+static void keep_elastic(struct condense *o)
+{
+    for (int i = 1; i < o->model->nbody; i++) {
+        const struct model_body *b = &o->model->body[i];
+        for (int k = 0; k < b->nmode && b->component >= 0; k++)
+            o->component[b->component].weight[o->column[b->mode_v[k]]] = o->model->follow[b->mode_v[k]];
+    }
+}
+
 /* By how much the dropped rows' rates miss for the velocities o->vt, at the posture looked at; the worst. */
 static double dropped_rate(const struct condense *o, int *worst)
 {
@@ -311,5 +321,6 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;
         c->gain = component_gain(o, c);
     }
+    keep_elastic(o);
     return OK;
 }

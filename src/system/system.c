@@ -379,6 +379,28 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
     v3_cross_add(xa, b.w, turned);
 }
 
+void system_centre(const struct system *s, struct pose *o, int body)
+{
+    s->ops->pose(s->view, o, body);
+    if (s->model->body[body].flex) bent_centre(o, &s->model->body[body], s->q, s->v, s->a);
+}
+
+void system_displacement(const struct system *s, double *d, const struct model_point *p)
+{
+    struct pose frame;
+    double x[3], v[3], a[3], away[3];
+    system_point(s, x, v, a, p);
+    s->ops->pose(s->view, &frame, p->frame);
+    v3_diff(away, x, frame.r);
+    m3_tmul(d, frame.R, away);
+    v3_take(d, p->drawn);
+}
+
+double system_stress(const struct system *s, int body, int stress, enum bent_stress part)
+{
+    return bent_stress(&s->model->body[body], stress, part, s->q);
+}
+
 void system_measure(const struct system *s, double *value, double *rate, int measure)
 {
     elements_measure(s->elements, s->view, value, rate, measure, s->q, s->v);

@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "model/model.h"
+#include "system/bent.h"
 #include "system/ode2.h"
 #include "system/sweep.h"
 
@@ -31,6 +32,11 @@ const double *system_rates(const struct system *s);         /* [n of the model] 
 const double *system_accelerations(const struct system *s); /* [n of the model] */
 void system_pose(const struct system *s, struct pose *o, int body);
 void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p);
+/* The same of a body's centre of mass: the pose itself of a rigid one. */
+void system_centre(const struct system *s, struct pose *o, int body);
+/* How far a named point of a flexible body is displaced, in the axes of its frame [3]. */
+void system_displacement(const struct system *s, double *d, const struct model_point *p);
+double system_stress(const struct system *s, int body, int stress, enum bent_stress part);
 void system_measure(const struct system *s, double *value, double *rate, int measure);
 void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop);

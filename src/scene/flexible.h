@@ -1,0 +1,84 @@
+/* flexible.h -- flexible bodies while a deck is read; private to scene/.
+ *
+ * A beam's keys are read with the bodies, but it is made only when all joints, measures and forces are known: every
+ * place where one of them takes hold becomes a node. */
+#ifndef FMDSUB_SCENE_FLEXIBLE_H
+#define FMDSUB_SCENE_FLEXIBLE_H
+
+#include "flex/beam.h"
+#include "scene/build.h"
+
+/* beam_keys.c: the tables */
+struct beam_body_keys {
+    const struct node *beam, *section, *sections, *material, *damping, *masses, *points, *stress;
+    int modes, stiffening;
+};
+struct beam_keys {
+    const struct node *from, *to, *up;
+    int elements, shear, rotary;
+};
+struct section_keys {
+    const struct node *rectangle, *tube, *circle;
+    double area, Iy, Iz, J, ky, kz, y, z, station, twist;
+};
+struct material_keys {
+    double E, nu, G, density;
+};
+struct damping_keys {
+    double alpha, beta, ratio;
+};
+struct lump_keys {
+    double station, mass;
+    const struct node *inertia;
+};
+struct station_keys {
+    double station;
+    const struct node *offset;
+};
+struct probe_keys {
+    double station, y, z;
+    int corner;
+};
+struct reduced_keys {
+    const char *file;
+    const struct node *at, *origin, *orient, *points;
+};
+extern const struct key keys_reduced[], keys_beam_body[], keys_beam[], keys_section[], keys_sections[], keys_material[],
+    keys_damping[], keys_lump[], keys_station[], keys_probe[];
+
+/* A beam that is still to be made. */
+struct draft {
+    struct flex_beam beam;
+    bool round;               /* sections are circles: corners lie on them */
+    bool shear, rotary;       /* as the deck wants them */
+    double length;            /* [m] */
+    double centre;            /* station of the centre of mass */
+    const struct node *modes; /* where the deck gives their number; NULL: it does not */
+};
+
+/* beam_sections.c: cross-sections and materials; 0 if all was well */
+int read_material(struct builder *b, struct draft *o, const struct node *n, const char *what);
+int read_sections(struct builder *b, struct draft *o, const struct beam_body_keys *k, const struct node *n,
+                  const char *what);
+/* Does a section of these give shear factors?  Then they count. */
+bool gives_shear(const struct node *n);
+/* Torsion constant of a rectangle with sides a, b [m4]. */
+double rectangle_torsion(double a, double b);
+
+/* beams.c: a body's beam; fills body and b->draft */
+int read_beam(struct builder *b, struct scene_body *body, int index, const struct node *n);
+/* A point {station: s, offset: [...]} of a beam: from the centre of mass, body axes. */
+int read_station(struct builder *b, double *p, int body, const struct node *n, const char *what);
+
+/* reduced.c: a body from a file; a point of it by the name of a node; its named nodes as points */
+int read_reduced(struct builder *b, struct scene_body *body, const struct node *n);
+int read_node_name(struct builder *b, double *p, int body, const struct node *n);
+void name_nodes(struct builder *b, int body, const struct node *points);
+
+/* bodies.c: a tensor [6] about the centre of mass; a number in the plane */
+int read_inertia(struct builder *b, double *J, const struct node *n, const char *what);
+
+/* flexible.c: nodes at all places in use, then the reduced bodies */
+int make_flexible(struct builder *b);
+
+#endif
