@@ -1,0 +1,276 @@
+/* file.c -- reads a reduced body and doubts everything in it; see file.h */
+#include "flex/file.h"
+
+#include <cjson/cJSON.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "la/dense.h"
+#include "la/eigen.h"
+
+enum { MOST_MODES = 500, MOST_NODES = 10000, MOST_BYTES = 1 << 28 };
+
+/* Where we are, for messages. */
+struct place {
+    const char *path, *list; /* "nodes", "stresses"; NULL: the top */
+    int item;
+    struct report *report;
+};
+
+static enum status bad(const struct place *p, const char *key, const char *words)
+{
+    if (p->list) return fail(p->report, E_DECK, "%s: error: %s[%d].%s: %s", p->path, p->list, p->item, key, words);
+    return fail(p->report, E_DECK, "%s: error: '%s': %s", p->path, key, words);
+}
+
+/* The member, the only one of that name. */
+static enum status member(const cJSON **out, const cJSON *object, const char *key, bool needed, const struct place *p)
+{
+    const cJSON *item;
+    *out = NULL;
+    cJSON_ArrayForEach(item, object)
+    {
+        if (strcmp(item->string, key) != 0) continue;
+        if (*out) return bad(p, key, "given twice");
+        *out = item;
+    }
+    return *out || !needed ? OK : bad(p, key, "missing");
+}
+
+/* x [n] is filled; *there (may be NULL): was it given? */
+static enum status numbers(double *x, int n, bool *there, const cJSON *object, const char *key, const struct place *p)
+{
+    const cJSON *list, *item;
+    int i = 0;
+    TRY(member(&list, object, key, !there, p));
+    if (there) *there = list != NULL;
+    if (!list) return OK;
+    if (!cJSON_IsArray(list)) return bad(p, key, "expected a list of numbers");
+    cJSON_ArrayForEach(item, list)
+    {
+        if (!cJSON_IsNumber(item)) return bad(p, key, "something in the list is no number");
+        if (!isfinite(item->valuedouble)) return bad(p, key, "a number is not finite");
+        if (i < n) x[i] = item->valuedouble;
+        i++;
+    }
+    if (i == n) return OK;
+    return p->list ? fail(p->report, E_DECK, "%s: error: %s[%d].%s: %d numbers, expected %d", p->path, p->list, p->item,
+                          key, i, n)
+                   : fail(p->report, E_DECK, "%s: error: '%s': %d numbers, expected %d", p->path, key, i, n);
+}
+
+static enum status whole(int *value, const cJSON *object, const char *key, int low, int high, const struct place *p)
+{
+    const cJSON *item;
+    TRY(member(&item, object, key, true, p));
+    double x = cJSON_IsNumber(item) ? item->valuedouble : NAN;
+    if (!(x >= low && x <= high) || x != floor(x))
+        return fail(p->report, E_DECK, "%s: error: '%s': expected a whole number from %d to %d", p->path, key, low,
+                    high);
+    *value = (int)x;
+    return OK;
+}
+
+static enum status scalar(double *value, const cJSON *object, const char *key, const struct place *p)
+{
+    const cJSON *item;
+    TRY(member(&item, object, key, true, p));
+    *value = cJSON_IsNumber(item) ? item->valuedouble : NAN;
+    return isfinite(*value) ? OK : bad(p, key, "expected a finite number");
+}
+
+static enum status name(const char **out, const cJSON *object, bool needed, const struct place *p, struct arena *life)
+{
+    const cJSON *item;
+    *out = NULL;
+    TRY(member(&item, object, "name", needed, p));
+    if (!item) return OK;
+    if (!cJSON_IsString(item)) return bad(p, "name", "expected a text");
+    *out = arena_copy(life, item->valuestring, strlen(item->valuestring));
+    return OK;
+}
+
+/* An array that may be missing: NULL then. */
+static enum status optional(double **out, int n, const cJSON *object, const char *key, const struct place *p,
+                            struct arena *life)
+{
+    bool there;
+    double *x = TAKE(life, double, n);
+    TRY(numbers(x, n, &there, object, key, p));
+    *out = there ? x : NULL;
+    return OK;
+}
+
+static enum status read_node(struct flex_node *o, int n, const cJSON *item, const struct place *p, struct arena *life)
+{
+    if (!cJSON_IsObject(item)) return bad(p, "", "expected an object");
+    TRY(name(&o->name, item, false, p, life));
+    TRY(numbers(o->x, 3, NULL, item, "x", p));
+    TRY(numbers(o->phi, 3 * n, NULL, item, "phi", p));
+    TRY(numbers(o->psi, 3 * n, NULL, item, "psi", p));
+    return optional(&o->S, 3 * n * n, item, "S", p, life);
+}
+
+static enum status read_stress(struct flex_stress *o, int n, const cJSON *item, const struct place *p,
+                               struct arena *life)
+{
+    if (!cJSON_IsObject(item)) return bad(p, "", "expected an object");
+    TRY(name(&o->name, item, true, p, life));
+    TRY(numbers(o->tensor, 6 * n, NULL, item, "tensor", p));
+    TRY(optional(&o->axial, n, item, "axial", p, life));
+    TRY(optional(&o->bending, n, item, "bending", p, life));
+    return !o->axial == !o->bending ? OK : bad(p, "axial", "axial and bending go together");
+}
+
+static enum status list_of(const cJSON **out, int *n, const cJSON *object, const char *key, const struct place *p)
+{
+    TRY(member(out, object, key, true, p));
+    if (!cJSON_IsArray(*out)) return bad(p, key, "expected a list");
+    *n = 0;
+    const cJSON *item;
+    cJSON_ArrayForEach(item, *out)++ *n;
+    return *n <= MOST_NODES ? OK : bad(p, key, "too many items");
+}
+
+static enum status read_lists(struct flex_body *o, const cJSON *nodes, const cJSON *stresses, struct place p,
+                              struct arena *life)
+{
+    const cJSON *item;
+    p.list = "nodes";
+    p.item = 0;
+    cJSON_ArrayForEach(item, nodes)
+    {
+        TRY(read_node(o->node + p.item, o->n, item, &p, life));
+        p.item++;
+    }
+    p.list = "stresses";
+    p.item = 0;
+    cJSON_ArrayForEach(item, stresses)
+    {
+        TRY(read_stress(o->stress + p.item, o->n, item, &p, life));
+        p.item++;
+    }
+    return OK;
+}
+
+static enum status read_integrals(struct flex_body *o, const cJSON *json, const struct place *p, struct arena *life)
+{
+    const int n = o->n;
+    TRY(scalar(&o->mass, json, "mass", p));
+    TRY(numbers(o->xx, 9, NULL, json, "xx", p));
+    TRY(numbers(o->rot, 9, NULL, json, "rot", p));
+    TRY(numbers(o->f, 3 * n, NULL, json, "f", p));
+    TRY(numbers(o->xf, 9 * n, NULL, json, "xf", p));
+    TRY(numbers(o->ff, 9 * n * n, NULL, json, "ff", p));
+    TRY(numbers(o->rpsi, 3 * n, NULL, json, "rpsi", p));
+    TRY(numbers(o->ppsi, n * n, NULL, json, "ppsi", p));
+    TRY(numbers(o->K, n * n, NULL, json, "K", p));
+    TRY(optional(&o->s, 3 * n * n, json, "s", p, life));
+    TRY(optional(&o->xs, 9 * n * n, json, "xs", p, life));
+    TRY(optional(&o->D, n * n, json, "D", p, life));
+    TRY(optional(&o->hertz, n, json, "hertz", p, life));
+    return !o->s == !o->xs ? OK : bad(p, "s", "s and xs go together");
+}
+
+/* A = A' to 1e-9 of its diagonal, no negative eigenvalue below -1e-9 of the largest. */
+static bool is_positive(const double *A, int n, struct arena *scratch)
+{
+    double *copy = TAKE(scratch, double, n *n), *X = TAKE(scratch, double, n *n), *lambda = TAKE(scratch, double, n);
+    memcpy(copy, A, (size_t)(n * n) * sizeof *A);
+    if (!(dense_asymmetry(A, n, n) <= 1e-9)) return false;
+    eigen_symmetric(lambda, X, copy, n);
+    return lambda[0] >= -1e-9 * fabs(lambda[n - 1]);
+}
+
+static bool all_zero(const double *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (x[i] != 0) return false;
+    return true;
+}
+
+static enum status check(const struct flex_body *o, const struct place *p, struct arena *scratch)
+{
+    const struct flex_node *reference = o->node + o->reference;
+    double *Me = TAKE(scratch, double, o->n * o->n);
+    if (!(o->mass > 0)) return bad(p, "mass", "should be positive");
+    if (!is_positive(o->xx, 3, scratch)) return bad(p, "xx", "is no inertia: it should be symmetric, not negative");
+    if (!is_positive(o->K, o->n, scratch)) return bad(p, "K", "should be symmetric, not negative");
+    if (o->D && !is_positive(o->D, o->n, scratch)) return bad(p, "D", "should be symmetric, not negative");
+    flex_mass(Me, o);
+    if (dense_asymmetry(Me, o->n, o->n) > 1e-9) return bad(p, "ff", "gives a mass matrix that is not symmetric");
+    if (dense_cholesky(Me, o->n, o->n) >= 0) return bad(p, "ff", "gives a mass matrix that is not positive");
+    if (!all_zero(reference->phi, 3 * o->n) || !all_zero(reference->psi, 3 * o->n))
+        return bad(p, "reference", "the reference node should not move");
+    return OK;
+}
+
+static enum status read_body(struct flex_body **out, double *at, const cJSON *json, const struct place *p,
+                             struct arena *life)
+{
+    const cJSON *nodes, *stresses;
+    int version, n, nnode, nstress, reference;
+    double place[3];
+    if (!cJSON_IsObject(json)) return fail(p->report, E_DECK, "%s: error: no JSON object", p->path);
+    TRY(whole(&version, json, "fmdsub_flex", 1, 1, p));
+    TRY(whole(&n, json, "modes", 1, MOST_MODES, p));
+    TRY(list_of(&nodes, &nnode, json, "nodes", p));
+    TRY(list_of(&stresses, &nstress, json, "stresses", p));
+    if (!nnode) return bad(p, "nodes", "the list is empty");
+    TRY(whole(&reference, json, "reference", 0, nnode - 1, p));
+    TRY(numbers(place, 3, NULL, json, "at", p));
+    struct flex_body *o = flex_body_take(n, nnode, nstress, false, life);
+    o->reference = reference;
+    TRY(read_integrals(o, json, p, life));
+    TRY(read_lists(o, nodes, stresses, *p, life));
+    if (at) memcpy(at, place, sizeof place);
+    *out = o;
+    return OK;
+}
+
+static enum status read_text(char **text, size_t *size, const char *path, struct arena *life, struct report *report)
+{
+    struct stat about;
+    FILE *file = fopen(path, "rb");
+    if (!file) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
+    bool plain = fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode);
+    *size = plain ? (size_t)about.st_size : 0;
+    if (plain && *size <= MOST_BYTES) {
+        *text = TAKE(life, char, *size + 1);
+        plain = fread(*text, 1, *size, file) == *size;
+    }
+    fclose(file);
+    if (!plain) return fail(report, E_FILE, "%s: cannot be read as a file", path);
+    if (*size > MOST_BYTES) return fail(report, E_LIMIT, "%s: larger than %d bytes", path, MOST_BYTES);
+    return OK;
+}
+
+static int line_of(const char *text, const char *at)
+{
+    int line = 1;
+    for (; text < at; text++) line += *text == '\n';
+    return line;
+}
+
+enum status flex_file_read(struct flex_body **out, double *at, const char *path, struct arena *life,
+                           struct report *report)
+{
+    struct arena *scratch = arena_open();
+    struct place place = {.path = path, .report = report};
+    char *text = NULL;
+    size_t size = 0;
+    const char *end = NULL;
+    enum status status = read_text(&text, &size, path, scratch, report);
+    if (status == OK) {
+        cJSON *json = cJSON_ParseWithLengthOpts(text, size + 1, &end, true);
+        status = json ? read_body(out, at, json, &place, life)
+                      : fail(report, E_DECK, "%s:%d: error: this is not JSON", path, line_of(text, end ? end : text));
+        cJSON_Delete(json);
+    }
+    if (status == OK) status = check(*out, &place, scratch);
+    arena_close(scratch);
+    return status;
+}
