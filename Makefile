@@ -1,6 +1,6 @@
 # fmdsub -- simulation of flexible multibody systems by Newmark sub-cycling
 #
-#   make              the program, build/fmdsub
+#   make              the programs, build/fmdsub and, with LAPACK and ARPACK, build/fmdsub-reduce
 #   make demo         installs what is missing, builds, shows the bar-slider at 1:1, 5:1 and 10:1
 #   make test         installs what is missing, builds, runs every test (the same as make check)
 #
@@ -20,16 +20,25 @@ EXACT     = -ffp-contract=off -fno-math-errno
 ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(CFLAGS)
 LDLIBS    = -lyaml -lcjson -lm
 
-SOURCES  := $(sort $(wildcard src/*/*.c))
+SOURCES  := $(sort $(filter-out src/reduce/%,$(wildcard src/*/*.c)))
+# fmdsub-reduce, where LAPACK and ARPACK are found.
+FORTRAN   = -larpack -llapack -lblas
+REDUCES  := $(sort $(wildcard src/reduce/*.c))
+REDUCED  := $(REDUCES:src/%.c=$(BUILD)/obj/%.o)
+REDUCER  := $(BUILD)/fmdsub-reduce
+HAVE     := $(shell echo 'int main(void) { return 0; }' | $(CC) -x c - $(FORTRAN) -o /dev/null 2>/dev/null && echo yes)
+FOUND    := $(if $(HAVE),$(REDUCER))
 OBJECTS  := $(SOURCES:src/%.c=$(BUILD)/obj/%.o)
 LIBRARY   = $(BUILD)/libfmdsub.a
 PROGRAM   = $(BUILD)/fmdsub
 UNITS    := $(patsubst tests/unit/t-%.c,$(BUILD)/unit/t-%,$(sort $(wildcard tests/unit/t-*.c)))
+REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
 TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
-EXAMPLES := $(sort $(wildcard decks/*))
-FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/tools/*.c tests/bench/*.c))
+EXAMPLES := $(sort $(wildcard decks/*.*))
+AIRSCREW := $(sort $(wildcard decks/airscrew/*))
+FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/reduce/*.c tests/tools/*.c tests/bench/*.c))
 ASAN      = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 RUN       = BUILD=$(BUILD) V=$(V) tests/run
 
@@ -37,7 +46,7 @@ RUN       = BUILD=$(BUILD) V=$(V) tests/run
 Q         = $(if $(V),,@)
 say       = $(if $(V),,@echo "  $(1)  $(@:$(BUILD)/%=%)")
 
-all: $(PROGRAM)
+all: $(PROGRAM) $(FOUND)
 
 $(BUILD)/obj/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -53,6 +62,20 @@ $(LIBRARY): $(filter-out $(BUILD)/obj/cli/main.o,$(OBJECTS))
 $(PROGRAM): $(BUILD)/obj/cli/main.o $(LIBRARY)
 	$(call say,LD)
 	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+$(BUILD)/libreduce.a: $(filter-out $(BUILD)/obj/reduce/main.o,$(REDUCED))
+	@rm -f $@
+	$(call say,AR)
+	$(Q)ar rcD $@ $^
+
+$(REDUCER): $(BUILD)/obj/reduce/main.o $(BUILD)/libreduce.a $(LIBRARY)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(FORTRAN) $(LDLIBS)
+
+$(BUILD)/reduce/%: tests/reduce/%.c $(BUILD)/libreduce.a $(LIBRARY)
+	@mkdir -p $(@D)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests $(LDFLAGS) -o $@ $< $(BUILD)/libreduce.a $(LIBRARY) -lcmocka $(FORTRAN) $(LDLIBS)
 
 $(BUILD)/unit/%: tests/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
@@ -81,14 +104,14 @@ $(BUILD)/bench/%: tests/bench/%.c $(LIBRARY)
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study
+	@$(RUN) unit decks bad faults man order study reduce
 
-tests-built: $(UNITS) $(TOOLS) $(BENCHES)
+tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(BENCHES)
 
 unit: $(UNITS)
 	@$(RUN) unit
 
-decks bad faults man-examples order study: $(PROGRAM) $(TOOLS)
+decks bad faults man-examples order study reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 asan:
@@ -143,22 +166,23 @@ demo: deps
 
 tools: $(TOOLS)
 
-install: $(PROGRAM)
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks
-	install -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/fmdsub
+install: $(PROGRAM) $(FOUND)
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks/airscrew
+	install -m 755 $(PROGRAM) $(FOUND) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(EXAMPLES) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks
+	install -m 644 $(AIRSCREW) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks/airscrew
 	install -m 644 README.md LICENSE $(DESTDIR)$(PREFIX)/share/doc/fmdsub
 	for page in $(PAGES); do s=$${page##*.}; d=$(DESTDIR)$(PREFIX)/share/man/man$$s; \
 	    install -d $$d && install -m 644 $$page $$d || exit 1; done
 
 uninstall:
-	rm -f $(DESTDIR)$(PREFIX)/bin/fmdsub
+	rm -f $(DESTDIR)$(PREFIX)/bin/fmdsub $(DESTDIR)$(PREFIX)/bin/fmdsub-reduce
 	rm -rf $(DESTDIR)$(PREFIX)/share/doc/fmdsub
 	for page in $(PAGES); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$${page##*/}; done
 
 clean:
 	rm -rf $(BUILD)
 
--include $(OBJECTS:.o=.d) $(UNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults man-examples order order-tight asan golden bench layers eqs format format-check lint man \
+-include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
+.PHONY: all test check unit decks bad faults reduce man-examples order order-tight asan golden bench layers eqs format format-check lint man \
         deps deps-test demo tools tests-built install uninstall clean

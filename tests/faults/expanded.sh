@@ -1,7 +1,7 @@
 # expanded.sh -- what `fmdsub check --expanded` prints is a deck again: it stays as it is, and runs to the same bytes.
 . tests/tools/lib.sh
 cd "$work" || exit 1
-cp "$ROOT"/decks/* .
+cp -r "$ROOT"/decks/* .
 # The long example of the manual: measures, tables, loads, a stay; and what ends a run.
 awk '/^title: Crane/ { on = 1; print "fmdsub: 1" } on && /^\.Ed/ { exit } on { gsub(/\\&/, ""); gsub(/\\-/, "-"); print }' \
     "$ROOT/man/fmdsub-deck.5" >crane.yaml

@@ -8,7 +8,7 @@
 need_program man
 PATH=$BUILD:$PATH
 mkdir "$work/x"
-cp decks/* "$work/x"
+cp -r decks/* "$work/x"
 
 # Splits a session into commands K.cmd and what they should print K.want; prints how many.
 split_session() { # FILE FOLDER

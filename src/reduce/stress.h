@@ -1,0 +1,22 @@
+/* stress.h -- modal stresses at nodes.
+ *
+ * In every element at the node the stress of an isotropic material is taken at the reduced integration points, where
+ * it is most accurate (Barlow, Int. J. Numer. Meth. Eng. 10 (1976) 243), extended linearly to the corners, at a node
+ * between corners as their mean; the mean of all elements at the node counts.  So does CalculiX with C3D4, C3D10 and
+ * C3D20R. */
+#ifndef FMDSUB_REDUCE_STRESS_H
+#define FMDSUB_REDUCE_STRESS_H
+
+#include "flex/body.h"
+#include "reduce/wish.h"
+
+/* s [6] xx yy zz xy xz yz at node `node` of the body under displacements u [3 fe->n] [m]; E [Pa].  E_MODEL where no
+ * element there is known. */
+enum status stress_at(double *s, const struct fe *fe, int node, const double *u, double E, double nu,
+                      struct report *report);
+
+/* Fills body->stress, one for every point wished for. */
+enum status stress_make(struct flex_body *body, const struct wish *wish, const struct fe *fe, const struct basis *basis,
+                        struct report *report);
+
+#endif
