@@ -20,7 +20,7 @@ const struct verb verbs[] = {
     {"list", "[schemes|joints|forces|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
     {"explain", "CODE", "the cure for an error code", verb_explain},
-    {"new", "pendulum|mechanism", "print a commented starter deck", verb_new},
+    {"new", "pendulum|mechanism|beam", "print a commented starter deck", verb_new},
     {0},
 };
 

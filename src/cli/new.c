@@ -41,16 +41,39 @@ static const char mechanism[] =
     "integrate: {scheme: subcycle, step: 2.0e-4, ratio: 10, until: 2}\n"
     "output: {every: 0.01, columns: [hub.angle, guide.displacement, spring.force, \"energy.*\"]}\n";
 
+static const char beam[] =
+    "fmdsub: 1\n"
+    "title: A flexible arm with a load, let go\n"
+    "gravity: [0, -9.81]\n"
+    "bodies:\n"
+    "  arm:\n"
+    "    beam: {from: [0, 0], to: [2, 0]}      # straight, drawn unbent\n"
+    "    section: {rectangle: [0.03, 0.02]}    # width, height in the plane\n"
+    "    material: aluminium                   # or {E: 70.0e+9, nu: 0.33, density: 2700}\n"
+    "    modes: 4\n"
+    "    damping: {ratio: 0.005}\n"
+    "    points: {tip: {station: 1}}           # 0 ... 1 along the beam\n"
+    "    stress: {root: {station: 0, corner: top}}\n"
+    "  load: {mass: 0.5, inertia: 1.0e-3, at: [2, 0]}\n"
+    "constraints:\n"
+    "  shaft: {revolute: [ground, arm], at: [0, 0]}\n"
+    "  grip:  {fixed: [arm, load], at: arm.tip}\n"
+    "forces:\n"
+    "  stay: {spring: shaft, stiffness: 500, damping: 2}\n"
+    "partition: {fast: [arm]}                # its elastic coordinates take the minor step\n"
+    "integrate: {scheme: subcycle, step: 2.0e-4, ratio: 5, until: 2}\n"
+    "output: {every: 0.01, columns: [shaft.angle, arm.tip.d*, arm.root.bending, grip.f*, \"energy.*\"]}\n";
+
 enum status verb_new(const struct request *request, struct arena *life, struct report *report)
 {
-    static const char *const names[] = {"pendulum", "mechanism"};
-    static const char *const decks[] = {pendulum, mechanism};
+    static const char *const names[] = {"pendulum", "mechanism", "beam"};
+    static const char *const decks[] = {pendulum, mechanism, beam};
     (void)life;
     if (request->nword > 1) return fail(report, E_USAGE, "'fmdsub new' takes one name");
     const char *name = request->nword ? request->word[0] : "pendulum";
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 3; i++)
         if (strcmp(names[i], name) == 0) return fputs(decks[i], stdout) < 0 ? E_FILE : OK;
-    const char *nearest = text_nearest(name, names, 2);
-    return fail(report, E_USAGE, "no starter deck '%.40s'%s%s%s (pendulum, mechanism)", name,
+    const char *nearest = text_nearest(name, names, 3);
+    return fail(report, E_USAGE, "no starter deck '%.40s'%s%s%s (pendulum, mechanism, beam)", name,
                 nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }

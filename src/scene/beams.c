@@ -153,8 +153,8 @@ static int read_probes(struct builder *b, struct draft *o, const struct node *n,
     return errors;
 }
 
-/* Mass and centre of mass: see the head. */
-static void weigh(struct scene_body *body, struct draft *o)
+/* See the head. */
+void weigh_beam(struct scene_body *body, struct draft *o)
 {
     const struct flex_beam *beam = &o->beam;
     double mass = 0, moment = 0;
@@ -187,7 +187,7 @@ int read_station(struct builder *b, double *p, int body, const struct node *n, c
     if (read_keys(&k, keys_station, n, NULL, what, &b->reader)) return 1;
     v3_set(p, 0, 0, 0);
     if (k.offset && read_place(b, p, k.offset, what)) return 1;
-    p[0] += (k.station - o->centre) * o->length;
+    p[0] += (station_in(o, k.station) - o->centre) * o->length;
     return 0;
 }
 
@@ -208,7 +208,6 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     if (k.damping) errors += read_damping(b, o, k.damping, what);
     if (k.masses) errors += read_masses(b, o, k.masses, what);
     if (errors) return errors;
-    weigh(body, o);
     if (k.stress) errors += read_probes(b, o, k.stress, what);
     o->modes = node_find(n, "modes");
     o->beam.modes = body->nmode = k.modes;
@@ -216,5 +215,7 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     if (!k.stiffening)
         diag_warn(b->diags, node_find(n, "stiffening"), AT_VALUE, "W-stiffening",
                   "%s: loads along the beam will not stiffen or soften it", what);
+    weigh_beam(body, o);
+    if (!errors && k.segments > 1) cut_beam(b, index, k.segments);
     return errors;
 }

@@ -134,6 +134,10 @@ int read_inertia(struct builder *b, double *J, const struct node *n, const char 
 static int read_spot(struct builder *b, double *p, int body, const struct node *n, const char *what)
 {
     if (n->type == NODE_MAP && b->draft[body]) return read_station(b, p, body, n, what);
+    if (b->draft[body] && b->draft[body]->whole) {
+        diag_error(b->diags, n, AT_VALUE, "E-type", "%s of a beam in segments are at stations, {station: s}", what);
+        return 1;
+    }
     if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p, body, n);
     return read_place(b, p, n, what);
 }
@@ -151,7 +155,9 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
             errors++;
             continue;
         }
-        p->name = arena_print(b->life, "%s.%s", scene->body[body].name, n->item[i]->key);
+        if (!holds_point(b, body, n->item[i])) continue;
+        const char *owner = b->draft[body] && b->draft[body]->whole ? b->draft[body]->whole : scene->body[body].name;
+        p->name = arena_print(b->life, "%s.%s", owner, n->item[i]->key);
         p->at.body = body;
         if (read_spot(b, p->at.p, body, n->item[i], what))
             errors++;
@@ -215,11 +221,27 @@ static int count_points(const struct scene *scene, const struct node *bodies)
     return count;
 }
 
+/* Segments may have taken the name of another body. */
+static int refuse_same_names(struct builder *b)
+{
+    const struct scene *scene = b->scene;
+    for (int i = 1; i < scene->nbody; i++)
+        for (int k = 1; k < i; k++) {
+            if (strcmp(scene->body[i].name, scene->body[k].name) != 0) continue;
+            const struct node *at = b->draft[i] && b->draft[i]->whole ? scene->body[i].node : scene->body[k].node;
+            diag_error(b->diags, at, AT_KEY, "E-duplicate-name", "a segment of '%s' has the name of body '%s'", at->key,
+                       scene->body[i].name);
+            return 1;
+        }
+    return 0;
+}
+
 int read_bodies(struct builder *b, const struct node *n)
 {
     struct scene *scene = b->scene;
-    scene->body = TAKE(b->life, struct scene_body, n->count + 1);
-    b->draft = TAKE(b->life, struct draft *, n->count + 1);
+    const int most = n->count + 1 + (n->type == NODE_MAP ? more_segments(b, n) : 0);
+    scene->body = TAKE(b->life, struct scene_body, most);
+    b->draft = TAKE(b->life, struct draft *, most);
     scene->body[0].name = "ground";
     memcpy(scene->body[0].R, identity, sizeof identity);
     scene->nbody = 1;
@@ -250,6 +272,7 @@ int read_bodies(struct builder *b, const struct node *n)
         if (scene->body[i].flex) name_nodes(b, i, points);
         errors += read_points(b, i, points, "'points'");
     }
+    if (most > n->count + 1) errors += refuse_same_names(b);
     if (scene->nbody == 1) {
         diag_error(b->diags, n, AT_KEY, "E-no-bodies", "no bodies: nothing to simulate");
         errors++;

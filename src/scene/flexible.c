@@ -158,12 +158,15 @@ static int make(struct builder *b, int index)
 
 int make_flexible(struct builder *b)
 {
+    const struct node *failed = NULL; /* one segment is enough */
     int errors = 0;
     if (diags_errors(b->diags)) return 0; /* half a deck would make other bodies */
     for (int i = 1; i < b->scene->nbody; i++) {
         struct collecting c = {.b = b, .body = i};
-        if (b->draft[i]) {
-            errors += make(b, i);
+        if (b->draft[i] && b->scene->body[i].node != failed) {
+            if (!make(b, i)) continue;
+            failed = b->scene->body[i].node;
+            errors++;
         } else if (b->scene->body[i].flex) {
             collect(&c);
             weigh(&b->scene->body[i]);

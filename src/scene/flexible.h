@@ -11,7 +11,7 @@
 /* beam_keys.c: the tables */
 struct beam_body_keys {
     const struct node *beam, *section, *sections, *material, *damping, *masses, *points, *stress;
-    int modes, stiffening;
+    int modes, segments, stiffening;
 };
 struct beam_keys {
     const struct node *from, *to, *up;
@@ -54,6 +54,8 @@ struct draft {
     double length;            /* [m] */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */
+    const char *whole;        /* of a beam cut into segments: its name in the deck; NULL: not cut */
+    double from, to;          /* its part, in stations of the whole */
 };
 
 /* beam_sections.c: cross-sections and materials; 0 if all was well */
@@ -77,6 +79,18 @@ void name_nodes(struct builder *b, int body, const struct node *points);
 
 /* bodies.c: a tensor [6] about the centre of mass; a number in the plane */
 int read_inertia(struct builder *b, double *J, const struct node *n, const char *what);
+
+/* Mass and centre of mass of a beam that is not made. */
+void weigh_beam(struct scene_body *body, struct draft *o);
+
+/* segments.c: the last body read becomes n of them; how many more bodies the deck's segments make */
+void cut_beam(struct builder *b, int index, int n);
+int more_segments(struct builder *b, const struct node *bodies);
+/* Fixed joints between them, behind all others. */
+void join_segments(struct builder *b);
+/* A station of the deck in that of the part; is a point of the deck this body's? */
+double station_in(const struct draft *o, double station);
+bool holds_point(const struct builder *b, int body, const struct node *n);
 
 /* flexible.c: nodes at all places in use, then the reduced bodies */
 int make_flexible(struct builder *b);

@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "la/vec3.h"
-#include "scene/build.h"
+#include "scene/flexible.h"
 
 /* Is it a key of any kind? */
 static bool is_key(const char *word)
@@ -145,12 +145,11 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
 
 int read_joints(struct builder *b, const struct node *n)
 {
-    int errors = 0;
-    if (!n) return 0;
-    if (read_map(n, "'constraints'", &b->reader)) return 1;
+    int errors = 0, count = n ? n->count : 0;
     struct scene *scene = b->scene;
-    scene->joint = TAKE(b->life, struct scene_joint, n->count);
-    for (int i = 0; i < n->count; i++) {
+    if (n && read_map(n, "'constraints'", &b->reader)) return 1;
+    scene->joint = TAKE(b->life, struct scene_joint, count + scene->nbody);
+    for (int i = 0; i < count; i++) {
         struct scene_joint joint = {0};
         if (!may_own_columns(n->item[i]->key)) {
             diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a joint", n->item[i]->key);
@@ -162,5 +161,6 @@ int read_joints(struct builder *b, const struct node *n)
             scene->joint[scene->njoint++] = joint;
         }
     }
+    join_segments(b);
     return errors + read_ties(b);
 }

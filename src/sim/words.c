@@ -127,6 +127,13 @@ static const char *force_name(const struct sim *sim, int i)
     return i >= 0 && i < sim->model->nforce ? sim->model->force[i].name : "?";
 }
 
+static bool is_flexible(const struct sim *sim)
+{
+    for (int i = 1; i < sim->scene->nbody; i++)
+        if (sim->scene->body[i].flex) return true;
+    return false;
+}
+
 /* What to try, by the code and by what is already in use. */
 static const char *advice(const struct sim *sim, const struct trouble *why)
 {
@@ -138,6 +145,9 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
                    ? "try a smaller step, or look at the forces"
                    : "look for numbers of the deck that are too large, and at its forces";
     case TROUBLE_MASS:
+        if (is_flexible(sim))
+            return "give the bodies it moves mass and inertia; or a flexible body bends too far for one frame: cut it "
+                   "into 'segments'";
         return "give the bodies it moves mass and inertia";
     case TROUBLE_CLOSURE:
         return "the mechanism may be locked here, or the step too large";

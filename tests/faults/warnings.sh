@@ -39,3 +39,13 @@ warned "a density in kg/mm3" "$(echo "$space" | sed 's/mass: 8, //; s/0.1]}/0.1]
 silent "the densest" "$space" 'bodies.top.mass=22.5'
 echo "$plane" | sed '/constraints/d' >free.yaml
 warned "a body that nothing holds" "$(cat free.yaml)" "W-unconnected"
+beam='fmdsub: 1
+bodies:
+  arm: {beam: {from: [0, 0], to: [2, 0]}, section: {rectangle: [0.02, 0.01]}, material: steel, modes: 2}
+constraints: {pin: {revolute: [ground, arm], at: [0, 0]}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
+silent "nothing to warn of, a beam" "$beam"
+silent "a joint beside the beam's axis" "$beam" 'constraints.pin.at=[0, 0.19]'
+warned "a joint far from the beam's axis" "$beam" "^deck.yaml:4:15: warning: a place 0.5 m from the axis of beam 'arm': the section at station 0 .* \[W-offset\]" 'constraints.pin.at=[-0.5, 0]'
+warned "a beam that does not stiffen" "$beam" "W-stiffening" 'bodies.arm.stiffening=false'
+warned "a beam's density in kg/mm3" "$beam" "density of 7.85e-06 kg/m3" 'bodies.arm.material={E: 2.1e+5, density: 7.85e-6}'

@@ -243,6 +243,62 @@ static void test_numbers(void **state)
     }
 }
 
+/* A beam in segments weighs what it weighs whole, and so does every part of it that sections bound. */
+static void test_segments(void **state)
+{
+    static const char deck[] = "bodies:\n"
+                               "  arm:\n"
+                               "    beam: {from: [1, 0, 0], to: [1, 4, 3], elements: 12}\n"
+                               "    sections: [{station: 0, circle: 0.05}, {station: 0.3, circle: 0.03}, "
+                               "{station: 1, tube: [0.03, 0.02], twist: 0.3}]\n"
+                               "    material: steel\n"
+                               "    modes: 2\n"
+                               "    segments: %d\n"
+                               "    masses: {a: {station: 0.5, mass: 3}, b: {station: 0, mass: 1}}\n"
+                               "    stress: {s: {station: 0.5}}\n"
+                               "    points: {root: {station: 0}, half: {station: 0.5}, tip: {station: 1}}\n"
+                               "constraints: {clamp: {fixed: [ground, arm%s], at: [1, 0, 0]}}";
+    struct opened whole, cut;
+    char text[1000];
+    (void)state;
+    snprintf(text, sizeof text, deck, 1, "");
+    open_deck(&whole, text, "");
+    snprintf(text, sizeof text, deck, 4, "1");
+    open_deck(&cut, text, "");
+    const struct scene *s = cut.scene;
+    double mass = 0, moment[3] = {0, 0, 0};
+    assert_true(s->nbody == 5 && s->njoint == 4 && s->npoint == 3);
+    for (int i = 1; i < s->nbody; i++) {
+        char name[20];
+        snprintf(name, sizeof name, "arm%d", i);
+        assert_string_equal(s->body[i].name, name);
+        mass += s->body[i].mass;
+        v3_axpy(moment, s->body[i].mass, s->body[i].at);
+        for (int k = 0; k < 3; k++) assert_true(fabs(s->body[i].at[k] - s->body[i].origin[k]) < 1e-9);
+        assert_int_equal(s->body[i].flex->nstress, i == 2);
+    }
+    assert_true(fabs(mass - whole.scene->body[1].mass) < 1e-9 * mass);
+    for (int k = 0; k < 3; k++) assert_true(fabs(moment[k] / mass - whole.scene->body[1].at[k]) < 1e-9);
+    static const int on[] = {1, 2, 4};
+    for (int i = 0; i < 3; i++) {
+        double x[3], y[3];
+        marker_drawn(x, s, &s->point[i].at);
+        marker_drawn(y, whole.scene, &whole.scene->point[i].at);
+        assert_int_equal(s->point[i].at.body, on[i]);
+        assert_string_equal(s->point[i].name, whole.scene->point[i].name);
+        for (int k = 0; k < 3; k++) assert_true(fabs(x[k] - y[k]) < 1e-12);
+    }
+    for (int i = 1; i < s->njoint; i++) {
+        char name[20];
+        snprintf(name, sizeof name, "arm_%d", i);
+        assert_string_equal(s->joint[i].name, name);
+        assert_true(s->joint[i].first == i && s->joint[i].second == i + 1);
+        assert_true(fabs(s->joint[i].at[1] - i) < 1e-12 && fabs(s->joint[i].at[2] - .75 * i) < 1e-12);
+    }
+    arena_close(whole.life);
+    arena_close(cut.life);
+}
+
 static const char linkage[] = "bodies:\n"
                               "  crank: {mass: 1, inertia: 0.1, at: [0, 0.5]}\n"
                               "  rod:\n"
@@ -321,7 +377,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_torsion), cmocka_unit_test(test_sections), cmocka_unit_test(test_centre),
         cmocka_unit_test(test_nodes),   cmocka_unit_test(test_numbers),  cmocka_unit_test(test_loops),
-        cmocka_unit_test(test_start),
+        cmocka_unit_test(test_start),   cmocka_unit_test(test_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -353,6 +353,45 @@ static void test_cut(void **state)
     }
 }
 
+/* A moment rolls a beam up to a circle of radius 2 L/pi: segments follow it, at second order in their length. */
+static void test_segments(void **state)
+{
+    double error[2], radius = 2 * L / M_PI;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct opened o;
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "parameters: {N: %d}\n"
+                 "bodies:\n"
+                 "  arm:\n"
+                 "    beam: {from: [0, 0], to: [2, 0], elements: 2*N}\n"
+                 "    section: {area: 6.0e-4, Iz: 2.0e-8, y: 0.01}\n"
+                 "    material: {E: 2.0e+11, density: 8000}\n"
+                 "    modes: 1\n"
+                 "    segments: N\n"
+                 "    points: {mid: {station: 0.5}}\n"
+                 "    stress: {third: {station: 0.34, corner: bottom}}\n"
+                 "  load: {mass: 0.1, inertia: 1.0e-3, at: [2, 0]}\n"
+                 "constraints:\n"
+                 "  clamp: {fixed: [ground, arm1], at: [0, 0]}\n"
+                 "  grip: {fixed: [arm%d, load], at: [2, 0]}\n"
+                 "forces: {turn: {torque: load, value: pi/2*2.0e+11*2.0e-8/2}}\n"
+                 "initial: {static: true}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}\n",
+                 k ? 16 : 8, k ? 16 : 8);
+        open_deck(&o, text);
+        error[k] = hypot(value(&o, "load.x") - radius, value(&o, "load.y") - radius);
+        near(value(&o, "load.angle"), M_PI / 2, 1e-9);
+        near(value(&o, "arm.mid.x"), radius * sin(M_PI / 4), error[k]);
+        near(value(&o, "arm.mid.y"), radius * (1 - cos(M_PI / 4)), error[k]);
+        near(value(&o, k ? "arm6.third.bending" : "arm3.third.bending"), M_PI / 2 * E / L * .01, 1e-6 * E / L);
+        near(value(&o, "arm_1.mz"), value(&o, "arm_7.mz"), 1e-6 * fabs(value(&o, "arm_1.mz")));
+        arena_close(o.life);
+    }
+    assert_true(error[0] < 1e-3 * L && error[1] < error[0] / 3.5);
+}
+
 static const char turning[] = "constraints:\n"
                               "  shaft: {revolute: [ground, hub], at: [0, 0, 0], axis: [0, 0, 1]}\n"
                               "  clamp: {fixed: [hub, arm], at: [0, 0.5, 0]}\n"
@@ -417,7 +456,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_static),         cmocka_unit_test(test_frequencies), cmocka_unit_test(test_free_flight),
         cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_rates),       cmocka_unit_test(test_cut),
-        cmocka_unit_test(test_file),
+        cmocka_unit_test(test_file),           cmocka_unit_test(test_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
