@@ -98,8 +98,8 @@ const struct key keys_force[] = {
 };
 
 const struct key keys_torque[] = {
-    PARAM_NODE(struct value_keys, on, "torque", "joint, coordinate, measure or body", KEY_REQUIRED,
-               "what the torque acts along, or the body it acts on"),
+    PARAM_NODE(struct value_keys, on, "torque", "joint, coordinate, measure, body or body.point", KEY_REQUIRED,
+               "what the torque acts along, or the body it acts on; of a flexible one, the section or node"),
     PARAM_NODE(struct value_keys, value, "value", "expression, or three of them on a body in 3-D, or a table",
                KEY_REQUIRED, "[N m]; positive when it drives the measure upwards"),
     PARAM_WORD(struct value_keys, frame, "frame", "world|body", 0, "world", "axes of a torque on a body"),

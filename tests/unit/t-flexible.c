@@ -258,6 +258,32 @@ static void test_plane_in_space(void **state)
     arena_close(space.life);
 }
 
+/* One mode, damped by a force at the tip that reads its rate, q'' + phi c q' + omega^2 q = 0; the run ends when q
+ * changes sign, after (pi/2 + asin z)/(omega sqrt(1 - z^2)) with z = phi c/(2 omega). */
+static void test_feedback(void **state)
+{
+    struct opened o;
+    struct modes modes;
+    (void)state;
+    open_deck(&o, "parameters: {c: 4}\n"
+                  "bodies:\n"
+                  "  arm:\n" BEAM "    modes: 1\n"
+                  "    stiffening: false\n"
+                  "    points: {tip: {station: 1}}\n"
+                  "constraints: {clamp: {fixed: [ground, arm], at: [0, 0]}}\n"
+                  "forces: {calm: {force: arm.tip, value: [0, -c*arm.mode1_rate]}}\n"
+                  "initial: {arm.mode1: 0.01}\n"
+                  "integrate: {scheme: midpoint, step: 1.0e-5, until: {when: \"arm.mode1 < 0\", latest: 1}}\n");
+    double phi = value(&o, "arm.tip.dy") / .01, omega = pow(1.87510406871 / L, 2) * sqrt(E * I / (rho * A));
+    double z = phi * 4 / (2 * omega);
+    near(phi, 2 / sqrt(rho * A * L), 1e-4 * phi); /* a clamped-free mode of mass 1 has 2 at its end */
+    assert_int_equal(modes_find(&modes, &o.sim, o.life, &o.report), OK);
+    near(modes.mode[0].damping, z, 1e-4 * z);
+    run(&o);
+    near(o.sim.x.t, (M_PI / 2 + asin(z)) / (omega * sqrt(1 - z * z)), 2e-5 + 1e-4 * o.sim.x.t);
+    arena_close(o.life);
+}
+
 static const char swing[] = "gravity: [0, -9.81]\n"
                             "bodies:\n"
                             "  base: {mass: 5, at: [0, 0], inertia: 0.1}\n"
@@ -454,9 +480,11 @@ static void test_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_static),         cmocka_unit_test(test_frequencies), cmocka_unit_test(test_free_flight),
-        cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_rates),       cmocka_unit_test(test_cut),
-        cmocka_unit_test(test_file),           cmocka_unit_test(test_segments),
+        cmocka_unit_test(test_static),      cmocka_unit_test(test_frequencies),
+        cmocka_unit_test(test_free_flight), cmocka_unit_test(test_plane_in_space),
+        cmocka_unit_test(test_feedback),    cmocka_unit_test(test_rates),
+        cmocka_unit_test(test_cut),         cmocka_unit_test(test_file),
+        cmocka_unit_test(test_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
