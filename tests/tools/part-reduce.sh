@@ -114,6 +114,8 @@ spoiled mesh-of-another 4 'turned about . as a rigid body it pushes back' bar.in
 spoiled mass-across 4 'has the same mass along' bar.mas '$1 == 1 && $2 == 1 { print 1, 2, 0.01 } 1'
 spoiled coordinate-missing 3 'bar.inp:5: error: node 2: a coordinate' bar.inp 'NR == 5 { $3 = "x," } 1'
 spoiled set-of-nothing 3 "neither a node number nor a node set" bar.inp '/NSET=root/ { print; getline; print "nowhere, 1"; next } 1'
+spoiled set-too-large 3 'bar.inp:.* error: GENERATE makes more than' bar.inp '1; END { print "*NSET, NSET=all, GENERATE"; print "1, 2000000000" }'
+spoiled include-of-itself 3 'goes deeper than' bar.inp '1; END { print "*INCLUDE, INPUT=bar.inp" }'
 spoiled mesh-without-nodes 3 'there is no \*NODE' bar.inp '/^\*NODE/ { print "*NODES"; next } 1'
 spoiled transformed 3 'bar.inp:1: error: \*TRANSFORM' bar.inp 'NR == 1 { print "*TRANSFORM, NSET=bar" } 1'
 spoiled mass-negative 4 'the whole mass is -' bar.mas '$1 != $2 { $3 = -9 * $3 } 1'
