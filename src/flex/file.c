@@ -66,7 +66,7 @@ static enum status whole(int *value, const cJSON *object, const char *key, int l
 {
     const cJSON *item;
     TRY(member(&item, object, key, true, p));
-    double x = cJSON_IsNumber(item) ? item->valuedouble : NAN;
+    double x = item && cJSON_IsNumber(item) ? item->valuedouble : NAN;
     if (!(x >= low && x <= high) || x != floor(x))
         return fail(p->report, E_DECK, "%s: error: '%s': expected a whole number from %d to %d", p->path, key, low,
                     high);
@@ -78,7 +78,7 @@ static enum status scalar(double *value, const cJSON *object, const char *key, c
 {
     const cJSON *item;
     TRY(member(&item, object, key, true, p));
-    *value = cJSON_IsNumber(item) ? item->valuedouble : NAN;
+    *value = item && cJSON_IsNumber(item) ? item->valuedouble : NAN;
     return isfinite(*value) ? OK : bad(p, key, "expected a finite number");
 }
 
@@ -295,7 +295,7 @@ enum status flex_file_read(struct flex_body **out, double *at, const char *path,
     size_t size = 0;
     const char *end = NULL;
     enum status status = read_text(&text, &size, path, scratch, report);
-    if (status == OK) {
+    if (status == OK && text) {
         cJSON *json = cJSON_ParseWithLengthOpts(text, size + 1, &end, true);
         status = json ? read_body(out, at, json, &place, life)
                       : fail(report, E_DECK, "%s:%d: error: this is not JSON", path, line_of(text, end ? end : text));
