@@ -65,7 +65,8 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     struct trouble why;
     const int n = ode->n, nt = o->nt;
     double *dv = o->mean, *M = o->M_side;
-    if (condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK || !corners(o, ta, tb)) return 0;
+    if (!corners(o, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
+    corners(o, ta, tb); /* their rates have been asked for between */
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
     if (o->tree->ops->mass(o->tree, o->M, q, ta, ALL, &why) != OK) return 0;
     condense_factor(o, q, ta, &why);
