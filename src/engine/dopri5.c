@@ -212,7 +212,7 @@ static enum status turn_corner(struct stepper *s, double *t, double end, struct 
     struct dopri5 *m = s->self;
     const struct ode2 *o = s->ode;
     if (!o->breaks || !o->breaks->jump || !o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, end)) return OK;
-    *t = nextafter(*t, end);
+    *t = motion_behind(*t, end);
     TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
     copy(m->a, m->rk.dv[0], o->n);
     return OK;

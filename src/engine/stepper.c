@@ -52,7 +52,7 @@ static enum status after_corners(struct stepper *s, struct state *x, double h, i
 {
     const struct ode2 *o = s->ode;
     const int fresh = s->fresh;
-    const double t0 = x->t, behind = nextafter(t0, to);
+    const double t0 = x->t, behind = motion_behind(t0, to);
     double work = 0;
     single_save(s->keep, o, x);
     if (!o->breaks->jump(o, x->v, &work, x->q, t0, s->kind->points ? to : behind))

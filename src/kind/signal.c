@@ -1,4 +1,5 @@
 /* signal.c -- values given by an expression or by a table of time; see force.h */
+#include <float.h>
 #include <math.h>
 
 #include "expr/expr.h"
@@ -44,17 +45,22 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
     return x;
 }
 
+/* Times of steps are products, those of tables were read: a point this near, relative to t, is at t. */
+static const double SAME = 4 * DBL_EPSILON;
+
 void signal_motion(const struct signal *s, double *x, double t)
 {
+    const double same = SAME * fabs(t);
     x[1] = x[2] = 0;
     if (s->expr) {
         x[0] = expr_jet(s->expr, &x[1], &x[2], &t, 0);
         return;
     }
     x[0] = table_value(&x[1], s, t);
-    if (s->n < 2 || t < s->t[0] || t > s->t[s->n - 1]) return;
+    x[1] = 0;
+    if (s->n < 2 || t < s->t[0] || t - s->t[s->n - 1] > same) return;
     int i = t >= s->t[s->n - 1] ? s->n - 2 : piece(s, t);
-    if (i > 0 && t == s->t[i]) i--;
+    if (i > 0 && t - s->t[i] <= same) i--;
     x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
 }
 
