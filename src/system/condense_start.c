@@ -113,7 +113,8 @@ static double dropped_miss(const struct condense *o, int *worst)
 static enum status look_for_branches(struct condense *o)
 {
     static const double WAY = 1e-2, MISS = 1e-7;
-    int row, lost = 0;
+    int row, worst = 0, lost = 0;
+    double miss = 0;
     if (o->start.redundant == 0) return OK;
     for (unsigned trial = 0; trial < 3; trial++) {
         for (int i = 0; i < o->nt; i++) o->dx[i] = 0;
@@ -128,14 +129,19 @@ static enum status look_for_branches(struct condense *o)
             const struct component *c = &o->component[i];
             for (int r = c->nr; r < c->nrow; r++) away += fabs(o->C[c->row[c->kept[r]]]) > MISS + 10 * o->start.misfit;
         }
-        if (away > lost) lost = away;
+        if (away > lost) {
+            lost = away;
+            miss = dropped_miss(o, &worst);
+        }
     }
     if (lost == 0) return OK;
     condense_misfit(o, &row, o->q);
     return fail(
         &o->start.report, E_MODEL,
-        "rank of C_q drops by %d in this posture: a bifurcation, where the loops leave the way open; start beside it",
-        lost);
+        "rank of C_q drops by %d in this posture, and constraint '%s' misses by %.3g of the mechanism's size a "
+        "small way off: a bifurcation, where the loops leave the way open, or a mechanism that is locked; start "
+        "beside it",
+        lost, row_name(o, worst), miss);
 }
 
 static enum status assemble(struct condense *o)
