@@ -5,6 +5,7 @@
  *     condense_close.c   dependents that close the loops; positions moved
  *     condense_split.c   which coordinates are dependent
  *     condense_start.c   the start: assembled, closed, or refused
+ *     condense_assemble.c  a start that does not fit, projected
  *     condense_unique.c  which reactions redundant rows leave open
  *     condense_drive.c   drives: their time, their power, the impulse of their corners
  *     condense.c         building, and what others ask
@@ -149,6 +150,9 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t);
 
 /* Splits, and o->q, o->v closed at the deck's start; o->start.report says what is wrong. */
 enum status condense_begin(struct condense *o, const double *q0, const double *v0);
+
+/* o->q, v [nt]: the deck's q0, v0 with the least change in the mass metric that lets C = 0 and C' = 0 hold at t = 0. */
+enum status condense_assemble(struct condense *o, double *v, const double *q0, const double *v0);
 
 extern const struct ode2_ops condense_ops;   /* condense_reduce.c */
 extern const struct ode2_move condense_move; /* condense_close.c */

@@ -151,7 +151,7 @@ static enum status assemble(struct condense *o)
     if (!(miss <= ASSEMBLY))
         return fail(&s->report, E_MODEL,
                     "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
-                    "size; at most %g is closed",
+                    "size; at most %g is closed without 'initial: {assemble: true}'",
                     row_name(o, s->misfit_row), miss, ASSEMBLY);
     for (int pass = 0; pass < 2; pass++) {
         TRY(split_all(o, o->q, miss));
@@ -308,16 +308,32 @@ static bool is_contested(const struct condense *o)
     return any;
 }
 
+/* The deck's start, which fits or is refused. */
+static enum status place_start(struct condense *o, const double *q0, const double *v0)
+{
+    int row;
+    TRY(assemble(o));
+    TRY(go_to_start(o, q0));
+    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
+    return agrees(o, q0, v0);
+}
+
+/* The deck's start, made to fit. */
+static enum status project_start(struct condense *o, const double *q0, const double *v0)
+{
+    int row;
+    TRY(condense_assemble(o, o->way, q0, v0));
+    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = o->way[o->ind[i]];
+    return look_for_branches(o);
+}
+
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)
 {
     for (int i = 0; i < o->moves->nturn; i++) o->q[o->moves->turn[i].iq[0]] = 1;
     draw_drives(o);
-    TRY(assemble(o));
-    TRY(go_to_start(o, q0));
-    int row;
-    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
-    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
-    TRY(agrees(o, q0, v0));
+    TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
     o->contested = is_contested(o);
