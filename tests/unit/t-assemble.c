@@ -140,6 +140,7 @@ static void four_bar(void **state)
         for (int k = 0; k < 3; k++) {
             char text[3000], drives[100] = "";
             double s = .04 / (1 << k), miss, least_rate, least_shift, shift;
+            if (driven) snprintf(drives, sizeof drives, "drives: {motor: {drive: shaft, value: %g + 3*t}}\n", s / 2);
             snprintf(
                 text, sizeof text,
                 "fmdsub: 1\n"
@@ -195,6 +196,41 @@ static void in_space(void **state)
     assert_true(shift > 1e-3);
 }
 
+/* Drawn where branches meet, a deck names its own by coordinates a little to one side. */
+static void branches(void **state)
+{
+    (void)state;
+    for (int crossed = 0; crossed < 2; crossed++) {
+        struct ride r;
+        char text[2000];
+        snprintf(text, sizeof text,
+                 "fmdsub: 1\n"
+                 "bodies:\n"
+                 "  a: {mass: 1, inertia: 1/12, at: [0.5, 0]}\n"
+                 "  b: {mass: 1, inertia: 1/12, at: [2.5, 0]}\n"
+                 "  bridge: {mass: 2, inertia: 2/3, at: [2, 0]}\n"
+                 "constraints:\n"
+                 "  left: {revolute: [ground, a], at: [0, 0]}\n"
+                 "  right: {revolute: [ground, b], at: [2, 0]}\n"
+                 "  up: {revolute: [a, bridge], at: [1, 0]}\n"
+                 "  end: {revolute: [bridge, b], at: [3, 0], loop: true}\n"
+                 "initial: {%s, left.angle_rate: 1}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-3, until: 0.5}\n"
+                 "output: {columns: [left.angle, right.angle]}\n",
+                 crossed ? "assemble: true, left.angle: 0.01, right.angle: -0.03, up.angle: -0.03"
+                         : "assemble: true, left.angle: 0.01, right.angle: 0.01, up.angle: -0.01");
+        ride_open(&r, text);
+        if (r.status != OK) fail_msg("%s", r.report.text);
+        double left = ride_last(&r, "left.angle"), right = ride_last(&r, "right.angle");
+        assert_true(fabs(left) > .05);
+        if (crossed)
+            assert_true(left * right < 0);
+        else
+            near_to(right, left, 1e-9);
+        ride_close(&r);
+    }
+}
+
 /* Out of reach altogether. */
 static void out_of_reach(void **state)
 {
@@ -218,6 +254,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(pendulum), cmocka_unit_test(without_it),
                                        cmocka_unit_test(four_bar), cmocka_unit_test(in_space),
-                                       cmocka_unit_test(out_of_reach)};
+                                       cmocka_unit_test(branches), cmocka_unit_test(out_of_reach)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
