@@ -17,7 +17,7 @@
 
 #define PLAN "integrate: {scheme: midpoint, step: 1.0e-4, until: 1.0e-3}\n"
 
-/* A ball on a massless rod of 1 m, placed by two slides: H08. */
+/* A ball on a massless rod of 1 m, placed by two slides. */
 #define PENDULUM(initial)                                                                                              \
     "fmdsub: 1\n"                                                                                                      \
     "bodies:\n"                                                                                                        \
@@ -59,6 +59,36 @@ static void pendulum(void **state)
     double angle = atan2(.04, 1.03);
     near_to(hypot(1 + ride_at(&r, 0, "x.displacement"), ride_at(&r, 0, "y.displacement")), 1, 1e-12);
     near_to(ride_at(&r, 0, "pin.angle"), angle, 2e-3);
+    ride_close(&r);
+}
+
+/* H08 to the letter: 1.01 m out on a rod of 1 m, with a velocity along it. */
+static void rod(void **state)
+{
+    (void)state;
+    static const char deck[] = "fmdsub: 1\n"
+                               "bodies:\n"
+                               "  ball: {mass: 2, inertia: 0.1, at: [1.01, 0]}\n"
+                               "constraints:\n"
+                               "  place: {free: [ground, ball]}\n"
+                               "  rod: {distance: [[0, 0], ball], length: 1}\n"
+                               "initial: {place.x_rate: 0.1, place.y_rate: -1, assemble: %s}\n" PLAN
+                               "output: {columns: [ball.x, ball.y, ball.vx, ball.vy]}\n";
+    struct ride r;
+    char text[1000];
+    snprintf(text, sizeof text, deck, "true");
+    ride_open(&r, text);
+    assert_int_equal(r.status, OK);
+    near_to(ride_at(&r, 0, "ball.x"), 1, 1e-12);
+    near_to(ride_at(&r, 0, "ball.y"), 0, 1e-12);
+    near_to(ride_at(&r, 0, "ball.vx"), 0, 1e-12);
+    near_to(ride_at(&r, 0, "ball.vy"), -1, 1e-12);
+    assert_true(system_constraint_worst(r.sim.system) < 1e-12);
+    ride_close(&r);
+    snprintf(text, sizeof text, deck, "false");
+    ride_open(&r, text);
+    assert_int_equal(r.status, E_MODEL);
+    assert_non_null(strstr(r.report.text, "without 'initial: {assemble: true}'"));
     ride_close(&r);
 }
 
@@ -252,8 +282,9 @@ static void out_of_reach(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pendulum), cmocka_unit_test(without_it),
-                                       cmocka_unit_test(four_bar), cmocka_unit_test(in_space),
-                                       cmocka_unit_test(branches), cmocka_unit_test(out_of_reach)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pendulum),    cmocka_unit_test(rod),
+                                       cmocka_unit_test(without_it),  cmocka_unit_test(four_bar),
+                                       cmocka_unit_test(in_space),    cmocka_unit_test(branches),
+                                       cmocka_unit_test(out_of_reach)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
