@@ -82,27 +82,50 @@ static double excess(const struct signal *s, double *size, double ta, double tb)
     return b[1] - a[1] - (tb - ta) * sum;
 }
 
-/* A table's corners are its points.  Of an expression, the half with the larger excess again and again: that of a true
- * corner stays, that of a mere jump of the acceleration halves with the interval. */
-double signal_corner(const struct signal *s, double ta, double tb)
+/* Of an expression: the half with the larger excess again and again.  That of a true corner stays, and returns; that of
+ * a mere jump of the acceleration halves with the interval: 0. */
+static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
-    double a[3], b[3], size, first;
-    if (!s->expr) {
-        signal_motion(s, a, ta);
-        signal_motion(s, b, tb);
-        return b[1] - a[1];
-    }
-    first = excess(s, &size, ta, tb);
+    double size, first = excess(s, &size, *ta, *tb), here = first;
     if (fabs(first) <= 1e-6 * size) return 0;
-    double here = first;
-    for (int i = 0; i < 24; i++) {
-        double mid = ta + (tb - ta) / 2, left = excess(s, &size, ta, mid), right = excess(s, &size, mid, tb);
+    for (int i = 0; i < halvings; i++) {
+        double mid = *ta + (*tb - *ta) / 2;
+        if (mid == *ta || mid == *tb) break;
+        double left = excess(s, &size, *ta, mid), right = excess(s, &size, mid, *tb);
         if (fabs(left) > fabs(right))
-            tb = mid, here = left;
+            *tb = mid, here = left;
         else
-            ta = mid, here = right;
+            *ta = mid, here = right;
     }
     return fabs(here) > fabs(first) / 4 ? here : 0;
+}
+
+double signal_corner(const struct signal *s, double ta, double tb)
+{
+    double a[3], b[3];
+    if (s->expr) return narrow(s, &ta, &tb, 24);
+    signal_motion(s, a, ta);
+    signal_motion(s, b, tb);
+    return b[1] - a[1];
+}
+
+/* A table's corners are its points. */
+static double table_corner(const struct signal *s, double ta, double tb)
+{
+    for (int i = 1; i < s->n && s->t[i] < tb; i++)
+        if (ta - s->t[i] <= SAME * fabs(ta)) return fmax(ta, s->t[i]);
+    return INFINITY;
+}
+
+double signal_corner_time(const struct signal *s, double ta, double tb)
+{
+    enum { PIECES = 16, FINEST = 60 };
+    if (!s->expr) return table_corner(s, ta, tb);
+    for (int i = 0; i < PIECES; i++) {
+        double a = ta + i * ((tb - ta) / PIECES), b = i + 1 < PIECES ? ta + (i + 1) * ((tb - ta) / PIECES) : tb;
+        if (narrow(s, &a, &b, FINEST) != 0) return a;
+    }
+    return INFINITY;
 }
 
 bool signal_reads_time(const struct signal *s)

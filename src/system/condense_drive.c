@@ -59,6 +59,16 @@ static int corners(struct condense *o, double ta, double tb)
     return any;
 }
 
+double condense_corner(const struct ode2 *ode, double ta, double tb)
+{
+    const struct condense *o = ode->self;
+    const struct model *m = o->model;
+    double first = INFINITY;
+    for (int l = m->nloop - m->ndrive; l < m->nloop; l++)
+        first = fmin(first, signal_corner_time(m->loop[l].drive, ta, fmin(first, tb)));
+    return first;
+}
+
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb)
 {
     struct condense *o = ode->self;

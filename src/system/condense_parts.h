@@ -106,6 +106,7 @@ void component_power(const struct condense *o, const struct component *c, double
 enum status condense_contest(struct condense *o, double t, struct trouble *why);
 /* As ode2_breaks has it. */
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
+double condense_corner(const struct ode2 *ode, double ta, double tb);
 
 /* All components looked at and factored at q. */
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
