@@ -33,14 +33,13 @@ void component_power(const struct condense *o, const struct component *c, double
 
 enum status condense_contest(struct condense *o, double t, struct trouble *why)
 {
-    static const double HOLDS = 1e-5;
-    if (!o->contested) return OK;
+    if (o->holds == 0) return OK;
     loops_values(o->C, o->loops);
     for (int i = 0; i < o->ncomponent; i++) {
         const struct component *c = &o->component[i];
         for (int r = c->nr; r < c->nrow; r++) {
             const int row = c->row[c->kept[r]];
-            if (!(fabs(o->C[row]) <= HOLDS))
+            if (!(fabs(o->C[row]) <= o->holds))
                 return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[row].loop, fabs(o->C[row]), t);
         }
     }

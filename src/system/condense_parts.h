@@ -72,7 +72,7 @@ struct condense {
     double *aside, *mean;    /* [nt] */
     double *M_side;          /* [nt x nt] */
     int *split;              /* a component's split, to go back to */
-    bool contested;          /* rows were dropped in a component with a drive: they are watched */
+    double holds;            /* |C| up to which dropped rows hold; 0: there are none */
     int lost;                /* of the last posture that could not be closed: the worst loop, */
     double lost_by;          /* its |C| at the nearest posture met */
 };
@@ -102,7 +102,7 @@ enum status condense_lost(const struct condense *o, double t, struct trouble *wh
 void condense_gather(struct condense *o, double *r, double *w, const double *rt);
 /* w += power of the drives, with the multipliers in component->x */
 void component_power(const struct condense *o, const struct component *c, double *w);
-/* E_NUMERIC where a dropped row of a contested component no longer holds, at the posture looked at. */
+/* E_NUMERIC where a dropped row no longer holds, at the posture looked at. */
 enum status condense_contest(struct condense *o, double t, struct trouble *why);
 /* As ode2_breaks has it. */
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);

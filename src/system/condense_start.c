@@ -11,6 +11,7 @@
 static const double RANK = 1e-8;      /* least pivot over the first one */
 static const double ASSEMBLY = 1e-3;  /* |C| closed at all */
 static const double KEEP_FAST = 1e-2; /* weight of fast columns in later choices */
+static const double WATCHED = 1e-5;   /* |C| up to which dropped rows hold on the way */
 static const double HOLDS = 1e-9;     /* |C| of a whole state that is closed as it is */
 
 static const char *row_name(const struct condense *o, int row)
@@ -295,7 +296,7 @@ static void draw_drives(struct condense *o)
     loops_when(l, 0);
 }
 
-/* Rows that were dropped where a drive has a say must go on to hold. */
+/* Were rows dropped where a drive has a say? */
 static bool is_contested(const struct condense *o)
 {
     bool any = false;
@@ -336,8 +337,8 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
     TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
-    o->contested = is_contested(o);
-    if (o->contested) TRY(contradiction(o));
+    if (is_contested(o)) TRY(contradiction(o));
+    o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;
