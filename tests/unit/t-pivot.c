@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "la/pivot.h"
+#include "la/sparse_pivot.h"
 #include "unit/trees.h"
 
 #include <setjmp.h>
@@ -116,6 +117,62 @@ static void preferences(void **state)
     }
 }
 
+/* The same pivots as of the dense matrix, with numbers that are often equal, of low rank, by preference. */
+static void by_rows(void **state)
+{
+    struct tree_dice d = {4};
+    struct arena *scratch = arena_open();
+    (void)state;
+    for (int trial = 0; trial < 2000; trial++) {
+        const int m = 1 + tree_pick(&d, MOST), n = 1 + tree_pick(&d, MOST), some = 1 + tree_pick(&d, 4);
+        const double least = trial % 3 ? 1e-11 : .3;
+        int row[MOST], col[MOST], row2[MOST], col2[MOST], start[MOST + 1] = {0}, column[MOST * MOST];
+        double A[MOST * MOST] = {0}, value[MOST * MOST], pivot[MOST], weight[MOST];
+        for (int i = 0; i < m; i++) {
+            start[i + 1] = start[i];
+            for (int k = 0, j = tree_pick(&d, n); k < some && j < n; k++, j += 1 + tree_pick(&d, 3)) {
+                A[i + j * m] = trial % 2 ? tree_pick(&d, 5) - 2 : tree_roll(&d, -1, 1);
+                column[start[i + 1]] = j;
+                value[start[i + 1]++] = A[i + j * m];
+            }
+        }
+        for (int j = 0; j < n; j++) weight[j] = tree_pick(&d, 4) ? 1 : .1;
+        const double *w = trial % 5 == 0 ? weight : NULL;
+        const int most = trial % 7 == 0 ? m / 2 : m;
+        int rank = pivot_lu(A, row, col, m, n, m, w, most, w ? 0 : least);
+        assert_int_equal(sparse_pivot(row2, col2, pivot, start, column, value, m, n, w, most, w ? 0 : least, scratch),
+                         rank);
+        assert_memory_equal(row, row2, sizeof *row * (size_t)m);
+        assert_memory_equal(col, col2, sizeof *col * (size_t)n);
+        for (int k = 0; k < rank; k++) assert_true(pivot[k] == A[k + k * m]);
+    }
+    arena_close(scratch);
+}
+
+/* Square bands in compact storage: bit for bit those of full storage. */
+static void compact(void **state)
+{
+    enum { N = 20, BELOW = 3, ABOVE = 5, LD = BELOW + ABOVE };
+    struct tree_dice d = {5};
+    (void)state;
+    for (int trial = 0; trial < 100; trial++) {
+        const int band[2] = {BELOW, ABOVE};
+        int swap[N], swap2[N];
+        double A[N * N] = {0}, store[N * (LD + 1)] = {0}, *B = store + ABOVE, x[N], y[N];
+        for (int j = 0; j < N; j++)
+            for (int i = 0; i < N; i++)
+                if (i - j <= BELOW && j - i <= ABOVE - BELOW) A[i + j * N] = B[i + j * LD] = tree_roll(&d, -1, 1);
+        assert_int_equal(pivot_rows(A, swap, band, N, N), pivot_rows(B, swap2, band, N, LD));
+        for (int i = 0; i < N; i++) x[i] = y[i] = tree_roll(&d, -1, 1);
+        pivot_rows_solve(A, swap, band, x, N, N);
+        pivot_rows_solve(B, swap2, band, y, N, LD);
+        assert_memory_equal(x, y, sizeof x);
+        pivot_rows_tsolve(A, swap, band, x, N, N);
+        pivot_rows_tsolve(B, swap2, band, y, N, LD);
+        assert_memory_equal(x, y, sizeof x);
+    }
+}
+
 static void hopeless(void **state)
 {
     (void)state;
@@ -134,7 +191,8 @@ static void hopeless(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ranks), cmocka_unit_test(solutions),
-                                       cmocka_unit_test(preferences), cmocka_unit_test(hopeless)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ranks),       cmocka_unit_test(solutions),
+                                       cmocka_unit_test(preferences), cmocka_unit_test(by_rows),
+                                       cmocka_unit_test(compact),     cmocka_unit_test(hopeless)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
