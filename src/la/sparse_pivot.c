@@ -1,27 +1,34 @@
 /* sparse_pivot.c -- see sparse_pivot.h
  *
  * Every row knows its best number; a tournament of the rows finds the best of all.  A pivot changes the rows that have
- * a number in its column, which are listed by column, and only these play again. */
+ * a number in its column, which are listed by column, and only these play again.  Best is what is of the largest
+ * class, sizes [2^k, 2^(k+1)), and in it what promises the least fill. */
 #include "la/sparse_pivot.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
-/* Numbers of a row by column, or the rows of a column. */
+/* Numbers of a row by column, or the rows that have had one in a column. */
 struct list {
     int n, room, *at;
     double *x; /* of rows */
+};
+
+/* A row's best number. */
+struct best {
+    int column; /* -1: none */
+    int class;
+    double size, fill; /* fill: new numbers at most, when it played */
 };
 
 struct elimination {
     struct arena *scratch;
     const double *weight;
     struct list *row, *column;
-    int *row_here, *row_place; /* which row stands at a place, and where a row stands */
-    int *column_here, *column_place;
-    double *best;        /* [m] largest |x| weight of the row; 0: none left */
-    int *best_at;        /* [m] its column */
+    int *count; /* [n] rows left that have a number in the column */
+    bool *row_done, *column_done;
+    struct best *best;
     int leaves, *winner; /* [2 leaves] of the tournament; leaves: the rows, -1: none */
     int *entry;          /* [n] place in the row at work, less 1; 0: not there */
 };
@@ -40,31 +47,45 @@ static void append(struct list *o, struct arena *scratch, int at, double x, bool
     o->at[o->n++] = at;
 }
 
+static void put(struct elimination *o, int i, int j, double x)
+{
+    append(&o->row[i], o->scratch, j, x, true);
+    append(&o->column[j], o->scratch, i, 0, false);
+    o->count[j]++;
+}
+
 /* --- the search --------------------------------------------------------------------------------- */
+
+/* Classes begin away from 1, -1 and their halves, which geometry makes often and round-off would scatter. */
+static int class_of(double size)
+{
+    static const double BETWEEN = 1.37;
+    return ilogb(BETWEEN * size);
+}
 
 static void find_best(struct elimination *o, int i)
 {
     const struct list *r = &o->row[i];
-    double best = 0;
-    int at = -1;
+    struct best *b = &o->best[i];
+    b->column = -1;
     for (int e = 0; e < r->n; e++) {
         const int j = r->at[e];
-        const double x = fabs(r->x[e]) * (o->weight ? o->weight[j] : 1);
-        if (x > best || (x > 0 && x == best && o->column_place[j] < o->column_place[at])) best = x, at = j;
+        const double size = fabs(r->x[e]) * (o->weight ? o->weight[j] : 1);
+        if (!(size > 0 && isfinite(size))) continue;
+        const int class = class_of(size);
+        if (b->column >= 0 && (class < b->class || (class == b->class && o->count[j] >= o->count[b->column]))) continue;
+        *b = (struct best){j, class, size, (double)(r->n - 1) * (o->count[j] - 1)};
     }
-    o->best[i] = best;
-    o->best_at[i] = at;
 }
 
 /* The better of two rows, -1: none. */
 static int better(const struct elimination *o, int a, int b)
 {
-    if (a < 0 || o->best[a] == 0) return b;
-    if (b < 0 || o->best[b] < o->best[a]) return a;
-    if (o->best[a] < o->best[b]) return b;
-    const int pa = o->column_place[o->best_at[a]], pb = o->column_place[o->best_at[b]];
-    if (pa != pb) return pa < pb ? a : b;
-    return o->row_place[a] < o->row_place[b] ? a : b;
+    if (a < 0 || o->best[a].column < 0) return b;
+    if (b < 0 || o->best[b].column < 0) return a;
+    if (o->best[a].class != o->best[b].class) return o->best[a].class > o->best[b].class ? a : b;
+    if (o->best[a].fill != o->best[b].fill) return o->best[a].fill < o->best[b].fill ? a : b;
+    return a < b ? a : b;
 }
 
 static void play(struct elimination *o, int i)
@@ -74,27 +95,6 @@ static void play(struct elimination *o, int i)
 }
 
 /* --- a pivot ------------------------------------------------------------------------------------ */
-
-static void stand(int *here, int *place, int at, int what)
-{
-    here[at] = what;
-    place[what] = at;
-}
-
-/* Brings the pivot to place k; what stood there takes its place and plays with it. */
-static void bring(struct elimination *o, int k, int pi, int pj)
-{
-    const int i = o->row_here[k], j = o->column_here[k], to_row = o->row_place[pi], to_column = o->column_place[pj];
-    stand(o->row_here, o->row_place, to_row, i);
-    stand(o->row_here, o->row_place, k, pi);
-    stand(o->column_here, o->column_place, to_column, j);
-    stand(o->column_here, o->column_place, k, pj);
-    if (i != pi) play(o, i);
-    for (int e = 0; j != pj && e < o->column[j].n; e++) {
-        const int r = o->column[j].at[e];
-        if (o->row_place[r] > k) play(o, r);
-    }
-}
 
 /* The number in column j out of row r; 0: there was none. */
 static double take_out(struct list *r, int j)
@@ -114,59 +114,51 @@ static void subtract(struct elimination *o, int i, int p, double f)
 {
     struct list *r = &o->row[i];
     const struct list *u = &o->row[p];
-    for (int e = 0; e < r->n; e++) o->entry[r->at[e]] = e + 1;
     const int old = r->n;
+    for (int e = 0; e < old; e++) o->entry[r->at[e]] = e + 1;
     for (int e = 0; e < u->n; e++) {
-        const int j = u->at[e], place = o->entry[j];
-        if (place) {
+        const int place = o->entry[u->at[e]];
+        if (place)
             r->x[place - 1] -= f * u->x[e];
-            continue;
-        }
-        append(r, o->scratch, j, 0 - f * u->x[e], true);
-        append(&o->column[j], o->scratch, i, 0, false);
+        else
+            put(o, i, u->at[e], -f * u->x[e]);
     }
     for (int e = 0; e < old; e++) o->entry[r->at[e]] = 0;
 }
 
-/* Row pi leaves the tournament; the other rows lose column pj. */
-static double eliminate(struct elimination *o, int pi, int pj)
+/* Row p leaves with its best number; the other rows lose that column. */
+static double eliminate(struct elimination *o, int p)
 {
-    const int k = o->row_place[pi];
-    const double pivot = take_out(&o->row[pi], pj);
-    for (int e = 0; e < o->column[pj].n; e++) {
-        const int i = o->column[pj].at[e];
-        if (o->row_place[i] <= k) continue;
-        const double f = take_out(&o->row[i], pj) / pivot;
-        if (f != 0) subtract(o, i, pi, f);
+    const int j = o->best[p].column;
+    const double pivot = take_out(&o->row[p], j);
+    o->row_done[p] = o->column_done[j] = true;
+    for (int e = 0; e < o->row[p].n; e++) o->count[o->row[p].at[e]]--;
+    for (int e = 0; e < o->column[j].n; e++) {
+        const int i = o->column[j].at[e];
+        if (o->row_done[i]) continue;
+        const double f = take_out(&o->row[i], j) / pivot;
+        if (f != 0) subtract(o, i, p, f);
         play(o, i);
     }
-    o->row[pi].n = 0;
-    play(o, pi);
+    o->row[p].n = 0;
+    play(o, p);
     return pivot;
 }
 
 /* --- all of it ---------------------------------------------------------------------------------- */
 
-static void read(struct elimination *o, const int *start, const int *column, const double *value, int m, int n)
+static void prepare(struct elimination *o, const int *start, const int *column, const double *value, int m, int n)
 {
     o->row = TAKE(o->scratch, struct list, m);
     o->column = TAKE(o->scratch, struct list, n);
-    for (int i = 0; i < m; i++)
-        for (int e = start[i]; e < start[i + 1]; e++) {
-            append(&o->row[i], o->scratch, column[e], value[e], true);
-            append(&o->column[column[e]], o->scratch, i, 0, false);
-        }
-}
-
-static void prepare(struct elimination *o, int m, int n)
-{
-    o->row_place = TAKE(o->scratch, int, m);
-    o->column_place = TAKE(o->scratch, int, n);
-    o->best = TAKE(o->scratch, double, m);
-    o->best_at = TAKE(o->scratch, int, m);
+    o->count = TAKE(o->scratch, int, n);
+    o->row_done = TAKE(o->scratch, bool, m);
+    o->column_done = TAKE(o->scratch, bool, n);
+    o->best = TAKE(o->scratch, struct best, m);
     o->entry = TAKE(o->scratch, int, n);
-    for (int i = 0; i < m; i++) stand(o->row_here, o->row_place, i, i);
-    for (int j = 0; j < n; j++) stand(o->column_here, o->column_place, j, j);
+    for (int i = 0; i < m; i++)
+        for (int e = start[i]; e < start[i + 1]; e++)
+            if (value[e] != 0) put(o, i, column[e], value[e]);
     for (o->leaves = 1; o->leaves < m;) o->leaves *= 2;
     o->winner = TAKE(o->scratch, int, 2 * o->leaves);
     for (int i = 0; i < o->leaves; i++) o->winner[o->leaves + i] = i < m ? i : -1;
@@ -174,24 +166,31 @@ static void prepare(struct elimination *o, int m, int n)
     for (int k = o->leaves - 1; k > 0; k--) o->winner[k] = better(o, o->winner[2 * k], o->winner[2 * k + 1]);
 }
 
+static void list_others(int *list, const bool *done, int n, int from)
+{
+    for (int i = 0; i < n; i++)
+        if (!done[i]) list[from++] = i;
+}
+
 int sparse_pivot(int *row, int *col, double *pivot, const int *start, const int *column, const double *value, int m,
                  int n, const double *weight, int most, double least, struct arena *scratch)
 {
     const struct arena_mark mark = arena_mark(scratch);
-    struct elimination o = {.scratch = scratch, .weight = weight, .row_here = row, .column_here = col};
+    struct elimination o = {.scratch = scratch, .weight = weight};
     double first = 0;
     int k = 0;
-    read(&o, start, column, value, m, n);
-    prepare(&o, m, n);
+    prepare(&o, start, column, value, m, n);
     for (; k < most && k < m && k < n; k++) {
-        const int pi = o.winner[1];
-        if (pi < 0 || o.best[pi] == 0) break;
-        if (k == 0) first = o.best[pi];
-        if (!(o.best[pi] > least * first)) break;
-        const int pj = o.best_at[pi];
-        bring(&o, k, pi, pj);
-        pivot[k] = eliminate(&o, pi, pj);
+        const int p = o.winner[1];
+        if (p < 0 || o.best[p].column < 0) break;
+        if (k == 0) first = o.best[p].size;
+        if (!(o.best[p].size > least * first)) break;
+        row[k] = p;
+        col[k] = o.best[p].column;
+        pivot[k] = eliminate(&o, p);
     }
+    list_others(row, o.row_done, m, k);
+    list_others(col, o.column_done, n, k);
     arena_rewind(scratch, mark);
     return k;
 }

@@ -16,26 +16,41 @@
 
 #include "system/condense.h"
 
+/* A rotation with coordinates in a component's row: where their numbers are in F. */
+struct spin {
+    int turn; /* of moves */
+    int at[3];
+};
+
 struct component {
     int nk, *k;       /* coordinates: places in v */
     int nrow, *row;   /* all its rows; the first nr of `kept` are used */
     int nr, *kept;    /* [nrow] numbers in `row` */
     int *dep, *ind;   /* [nr], [nk - nr]: numbers in k */
+    int *place;       /* [nk] number in dep, or -1 - number in ind */
     int ni, nfast;    /* nk - nr; fast ones among them */
     int nlead, *lead; /* [nrow] kept rows of drives: numbers in `kept` */
     double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
-    double *F;        /* [nr x nk] kept rows of C_q */
-    double *A;        /* [nr x nr] C_qd, factored */
-    double *G, *G0;   /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
+    int *start, *at;  /* [nrow + 1]; coordinates of row r: numbers in k, at[start[r]] ... */
+    double *F;        /* [start[nrow]] C_q */
+    int nspin;
+    struct spin *spin;
+    double *A; /* C_qd, factored: A(i,j) = A[i + j ld] inside its band */
+    int band[2], ld;
+    double *G, *G0; /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
+    struct room {   /* what A, G and G0 stand in: grows when a new split needs more */
+        double *store;
+        size_t size;
+    } A_room, G_room, G0_room;
     int *prow, *pcol; /* [max(nrow, nk)] */
-    int band[2];      /* of A */
+    double *pivot;    /* [min(nrow, nk)] */
     double *x;        /* [max(nrow, nk)] */
-    double *whole;    /* [nrow x nk] */
-    bool *dependent;  /* [nk] work of component_choose() */
-    int *loop_of;     /* [nk] the first loop that a coordinate is in */
+    double *whole;    /* [nrow x nk] of a small component; NULL: pivots are found by rows */
+    int *loop_of;     /* [nk] the first loop that a coordinate is in, in their order */
     double *weight;   /* [nk] */
     double chosen;    /* pivot ratio when the partition was chosen */
     double gain;      /* least component_gain() since then */
+    bool away;        /* there is reason to look for a better split */
 };
 
 struct condense {
@@ -65,23 +80,28 @@ struct condense {
     double *zero;            /* [nt] */
     double *dx, *dxs, *base; /* [nt], [nt], [nq] */
     double *G0_at;           /* [nq] where G0 holds */
-    double *M;               /* [nt x nt] */
-    double *qtry, *way;      /* [nq], [nt] */
-    double *side[2];         /* [nq] postures beside a singular one */
-    double *aside, *mean;    /* [nt] */
-    double *M_side;          /* [nt x nt] */
-    int *split;              /* a component's split, to go back to */
-    bool contested;          /* rows were dropped in a component with a drive: they are watched */
-    int lost;                /* of the last posture that could not be closed: the worst loop, */
-    double lost_by;          /* its |C| at the nearest posture met */
+    bool few;                /* independents, by far: M^ and slopes without the tree's own matrices */
+    double *M;               /* [nt x nt]; few: NULL */
+    double *still, *Tx;      /* [nt] */
+    double *Ty;              /* [2][n] */
+    struct elements *elements;
+    double *qtry, *way;           /* [nq], [nt] */
+    double *side[2];              /* [nq] postures beside a singular one */
+    double *aside, *mean;         /* [nt] */
+    double *M_side, *M_jump;      /* [n x n] */
+    int *split, *work;            /* a component's split, to go back to; [nt + rows] */
+    struct arena *life, *scratch; /* scratch: of new splits */
+    bool contested;               /* rows were dropped in a component with a drive: they are watched */
+    int lost;                     /* of the last posture that could not be closed: the worst loop, */
+    double lost_by;               /* its |C| at the nearest posture met */
 };
 
 /* --- C_q and its factor ---------------------------------------------------------------------------- */
 
 /* Poses at q and C_q there. */
 void condense_look(struct condense *o, const double *q, const double *v);
-/* The numbers of row r (a number in c->row) of the component's part of C_q, into x[0], x[ld], ... */
-void component_row(const struct condense *o, const struct component *c, int r, double *x, int ld);
+/* F := the component's part of C_q, as last looked at. */
+void component_read(const struct condense *o, struct component *c);
 /* F, A, factored; dx: along the Cayley vectors it holds, NULL: at the posture itself.  0: singular or not finite. */
 int component_factor(struct condense *o, struct component *c, const double *dx);
 /* x [nr] := C_qd^-1 x */
@@ -105,6 +125,10 @@ void component_power(const struct condense *o, const struct component *c, double
 enum status condense_contest(struct condense *o, double t, struct trouble *why);
 /* As ode2_breaks has it. */
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
+
+/* o->still; y [nt] := M x of the tree with its bodies of cls at q, where condense_still() has been. */
+void condense_still(struct condense *o, const double *q, unsigned cls);
+void condense_momentum(struct condense *o, double *y, const double *x, const double *q, unsigned cls);
 
 /* All components looked at and factored at q. */
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
@@ -138,8 +162,8 @@ void condense_point(const struct ode2 *ode, double *q1, const double *q0, const 
 int component_rank(struct condense *o, struct component *c, double least);
 /* The best split of a component at the present posture; how good it is. */
 double component_choose(struct condense *o, struct component *c);
-/* Largest rate of a dependent coordinate per unit of an independent one, in scales. */
-double component_gain(const struct condense *o, struct component *c);
+/* Largest rate of a dependent coordinate per unit of an independent one, in scales, of G as given. */
+double component_gain(const struct condense *o, const struct component *c, const double *G);
 /* Numbers the independent coordinates by the components' splits. */
 void condense_number(struct condense *o);
 /* Between major steps: a better split, if one is needed; 1: changed. */
