@@ -33,21 +33,17 @@ static int loop_of_row(const struct condense *o, const struct component *c, int 
     return o->loops->row[c->row[r]].loop;
 }
 
-/* The coordinates of each row; from the last loop to the first, whose name they keep. */
+/* The coordinates of each row. */
 static void build_rows(struct condense *o, struct component *c, struct arena *life)
 {
     const struct loops *l = o->loops;
     c->start = TAKE(life, int, c->nrow + 1);
-    c->loop_of = TAKE(life, int, c->nk);
     for (int r = 0; r < c->nrow; r++) c->start[r + 1] = c->start[r] + l->nk[loop_of_row(o, c, r)];
     c->at = TAKE(life, int, c->start[c->nrow]);
     c->F = TAKE(life, double, c->start[c->nrow]);
-    for (int r = c->nrow - 1; r >= 0; r--) {
+    for (int r = 0; r < c->nrow; r++) {
         const int loop = loop_of_row(o, c, r);
-        for (int k = 0; k < l->nk[loop]; k++) {
-            c->at[c->start[r] + k] = o->column[l->k[loop][k]];
-            c->loop_of[o->column[l->k[loop][k]]] = loop;
-        }
+        for (int k = 0; k < l->nk[loop]; k++) c->at[c->start[r] + k] = o->column[l->k[loop][k]];
     }
 }
 
@@ -75,6 +71,9 @@ static void build_component(struct condense *o, struct component *c, struct aren
     int drives = 0;
     for (int r = 0; r < c->nrow; r++) drives += o->model->loop[loop_of_row(o, c, r)].drive != NULL;
     build_rows(o, c, life);
+    c->loop_of = TAKE(life, int, c->nk);
+    c->row_order = TAKE(life, int, c->nrow);
+    component_order(o, c);
     c->lead = TAKE(life, int, drives);
     c->s0 = TAKE(life, double, drives);
     c->T0 = TAKE(life, double, drives * c->nrow);

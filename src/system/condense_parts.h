@@ -4,6 +4,7 @@
  *     condense_reduce.c  r, M^ and slopes of the independents
  *     condense_close.c   dependents that close the loops; positions moved
  *     condense_split.c   which coordinates are dependent
+ *     condense_order.c   in which order rows and dependents stand
  *     condense_start.c   the start: assembled, closed, or refused
  *     condense_unique.c  which reactions redundant rows leave open
  *     condense_drive.c   drives: their time, their power, the impulse of their corners
@@ -46,7 +47,8 @@ struct component {
     double *pivot;    /* [min(nrow, nk)] */
     double *x;        /* [max(nrow, nk)] */
     double *whole;    /* [nrow x nk] of a small component; NULL: pivots are found by rows */
-    int *loop_of;     /* [nk] the first loop that a coordinate is in, in their order */
+    int *loop_of;     /* [nk] the first loop that a coordinate is in, by their order */
+    int *row_order;   /* [nrow] */
     double *weight;   /* [nk] */
     double chosen;    /* pivot ratio when the partition was chosen */
     double gain;      /* least component_gain() since then */
@@ -158,6 +160,8 @@ void condense_point(const struct ode2 *ode, double *q1, const double *q0, const 
 
 /* --- partition ------------------------------------------------------------------------------------ */
 
+/* Loops in order, for loop_of and row_order. */
+void component_order(struct condense *o, struct component *c);
 /* Rank of C_q at the posture of the last condense_look(): pivots at least `least` times the first. */
 int component_rank(struct condense *o, struct component *c, double least);
 /* The best split of a component at the present posture; how good it is. */

@@ -50,14 +50,14 @@ int component_rank(struct condense *o, struct component *c, double least)
     return rank;
 }
 
-/* x [n] sorted by key[x] (NULL: by itself), the smallest first, equals as they come; work [n]. */
+/* x [n] sorted by key[x], the smallest first, equals as they come; work [n]. */
 static void sort_by(int *x, int n, const int *key, int *work)
 {
     for (int size = 1; size < n; size *= 2) {
         for (int from = 0; from < n; from += 2 * size) {
             const int middle = from + size < n ? from + size : n, to = middle + size < n ? middle + size : n;
             for (int i = from, a = from, b = middle; i < to; i++) {
-                const bool second = a == middle || (b < to && (key ? key[x[b]] < key[x[a]] : x[b] < x[a]));
+                const bool second = a == middle || (b < to && key[x[b]] < key[x[a]]);
                 work[i] = second ? x[b++] : x[a++];
             }
         }
@@ -112,7 +112,7 @@ static void take_split(struct condense *o, struct component *c)
     memcpy(c->kept, c->prow, sizeof *c->kept * (size_t)c->nrow);
     for (int k = 0; k < c->nk; k++) c->place[k] = -1;
     for (int r = 0; r < c->nr; r++) c->place[c->dep[r] = c->pcol[r]] = r;
-    sort_by(c->kept, c->nr, NULL, o->work);
+    sort_by(c->kept, c->nr, c->row_order, o->work);
     sort_by(c->dep, c->nr, c->loop_of, o->work);
     int n = 0;
     for (int pass = 0; pass < 2; pass++)
