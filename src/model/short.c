@@ -121,7 +121,7 @@ static void choose_tree(const struct making *o, bool *tree, const int *wish, con
 bool make_short(const struct making *o, const struct threads *threads, int *wish)
 {
     const int nbody = o->scene->nbody, njoint = o->scene->njoint;
-    for (int i = 0; i < nbody; i++) /* bodies at their nodes have been made, and more than once nobody makes them */
+    for (int i = 0; i < nbody; i++) /* the bodies at their nodes stand already */
         if (o->scene->body[i].flex) return false;
     struct walk w = {.o = o, .threads = threads};
     int loops, *shared = TAKE(o->life, int, njoint);
