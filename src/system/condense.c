@@ -86,7 +86,12 @@ static void build_component(struct condense *o, struct component *c, struct aren
     c->pivot = TAKE(life, double, most);
     c->x = TAKE(life, double, most);
     c->weight = TAKE(life, double, c->nk);
-    if (size > SMALL) return;
+    if (size > SMALL) {
+        c->base.F = TAKE(life, double, c->start[c->nrow]);
+        c->base.swap = TAKE(life, int, c->nrow);
+        c->probe = TAKE(life, double, c->nk);
+        return;
+    }
     c->whole = TAKE(life, double, size);
     c->A_room.size = 2 * (size_t)c->nrow * (size_t)c->nrow;
     c->G_room.size = c->G0_room.size = size;

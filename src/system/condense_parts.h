@@ -5,6 +5,7 @@
  *     condense_close.c   dependents that close the loops; positions moved
  *     condense_split.c   which coordinates are dependent
  *     condense_order.c   in which order rows and dependents stand
+ *     condense_gain.c    how fast dependents go
  *     condense_start.c   the start: assembled, closed, or refused
  *     condense_unique.c  which reactions redundant rows leave open
  *     condense_drive.c   drives: their time, their power, the impulse of their corners
@@ -21,6 +22,12 @@
 struct spin {
     int turn; /* of moves */
     int at[3];
+};
+
+/* C_qd, factored, and C_q at one posture. */
+struct solved {
+    double *A, *F;
+    int *swap;
 };
 
 struct component {
@@ -42,17 +49,20 @@ struct component {
     struct room {   /* what A, G and G0 stand in: grows when a new split needs more */
         double *store;
         size_t size;
-    } A_room, G_room, G0_room;
+    } A_room, G_room, G0_room, base_room;
     int *prow, *pcol; /* [max(nrow, nk)] */
     double *pivot;    /* [min(nrow, nk)] */
-    double *x;        /* [max(nrow, nk)] */
-    double *whole;    /* [nrow x nk] of a small component; NULL: pivots are found by rows */
-    int *loop_of;     /* [nk] the first loop that a coordinate is in, by their order */
-    int *row_order;   /* [nrow] */
-    double *weight;   /* [nk] */
-    double chosen;    /* pivot ratio when the partition was chosen */
-    double gain;      /* least component_gain() since then */
-    bool away;        /* there is reason to look for a better split */
+    bool wide;        /* many independents: no G0, but what is solved with at the base of point() */
+    struct solved base;
+    double *probe;  /* [nk] */
+    double *x;      /* [max(nrow, nk)] */
+    double *whole;  /* [nrow x nk] of a small component; NULL: pivots are found by rows */
+    int *loop_of;   /* [nk] the first loop that a coordinate is in, by their order */
+    int *row_order; /* [nrow] */
+    double *weight; /* [nk] */
+    double chosen;  /* pivot ratio when the partition was chosen */
+    double gain;    /* least component_gain() since then */
+    bool away;      /* there is reason to look for a better split */
 };
 
 struct condense {
@@ -149,7 +159,7 @@ enum status condense_motion(struct condense *o, double *vt, double *at, const do
 
 /* Largest |C| of all rows at q, which go to o->C; *row stays where all are 0. */
 double condense_misfit(struct condense *o, int *row, const double *q);
-/* G0 := G at q, where condense_predict() starts; 0: singular there. */
+/* G0 := G at q, or what stands for it, where condense_predict() starts; 0: singular there. */
 int condense_tangent(struct condense *o, const double *q);
 /* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
 void condense_predict(struct condense *o);
@@ -166,8 +176,12 @@ void component_order(struct condense *o, struct component *c);
 int component_rank(struct condense *o, struct component *c, double least);
 /* The best split of a component at the present posture; how good it is. */
 double component_choose(struct condense *o, struct component *c);
-/* Largest rate of a dependent coordinate per unit of an independent one, in scales, of G as given. */
-double component_gain(const struct condense *o, const struct component *c, const double *G);
+/* Largest rate of a dependent coordinate per unit of an independent one, in scales, where C_qd is as factored last; at
+ * the base of point(). */
+double component_gain(const struct condense *o, const struct component *c);
+double component_gain_at_base(const struct condense *o, const struct component *c);
+/* y [nr] := G x, x [ni] */
+void component_times_G(const struct component *c, const struct solved *at, double *y, const double *x);
 /* Numbers the independent coordinates by the components' splits. */
 void condense_number(struct condense *o);
 /* Between major steps: a better split, if one is needed; 1: changed. */

@@ -155,22 +155,7 @@ static void column_of_T(const struct condense *o, double *x, int i)
     for (int r = 0; r < c->nr; r++) x[c->k[c->dep[r]]] = g[r];
 }
 
-/* z [n] := T' y */
-static void by_T(const struct condense *o, double *z, const double *y)
-{
-    for (int i = 0; i < o->ode.n; i++) z[i] = y[o->ind[i]];
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int j = 0; j < c->ni; j++) {
-            const double *g = c->G + (size_t)j * (size_t)c->nr;
-            double sum = 0;
-            for (int r = 0; r < c->nr; r++) sum += g[r] * y[c->k[c->dep[r]]];
-            z[o->slot[c->k[c->ind[j]]]] += sum;
-        }
-    }
-}
-
-/* M^ e_i = T' (M T e_i): the forces that set the tree, at rest, going with T e_i. */
+/* M^ e_i = T' (M T e_i): the forces that set the tree, at rest, going with T e_i, and gathered like any. */
 static enum status mass_by_momentum(struct condense *o, double *M, const double *q, double t, unsigned cls,
                                     struct trouble *why)
 {
@@ -179,7 +164,7 @@ static enum status mass_by_momentum(struct condense *o, double *M, const double 
     for (int i = 0; i < o->ode.n; i++) {
         column_of_T(o, o->Tx, i);
         condense_momentum(o, o->rt, o->Tx, q, cls);
-        by_T(o, M + n * (size_t)i, o->rt);
+        condense_gather(o, M + n * (size_t)i, NULL, o->rt);
         if (!isfinite(M[(n + 1) * (size_t)i])) return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
     }
     symmetric(M, o->ode.n);

@@ -75,6 +75,7 @@ static double *room_for(struct condense *o, struct room *room, size_t size)
 /* Where C_qd can have numbers, and room for it and for G. */
 static void find_band(struct condense *o, struct component *c)
 {
+    enum { WIDE = 16 };
     int below = 0, above = 0;
     if (c->nr == 0) return;
     for (int r = 0; r < c->nr; r++)
@@ -89,7 +90,11 @@ static void find_band(struct condense *o, struct component *c)
     c->ld = below + c->band[1];
     c->A = room_for(o, &c->A_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
     c->G = room_for(o, &c->G_room, (size_t)c->nr * (size_t)c->ni);
-    c->G0 = room_for(o, &c->G0_room, (size_t)c->nr * (size_t)c->ni);
+    c->wide = !c->whole && c->ni > WIDE;
+    if (c->wide)
+        c->base.A = room_for(o, &c->base_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
+    else
+        c->G0 = room_for(o, &c->G0_room, (size_t)c->nr * (size_t)c->ni);
 }
 
 static void find_places(struct component *c)
@@ -160,17 +165,6 @@ void condense_number(struct condense *o)
     o->G0_at[0] = NAN;
 }
 
-double component_gain(const struct condense *o, const struct component *c, const double *G)
-{
-    double most = 0;
-    for (int j = 0; j < c->ni; j++)
-        for (int r = 0; r < c->nr; r++) {
-            double g = G[r + (size_t)j * (size_t)c->nr] * o->size[c->k[c->ind[j]]] / o->size[c->k[c->dep[r]]];
-            most = fmax(most, fabs(g));
-        }
-    return most;
-}
-
 static void keep_split(int *to, const struct component *c)
 {
     memcpy(to, c->kept, sizeof *to * (size_t)c->nrow);
@@ -192,21 +186,17 @@ static void put_back(struct condense *o, struct component *c, const int *from)
  * flat posture, the rates stay moderate. */
 static bool runs_away(const struct condense *o, struct component *c)
 {
-    const double now = component_gain(o, c, c->G0);
+    const double now = component_gain_at_base(o, c);
     c->gain = fmin(c->gain, now);
     return now > fmax(LARGE, 2 * c->gain);
 }
 
-/* A new split, if there is a better one. */
+/* A new split, if there is a better one.  The base is lost, and found again by the next tangent. */
 static int improve(struct condense *o, struct component *c)
 {
-    const double now = component_gain(o, c, c->G0);
+    const double now = component_gain_at_base(o, c);
     keep_split(o->split, c);
-    c->gain = INFINITY;
-    if (component_choose(o, c) > 0) {
-        component_G(c, c->G);
-        c->gain = component_gain(o, c, c->G);
-    }
+    c->gain = component_choose(o, c) > 0 ? component_gain(o, c) : INFINITY;
     if (c->gain < now / 2) return 1;
     put_back(o, c, o->split);
     c->gain = now;
@@ -222,7 +212,9 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     int changed = 0, wanted = 0;
     if (!condense_tangent(o, q)) return 0;
     for (int i = 0; i < o->ncomponent; i++) wanted += o->component[i].away = runs_away(o, &o->component[i]);
-    if (!wanted || condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
+    if (!wanted) return 0;
+    o->G0_at[0] = NAN;
+    if (condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
     for (int i = 0; i < o->ncomponent; i++)
         if (o->component[i].away) changed |= improve(o, &o->component[i]);
     if (!changed) return 0;

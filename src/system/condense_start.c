@@ -319,8 +319,7 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;
-        component_G(c, c->G);
-        c->gain = component_gain(o, c, c->G);
+        c->gain = component_gain(o, c);
     }
     keep_elastic(o);
     return OK;
