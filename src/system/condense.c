@@ -166,14 +166,24 @@ static void build_workspace(struct condense *o, struct arena *life)
     o->bound = TAKE(life, bool, o->moves->nturn);
 }
 
+/* Are columns by momentum cheaper than the tree's matrix and its congruence?  In flops, from timings; slopes of
+ * flexible bodies are not of elements, which they need. */
+static bool are_few(const struct condense *o)
+{
+    static const double COLUMN = 100; /* for each coordinate of the tree */
+    const double n = o->ode.n, nt = o->nt;
+    double matrix = nt * nt;
+    for (int i = 0; i < o->ncomponent; i++) matrix += (double)o->component[i].ni * o->component[i].nr * (nt + n) / 2;
+    for (int i = 0; i < o->model->nbody; i++)
+        if (o->model->body[i].nmode) return false;
+    return matrix > COLUMN * (n + 1) * nt;
+}
+
 /* The number of independents is known. */
 static void build_matrices(struct condense *o, struct arena *life)
 {
-    enum { FEW = 30 };
     const size_t n = (size_t)o->ode.n, nt = (size_t)o->nt;
-    bool flexible = false;
-    for (int i = 0; i < o->model->nbody; i++) flexible |= o->model->body[i].nmode > 0;
-    o->few = nt > FEW * (n + 1) && !flexible; /* whose slopes are not of elements */
+    o->few = are_few(o);
     if (!o->few) o->M = TAKE(life, double, nt *nt);
     o->M_side = TAKE(life, double, n *n);
     o->M_jump = TAKE(life, double, n *n);

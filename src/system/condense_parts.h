@@ -92,7 +92,7 @@ struct condense {
     double *zero;            /* [nt] */
     double *dx, *dxs, *base; /* [nt], [nt], [nq] */
     double *G0_at;           /* [nq] where G0 holds */
-    bool few;                /* independents, by far: M^ and slopes without the tree's own matrices */
+    bool few;                /* independents, against the tree: M^ and slopes without its own matrices */
     double *M;               /* [nt x nt]; few: NULL */
     double *still, *Tx;      /* [nt] */
     double *Ty;              /* [2][n] */

@@ -25,7 +25,7 @@ static void outer_reduced(const struct reduction *to, double *A, const struct ro
     to->row(to->self, to->y, row);
     if (row != column) to->row(to->self, to->z, column);
     for (int j = 0; j < to->n; j++)
-        for (int i = 0; i < to->n; i++) A[i + (size_t)to->n * (size_t)j] += scale * y[i] * z[j];
+        for (int i = 0; z[j] != 0 && i < to->n; i++) A[i + (size_t)to->n * (size_t)j] += scale * y[i] * z[j];
 }
 
 /* A += scale row' column */

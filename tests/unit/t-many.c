@@ -195,7 +195,7 @@ static void is_congruent(const struct opened *o, const double *got, const double
 static void few_independents(void **state)
 {
     (void)state;
-    struct text text = windows(40, 1, false, springs);
+    struct text text = windows(80, 1, false, springs);
     struct opened o;
     open_text(&o, &text);
     const int nt = o.loops->nt, n = o.ode->n;
