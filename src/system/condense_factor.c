@@ -36,6 +36,7 @@ static void along_phi(double *F, const int *at, const double *phi)
 /* C_qd of F into the band. */
 static void fill(struct component *c)
 {
+    if (c->nr == 0) return;
     memset(c->A_room.store, 0, sizeof *c->A * (size_t)c->nr * (size_t)(c->ld + 1));
     for (int r = 0; r < c->nr; r++)
         for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
@@ -63,6 +64,7 @@ void component_solve(const struct component *c, double *x)
 
 void component_G(const struct component *c, double *G)
 {
+    if (c->nr == 0 || c->ni == 0) return;
     memset(G, 0, sizeof *G * (size_t)c->nr * (size_t)c->ni);
     for (int r = 0; r < c->nr; r++)
         for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
