@@ -13,9 +13,19 @@
  * q, v, a of the model, a NULL: no accelerations. */
 void bent_centre(struct pose *frame, struct elastic_body *e, const double *q, const double *v, const double *a);
 
-/* Parts of a stress [Pa]: normal stress along a beam from stretch and from bending; the equivalent stress of the whole
- * tensor (von Mises 1913). */
-enum bent_stress { STRESS_AXIAL, STRESS_BENDING, STRESS_VON_MISES };
+/* Parts of a stress [Pa]: of the tensor, in this order; normal stress along a beam from stretch and from bending; the
+ * equivalent stress of the whole tensor (von Mises 1913). */
+enum bent_stress {
+    STRESS_XX,
+    STRESS_YY,
+    STRESS_ZZ,
+    STRESS_XY,
+    STRESS_XZ,
+    STRESS_YZ,
+    STRESS_AXIAL,
+    STRESS_BENDING,
+    STRESS_VON_MISES
+};
 double bent_stress(const struct model_body *b, int stress, enum bent_stress part, const double *q);
 
 #endif
