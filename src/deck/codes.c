@@ -159,6 +159,8 @@ const struct diag_help diag_helps[] = {
                  "moves with it as if it were rigid. If it should stand on the axis or on a node, change its place."},
     {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
                      "right for small loads only."},
+    {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
+                "smaller ratio would let it be slow."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     {NULL, NULL},
