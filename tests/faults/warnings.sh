@@ -59,5 +59,5 @@ drives: {turn: {drive: hub, value: t^2}}
 partition: {fast: [leaf]}
 integrate: {scheme: subcycle, step: 1.0e-3, ratio: 10, until: 0.1}'
 silent "a drive that the slow step resolves" "$driven"
-warned "a drive that it does not" "$driven" "^--set:1:19: warning: drive 'turn' turns too quickly .* \[W-drive\]" 'drives.turn.value=0.1*sin(300*t)'
+warned "a drive that it does not" "$driven" "^deck.yaml:7:10: warning: drive 'turn' turns too quickly .* \[W-drive\]" 'drives.turn.value=0.1*sin(300*t)'
 silent "one rate, and no warning of two" "$driven" 'drives.turn.value=0.01*sin(50*t)' 'integrate.ratio=1'
