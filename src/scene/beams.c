@@ -213,9 +213,6 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     o->modes = node_find(n, "modes");
     o->beam.modes = body->nmode = k.modes;
     o->beam.stiffening = k.stiffening;
-    if (!k.stiffening)
-        diag_warn(b->diags, node_find(n, "stiffening"), AT_VALUE, "W-stiffening",
-                  "%s: loads along the beam will not stiffen or soften it", what);
     weigh_beam(body, o);
     if (!errors && k.segments > 1) cut_beam(b, index, k.segments);
     return errors;

@@ -27,6 +27,11 @@ enum status events_look(struct sim *sim, struct sink *sink, struct report *repor
 void turns_note(struct sim *sim, double h, int ratio);
 void say_turns(const struct sim *sim, FILE *to);
 
+/* spins.c: the fastest turns of flexible bodies without geometric stiffening */
+void spins_open(struct sim *sim, struct arena *life);
+void spins_note(struct sim *sim);
+void say_spins(const struct sim *sim, FILE *to);
+
 /* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
 double record_value(const struct sim *sim, const struct origin *s);
 enum status record_fill(struct sim *sim);

@@ -110,6 +110,7 @@ void say_end(const struct sim *sim, double wall)
     const struct ledger *l = &sim->ledger;
     if (!to) return;
     say_turns(sim, to);
+    say_spins(sim, to);
     if (sim->watch.slot && (sim->watch.met || sim->status == OK))
         fprintf(to, "'%.80s' %s\n", sim->scene->when.node->text,
                 sim->watch.met ? "turned true" : "has not turned true until the latest end");
