@@ -69,6 +69,13 @@ double bent_stress(const struct model_body *b, int stress, enum bent_stress part
 
 double bent_spin_limit(const struct model_body *b, const double *axis)
 {
+    static const double ALONG = 0.01; /* of int |x|^2 dm: across the axis */
+    const struct flex_body *o = b->flex;
+    const double *x = o->node[o->reference].x; /* int (y - x)(y - x)' dm = xx + m x x' */
+    double Ae[3], along = o->mass * v3_dot(x, axis) * v3_dot(x, axis);
+    m3_mul(Ae, o->xx, axis);
+    along += v3_dot(axis, Ae);
+    if (along > (1 - ALONG) * (o->xx[0] + o->xx[4] + o->xx[8] + o->mass * v3_dot(x, x))) return INFINITY;
     struct arena *scratch = arena_open();
     double limit = flex_spin_limit(b->flex, axis, scratch);
     arena_close(scratch);

@@ -182,6 +182,58 @@ static void test_time(void **state)
     check_planar(&(struct rotating){.speed = 6, .chord = {3.5160152685, 22.0344915647, 61.6972144135}}, spin_up, false);
 }
 
+/* A round rod about its own axis: seen from the turning frame it swings at w - W and w + W.  It is no case for
+ * stiffening, and said to be none (an axis along the body). */
+static void test_whirl(void **state)
+{
+    static const char *const still[] = {"bodies.blade.section={circle: 0.002}", "parameters.r=0",
+                                        "constraints.shaft.axis=[1, 0, 0]", "parameters.W=0", "parameters.F=0"};
+    static const char *const quick[] = {
+        "bodies.blade.section={circle: 0.002}", "parameters.W=5", "parameters.r=0", "constraints.shaft.axis=[1, 0, 0]",
+        "bodies.blade.stiffening=false",        "parameters.F=0"};
+    struct opened a, b;
+    (void)state;
+    open_deck(&a, "decks/rotating-blade.yaml", 5, still);
+    find_modes(&a);
+    open_deck(&b, "decks/rotating-blade.yaml", 6, quick);
+    find_modes(&b);
+    for (int i = 0; i < 2; i++) {
+        near(b.modes.mode[2 * i].omega, a.modes.mode[2 * i].omega - 5, 1e-4);
+        near(b.modes.mode[2 * i + 1].omega, a.modes.mode[2 * i].omega + 5, 1e-4);
+    }
+    for (int i = 1; i < b.sim.model->nbody; i++) {
+        const struct model_body *blade = &b.sim.model->body[i];
+        if (!blade->flex) continue;
+        assert_true(isinf(bent_spin_limit(blade, (const double[]){1, 0, 0})));
+        near(bent_spin_limit(blade, (const double[]){0, 0, 1}), a.modes.mode[0].omega, 1e-4);
+        near(bent_spin_limit(blade, (const double[]){0, 0.6, 0.8}), a.modes.mode[0].omega, 1e-4);
+    }
+    arena_close(a.life);
+    arena_close(b.life);
+}
+
+/* A tapered and twisted blade against itself cut into segments, where the pull of the outer ones on turned inner ones
+ * does what second-order displacements do in one frame. */
+static void test_segments(void **state)
+{
+    static const char *const one[] = {"gravity=[0, 0, 0]", "bodies.blade.modes=12", "bodies.blade.beam.elements=24"};
+    static const char *const cut[] = {"gravity=[0, 0, 0]",
+                                      "bodies.blade.modes=2",
+                                      "bodies.blade.beam.elements=24",
+                                      "bodies.blade.segments=6",
+                                      "constraints.clamp.fixed=[hub, blade1]",
+                                      "partition={}"};
+    struct opened a, b;
+    (void)state;
+    open_deck(&a, "decks/turbine-blade.yaml", 3, one);
+    find_modes(&a);
+    open_deck(&b, "decks/turbine-blade.yaml", 6, cut);
+    find_modes(&b);
+    for (int i = 0; i < 5; i++) near(a.modes.mode[i].omega, b.modes.mode[i].omega, 5e-4);
+    arena_close(a.life);
+    arena_close(b.life);
+}
+
 /* ---- runs ---- */
 
 static double column(struct opened *o, const char *name)
@@ -221,8 +273,7 @@ static void test_vibration(void **state)
     arena_close(o.life);
 }
 
-/* In the equilibrium that turns with the hub the root pulls with W^2 int r dm; the strength of the hub's angle drive is
- * nought. */
+/* In the equilibrium that turns with the hub the root pulls with W^2 int r dm; the drive has nothing to do. */
 static void test_pull(void **state)
 {
     static const char *const set[] = {"parameters.F=0", "parameters.W=40"};
@@ -235,11 +286,30 @@ static void test_pull(void **state)
     arena_close(o.life);
 }
 
+/* The turbine blade stands upright: the root carries its weight and pulls it round.  Areas are linear between the
+ * stations, int A ds and int A s ds by Simpson's rule, which is exact. */
+static void test_weight(void **state)
+{
+    static const double at[] = {0, 0.3, 0.7, 1}, A[] = {0.20, 0.10, 0.05, 0.015}, L = 30, r = 1.5, W = 2;
+    double mass = 0, moment = 0;
+    struct opened o;
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        const double d = L * (at[k + 1] - at[k]), mid = L * (at[k] + at[k + 1]) / 2, mean = (A[k] + A[k + 1]) / 2;
+        mass += 1900 * d * mean;
+        moment += 1900 * d / 6 * (A[k] * L * at[k] + 4 * mean * mid + A[k + 1] * L * at[k + 1]);
+    }
+    open_deck(&o, "decks/turbine-blade.yaml", 0, NULL);
+    near(column(&o, "clamp.fz"), mass * 9.81 - W * W * (moment + r * mass), 1e-4);
+    arena_close(o.life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spatial),   cmocka_unit_test(test_planar), cmocka_unit_test(test_time),
-        cmocka_unit_test(test_vibration), cmocka_unit_test(test_pull),
+        cmocka_unit_test(test_spatial),  cmocka_unit_test(test_planar),    cmocka_unit_test(test_time),
+        cmocka_unit_test(test_whirl),    cmocka_unit_test(test_vibration), cmocka_unit_test(test_pull),
+        cmocka_unit_test(test_segments), cmocka_unit_test(test_weight),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
