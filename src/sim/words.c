@@ -147,8 +147,9 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
                    : "look for numbers of the deck that are too large, and at its forces";
     case TROUBLE_MASS:
         if (is_flexible(sim))
-            return "give the bodies it moves mass and inertia; or a flexible body bends too far for one frame: cut it "
-                   "into 'segments'";
+            return "give the bodies it moves mass and inertia; or a flexible body bends too far for its frame: cut it "
+                   "into "
+                   "'segments', take fewer modes, or 'stiffening: false'";
         return "give the bodies it moves mass and inertia";
     case TROUBLE_CLOSURE:
         return "the mechanism may be locked here, or the step too large";
