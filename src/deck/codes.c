@@ -160,6 +160,9 @@ const struct diag_help diag_helps[] = {
     {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
                      "right for small loads only. From the speed named it bends away without bound, which no real "
                      "beam does; the energy balance does not show it. Take 'stiffening: false' out."},
+    {"W-bending",
+     "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
+     "followed by several: give the beam 'segments', or more of them."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     {NULL, NULL},

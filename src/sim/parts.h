@@ -27,6 +27,11 @@ enum status events_look(struct sim *sim, struct sink *sink, struct report *repor
 void turns_note(struct sim *sim, double h, int ratio);
 void say_turns(const struct sim *sim, FILE *to);
 
+/* bends.c: the largest deflections of flexible bodies */
+void bends_open(struct sim *sim, struct arena *life);
+void bends_note(struct sim *sim);
+void say_bends(const struct sim *sim, FILE *to);
+
 /* spins.c: the fastest turns of flexible bodies without geometric stiffening */
 void spins_open(struct sim *sim, struct arena *life);
 void spins_note(struct sim *sim);

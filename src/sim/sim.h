@@ -66,6 +66,12 @@ struct sim {
     double min_h;        /* smallest minor step taken */
     double turn, t_turn; /* farthest turn of a ball or free joint in one step [rad], when */
     int turn_joint;      /* and whose */
+    int nbend;
+    struct bend {
+        int body, node; /* of the model: flexible; its node farthest from the reference */
+        double size;    /* how far [m] */
+        double most, t; /* largest displacement there at the end of a step [m], when */
+    } * bend;           /* [nbend] */
     int nspin;
     struct spin {
         int body;                /* of the model: flexible, without geometric stiffening */

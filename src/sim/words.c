@@ -111,6 +111,7 @@ void say_end(const struct sim *sim, double wall)
     if (!to) return;
     say_turns(sim, to);
     say_spins(sim, to);
+    say_bends(sim, to);
     if (sim->watch.slot && (sim->watch.met || sim->status == OK))
         fprintf(to, "'%.80s' %s\n", sim->scene->when.node->text,
                 sim->watch.met ? "turned true" : "has not turned true until the latest end");

@@ -224,12 +224,41 @@ static void test_unstiffened(void **state)
     check_growth(slow.deck, 2.911, false, of_slow, 4); /* told at the start, never fast enough */
 }
 
+/* ---- bent too far ---- */
+
+static bool told(const char *what, const char *speed, double length, int nset, const char *const *more)
+{
+    const char *set[MOST_SETS] = {"integrate.until=9", speed};
+    char text[4000] = "";
+    struct history o;
+    FILE *said = tmpfile();
+    assert_non_null(said);
+    for (int i = 0; i < nset; i++) set[i + 2] = more[i];
+    run(&o, said, kane.deck, length, nset + 2, set);
+    rewind(said);
+    text[fread(text, 1, sizeof text - 1, said)] = 0;
+    fclose(said);
+    return strstr(text, what) != NULL;
+}
+
+/* Up to 6 rad/s in 15 s it bends by 0.094 of its length, in 6 s by 0.26: too far for one frame, not for four. */
+static void test_too_far(void **state)
+{
+    static const char *const four[] = {"bodies.arm.modes=1", "bodies.arm.segments=4",
+                                       "constraints.clamp.fixed=[hub, arm1]", "bodies.arm.stress={}"};
+    (void)state;
+    assert_false(told("[W-bending]", "parameters.T=15", 0, 0, NULL));
+    assert_true(told("'arm' bends by 0.26", "parameters.T=6", 0, 0, NULL));
+    assert_false(told("[W-bending]", "parameters.T=6", kane.length, 4, four));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_decks),
         cmocka_unit_test(test_segments),
         cmocka_unit_test(test_unstiffened),
+        cmocka_unit_test(test_too_far),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
