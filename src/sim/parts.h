@@ -35,6 +35,7 @@ void say_bends(const struct sim *sim, FILE *to);
 /* spins.c: the fastest turns of flexible bodies without geometric stiffening */
 void spins_open(struct sim *sim, struct arena *life);
 void spins_note(struct sim *sim);
+bool spins_passed(const struct sim *sim);
 void say_spins(const struct sim *sim, FILE *to);
 
 /* record.c: the chosen columns at the present state; one of them, after what it needs was seen */

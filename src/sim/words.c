@@ -78,6 +78,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
         facts[n++] = pair_number("partitions", (double)system_charts(sim->system));
     }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
+    if (sim->nspin) facts[n++] = pair_bool("buckling_speed_passed", spins_passed(sim));
     return n;
 }
 

@@ -25,6 +25,7 @@ struct history {
     struct sink sink;
     int n;
     double t[MOST_ROWS], u[MOST_ROWS], v[MOST_ROWS]; /* tip against the hub, its axes */
+    int passed, balanced;                            /* facts of the summary; -1: not there */
     double length;                                   /* where the columns are world places; 0: they are u and v */
 };
 
@@ -50,9 +51,15 @@ static enum status no_event(struct sink *s, double t, const char *kind, const ch
     return (void)s, (void)t, (void)kind, (void)text, (void)r, OK;
 }
 
-static enum status no_end(struct sink *s, const struct run_summary *m, struct report *r)
+static enum status keep_facts(struct sink *s, const struct run_summary *m, struct report *r)
 {
-    return (void)s, (void)m, (void)r, OK;
+    struct history *o = s->self;
+    (void)r;
+    for (int i = 0; i < m->n; i++) {
+        if (strcmp(m->facts[i].key, "buckling_speed_passed") == 0) o->passed = m->facts[i].truth;
+        if (strcmp(m->facts[i].key, "balanced") == 0) o->balanced = m->facts[i].truth;
+    }
+    return OK;
 }
 
 static enum status no_tick(struct sink *s, double now, struct report *r)
@@ -63,7 +70,7 @@ static enum status no_tick(struct sink *s, double now, struct report *r)
 /* said: where warnings at the start and the words of the run go. */
 static void run(struct history *o, FILE *said, const char *path, double length, int nset, const char *const *more)
 {
-    static const struct sink_ops ops = {no_meta, keep_row, no_event, no_end, no_tick};
+    static const struct sink_ops ops = {no_meta, keep_row, no_event, keep_facts, no_tick};
     const char *set[MOST_SETS];
     const struct deck_options options = {.nset = nset + 1, .set = set};
     const struct sim_options say = {.version = "test", .say = said};
@@ -72,7 +79,7 @@ static void run(struct history *o, FILE *said, const char *path, double length, 
     struct report report = {0};
     struct scene *scene;
     struct sim sim;
-    *o = (struct history){.sink = {&ops, o}, .length = length};
+    *o = (struct history){.sink = {&ops, o}, .length = length, .passed = -1, .balanced = -1};
     set[0] = length > 0 ? "output={every: 0.01, columns: [shaft.angle, arm.tip.x, arm.tip.y]}"
                         : "output={every: 0.01, columns: [shaft.angle, arm.tip.dx, arm.tip.dy]}";
     for (int i = 0; i < nset; i++) set[i + 1] = more[i];
@@ -149,6 +156,7 @@ static void test_decks(void **state)
         struct history o;
         run(&o, NULL, all[k]->deck, 0, 0, NULL);
         compare(&o, all[k], 0.01);
+        assert_int_equal(o.passed, -1);
     }
 }
 
@@ -202,6 +210,8 @@ static void check_growth(const char *deck, double speed, bool passed, const stru
     snprintf(word, sizeof word, "linear beam buckles from Omega = %.3f rad/s; turn on geometric stiffening", speed);
     if (!strstr(text, word)) fail_msg("not said: %s\n%s", word, text);
     snprintf(word, sizeof word, "buckles from Omega = %.3f rad/s about that axis", speed);
+    assert_int_equal(o.passed, passed);
+    assert_int_equal(o.balanced, true); /* a wrong model's energy is as good as any */
     if (passed != (strstr(text, "'arm' turned by up to") && strstr(text, word)))
         fail_msg("%s: %s\n%s", passed ? "not said" : "said without reason", word, text);
 }
