@@ -67,16 +67,5 @@ calculix spun
 node() { awk -v c="$1" -v d="$2" 'BEGIN { FS = "[ ,]+" } /^\*/ { node = /^\*NODE/ } node && $2 == 0 && ($3 - c)^2 < 1e-9 && ($4 - d)^2 < 1e-9 { print $1; exit }' box.inp; }
 front=$(node 0 1) back=$(node 0 -1)
 
-common="-q -i root=root@0.05,0,0 -i tip=tip@0.45,0,0:average"
-fmdsub-reduce $common --loads load blade 2>loads.txt
-prestress=
-while IFS=' ' read -r file option scale; do
-    kind=${file%:}
-    name=${kind%.inp}
-    name=${name#load-}
-    printf '%s\n' "$head" "$clamp" '*STEP' '*STATIC' "*INCLUDE,INPUT=$kind" '*END STEP' '*STEP,PERTURBATION' "$store" >"k-$name.inp"
-    calculix "k-$name"
-    prestress="$prestress $option ${scale}k-$name.sti"
-done <loads.txt
 fmdsub-reduce -i root=root@0.05,0,0 -i tip=tip@0.45,0,0:average -n 8 --load-mode spin-zz --load-mode accel-x \
-    --material 7e10,0.3 --stress front="$front" --stress back="$back" $prestress -o blade.json blade
+    --material 7e10,0.3 --stress front="$front" --stress back="$back" --stiffening -o blade.json blade

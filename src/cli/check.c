@@ -72,6 +72,7 @@ static void print_closures(FILE *to, const struct sim *sim, struct arena *life)
     for (int i = 0; i < sim->stepper.ode->n; i++) fprintf(to, " %s", sim_coordinate_name(sim, i));
     fprintf(to, "\n  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", o.pivots, o.drawn,
             o.closed);
+    sim_print_assembly(sim, to);
 }
 
 static void print_forces(FILE *to, const struct model *m)

@@ -206,15 +206,23 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     return OK;
 }
 
-/* The impulse of a drive's corner at t, and the slopes behind it. */
-static enum status turn_corner(struct stepper *s, double *t, double end, struct trouble *why)
+/* Where drives have corners in [t, end): the impulse of one at t, and the slopes behind it; *end then is where the next
+ * one is. */
+static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
 {
     struct dopri5 *m = s->self;
     const struct ode2 *o = s->ode;
-    if (!o->breaks || !o->breaks->jump || !o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, end)) return OK;
-    *t = nextafter(*t, end);
-    TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
-    copy(m->a, m->rk.dv[0], o->n);
+    if (!o->breaks || !o->breaks->jump) return OK;
+    const double behind = motion_behind(*t, *end);
+    if (behind >= *end) return OK; /* the next interval begins at the same corner */
+    double first = o->breaks->corner(o, *t, *end);
+    if (first <= behind && o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, behind)) {
+        *t = behind;
+        TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
+        copy(m->a, m->rk.dv[0], o->n);
+    }
+    if (first <= behind) first = o->breaks->corner(o, behind, *end);
+    *end = fmin(*end, first);
     return OK;
 }
 
@@ -227,7 +235,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     const int forth = to > x->t, breaks = forth && o->breaks && o->breaks->next;
     for (double t = x->t, end; t != to; t = end) {
         end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
-        if (forth) TRY(turn_corner(s, &t, end, why));
+        if (forth) TRY(turn_corner(s, &t, &end, why));
         TRY(advance(s, x, t, end, why));
         if (end != to) { /* one-sided slopes beyond the kink */
             TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, end, 0, why));

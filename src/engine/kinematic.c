@@ -27,16 +27,44 @@ static enum status part(struct stepper *s, struct state *x, double *work, double
     return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t1);
 }
 
-enum status kinematic_step(struct stepper *s, struct state *x, int ratio, double to, struct trouble *why)
+/* The whole step in n equal parts, their work in work; x stays where one of them fails. */
+static enum status parts(struct stepper *s, struct state *x, double *work, int n, double to, struct trouble *why)
 {
-    const double t0 = x->t, h = (to - t0) / ratio;
-    single_save(s->keep, s->ode, x);
-    for (int k = 1; k <= ratio; k++) {
-        enum status status = part(s, x, s->work, k < ratio ? t0 + k * h : to, why);
+    const double t0 = x->t, h = (to - t0) / n;
+    zero(work, POWER_CHANNELS);
+    for (int k = 1; k <= n; k++) {
+        enum status status = part(s, x, work, k < n ? t0 + k * h : to, why);
         if (status == OK) continue;
         single_restore(s->keep, s->ode, x, t0);
         return status;
     }
-    s->effort.minors += ratio;
+    s->effort.minors += n;
     return OK;
+}
+
+/* Twice as many parts until the works agree; their error goes with the square of a part, and is taken off. */
+static enum status enough_parts(struct stepper *s, struct state *x, double to, struct trouble *why)
+{
+    enum { FIRST = 4, MOST = 4096 };
+    const double t0 = x->t, close = fmax(s->options.rtol, 1e-6);
+    double coarse[POWER_CHANNELS], fine[POWER_CHANNELS];
+    TRY(parts(s, x, coarse, FIRST, to, why));
+    for (int n = 2 * FIRST, agreed = 0; n <= MOST && !agreed; n *= 2) {
+        single_restore(s->keep, s->ode, x, t0);
+        TRY(parts(s, x, fine, n, to, why));
+        agreed = 1;
+        for (int c = 0; c < POWER_CHANNELS; c++) {
+            const double off = (fine[c] - coarse[c]) / 3;
+            s->work[c] = fine[c] + off;
+            coarse[c] = fine[c];
+            if (fabs(off) > close * (fabs(fine[c]) + fabs(off))) agreed = 0;
+        }
+    }
+    return OK;
+}
+
+enum status kinematic_step(struct stepper *s, struct state *x, int ratio, double to, struct trouble *why)
+{
+    single_save(s->keep, s->ode, x);
+    return s->kind->adaptive ? enough_parts(s, x, to, why) : parts(s, x, s->work, ratio, to, why);
 }

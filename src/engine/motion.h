@@ -2,6 +2,8 @@
 #ifndef FMDSUB_ENGINE_MOTION_H
 #define FMDSUB_ENGINE_MOTION_H
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 #include "system/ode2.h"
@@ -33,6 +35,14 @@ static inline void motion_rate(const struct ode2 *o, double *rate, const double 
         o->move->rate(o, rate, q1, q0, dx, v, t);
     else
         memcpy(rate, v, (size_t)o->n * sizeof *v);
+}
+
+/* A time right behind a corner at t, on the way to `to`: farther than the round-off in which owners take t for the
+ * corner's own time. */
+static inline double motion_behind(double t, double to)
+{
+    const double least = nextafter(t, to), far = t + (to > t ? 16 : -16) * DBL_EPSILON * fabs(t);
+    return fabs(far - t) > fabs(least - t) ? far : least;
 }
 
 static inline void copy(double *to, const double *from, int n)

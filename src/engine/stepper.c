@@ -44,17 +44,20 @@ static void begin_anew(struct stepper *s, struct state *x)
     if (ode->chart->rechart(ode, x->q, x->v, x->t)) stepper_start(s, x, &why);
 }
 
-/* One step of a scheme that would miss the impulse of a drive's corner: it comes first. */
+/* One step after the impulses of drives' corners.  A scheme that looks at points of time would miss those anywhere in
+ * the step; one that takes means over it sees them all, and is of first order there: a corner right at the start comes
+ * first in every scheme. */
 static enum status after_corners(struct stepper *s, struct state *x, double h, int ratio, double to,
                                  struct trouble *why)
 {
     const struct ode2 *o = s->ode;
     const int fresh = s->fresh;
+    const double t0 = x->t, behind = motion_behind(t0, to);
     double work = 0;
     single_save(s->keep, o, x);
-    if (!o->breaks->jump(o, x->v, &work, x->q, x->t, to)) return s->kind->step(s, x, h, ratio, to, why);
-    const double t0 = x->t;
-    x->t = nextafter(t0, to); /* behind the corner */
+    if (!o->breaks->jump(o, x->v, &work, x->q, t0, s->kind->points ? to : behind))
+        return s->kind->step(s, x, h, ratio, to, why);
+    x->t = behind;
     enum status status = stepper_start(s, x, why);
     if (status == OK) status = s->kind->step(s, x, h, ratio, to, why);
     s->work[POWER_DRIVE] += work;
@@ -68,7 +71,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
 {
     const struct ode2 *o = s->ode;
     if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
-    if (s->kind->points && o->breaks && o->breaks->jump) return after_corners(s, x, h, ratio, to, why);
+    if (!s->kind->adaptive && o->breaks && o->breaks->jump) return after_corners(s, x, h, ratio, to, why);
     return s->kind->step(s, x, h, ratio, to, why);
 }
 

@@ -66,7 +66,7 @@ static enum status whole(int *value, const cJSON *object, const char *key, int l
 {
     const cJSON *item;
     TRY(member(&item, object, key, true, p));
-    double x = cJSON_IsNumber(item) ? item->valuedouble : NAN;
+    double x = item && cJSON_IsNumber(item) ? item->valuedouble : NAN;
     if (!(x >= low && x <= high) || x != floor(x))
         return fail(p->report, E_DECK, "%s: error: '%s': expected a whole number from %d to %d", p->path, key, low,
                     high);
@@ -78,7 +78,7 @@ static enum status scalar(double *value, const cJSON *object, const char *key, c
 {
     const cJSON *item;
     TRY(member(&item, object, key, true, p));
-    *value = cJSON_IsNumber(item) ? item->valuedouble : NAN;
+    *value = item && cJSON_IsNumber(item) ? item->valuedouble : NAN;
     return isfinite(*value) ? OK : bad(p, key, "expected a finite number");
 }
 
@@ -185,6 +185,35 @@ static bool is_positive(const double *A, int n, struct arena *scratch)
     return lambda[0] >= -1e-9 * fabs(lambda[n - 1]);
 }
 
+/* Blocks [rows x cols] of pairs i, j: that of j, i is the same, or its transpose, to 1e-9 of the largest. */
+static bool pairs_agree(const double *A, int rows, int cols, bool turned, int n)
+{
+    double worst = 0, most = 0;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < rows * cols; k++) {
+                int back = turned ? k / rows + cols * (k % rows) : k;
+                double a = A[k + rows * cols * (i + n * j)], b = A[back + rows * cols * (j + n * i)];
+                worst = fmax(worst, fabs(a - b));
+                most = fmax(most, fabs(a));
+            }
+    return worst <= 1e-9 * most;
+}
+
+static enum status check_pairs(const struct flex_body *o, const struct place *p)
+{
+    struct place at = *p;
+    if (!pairs_agree(o->ff, 3, 3, true, o->n)) return bad(p, "ff", "block i, j is not that of j, i transposed");
+    if (!pairs_agree(o->ppsi, 1, 1, false, o->n)) return bad(p, "ppsi", "is not symmetric");
+    if (o->s && !pairs_agree(o->s, 3, 1, false, o->n)) return bad(p, "s", "is not symmetric in i, j");
+    if (o->xs && !pairs_agree(o->xs, 3, 3, false, o->n)) return bad(p, "xs", "is not symmetric in i, j");
+    at.list = "nodes";
+    for (at.item = 0; at.item < o->nnode; at.item++)
+        if (o->node[at.item].S && !pairs_agree(o->node[at.item].S, 3, 1, false, o->n))
+            return bad(&at, "S", "is not symmetric in i, j");
+    return OK;
+}
+
 static bool all_zero(const double *x, int n)
 {
     for (int i = 0; i < n; i++)
@@ -200,9 +229,11 @@ static enum status check(const struct flex_body *o, const struct place *p, struc
     if (!is_positive(o->xx, 3, scratch)) return bad(p, "xx", "is no inertia: it should be symmetric, not negative");
     if (!is_positive(o->K, o->n, scratch)) return bad(p, "K", "should be symmetric, not negative");
     if (o->D && !is_positive(o->D, o->n, scratch)) return bad(p, "D", "should be symmetric, not negative");
+    TRY(check_pairs(o, p));
     flex_mass(Me, o);
-    if (dense_asymmetry(Me, o->n, o->n) > 1e-9) return bad(p, "ff", "gives a mass matrix that is not symmetric");
     if (dense_cholesky(Me, o->n, o->n) >= 0) return bad(p, "ff", "gives a mass matrix that is not positive");
+    if (reference->S && !all_zero(reference->S, 3 * o->n * o->n))
+        return bad(p, "reference", "the reference node should not move");
     if (!all_zero(reference->phi, 3 * o->n) || !all_zero(reference->psi, 3 * o->n))
         return bad(p, "reference", "the reference node should not move");
     return OK;
@@ -264,7 +295,7 @@ enum status flex_file_read(struct flex_body **out, double *at, const char *path,
     size_t size = 0;
     const char *end = NULL;
     enum status status = read_text(&text, &size, path, scratch, report);
-    if (status == OK) {
+    if (status == OK && text) {
         cJSON *json = cJSON_ParseWithLengthOpts(text, size + 1, &end, true);
         status = json ? read_body(out, at, json, &place, life)
                       : fail(report, E_DECK, "%s:%d: error: this is not JSON", path, line_of(text, end ? end : text));

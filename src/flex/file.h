@@ -17,8 +17,8 @@
 const char *flex_file_text(const struct flex_body *o, const double *at, struct arena *life);
 
 /* at [3] or NULL.  Refused, with the file and the member: what is missing, has another size, is not finite, no
- * symmetric K, a mass or an inertia that is not positive, a reference that moves.  E_FILE where it cannot be read,
- * else E_DECK. */
+ * symmetric K or pairs i, j, a mass or an inertia that is not positive, a reference that moves.  E_FILE where it cannot
+ * be read, else E_DECK. */
 enum status flex_file_read(struct flex_body **out, double *at, const char *path, struct arena *life,
                            struct report *report);
 

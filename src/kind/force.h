@@ -95,6 +95,8 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
 void signal_motion(const struct signal *s, double *x, double t);
 /* By how much the rate jumps at corners in [ta, tb). */
 double signal_corner(const struct signal *s, double ta, double tb);
+/* Right before the first of them; infinity: there is none. */
+double signal_corner_time(const struct signal *s, double ta, double tb);
 /* The first point of a table after time t, where it may bend; infinity: none. */
 double signal_next(const struct signal *s, double t);
 

@@ -1,4 +1,5 @@
 /* signal.c -- values given by an expression or by a table of time; see force.h */
+#include <float.h>
 #include <math.h>
 
 #include "expr/expr.h"
@@ -44,17 +45,22 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
     return x;
 }
 
+/* Times of steps are products, those of tables were read: a point this near, relative to t, is at t. */
+static const double SAME = 4 * DBL_EPSILON;
+
 void signal_motion(const struct signal *s, double *x, double t)
 {
+    const double same = SAME * fabs(t);
     x[1] = x[2] = 0;
     if (s->expr) {
         x[0] = expr_jet(s->expr, &x[1], &x[2], &t, 0);
         return;
     }
     x[0] = table_value(&x[1], s, t);
-    if (s->n < 2 || t < s->t[0] || t > s->t[s->n - 1]) return;
+    x[1] = 0;
+    if (s->n < 2 || t < s->t[0] || t - s->t[s->n - 1] > same) return;
     int i = t >= s->t[s->n - 1] ? s->n - 2 : piece(s, t);
-    if (i > 0 && t == s->t[i]) i--;
+    if (i > 0 && t - s->t[i] <= same) i--;
     x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
 }
 
@@ -76,27 +82,50 @@ static double excess(const struct signal *s, double *size, double ta, double tb)
     return b[1] - a[1] - (tb - ta) * sum;
 }
 
-/* A table's corners are its points.  Of an expression, the half with the larger excess again and again: that of a true
- * corner stays, that of a mere jump of the acceleration halves with the interval. */
-double signal_corner(const struct signal *s, double ta, double tb)
+/* Of an expression: the half with the larger excess again and again.  That of a true corner stays, and returns; that of
+ * a mere jump of the acceleration halves with the interval: 0. */
+static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
-    double a[3], b[3], size, first;
-    if (!s->expr) {
-        signal_motion(s, a, ta);
-        signal_motion(s, b, tb);
-        return b[1] - a[1];
-    }
-    first = excess(s, &size, ta, tb);
+    double size, first = excess(s, &size, *ta, *tb), here = first;
     if (fabs(first) <= 1e-6 * size) return 0;
-    double here = first;
-    for (int i = 0; i < 24; i++) {
-        double mid = ta + (tb - ta) / 2, left = excess(s, &size, ta, mid), right = excess(s, &size, mid, tb);
+    for (int i = 0; i < halvings; i++) {
+        double mid = *ta + (*tb - *ta) / 2;
+        if (mid == *ta || mid == *tb) break;
+        double left = excess(s, &size, *ta, mid), right = excess(s, &size, mid, *tb);
         if (fabs(left) > fabs(right))
-            tb = mid, here = left;
+            *tb = mid, here = left;
         else
-            ta = mid, here = right;
+            *ta = mid, here = right;
     }
     return fabs(here) > fabs(first) / 4 ? here : 0;
+}
+
+double signal_corner(const struct signal *s, double ta, double tb)
+{
+    double a[3], b[3];
+    if (s->expr) return narrow(s, &ta, &tb, 24);
+    signal_motion(s, a, ta);
+    signal_motion(s, b, tb);
+    return b[1] - a[1];
+}
+
+/* A table's corners are its points. */
+static double table_corner(const struct signal *s, double ta, double tb)
+{
+    for (int i = 1; i < s->n && s->t[i] < tb; i++)
+        if (ta - s->t[i] <= SAME * fabs(ta)) return fmax(ta, s->t[i]);
+    return INFINITY;
+}
+
+double signal_corner_time(const struct signal *s, double ta, double tb)
+{
+    enum { PIECES = 16, FINEST = 60 };
+    if (!s->expr) return table_corner(s, ta, tb);
+    for (int i = 0; i < PIECES; i++) {
+        double a = ta + i * ((tb - ta) / PIECES), b = i + 1 < PIECES ? ta + (i + 1) * ((tb - ta) / PIECES) : tb;
+        if (narrow(s, &a, &b, FINEST) != 0) return a;
+    }
+    return INFINITY;
 }
 
 bool signal_reads_time(const struct signal *s)

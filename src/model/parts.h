@@ -28,7 +28,8 @@ int stand(struct making *o, int scene_body, const double *world);
 int place_on(double *p, struct making *o, int scene_body, const double *world);
 int marker_on(double *p, struct making *o, const struct marker *m);
 /* Body `index` as the scene's flexible one, its frame at the node of its inboard joint. */
-void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint);
+void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint,
+                        enum joint_type type);
 int most_nodes(const struct scene *scene);
 void make_nodes(struct making *o);
 /* loops.c: components of loops and their class; with the numbering known, what makes a coordinate dependent */

@@ -127,4 +127,5 @@ void make_start(struct making *o)
     arena_rewind(o->life, mark);
     m->q0 = q;
     m->v0 = v;
+    m->assemble = scene->assemble;
 }

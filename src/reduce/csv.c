@@ -1,4 +1,5 @@
 /* csv.c -- a mesh as a table of nodes; see mesh.h */
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 #include <strings.h>
@@ -53,8 +54,9 @@ struct entry {
 
 static enum status read_field(struct entry *o, enum column c, char **at, struct text *text)
 {
+    assert(c < SET);
     if (c == NODE) return word_int(at, &o->id) && o->id > 0 ? OK : text_bad(text, "expected a node number");
-    if (c >= X && c <= Z) {
+    if (c <= Z) {
         if (word_real(at, o->x + (c - X)) && isfinite(o->x[c - X])) return OK;
         return text_bad(text, "%s is not a finite number", names[c]);
     }

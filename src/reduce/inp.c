@@ -8,7 +8,7 @@
 
 #include "reduce/mesh_parts.h"
 
-enum { MOST_DEPTH = 8 };
+enum { MOST_DEPTH = 8, MOST_GENERATED = 10000000 };
 
 enum card { CARD_OTHER, CARD_NODE, CARD_NSET, CARD_ELEMENT };
 
@@ -152,6 +152,8 @@ static enum status read_generated(struct state *s, char *at)
     bool whole = word_int(&at, &first) && word_mark(&at, ',') && word_int(&at, &last);
     if (whole && word_mark(&at, ',') && !word_end(at)) whole = word_int(&at, &step);
     if (!whole || step < 1 || last < first) return text_bad(s->text, "GENERATE expects 'first, last, step'");
+    if (((long)last - first) / step > MOST_GENERATED)
+        return text_bad(s->text, "GENERATE makes more than %d nodes", MOST_GENERATED);
     for (long id = first; id <= last; id += step) mesh_add_member(s->mesh->set + s->set, (int)id, s->life);
     return OK;
 }

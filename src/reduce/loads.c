@@ -64,7 +64,7 @@ void load_forces(double *f, const struct fe *fe, int kind, struct arena *scratch
 }
 
 /* 1 N along k at the tie: so that its power is that of the tie's own motion, f = A' e_k. */
-static void interface_force(double *f, const struct fe *fe, const struct tie *tie, int k)
+void load_interface(double *f, const struct fe *fe, const struct tie *tie, int k)
 {
     memset(f, 0, 3 * (size_t)fe->n * sizeof *f);
     for (int i = 0; i < tie->ngauge; i++)
@@ -123,7 +123,7 @@ enum status loads_write(const char *prefix, const struct fe *fe, const struct ti
     for (int t = 1; t < ntie; t++)
         for (int k = 0; k < 3; k++) {
             const char *kind = arena_print(life, "force-%c:%s", "xyz"[k], tie[t].name);
-            interface_force(f, fe, tie + t, k);
+            load_interface(f, fe, tie + t, k);
             TRY(write_one(prefix, arena_print(life, "force-%c-%s", "xyz"[k], tie[t].name), kind, f, u, &hold, life,
                           report));
         }

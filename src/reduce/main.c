@@ -45,8 +45,8 @@ static enum status reduce(const struct wish *wish, struct arena *life, struct re
     TRY(make_ties(&tie, wish, &fe, life, report));
     if (wish->write_loads) return loads_write(wish->write_loads, &fe, tie, wish->ntie, life, report);
     TRY(basis_make(&basis, &fe, tie, wish->ntie, &wish->basis, life, report));
-    struct flex_body *body =
-        body_make(&fe, &basis, tie, wish->ntie, wish->nprobe, wish->nload > 0, &wish->damping, life);
+    struct flex_body *body = body_make(&fe, &basis, tie, wish->ntie, wish->nprobe, wish->nload > 0 || wish->stiffening,
+                                       &wish->damping, life);
     TRY(prestress_read(body, wish, &fe, &basis, tie, life, report));
     TRY(stress_make(body, wish, &fe, &basis, report));
     words_say(&fe, &basis, tie, wish->quiet, life);

@@ -7,6 +7,7 @@
 
 #include "la/vec3.h"
 #include "reduce/loads.h"
+#include "reduce/stiffen.h"
 
 /* What came in. */
 struct parts {
@@ -89,6 +90,24 @@ static enum status read_one(struct parts *o, struct flex_body *body, const struc
     return OK;
 }
 
+/* All kinds at once, from the stress of the mesh's elements. */
+static enum status from_stress(struct parts *o, struct flex_body *body, const struct wish *wish, const struct fe *fe,
+                               const struct basis *b, const struct tie *tie, struct arena *life, struct report *report)
+{
+    const struct fe_units *u = &fe->units;
+    double E = wish->E * u->mass / (u->length * u->time * u->time);
+    double **G = TAKE(life, double *, LOAD_KINDS + 3 * wish->ntie);
+    TRY(stiffen_make(G, fe, b, tie, wish->ntie, E, wish->nu, life, report));
+    for (int k = 0; k < LOAD_KINDS; k++) o->kind[k] = G[k];
+    for (int t = 1; t < wish->ntie; t++)
+        for (int k = 0; k < 3; k++) {
+            const double *S = G[LOAD_KINDS + 3 * (t - 1) + k];
+            o->force[3 * t + k] = true;
+            for (int at = 0; at < b->n * b->n; at++) body->node[t].S[k + 3 * at] = -S[at];
+        }
+    return OK;
+}
+
 /* X_lm of one pair of fields from the six spins and three twists.  With P_k = spin-kk:
  *     P_1 = -(X_22 + X_33) ...              X_11 = (P_1 - P_2 - P_3) / 2
  *     P_12 = (P_1 + P_2 + X_12 + X_21) / 2  X_12 + X_21 = 2 P_12 - P_1 - P_2
@@ -141,7 +160,8 @@ enum status prestress_read(struct flex_body *body, const struct wish *wish, cons
                            const struct basis *basis, const struct tie *tie, struct arena *life, struct report *report)
 {
     struct parts parts = {.n = basis->n, .force = TAKE(life, bool, 3 * wish->ntie)};
-    if (!wish->nload) return OK;
+    if (!wish->nload && !wish->stiffening) return OK;
+    if (wish->stiffening) TRY(from_stress(&parts, body, wish, fe, basis, tie, life, report));
     for (int i = 0; i < wish->nload; i++)
         TRY(read_one(&parts, body, wish->load + i, wish, fe, basis, tie, life, report));
     TRY(check_spins(&parts, report));

@@ -14,7 +14,8 @@
  *
  * r is counted from the centre of mass.  Units of the loads: m/s2, rad2/s2, rad/s2, N.  The loads are put out as nodal
  * forces M b, so that signs and places cannot differ, and spin loads do not bring the softening - omega^2 M that
- * CENTRIF of CalculiX has. */
+ * CENTRIF of CalculiX has.  The tangent of a bent body couples bending with stretch besides (stiffen.h): such matrices
+ * are for loads that pull. */
 #ifndef FMDSUB_REDUCE_PRESTRESS_H
 #define FMDSUB_REDUCE_PRESTRESS_H
 

@@ -13,6 +13,9 @@ int solid_points(int nodes);
 /* g [9] = du_a/dx_b, by column b, at integration point p; x, u [3 x nodes].  Returns the Jacobian's determinant. */
 double solid_gradient(double *g, int nodes, int p, const double *x, const double *u);
 
+/* What a point counts in an integral over the element, times the determinant. */
+double solid_weight(int nodes);
+
 /* w [points]: a field that is linear between the integration points has at local node `at` the value sum w_p f_p. */
 void solid_weights(double *w, int nodes, int at);
 

@@ -1,6 +1,7 @@
 /* sparse.c -- entries sorted by two passes of counting, columns then rows; see sparse.h */
 #include "reduce/sparse.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* order [count]: entries `from` (NULL: as they come) sorted by key, equal ones as they came; start [n + 1]: where
@@ -50,6 +51,7 @@ static enum status check_twice(const struct triplets *t, const int *order, struc
 /* |A(i,j) - A(j,i)| within 1e-8 of the geometric mean of the diagonal. */
 static enum status check_symmetry(const struct sparse *A, const struct triplets *t, const int *order, struct text *text)
 {
+    assert(A->v);
     for (int i = 0; i < A->n; i++)
         for (size_t k = A->row[i]; k < A->row[i + 1]; k++) {
             const double *back = sparse_at(A, A->col[k], i), *a = sparse_at(A, i, i);

@@ -8,7 +8,7 @@
 #include "reduce/solid.h"
 
 /* s [6] of the displacement gradient g: lambda tr e 1 + 2 mu e. */
-static void hooke(double *s, const double *g, double E, double nu)
+void stress_hooke(double *s, const double *g, double E, double nu)
 {
     double mu = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), trace = g[0] + g[4] + g[8];
     for (int a = 0; a < 3; a++) s[a] = lambda * trace + 2 * mu * g[4 * a];
@@ -17,31 +17,43 @@ static void hooke(double *s, const double *g, double E, double nu)
     s[5] = mu * (g[7] + g[5]);
 }
 
+static bool usable(const struct mesh_element *e)
+{
+    return solid_known(e->nodes) && e->type[0] == 'C';
+}
+
+enum status stress_element(int *node, double *x, const struct fe *fe, const struct mesh_element *e,
+                           struct report *report)
+{
+    if (!usable(e))
+        return fail(report, E_MODEL,
+                    "element %d: stresses in elements %s are not known, in C3D4, C3D10 and C3D20R they are", e->id,
+                    e->type);
+    for (int i = 0; i < e->nodes; i++) {
+        node[i] = fe_node(fe, e->node[i]);
+        if (node[i] < 0) return fail(report, E_MODEL, "element %d: its node %d has no freedoms", e->id, e->node[i]);
+        v3_copy(x + 3 * i, fe->x + 3 * node[i]);
+    }
+    return OK;
+}
+
 /* Adds the element's stress at its local node. */
 static enum status add_element(double *s, const struct fe *fe, const struct mesh_element *e, int at, const double *u,
                                double E, double nu, struct report *report)
 {
     double x[3 * SOLID_MOST], v[3 * SOLID_MOST], w[SOLID_POINTS];
-    for (int i = 0; i < e->nodes; i++) {
-        int node = fe_node(fe, e->node[i]);
-        if (node < 0) return fail(report, E_MODEL, "element %d: its node %d has no freedoms", e->id, e->node[i]);
-        v3_copy(x + 3 * i, fe->x + 3 * node);
-        v3_copy(v + 3 * i, u + 3 * node);
-    }
+    int node[SOLID_MOST];
+    TRY(stress_element(node, x, fe, e, report));
+    for (int i = 0; i < e->nodes; i++) v3_copy(v + 3 * i, u + 3 * node[i]);
     solid_weights(w, e->nodes, at);
     for (int p = 0; p < solid_points(e->nodes); p++) {
         double g[9], here[6];
         if (!(solid_gradient(g, e->nodes, p, x, v) > 0))
             return fail(report, E_MODEL, "element %d is turned inside out", e->id);
-        hooke(here, g, E, nu);
+        stress_hooke(here, g, E, nu);
         for (int k = 0; k < 6; k++) s[k] += w[p] * here[k];
     }
     return OK;
-}
-
-static bool usable(const struct mesh_element *e)
-{
-    return solid_known(e->nodes) && e->type[0] == 'C';
 }
 
 enum status stress_at(double *s, const struct fe *fe, int node, const double *u, double E, double nu,
@@ -52,9 +64,6 @@ enum status stress_at(double *s, const struct fe *fe, int node, const double *u,
     for (const struct mesh_element *e = fe->mesh.element; e < fe->mesh.element + fe->mesh.nelement; e++)
         for (int i = 0; i < e->nodes; i++) {
             if (e->node[i] != fe->id[node]) continue;
-            if (!usable(e))
-                return fail(report, E_MODEL, "stress at node %d: elements %s are not read: C3D4, C3D10 and C3D20R are",
-                            fe->id[node], e->type);
             TRY(add_element(s, fe, e, i, u, E, nu, report));
             count++;
         }

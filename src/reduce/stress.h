@@ -15,6 +15,12 @@
 enum status stress_at(double *s, const struct fe *fe, int node, const double *u, double E, double nu,
                       struct report *report);
 
+/* The element's nodes x, and their numbers in the body; E_MODEL where it is of no known kind. */
+enum status stress_element(int *node, double *x, const struct fe *fe, const struct mesh_element *e,
+                           struct report *report);
+/* s [6] of the displacement gradient g [9]. */
+void stress_hooke(double *s, const double *g, double E, double nu);
+
 /* Fills body->stress, one for every point wished for. */
 enum status stress_make(struct flex_body *body, const struct wish *wish, const struct fe *fe, const struct basis *basis,
                         struct report *report);

@@ -9,16 +9,27 @@
 #include "base/text.h"
 
 static const struct option options[] = {
-    {"interface", required_argument, NULL, 'i'}, {"modes", required_argument, NULL, 'n'},
-    {"method", required_argument, NULL, 'M'},    {"mesh", required_argument, NULL, 'm'},
-    {"length", required_argument, NULL, 'L'},    {"mass", required_argument, NULL, 'W'},
-    {"time", required_argument, NULL, 'T'},      {"zeta", required_argument, NULL, 'z'},
-    {"alpha", required_argument, NULL, 'a'},     {"beta", required_argument, NULL, 'b'},
-    {"prestress", required_argument, NULL, 'p'}, {"loads", required_argument, NULL, 'l'},
-    {"load-mode", required_argument, NULL, 'k'}, {"stress", required_argument, NULL, 's'},
-    {"material", required_argument, NULL, 'E'},  {"output", required_argument, NULL, 'o'},
-    {"quiet", no_argument, NULL, 'q'},           {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},         {0},
+    {"interface", required_argument, NULL, 'i'},
+    {"modes", required_argument, NULL, 'n'},
+    {"method", required_argument, NULL, 'M'},
+    {"mesh", required_argument, NULL, 'm'},
+    {"length", required_argument, NULL, 'L'},
+    {"mass", required_argument, NULL, 'W'},
+    {"time", required_argument, NULL, 'T'},
+    {"zeta", required_argument, NULL, 'z'},
+    {"alpha", required_argument, NULL, 'a'},
+    {"beta", required_argument, NULL, 'b'},
+    {"prestress", required_argument, NULL, 'p'},
+    {"loads", required_argument, NULL, 'l'},
+    {"load-mode", required_argument, NULL, 'k'},
+    {"stress", required_argument, NULL, 's'},
+    {"stiffening", no_argument, NULL, 'S'},
+    {"material", required_argument, NULL, 'E'},
+    {"output", required_argument, NULL, 'o'},
+    {"quiet", no_argument, NULL, 'q'},
+    {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},
+    {0},
 };
 
 const char *wish_help(void)
@@ -35,6 +46,7 @@ const char *wish_help(void)
            "      --length, --mass, --time X   SI units in one unit of the input: mm, t, s: 1e-3, 1e3, 1\n"
            "      --zeta X                 damping, share of critical in every mode\n"
            "      --alpha X, --beta X      damping alpha M + beta K [1/s], [s]\n"
+           "      --stiffening             geometric stiffness of all loads; needs --material\n"
            "      --loads PREFIX           write the unit loads, PREFIX-KIND.inp, instead of reducing\n"
            "      --prestress KIND[:SCALE]=FILE.sti\n"
            "                               stiffness under SCALE times the load of that kind\n"
@@ -80,9 +92,11 @@ static enum status named(const char **name, char **rest, int code, struct arena 
 {
     const char *equal = strchr(optarg, '=');
     *name = equal ? arena_copy(life, optarg, (size_t)(equal - optarg)) : NULL;
-    if (!equal || !equal[1] || !text_is_name(*name))
-        return fail(report, E_USAGE, "--%s expects NAME=..., a name of letters, digits and '_', not '%.60s'",
-                    option_name(code), optarg);
+    if (!equal || !equal[1] || !text_is_name(*name)) {
+        fail(report, E_USAGE, "--%s expects NAME=..., a name of letters, digits and '_', not '%.60s'",
+             option_name(code), optarg);
+        return E_USAGE;
+    }
     *rest = arena_copy(life, equal + 1, strlen(equal + 1));
     return OK;
 }
@@ -211,6 +225,8 @@ static enum status read_option(struct wish *o, int code, struct arena *life, str
         return read_load_mode(o, report);
     case 's':
         return read_probe(o, life, report);
+    case 'S':
+        return o->stiffening = true, OK;
     case 'E':
         return read_material(o, life, report);
     case 'o':
@@ -249,6 +265,8 @@ static enum status read_words(struct wish *o, int n, char **word, struct report 
     if (n == 3 && o->source.mesh) return fail(report, E_USAGE, "--mesh belongs to a CalculiX job");
     if (!o->ntie) return fail(report, E_USAGE, "name at least one interface: --interface NAME=NODES");
     if (o->nprobe && !o->material) return fail(report, E_USAGE, "--stress needs --material E,NU");
+    if (o->stiffening && !o->material) return fail(report, E_USAGE, "--stiffening needs --material E,NU");
+    if (o->stiffening && o->nload) return fail(report, E_USAGE, "--stiffening and --prestress: one of both");
     return OK;
 }
 

@@ -32,8 +32,9 @@ struct wish {
     const char *write_loads; /* files PREFIX-KIND.inp */
     int nprobe;
     struct probe_wish probe[MOST_PROBES];
-    bool material; /* given: */
-    double E, nu;  /* E in units of the input */
+    bool stiffening; /* geometric stiffness from stresses */
+    bool material;   /* given: */
+    double E, nu;    /* E in units of the input */
     const char *output;
     bool quiet, help, version;
 };

@@ -95,11 +95,11 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     return 1;
 }
 
-static int read_static(struct builder *b, const struct node *n)
+static int read_wish(struct builder *b, bool *wish, const struct node *n)
 {
     int yes = 0;
     if (read_bool(&yes, n, &b->reader)) return 1;
-    b->scene->at_rest = yes;
+    *wish = yes;
     return 0;
 }
 
@@ -135,7 +135,9 @@ int read_initial(struct builder *b, const struct node *n)
     for (int i = 0; i < n->count; i++) {
         struct scene_initial start = {0};
         if (strcmp(n->item[i]->key, "static") == 0)
-            errors += read_static(b, n->item[i]);
+            errors += read_wish(b, &scene->at_rest, n->item[i]);
+        else if (strcmp(n->item[i]->key, "assemble") == 0)
+            errors += read_wish(b, &scene->assemble, n->item[i]);
         else if (read_start(b, &start, n->item[i]))
             errors++;
         else

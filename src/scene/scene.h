@@ -187,6 +187,7 @@ struct scene {
     struct scene_initial *initial;
     const struct node *from; /* {coordinate or rate: number, ...} of a final state; NULL: none */
     bool at_rest;            /* start in static equilibrium, found from there */
+    bool assemble;           /* start in the nearest state that loops and drives allow */
     struct integrate integrate;
     struct scene_condition when; /* ends the run */
     struct output output;

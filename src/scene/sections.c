@@ -19,9 +19,10 @@ const struct key keys_deck[] = {
                "distances, displacements, angles to print, to read in expressions, to put forces on"),
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
     PARAM_NODE(struct deck_keys, drives, "drives", "{name: drive}", 0, "coordinates and measures that move as told"),
-    PARAM_NODE(struct deck_keys, initial, "initial", "{coordinate: number}, {static: true} or {from: file}", 0,
+    PARAM_NODE(struct deck_keys, initial, "initial",
+               "{coordinate: number}, {static: true}, {assemble: true} or {from: file}", 0,
                "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
-               "nearest stable equilibrium"),
+               "nearest stable equilibrium; assemble: to the nearest state that fits"),
     PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]}", 0, "coordinates that take the minor step"),
     PARAM_NODE(struct deck_keys, integrate, "integrate", "map", KEY_REQUIRED, "scheme, step, ratio, end"),
     PARAM_NODE(struct deck_keys, output, "output", "map", 0, "columns and how often"),

@@ -35,11 +35,23 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
                   "some reactions are not unique (`fmdsub check` shows which)",
                   s->redundant, sim_loop_kind(sim, first), sim->model->loop[first].name);
     }
-    if (s->misfit < SILENT) return;
+    if (s->misfit < SILENT || sim->scene->assemble) return;
     const int l = condense_loops(c)->row[s->misfit_row].loop;
     diag_warn(diags, node_of(sim, l), AT_KEY, "W-assembly",
               "%s '%s' misses by %.3g of the mechanism's size as drawn; closed by moving '%s' %.3g",
               sim_loop_kind(sim, l), sim->model->loop[l].name, s->misfit, sim_place_name(sim, s->moved_at), s->moved);
+}
+
+void sim_print_assembly(const struct sim *sim, FILE *to)
+{
+    const struct condense *c = system_loops(sim->system);
+    if (!to || !c || !sim->scene->assemble || condense_started(c)->status != OK) return;
+    const struct condense_start *s = condense_started(c);
+    fprintf(to, "assembled: misfit %.3g of the mechanism's size", s->misfit);
+    if (s->moved != 0) fprintf(to, "; '%s' has moved most, by %.6g", sim_place_name(sim, s->moved_at), s->moved);
+    if (s->changed != 0)
+        fprintf(to, "; the rate of '%s' has changed most, by %.6g", sim_place_name(sim, s->changed_at), s->changed);
+    fputc('\n', to);
 }
 
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report)

@@ -198,6 +198,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     double wall = clock_wall(), cpu = clock_cpu();
     progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall);
     say_plan(sim);
+    sim_print_assembly(sim, sim->options.say);
     TRY(tell_meta(sim, sink, report));
     enum status status = tell_row(sim, sink, report);
     if (status == OK) status = look(sim, sink, report);

@@ -111,6 +111,8 @@ struct closures {
 };
 /* n = 0: none. */
 void sim_closures(struct closures *o, const struct sim *sim, struct arena *life);
+/* What `initial: {assemble: true}` has changed, in words; nothing without it. */
+void sim_print_assembly(const struct sim *sim, FILE *to);
 
 /* Mass, and centre of mass as the bodies stand [3], world axes. */
 double sim_mass(const struct sim *sim, double *centre);

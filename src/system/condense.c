@@ -122,7 +122,8 @@ struct condense *condense_build(const struct model *m, const struct sweep_ops *s
     o->loops = loops_build(m, sweep, life);
     o->seen = loops_build(m, sweep, life);
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
-    o->breaks = (struct ode2_breaks){.next = next_kink, .jump = m->ndrive ? condense_jump : NULL};
+    o->breaks = (struct ode2_breaks){
+        .next = next_kink, .jump = m->ndrive ? condense_jump : NULL, .corner = m->ndrive ? condense_corner : NULL};
     o->ode = (struct ode2){.nq = m->nq,
                            .ops = &condense_ops,
                            .move = &condense_move,

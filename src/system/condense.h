@@ -26,6 +26,8 @@ struct condense_start {
     int redundant;  /* rows that say nothing new */
     double moved;   /* largest change of a coordinate that closed the loops [m] or [rad] */
     int moved_at;   /* place in v */
+    double changed; /* by assembly: largest change of a rate */
+    int changed_at;
 };
 
 /* q0 [m->nq], v0 [m->n]: the start as the deck has it.  The system that comes out stands still where start->status

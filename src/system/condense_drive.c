@@ -33,14 +33,13 @@ void component_power(const struct condense *o, const struct component *c, double
 
 enum status condense_contest(struct condense *o, double t, struct trouble *why)
 {
-    static const double HOLDS = 1e-5;
-    if (!o->contested) return OK;
+    if (o->holds == 0) return OK;
     loops_values(o->C, o->loops);
     for (int i = 0; i < o->ncomponent; i++) {
         const struct component *c = &o->component[i];
         for (int r = c->nr; r < c->nrow; r++) {
             const int row = c->row[c->kept[r]];
-            if (!(fabs(o->C[row]) <= HOLDS))
+            if (!(fabs(o->C[row]) <= o->holds))
                 return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[row].loop, fabs(o->C[row]), t);
         }
     }
@@ -59,13 +58,24 @@ static int corners(struct condense *o, double ta, double tb)
     return any;
 }
 
+double condense_corner(const struct ode2 *ode, double ta, double tb)
+{
+    const struct condense *o = ode->self;
+    const struct model *m = o->model;
+    double first = INFINITY;
+    for (int l = m->nloop - m->ndrive; l < m->nloop; l++)
+        first = fmin(first, signal_corner_time(m->loop[l].drive, ta, fmin(first, tb)));
+    return first;
+}
+
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb)
 {
     struct condense *o = ode->self;
     struct trouble why;
     const int n = ode->n, nt = o->nt;
     double *dv = o->mean, *M = o->M_side;
-    if (condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK || !corners(o, ta, tb)) return 0;
+    if (!corners(o, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
+    corners(o, ta, tb); /* their rates have been asked for between */
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
     if (o->tree->ops->mass(o->tree, o->M, q, ta, ALL, &why) != OK) return 0;
     condense_factor(o, q, ta, &why);

@@ -5,6 +5,7 @@
  *     condense_close.c   dependents that close the loops; positions moved
  *     condense_split.c   which coordinates are dependent
  *     condense_start.c   the start: assembled, closed, or refused
+ *     condense_assemble.c  a start that does not fit, projected
  *     condense_unique.c  which reactions redundant rows leave open
  *     condense_drive.c   drives: their time, their power, the impulse of their corners
  *     condense.c         building, and what others ask
@@ -71,7 +72,7 @@ struct condense {
     double *aside, *mean;    /* [nt] */
     double *M_side;          /* [nt x nt] */
     int *split;              /* a component's split, to go back to */
-    bool contested;          /* rows were dropped in a component with a drive: they are watched */
+    double holds;            /* |C| up to which dropped rows hold; 0: there are none */
     int lost;                /* of the last posture that could not be closed: the worst loop, */
     double lost_by;          /* its |C| at the nearest posture met */
 };
@@ -101,10 +102,11 @@ enum status condense_lost(const struct condense *o, double t, struct trouble *wh
 void condense_gather(struct condense *o, double *r, double *w, const double *rt);
 /* w += power of the drives, with the multipliers in component->x */
 void component_power(const struct condense *o, const struct component *c, double *w);
-/* E_NUMERIC where a dropped row of a contested component no longer holds, at the posture looked at. */
+/* E_NUMERIC where a dropped row no longer holds, at the posture looked at. */
 enum status condense_contest(struct condense *o, double t, struct trouble *why);
 /* As ode2_breaks has it. */
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
+double condense_corner(const struct ode2 *ode, double ta, double tb);
 
 /* All components looked at and factored at q. */
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
@@ -149,6 +151,9 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t);
 
 /* Splits, and o->q, o->v closed at the deck's start; o->start.report says what is wrong. */
 enum status condense_begin(struct condense *o, const double *q0, const double *v0);
+
+/* o->q, v [nt]: the deck's q0, v0 with the least change in the mass metric that lets C = 0 and C' = 0 hold at t = 0. */
+enum status condense_assemble(struct condense *o, double *v, const double *q0, const double *v0);
 
 extern const struct ode2_ops condense_ops;   /* condense_reduce.c */
 extern const struct ode2_move condense_move; /* condense_close.c */

@@ -11,6 +11,7 @@
 static const double RANK = 1e-8;      /* least pivot over the first one */
 static const double ASSEMBLY = 1e-3;  /* |C| closed at all */
 static const double KEEP_FAST = 1e-2; /* weight of fast columns in later choices */
+static const double WATCHED = 1e-5;   /* |C| up to which dropped rows hold on the way */
 static const double HOLDS = 1e-9;     /* |C| of a whole state that is closed as it is */
 
 static const char *row_name(const struct condense *o, int row)
@@ -113,7 +114,8 @@ static double dropped_miss(const struct condense *o, int *worst)
 static enum status look_for_branches(struct condense *o)
 {
     static const double WAY = 1e-2, MISS = 1e-7;
-    int row, lost = 0;
+    int row, worst = 0, lost = 0;
+    double miss = 0;
     if (o->start.redundant == 0) return OK;
     for (unsigned trial = 0; trial < 3; trial++) {
         for (int i = 0; i < o->nt; i++) o->dx[i] = 0;
@@ -128,14 +130,19 @@ static enum status look_for_branches(struct condense *o)
             const struct component *c = &o->component[i];
             for (int r = c->nr; r < c->nrow; r++) away += fabs(o->C[c->row[c->kept[r]]]) > MISS + 10 * o->start.misfit;
         }
-        if (away > lost) lost = away;
+        if (away > lost) {
+            lost = away;
+            miss = dropped_miss(o, &worst);
+        }
     }
     if (lost == 0) return OK;
     condense_misfit(o, &row, o->q);
     return fail(
         &o->start.report, E_MODEL,
-        "rank of C_q drops by %d in this posture: a bifurcation, where the loops leave the way open; start beside it",
-        lost);
+        "rank of C_q drops by %d in this posture, and constraint '%s' misses by %.3g of the mechanism's size a "
+        "small way off: a bifurcation, where the loops leave the way open, or a mechanism that is locked; start "
+        "beside it",
+        lost, row_name(o, worst), miss);
 }
 
 static enum status assemble(struct condense *o)
@@ -145,7 +152,7 @@ static enum status assemble(struct condense *o)
     if (!(miss <= ASSEMBLY))
         return fail(&s->report, E_MODEL,
                     "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
-                    "size; at most %g is closed",
+                    "size; at most %g is closed without 'initial: {assemble: true}'",
                     row_name(o, s->misfit_row), miss, ASSEMBLY);
     for (int pass = 0; pass < 2; pass++) {
         TRY(split_all(o, o->q, miss));
@@ -289,7 +296,7 @@ static void draw_drives(struct condense *o)
     loops_when(l, 0);
 }
 
-/* Rows that were dropped where a drive has a say must go on to hold. */
+/* Were rows dropped where a drive has a say? */
 static bool is_contested(const struct condense *o)
 {
     bool any = false;
@@ -302,20 +309,36 @@ static bool is_contested(const struct condense *o)
     return any;
 }
 
+/* The deck's start, which fits or is refused. */
+static enum status place_start(struct condense *o, const double *q0, const double *v0)
+{
+    int row;
+    TRY(assemble(o));
+    TRY(go_to_start(o, q0));
+    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
+    return agrees(o, q0, v0);
+}
+
+/* The deck's start, made to fit. */
+static enum status project_start(struct condense *o, const double *q0, const double *v0)
+{
+    int row;
+    TRY(condense_assemble(o, o->way, q0, v0));
+    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = o->way[o->ind[i]];
+    return look_for_branches(o);
+}
+
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)
 {
     for (int i = 0; i < o->moves->nturn; i++) o->q[o->moves->turn[i].iq[0]] = 1;
     draw_drives(o);
-    TRY(assemble(o));
-    TRY(go_to_start(o, q0));
-    int row;
-    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
-    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
-    TRY(agrees(o, q0, v0));
+    TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
-    o->contested = is_contested(o);
-    if (o->contested) TRY(contradiction(o));
+    if (is_contested(o)) TRY(contradiction(o));
+    o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;

@@ -76,12 +76,23 @@ static double scale(const struct loops *o, int l)
     return o->model->measure[o->model->loop[l].measure].angular ? 1 : 1 / o->length;
 }
 
+/* Where drive l is at t: the iterations of a step ask for the same few times again and again. */
+static const double *motion_of(struct loops *o, int l, double t)
+{
+    struct moved *m = o->moved + MOVED * (l - (o->model->nloop - o->model->ndrive));
+    for (int i = 0; i < MOVED; i++)
+        if (m[i].t == t) return m[i].x;
+    for (int i = MOVED - 1; i > 0; i--) m[i] = m[i - 1];
+    m[0].t = t;
+    signal_motion(o->model->loop[l].drive, m[0].x, t);
+    return m[0].x;
+}
+
 void loops_when(struct loops *o, double t)
 {
     for (int l = o->model->nloop - o->model->ndrive; l < o->model->nloop; l++) {
-        double x[3], unit = scale(o, l);
+        const double *x = motion_of(o, l, t), unit = scale(o, l);
         int row = o->first[l];
-        signal_motion(o->model->loop[l].drive, x, t);
         o->c[row] = o->share == 1 ? unit * x[0] : o->drawn[row] + o->share * (unit * x[0] - o->drawn[row]);
         o->c1[row] = o->cw[row] = unit * x[1];
         o->c2[row] = unit * x[2];
@@ -99,10 +110,10 @@ void loops_over(struct loops *o, double ta, double tb)
 {
     if (ta == tb) return;
     for (int l = o->model->nloop - o->model->ndrive; l < o->model->nloop; l++) {
-        double a[3], b[3], unit = scale(o, l) / (tb - ta);
+        double a[3], unit = scale(o, l) / (tb - ta);
         int row = o->first[l];
-        signal_motion(o->model->loop[l].drive, a, ta);
-        signal_motion(o->model->loop[l].drive, b, tb);
+        memcpy(a, motion_of(o, l, ta), sizeof a);
+        const double *b = motion_of(o, l, tb);
         o->c1[row] = o->cw[row] = unit * (b[0] - a[0]);
         o->c2[row] = unit * (b[1] - a[1]);
         if (has_corner(o->model->loop[l].drive, a, b, ta, tb)) o->cw[row] = scale(o, l) * (a[1] + b[1]) / 2;

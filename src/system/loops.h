@@ -36,6 +36,12 @@ struct loop_place {
     double sum;          /* ROW_SUM: of the coordinates */
 };
 
+/* Where a drive is at time t, its rate and acceleration. */
+struct moved {
+    double t, x[3];
+};
+enum { MOVED = 4 };
+
 struct loops {
     const struct model *model;
     const struct sweep_ops *ops;
@@ -53,6 +59,7 @@ struct loops {
     struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
     double *c, *c1, *c2;  /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
     double *cw;           /* [nrow] the rate that their force works with */
+    struct moved *moved;  /* [ndrive x MOVED] drives at the times last asked for */
     double *drawn, share; /* [nrow] of drives: their measure as drawn; how far they have gone from there to c(t) */
 };
 

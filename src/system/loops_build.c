@@ -193,6 +193,8 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->c2 = TAKE(life, double, o->nrow);
     o->cw = TAKE(life, double, o->nrow);
     o->drawn = TAKE(life, double, o->nrow);
+    o->moved = TAKE(life, struct moved, MOVED * m->ndrive);
+    for (int i = 0; i < MOVED * m->ndrive; i++) o->moved[i].t = NAN;
     o->share = 1;
     return o;
 }

@@ -94,6 +94,8 @@ struct ode2_breaks {
     /* Corners of drives in [ta, tb): v takes their impulse at q, ta, and work += what it brought [J]; 1 if there was
      * one. For schemes that ask for accelerations at points of time and so miss it.  NULL: no drives. */
     int (*jump)(const struct ode2 *o, double *v, double *work, const double *q, double ta, double tb);
+    /* Right before the first of these corners; infinity: there is none.  With jump(). */
+    double (*corner)(const struct ode2 *o, double ta, double tb);
 };
 
 struct ode2 {

@@ -36,14 +36,14 @@ static void gather(double *x, const int *i, const double *from, int n)
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
-/* Body axes and modes; the shape is wanted by those that bear mass. */
-static void bend(struct bend *b, const struct part *x, const double *q, const double *v, const double *a, bool bears)
+/* Body axes and modes. */
+static void bend(struct bend *b, const struct part *x, const double *q, const double *v, const double *a)
 {
     turn2(b->cs, (double[]){x->c, x->s}, b->drawn);
     gather(b->q, b->iq, q, b->n);
     if (v) gather(b->v, b->iv, v, b->n);
     if (a) gather(b->a, b->iv, a, b->n);
-    if (bears) flex_planar_shape_at(&b->shape, b->kernel, b->q);
+    b->shaped = false;
 }
 
 /* x at its node of p. */
@@ -82,7 +82,7 @@ void planar_flex_outwards(struct sweep *s, const double *q, const double *v, con
             stand(s->stand[body], x, p, v != NULL, a != NULL);
         else
             planar_hang(x, p, l, q, v, a);
-        if (s->bend[body]) bend(s->bend[body], x, q, v, a, o->bears[i]);
+        if (s->bend[body]) bend(s->bend[body], x, q, v, a);
     }
 }
 
@@ -107,11 +107,12 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
 {
     const double *g = s->model->gravity;
     for (int i = 1; i < s->nbody; i++) {
-        const struct bend *b = s->bend[i];
+        struct bend *b = s->bend[i];
         if (!b) continue;
         const struct part *x = &s->part[i];
         double v[2], h[2], m = s->model->body[i].mass;
         turn_back(v, b->cs, x->v);
+        planar_flex_shape(b);
         planar_flex_first_moment(h, b);
         *kinetic += flex_planar_kinetic(b->kernel, &b->shape, v, x->w, b->v);
         *gravity -= g[0] * (m * x->r[0] + h[0]) + g[1] * (m * x->r[1] + h[1]);
@@ -123,6 +124,7 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
 static void load(struct bend *b, struct part *x)
 {
     double a[2], F[2];
+    planar_flex_shape(b);
     turn_back(a, b->cs, x->a);
     flex_planar_inertia(F, &x->N, b->Q, b->kernel, &b->shape, a, x->w, x->al, b->v, b->a);
     flex_planar_elastic(b->Q, b->kernel, b->q, b->v);

@@ -9,6 +9,7 @@
 struct bend {
     const struct flex_planar *kernel;
     struct flex_planar_shape shape;
+    bool shaped; /* it is that of q */
     int n;
     const int *iq, *iv;     /* [n] places of its modes */
     double *q, *v, *a, *Q;  /* [n] gathered; the modes' rows */
@@ -52,6 +53,13 @@ void planar_flex_start(struct sweep *s, double cm, const double *d);
 int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d);
 void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body);
 void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body);
+
+/* What depends on q alone, once for each motion, where it is wanted. */
+static inline void planar_flex_shape(struct bend *b)
+{
+    if (!b->shaped) flex_planar_shape_at(&b->shape, b->kernel, b->q);
+    b->shaped = true;
+}
 
 /* First moment in the world. */
 static inline void planar_flex_first_moment(double *h, const struct bend *b)

@@ -25,6 +25,7 @@ void planar_flex_start(struct sweep *s, double cm, const double *d)
         struct bend *b = s->bend[i];
         double h[2], *I = s->part[i].I;
         if (!b) continue;
+        planar_flex_shape(b);
         planar_flex_first_moment(h, b);
         I[0] = cm * b->shape.J;
         I[1] = -cm * h[1];

@@ -16,9 +16,10 @@
 void planar_flex_compose(struct sweep *s, const struct roster *o)
 {
     for (int i = 0; i < o->n; i++) {
-        const struct bend *b = s->bend[o->body[i]];
+        struct bend *b = s->bend[o->body[i]];
         struct part *x = &s->part[o->body[i]];
         if (!b || !o->bears[i]) continue;
+        planar_flex_shape(b);
         x->cm = s->model->body[o->body[i]].mass;
         planar_flex_first_moment(x->cs, b);
         x->cj = b->shape.J;
@@ -66,7 +67,7 @@ static void rise(double *M, const struct sweep *s, double *f, int body, int col)
 
 void planar_flex_own(struct bend *b)
 {
-    memcpy(b->M, flex_planar_mass(b->kernel), sizeof *b->M * (size_t)(b->n * b->n));
+    flex_planar_mass(b->M, b->kernel, &b->shape);
     for (int k = 0; k < b->n; k++) {
         double *U = b->U + 3 * k;
         U[0] = b->shape.G[k];

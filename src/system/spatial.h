@@ -58,12 +58,14 @@ struct twist {
 struct flexible {
     const struct flex_kernel *kernel;
     struct flex_shape shape;
+    bool shaped; /* it is that of q */
     double mass;
     int body, n;
     const int *iq, *iv;  /* [n] its coordinates */
     double *q, *q1, *q2; /* [n] at hand; q1, q2 as far as `order` says: 0, 1, 2 derivatives */
     int order;
     double *Q;              /* [n] what the rows of its coordinates need */
+    double *Me;             /* [n x n] of spatial_mass() */
     double R[9];            /* body axes to world */
     int nnode[4], *node[4]; /* bodies at its nodes by class, as the rosters have them */
 };
@@ -162,7 +164,9 @@ void spatial_flex_gather(struct sweep *s, const double *q, const double *v, cons
 void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l);
 void spatial_flex_bring_up(struct part *x, struct flexible *f);
 void spatial_flex_rows(double *r, const struct flexible *f);
-void spatial_flex_energy(double *T, double *V, const struct part *x, const struct flexible *f, const double *gravity);
+/* Its shape, once for each motion, where it is wanted. */
+void spatial_flex_shape(struct flexible *f);
+void spatial_flex_energy(double *T, double *V, const struct part *x, struct flexible *f, const double *gravity);
 void spatial_stand_place(struct part *x, struct stand *o, const struct part *p);
 void spatial_stand_move(struct part *x, const struct stand *o, const struct part *p);
 void spatial_stand_speed_up(struct part *x, const struct stand *o, const struct part *p);

@@ -98,7 +98,7 @@ void spatial_energy(const struct sweep *s, double *kinetic, double *gravity)
     for (int i = 1; i < s->nbody; i++) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
-        const struct flexible *flexible = spatial_flexible(s, i);
+        struct flexible *flexible = spatial_flexible(s, i);
         double w[3], L[3];
         if (flexible) {
             spatial_flex_energy(&T, &V, x, flexible, s->model->gravity);

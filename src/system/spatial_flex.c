@@ -28,6 +28,7 @@ static void build_flexible(struct flexible *f, const struct model_body *b, int b
     f->q1 = TAKE(life, double, f->n);
     f->q2 = TAKE(life, double, f->n);
     f->Q = TAKE(life, double, f->n);
+    f->Me = TAKE(life, double, f->n * f->n);
 }
 
 static void build_stand(struct stand *o, const struct flexible *f, const struct link *l, const struct model_joint *j,
@@ -70,6 +71,12 @@ void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *li
     for (unsigned cls = FAST; cls <= ALL; cls++) list_nodes(s, m, cls, life);
 }
 
+void spatial_flex_shape(struct flexible *f)
+{
+    if (!f->shaped) flex_shape_at(&f->shape, f->kernel, f->q);
+    f->shaped = true;
+}
+
 /* --- motion outwards ---------------------------------------------------------------------------- */
 
 static void pick(double *o, const double *x, const int *at, int n)
@@ -91,7 +98,7 @@ void spatial_flex_gather(struct sweep *s, const double *q, const double *v, cons
 void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l)
 {
     m3_mulmt(f->R, x->R, l->turned);
-    flex_shape_at(&f->shape, f->kernel, f->q);
+    f->shaped = false;
 }
 
 void spatial_stand_place(struct part *x, struct stand *o, const struct part *p)
@@ -139,6 +146,7 @@ void spatial_flex_bring_up(struct part *x, struct flexible *f)
     m3_tmul(a, f->R, x->a);
     m3_tmul(w, f->R, x->w);
     m3_tmul(al, f->R, x->al);
+    spatial_flex_shape(f);
     flex_inertia(F, N, f->Q, f->kernel, &f->shape, a, w, al, f->q, f->q1, f->q2, true);
     m3_mul(x->F, f->R, F);
     m3_mul(x->N, f->R, N);
@@ -176,9 +184,10 @@ int spatial_stand_below(const struct sweep *s, const struct flexible *f, int i)
 }
 
 /* T += twice the kinetic energy, V += -g . (m r + h). */
-void spatial_flex_energy(double *T, double *V, const struct part *x, const struct flexible *f, const double *gravity)
+void spatial_flex_energy(double *T, double *V, const struct part *x, struct flexible *f, const double *gravity)
 {
     double v[3], w[3], h[3];
+    spatial_flex_shape(f);
     m3_tmul(v, f->R, x->v);
     m3_tmul(w, f->R, x->w);
     m3_mul(h, f->R, f->shape.h);

@@ -382,7 +382,8 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 void system_centre(const struct system *s, struct pose *o, int body)
 {
     s->ops->pose(s->view, o, body);
-    if (s->model->body[body].flex) bent_centre(o, &s->model->body[body], s->q, s->v, s->a);
+    for (int i = 0; i < s->elastic.n; i++)
+        if (s->elastic.body[i].number == body) bent_centre(o, &s->elastic.body[i], s->q, s->v, s->a);
 }
 
 void system_displacement(const struct system *s, double *d, const struct model_point *p)

@@ -41,13 +41,14 @@ struct bench {
     struct basis basis;
 };
 
-static void must(enum status status, const struct bench *b)
+static inline void must(enum status status, const struct bench *b)
 {
     if (status != OK) fail_msg("%d: %s", status, b->report.text);
 }
 
 /* The bar reduced; tip: is there a second interface? */
-static void bench_make(struct bench *b, const char *job, bool tip, bool rigid, enum basis_method method, int modes)
+static inline void bench_make(struct bench *b, const char *job, bool tip, bool rigid, enum basis_method method,
+                              int modes)
 {
     const struct fe_source source = {.job = job, .units = {1, 1, 1}};
     const struct tie_wish wish[] = {{.name = "root", .where = "root", .rigid = true},
@@ -60,12 +61,12 @@ static void bench_make(struct bench *b, const char *job, bool tip, bool rigid, e
     must(basis_make(&b->basis, &b->fe, b->tie, 1 + tip, &want, b->life, &b->report), b);
 }
 
-static void bench_end(struct bench *b)
+static inline void bench_end(struct bench *b)
 {
     arena_close(b->life);
 }
 
-static void close_to(double got, double want, double tolerance, const char *what)
+static inline void close_to(double got, double want, double tolerance, const char *what)
 {
     if (!(fabs(got - want) <= tolerance)) fail_msg("%s: %.12g, expected %.12g to %.3g", what, got, want, tolerance);
 }

@@ -267,7 +267,7 @@ static void test_file(void **state)
     struct flex_body *o = body_make(&b.fe, &b.basis, b.tie, 2, 1, true, &damping, b.life);
     o->stress[0].name = "a \"root\" \\ point";
     for (int k = 0; k < 6 * o->n; k++) o->stress[0].tensor[k] = sin(k) * 1e7;
-    for (int k = 0; k < 3 * o->n * o->n; k++) o->s[k] = 1 / (1.0 + k);
+    for (int k = 0; k < 3 * o->n * o->n; k++) o->s[k] = 1 / (1.0 + k % 3 + k / 3 % o->n + k / 3 / o->n);
     const char *text = flex_file_text(o, b.fe.centre, b.life);
     FILE *file = fopen(path, "w");
     assert_non_null(file);

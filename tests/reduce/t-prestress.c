@@ -45,6 +45,60 @@ static void spun(double *lambda, const struct flex_body *o, double c, int k, dou
     eigen_general(lambda, Y, K, M, n);
 }
 
+static void stress_loads(struct bench *b, struct flex_body *o, int ntie)
+{
+    struct wish *wish = TAKE(b->life, struct wish, 1);
+    wish->ntie = ntie;
+    wish->stiffening = true;
+    wish->material = true;
+    wish->E = bar_E;
+    wish->nu = bar_nu;
+    wish->quiet = true;
+    must(prestress_read(o, wish, &b->fe, &b->basis, b->tie, b->life, &b->report), b);
+}
+
+/* From stress: the same for bending; torsion and stretch also feel that the bar is longer, by strains of 2e-4. */
+static void test_stress(void **state)
+{
+    struct bench b;
+    struct flex_body *o;
+    double lambda[MODES];
+    (void)state;
+    bar_body(&b, &o, false, MODES);
+    double strain = bar_density * 1e4 * bar_length * bar_length / (2 * bar_E);
+    stress_loads(&b, o, 1);
+    spun(lambda, o, b.fe.centre[0], 2, 1e4);
+    for (int j = 0; j < 7; j++) {
+        double shift = fabs(bar_spun[j] - bar_clamped[j]);
+        double tolerance = 0.003 * shift + (j < 4 ? 1e-6 : 2 * strain) * bar_spun[j];
+        close_to(lambda[j], bar_spun[j], tolerance, "omega^2 of the spinning bar");
+    }
+    bench_end(&b);
+}
+
+/* A pull of 1 N at the tip of a slender bar in its first bending mode v(x): - S_x of the tip is int v'^2 dx, by the
+ * trapezoidal rule over the mesh's cross-sections; and nothing bends in itself: S_y, S_z vanish there. */
+static void test_shortening(void **state)
+{
+    struct bench b;
+    struct flex_body *o;
+    double along = 0, kL = 1.8751040687119611, sigma = 0.7340955137589128, lift, sum = 0;
+    (void)state;
+    bar_body(&b, &o, true, 4);
+    stress_loads(&b, o, 2);
+    lift = o->node[1].phi[2]; /* of the first mode, along z */
+    for (int i = 0; i < 2000; i++) {
+        double x = kL * (i + 0.5) / 2000;
+        double slope = kL * (sinh(x) + sin(x) - sigma * (cosh(x) - cos(x))); /* of cosh - cos - sigma (sinh - sin) */
+        sum += slope * slope / 2000;
+    }
+    along = sum * lift * lift / 4; /* the mode is 2 at the tip */
+    close_to(-o->node[1].S[0], along, 0.05 * along, "shortening");
+    close_to(o->node[1].S[1], 0, 1e-6 * along, "S_y");
+    close_to(o->node[1].S[2], 0, 1e-6 * along, "S_z");
+    bench_end(&b);
+}
+
 /* CalculiX's own CENTRIF, to the digits it prints. */
 static void test_centrifugal(void **state)
 {
@@ -256,10 +310,8 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_centrifugal),
-        cmocka_unit_test(test_flap),
-        cmocka_unit_test(test_all_loads),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_centrifugal), cmocka_unit_test(test_stress),    cmocka_unit_test(test_shortening),
+        cmocka_unit_test(test_flap),        cmocka_unit_test(test_all_loads), cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-# part-order.sh -- every integrator shows its order on the shipped decks.
+# part-order.sh -- every integrator shows its order on the shipped decks and on those of tests/decks.
 #
 # tests/decks/order.txt, one case a line:
 #
@@ -12,6 +12,8 @@
 . tests/tools/lib.sh
 need_program order
 
+deck_of() { if [ -f "decks/$1.yaml" ]; then echo "decks/$1.yaml"; else echo "tests/decks/$1.yaml"; fi; }
+
 error_of() { # RUN DECK UNTIL COLUMNS
     if [ -f "tests/refdata/$2.csv" ]; then
         map=
@@ -19,7 +21,7 @@ error_of() { # RUN DECK UNTIL COLUMNS
         "$COMPARE" --reference $map --until "$3" --columns "$4" "tests/refdata/$2.csv" "$1"
     else
         [ -f "$work/$2.tight" ] || "$FMDSUB" run -q --set integrate.scheme=dopri5 --set integrate.tolerance=1.0e-13 \
-            --until "$3" "decks/$2.yaml" >"$work/$2.tight" || return 1
+            --until "$3" "$(deck_of "$2")" >"$work/$2.tight" || return 1
         "$COMPARE" --reference --until "$3" --columns "$4" "$work/$2.tight" "$1"
     fi
 }
@@ -36,7 +38,7 @@ run_case() { # DECK SCHEME RATIO H UNTIL HALVINGS LEAST COLUMNS
             set_step="--set integrate.step=$h --set integrate.newton_tolerance=1.0e-13" ;;
         esac
         "$FMDSUB" run -q --set integrate.scheme="$2" --set integrate.ratio="$3" $set_step --until "$5" \
-            "decks/$1.yaml" >"$work/run.csv" 2>"$work/err" || return 1
+            "$(deck_of "$1")" >"$work/run.csv" 2>"$work/err" || return 1
         e=$(error_of "$work/run.csv" "$1" "$5" "$8" 2>"$work/err") || return 1
         echo "$h $e" >>"$work/table"
         awk -v e="$e" -v least="$7" -v i="$i" 'BEGIN { exit !(e + 0 <= least + 0 && i >= 3) }' && break

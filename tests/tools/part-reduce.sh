@@ -42,6 +42,9 @@ expect warns-of-left-out-mass 0 $? "$work/one.err"
 reduce -q -i root=root -n 20 $bar >"$work/quiet.json" 2>"$work/quiet.err"
 expect quiet "0 0" "$? $(grep -vc '^warning: ' "$work/quiet.err")"
 
+reduce -q -i root=root -i tip=tip:average -n 4 --material 7e10,0.3 --stiffening $bar >"$work/stiff.json" 2>"$work/stiff.err"
+expect stiffening "0 1" "$? $(grep -c '"xs"' "$work/stiff.json")" "$work/stiff.err"
+
 mkdir "$work/loads"
 reduce -i root=root -i tip=tip --loads "$work/loads/bar" $bar 2>"$work/loads.err"
 expect loads "0 15" "$? $(ls "$work/loads" | wc -l)" "$work/loads.err"
@@ -86,6 +89,8 @@ refuse bad-kind 2 'neither rigid nor average' -i root=root:loose $bar
 refuse bad-number 2 'expects a number above 0' -i root=root --length -1 $bar
 refuse bad-load 2 'is none of accel-x' -i root=root --prestress accel-w=$bar-accel-x.sti $bar
 refuse stress-without-material 2 'needs --material' -i root=root --stress a=1 $bar
+refuse stiffening-without-material 2 'needs --material' -i root=root --stiffening $bar
+refuse stiffening-twice 2 'one of both' -i root=root --material 1,0.3 --stiffening --prestress accel-x=x.sti $bar
 refuse no-such-job 6 'No such file' -i root=root tests/reduce/none
 refuse no-such-set 4 "no node set 'rot'" -i root=rot $bar
 refuse no-such-node 4 'node 9999 is not part' -i root=9999 $bar
@@ -114,6 +119,14 @@ spoiled mesh-of-another 4 'turned about . as a rigid body it pushes back' bar.in
 spoiled mass-across 4 'has the same mass along' bar.mas '$1 == 1 && $2 == 1 { print 1, 2, 0.01 } 1'
 spoiled coordinate-missing 3 'bar.inp:5: error: node 2: a coordinate' bar.inp 'NR == 5 { $3 = "x," } 1'
 spoiled set-of-nothing 3 "neither a node number nor a node set" bar.inp '/NSET=root/ { print; getline; print "nowhere, 1"; next } 1'
+spoiled set-too-large 3 'bar.inp:.* error: GENERATE makes more than' bar.inp '1; END { print "*NSET, NSET=all, GENERATE"; print "1, 2000000000" }'
+spoiled include-of-itself 3 'goes deeper than' bar.inp '1; END { print "*INCLUDE, INPUT=bar.inp" }'
+job
+spoil bar.inp '{ sub("C3D20R", "C3D8I") } 1'
+refuse stiffening-of-others 3 'element 1: expected 8 nodes\|element .* expected 8 nodes' -i root=root --material 1,0.3 --stiffening "$work/x/bar"
+job
+spoil bar.inp '{ sub("C3D20R", "S8R") } 1'
+refuse stiffening-of-shells 4 'the mesh has no elements' -i root=root --material 1,0.3 --stiffening "$work/x/bar"
 spoiled mesh-without-nodes 3 'there is no \*NODE' bar.inp '/^\*NODE/ { print "*NODES"; next } 1'
 spoiled transformed 3 'bar.inp:1: error: \*TRANSFORM' bar.inp 'NR == 1 { print "*TRANSFORM, NSET=bar" } 1'
 spoiled mass-negative 4 'the whole mass is -' bar.mas '$1 != $2 { $3 = -9 * $3 } 1'

@@ -143,7 +143,7 @@ static void test_breaks(void **state)
 {
     (void)state;
     static const struct ode2_ops ops = {late_resid, linear_mass, linear_slopes};
-    static const struct ode2_breaks breaks = {late_next, NULL};
+    static const struct ode2_breaks breaks = {.next = late_next};
     long rejected[2];
     for (int told = 0; told < 2; told++) {
         struct linear s;

@@ -31,7 +31,7 @@ static struct flex_body *make(struct arena *life)
     }
     for (int k = 0; k < 9 * N; k++) o->xf[k] = sin(k) * 1e-9;
     for (int k = 0; k < 6 * N; k++) o->stress[0].tensor[k] = exp(3.0 * k);
-    for (int k = 0; k < 3 * N * N; k++) o->s[k] = 0.1 * (k % 3 + k / 3 % 2 + k / 6);
+    for (int k = 0; k < 3 * N * N; k++) o->s[k] = 0.1 * (k % 3 + k / 3 % 2 + k / 6); /* the same for i, j and j, i */
     o->D[0] = 0.1 + 0.2;
     o->node[0].name = "root";
     o->node[1].name = "tip \"upper\" \\ end\n";
@@ -145,6 +145,10 @@ static void test_refused(void **state)
         {"\"ff\"", "1.5", "-1.5", "'ff': gives a mass matrix that is not positive"},
         {"\"K\"", "142857.14285714", "-142857.14285714", "'K': should be symmetric, not negative"},
         {"\"K\"", ", 0", ", 1000", "'K': should be symmetric"},
+        {"\"ff\"", "0, 0", "0, 7", "'ff': block i, j is not that of j, i"},
+        {"\"s\"", "0, 0.1, 0.2, 0.1", "0, 0.1, 0.2, 0.5", "'s': is not symmetric in i, j"},
+        {"\"nodes\"", "\"S\": [0, 0, 0, 0", "\"S\": [0, 0, 0, 1", "nodes[0].S: is not symmetric"},
+        {"\"nodes\"", "\"S\": [0", "\"S\": [2", "'reference': the reference node should not move"},
         {"\"xs\"", "\"xs\"", "\"sx\"", "'s': s and xs go together"},
         {"\"nodes\"", "\"psi\"", "\"phi\"", "nodes[0].phi: given twice"},
         {"\"nodes\"", "\"name\": \"root\"", "\"name\": 5", "nodes[0].name: expected a text"},

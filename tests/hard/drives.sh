@@ -1,0 +1,55 @@
+# drives.sh -- drives that cannot be followed, that say things twice, and what they cost in energy.
+. tests/tools/lib.sh
+
+# The crank is longer than the rod: nothing beyond asin(0.15/0.35) = 0.442911 s.
+for scheme in midpoint newmark subcycle rk4 dopri5; do
+    how="--set integrate.scheme=$scheme"
+    [ $scheme = dopri5 ] && how="$how --set integrate.tolerance=1.0e-8"
+    "$FMDSUB" run -q $how tests/hard/locked-drive.yaml >"$work/out" 2>"$work/err"
+    expect "locked, $scheme: status" 5 $? "$work/err"
+    grep -q "stopped at t = 0.442.*'wrist' cannot be kept" "$work/err" && ok "locked, $scheme: told" ||
+        not_ok "locked, $scheme: told" "stderr:" "$work/err"
+    expect "locked, $scheme: records up to the last step, whole" "0.442 4 444" \
+        "$(awk -F, 'END { print $1, NF, NR }' "$work/out")"
+done
+
+# Two drives of one freedom: alike, then off by next to nothing, then by too much.
+for d in 0 1.0e-9; do
+    "$FMDSUB" run --set parameters.d=$d tests/hard/two-drives.yaml >"$work/out.$d" 2>"$work/err"
+    expect "two drives, $d apart: status" 0 $? "$work/err"
+    grep -q "W-redundant" "$work/err" && ok "two drives, $d apart: warned" ||
+        not_ok "two drives, $d apart: warned" "stderr:" "$work/err"
+done
+"$FMDSUB" run --set parameters.d=1.0e-3 tests/hard/two-drives.yaml >"$work/out" 2>"$work/err"
+expect "two drives, 1e-3 apart: status" 4 $? "$work/err"
+expect "two drives, 1e-3 apart: nothing written" "" "$(cat "$work/out")"
+grep -q "drive 'two' contradicts" "$work/err" && ok "two drives, 1e-3 apart: told" ||
+    not_ok "two drives, 1e-3 apart: told" "stderr:" "$work/err"
+# They part later.
+"$FMDSUB" run --set 'drives.two.value=0.2*sin(t) + if(t < 0.5, 0, (t - 0.5)^2)' tests/hard/two-drives.yaml >"$work/out" 2>"$work/err"
+expect "two drives that part: status" 5 $? "$work/err"
+
+# Twenty seconds with the fast part resolved, omega h = 0.084: the balance holds, and does not wander.
+for n in 1 5 10 20; do
+    "$FMDSUB" run -q --set integrate.step=5.0e-4 --set integrate.ratio=$n --every 0.05 --until 20 \
+        --columns energy.residual,energy.kinetic decks/driven-telescope.yaml >"$work/out" 2>"$work/err"
+    awk -F, '
+        function size(x) { return x < 0 ? -x : x }
+        NR > 1 { half = $1 > 10; if (size($2) > worst[half]) worst[half] = size($2); if ($3 > kinetic) kinetic = $3 }
+        END {
+            printf "%.2g and %.2g of %.3g J", worst[0], worst[1], kinetic
+            exit !(kinetic > 1 && worst[0] <= 1e-3 * kinetic && worst[1] <= 1e-3 * kinetic && worst[1] < 2 * worst[0])
+        }' "$work/out" >"$work/line"
+    if [ $? = 0 ]; then ok "driven telescope n=$n: residual in both halves $(cat "$work/line")"
+    else not_ok "driven telescope n=$n" "residual in both halves $(cat "$work/line")" "$work/err"; fi
+done
+
+# The axle with its rack held and both wheels on the same bump: one side mirrors the other.
+"$FMDSUB" run -q --set 'drives.steering.value=0*t' --set 'forces.road2.value=[0, 0, 330 + 2500*exp(-((t - 0.3)/0.04)^2)]' \
+    --columns low1.angle,low2.angle,hub1.z,hub2.z,hub1.qz,hub2.qz decks/axle.yaml >"$work/out" 2>"$work/err"
+awk -F, '
+    function size(x) { return x < 0 ? -x : x }
+    NR > 1 { d = size($2 + $3) + size($4 - $5) + size($6 + $7); if (d > worst) worst = d; if (size($2) > most) most = size($2) }
+    END { printf "%.2g of %.2g rad", worst, most; exit !(most > 0.02 && worst < 1e-12) }' "$work/out" >"$work/line"
+if [ $? = 0 ]; then ok "axle: left and right differ by $(cat "$work/line")"
+else not_ok "axle: left and right" "differ by $(cat "$work/line")" "$work/err"; fi
