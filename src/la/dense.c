@@ -20,11 +20,19 @@
 #define WIDE
 #endif
 
+/* The kernels must stand in every one of these copies: called, they would be of the plain one, and gcc 12 then leaves
+ * the upper halves of the registers in use at the end (no vzeroupper), which slows all that runs afterwards. */
+#if defined(__GNUC__)
+#define INTO __attribute__((always_inline))
+#else
+#define INTO
+#endif
+
 enum { NARROW = 12 }; /* below, the call through the loader's table costs more than it gives */
 
 /* c [n] -= A f,  the m columns of A in order; f(k) = f[k * step]. */
-static inline void subtract_columns(double *restrict c, const double *restrict A, const double *restrict f, int n,
-                                    int m, int ld, int step)
+INTO static inline void subtract_columns(double *restrict c, const double *restrict A, const double *restrict f, int n,
+                                         int m, int ld, int step)
 {
     int k = 0;
     for (; k + 4 <= m; k += 4) {
@@ -42,7 +50,7 @@ static inline void subtract_columns(double *restrict c, const double *restrict A
     }
 }
 
-static inline int cholesky(double *A, int n, int ld)
+INTO static inline int cholesky(double *A, int n, int ld)
 {
     for (int j = 0; j < n; j++) {
         double *c = A + (long)j * ld, diagonal = c[j];
@@ -96,7 +104,7 @@ static void swap_entries(double *c, const int *swap, int n)
 }
 
 /* Column j of U and, unscaled, of L; the rows of earlier swaps are already in place. */
-static inline void lu_column(double *A, double *c, int j, int n, int ld)
+INTO static inline void lu_column(double *A, double *c, int j, int n, int ld)
 {
     for (int k = 0; k < j; k++) {
         const double *a = A + (long)k * ld;
@@ -107,7 +115,7 @@ static inline void lu_column(double *A, double *c, int j, int n, int ld)
     subtract_columns(c + j, A + j, c, n - j, j, ld, 1);
 }
 
-static inline int lu(double *A, int *swap, int n, int ld)
+INTO static inline int lu(double *A, int *swap, int n, int ld)
 {
     for (int j = 0; j < n; j++) {
         double *c = A + (long)j * ld, size = 0;
@@ -162,8 +170,8 @@ void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld
     for (int k = 0; k < m; k++) dense_lu_solve(LU, swap, X + (long)k * ldx, n, ld);
 }
 
-static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
-                        int cols, int ld)
+INTO static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
+                             int cols, int ld)
 {
     for (int j = 0; j < cols; j++) {
         const double *c = A + (long)j * ld;

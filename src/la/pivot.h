@@ -21,7 +21,9 @@ void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, d
 
 /* L^-1 P A = U by partial pivoting, for a square A with its numbers near the diagonal: none more than band[0] below it,
  * none more than band[1] - band[0] above (row exchanges fill up to band[1]); the rest of A is not looked at.
- * swap [n].  Returns the number of pivots, n unless A is singular or not finite.  x := A^-1 x, x := A^-T x. */
+ * swap [n].  Returns the number of pivots, n unless A is singular or not finite.  x := A^-1 x, x := A^-T x.
+ * Compact: with ld = band[0] + band[1], A = store + band[1], the bands of the columns stand one behind the other in
+ * store [n (ld + 1)]. */
 int pivot_rows(double *A, int *swap, const int *band, int n, int ld);
 void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld);
 void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld);

@@ -19,8 +19,18 @@ struct making {
     bool *supple;     /* [nbody] likewise the body's elastic coordinates */
 };
 
+/* Joints by body, as lists threaded through two arrays: first[b], next[2 j + side]. */
+struct threads {
+    int *first, *next;
+};
+
+/* How much a joint is wanted in the tree: its coordinates are read, or it has none. */
+enum { AVOIDED = -1, PLAIN = 0, LIKED = 1, WANTED = 2 };
+
 /* tree.c: spanning tree from the ground, breadth first, in the deck's order of joints; the rest are loops */
 enum status make_tree(struct making *o);
+/* short.c: would other joints leave much shorter loops?  Then the rest are AVOIDED. */
+bool make_short(const struct making *o, const struct threads *threads, int *wish);
 /* nodes.c: bodies at the nodes of flexible ones */
 /* The model's body that a world place, drawn, on the scene's body belongs to; made where there is none yet. */
 int stand(struct making *o, int scene_body, const double *world);

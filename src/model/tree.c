@@ -2,6 +2,7 @@
  *
  * Where joints close loops, those whose coordinates the deck names, and fixed ones, come first, and those it marks
  * `loop: true` last; the joints that are left over become equations (2-2), as do ties, which never are in the tree.
+ * Where their loops are many and long, the tree is grown again along joints that leave short ones (short.c).
  *
  * A joint met from its second body is turned round: with axes z -> -z, y -> -y its coordinate is still that
  * of the deck's second body against its first; a universal joint's two axes change places and sign.
@@ -119,11 +120,6 @@ static void hang_free(struct making *o, int body)
     o->scene_joint[j->child - 1] = -1;
 }
 
-/* Joints by body, as lists threaded through two arrays: first[b], next[2 j + side]. */
-struct threads {
-    int *first, *next;
-};
-
 static struct threads thread_joints(struct making *o)
 {
     const struct scene *scene = o->scene;
@@ -139,9 +135,6 @@ static struct threads thread_joints(struct making *o)
     }
     return t;
 }
-
-/* How much a joint is wanted in the tree: its coordinates are read, or it has none. */
-enum { AVOIDED = -1, PLAIN = 0, LIKED = 1, WANTED = 2 };
 
 /* Does the output ask for one of its coordinates by name? */
 static bool is_printed(const struct making *o, const struct scene_joint *joint)
@@ -262,6 +255,15 @@ static void grow(struct making *o, struct search *s)
     }
 }
 
+/* Nothing hangs on the ground any more. */
+static void fell(struct making *o)
+{
+    for (int i = 1; i < o->scene->nbody; i++) o->body_of[i] = -1;
+    for (int i = 0; i < o->scene->njoint; i++) o->joint_of[i] = -1;
+    o->m->nbody = 1;
+    o->m->njoint = 0;
+}
+
 /* Gears and racks; a joint that is not in the tree has no coordinate to tie, and is told elsewhere. */
 static void add_terms(struct making *o, struct model_loop *l, const struct scene_joint *sj)
 {
@@ -349,6 +351,10 @@ enum status make_tree(struct making *o)
     if (closes_loops(o))
         for (int i = 0; i < scene->njoint; i++) s.wish[i] = wish(o, i);
     grow(o, &s);
+    if (make_short(o, &s.threads, s.wish)) {
+        fell(o);
+        grow(o, &s);
+    }
     for (int i = 1; i < n; i++) { /* an island: free, with what hangs on it */
         if (o->body_of[i] >= 0) continue;
         hang_free(o, i);

@@ -4,40 +4,99 @@
 #include "la/vec3.h"
 #include "system/condense_parts.h"
 
-static void build_component(struct condense *o, int i, struct arena *life)
+/* Rows and coordinates of each component, in order. */
+static void list_parts(struct condense *o, struct arena *life)
 {
     const struct model *m = o->model;
-    struct component *c = &o->component[i];
-    c->k = TAKE(life, int, o->nt);
-    c->row = TAKE(life, int, o->loops->nrow);
-    for (int r = 0; r < o->loops->nrow; r++)
-        if (m->loop[o->loops->row[r].loop].component == i) c->row[c->nrow++] = r;
-    for (int k = 0; k < o->nt; k++) {
-        if (o->owner[k] != i) continue;
-        o->column[k] = c->nk;
-        c->k[c->nk++] = k;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; i < o->ncomponent; i++) {
+            struct component *c = &o->component[i];
+            if (pass) c->row = TAKE(life, int, c->nrow), c->k = TAKE(life, int, c->nk);
+            c->nrow = c->nk = 0;
+        }
+        for (int r = 0; r < o->loops->nrow; r++) {
+            struct component *c = &o->component[m->loop[o->loops->row[r].loop].component];
+            if (pass) c->row[c->nrow] = r;
+            c->nrow++;
+        }
+        for (int k = 0; k < o->nt; k++) {
+            if (o->owner[k] < 0) continue;
+            struct component *c = &o->component[o->owner[k]];
+            if (pass) c->k[o->column[k] = c->nk] = k;
+            c->nk++;
+        }
     }
-    const int most = c->nrow > c->nk ? c->nrow : c->nk, size = c->nrow * c->nk;
+}
+
+static int loop_of_row(const struct condense *o, const struct component *c, int r)
+{
+    return o->loops->row[c->row[r]].loop;
+}
+
+/* The coordinates of each row. */
+static void build_rows(struct condense *o, struct component *c, struct arena *life)
+{
+    const struct loops *l = o->loops;
+    c->start = TAKE(life, int, c->nrow + 1);
+    for (int r = 0; r < c->nrow; r++) c->start[r + 1] = c->start[r] + l->nk[loop_of_row(o, c, r)];
+    c->at = TAKE(life, int, c->start[c->nrow]);
+    c->F = TAKE(life, double, c->start[c->nrow]);
+    for (int r = 0; r < c->nrow; r++) {
+        const int loop = loop_of_row(o, c, r);
+        for (int k = 0; k < l->nk[loop]; k++) c->at[c->start[r] + k] = o->column[l->k[loop][k]];
+    }
+}
+
+/* turn [nt]: which rotation begins with a coordinate; -1: none.  A path has its three one behind the other. */
+static void build_spins(struct condense *o, struct component *c, const int *turn, struct arena *life)
+{
+    for (int pass = 0; pass < 2; pass++) {
+        if (pass) c->spin = TAKE(life, struct spin, c->nspin);
+        c->nspin = 0;
+        for (int e = 0; e < c->start[c->nrow]; e++) {
+            const int i = turn[c->k[c->at[e]]], *iv = i < 0 ? NULL : o->moves->turn[i].iv;
+            if (!iv || e + 2 >= c->start[c->nrow] || c->k[c->at[e + 1]] != iv[1] || c->k[c->at[e + 2]] != iv[2])
+                continue;
+            if (pass) c->spin[c->nspin] = (struct spin){i, {e, e + 1, e + 2}};
+            c->nspin++;
+        }
+    }
+}
+
+static void build_component(struct condense *o, struct component *c, struct arena *life)
+{
+    enum { SMALL = 4096 }; /* numbers of C_q: below, dense is no slower, and there is room for any split */
+    const int most = c->nrow > c->nk ? c->nrow : c->nk;
+    const size_t size = (size_t)c->nrow * (size_t)c->nk;
     int drives = 0;
-    for (int r = 0; r < c->nrow; r++) drives += m->loop[o->loops->row[c->row[r]].loop].drive != NULL;
+    for (int r = 0; r < c->nrow; r++) drives += o->model->loop[loop_of_row(o, c, r)].drive != NULL;
+    build_rows(o, c, life);
+    c->loop_of = TAKE(life, int, c->nk);
+    c->row_order = TAKE(life, int, c->nrow);
+    component_order(o, c);
     c->lead = TAKE(life, int, drives);
     c->s0 = TAKE(life, double, drives);
     c->T0 = TAKE(life, double, drives * c->nrow);
-    double **of[] = {&c->F, &c->G, &c->G0, &c->whole};
-    for (size_t k = 0; k < sizeof of / sizeof *of; k++) *of[k] = TAKE(life, double, size);
-    c->A = TAKE(life, double, c->nrow * c->nrow);
     c->kept = TAKE(life, int, c->nrow);
     c->dep = TAKE(life, int, most);
     c->ind = TAKE(life, int, c->nk);
+    c->place = TAKE(life, int, c->nk);
     c->prow = TAKE(life, int, most);
     c->pcol = TAKE(life, int, most);
+    c->pivot = TAKE(life, double, most);
     c->x = TAKE(life, double, most);
     c->weight = TAKE(life, double, c->nk);
-    c->dependent = TAKE(life, bool, c->nk);
-    c->loop_of = TAKE(life, int, c->nk);
-    for (int l = o->model->nloop - 1; l >= 0; l--)
-        for (int k = 0; m->loop[l].component == i && k < o->loops->nk[l]; k++)
-            c->loop_of[o->column[o->loops->k[l][k]]] = l;
+    if (size > SMALL) {
+        c->base.F = TAKE(life, double, c->start[c->nrow]);
+        c->base.swap = TAKE(life, int, c->nrow);
+        c->probe = TAKE(life, double, c->nk);
+        return;
+    }
+    c->whole = TAKE(life, double, size);
+    c->A_room.size = 2 * (size_t)c->nrow * (size_t)c->nrow;
+    c->G_room.size = c->G0_room.size = size;
+    struct room *of[] = {&c->A_room, &c->G_room, &c->G0_room};
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) of[i]->store = TAKE(life, double, of[i]->size);
 }
 
 /* The farthest that elastic coordinate k moves a node of its body, per unit [m]. */
@@ -72,16 +131,22 @@ static void build_sizes(struct condense *o)
 static void build_components(struct condense *o, struct arena *life)
 {
     const struct model *m = o->model;
+    int *turn = TAKE(life, int, o->nt);
     o->ncomponent = m->ncomponent;
     o->component = TAKE(life, struct component, m->ncomponent);
     o->column = TAKE(life, int, o->nt);
     o->owner = TAKE(life, int, o->nt);
     o->size = TAKE(life, double, o->nt);
-    for (int i = 0; i < o->nt; i++) o->owner[i] = -1;
+    for (int i = 0; i < o->nt; i++) o->owner[i] = turn[i] = -1;
     for (int l = 0; l < m->nloop; l++)
         for (int k = 0; k < o->loops->nk[l]; k++) o->owner[o->loops->k[l][k]] = m->loop[l].component;
+    for (int i = 0; i < o->moves->nturn; i++) turn[o->moves->turn[i].iv[0]] = i;
     build_sizes(o);
-    for (int i = 0; i < o->ncomponent; i++) build_component(o, i, life);
+    list_parts(o, life);
+    for (int i = 0; i < o->ncomponent; i++) {
+        build_component(o, &o->component[i], life);
+        build_spins(o, &o->component[i], turn, life);
+    }
 }
 
 static void build_workspace(struct condense *o, struct arena *life)
@@ -92,12 +157,42 @@ static void build_workspace(struct condense *o, struct arena *life)
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
     o->C = TAKE(life, double, o->loops->nrow);
     o->C2 = TAKE(life, double, o->loops->nrow);
-    o->M = TAKE(life, double, o->nt * o->nt);
-    o->M_side = TAKE(life, double, o->nt * o->nt);
+    o->still = TAKE(life, double, o->nt);
+    o->Tx = TAKE(life, double, o->nt);
     o->ind = TAKE(life, int, o->nt);
     o->slot = TAKE(life, int, o->nt);
     o->split = TAKE(life, int, 2 * o->nt + o->loops->nrow);
+    o->work = TAKE(life, int, o->nt + o->loops->nrow);
     o->bound = TAKE(life, bool, o->moves->nturn);
+}
+
+/* Are columns by momentum cheaper than the tree's matrix and its congruence?  In flops, from timings; slopes of
+ * flexible bodies are not of elements, which they need. */
+static bool are_few(const struct condense *o)
+{
+    static const double COLUMN = 100; /* for each coordinate of the tree */
+    const double n = o->ode.n, nt = o->nt;
+    double matrix = nt * nt;
+    for (int i = 0; i < o->ncomponent; i++) matrix += (double)o->component[i].ni * o->component[i].nr * (nt + n) / 2;
+    for (int i = 0; i < o->model->nbody; i++)
+        if (o->model->body[i].nmode) return false;
+    return matrix > COLUMN * (n + 1) * nt;
+}
+
+/* The number of independents is known. */
+static void build_matrices(struct condense *o, struct arena *life)
+{
+    const size_t n = (size_t)o->ode.n, nt = (size_t)o->nt;
+    o->few = are_few(o);
+    if (!o->few) o->M = TAKE(life, double, nt *nt);
+    o->M_side = TAKE(life, double, n *n);
+    o->M_jump = TAKE(life, double, n *n);
+    o->Ty = TAKE(life, double, 2 * n);
+}
+
+static void close_scratch(void *scratch)
+{
+    arena_close(scratch);
 }
 
 static double next_kink(const struct ode2 *ode, double t)
@@ -110,12 +205,14 @@ static double next_kink(const struct ode2 *ode, double t)
 }
 
 struct condense *condense_build(const struct model *m, const struct sweep_ops *sweep, const struct ode2 *tree,
-                                const struct moves *moves, const double *q0, const double *v0, struct arena *life)
+                                struct elements *elements, const struct moves *moves, const double *q0,
+                                const double *v0, struct arena *life)
 {
     struct condense *o = TAKE(life, struct condense, 1);
     o->model = m;
     o->ops = sweep;
     o->tree = tree;
+    o->elements = elements;
     o->moves = moves;
     o->nt = m->n;
     o->sweep = sweep->build(m, life);
@@ -130,9 +227,13 @@ struct condense *condense_build(const struct model *m, const struct sweep_ops *s
                            .chart = &o->chart,
                            .breaks = tree->breaks || m->ndrive ? &o->breaks : NULL,
                            .self = o};
+    o->life = life;
+    o->scratch = arena_open();
+    arena_defer(life, close_scratch, o->scratch);
     build_components(o, life);
     build_workspace(o, life);
     o->start.status = condense_begin(o, q0, v0);
+    build_matrices(o, life);
     return o;
 }
 

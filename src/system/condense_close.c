@@ -110,13 +110,26 @@ static void lead_at(struct condense *o)
     }
 }
 
+static void keep_base(struct component *c)
+{
+    memcpy(c->base.A - c->band[1], c->A - c->band[1], sizeof *c->A * (size_t)c->nr * (size_t)(c->ld + 1));
+    memcpy(c->base.F, c->F, sizeof *c->F * (size_t)c->start[c->nrow]);
+    memcpy(c->base.swap, c->prow, sizeof *c->prow * (size_t)c->nr);
+}
+
 int condense_tangent(struct condense *o, const double *q)
 {
     if (memcmp(q, o->G0_at, sizeof *q * (size_t)o->model->nq) == 0) return 1;
     o->G0_at[0] = NAN;
     struct trouble why;
     if (condense_factor(o, q, 0, &why) != OK) return 0;
-    for (int i = 0; i < o->ncomponent; i++) component_G(&o->component[i], o->component[i].G0);
+    for (int i = 0; i < o->ncomponent; i++) {
+        struct component *c = &o->component[i];
+        if (c->wide)
+            keep_base(c);
+        else
+            component_G(c, c->G0);
+    }
     lead_at(o);
     memcpy(o->G0_at, q, sizeof *q * (size_t)o->model->nq);
     return 1;
@@ -126,9 +139,14 @@ void condense_predict(struct condense *o)
 {
     for (int i = 0; i < o->ncomponent; i++) {
         const struct component *c = &o->component[i];
+        if (c->wide) {
+            for (int j = 0; j < c->ni; j++) c->probe[j] = o->dx[c->k[c->ind[j]]];
+            component_times_G(c, &c->base, c->x, c->probe);
+        }
         for (int r = 0; r < c->nr; r++) {
-            double sum = 0;
-            for (int j = 0; j < c->ni; j++) sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->k[c->ind[j]]];
+            double sum = c->wide ? c->x[r] : 0;
+            for (int j = 0; !c->wide && j < c->ni; j++)
+                sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->k[c->ind[j]]];
             for (int k = 0; k < c->nlead; k++)
                 sum += c->T0[r + k * c->nr] * (o->loops->c[c->row[c->kept[c->lead[k]]]] - c->s0[k]);
             o->dx[c->k[c->dep[r]]] = sum;

@@ -73,23 +73,21 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     struct condense *o = ode->self;
     struct trouble why;
     const int n = ode->n, nt = o->nt;
-    double *dv = o->mean, *M = o->M_side;
+    double *dv = o->mean, *M = o->M_jump;
     if (!corners(o, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
     corners(o, ta, tb); /* their rates have been asked for between */
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
-    if (o->tree->ops->mass(o->tree, o->M, q, ta, ALL, &why) != OK) return 0;
     condense_factor(o, q, ta, &why);
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
     condense_follow(o, o->at);
-    memset(o->rt, 0, sizeof *o->rt * (size_t)nt);
-    dense_gemv(o->rt, 1, o->M, o->at, nt, nt, nt);
+    condense_still(o, q, ALL);
+    condense_momentum(o, o->rt, o->at, q, ALL);
     condense_gather(o, dv, NULL, o->rt);
     dense_cholesky_solve(M, dv, n, n);
     for (int i = 0; i < n; i++) dv[i] = -dv[i];
     condense_spread(o, o->at, dv);
     condense_follow(o, o->at); /* all of the jump */
-    memset(o->rt, 0, sizeof *o->rt * (size_t)nt);
-    dense_gemv(o->rt, 1, o->M, o->at, nt, nt, nt);
+    condense_momentum(o, o->rt, o->at, q, ALL);
     for (int i = 0; i < nt; i++) *work += o->rt[i] * (o->vt[i] + o->at[i] / 2);
     for (int i = 0; i < n; i++) v[i] += dv[i];
     return 1;

@@ -14,65 +14,71 @@
 #include "la/vec3.h"
 #include "system/condense_parts.h"
 
-void component_row(const struct condense *o, const struct component *c, int r, double *x, int ld)
+void component_read(const struct condense *o, struct component *c)
 {
     const struct loops *l = o->loops;
-    int loop = l->row[c->row[r]].loop, nk = l->nk[loop];
-    const double *from = l->Cq[loop] + (c->row[r] - l->first[loop]) * nk;
-    for (int k = 0; k < nk; k++) x[(size_t)o->column[l->k[loop][k]] * (size_t)ld] = from[k];
+    for (int r = 0; r < c->nrow; r++) {
+        const int row = c->row[r], loop = l->row[row].loop, nk = l->nk[loop];
+        memcpy(c->F + c->start[r], l->Cq[loop] + (row - l->first[loop]) * nk, sizeof *c->F * (size_t)nk);
+    }
 }
 
 /* Columns of a rotation, along the Cayley vector phi from the base in place of the angular velocity:
  * F := F T^-1,  T^-1 = (1 - [phi]x/2)/(1 + |phi|^2/4). */
-static void along_phi(const struct condense *o, const struct component *c, const struct turn *t, const double *dx)
+static void along_phi(double *F, const int *at, const double *phi)
 {
-    const double phi[3] = {dx[t->iv[0]], dx[t->iv[1]], dx[t->iv[2]]};
-    const double s = 1 / (1 + v3_dot(phi, phi) / 4);
-    double *col[3];
-    for (int k = 0; k < 3; k++) col[k] = c->F + (size_t)o->column[t->iv[k]] * (size_t)c->nr;
-    for (int i = 0; i < c->nr; i++) {
-        const double f[3] = {col[0][i], col[1][i], col[2][i]};
-        double x[3]; /* f' [phi]x = (f x phi)' */
-        v3_cross(x, f, phi);
-        for (int k = 0; k < 3; k++) col[k][i] = s * (f[k] - x[k] / 2);
-    }
+    const double s = 1 / (1 + v3_dot(phi, phi) / 4), f[3] = {F[at[0]], F[at[1]], F[at[2]]};
+    double x[3]; /* f' [phi]x = (f x phi)' */
+    v3_cross(x, f, phi);
+    for (int k = 0; k < 3; k++) F[at[k]] = s * (f[k] - x[k] / 2);
+}
+
+/* C_qd of F into the band. */
+static void fill(struct component *c)
+{
+    if (c->nr == 0) return;
+    memset(c->A_room.store, 0, sizeof *c->A * (size_t)c->nr * (size_t)(c->ld + 1));
+    for (int r = 0; r < c->nr; r++)
+        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
+            const int j = c->place[c->at[e]];
+            if (j >= 0) c->A[r + (size_t)j * (size_t)c->ld] = c->F[e];
+        }
 }
 
 int component_factor(struct condense *o, struct component *c, const double *dx)
 {
-    for (int r = 0; r < c->nr; r++) component_row(o, c, c->kept[r], c->F + r, c->nr);
-    for (int i = 0; dx && i < o->moves->nturn; i++) {
-        const struct turn *t = &o->moves->turn[i];
-        if (o->bound[i] && o->owner[t->iv[0]] == (int)(c - o->component)) along_phi(o, c, t, dx);
+    component_read(o, c);
+    for (int i = 0; dx && i < c->nspin; i++) {
+        const struct spin *spin = &c->spin[i];
+        const int *iv = o->moves->turn[spin->turn].iv;
+        if (o->bound[spin->turn]) along_phi(c->F, spin->at, (const double[]){dx[iv[0]], dx[iv[1]], dx[iv[2]]});
     }
-    for (int j = 0; j < c->nr; j++) {
-        int from = j > c->band[1] ? j - c->band[1] : 0, to = j + c->band[0] < c->nr ? j + c->band[0] + 1 : c->nr;
-        memcpy(c->A + (size_t)j * (size_t)c->nr + from, c->F + (size_t)c->dep[j] * (size_t)c->nr + from,
-               sizeof *c->A * (size_t)(to - from));
-    }
-    return pivot_rows(c->A, c->prow, c->band, c->nr, c->nr) == c->nr;
+    fill(c);
+    return pivot_rows(c->A, c->prow, c->band, c->nr, c->ld) == c->nr;
 }
 
 void component_solve(const struct component *c, double *x)
 {
-    pivot_rows_solve(c->A, c->prow, c->band, x, c->nr, c->nr);
+    pivot_rows_solve(c->A, c->prow, c->band, x, c->nr, c->ld);
 }
 
 void component_G(const struct component *c, double *G)
 {
-    for (int j = 0; j < c->ni; j++) {
-        double *g = G + (size_t)j * (size_t)c->nr;
-        const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
-        for (int i = 0; i < c->nr; i++) g[i] = -f[i];
-        component_solve(c, g);
-    }
+    if (c->nr == 0 || c->ni == 0) return;
+    memset(G, 0, sizeof *G * (size_t)c->nr * (size_t)c->ni);
+    for (int r = 0; r < c->nr; r++)
+        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
+            const int j = -1 - c->place[c->at[e]];
+            if (j >= 0) G[r + (size_t)j * (size_t)c->nr] = -c->F[e];
+        }
+    for (int j = 0; j < c->ni; j++) component_solve(c, G + (size_t)j * (size_t)c->nr);
 }
 
 double component_ratio(const struct condense *o, const struct component *c)
 {
     double least = INFINITY, most = 0;
     for (int j = 0; j < c->nr; j++) {
-        double x = fabs(c->A[(size_t)j * (size_t)(c->nr + 1)]) * o->size[c->k[c->dep[j]]];
+        double x = fabs(c->A[(size_t)j * (size_t)(c->ld + 1)]) * o->size[c->k[c->dep[j]]];
         least = fmin(least, x);
         most = fmax(most, x);
     }
@@ -114,11 +120,9 @@ void condense_follow(struct condense *o, double *xt)
         struct component *c = &o->component[i];
         memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
         for (int k = 0; k < c->nlead; k++) c->x[c->lead[k]] = o->loops->c1[c->row[c->kept[c->lead[k]]]];
-        for (int j = 0; j < c->ni; j++) {
-            double xi = xt[c->k[c->ind[j]]];
-            const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
-            for (int r = 0; xi != 0 && r < c->nr; r++) c->x[r] -= f[r] * xi;
-        }
+        for (int r = 0; r < c->nr; r++)
+            for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++)
+                if (c->place[c->at[e]] < 0) c->x[r] -= c->F[e] * xt[c->k[c->at[e]]];
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) xt[c->k[c->dep[r]]] = c->x[r];
     }
@@ -163,7 +167,7 @@ enum status condense_rates(struct condense *o, double *vt, double *at, const dou
 void component_multipliers(const struct component *c, const double *rt)
 {
     for (int r = 0; r < c->nr; r++) c->x[r] = -rt[c->k[c->dep[r]]];
-    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->nr);
+    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->ld);
 }
 
 void condense_lambda(struct condense *o, double *lambda, const double *rt)

@@ -4,6 +4,8 @@
  *     condense_reduce.c  r, M^ and slopes of the independents
  *     condense_close.c   dependents that close the loops; positions moved
  *     condense_split.c   which coordinates are dependent
+ *     condense_order.c   in which order rows and dependents stand
+ *     condense_gain.c    how fast dependents go
  *     condense_start.c   the start: assembled, closed, or refused
  *     condense_assemble.c  a start that does not fit, projected
  *     condense_unique.c  which reactions redundant rows leave open
@@ -17,26 +19,51 @@
 
 #include "system/condense.h"
 
+/* A rotation with coordinates in a component's row: where their numbers are in F. */
+struct spin {
+    int turn; /* of moves */
+    int at[3];
+};
+
+/* C_qd, factored, and C_q at one posture. */
+struct solved {
+    double *A, *F;
+    int *swap;
+};
+
 struct component {
     int nk, *k;       /* coordinates: places in v */
     int nrow, *row;   /* all its rows; the first nr of `kept` are used */
     int nr, *kept;    /* [nrow] numbers in `row` */
     int *dep, *ind;   /* [nr], [nk - nr]: numbers in k */
+    int *place;       /* [nk] number in dep, or -1 - number in ind */
     int ni, nfast;    /* nk - nr; fast ones among them */
     int nlead, *lead; /* [nrow] kept rows of drives: numbers in `kept` */
     double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
-    double *F;        /* [nr x nk] kept rows of C_q */
-    double *A;        /* [nr x nr] C_qd, factored */
-    double *G, *G0;   /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
+    int *start, *at;  /* [nrow + 1]; coordinates of row r: numbers in k, at[start[r]] ... */
+    double *F;        /* [start[nrow]] C_q */
+    int nspin;
+    struct spin *spin;
+    double *A; /* C_qd, factored: A(i,j) = A[i + j ld] inside its band */
+    int band[2], ld;
+    double *G, *G0; /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
+    struct room {   /* what A, G and G0 stand in: grows when a new split needs more */
+        double *store;
+        size_t size;
+    } A_room, G_room, G0_room, base_room;
     int *prow, *pcol; /* [max(nrow, nk)] */
-    int band[2];      /* of A */
-    double *x;        /* [max(nrow, nk)] */
-    double *whole;    /* [nrow x nk] */
-    bool *dependent;  /* [nk] work of component_choose() */
-    int *loop_of;     /* [nk] the first loop that a coordinate is in */
-    double *weight;   /* [nk] */
-    double chosen;    /* pivot ratio when the partition was chosen */
-    double gain;      /* least component_gain() since then */
+    double *pivot;    /* [min(nrow, nk)] */
+    bool wide;        /* many independents: no G0, but what is solved with at the base of point() */
+    struct solved base;
+    double *probe;  /* [nk] */
+    double *x;      /* [max(nrow, nk)] */
+    double *whole;  /* [nrow x nk] of a small component; NULL: pivots are found by rows */
+    int *loop_of;   /* [nk] the first loop that a coordinate is in, by their order */
+    int *row_order; /* [nrow] */
+    double *weight; /* [nk] */
+    double chosen;  /* pivot ratio when the partition was chosen */
+    double gain;    /* least component_gain() since then */
+    bool away;      /* there is reason to look for a better split */
 };
 
 struct condense {
@@ -66,23 +93,28 @@ struct condense {
     double *zero;            /* [nt] */
     double *dx, *dxs, *base; /* [nt], [nt], [nq] */
     double *G0_at;           /* [nq] where G0 holds */
-    double *M;               /* [nt x nt] */
-    double *qtry, *way;      /* [nq], [nt] */
-    double *side[2];         /* [nq] postures beside a singular one */
-    double *aside, *mean;    /* [nt] */
-    double *M_side;          /* [nt x nt] */
-    int *split;              /* a component's split, to go back to */
-    double holds;            /* |C| up to which dropped rows hold; 0: there are none */
-    int lost;                /* of the last posture that could not be closed: the worst loop, */
-    double lost_by;          /* its |C| at the nearest posture met */
+    bool few;                /* independents, against the tree: M^ and slopes without its own matrices */
+    double *M;               /* [nt x nt]; few: NULL */
+    double *still, *Tx;      /* [nt] */
+    double *Ty;              /* [2][n] */
+    struct elements *elements;
+    double *qtry, *way;           /* [nq], [nt] */
+    double *side[2];              /* [nq] postures beside a singular one */
+    double *aside, *mean;         /* [nt] */
+    double *M_side, *M_jump;      /* [n x n] */
+    int *split, *work;            /* a component's split, to go back to; [nt + rows] */
+    struct arena *life, *scratch; /* scratch: of new splits */
+    double holds;                 /* |C| up to which dropped rows hold; 0: there are none */
+    int lost;                     /* of the last posture that could not be closed: the worst loop, */
+    double lost_by;               /* its |C| at the nearest posture met */
 };
 
 /* --- C_q and its factor ---------------------------------------------------------------------------- */
 
 /* Poses at q and C_q there. */
 void condense_look(struct condense *o, const double *q, const double *v);
-/* The numbers of row r (a number in c->row) of the component's part of C_q, into x[0], x[ld], ... */
-void component_row(const struct condense *o, const struct component *c, int r, double *x, int ld);
+/* F := the component's part of C_q, as last looked at. */
+void component_read(const struct condense *o, struct component *c);
 /* F, A, factored; dx: along the Cayley vectors it holds, NULL: at the posture itself.  0: singular or not finite. */
 int component_factor(struct condense *o, struct component *c, const double *dx);
 /* x [nr] := C_qd^-1 x */
@@ -108,6 +140,10 @@ enum status condense_contest(struct condense *o, double t, struct trouble *why);
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
 double condense_corner(const struct ode2 *ode, double ta, double tb);
 
+/* o->still; y [nt] := M x of the tree with its bodies of cls at q, where condense_still() has been. */
+void condense_still(struct condense *o, const double *q, unsigned cls);
+void condense_momentum(struct condense *o, double *y, const double *x, const double *q, unsigned cls);
+
 /* All components looked at and factored at q. */
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
 /* Least pivot ratio at the posture last factored. */
@@ -125,7 +161,7 @@ enum status condense_motion(struct condense *o, double *vt, double *at, const do
 
 /* Largest |C| of all rows at q, which go to o->C; *row stays where all are 0. */
 double condense_misfit(struct condense *o, int *row, const double *q);
-/* G0 := G at q, where condense_predict() starts; 0: singular there. */
+/* G0 := G at q, or what stands for it, where condense_predict() starts; 0: singular there. */
 int condense_tangent(struct condense *o, const double *q);
 /* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
 void condense_predict(struct condense *o);
@@ -136,12 +172,18 @@ void condense_point(const struct ode2 *ode, double *q1, const double *q0, const 
 
 /* --- partition ------------------------------------------------------------------------------------ */
 
+/* Loops in order, for loop_of and row_order. */
+void component_order(struct condense *o, struct component *c);
 /* Rank of C_q at the posture of the last condense_look(): pivots at least `least` times the first. */
 int component_rank(struct condense *o, struct component *c, double least);
 /* The best split of a component at the present posture; how good it is. */
 double component_choose(struct condense *o, struct component *c);
-/* Largest rate of a dependent coordinate per unit of an independent one, in scales. */
-double component_gain(const struct condense *o, struct component *c);
+/* Largest rate of a dependent coordinate per unit of an independent one, in scales, where C_qd is as factored last; at
+ * the base of point(). */
+double component_gain(const struct condense *o, const struct component *c);
+double component_gain_at_base(const struct condense *o, const struct component *c);
+/* y [nr] := G x, x [ni] */
+void component_times_G(const struct component *c, const struct solved *at, double *y, const double *x);
 /* Numbers the independent coordinates by the components' splits. */
 void condense_number(struct condense *o);
 /* Between major steps: a better split, if one is needed; 1: changed. */

@@ -2,25 +2,28 @@
  *
  *     r = r_i + G' r_d,   M^ = T' M T,   K^ = T' K T,   C^ = T' C T,   T = [1; G]             (2-4)
  *
+ * from the tree's own matrices; where the independents are few, M^ column by column as the momentum T' (M T e_i) of a
+ * unit velocity, by inverse dynamics, and the slopes as sums of reduced rows: K^ = sum (T' g)(T' g)' k.  Then nothing
+ * is as large as the square of the tree.
+ *
  * Where C_qd is nearly singular, r and M^ are means over two postures on either side. */
 #include <math.h>
+#include <string.h>
 
 #include "system/condense_parts.h"
 
 void condense_gather(struct condense *o, double *r, double *w, const double *rt)
 {
-    for (int i = 0; i < o->ode.n; i++) r[i] = rt[o->ind[i]];
+    for (int i = 0; i < o->ode.n; i++) r[i] = 0;
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         component_multipliers(c, rt);
         if (w) component_power(o, c, w);
-        for (int j = 0; j < c->ni; j++) {
-            const double *f = c->F + (size_t)c->ind[j] * (size_t)c->nr;
-            double sum = 0;
-            for (int k = 0; k < c->nr; k++) sum += f[k] * c->x[k];
-            r[o->slot[c->k[c->ind[j]]]] += sum;
-        }
+        for (int k = 0; k < c->nr; k++)
+            for (int e = c->start[c->kept[k]]; e < c->start[c->kept[k] + 1]; e++)
+                if (c->place[c->at[e]] < 0) r[o->slot[c->k[c->at[e]]]] += c->F[e] * c->x[k];
     }
+    for (int i = 0; i < o->ode.n; i++) r[i] += rt[o->ind[i]];
 }
 
 /* The tree names a row by its place in the whole v. */
@@ -81,6 +84,8 @@ static enum status resid(const struct ode2 *ode, double *r, double *w, double *d
     return OK;
 }
 
+/* --- with the tree's own matrices ------------------------------------------------------------------ */
+
 /* X [nt x nt] := T' X T in place, its independent rows and columns; then moved together into Y [n x n]. */
 static void congruence(struct condense *o, double *Y, double *X)
 {
@@ -120,10 +125,91 @@ static void symmetric(double *M, int n)
         for (int i = 0; i < j; i++) M[i + j * n] = M[j + i * n] = (M[i + j * n] + M[j + i * n]) / 2;
 }
 
+/* --- few independents: column by column ------------------------------------------------------------- */
+
+/* What holds the tree at rest. */
+void condense_still(struct condense *o, const double *q, unsigned cls)
+{
+    memset(o->still, 0, sizeof *o->still * (size_t)o->nt);
+    o->ops->forward(o->sweep, q, o->zero, NULL, cls);
+    o->ops->backward(o->sweep, o->still, cls);
+}
+
+void condense_momentum(struct condense *o, double *y, const double *x, const double *q, unsigned cls)
+{
+    memset(y, 0, sizeof *y * (size_t)o->nt);
+    o->ops->forward(o->sweep, q, o->zero, x, cls);
+    o->ops->backward(o->sweep, y, cls);
+    for (int i = 0; i < o->nt; i++) y[i] -= o->still[i];
+}
+
+/* x [nt] := column i of T */
+static void column_of_T(const struct condense *o, double *x, int i)
+{
+    const int place = o->ind[i], owner = o->owner[place];
+    memset(x, 0, sizeof *x * (size_t)o->nt);
+    x[place] = 1;
+    if (owner < 0) return;
+    const struct component *c = &o->component[owner];
+    const double *g = c->G + (size_t)(-1 - c->place[o->column[place]]) * (size_t)c->nr;
+    for (int r = 0; r < c->nr; r++) x[c->k[c->dep[r]]] = g[r];
+}
+
+/* M^ e_i = T' (M T e_i): the forces that set the tree, at rest, going with T e_i, and gathered like any. */
+static enum status mass_by_momentum(struct condense *o, double *M, const double *q, double t, unsigned cls,
+                                    struct trouble *why)
+{
+    const size_t n = (size_t)o->ode.n;
+    condense_still(o, q, cls);
+    for (int i = 0; i < o->ode.n; i++) {
+        column_of_T(o, o->Tx, i);
+        condense_momentum(o, o->rt, o->Tx, q, cls);
+        condense_gather(o, M + n * (size_t)i, NULL, o->rt);
+        if (!isfinite(M[(n + 1) * (size_t)i])) return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
+    }
+    symmetric(M, o->ode.n);
+    return OK;
+}
+
+/* y [n] := T' row */
+static void reduce_row(void *self, double *y, const struct row *row)
+{
+    const struct condense *o = self;
+    for (int i = 0; i < o->ode.n; i++) y[i] = 0;
+    for (int e = 0; e < row->n; e++) {
+        const int k = row->k[e], slot = o->slot[k];
+        if (slot >= 0) {
+            y[slot] += row->x[k];
+            continue;
+        }
+        const struct component *c = &o->component[o->owner[k]];
+        const double *g = c->G + c->place[o->column[k]];
+        for (int j = 0; j < c->ni; j++) y[o->slot[c->k[c->ind[j]]]] += row->x[k] * g[(size_t)j * (size_t)c->nr];
+    }
+}
+
+static enum status slopes_by_rows(struct condense *o, double *K, double *C, const struct instant *x, unsigned cls,
+                                  struct trouble *why)
+{
+    const size_t nn = (size_t)o->ode.n * (size_t)o->ode.n;
+    const struct reduction to = {o->ode.n, o, reduce_row, o->Ty, o->Ty + o->ode.n};
+    if (K) memset(K, 0, sizeof *K * nn);
+    if (C) memset(C, 0, sizeof *C * nn);
+    o->ops->move(o->sweep, x->q, x->v, cls);
+    elements_slopes_reduced(o->elements, o->sweep, K, C, x, (enum rate)cls, &to);
+    for (size_t i = 0; i < nn; i++)
+        if ((K && !isfinite(K[i])) || (C && !isfinite(C[i])))
+            return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
+    return OK;
+}
+
+/* --- either way --------------------------------------------------------------------------------- */
+
 static enum status mass_there(struct condense *o, double *M, const double *q, double t, unsigned cls,
                               struct trouble *why)
 {
     TRY(prepare_T(o, q, t, why));
+    if (o->few) return mass_by_momentum(o, M, q, t, cls, why);
     TRY(in_own_rows(o, o->tree->ops->mass(o->tree, o->M, q, t, cls, why), why));
     congruence(o, M, o->M);
     symmetric(M, o->ode.n);
@@ -156,6 +242,7 @@ static enum status slopes(const struct ode2 *ode, double *K, double *C, const st
     struct instant whole = *x;
     whole.v = o->vt;
     whole.a = NULL;
+    if (o->few) return slopes_by_rows(o, K, C, &whole, cls, why);
     if (K) {
         TRY(in_own_rows(o, o->tree->ops->slopes(o->tree, o->M, NULL, &whole, cls, why), why));
         congruence(o, K, o->M);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "la/pivot.h"
+#include "la/sparse_pivot.h"
 #include "system/condense_parts.h"
 
 static const double NOTHING = 1e-10; /* a pivot of round-off: C_q is scaled to numbers of order 1 */
@@ -16,45 +17,90 @@ static const double LARGE = 3;       /* rate of a dependent coordinate per unit:
 static void whole_matrix(struct condense *o, struct component *c)
 {
     memset(c->whole, 0, sizeof *c->whole * (size_t)c->nrow * (size_t)c->nk);
-    for (int r = 0; r < c->nrow; r++) component_row(o, c, r, c->whole + r, c->nrow);
-    for (int k = 0; k < c->nk; k++)
-        for (int r = 0; r < c->nrow; r++) c->whole[r + (size_t)k * (size_t)c->nrow] *= o->size[c->k[k]];
+    component_read(o, c);
+    for (int r = 0; r < c->nrow; r++)
+        for (int e = c->start[r]; e < c->start[r + 1]; e++)
+            c->whole[r + (size_t)c->at[e] * (size_t)c->nrow] = c->F[e] * o->size[c->k[c->at[e]]];
+}
+
+/* Pivots of the component's C_q at the present posture; returns how many. */
+static int find_pivots(struct condense *o, struct component *c, const double *weight, int most, double least)
+{
+    int n;
+    if (c->whole) {
+        whole_matrix(o, c);
+        n = pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, weight, most, least);
+        for (int k = 0; k < n; k++) c->pivot[k] = c->whole[(size_t)k * (size_t)(c->nrow + 1)];
+        return n;
+    }
+    const struct arena_mark mark = arena_mark(o->scratch);
+    double *value = TAKE(o->scratch, double, c->start[c->nrow]);
+    component_read(o, c);
+    for (int e = 0; e < c->start[c->nrow]; e++) value[e] = c->F[e] * o->size[c->k[c->at[e]]];
+    n = sparse_pivot(c->prow, c->pcol, c->pivot, c->start, c->at, value, c->nrow, c->nk, weight, most, least,
+                     o->scratch);
+    arena_rewind(o->scratch, mark);
+    return n;
 }
 
 int component_rank(struct condense *o, struct component *c, double least)
 {
-    whole_matrix(o, c);
-    int rank = pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, NULL, c->nrow, least);
-    while (rank > 0 && fabs(c->whole[(size_t)(rank - 1) * (size_t)(c->nrow + 1)]) < NOTHING) rank--;
+    int rank = find_pivots(o, c, NULL, c->nrow, least);
+    while (rank > 0 && fabs(c->pivot[rank - 1]) < NOTHING) rank--;
     return rank;
 }
 
-/* x [n] sorted by key[x], the smallest first. */
-static void sort_by(int *x, int n, const int *key)
+/* x [n] sorted by key[x], the smallest first, equals as they come; work [n]. */
+static void sort_by(int *x, int n, const int *key, int *work)
 {
-    for (int i = 1; i < n; i++) {
-        int here = x[i], k = i;
-        for (; k > 0 && (key ? key[x[k - 1]] > key[here] : x[k - 1] > here); k--) x[k] = x[k - 1];
-        x[k] = here;
+    for (int size = 1; size < n; size *= 2) {
+        for (int from = 0; from < n; from += 2 * size) {
+            const int middle = from + size < n ? from + size : n, to = middle + size < n ? middle + size : n;
+            for (int i = from, a = from, b = middle; i < to; i++) {
+                const bool second = a == middle || (b < to && key[x[b]] < key[x[a]]);
+                work[i] = second ? x[b++] : x[a++];
+            }
+        }
+        memcpy(x, work, sizeof *x * (size_t)n);
     }
 }
 
-/* Where C_qd can have numbers; the rest of F and A is zero from now on. */
-static void find_band(const struct condense *o, struct component *c)
+static double *room_for(struct condense *o, struct room *room, size_t size)
 {
+    if (size <= room->size) return room->store;
+    room->size = room->size ? size + size / 2 : size;
+    return room->store = TAKE(o->life, double, room->size);
+}
+
+/* Where C_qd can have numbers, and room for it and for G. */
+static void find_band(struct condense *o, struct component *c)
+{
+    enum { WIDE = 16 };
     int below = 0, above = 0;
-    memset(c->F, 0, sizeof *c->F * (size_t)c->nr * (size_t)c->nk);
-    for (int r = 0; r < c->nr; r++) {
-        int loop = o->loops->row[c->row[c->kept[r]]].loop;
-        for (int j = 0; j < c->nr; j++)
-            for (int k = 0; k < o->loops->nk[loop]; k++) {
-                if (o->column[o->loops->k[loop][k]] != c->dep[j]) continue;
-                if (r - j > below) below = r - j;
-                if (j - r > above) above = j - r;
-            }
-    }
+    if (c->nr == 0) return;
+    for (int r = 0; r < c->nr; r++)
+        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
+            const int j = c->place[c->at[e]];
+            if (j < 0) continue;
+            if (r - j > below) below = r - j;
+            if (j - r > above) above = j - r;
+        }
     c->band[0] = below;
-    c->band[1] = above + below;
+    c->band[1] = above + below < c->nr ? above + below : c->nr - 1;
+    c->ld = below + c->band[1];
+    c->A = room_for(o, &c->A_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
+    c->G = room_for(o, &c->G_room, (size_t)c->nr * (size_t)c->ni);
+    c->wide = !c->whole && c->ni > WIDE;
+    if (c->wide)
+        c->base.A = room_for(o, &c->base_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
+    else
+        c->G0 = room_for(o, &c->G0_room, (size_t)c->nr * (size_t)c->ni);
+}
+
+static void find_places(struct component *c)
+{
+    for (int j = 0; j < c->nr; j++) c->place[c->dep[j]] = j;
+    for (int j = 0; j < c->ni; j++) c->place[c->ind[j]] = -1 - j;
 }
 
 static void find_leads(const struct condense *o, struct component *c)
@@ -66,20 +112,18 @@ static void find_leads(const struct condense *o, struct component *c)
 
 /* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent.  Rows and dependent
  * columns go from loop to loop, so that C_qd has its numbers near the diagonal. */
-static void take_split(const struct condense *o, struct component *c)
+static void take_split(struct condense *o, struct component *c)
 {
     memcpy(c->kept, c->prow, sizeof *c->kept * (size_t)c->nrow);
-    for (int k = 0; k < c->nk; k++) c->dependent[k] = false;
-    for (int r = 0; r < c->nr; r++) {
-        c->dep[r] = c->pcol[r];
-        c->dependent[c->pcol[r]] = true;
-    }
-    sort_by(c->kept, c->nr, NULL);
-    sort_by(c->dep, c->nr, c->loop_of);
+    for (int k = 0; k < c->nk; k++) c->place[k] = -1;
+    for (int r = 0; r < c->nr; r++) c->place[c->dep[r] = c->pcol[r]] = r;
+    sort_by(c->kept, c->nr, c->row_order, o->work);
+    sort_by(c->dep, c->nr, c->loop_of, o->work);
     int n = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < c->nk; k++)
-            if (!c->dependent[k] && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
+            if (c->place[k] < 0 && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
+    find_places(c);
     find_band(o, c);
     find_leads(o, c);
 }
@@ -91,8 +135,7 @@ static double quality(struct condense *o, struct component *c)
 
 double component_choose(struct condense *o, struct component *c)
 {
-    whole_matrix(o, c);
-    pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, c->weight, c->nr, 0);
+    find_pivots(o, c, c->weight, c->nr, 0);
     take_split(o, c);
     return quality(o, c);
 }
@@ -122,18 +165,6 @@ void condense_number(struct condense *o)
     o->G0_at[0] = NAN;
 }
 
-double component_gain(const struct condense *o, struct component *c)
-{
-    double most = 0;
-    component_G(c, c->G);
-    for (int j = 0; j < c->ni; j++)
-        for (int r = 0; r < c->nr; r++) {
-            double g = c->G[r + (size_t)j * (size_t)c->nr] * o->size[c->k[c->ind[j]]] / o->size[c->k[c->dep[r]]];
-            most = fmax(most, fabs(g));
-        }
-    return most;
-}
-
 static void keep_split(int *to, const struct component *c)
 {
     memcpy(to, c->kept, sizeof *to * (size_t)c->nrow);
@@ -141,22 +172,29 @@ static void keep_split(int *to, const struct component *c)
     memcpy(to + c->nrow + c->nr, c->ind, sizeof *to * (size_t)c->ni);
 }
 
-static void put_back(const struct condense *o, struct component *c, const int *from)
+static void put_back(struct condense *o, struct component *c, const int *from)
 {
     memcpy(c->kept, from, sizeof *from * (size_t)c->nrow);
     memcpy(c->dep, from + c->nrow, sizeof *from * (size_t)c->nr);
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
+    find_places(c);
     find_band(o, c);
     find_leads(o, c);
 }
 
-/* A new split, if dependent coordinates have come to run away from the independent ones and there is a better one.
- * Where all splits are singular alike, as in a flat posture, the rates stay moderate and nothing changes. */
+/* Have dependent coordinates come to run away from the independent ones?  Where all splits are singular alike, as in a
+ * flat posture, the rates stay moderate. */
+static bool runs_away(const struct condense *o, struct component *c)
+{
+    const double now = component_gain_at_base(o, c);
+    c->gain = fmin(c->gain, now);
+    return now > fmax(LARGE, 2 * c->gain);
+}
+
+/* A new split, if there is a better one.  The base is lost, and found again by the next tangent. */
 static int improve(struct condense *o, struct component *c)
 {
-    double now = component_gain(o, c);
-    c->gain = fmin(c->gain, now);
-    if (now <= fmax(LARGE, 2 * c->gain)) return 0;
+    const double now = component_gain_at_base(o, c);
     keep_split(o->split, c);
     c->gain = component_choose(o, c) > 0 ? component_gain(o, c) : INFINITY;
     if (c->gain < now / 2) return 1;
@@ -165,15 +203,20 @@ static int improve(struct condense *o, struct component *c)
     return 0;
 }
 
-/* Whole velocities first, then the splits, then the velocities of the new independent ones. */
+/* Whole velocities first, then the splits, then the velocities of the new independent ones.  The tangent is the one on
+ * which the next step begins. */
 int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
 {
     struct condense *o = ode->self;
     struct trouble why;
-    int changed = 0;
+    int changed = 0, wanted = 0;
+    if (!condense_tangent(o, q)) return 0;
+    for (int i = 0; i < o->ncomponent; i++) wanted += o->component[i].away = runs_away(o, &o->component[i]);
+    if (!wanted) return 0;
+    o->G0_at[0] = NAN;
     if (condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
     for (int i = 0; i < o->ncomponent; i++)
-        if (o->component[i].nr) changed |= improve(o, &o->component[i]);
+        if (o->component[i].away) changed |= improve(o, &o->component[i]);
     if (!changed) return 0;
     condense_number(o);
     o->charts++;

@@ -13,10 +13,10 @@
 static void null_vector(struct condense *o, struct component *c, int r, double *lambda)
 {
     memset(lambda, 0, sizeof *lambda * (size_t)o->loops->nrow);
-    memset(c->whole, 0, sizeof *c->whole * (size_t)c->nk);
-    component_row(o, c, c->kept[r], c->whole, 1);
-    for (int j = 0; j < c->nr; j++) c->x[j] = c->whole[c->dep[j]];
-    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->nr);
+    memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
+    for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++)
+        if (c->place[c->at[e]] >= 0) c->x[c->place[c->at[e]]] = c->F[e];
+    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->ld);
     for (int k = 0; k < c->nr; k++) lambda[c->row[c->kept[k]]] = c->x[k];
     lambda[c->row[c->kept[r]]] = -1;
 }

@@ -29,6 +29,19 @@ void elements_load(struct elements *e, struct sweep *s, double *r, double *w, do
 /* K += dr/dq, C += dr/dv, by column, either may be NULL; after move(). */
 void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x, enum rate cls);
 
+/* Rows y [n] of other coordinates in place of those of the tree. */
+struct row;
+struct reduction {
+    int n;
+    void *self;
+    void (*row)(void *self, double *y, const struct row *row);
+    double *y, *z; /* [n] work */
+};
+
+/* The same into K, C [n x n] of these coordinates. */
+void elements_slopes_reduced(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x,
+                             enum rate cls, const struct reduction *to);
+
 /* Is all that slopes() gives on the diagonals, whatever the state?  Then they are cheap: d += cc C + ck K. */
 bool elements_are_diagonal(const struct elements *e);
 void elements_diagonal(struct elements *e, double *d, double cc, double ck, const struct instant *x);

@@ -155,8 +155,10 @@ static void tie(struct loops *o, int l, const struct sweep *s, struct arena *lif
     }
     o->k[l] = TAKE(life, int, na + nb);
     o->side[l] = TAKE(life, int, na + nb);
-    add_path(o, l, a, na, b, nb, -1);
-    add_path(o, l, b, nb, a, na, 1);
+    int both = 0; /* the way they have in common, which may be long */
+    while (both < na && both < nb && a[both] == b[both]) both++;
+    add_path(o, l, a + both, na - both, b + both, nb - both, -1);
+    add_path(o, l, b + both, nb - both, a + both, na - both, 1);
     o->Cq[l] = TAKE(life, double, (o->first[l + 1] - o->first[l]) * o->nk[l]);
 }
 

@@ -36,6 +36,7 @@ struct elements {
     double *slot, *slope; /* [most_slots] an expression's arguments, its slopes along them */
     int *which;           /* [most_slots] 1, 2, ... */
     struct row row, column;
+    const struct reduction *to; /* of elements_slopes_reduced(), while it runs */
 };
 
 /* First and last + 1 of a class in a list sorted by class. */

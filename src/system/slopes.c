@@ -18,13 +18,38 @@
 #include "la/vec3.h"
 #include "system/parts.h"
 
-/* A += scale row' column */
-static void outer(double *A, int n, const struct row *row, const struct row *column, double scale)
+static void outer_reduced(const struct reduction *to, double *A, const struct row *row, const struct row *column,
+                          double scale)
 {
+    const double *y = to->y, *z = row == column ? to->y : to->z;
+    to->row(to->self, to->y, row);
+    if (row != column) to->row(to->self, to->z, column);
+    for (int j = 0; j < to->n; j++)
+        for (int i = 0; z[j] != 0 && i < to->n; i++) A[i + (size_t)to->n * (size_t)j] += scale * y[i] * z[j];
+}
+
+/* A += scale row' column */
+static void outer(const struct elements *e, double *A, const struct row *row, const struct row *column, double scale)
+{
+    const size_t n = (size_t)e->model->n;
     if (!A || scale == 0) return;
+    if (e->to) {
+        outer_reduced(e->to, A, row, column, scale);
+        return;
+    }
     for (int j = 0; j < column->n; j++)
         for (int i = 0; i < row->n; i++)
-            A[row->k[i] + (size_t)n * column->k[j]] += scale * row->x[row->k[i]] * column->x[column->k[j]];
+            A[row->k[i] + n * (size_t)column->k[j]] += scale * row->x[row->k[i]] * column->x[column->k[j]];
+}
+
+/* A += scale e_k e_k' */
+static void along(struct elements *e, double *A, int k, double scale)
+{
+    if (A && !e->to) A[(size_t)k * (size_t)(e->model->n + 1)] += scale;
+    if (!e->to) return;
+    row_clear(&e->row);
+    row_add(&e->row, k, 1);
+    outer(e, A, &e->row, &e->row, scale);
 }
 
 /* Row of the relative velocity of two bodies along dir, at a point each or turning (NULL). */
@@ -55,7 +80,7 @@ static void taut(struct elements *e, const struct sweep *s, double *K, const str
     across(dir[0], dir[1], act->dir, e->model->space);
     for (int i = 0; i < e->model->space - 1; i++) {
         row_between(&e->row, e, s, act->body_a, act->at_a, act->body_b, act->at_b, dir[i]);
-        outer(K, e->model->n, &e->row, &e->row, -f / act->s);
+        outer(e, K, &e->row, &e->row, -f / act->s);
     }
 }
 
@@ -76,8 +101,8 @@ static void slopes_law(struct elements *e, const struct sweep *s, struct part_of
     p->kref = law.ks;
     row_clear(&e->row);
     row_add_measure(&e->row, &e->measures, s, &act, f->measure);
-    outer(K, e->model->n, &e->row, &e->row, law.ks);
-    outer(C, e->model->n, &e->row, &e->row, law.kv);
+    outer(e, K, &e->row, &e->row, law.ks);
+    outer(e, C, &e->row, &e->row, law.kv);
     if (def->type == MEASURE_DISTANCE) taut(e, s, K, &act, law.f);
 }
 
@@ -122,7 +147,7 @@ static void add_slot(struct elements *e, const struct sweep *s, double *K, doubl
         break;
     }
     bool rate = slot->type == SLOT_V || slot->type == SLOT_MEASURE_RATE;
-    outer(rate ? C : K, e->model->n, &e->row, &e->column, -slope);
+    outer(e, rate ? C : K, &e->row, &e->column, -slope);
 }
 
 static void slopes_value(struct elements *e, const struct sweep *s, const struct model_force *f, double *K, double *C,
@@ -160,33 +185,32 @@ static void slopes_load(struct elements *e, const struct sweep *s, const struct 
 static void slopes_bushing(struct elements *e, const struct sweep *s, const struct model_force *f, double *K, double *C)
 {
     const struct bushing *par = f->par;
-    const int n = e->model->n, a = f->a.body, b = f->b.body;
+    const int a = f->a.body, b = f->b.body;
     struct bush o;
     bushing_at(&o, e, s, f);
     for (int i = 0; i < 3; i++) {
         double dir[3];
         row_between(&e->row, e, s, a, o.at, b, o.at, o.E + 3 * i);
-        outer(K, n, &e->row, &e->row, par->k[i]);
-        outer(C, n, &e->row, &e->row, par->c[i]);
+        outer(e, K, &e->row, &e->row, par->k[i]);
+        outer(e, C, &e->row, &e->row, par->c[i]);
         row_between(&e->row, e, s, a, NULL, b, NULL, o.E + 3 * i);
-        outer(C, n, &e->row, &e->row, par->cr[i]);
+        outer(e, C, &e->row, &e->row, par->cr[i]);
         m3_mul(dir, o.E, o.T + 3 * i); /* phi_i' = (column i of T) . W */
         row_between(&e->row, e, s, a, NULL, b, NULL, dir);
-        outer(K, n, &e->row, &e->row, par->kr[i]);
+        outer(e, K, &e->row, &e->row, par->kr[i]);
     }
 }
 
 void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x, enum rate cls)
 {
-    const size_t n = (size_t)e->model->n;
     if (x->qa && x->qb && e->ends[cls]) {
         look_at_end(e, x, 0, cls);
         look_at_end(e, x, 1, cls);
     }
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) {
         const struct plain *p = &e->plain[i];
-        if (K) K[(size_t)p->iv * (n + 1)] += p->k;
-        if (C) C[(size_t)p->iv * (n + 1)] += p->c;
+        along(e, K, p->iv, p->k);
+        along(e, C, p->iv, p->c);
     }
     for (int i = first_of(e->nother, cls); i < last_of(e->nother, cls); i++) {
         struct part_of *p = &e->other[i];
@@ -198,6 +222,14 @@ void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, 
     }
     row_clear(&e->row);
     row_clear(&e->column);
+}
+
+void elements_slopes_reduced(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x,
+                             enum rate cls, const struct reduction *to)
+{
+    e->to = to;
+    elements_slopes(e, s, K, C, x, cls);
+    e->to = NULL;
 }
 
 /* Loads and values of time alone have no slopes. */

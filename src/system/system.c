@@ -215,7 +215,9 @@ static double next_kink(const struct ode2 *o, double t)
 static void build_loops(struct system *s, struct arena *life)
 {
     const struct model *m = s->model;
-    s->loops = condense_build(m, s->ops, &s->ode, &s->moves, m->q0, m->v0, life);
+    s->loops = condense_build(m, s->ops, &s->ode, s->elements, &s->moves, m->q0, m->v0, life);
+    const int n = condense_ode2(s->loops)->n;
+    if (!s->M) s->M = TAKE(life, double, n *n);
     s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
 }
 
@@ -248,7 +250,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->elements = elements_build(m, s->ops, life);
     s->diagonal = elements_are_diagonal(s->elements);
     elastic_build(&s->elastic, m, life);
-    if (m->nloop || s->elastic.n) s->M = TAKE(life, double, m->n * m->n);
+    if (s->elastic.n) s->M = TAKE(life, double, m->n * m->n);
     moves_build(&s->moves, m, life);
     const size_t bytes = s->ops->factor_size(s->work);
     s->factor = arena_take(life, 1, bytes);

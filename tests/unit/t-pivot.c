@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "la/pivot.h"
+#include "la/sparse_pivot.h"
 #include "unit/trees.h"
 
 #include <setjmp.h>
@@ -116,6 +117,116 @@ static void preferences(void **state)
     }
 }
 
+/* Few numbers in each row, often equal ones. */
+static void few_numbers(double *A, int *start, int *column, double *value, struct tree_dice *d, int m, int n,
+                        bool whole)
+{
+    const int some = 1 + tree_pick(d, 4);
+    start[0] = 0;
+    for (int i = 0; i < m; i++) {
+        start[i + 1] = start[i];
+        for (int k = 0, j = tree_pick(d, n); k < some && j < n; k++, j += 1 + tree_pick(d, 3)) {
+            A[i + j * m] = whole ? tree_pick(d, 5) - 2 : tree_roll(d, -1, 1);
+            column[start[i + 1]] = j;
+            value[start[i + 1]++] = A[i + j * m];
+        }
+    }
+}
+
+/* One step of elimination of A [m x n], exchanged; the largest |number| weight behind it. */
+static double step_on(double *A, int k, int m, int n, const double *weight, const int *col)
+{
+    double most = 0;
+    for (int i = k + 1; i < m; i++)
+        for (int j = k + 1; j < n; j++) {
+            A[i + j * m] -= A[i + k * m] / A[k + k * m] * A[k + j * m];
+            most = fmax(most, fabs(A[i + j * m]) * weight[col[j]]);
+        }
+    return most;
+}
+
+/* By rows: the rank of the dense matrix; pivots that elimination in this order meets, none below half of what is left;
+ * nothing left behind the last. */
+static void by_rows(void **state)
+{
+    struct tree_dice d = {4};
+    struct arena *scratch = arena_open();
+    const size_t used = arena_mark(scratch).used;
+    int deficient = 0;
+    (void)state;
+    for (int trial = 0; trial < 2000; trial++) {
+        const int m = 1 + tree_pick(&d, MOST), n = 1 + tree_pick(&d, MOST);
+        int row[MOST], col[MOST], row2[MOST], col2[MOST], start[MOST + 1], column[MOST * MOST];
+        double A[MOST * MOST] = {0}, B[MOST * MOST], value[MOST * MOST], pivot[MOST], weight[MOST], left = 0;
+        few_numbers(A, start, column, value, &d, m, n, trial % 2);
+        for (int j = 0; j < n; j++) weight[j] = trial % 3 || tree_pick(&d, 4) ? 1 : .1;
+        int rank =
+            sparse_pivot(row, col, pivot, start, column, value, m, n, trial % 3 ? NULL : weight, m, 1e-11, scratch);
+        for (int i = 0; i < m; i++)
+            for (int j = 0; j < n; j++) {
+                B[i + j * m] = A[row[i] + col[j] * m];
+                left = fmax(left, fabs(A[i + j * m]) * weight[j]);
+            }
+        for (int k = 0; k < rank; k++) {
+            assert_true(fabs(pivot[k] - B[k + k * m]) < 1e-12);
+            assert_true(fabs(pivot[k]) * weight[col[k]] > .5 * left - 1e-12);
+            left = step_on(B, k, m, n, weight, col);
+        }
+        assert_true(left < 1e-10);
+        assert_int_equal(pivot_lu(A, row2, col2, m, n, m, NULL, m, 1e-11), rank);
+        deficient += rank < m && rank < n;
+    }
+    assert_true(deficient > 200);
+    assert_true(arena_mark(scratch).used == used);
+    arena_close(scratch);
+}
+
+/* Many rows in a chain: as many pivots, found as fast as there are rows. */
+static void long_chain(void **state)
+{
+    enum { N = 20000 };
+    struct arena *scratch = arena_open();
+    int *start = TAKE(scratch, int, N + 1), *column = TAKE(scratch, int, 3 * N);
+    int *row = TAKE(scratch, int, N), *col = TAKE(scratch, int, N + 2);
+    double *value = TAKE(scratch, double, 3 * N), *pivot = TAKE(scratch, double, N);
+    (void)state;
+    for (int i = 0; i < N; i++) {
+        start[i + 1] = start[i] + 3;
+        for (int k = 0; k < 3; k++) {
+            column[3 * i + k] = i + k;
+            value[3 * i + k] = (i * 7 + k * 3) % 5 - 2.5;
+        }
+    }
+    const size_t before = arena_used(scratch);
+    assert_int_equal(sparse_pivot(row, col, pivot, start, column, value, N, N + 2, NULL, N, 1e-12, scratch), N);
+    assert_true(arena_used(scratch) - before < (size_t)N * 1000);
+    arena_close(scratch);
+}
+
+/* Square bands in compact storage: bit for bit those of full storage. */
+static void compact(void **state)
+{
+    enum { N = 20, BELOW = 3, ABOVE = 5, LD = BELOW + ABOVE };
+    struct tree_dice d = {5};
+    (void)state;
+    for (int trial = 0; trial < 100; trial++) {
+        const int band[2] = {BELOW, ABOVE};
+        int swap[N], swap2[N];
+        double A[N * N] = {0}, store[N * (LD + 1)] = {0}, *B = store + ABOVE, x[N], y[N];
+        for (int j = 0; j < N; j++)
+            for (int i = 0; i < N; i++)
+                if (i - j <= BELOW && j - i <= ABOVE - BELOW) A[i + j * N] = B[i + j * LD] = tree_roll(&d, -1, 1);
+        assert_int_equal(pivot_rows(A, swap, band, N, N), pivot_rows(B, swap2, band, N, LD));
+        for (int i = 0; i < N; i++) x[i] = y[i] = tree_roll(&d, -1, 1);
+        pivot_rows_solve(A, swap, band, x, N, N);
+        pivot_rows_solve(B, swap2, band, y, N, LD);
+        assert_memory_equal(x, y, sizeof x);
+        pivot_rows_tsolve(A, swap, band, x, N, N);
+        pivot_rows_tsolve(B, swap2, band, y, N, LD);
+        assert_memory_equal(x, y, sizeof x);
+    }
+}
+
 static void hopeless(void **state)
 {
     (void)state;
@@ -134,7 +245,9 @@ static void hopeless(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ranks), cmocka_unit_test(solutions),
-                                       cmocka_unit_test(preferences), cmocka_unit_test(hopeless)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ranks),       cmocka_unit_test(solutions),
+                                       cmocka_unit_test(preferences), cmocka_unit_test(by_rows),
+                                       cmocka_unit_test(long_chain),  cmocka_unit_test(compact),
+                                       cmocka_unit_test(hopeless)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
