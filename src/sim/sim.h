@@ -73,7 +73,7 @@ struct sim {
         double most, t; /* largest displacement there at the end of a step [m], when */
     } * bend;           /* [nbend] */
     int nspin;
-    struct spin {
+    struct turning {
         int body;                /* of the model: flexible, without geometric stiffening */
         double most, axis[3], t; /* fastest turn of its frame at the end of a step [rad/s], about what, when */
     } * spin;                    /* [nspin] */

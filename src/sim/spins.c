@@ -11,7 +11,7 @@
 void spins_open(struct sim *sim, struct arena *life)
 {
     const struct model *m = sim->model;
-    sim->spin = TAKE(life, struct spin, m->nbody);
+    sim->spin = TAKE(life, struct turning, m->nbody);
     for (int i = 1; i < m->nbody; i++)
         if (m->body[i].flex && !m->body[i].flex->s) sim->spin[sim->nspin++].body = i;
 }
@@ -19,7 +19,7 @@ void spins_open(struct sim *sim, struct arena *life)
 void spins_note(struct sim *sim)
 {
     for (int i = 0; i < sim->nspin; i++) {
-        struct spin *s = &sim->spin[i];
+        struct turning *s = &sim->spin[i];
         double w[3];
         system_frame_spin(sim->system, w, s->body);
         double speed = v3_norm(w);
@@ -33,7 +33,7 @@ void spins_note(struct sim *sim)
 /* The speed that body i should not have passed; INFINITY: there is none. */
 static double limit_of(const struct sim *sim, int i)
 {
-    const struct spin *s = &sim->spin[i];
+    const struct turning *s = &sim->spin[i];
     return s->most > 0 ? bent_spin_limit(&sim->model->body[s->body], s->axis) : INFINITY;
 }
 
@@ -47,7 +47,7 @@ bool spins_passed(const struct sim *sim)
 void say_spins(const struct sim *sim, FILE *to)
 {
     for (int i = 0; i < sim->nspin; i++) {
-        const struct spin *s = &sim->spin[i];
+        const struct turning *s = &sim->spin[i];
         double limit = limit_of(sim, i);
         if (!(s->most > limit)) continue;
         fprintf(to,
