@@ -12,10 +12,10 @@
 void bends_open(struct sim *sim, struct arena *life)
 {
     const struct model *m = sim->model;
-    sim->bend = TAKE(life, struct bend, m->nbody);
+    sim->bend = TAKE(life, struct bending, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
         const struct flex_body *flex = m->body[i].flex;
-        struct bend o = {.body = i};
+        struct bending o = {.body = i};
         for (int k = 0; flex && k < flex->nnode; k++) {
             double arm[3];
             v3_diff(arm, flex->node[k].x, flex->node[flex->reference].x);
@@ -30,7 +30,7 @@ void bends_open(struct sim *sim, struct arena *life)
 void bends_note(struct sim *sim)
 {
     for (int i = 0; i < sim->nbend; i++) {
-        struct bend *o = &sim->bend[i];
+        struct bending *o = &sim->bend[i];
         const struct model_body *body = &sim->model->body[o->body];
         const double *phi = body->flex->node[o->node].phi;
         double u[3] = {0, 0, 0};
@@ -46,7 +46,7 @@ void say_bends(const struct sim *sim, FILE *to)
 {
     static const double followed = 0.2; /* of its length: beyond it more than a per cent is wrong */
     for (int i = 0; i < sim->nbend; i++) {
-        const struct bend *o = &sim->bend[i];
+        const struct bending *o = &sim->bend[i];
         if (!(o->most > followed * o->size)) continue;
         fprintf(to,
                 "warning: '%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per "

@@ -67,7 +67,7 @@ struct sim {
     double turn, t_turn; /* farthest turn of a ball or free joint in one step [rad], when */
     int turn_joint;      /* and whose */
     int nbend;
-    struct bend {
+    struct bending {
         int body, node; /* of the model: flexible; its node farthest from the reference */
         double size;    /* how far [m] */
         double most, t; /* largest displacement there at the end of a step [m], when */
