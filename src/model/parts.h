@@ -50,6 +50,8 @@ void make_coordinates(struct making *o);
 void make_near(struct making *o);
 /* elements.c: measures and forces with their places and classes */
 void make_elements(struct making *o);
+/* spin.c: warnings of flexible bodies without geometric stiffening */
+void warn_of_spin(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
 

@@ -18,4 +18,9 @@ void bent_centre(struct pose *frame, const struct model_body *b, const double *q
 enum bent_stress { STRESS_AXIAL, STRESS_BENDING, STRESS_VON_MISES };
 double bent_stress(const struct model_body *b, int stress, enum bent_stress part, const double *q);
 
+/* The lowest angular speed about an axis of the frame (unit) from which a body bends away for want of geometric
+ * stiffening [rad/s]: flex/spin.h.  INFINITY: none, or the body lies along the axis (as a shaft does), so that turning
+ * would not stiffen it and the speed is a critical one of the real body. */
+double bent_spin_limit(const struct model_body *b, const double *axis);
+
 #endif

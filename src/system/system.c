@@ -457,6 +457,13 @@ void system_energy_at(struct system *s, struct energies *e, const double *q, con
     see_energies(s, e, s->work, q, v);
 }
 
+void system_frame_spin(const struct system *s, double *w, int body)
+{
+    struct pose frame;
+    s->ops->pose(s->work, &frame, body);
+    m3_tmul(w, frame.R, frame.w);
+}
+
 /* p = sum m v,  L = sum (r x m v + I w) */
 void system_momentum(const struct system *s, double *p, double *L)
 {
