@@ -71,6 +71,8 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     TRY(at_time(&sim, request, report));
     TRY(modes_find(&modes, &sim, life, report));
     if (!request->quiet && modes.n && modes.mode[0].omega < -1e-6 * fabs(modes.mode[modes.n - 1].omega))
-        fprintf(stderr, "negative frequencies are growth rates: this posture is no stable equilibrium\n");
+        fprintf(stderr, "negative frequencies are growth rates: this posture is no stable equilibrium%s\n",
+                modes.gyroscopic_left_out ? " without the gyroscopic terms of driven rotation, which are left out"
+                                          : "");
     return table_print(mode_table(&sim, &modes, life), !isatty(STDOUT_FILENO), stdout, report);
 }

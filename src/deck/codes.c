@@ -158,7 +158,14 @@ const struct diag_help diag_helps[] = {
     {"W-offset", "The place belongs to the beam's nearest section, or to the nearest node of a body from a file, and "
                  "moves with it as if it were rigid. If it should stand on the axis or on a node, change its place."},
     {"W-stiffening", "Without geometric stiffening a beam that turns, or carries loads along its axis, bends too much: "
-                     "right for small loads only."},
+                     "right for small loads only. From the speed named, that of the body held at its inboard joint "
+                     "alone, it bends away without bound, which no real beam does; the energy balance does not show "
+                     "it. Take 'stiffening: false' out."},
+    {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
+                "smaller ratio would let it be slow."},
+    {"W-bending",
+     "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
+     "followed by several: give the beam 'segments', or more of them."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     {NULL, NULL},

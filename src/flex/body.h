@@ -52,7 +52,6 @@ struct flex_body {
     double *ff;    /* [9 x n x n]     int phi_i phi_j' dm, block i + n j */
     double *rpsi;  /* [3 x n]         int rho I psi_j */
     double *ppsi;  /* [n x n]         int psi_i' rho I psi_j */
-    bool hinged;   /* its frame is free to turn: kinetic energy is kept whole, see second.h */
     double *s;     /* [3 x n x n]     int S_ij dm; NULL with xs: no geometric stiffening */
     double *xs;    /* [9 x n x n]     int x S_ij' dm */
     double *K;     /* [n x n] stiffness; symmetric >= 0 [N/m] */

@@ -1,31 +1,33 @@
 /* motion.c -- see motion.h
  *
- * All that is linear in the coordinates stands in one table, [dJ/dx; G] = base + change x with a column for each
- * coordinate, so that a shape costs one product.  With Y_kj = int phi_k x phi_j dm, antisymmetric,
+ * All that is linear in q stands in one table, [H; dJ/dq; G] = base + change q with a column for each coordinate, so
+ * that a shape costs one product.  In the same way `fast` holds what is multiplied by q'.  With Y_kj = int phi_k x
+ * phi_j dm, antisymmetric, and Z_kj = int x x S_kj dm, symmetric,
  *
- *     G_j = int x x phi_j dm + rpsi_j + Y_kj x_k,      G' x' = 0,
+ *     G_j = int x x phi_j dm + rpsi_j + (Y_kj + Z_kj) q_k,      G' q' = q' Z q'  (Y cancels in the sum),
  *
- * and from (dG_j/dx_k - dG_k/dx_j) x_k' = 2 Y_kj x_k' comes the gyroscopic term of Q.  J is quadratic, so the mean of
- * its slopes at 0 and x takes it there: J = J(0) + (dJ/dx(0) + dJ/dx) x / 2.
+ * and from (dG_j/dq_k - dG_k/dq_j) q_k' = 2 Y_kj q_k' comes the gyroscopic term of Q.  h and J are quadratic, so the
+ * mean of their slopes at 0 and q takes them there:
+ *
+ *     h = (f + H) q / 2,     J = J(0) + (dJ/dq(0) + dJ/dq) q / 2.
  */
 #include "flex/motion.h"
 
 #include <string.h>
 
-#include "flex/second.h"
 #include "la/dense.h"
 #include "la/vec3.h"
 
 struct flex_kernel {
     const struct flex_body *body;
-    const struct flex_second *second;
-    int n, N;       /* coordinates of the body; with those that follow */
+    int n;
     double J[6];    /* undeformed */
-    double *H;      /* [3 x N] */
-    double *base;   /* [9 N]: dJ/dx [6 x N], G [3 x N] of the undeformed body */
-    double *change; /* [9 N by N] its rate with x */
-    double *fast;   /* [3 N by N]: 2 Y */
-    double *Me;     /* [N x N] */
+    int fixed;      /* rows of base that do not change: those of H where there is no s */
+    double *base;   /* [12 n]: H [3 x n], dJ/dq [6 x n], G [3 x n] of the undeformed body */
+    double *change; /* [12 n - fixed, by n] its rate with q */
+    int nfast;      /* 3 n, or 9 n with s and xs */
+    double *fast;   /* [nfast by n]: 2 Y, s, Z */
+    double *Me;     /* [n x n] */
 };
 
 /* --- tables ------------------------------------------------------------------------------------- */
@@ -51,57 +53,66 @@ static void add_inertia(double *J, double s, const double *B)
 
 static void undeformed(struct flex_kernel *k, const struct flex_body *o)
 {
-    const int N = k->N;
+    const int n = k->n;
     const double rot[6] = {o->rot[0], o->rot[4], o->rot[8], o->rot[3], o->rot[6], o->rot[7]};
     memcpy(k->J, rot, sizeof k->J);
     add_inertia(k->J, 1, o->xx);
-    for (int j = 0; j < N; j++) {
-        double *G = k->base + 6 * N + 3 * j;
-        add_inertia(k->base + 6 * j, 2, o->xf + 9 * j);
+    memcpy(k->base, o->f, sizeof *o->f * 3 * (size_t)n);
+    for (int j = 0; j < n; j++) {
+        double *G = k->base + 9 * n + 3 * j;
+        add_inertia(k->base + 3 * n + 6 * j, 2, o->xf + 9 * j);
         v3_copy(G, o->rpsi + 3 * j);
         add_axial(G, 1, o->xf + 9 * j);
     }
 }
 
 /* The pair of coordinates j and k. */
-static void fill_pair(struct flex_kernel *o, const struct flex_body *b, int j, int k)
+static void fill_pair(struct flex_kernel *o, int j, int k)
 {
-    const int N = o->N, jk = j + N * k, kj = k + N * j;
-    double *change = o->change + 9 * N * k;
-    add_inertia(change + 6 * j, 1, b->ff + 9 * jk);
-    add_inertia(change + 6 * j, 1, b->ff + 9 * kj);
-    add_axial(change + 6 * N + 3 * j, 1, b->ff + 9 * kj);
-    add_axial(o->fast + 3 * N * k + 3 * j, 2, b->ff + 9 * kj);
+    const struct flex_body *b = o->body;
+    const int n = o->n, jk = j + n * k;
+    double *change = o->change + (12 * n - o->fixed) * k - o->fixed, *fast = o->fast + o->nfast * k;
+    add_inertia(change + 3 * n + 6 * j, 1, b->ff + 9 * jk);
+    add_inertia(change + 3 * n + 6 * j, 1, b->ff + 9 * (k + n * j));
+    add_axial(change + 9 * n + 3 * j, 1, b->ff + 9 * (k + n * j));
+    add_axial(fast + 3 * j, 2, b->ff + 9 * (k + n * j));
+    if (o->fixed) return;
+    v3_copy(change + 3 * j, b->s + 3 * jk);
+    add_inertia(change + 3 * n + 6 * j, 2, b->xs + 9 * jk);
+    add_axial(change + 9 * n + 3 * j, 1, b->xs + 9 * jk);
+    v3_copy(fast + 3 * n + 3 * j, b->s + 3 * jk);
+    add_axial(fast + 6 * n + 3 * j, 1, b->xs + 9 * jk);
 }
 
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life)
 {
     struct flex_kernel *k = TAKE(life, struct flex_kernel, 1);
-    const struct flex_second *second = flex_second_build(o, life);
-    const int N = o->n + second->m;
-    *k = (struct flex_kernel){.body = o, .second = second, .n = o->n, .N = N, .H = second->whole->f};
-    k->base = TAKE(life, double, 9 * N);
-    k->change = TAKE(life, double, 9 * N * N);
-    k->fast = TAKE(life, double, 3 * N * N);
-    k->Me = TAKE(life, double, N *N);
-    undeformed(k, second->whole);
-    flex_mass(k->Me, second->whole);
-    for (int j = 0; j < N; j++)
-        for (int i = 0; i < N; i++) fill_pair(k, second->whole, i, j);
+    const int n = o->n;
+    *k = (struct flex_kernel){.body = o, .n = n, .fixed = o->s ? 0 : 3 * n, .nfast = o->s ? 9 * n : 3 * n};
+    k->base = TAKE(life, double, 12 * n);
+    k->change = TAKE(life, double, (12 * n - k->fixed) * n);
+    k->fast = TAKE(life, double, k->nfast *n);
+    k->Me = TAKE(life, double, n *n);
+    undeformed(k, o);
+    flex_mass(k->Me, o);
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) fill_pair(k, i, j);
     return k;
+}
+
+const double *flex_kernel_mass(const struct flex_kernel *k)
+{
+    return k->Me;
 }
 
 /* --- shape -------------------------------------------------------------------------------------- */
 
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life)
 {
-    const int n = k->n, N = k->N;
-    *o = (struct flex_shape){.H = TAKE(life, double, 3 * n),
-                             .G = TAKE(life, double, 3 * n),
-                             .x = TAKE(life, double, N),
-                             .Bq = TAKE(life, double, flex_second_room(k->second)),
-                             .all = TAKE(life, double, 9 * N),
-                             .work = TAKE(life, double, 6 * N)};
+    double *all = TAKE(life, double, 12 * k->n);
+    *o = (struct flex_shape){.H = all, .dJ = all + 3 * k->n, .G = all + 9 * k->n};
+    o->work = TAKE(life, double, 9 * k->n);
+    memcpy(all, k->base, sizeof *all * 12 * (size_t)k->n);
     memcpy(o->J, k->J, sizeof o->J);
 }
 
@@ -121,23 +132,16 @@ static inline void add6(double *o, const double *A, const double *x, int n)
 
 void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const double *q)
 {
-    const int N = k->N, m = 9 * N;
-    double J[6] = {0};
-    flex_second_at(o->x, o->Bq, k->second, q);
-    memcpy(o->all, k->base, sizeof *o->all * (size_t)m);
-    dense_gemv(o->all, 1, k->change, o->x, m, N, m);
-    v3_set(o->h, 0, 0, 0);
-    add3(o->h, k->H, o->x, N);
-    add6(J, k->base, o->x, N);
-    add6(J, o->all, o->x, N);
+    const int n = k->n, m = 12 * n - k->fixed;
+    double h[3] = {0}, J[6] = {0};
+    memcpy(o->H + k->fixed, k->base + k->fixed, sizeof *o->H * (size_t)m);
+    dense_gemv(o->H + k->fixed, 1, k->change, q, m, n, m);
+    add3(h, k->base, q, n);
+    add3(h, o->H, q, n);
+    v3_scale(o->h, .5, h);
+    add6(J, k->base + 3 * n, q, n);
+    add6(J, o->dJ, q, n);
     for (int i = 0; i < 6; i++) o->J[i] = k->J[i] + .5 * J[i];
-    flex_second_fold(o->H, k->H, k->second, o->Bq, 3);
-    flex_second_fold(o->G, o->all + 6 * N, k->second, o->Bq, 3);
-}
-
-void flex_shape_mass(double *Me, const struct flex_kernel *k, const struct flex_shape *shape)
-{
-    flex_second_mass(Me, k->second, shape->Bq, k->Me);
 }
 
 /* --- inertia ------------------------------------------------------------------------------------ */
@@ -157,33 +161,35 @@ static void frame(double *F, double *N, double mass, const struct flex_shape *o,
     v3_cross_add(N, w, L);
 }
 
-/* What x' adds: 2 w x h',  J' w + w x G x',  2 w . Y x'. */
+/* What q' adds: 2 w x h' + q' s q',  J' w + G' q' + w x G q',  2 w . Y q'. */
 static void carried(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *o,
-                    const double *w, const double *x1, double *y)
+                    const double *w, const double *q1)
 {
-    const int n = k->N;
-    double h1[3] = {0}, Gq[3] = {0}, J1[6] = {0}, J1w[3];
-    memset(y, 0, sizeof *y * 3 * (size_t)n);
-    dense_gemv(y, 1, k->fast, x1, 3 * n, n, 3 * n);
-    add3(h1, k->H, x1, n);
+    const int n = k->n;
+    double *y = o->work, h1[3] = {0}, Gq[3] = {0}, J1[6] = {0}, J1w[3];
+    memset(y, 0, sizeof *y * (size_t)k->nfast);
+    dense_gemv(y, 1, k->fast, q1, k->nfast, n, k->nfast);
+    add3(h1, o->H, q1, n);
     v3_scale(h1, 2, h1);
     v3_cross_add(F, w, h1);
-    add6(J1, o->all, x1, n);
+    add6(J1, o->dJ, q1, n);
     s3_mul(J1w, J1, w);
     v3_add(N, J1w);
-    add3(Gq, o->all + 6 * n, x1, n);
+    add3(Gq, o->G, q1, n);
     v3_cross_add(N, w, Gq);
     for (int j = 0; j < n; j++) Q[j] += v3_dot(w, y + 3 * j);
+    if (k->fixed) return;
+    add3(F, y + 3 * n, q1, n);
+    add3(N, y + 6 * n, q1, n);
 }
 
-/* H^T a + G^T w' - 1/2 w . dJ/dx w. */
-static void follow(double *Q, const struct flex_kernel *k, const struct flex_shape *o, const double *a, const double *w,
-                   const double *al)
+/* H^T a + G^T w' - 1/2 w . dJ/dq w. */
+static void follow(double *Q, const struct flex_shape *o, const double *a, const double *w, const double *al, int n)
 {
     const double ww[6] = {.5 * w[0] * w[0], .5 * w[1] * w[1], .5 * w[2] * w[2], w[0] * w[1], w[0] * w[2], w[1] * w[2]};
-    for (int j = 0; j < k->N; j++) {
-        const double *dJ = o->all + 6 * j;
-        Q[j] = v3_dot(k->H + 3 * j, a) + v3_dot(o->all + 6 * k->N + 3 * j, al) -
+    for (int j = 0; j < n; j++) {
+        const double *dJ = o->dJ + 6 * j;
+        Q[j] = v3_dot(o->H + 3 * j, a) + v3_dot(o->G + 3 * j, al) -
                (dJ[0] * ww[0] + dJ[1] * ww[1] + dJ[2] * ww[2] + dJ[3] * ww[3] + dJ[4] * ww[4] + dJ[5] * ww[5]);
     }
 }
@@ -192,38 +198,21 @@ void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, 
                   const double *a, const double *w, const double *al, const double *q, const double *q1,
                   const double *q2, bool elastic)
 {
-    const int n = k->n, all = k->N;
-    double *Qx = shape->work, *x1 = Qx + all, *x2 = x1 + all;
+    const int n = k->n;
     frame(F, N, k->body->mass, shape, a, w, al);
-    follow(Qx, k, shape, a, w, al);
-    if (q1) {
-        flex_second_rate(x1, k->second, shape->Bq, q1);
-        carried(F, N, Qx, k, shape, w, x1, x2 + all);
+    follow(Q, shape, a, w, al, n);
+    if (q1) carried(F, N, Q, k, shape, w, q1);
+    if (q2) {
+        add3(F, shape->H, q2, n);
+        add3(N, shape->G, q2, n);
+        dense_gemv(Q, 1, k->Me, q2, n, n, n);
     }
-    if (q2 || (q1 && all > n)) {
-        flex_second_acceleration(x2, k->second, shape->Bq, q1, q2);
-        add3(F, k->H, x2, all);
-        add3(N, shape->all + 6 * all, x2, all);
-        dense_gemv(Qx, 1, k->Me, x2, all, all, all);
-    }
-    flex_second_fold(Q, Qx, k->second, shape->Bq, 1);
     if (!elastic) return;
     dense_gemv(Q, 1, k->body->K, q, n, n, n);
     if (k->body->D && q1) dense_gemv(Q, 1, k->body->D, q1, n, n, n);
 }
 
 /* --- momentum and energy ------------------------------------------------------------------------ */
-
-void flex_moment_rates(double *h1, double *h2, const struct flex_kernel *k, const struct flex_shape *shape,
-                       const double *q1, const double *q2)
-{
-    double *x2 = shape->work;
-    v3_set(h1, 0, 0, 0);
-    v3_set(h2, 0, 0, 0);
-    add3(h1, shape->H, q1, k->n);
-    flex_second_acceleration(x2, k->second, shape->Bq, q1, q2);
-    add3(h2, k->H, x2, k->N);
-}
 
 void flex_momentum(double *P, double *L, const struct flex_kernel *k, const struct flex_shape *shape, const double *v,
                    const double *w, const double *q1)
@@ -251,12 +240,11 @@ static double square(const double *A, const double *x, int n)
 double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *shape, const double *v, const double *w,
                     const double *q1)
 {
-    double P[3], L[3], x[3] = {0}, y[3] = {0}, *x1 = shape->work;
+    double P[3], L[3], x[3] = {0}, y[3] = {0};
     flex_momentum(P, L, k, shape, v, w, q1);
     add3(x, shape->H, q1, k->n);
     add3(y, shape->G, q1, k->n);
-    flex_second_rate(x1, k->second, shape->Bq, q1);
-    return .5 * (v3_dot(v, P) + v3_dot(w, L) + v3_dot(v, x) + v3_dot(w, y) + square(k->Me, x1, k->N));
+    return .5 * (v3_dot(v, P) + v3_dot(w, L) + v3_dot(v, x) + v3_dot(w, y) + square(k->Me, q1, k->n));
 }
 
 double flex_elastic(const struct flex_kernel *k, const double *q)

@@ -1,15 +1,13 @@
 /* planar.c -- see planar.h.
  *
- * Everything linear in the coordinates is one product: the blocks that are not zero (of W and P' for the shape, of Sx
- * and Sy for a node) stand below each other in one table by column, the zero ones of a beam along an axis take no
- * time. */
+ * Everything linear in q is one product: the blocks that are not zero (of W, B, sx, sy for the shape, of Sx, Sy for
+ * a node) stand below each other in one table by column, the zero ones of a beam along an axis take no time.  The
+ * same with P, X, sx, sy and q'. */
 #include "flex/planar.h"
 
 #include <string.h>
 
-#include "flex/second.h"
-
-enum { BLOCKS = 2 };
+enum { BLOCKS = 4 };
 
 /* out = base + A x; block b of out begins at at[b]. */
 struct panel {
@@ -32,14 +30,12 @@ struct node {
 };
 
 struct flex_planar {
-    const struct flex_second *second;
-    int n, N; /* coordinates of the body; with those that follow */
+    int n;
     double mass, j0;
-    double *f, *e;        /* [N x 2], [N] */
-    struct panel shape;   /* W, P' */
-    struct panel rates;   /* 2 P' */
-    struct form Me, K, D; /* of the n */
-    double *whole;        /* Me of all [N x N] */
+    double *f, *e; /* [n x 2], [n] */
+    struct panel shape, rates;
+    struct form Me, K, D;
+    const double *mass_matrix;
     struct node *node;
 };
 
@@ -83,64 +79,40 @@ static inline double dot(const double *x, const double *y, int n)
 
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
 {
-    const double *fx = k->f, *fy = k->f + k->N, *y = o->work + k->shape.at[0], *G = o->work + k->shape.at[1];
+    const double *fx = k->f, *fy = k->f + k->n;
     double hx = 0, hy = 0, J = 0;
-    flex_second_at(o->x, o->Bq, k->second, q);
-    panel_at(o->work, &k->shape, o->x);
-    for (int i = 0; i < k->N; i++) {
-        hx += fx[i] * o->x[i];
-        hy += fy[i] * o->x[i];
-        J += (k->e[i] + y[i]) * o->x[i];
+    panel_at(o->work, &k->shape, q);
+    for (int i = 0; i < k->n; i++) {
+        hx += (fx[i] + o->Hx[i]) * q[i];
+        hy += (fy[i] + o->Hy[i]) * q[i];
+        J += (k->e[i] + o->y[i]) * q[i];
     }
-    o->h[0] = hx;
-    o->h[1] = hy;
+    o->h[0] = .5 * hx;
+    o->h[1] = .5 * hy;
     o->J = k->j0 + J;
-    flex_second_fold(o->Hx, fx, k->second, o->Bq, 1);
-    flex_second_fold(o->Hy, fy, k->second, o->Bq, 1);
-    flex_second_fold(o->G, G, k->second, o->Bq, 1);
-}
-
-/* Q += Me x2 of all: that of the n, then what the others have with all. */
-static inline void add_mass(double *Q, const struct flex_planar *k, const double *x2)
-{
-    const int n = k->n, N = k->N;
-    form_add(Q, &k->Me, x2, n);
-    for (int h = n; h < N; h++) {
-        const double *C = k->whole + (long)N * h;
-        double sum = 0;
-        for (int i = 0; i < n; i++) {
-            Q[i] += C[i] * x2[h];
-            sum += C[i] * x2[i];
-        }
-        for (int i = n; i < N; i++) sum += C[i] * x2[i];
-        Q[h] += sum;
-    }
 }
 
 void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
                          const double *a, double w, double al, const double *q1, const double *q2)
 {
-    const int all = k->N;
-    const double *fx = k->f, *fy = k->f + all, *y = o->work + k->shape.at[0], *G = o->work + k->shape.at[1], ww = w * w;
-    double *P = o->rates, *x1 = P + all, *x2 = x1 + all, *Qx = x2 + all;
-    double h1x = 0, h1y = 0, bx = 0, by = 0, g = 0, yx = 0;
-    flex_second_rate(x1, k->second, o->Bq, q1);
-    flex_second_acceleration(x2, k->second, o->Bq, q1, q2);
-    panel_at(P, &k->rates, x1);
-    for (int i = 0; i < all; i++) {
-        h1x += fx[i] * x1[i];
-        h1y += fy[i] * x1[i];
-        yx += y[i] * x1[i];
-        bx += fx[i] * x2[i];
-        by += fy[i] * x2[i];
-        g += G[i] * x2[i];
+    const double *r = o->rates, *P = r + k->rates.at[0], *X = r + k->rates.at[1];
+    const double *sx = r + k->rates.at[2], *sy = r + k->rates.at[3], ww = w * w;
+    double h1x = 0, h1y = 0, bx = 0, by = 0, g = 0, y = 0;
+    panel_at(o->rates, &k->rates, q1);
+    for (int i = 0; i < k->n; i++) {
+        h1x += o->Hx[i] * q1[i];
+        h1y += o->Hy[i] * q1[i];
+        y += o->y[i] * q1[i];
+        bx += o->Hx[i] * q2[i] + sx[i] * q1[i];
+        by += o->Hy[i] * q2[i] + sy[i] * q1[i];
+        g += o->G[i] * q2[i] + X[i] * q1[i];
     }
-    for (int i = 0; i < all; i++) Qx[i] = (fx[i] * a[0] + fy[i] * a[1]) + (G[i] * al - y[i] * ww) + P[i] * w;
-    add_mass(Qx, k, x2);
-    flex_second_fold(Q, Qx, k->second, o->Bq, 1);
+    for (int i = 0; i < k->n; i++)
+        Q[i] = (o->Hx[i] * a[0] + o->Hy[i] * a[1]) + (o->G[i] * al - o->y[i] * ww) + P[i] * w;
+    form_add(Q, &k->Me, q2, k->n);
     F[0] = k->mass * a[0] - al * o->h[1] - ww * o->h[0] - 2 * w * h1y + bx;
     F[1] = k->mass * a[1] + al * o->h[0] - ww * o->h[1] + 2 * w * h1x + by;
-    *N = o->h[0] * a[1] - o->h[1] * a[0] + o->J * al + 2 * w * yx + g;
+    *N = o->h[0] * a[1] - o->h[1] * a[0] + o->J * al + 2 * w * y + g;
 }
 
 void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q, const double *q1)
@@ -152,17 +124,16 @@ void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1)
 {
-    const int n = k->n, N = k->N;
-    double p[2] = {dot(o->Hx, q1, n) - w * o->h[1], dot(o->Hy, q1, n) + w * o->h[0]}, T = 0, *x1 = o->rates;
-    flex_second_rate(x1, k->second, o->Bq, q1);
-    for (int j = 0; j < N; j++) T += x1[j] * dot(k->whole + (long)N * j, x1, N);
+    const int n = k->n;
+    double p[2] = {dot(o->Hx, q1, n) - w * o->h[1], dot(o->Hy, q1, n) + w * o->h[0]}, T = 0;
+    for (int j = 0; j < n; j++) T += q1[j] * dot(k->mass_matrix + (long)n * j, q1, n);
     T += k->mass * (v[0] * v[0] + v[1] * v[1]) + o->J * w * w;
     return .5 * T + v[0] * p[0] + v[1] * p[1] + w * dot(o->G, q1, n);
 }
 
-void flex_planar_mass(double *Me, const struct flex_planar *k, const struct flex_planar_shape *o)
+const double *flex_planar_mass(const struct flex_planar *k)
 {
-    flex_second_mass(Me, k->second, o->Bq, k->whole);
+    return k->mass_matrix;
 }
 
 /* --- nodes -------------------------------------------------------------------------------------- */
@@ -265,24 +236,34 @@ static void build_linear(struct flex_planar *k, double *g, const struct flex_bod
     }
 }
 
+/* Symmetric parts of s and xs: the antisymmetric ones do no harm anywhere, if there are any. */
 static void build_square(struct flex_planar *k, const double *g, const struct flex_body *o, struct arena *life)
 {
-    const int N = o->n, NN = N * N, n = k->n;
-    double *W = TAKE(life, double, NN), *B = TAKE(life, double, NN), *P = TAKE(life, double, NN);
-    double *Me = TAKE(life, double, n *n);
-    k->whole = TAKE(life, double, NN);
-    for (int i = 0; i < N; i++)
-        for (int j = 0; j < N; j++) {
-            const int ij = i + N * j, ji = j + N * i;
+    const int n = o->n, nn = n * n;
+    double *W = TAKE(life, double, nn), *B = TAKE(life, double, nn), *P = TAKE(life, double, nn);
+    double *X = TAKE(life, double, nn), *sx = TAKE(life, double, nn), *sy = TAKE(life, double, nn);
+    double *Me = TAKE(life, double, nn);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            const int ij = i + n * j, ji = j + n * i;
             W[ij] = .5 * (trace2(o->ff + 9 * ij) + trace2(o->ff + 9 * ji));
-            k->whole[ij] = W[ij] + .5 * (o->ppsi[ij] + o->ppsi[ji]);
+            Me[ij] = W[ij] + .5 * (o->ppsi[ij] + o->ppsi[ji]);
             P[ij] = cross2(o->ff + 9 * ji) - cross2(o->ff + 9 * ij); /* 2 P_ji */
-            B[ij] = .5 * P[ij];
-            if (i < n && j < n) Me[i + n * j] = k->whole[ij];
+            if (o->s) {
+                sx[ij] = .5 * (o->s[3 * ij] + o->s[3 * ji]);
+                sy[ij] = .5 * (o->s[3 * ij + 1] + o->s[3 * ji + 1]);
+            }
+            if (o->xs) {
+                W[ij] += .5 * (trace2(o->xs + 9 * ij) + trace2(o->xs + 9 * ji));
+                X[ij] = .5 * (cross2(o->xs + 9 * ij) + cross2(o->xs + 9 * ji));
+            }
+            B[ij] = X[ij] + .5 * P[ij];
         }
-    panel_build(&k->shape, N, 2, (double *const[]){W, B}, (double *const[]){k->e, (double *)g}, life);
-    panel_build(&k->rates, N, 1, (double *const[]){P}, NULL, life);
+    double *const base[BLOCKS] = {k->e, (double *)g, k->f, k->f + n};
+    panel_build(&k->shape, n, BLOCKS, (double *const[]){W, B, sx, sy}, base, life);
+    panel_build(&k->rates, n, BLOCKS, (double *const[]){P, X, sx, sy}, NULL, life);
     form_build(&k->Me, Me, n, life);
+    k->mass_matrix = Me;
 }
 
 static void build_node(struct node *o, const struct flex_node *from, int n, struct arena *life)
@@ -307,15 +288,12 @@ static void build_node(struct node *o, const struct flex_node *from, int n, stru
 struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *life)
 {
     struct flex_planar *k = TAKE(life, struct flex_planar, 1);
-    k->second = flex_second_build(o, life);
-    const struct flex_body *whole = k->second->whole;
-    double *g = TAKE(life, double, whole->n);
+    double *g = TAKE(life, double, o->n);
     k->n = o->n;
-    k->N = whole->n;
     k->mass = o->mass;
     k->j0 = trace2(o->xx) + o->rot[8];
-    build_linear(k, g, whole, life);
-    build_square(k, g, whole, life);
+    build_linear(k, g, o, life);
+    build_square(k, g, o, life);
     form_build(&k->K, o->K, o->n, life);
     if (o->D) form_build(&k->D, o->D, o->n, life);
     k->node = TAKE(life, struct node, o->nnode);
@@ -325,13 +303,12 @@ struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *l
 
 void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life)
 {
-    *o = (struct flex_planar_shape){.Hx = TAKE(life, double, k->n),
-                                    .Hy = TAKE(life, double, k->n),
-                                    .G = TAKE(life, double, k->n),
-                                    .x = TAKE(life, double, k->N),
-                                    .Bq = TAKE(life, double, flex_second_room(k->second)),
-                                    .work = TAKE(life, double, 2 * k->N),
-                                    .rates = TAKE(life, double, 4 * k->N)};
+    o->work = TAKE(life, double, BLOCKS * k->n);
+    o->rates = TAKE(life, double, BLOCKS * k->n);
+    o->y = o->work + k->shape.at[0];
+    o->G = o->work + k->shape.at[1];
+    o->Hx = o->work + k->shape.at[2];
+    o->Hy = o->work + k->shape.at[3];
 }
 
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)

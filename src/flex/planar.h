@@ -3,21 +3,21 @@
  * The equations of motion.h with displacements in x and y and rotation about z.  In the axes of the frame, with
  * J (x, y) = (-y, x), a x b = a . (-J b) the scalar cross product, and the tables of body.h,
  *
- *     h = f x,               H = f             first moment [2], dh/dx [2 x N]
- *     J = j0 + (e + y) . x,  y = e + W x       inertia about the origin; dJ/dx = 2 y
- *     G = g + P' x                             [N]
- *     T = m v.v/2 + v . (w J h + H x') + J w2/2 + w G . x' + x' . Me x'/2
+ *     h = f q + 1/2 q' s q,  H = f + s q       first moment [2], dh/dq [2 x n]
+ *     J = j0 + (e + y) . q,  y = e + W q       inertia about the origin; dJ/dq = 2 y
+ *     G = g + B q                              [n]
+ *     T = m v.v/2 + v . (w J h + H q') + J w2/2 + w G . q' + q' . Me q'/2
  *
- * where x = (q, z) are all coordinates of first order, z those that follow q (second.h), and  j0 = tr xx + rot,
- * e = tr xf,  W = tr ff,  g = int x x phi_j + rpsi,  P_jk = int phi_j x phi_k,  Me = tr ff + ppsi.  Lagrange's
- * equations, with p = dT/dv and L = dT/dw in axes that turn with w (F = p' + w J p, N = L' + v x p) and a = v' + w J v,
- * are
+ * where  j0 = tr xx + rot,  e = tr xf,  W = tr (ff + xs),  g = int x x phi_j + rpsi,  B = P' + X,
+ * P_jk = int phi_j x phi_k,  X_jk = int x x S_jk,  Me = tr ff + ppsi.  Lagrange's equations, with p = dT/dv and
+ * L = dT/dw in axes that turn with w (F = p' + w J p, N = L' + v x p) and a = v' + w J v, are
  *
- *     F   = m a + al J h - w2 h + 2 w J H x' + H x''
- *     N   = h x a + J al + 2 w y . x' + G . x''
- *     Q_k = H_k . a + G_k al + 2 w P_jk x'_j - w2 y_k + (Me x'')_k
+ *     F   = m a + al J h - w2 h + 2 w J H q' + H q'' + q' s q'
+ *     N   = h x a + J al + 2 w y . q' + G . q'' + q' X q'
+ *     Q_k = H_k . a + G_k al + 2 w P_jk q'_j - w2 y_k + (Me q'')_k
  *
- * and the forces on z go to q by virtual power.  Stiffness K q and damping D q' stand apart. */
+ * (the q'-terms of G' and dG/dq meet as B_kj - B_jk = 2 P_jk; P takes no part in q' B q').  Stiffness K q and
+ * damping D q' stand apart. */
 #ifndef FMDSUB_FLEX_PLANAR_H
 #define FMDSUB_FLEX_PLANAR_H
 
@@ -30,10 +30,8 @@ struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *l
 /* What depends on q alone. */
 struct flex_planar_shape {
     double h[2], J;
-    double *Hx, *Hy, *G; /* [n] */
-    double *x, *Bq;      /* [N], [n x (N - n)] */
-    double *work;        /* [2 N] y and G of all */
-    double *rates;       /* [4 N] work of flex_planar_inertia() */
+    const double *Hx, *Hy, *G, *y; /* [n] */
+    double *work, *rates;          /* [4 n] where they stand; work of flex_planar_inertia() */
 };
 void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life);
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q);
@@ -48,8 +46,7 @@ void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q
 /* T for v of the origin, w, q' [J]. */
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1);
-/* Me [n x n] of the body as it is bent. */
-void flex_planar_mass(double *Me, const struct flex_planar *k, const struct flex_planar_shape *o);
+const double *flex_planar_mass(const struct flex_planar *k); /* Me [n x n] */
 
 /* A node's small body in the frame: it stands at x, turned by angle. */
 struct flex_planar_place {

@@ -4,6 +4,7 @@
  * move its bodies as one; gears and racks tie two coordinates whatever these move.  A path that passes through a node
  * of a flexible body ties its elastic coordinates.  Loops that share such a joint or such a body are one component: one
  * block of C_q.  A component with a fast coordinate is fast: its dependent coordinates follow in the minor steps. */
+#include <math.h>
 #include <string.h>
 
 #include "model/parts.h"
@@ -57,6 +58,47 @@ static void tie(const struct making *o, int *owner, int *above)
     }
 }
 
+/* Largest local error of a drive over major steps H, H^2/12 times the change of its acceleration (Zienkiewicz & Xie,
+ * Earthq. Eng. Struct. Dyn. 20 (1991) 871), from rates, so that corners count; as a share of its travel. */
+static double local_error(const struct signal *c, double H, double until)
+{
+    enum { MOST = 1000 };
+    const double every = fmax(H, (until - H) / MOST);
+    double worst = 0, travel = 0, x[3], first[3];
+    signal_motion(c, first, 0);
+    for (double t = 0; t + H <= until * (1 + 1e-12); t += every) {
+        double a[3], mid[3], b[3];
+        signal_motion(c, a, t);
+        signal_motion(c, mid, t + H / 2);
+        signal_motion(c, b, t + H);
+        worst = fmax(worst, H / 3 * fabs(a[1] - 2 * mid[1] + b[1]));
+        travel = fmax(travel, fabs(b[0] - first[0]));
+    }
+    signal_motion(c, x, until);
+    travel = fmax(travel, fabs(x[0] - first[0]));
+    return travel > 0 ? worst / travel : 0;
+}
+
+/* A drive that the major steps do not resolve makes its component fast. */
+static void mark_quick_drives(const struct making *o, bool *fast)
+{
+    static const double RESOLVED = 1e-3;
+    const struct integrate *p = &o->scene->integrate;
+    const struct model *m = o->m;
+    if (p->ratio <= 1 || !(p->step > 0)) return;
+    for (int i = 0; i < m->ndrive; i++) {
+        const struct model_loop *l = &o->loop[m->nloop - m->ndrive + i];
+        const double error = local_error(l->drive, p->step * p->ratio, p->until);
+        if (fast[l->component] || error <= RESOLVED) continue;
+        fast[l->component] = true;
+        diag_warn(
+            o->diags, o->scene->drive[i].node, AT_KEY, "W-drive",
+            "drive '%s' turns too quickly for the major step of %g s (local error %.2g of its travel): what it moves "
+            "takes the minor step",
+            l->name, p->step * p->ratio, error);
+    }
+}
+
 void make_components(struct making *o)
 {
     struct model *m = o->m;
@@ -80,6 +122,7 @@ void make_components(struct making *o)
         if (loop >= 0) b->component = o->loop[loop].component;
         for (int k = 0; loop >= 0 && k < b->nmode; k++) fast[b->component] |= mode_is_fast(o, i, k);
     }
+    mark_quick_drives(o, fast);
     for (int i = 0; i < m->njoint; i++) o->quick[i] = o->component[i] >= 0 && fast[o->component[i]];
     for (int i = 1; i < m->nbody; i++) o->supple[i] = o->body[i].component >= 0 && fast[o->body[i].component];
 }

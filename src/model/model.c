@@ -22,6 +22,7 @@ enum status model_build(struct model **out, const struct scene *scene, struct di
     make_elements(&o);
     make_choice(&o);
     make_start(&o);
+    warn_of_spin(&o);
     *out = m;
     return OK;
 }

@@ -64,16 +64,12 @@ int marker_on(double *p, struct making *o, const struct marker *m)
     return place_on(p, o, m->body, world);
 }
 
-void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint,
-                        enum joint_type type)
+void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint)
 {
     struct model_body *body = &o->body[index];
     double offset[3];
     int node = scene_node(offset, sb, joint);
-    struct flex_body *flex = TAKE(o->life, struct flex_body, 1);
-    *flex = *(node == sb->flex->reference ? sb->flex : flex_refer(sb->flex, node, o->life));
-    flex->hinged = type != JOINT_FIXED;
-    body->flex = flex;
+    body->flex = node == sb->flex->reference ? sb->flex : flex_refer(sb->flex, node, o->life);
     body->nmode = sb->flex->n;
     body->mode_q = TAKE(o->life, int, body->nmode);
     body->mode_v = TAKE(o->life, int, body->nmode);

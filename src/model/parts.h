@@ -38,8 +38,7 @@ int stand(struct making *o, int scene_body, const double *world);
 int place_on(double *p, struct making *o, int scene_body, const double *world);
 int marker_on(double *p, struct making *o, const struct marker *m);
 /* Body `index` as the scene's flexible one, its frame at the node of its inboard joint. */
-void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint,
-                        enum joint_type type);
+void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint);
 int most_nodes(const struct scene *scene);
 void make_nodes(struct making *o);
 /* loops.c: components of loops and their class; with the numbering known, what makes a coordinate dependent */
@@ -51,6 +50,8 @@ void make_coordinates(struct making *o);
 void make_near(struct making *o);
 /* elements.c: measures and forces with their places and classes */
 void make_elements(struct making *o);
+/* spin.c: warnings of flexible bodies without geometric stiffening */
+void warn_of_spin(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
 

@@ -46,7 +46,7 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
     memcpy(body->inertia, cb->inertia, sizeof cb->inertia);
     v3_copy(body->at, cb->at);
     memcpy(body->R, cb->R, sizeof cb->R);
-    if (cb->flex) make_flexible_body(o, i, cb, at, type);
+    if (cb->flex) make_flexible_body(o, i, cb, at);
     *j = (struct model_joint){.type = type, .parent = on, .child = i};
     v3_copy(j->a, a);
     v3_diff(arm, at, body->at);

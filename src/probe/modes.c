@@ -12,6 +12,7 @@ struct linear {
     double t;
     int n;
     double *M, *K, *C; /* [n x n] */
+    double *G;         /* [n x n] gyroscopic: the antisymmetric part of dr/dv */
 };
 
 static void displaced(const struct linear *l, double *q1, const double *dx)
@@ -45,6 +46,30 @@ static enum status stiffness(struct linear *l, struct arena *life, struct troubl
     return OK;
 }
 
+/* G by central differences, exact since r is quadratic in v but for friction. */
+static enum status gyroscopic(struct linear *l, struct arena *life, struct trouble *why)
+{
+    static const double step = 1e-2; /* [m/s], [rad/s] */
+    int n = l->n;
+    double *v = TAKE(life, double, n), *up = TAKE(life, double, n), *down = TAKE(life, double, n);
+    struct instant x = {.t = l->t, .q = l->q, .v = v, .ta = l->t, .tb = l->t};
+    for (int j = 0; j < n; j++) {
+        v[j] = step;
+        TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, ALL, why));
+        v[j] = -step;
+        TRY(l->ode->ops->resid(l->ode, down, NULL, NULL, &x, ALL, why));
+        v[j] = 0;
+        for (int i = 0; i < n; i++) l->G[i + j * n] = (up[i] - down[i]) / (2 * step);
+    }
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i <= j; i++) {
+            double g = (l->G[i + j * n] - l->G[j + i * n]) / 2;
+            l->G[i + j * n] = g;
+            l->G[j + i * n] = -g;
+        }
+    return OK;
+}
+
 static enum status linearise(struct linear *l, struct arena *life, struct trouble *why)
 {
     int n = l->n;
@@ -52,10 +77,12 @@ static enum status linearise(struct linear *l, struct arena *life, struct troubl
     l->M = TAKE(life, double, n *n);
     l->K = TAKE(life, double, n *n);
     l->C = TAKE(life, double, n *n);
+    l->G = TAKE(life, double, n *n);
     struct instant x = {.t = l->t, .q = l->q, .v = zero, .ta = l->t, .tb = l->t};
     TRY(l->ode->ops->mass(l->ode, l->M, l->q, l->t, ALL, why));
     TRY(l->ode->ops->slopes(l->ode, l->K, l->C, &x, ALL, why));
-    return stiffness(l, life, why);
+    TRY(stiffness(l, life, why));
+    return gyroscopic(l, life, why);
 }
 
 /* Local frequencies: one coordinate moves, the others recoil, w_i^2 = |(M^-1 K)_ii|. */
@@ -75,15 +102,26 @@ static void local(struct modes *o, const struct linear *l, const double *X, cons
     }
 }
 
-/* Who moves: shares x_i (M x)_i of the kinetic energy. */
-static void shares(struct mode *o, const struct linear *l, const double *x)
+static double form(const double *A, const double *x, int n)
+{
+    double sum = 0;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) sum += x[i] * A[i + j * n] * x[j];
+    return sum;
+}
+
+/* Who moves: shares x_i (M x)_i of the kinetic energy, the sum of both parts of x [n x parts]. */
+static void shares(struct mode *o, const struct linear *l, const double *x, int parts)
 {
     int n = l->n;
+    double all = 0;
     for (int k = 0; k < 3; k++) o->top[k] = -1;
+    for (int p = 0; p < parts; p++) all += form(l->M, x + p * n, n);
     for (int i = 0; i < n; i++) {
         double part = 0;
-        for (int j = 0; j < n; j++) part += l->M[i + j * n] * x[j];
-        part = fabs(part * x[i]);
+        for (int p = 0; p < parts; p++)
+            for (int j = 0; j < n; j++) part += x[i + p * n] * l->M[i + j * n] * x[j + p * n];
+        part = fabs(part) / all;
         if (i < l->ode->ns) o->fast += part;
         for (int k = 0; k < 3; k++) {
             if (o->top[k] >= 0 && part <= o->share[k]) continue;
@@ -97,13 +135,89 @@ static void shares(struct mode *o, const struct linear *l, const double *x)
 
 static void describe(struct mode *o, const struct linear *l, double lambda, const double *x)
 {
-    int n = l->n;
-    double damping = 0;
     *o = (struct mode){.omega = lambda < 0 ? -sqrt(-lambda) : sqrt(lambda)};
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) damping += x[i] * l->C[i + j * n] * x[j];
-    if (lambda > 0) o->damping = damping / (2 * o->omega);
-    shares(o, l, x);
+    if (lambda > 0) o->damping = form(l->C, x, l->n) / (2 * o->omega);
+    shares(o, l, x, 1);
+}
+
+/* ---- the same with gyroscopic terms ----
+ *
+ * In the modes X of (K, M), x = X p, with y = (p', L p), L^2 = diag(lambda) >= 0:
+ *
+ *     y' = -S y,   S = [g L; -L 0],   g = X'G X,
+ *
+ * S is antisymmetric, so that the frequencies are its singular values, each twice, and S'S a = omega^2 a,
+ * b = S a / omega are the two parts of y (Meirovitch, AIAA J. 12 (1974) 1337). */
+
+static void times(double *y, const double *A, const double *x, int rows, int columns, int stride)
+{
+    for (int i = 0; i < rows; i++) y[i] = 0;
+    for (int j = 0; j < columns; j++)
+        for (int i = 0; i < rows; i++) y[i] += A[i + j * stride] * x[j];
+}
+
+/* g = X'G X [n x n], and whether it counts; work [n]. */
+static bool turned(double *g, const struct linear *l, const double *X, double top, double *work)
+{
+    static const double counts = 1e-9; /* of the highest frequency */
+    int n = l->n;
+    double most = 0;
+    for (int j = 0; j < n; j++) {
+        times(work, l->G, X + j * n, n, n, n);
+        for (int i = 0; i < n; i++) {
+            g[i + j * n] = 0;
+            for (int k = 0; k < n; k++) g[i + j * n] += X[k + i * n] * work[k];
+            most = fmax(most, fabs(g[i + j * n]));
+        }
+    }
+    return most > counts * top;
+}
+
+/* S [2n x 2n] */
+static void antisymmetric(double *S, const double *g, const double *lambda, int n)
+{
+    int m = 2 * n;
+    for (int j = 0; j < n; j++) {
+        double root = sqrt(fmax(lambda[j], 0));
+        for (int i = 0; i < n; i++) S[i + j * m] = g[i + j * n];
+        S[j + (n + j) * m] = root;
+        S[n + j + j * m] = -root;
+    }
+}
+
+/* One mode from a [2n], unit: velocities x' = X p' of both parts, of which half the squares decay by damping. */
+static void describe_turned(struct mode *o, const struct linear *l, const double *X, const double *S, double omega,
+                            const double *a, double *work)
+{
+    int n = l->n;
+    double *b = work, *v = work + 2 * n;
+    times(b, S, a, 2 * n, 2 * n, 2 * n);
+    for (int i = 0; i < 2 * n; i++) b[i] /= omega;
+    times(v, X, a, n, n, n);
+    times(v + n, X, b, n, n, n);
+    *o = (struct mode){.omega = omega};
+    o->damping = (form(l->C, v, n) + form(l->C, v + n, n)) / (2 * omega);
+    shares(o, l, v, 2);
+}
+
+static void describe_gyroscopic(struct modes *o, const struct linear *l, const double *X, const double *lambda,
+                                const double *g, struct arena *life)
+{
+    int n = l->n, m = 2 * n;
+    double *S = TAKE(life, double, m *m), *A = TAKE(life, double, m *m), *Y = TAKE(life, double, m *m);
+    double *square = TAKE(life, double, m), *work = TAKE(life, double, 2 * m);
+    antisymmetric(S, g, lambda, n);
+    for (int j = 0; j < m; j++)
+        for (int i = 0; i < m; i++)
+            for (int k = 0; k < m; k++) A[i + j * m] += S[k + i * m] * S[k + j * m];
+    eigen_symmetric(square, Y, A, m);
+    for (int j = 0; j < n; j++) {
+        double omega = sqrt(fmax(square[2 * j], 0));
+        if (omega > 1e-6 * sqrt(square[m - 1]))
+            describe_turned(&o->mode[j], l, X, S, omega, Y + 2 * j * m, work);
+        else
+            describe(&o->mode[j], l, 0, X + j * n);
+    }
 }
 
 enum status modes_find(struct modes *o, const struct sim *sim, struct arena *life, struct report *report)
@@ -123,7 +237,13 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));
     o->n = n;
     o->mode = TAKE(life, struct mode, n);
-    for (int j = 0; j < n; j++) describe(&o->mode[j], &l, lambda[j], X + j * n);
+    double *g = TAKE(life, double, n *n), top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[n - 1])));
+    bool turns = turned(g, &l, X, top, TAKE(life, double, n));
+    o->gyroscopic_left_out = turns && lambda[0] < -1e-9 * top * top;
+    if (turns && !o->gyroscopic_left_out)
+        describe_gyroscopic(o, &l, X, lambda, g, life);
+    else
+        for (int j = 0; j < n; j++) describe(&o->mode[j], &l, lambda[j], X + j * n);
     local(o, &l, X, lambda);
     return OK;
 }

@@ -1,8 +1,10 @@
 /* modes.h -- frequencies of small motions about a posture, and what they ask of the steps.
  *
- * The condensed system (2-4) linearised about the posture at rest: M^ x'' + K x = 0, K = dr/dq by central
- * differences of r(q, 0, 0, t), so that gravity and preloads are in it; the damping of a mode is
- * x'Cx / (2 omega) with C of the elements. */
+ * The condensed system (2-4) linearised about the posture at rest while drives move on: M^ x'' + G x' + K x = 0, K =
+ * dr/dq by central differences of r(q, 0, 0, t), so that gravity, preloads and centrifugal loads are in it, G the
+ * antisymmetric part of dr/dv, the Coriolis forces of driven rotation.  Where K is not positive G is left out, and
+ * `gyroscopic_left_out` says so: rotation may stabilise what looks unstable then.  The damping of a mode is to first
+ * order, x'Cx / (2 omega) with C of the elements. */
 #ifndef FMDSUB_PROBE_MODES_H
 #define FMDSUB_PROBE_MODES_H
 
@@ -22,6 +24,7 @@ struct modes {
     struct mode *mode;          /* [n], ascending */
     double slow_top, fast_top;  /* local frequency of the quickest slow and fast coordinate [rad/s] */
     int slow_worst, fast_worst; /* which; -1: none */
+    bool gyroscopic_left_out;
 };
 
 enum { MODES_MOST = 300 };

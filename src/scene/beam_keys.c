@@ -101,6 +101,8 @@ const struct key keys_station[] = {
     PARAM_REAL(struct station_keys, station, "station", NULL, 0, 1, KEY_REQUIRED, NULL, "0 ... 1 along the beam"),
     PARAM_NODE(struct station_keys, offset, "offset", "vector [m]", 0,
                "from the axis, body axes: carried rigidly by the section"),
+    PARAM_BOOL(struct station_keys, statics, "static", 0, "false",
+               "keep how loads here stretch and bend the beam at rest, as at a joint: adds freedoms (2-D: 3, 3-D: 6)"),
     KEYS_END,
 };
 

@@ -180,14 +180,15 @@ void weigh_beam(struct scene_body *body, struct draft *o)
     v3_axpy(body->at, o->centre * o->length, body->R);
 }
 
-int read_station(struct builder *b, double *p, int body, const struct node *n, const char *what)
+int read_station(struct builder *b, struct scene_point *o, int body, const struct node *n, const char *what)
 {
-    const struct draft *o = b->draft[body];
+    const struct draft *d = b->draft[body];
     struct station_keys k = {0};
     if (read_keys(&k, keys_station, n, NULL, what, &b->reader)) return 1;
-    v3_set(p, 0, 0, 0);
-    if (k.offset && read_place(b, p, k.offset, what)) return 1;
-    p[0] += (station_in(o, k.station) - o->centre) * o->length;
+    o->statics = k.statics;
+    v3_set(o->at.p, 0, 0, 0);
+    if (k.offset && read_place(b, o->at.p, k.offset, what)) return 1;
+    o->at.p[0] += (station_in(d, k.station) - d->centre) * d->length;
     return 0;
 }
 
@@ -212,9 +213,6 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     o->modes = node_find(n, "modes");
     o->beam.modes = body->nmode = k.modes;
     o->beam.stiffening = k.stiffening;
-    if (!k.stiffening)
-        diag_warn(b->diags, node_find(n, "stiffening"), AT_VALUE, "W-stiffening",
-                  "%s: loads along the beam will not stiffen or soften it", what);
     weigh_beam(body, o);
     if (!errors && k.segments > 1) cut_beam(b, index, k.segments);
     return errors;

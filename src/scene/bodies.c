@@ -131,15 +131,15 @@ int read_inertia(struct builder *b, double *J, const struct node *n, const char 
 }
 
 /* A place on a body: a vector, on a beam a station, of a body from a file the name of a node. */
-static int read_spot(struct builder *b, double *p, int body, const struct node *n, const char *what)
+static int read_spot(struct builder *b, struct scene_point *p, int body, const struct node *n, const char *what)
 {
     if (n->type == NODE_MAP && b->draft[body]) return read_station(b, p, body, n, what);
     if (b->draft[body] && b->draft[body]->whole) {
         diag_error(b->diags, n, AT_VALUE, "E-type", "%s of a beam in segments are at stations, {station: s}", what);
         return 1;
     }
-    if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p, body, n);
-    return read_place(b, p, n, what);
+    if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p->at.p, body, n);
+    return read_place(b, p->at.p, n, what);
 }
 
 static int read_points(struct builder *b, int body, const struct node *n, const char *what)
@@ -159,7 +159,7 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
         const char *owner = b->draft[body] && b->draft[body]->whole ? b->draft[body]->whole : scene->body[body].name;
         p->name = arena_print(b->life, "%s.%s", owner, n->item[i]->key);
         p->at.body = body;
-        if (read_spot(b, p->at.p, body, n->item[i], what))
+        if (read_spot(b, p, body, n->item[i], what))
             errors++;
         else
             scene->npoint++;

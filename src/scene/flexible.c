@@ -1,7 +1,8 @@
 /* flexible.c -- flexible bodies made, once every place is known where something takes hold of them.
  *
  * A place on a beam belongs to the section at its foot point on the axis, which carries it rigidly.  Sections with
- * joints are interfaces, those with points, measures and forces are further nodes. */
+ * joints are interfaces, and so are points where the deck wants it; those with other points, measures and forces are
+ * further nodes. */
 #include <math.h>
 #include <string.h>
 
@@ -83,12 +84,12 @@ static void take_place(struct collecting *c, struct stations *to, const double *
         look_at_node(c, world, at);
 }
 
-static void take_marker(struct collecting *c, const struct marker *m, const struct node *at)
+static void take_marker(struct collecting *c, struct stations *to, const struct marker *m, const struct node *at)
 {
     double world[3];
     if (m->body != c->body) return;
     marker_drawn(world, c->b->scene, m);
-    take_place(c, &c->points, world, at);
+    take_place(c, to, world, at);
 }
 
 static void collect(struct collecting *c)
@@ -100,19 +101,22 @@ static void collect(struct collecting *c)
         if (j->first == c->body) take_place(c, &c->interfaces, j->from, j->node);
         if (j->second == c->body) take_place(c, &c->interfaces, j->at, j->node);
     }
-    for (int i = 0; i < s->npoint; i++) take_marker(c, &s->point[i].at, s->body[c->body].node);
+    for (int i = 0; i < s->npoint; i++)
+        if (!s->point[i].statics) take_marker(c, &c->points, &s->point[i].at, s->body[c->body].node);
     for (int i = 0; i < s->nmeasure; i++) {
         if (s->measure[i].type == MEASURE_COORDINATE) continue;
-        take_marker(c, &s->measure[i].a, s->measure[i].node);
-        take_marker(c, &s->measure[i].b, s->measure[i].node);
+        take_marker(c, &c->points, &s->measure[i].a, s->measure[i].node);
+        take_marker(c, &c->points, &s->measure[i].b, s->measure[i].node);
     }
     for (int i = 0; i < s->nforce; i++) {
         const struct scene_force *f = &s->force[i];
-        if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) take_marker(c, &f->b, f->node);
-        if (f->type == FORCE_BUSHING) take_marker(c, &f->a, f->node);
+        if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) take_marker(c, &c->points, &f->b, f->node);
+        if (f->type == FORCE_BUSHING) take_marker(c, &c->points, &f->a, f->node);
     }
     if (c->interfaces.n == 0 && c->b->draft[c->body])
         take_station(&c->interfaces, c->b->draft[c->body]->centre, c->b->life);
+    for (int i = 0; i < s->npoint; i++) /* behind the reference */
+        if (s->point[i].statics) take_marker(c, &c->interfaces, &s->point[i].at, s->body[c->body].node);
 }
 
 /* Further nodes are not interfaces at the same time. */

@@ -34,6 +34,7 @@ struct lump_keys {
 struct station_keys {
     double station;
     const struct node *offset;
+    int statics;
 };
 struct probe_keys {
     double station, y, z;
@@ -70,7 +71,7 @@ double rectangle_torsion(double a, double b);
 /* beams.c: a body's beam; fills body and b->draft */
 int read_beam(struct builder *b, struct scene_body *body, int index, const struct node *n);
 /* A point {station: s, offset: [...]} of a beam: from the centre of mass, body axes. */
-int read_station(struct builder *b, double *p, int body, const struct node *n, const char *what);
+int read_station(struct builder *b, struct scene_point *o, int body, const struct node *n, const char *what);
 
 /* reduced.c: a body from a file; a point of it by the name of a node; its named nodes as points */
 int read_reduced(struct builder *b, struct scene_body *body, const struct node *n);

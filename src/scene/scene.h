@@ -34,6 +34,7 @@ struct scene_body {
 struct scene_point {
     const char *name; /* "body.point" */
     struct marker at;
+    bool statics; /* of a beam: what a force or moment here does to it at rest is among its coordinates */
 };
 
 /* A coordinate in a sum that is 0. */

@@ -18,6 +18,8 @@ static void push(struct sim *sim, double h, int ratio)
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
     turns_note(sim, h, ratio);
+    bends_note(sim);
+    spins_note(sim);
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);

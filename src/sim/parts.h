@@ -27,6 +27,17 @@ enum status events_look(struct sim *sim, struct sink *sink, struct report *repor
 void turns_note(struct sim *sim, double h, int ratio);
 void say_turns(const struct sim *sim, FILE *to);
 
+/* bends.c: the largest deflections of flexible bodies */
+void bends_open(struct sim *sim, struct arena *life);
+void bends_note(struct sim *sim);
+void say_bends(const struct sim *sim, FILE *to);
+
+/* spins.c: the fastest turns of flexible bodies without geometric stiffening */
+void spins_open(struct sim *sim, struct arena *life);
+void spins_note(struct sim *sim);
+bool spins_passed(const struct sim *sim);
+void say_spins(const struct sim *sim, FILE *to);
+
 /* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
 double record_value(const struct sim *sim, const struct origin *s);
 enum status record_fill(struct sim *sim);

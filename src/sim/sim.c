@@ -72,6 +72,8 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
     TRY(events_open(sim, diags, life));
+    bends_open(sim, life);
+    spins_open(sim, life);
     sim->system = system_build(m, life);
     sim->x = new_state(m, life);
     warn_of_loops(sim, diags);

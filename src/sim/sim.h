@@ -63,12 +63,23 @@ struct sim {
     struct watch watch;
     double last_h; /* minor step of the last step */
     long rows;
-    double min_h;           /* smallest minor step taken */
-    double turn, t_turn;    /* farthest turn of a ball or free joint in one step [rad], when */
-    int turn_joint;         /* and whose */
-    double cpu;             /* seconds of stepping, without records */
-    struct trouble trouble; /* why it stopped */
-    enum status status;     /* how it ended */
+    double min_h;        /* smallest minor step taken */
+    double turn, t_turn; /* farthest turn of a ball or free joint in one step [rad], when */
+    int turn_joint;      /* and whose */
+    int nbend;
+    struct bending {
+        int body, node; /* of the model: flexible; its node farthest from the reference */
+        double size;    /* how far [m] */
+        double most, t; /* largest displacement there at the end of a step [m], when */
+    } * bend;           /* [nbend] */
+    int nspin;
+    struct turning {
+        int body;                /* of the model: flexible, without geometric stiffening */
+        double most, axis[3], t; /* fastest turn of its frame at the end of a step [rad/s], about what, when */
+    } * spin;                    /* [nspin] */
+    double cpu;                  /* seconds of stepping, without records */
+    struct trouble trouble;      /* why it stopped */
+    enum status status;          /* how it ended */
 };
 
 /* Builds a run of scene as plan says (the deck's own, or changed by a study).  Deck errors go to diags and give E_DECK;

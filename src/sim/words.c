@@ -78,6 +78,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
         facts[n++] = pair_number("partitions", (double)system_charts(sim->system));
     }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
+    if (sim->nspin) facts[n++] = pair_bool("buckling_speed_passed", spins_passed(sim));
     return n;
 }
 
@@ -110,6 +111,8 @@ void say_end(const struct sim *sim, double wall)
     const struct ledger *l = &sim->ledger;
     if (!to) return;
     say_turns(sim, to);
+    say_spins(sim, to);
+    say_bends(sim, to);
     if (sim->watch.slot && (sim->watch.met || sim->status == OK))
         fprintf(to, "'%.80s' %s\n", sim->scene->when.node->text,
                 sim->watch.met ? "turned true" : "has not turned true until the latest end");

@@ -3,20 +3,39 @@
 
 #include <math.h>
 
+#include "flex/spin.h"
 #include "la/vec3.h"
 
-void bent_centre(struct pose *frame, struct elastic_body *e, const double *q, const double *v, const double *a)
+/* h, h', h'' by the body's coordinates: h = f q + q'S q/2, h' = H q', h'' = H q'' + q''S q' with H = f + S q. */
+static void first_moment(double *h, double *h1, double *h2, const struct model_body *b, const double *q,
+                         const double *v, const double *a)
 {
-    const struct model_body *b = e->model;
-    double h[3], h1[3], h2[3], part[3][3], across[3];
-    for (int i = 0; i < b->nmode; i++) {
-        e->q[i] = q[b->mode_q[i]];
-        e->q1[i] = v[b->mode_v[i]];
-        e->q2[i] = a ? a[b->mode_v[i]] : 0;
+    const struct flex_body *o = b->flex;
+    v3_set(h, 0, 0, 0);
+    v3_set(h1, 0, 0, 0);
+    v3_set(h2, 0, 0, 0);
+    for (int j = 0; j < o->n; j++) {
+        double H[3], half[3], turn[3] = {0, 0, 0};
+        v3_copy(H, o->f + 3 * j);
+        v3_copy(half, H);
+        for (int i = 0; o->s && i < o->n; i++) {
+            const double *s = o->s + 3 * (i + o->n * j);
+            v3_axpy(H, q[b->mode_q[i]], s);
+            v3_axpy(half, q[b->mode_q[i]] / 2, s);
+            v3_axpy(turn, v[b->mode_v[i]], s);
+        }
+        v3_axpy(h, q[b->mode_q[j]], half);
+        v3_axpy(h1, v[b->mode_v[j]], H);
+        v3_axpy(h2, v[b->mode_v[j]], turn);
+        if (a) v3_axpy(h2, a[b->mode_v[j]], H);
     }
-    flex_shape_at(&e->shape, e->kernel, e->q);
-    flex_moment_rates(part[1], part[2], e->kernel, &e->shape, e->q1, e->q2);
-    m3_mul(h, frame->R, e->shape.h);
+}
+
+void bent_centre(struct pose *frame, const struct model_body *b, const double *q, const double *v, const double *a)
+{
+    double h[3], h1[3], h2[3], part[3][3], across[3];
+    first_moment(part[0], part[1], part[2], b, q, v, a);
+    m3_mul(h, frame->R, part[0]);
     m3_mul(h1, frame->R, part[1]);
     m3_mul(h2, frame->R, part[2]);
     v3_cross(across, frame->w, h);
@@ -47,4 +66,19 @@ double bent_stress(const struct model_body *b, int stress, enum bent_stress part
     for (int i = 0; i < 6; i++) t[i] = along(s->tensor + i, 6, b, q);
     double x = t[0] - t[1], y = t[1] - t[2], z = t[2] - t[0];
     return sqrt((x * x + y * y + z * z) / 2 + 3 * (t[3] * t[3] + t[4] * t[4] + t[5] * t[5]));
+}
+
+double bent_spin_limit(const struct model_body *b, const double *axis)
+{
+    static const double ALONG = 0.01; /* of int |x|^2 dm: across the axis */
+    const struct flex_body *o = b->flex;
+    const double *x = o->node[o->reference].x; /* int (y - x)(y - x)' dm = xx + m x x' */
+    double Ae[3], along = o->mass * v3_dot(x, axis) * v3_dot(x, axis);
+    m3_mul(Ae, o->xx, axis);
+    along += v3_dot(axis, Ae);
+    if (along > (1 - ALONG) * (o->xx[0] + o->xx[4] + o->xx[8] + o->mass * v3_dot(x, x))) return INFINITY;
+    struct arena *scratch = arena_open();
+    double limit = flex_spin_limit(b->flex, axis, scratch);
+    arena_close(scratch);
+    return limit;
 }

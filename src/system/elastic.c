@@ -17,7 +17,6 @@ void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
         flex_shape_take(&e->shape, e->kernel, life);
         e->q = TAKE(life, double, b->nmode);
         e->q1 = TAKE(life, double, b->nmode);
-        e->q2 = TAKE(life, double, b->nmode);
     }
 }
 

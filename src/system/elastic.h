@@ -20,7 +20,7 @@ struct elastic_body {
     int number; /* among the model's bodies */
     struct flex_kernel *kernel;
     struct flex_shape shape;
-    double *q, *q1, *q2; /* [nmode] at hand */
+    double *q, *q1; /* [nmode] at hand */
 };
 
 void elastic_build(struct elastic *o, const struct model *m, struct arena *life);

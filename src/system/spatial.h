@@ -65,7 +65,6 @@ struct flexible {
     double *q, *q1, *q2; /* [n] at hand; q1, q2 as far as `order` says: 0, 1, 2 derivatives */
     int order;
     double *Q;              /* [n] what the rows of its coordinates need */
-    double *Me;             /* [n x n] of spatial_mass() */
     double R[9];            /* body axes to world */
     int nnode[4], *node[4]; /* bodies at its nodes by class, as the rosters have them */
 };

@@ -28,7 +28,6 @@ static void build_flexible(struct flexible *f, const struct model_body *b, int b
     f->q1 = TAKE(life, double, f->n);
     f->q2 = TAKE(life, double, f->n);
     f->Q = TAKE(life, double, f->n);
-    f->Me = TAKE(life, double, f->n * f->n);
 }
 
 static void build_stand(struct stand *o, const struct flexible *f, const struct link *l, const struct model_joint *j,

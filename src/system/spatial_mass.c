@@ -135,7 +135,7 @@ static void flexible_column(double *M, const struct sweep *s, const struct flexi
     double F[3] = {0}, N[3] = {0};
     size_t n = (size_t)s->n, col = (size_t)f->iv[j];
     if (bears) {
-        const double *Me = f->Me + f->n * j;
+        const double *Me = flex_kernel_mass(f->kernel) + f->n * j;
         m3_mul(F, f->R, f->shape.H + 3 * j);
         m3_mul(N, f->R, f->shape.G + 3 * j);
         for (int i = 0; i <= j; i++) M[(size_t)f->iv[i] + n * col] = Me[i];
@@ -165,7 +165,6 @@ void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls)
     compose(s, o);
     for (int i = 0; i < o->n; i++) {
         const struct flexible *f = spatial_flexible(s, o->body[i]);
-        if (f && o->bears[i]) flex_shape_mass(f->Me, f->kernel, &f->shape);
         for (int k = 0; k < s->link[o->body[i]].nv; k++) column(M, s, o->body[i], k);
         for (int j = 0; f && j < f->n; j++) flexible_column(M, s, f, j, o->bears[i], cls);
     }

@@ -384,8 +384,7 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 void system_centre(const struct system *s, struct pose *o, int body)
 {
     s->ops->pose(s->view, o, body);
-    for (int i = 0; i < s->elastic.n; i++)
-        if (s->elastic.body[i].number == body) bent_centre(o, &s->elastic.body[i], s->q, s->v, s->a);
+    if (s->model->body[body].flex) bent_centre(o, &s->model->body[body], s->q, s->v, s->a);
 }
 
 void system_displacement(const struct system *s, double *d, const struct model_point *p)
@@ -456,6 +455,13 @@ void system_energy_at(struct system *s, struct energies *e, const double *q, con
     memcpy(s->at, q, sizeof *q * (size_t)s->model->nq);
     s->placed = true;
     see_energies(s, e, s->work, q, v);
+}
+
+void system_frame_spin(const struct system *s, double *w, int body)
+{
+    struct pose frame;
+    s->ops->pose(s->work, &frame, body);
+    m3_tmul(w, frame.R, frame.w);
 }
 
 /* p = sum m v,  L = sum (r x m v + I w) */

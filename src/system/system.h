@@ -57,6 +57,9 @@ long system_charts(const struct system *s); /* partitions chosen since the start
 /* Energies alone, cheaply, for the ledger. */
 void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t);
 
+/* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
+void system_frame_spin(const struct system *s, double *w, int body);
+
 /* Linear momentum and angular momentum about the world's origin [3] each, at the last see(). */
 void system_momentum(const struct system *s, double *p, double *L);
 

@@ -21,9 +21,9 @@ warned() { # NAME DECK PATTERN [SET]: status 0, one warning, 1 with --strict
     if [ "$rc $?" = "0 1" ] && [ "$(grep -c ': warning: ' err)" = 1 ] && grep -q -- "$3" err; then ok "$1"
     else not_ok "$1" "status $rc; expected 0, 1 with --strict, and one warning with: $3" err strict; fi
 }
-silent() { # NAME DECK [SET]
+silent() { # NAME DECK [SET [SET]]
     echo "$2" >deck.yaml
-    "$FMDSUB" run -q --strict -s "${3:-title=x}" deck.yaml >out 2>err
+    "$FMDSUB" run -q --strict -s "${3:-title=x}" -s "${4:-title=x}" deck.yaml >out 2>err
     expect "$1" "0 0" "$? $(wc -l <err)" err
 }
 
@@ -47,5 +47,19 @@ integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
 silent "nothing to warn of, a beam" "$beam"
 silent "a joint beside the beam's axis" "$beam" 'constraints.pin.at=[0, 0.19]'
 warned "a joint far from the beam's axis" "$beam" "^deck.yaml:4:15: warning: a place 0.5 m from the axis of beam 'arm': the section at station 0 .* \[W-offset\]" 'constraints.pin.at=[-0.5, 0]'
-warned "a beam that does not stiffen" "$beam" "W-stiffening" 'bodies.arm.stiffening=false'
+warned "a beam that does not stiffen and may turn" "$beam" "^--set:1:23: warning: body 'arm': linear beam buckles from Omega = [0-9.]* rad/s; turn on geometric stiffening \[W-stiffening\]" 'bodies.arm.stiffening=false'
+warned "a beam that does not stiffen, clamped" "$(echo "$beam" | sed 's/revolute/fixed/')" "loads along the beam will not stiffen or soften it \[W-stiffening\]" 'bodies.arm.stiffening=false'
+warned "in segments it is said once" "$(echo "$beam" | sed 's/modes: 2/modes: 1, segments: 3/; s/ground, arm/ground, arm1/')" "body 'arm': linear beam buckles" 'bodies.arm.stiffening=false'
 warned "a beam's density in kg/mm3" "$beam" "density of 7.85e-06 kg/m3" 'bodies.arm.material={E: 2.1e+5, density: 7.85e-6}'
+driven='fmdsub: 1
+bodies:
+  arm: {mass: 1, inertia: 1, at: [1, 0]}
+  tip: {mass: 1, inertia: 0.01, at: [2, 0]}
+constraints: {hub: {revolute: [ground, arm], at: [0, 0]}, leaf: {revolute: [arm, tip], at: [2, 0]}}
+forces: {spring: {spring: leaf, stiffness: 100}}
+drives: {turn: {drive: hub, value: t^2}}
+partition: {fast: [leaf]}
+integrate: {scheme: subcycle, step: 1.0e-3, ratio: 10, until: 0.1}'
+silent "a drive that the slow step resolves" "$driven"
+warned "a drive that it does not" "$driven" "^deck.yaml:7:10: warning: drive 'turn' turns too quickly .* \[W-drive\]" 'drives.turn.value=0.1*sin(300*t)'
+silent "one rate, and no warning of two" "$driven" 'drives.turn.value=0.01*sin(50*t)' 'integrate.ratio=1'

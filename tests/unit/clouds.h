@@ -8,8 +8,7 @@
 #include "flex/body.h"
 #include "unit/trees.h"
 
-/* CLOUD_AFFINE: S is affine in x; CLOUD_HINGED: kinetic energy is kept whole. */
-enum cloud_flag { CLOUD_S = 1, CLOUD_ROTARY = 2, CLOUD_DAMPED = 4, CLOUD_AFFINE = 8, CLOUD_HINGED = 16 };
+enum cloud_flag { CLOUD_S = 1, CLOUD_ROTARY = 2, CLOUD_DAMPED = 4 };
 enum { CLOUD_PARTICLES = 30, CLOUD_SOLIDS = 4, CLOUD_NODES = 5, CLOUD_MOST = 8 };
 
 struct particle {
@@ -39,21 +38,6 @@ static inline void cloud_curvature(double *S, struct tree_dice *d, int n)
     for (int j = 0; j < n; j++)
         for (int i = 0; i < j; i++)
             for (int c = 0; c < 3; c++) S[c + 3 * (j + n * i)] = S[c + 3 * (i + n * j)];
-}
-
-/* S = b + A x for all particles, b and A random for each pair of coordinates. */
-static inline void cloud_affine(struct cloud *o, struct tree_dice *d)
-{
-    enum { PAIRS = CLOUD_MOST * CLOUD_MOST };
-    const int n = o->n;
-    double b[3 * PAIRS], A[3][3 * PAIRS];
-    cloud_curvature(b, d, n);
-    for (int k = 0; k < 3; k++) cloud_curvature(A[k], d, n);
-    for (int p = 0; p < CLOUD_PARTICLES; p++)
-        for (int i = 0; i < 3 * n * n; i++) {
-            o->p[p].S[i] = b[i];
-            for (int k = 0; k < 3; k++) o->p[p].S[i] += A[k][i] * o->p[p].x[k];
-        }
 }
 
 /* B'B, B [n x n] random. */
@@ -109,7 +93,6 @@ static inline void cloud_body(struct cloud *o, struct tree_dice *d, unsigned fla
     struct flex_body *b = &o->body;
     const int n = o->n, nn = n * n;
     *b = (struct flex_body){.n = n, .nnode = CLOUD_NODES};
-    b->hinged = flags & CLOUD_HINGED;
     b->node = TAKE(arena, struct flex_node, CLOUD_NODES);
     for (int k = 0; k < CLOUD_NODES; k++) {
         struct flex_node *node = &b->node[k];
@@ -152,7 +135,6 @@ static inline struct cloud *random_cloud(int n, unsigned seed, unsigned flags, s
     }
     for (int k = 0; k < CLOUD_PARTICLES; k++)
         for (int c = 0; c < 3; c++) o->p[k].x[c] -= at[c] / mass;
-    if (flags & CLOUD_AFFINE) cloud_affine(o, d);
     for (int k = 0; k < CLOUD_SOLIDS && (flags & CLOUD_ROTARY); k++) {
         cloud_square(o->solid[k].I, d, 3, .1);
         cloud_field(o->solid[k].psi, d, 3 * n, 1);

@@ -213,8 +213,7 @@ static void mass_matrix_is_the_energy(void **state)
         const double rest[2] = {0, 0};
         double T = 0;
         open_body(&f, seed, true);
-        double Me[MODES * MODES];
-        flex_planar_mass(Me, f.k, &f.shape);
+        const double *Me = flex_planar_mass(f.k);
         for (int i = 0; i < f.n; i++)
             for (int j = 0; j < f.n; j++) T += .5 * f.q1[i] * f.q1[j] * Me[i + f.n * j];
         near(T, flex_planar_kinetic(f.k, &f.shape, rest, 0, f.q1), 1e-13);

@@ -2,6 +2,8 @@
 #include "probe/modes.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include "sim/load.h"
 
@@ -89,13 +91,76 @@ static void test_suggestion(void **state)
     arena_close(o.life);
 }
 
+/* A carriage of mass m1 on a spring along x of a disk that turns at W, on it a bob of mass m2 on a spring and a damper
+ * along y.  With a = m1 + m2, k1 and k2 less a W^2 and m2 W^2:
+ *
+ *     (k1 - a w^2)(k2 - m2 w^2) = 4 W^2 m2^2 w^2,
+ *
+ * and by the derivative of the characteristic polynomial, to first order in the damper c, the rate of decay
+ *
+ *     s = c (k1 - a w^2) / (2 a (k2 - m2 w^2) + 2 m2 (k1 - a w^2) + 8 W^2 m2^2). */
+static void on_disk(struct opened *o, const char *speed)
+{
+    static const char deck[] = "fmdsub: 1\n"
+                               "parameters: {W: 0}\n"
+                               "bodies:\n"
+                               "  disk: {mass: 1, inertia: 1, at: [0, 0]}\n"
+                               "  carriage: {mass: 2, inertia: 1, at: [0, 0]}\n"
+                               "  bob: {mass: 3, inertia: 1, at: [0, 0]}\n"
+                               "constraints:\n"
+                               "  shaft: {revolute: [ground, disk], at: [0, 0]}\n"
+                               "  along: {prismatic: [disk, carriage], at: [0, 0], axis: [1, 0]}\n"
+                               "  across: {prismatic: [carriage, bob], at: [0, 0], axis: [0, 1]}\n"
+                               "forces:\n"
+                               "  one: {spring: along, stiffness: 500}\n"
+                               "  two: {spring: across, stiffness: 700, damping: 0.4}\n"
+                               "drives: {spin: {drive: shaft.angle, value: W*t}}\n"
+                               "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n";
+    char path[] = "/tmp/t-modes-XXXXXX.yaml";
+    int file = mkstemps(path, 5);
+    assert_true(file >= 0);
+    assert_int_equal(write(file, deck, sizeof deck - 1), sizeof deck - 1);
+    close(file);
+    find(o, path, 1, &speed);
+    unlink(path);
+}
+
+static void test_gyroscopic(void **state)
+{
+    (void)state;
+    const double W = 7, a = 5, m = 3, k1 = 500 - a * W * W, k2 = 700 - m * W * W, c = 0.4;
+    struct opened o;
+    double p = k1 / a, q = k2 / m, sum = p + q + 4 * W * W * m / a, root = sqrt(sum * sum - 4 * p * q);
+    on_disk(&o, "parameters.W=7");
+    assert_int_equal(o.modes.n, 2);
+    for (int i = 0; i < 2; i++) {
+        double w2 = (sum + (i ? root : -root)) / 2, x = k1 - a * w2, y = k2 - m * w2;
+        double decay = c * x / (2 * a * y + 2 * m * x + 8 * W * W * m * m);
+        near(o.modes.mode[i].omega, sqrt(w2), 1e-7);
+        near(o.modes.mode[i].damping, decay / sqrt(w2), 1e-6);
+        near(o.modes.mode[i].share[0] + o.modes.mode[i].share[1], 1, 1e-9);
+    }
+    assert_false(o.modes.gyroscopic_left_out);
+    arena_close(o.life);
+}
+
+/* Faster than the weaker spring can hold it: without gyroscopic terms unstable, and it says so. */
+static void test_left_out(void **state)
+{
+    (void)state;
+    struct opened o;
+    on_disk(&o, "parameters.W=12");
+    near(o.modes.mode[0].omega, -sqrt(144 - 500. / 5), 1e-6);
+    near(o.modes.mode[1].omega, sqrt(700. / 3 - 144), 1e-6);
+    assert_true(o.modes.gyroscopic_left_out);
+    arena_close(o.life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slider),
-        cmocka_unit_test(test_double_pendulum),
-        cmocka_unit_test(test_upright),
-        cmocka_unit_test(test_suggestion),
+        cmocka_unit_test(test_slider),     cmocka_unit_test(test_double_pendulum), cmocka_unit_test(test_upright),
+        cmocka_unit_test(test_suggestion), cmocka_unit_test(test_gyroscopic),      cmocka_unit_test(test_left_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,9 +1,6 @@
 /* t-motion.c -- the inertia of a flexible body against particles, and against differences of its own energy. */
 #include "flex/motion.h"
 
-#include "flex/second.h"
-#include "la/dense.h"
-
 #include "unit/clouds.h"
 
 #include <math.h>
@@ -158,58 +155,6 @@ static void scale_state(struct scene *o, double s)
     for (int i = 0; i < o->n; i++) o->q[i] *= s, o->q1[i] *= s, o->q2[i] *= s;
 }
 
-/* T of the particles at x + phi q + b(z) + A(z) x, the fields of second order as hinged bodies have them. */
-static void test_whole(void **state)
-{
-    (void)state;
-    for (unsigned seed = 0; seed < SEEDS; seed++) {
-        struct scene o;
-        open_scene(&o, seed, CLOUD_S | CLOUD_AFFINE | CLOUD_HINGED);
-        flex_shape_at(&o.shape, o.k, o.q);
-        const double h = 1e-5, T = flex_kinetic(o.k, &o.shape, o.v, o.w, o.q1);
-        const struct flex_second *second = flex_second_build(&o.cloud->body, o.arena);
-        const double *x0 = o.cloud->body.node[0].x;
-        double sum = 0, *room = TAKE(o.arena, double, flex_second_room(second)), z[2][N + 12];
-        double square[2] = {0, 0}, stretch = 0, more[2];
-        for (int s = 0; s < 2; s++) {
-            double q[N];
-            for (int i = 0; i < o.n; i++) q[i] = o.q[i] + (s ? h : -h) * o.q1[i];
-            flex_second_at(z[s], room, second, q);
-            for (int k = 0; k < CLOUD_PARTICLES; k++) {
-                const struct particle *p = &o.cloud->p[k];
-                double at[3], d[3 * N], u2[3];
-                cloud_place(at, d, p, q, o.n);
-                for (int c = 0; c < 3; c++) {
-                    u2[c] = at[c] - p->x[c];
-                    for (int i = 0; i < o.n; i++) u2[c] -= p->phi[c + 3 * i] * q[i];
-                    if (s == 0) stretch += p->m * (p->x[c] - x0[c]) * (p->x[c] - x0[c]);
-                    square[s] += p->m * u2[c] * u2[c];
-                }
-            }
-            more[s] = -square[s] / (2 * stretch); /* all of x - x_0 is in the fields */
-        }
-        more[0] = -square[0] / (2 * stretch);
-        for (int k = 0; k < CLOUD_PARTICLES; k++) {
-            const struct particle *p = &o.cloud->p[k];
-            double here[2][3], d[3 * N], v[3], s[3];
-            for (int t = 0; t < 2; t++) {
-                double q[N];
-                for (int i = 0; i < o.n; i++) q[i] = o.q[i] + (t ? h : -h) * o.q1[i];
-                cloud_place(here[t], d, p, q, o.n);
-                for (int c = 0; c < 3; c++) here[t][c] += more[t] * (p->x[c] - x0[c]);
-            }
-            for (int c = 0; c < 3; c++) {
-                s[c] = (here[0][c] + here[1][c]) / 2;
-                v[c] = o.v[c] + (here[1][c] - here[0][c]) / (2 * h);
-            }
-            add_cross(v, 1, o.w, s);
-            sum += .5 * p->m * dot(v, v, 3);
-        }
-        NEAR(&T, &sum, 1, 1e-7);
-        arena_close(o.arena);
-    }
-}
-
 /* With S, F is exact still; N is so to the second order of q and Q to the first. */
 static void test_orders(void **state)
 {
@@ -254,8 +199,7 @@ static void later(struct scene *o, const struct scene *from, double t)
 /* P, L, dT/dq' and the energy T + V, one after the other. */
 static void store(double *x, struct scene *o)
 {
-    double Me[N * N];
-    flex_shape_mass(Me, o->k, &o->shape);
+    const double *Me = flex_kernel_mass(o->k);
     flex_momentum(x, x + 3, o->k, &o->shape, o->v, o->w, o->q1);
     for (int i = 0; i < o->n; i++) {
         x[6 + i] = dot(o->shape.H + 3 * i, o->v, 3) + dot(o->shape.G + 3 * i, o->w, 3);
@@ -299,8 +243,7 @@ static void test_lagrange(void **state)
     for (unsigned seed = 0; seed < SEEDS; seed++) {
         struct scene o;
         double F[3], N3[3], Q[N], P[7 + N], rate[7 + N], g[N], power;
-        open_scene(&o, seed,
-                   CLOUD_S | CLOUD_ROTARY | (seed % 2 ? CLOUD_DAMPED : 0) | (seed % 4 < 2 ? CLOUD_HINGED : 0));
+        open_scene(&o, seed, CLOUD_S | CLOUD_ROTARY | (seed % 2 ? CLOUD_DAMPED : 0));
         inertia(F, N3, Q, &o, true);
         power = dot(F, o.v, 3) + dot(N3, o.w, 3) + dot(Q, o.q1, o.n);
         const double *D = o.cloud->body.D;
@@ -346,7 +289,7 @@ static void test_matrix(void **state)
     for (unsigned seed = 0; seed < SEEDS; seed++) {
         struct scene o, unit;
         double M[(6 + N) * (6 + N)], r[6 + N], other[6 + N], T, of_T = 0, x[6 + N], y[6 + N];
-        open_scene(&o, seed, CLOUD_S | CLOUD_ROTARY | CLOUD_DAMPED | (seed % 2 ? CLOUD_HINGED : 0));
+        open_scene(&o, seed, CLOUD_S | CLOUD_ROTARY | CLOUD_DAMPED);
         const int n = 6 + o.n;
         inertia(r, r + 3, r + 6, &o, true);
         unit = o;
@@ -364,24 +307,6 @@ static void test_matrix(void **state)
         NEAR(other, r, n, 1e-12);
         T = flex_kinetic(o.k, &o.shape, o.v, o.w, o.q1);
         NEAR(&T, &of_T, 1, 1e-12);
-        arena_close(o.arena);
-    }
-}
-
-/* However far a body is bent, its energy is that of a motion: the matrix is positive. */
-static void test_positive(void **state)
-{
-    (void)state;
-    for (unsigned seed = 0; seed < SEEDS; seed++) {
-        struct scene o;
-        double M[(6 + N) * (6 + N)];
-        open_scene(&o, seed, CLOUD_S | CLOUD_ROTARY | CLOUD_HINGED);
-        for (int step = 0; step < 5; step++) {
-            const int n = 6 + o.n;
-            for (int i = 0; i < o.n; i++) o.q[i] *= 3;
-            matrix(M, &o);
-            assert_true(dense_cholesky(M, n, n) < 0);
-        }
         arena_close(o.arena);
     }
 }
@@ -475,9 +400,9 @@ static void test_cayley(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_particles), cmocka_unit_test(test_orders),   cmocka_unit_test(test_lagrange),
-        cmocka_unit_test(test_matrix),    cmocka_unit_test(test_nothing),  cmocka_unit_test(test_places),
-        cmocka_unit_test(test_cayley),    cmocka_unit_test(test_positive), cmocka_unit_test(test_whole),
+        cmocka_unit_test(test_particles), cmocka_unit_test(test_orders),  cmocka_unit_test(test_lagrange),
+        cmocka_unit_test(test_matrix),    cmocka_unit_test(test_nothing), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_cayley),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
