@@ -260,6 +260,9 @@ unsigned catalogue_needs(const struct catalogue *o, const struct selection *chos
         case FROM_LOOP:
         case FROM_DRIVE:
         case FROM_TIE:
+        case FROM_FORCE:
+        case FROM_ELONGATION:
+        case FROM_POWER:
             needs |= SEE_MOTION | SEE_ACCELERATION;
             break;
         default:
