@@ -184,5 +184,5 @@ clean:
 	rm -rf $(BUILD)
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order hard order-tight asan golden bench layers eqs format format-check lint man \
+.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench layers eqs format format-check lint man \
         deps deps-test demo tools tests-built install uninstall clean
