@@ -62,8 +62,8 @@ static int read_file(struct builder *b, struct scene_body *body, double *centre,
     if (!path) return 1;
     if (flex_file_read(&flex, centre, path, b->life, &report) == OK) {
         if (b->scene->space == 2 && !is_planar(flex, b->life)) {
-            diag_error(b->diags, n, AT_VALUE, "E-dimension", "'%s' moves out of the plane of x and y: it needs a 3-D deck",
-                       diag_clip(b->diags, n->text));
+            diag_error(b->diags, n, AT_VALUE, "E-dimension",
+                       "'%s' moves out of the plane of x and y: it needs a 3-D deck", diag_clip(b->diags, n->text));
             return 1;
         }
         body->flex = flex;
