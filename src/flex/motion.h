@@ -1,16 +1,29 @@
 /* motion.h -- a flexible body's inertia in motion, in the axes of its frame.
  *
- * From one kinetic energy of the frame's velocity v (of its origin), w and q', with
- *     h(q)  = f q + 1/2 q' s q                 first moment,   H = dh/dq = f + s q
- *     J(q)  = tr A 1 - A + rot,  A = xx + sym(2 xf q) + q' (ff + sym xs) q
- *     G(q)  = int (x + u) x (phi_j + S_j q) dm + rpsi, to first order in q     [3 x n]
- *     T = m v.v/2 + v.(w x h + H q') + w.J w/2 + w.G q' + q'.Me q'/2
- * by the Boltzmann-Hamel equations F = P' + w x P, N = L' + w x L + v x P with P = dT/dv, L = dT/dw,
- * Q = (dT/dq')' - dT/dq.  With a = v' + w x v the true acceleration of the origin in frame axes (gravity in it as
- * upward acceleration):
- *     F = m a + w' x h + w x (w x h) + 2 w x h' + H q'' + q' s q'
- *     N = h x a + J w' + w x J w + J' w + G q'' + G' q' + w x G q'
- *     Q = H^T a + G^T w' + Me q'' + 2 w . (int phi_k x phi_j dm) q_k' - 1/2 w . dJ/dq w + K q + D q'
+ * The shapes are split into an affine motion of the body and a rest that is square to all affine motions,
+ * phi_j = f_j/m + Phi_j x + phi^_j.  With the principal axes of int x x' dm = sum l_a e_a e_a' an affinely moved body
+ * is four particles of mass 1 (fewer where it has no extension),
+ *
+ *     c_0 = h/sqrt(m),   h = f q + 1/2 q' s q            first moment,  H = dh/dq = f + s q
+ *     c_a = sqrt(l_a) e_a + (xf'q + 1/2 q' xs'q) e_a/sqrt(l_a),
+ *
+ * for int p p' dm = sum c_a c_a' where p is affine in x.  Of the second-order displacements 1/2 q'Sq, s and xs know the
+ * affine part, and this is what the body gets.  So its energy is a square whatever q is,
+ *
+ *     2 T = |sqrt(m) v + w x c_0 + c_0'|^2 + sum |w x c_a + c_a'|^2 + w.J^ w + 2 w.G^ q' + q'.M^ q'
+ *     J^ = rot + int (phi^ q.phi^ q - phi^ q (phi^ q)'),  G^ = rpsi + int phi^ q x phi^,  M^ = int phi^'phi^ + ppsi;
+ *
+ * were the terms counted one by one to some order in q, the mass matrix of a beam pinned where its modes are clamped
+ * would be negative at small q already, for there the motion of the frame and of the modes nearly cancel.  In sum, with
+ * J = J^ + sum (c_a.c_a 1 - c_a c_a'),  G = G^ + sum c_a x dc_a/dq,  Me = M^ + sum (dc_a/dq)'(dc_a/dq),
+ *
+ *     T = m v.v/2 + v.(w x h + H q') + w.J w/2 + w.G q' + q'.Me q'/2.
+ *
+ * Forces are d'Alembert's of the particles, and of the rest those of the Boltzmann-Hamel equations F = P' + w x P,
+ * N = L' + w x L + v x P with P = dT/dv, L = dT/dw, Q = (dT/dq')' - dT/dq.  With a = v' + w x v the true acceleration
+ * of the origin in frame axes (gravity in it as upward acceleration) g_a = [sqrt(m) a] + w' x c_a + w x (w x c_a) + 2 w
+ * x c_a' + c_a''      (a: of c_0 alone) F = sqrt(m) g_0 N = sum c_a x g_a + J^ w' + w x J^ w + J^' w + G^ q'' + w x G^
+ * q' Q = sum dc_a/dq . g_a + G^T w' + M^ q'' + 2 w . (int phi^_k x phi^_j dm) q_k' - 1/2 w . dJ^/dq w + K q + D q'
  * Affine in (a, w', q''), with a symmetric matrix; energy is kept exactly: (T + q'Kq/2)' = v.F + w.N + q'.Q
  * without D.  N is about the origin.  Motions in the x-y plane stay there where the body's data do.
  *
@@ -24,19 +37,22 @@
 /* Tables for evaluation, made once from the data. */
 struct flex_kernel;
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life);
-const double *flex_kernel_mass(const struct flex_kernel *k); /* Me [n x n] */
 
 /* What depends on q alone. */
 struct flex_shape {
     double h[3];
-    double J[6];  /* about the origin: xx yy zz xy xz yz */
-    double *H;    /* [3 x n] */
-    double *dJ;   /* [6 x n] dJ/dq */
-    double *G;    /* [3 x n] */
-    double *work; /* [9 x n] */
+    double J[6], Jrest[6]; /* about the origin: xx yy zz xy xz yz; J^ */
+    double c[4][3];        /* c_a */
+    double *C;             /* [3 x n] each: dc_a/dq */
+    double *dJ;            /* [6 x n] dJ^/dq */
+    double *rest, *G;      /* [3 x n] G^, G */
+    double *work;
 };
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life);
 void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const double *q);
+
+/* Column j of Me, its rows to j, and of H [3]. */
+void flex_mass_column(double *M, double *H, const struct flex_kernel *k, const struct flex_shape *o, int j);
 
 /* F [3], N [3], Q [n] (written) for the motion a, w, al = w', q, q1 = q', q2 = q'' (each of the two may be NULL:
  * zero); shape is that of q.  Stiffness and damping are in Q where elastic is true. */

@@ -5,6 +5,7 @@
  * Me q'' less the similar part of the fields at rest. */
 #include "flex/planar.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { BLOCKS = 6, RATES = 5 };
@@ -31,6 +32,8 @@ struct node {
 
 struct flex_planar {
     int n;
+    double pivot[2];      /* of the mean frame: the reference node */
+    double *mean;         /* [n] its turn by coordinate */
     double mass, jx, rot; /* jx = tr xx */
     double m_inv, j_inv;  /* 1/mass, 1/jx; 0 for a particle */
     double *f, *e, *g;    /* [n x 2], [n], [n]: of the body at rest */
@@ -80,7 +83,7 @@ static inline double dot(const double *x, const double *y, int n)
 
 /* --- shape -------------------------------------------------------------------------------------- */
 
-void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
+static void core_at(struct flex_planar_core *o, const struct flex_planar *k, const double *q)
 {
     const double *fx = k->f, *fy = k->f + k->n;
     double hx = 0, hy = 0, rho = 0, tau = 0, W = 0;
@@ -106,7 +109,7 @@ struct affine {
     double h[2], rho, tau, b[4];
 };
 
-static inline struct affine affine_rates(const struct flex_planar *k, const struct flex_planar_shape *o,
+static inline struct affine affine_rates(const struct flex_planar *k, const struct flex_planar_core *o,
                                          const double *q1, const double *q2)
 {
     const double *sx = o->rates + k->rates.at[1], *sy = o->rates + k->rates.at[2];
@@ -125,7 +128,7 @@ static inline struct affine affine_rates(const struct flex_planar *k, const stru
     return x;
 }
 
-void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
+static void core_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o,
                          const double *a, double w, double al, const double *q1, const double *q2)
 {
     const double *P = o->rates + k->rates.at[0], *fx = k->f, *fy = k->f + k->n, ww = w * w;
@@ -158,7 +161,7 @@ void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q
     if (k->D.A) form_add(Q, &k->D, q1, k->n);
 }
 
-double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
+static double core_kinetic(const struct flex_planar *k, const struct flex_planar_core *o, const double *v, double w,
                            const double *q1)
 {
     const int n = k->n;
@@ -170,15 +173,86 @@ double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar
     return .5 * (k->m_inv * (px * px + py * py) + k->j_inv * (x * x + y * y) + T);
 }
 
-void flex_planar_mass(double *M, double *G, const struct flex_planar *k, const struct flex_planar_shape *o)
+/* --- the mean frame ----------------------------------------------------------------------------- */
+
+static inline void turn2(double *y, const double *cs, const double *x)
 {
+    y[0] = cs[0] * x[0] - cs[1] * x[1];
+    y[1] = cs[1] * x[0] + cs[0] * x[1];
+}
+
+static inline void turn_back(double *y, const double *cs, const double *x)
+{
+    y[0] = cs[0] * x[0] + cs[1] * x[1];
+    y[1] = cs[0] * x[1] - cs[1] * x[0];
+}
+
+void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
+{
+    struct flex_planar_core *c = &o->core;
+    double h[2];
+    core_at(c, k, q);
+    sincos(dot(k->mean, q, k->n), &o->cs[1], &o->cs[0]);
+    turn2(o->y, o->cs, (double[]){-k->pivot[0], -k->pivot[1]});
+    turn2(h, o->cs, c->h);
+    for (int i = 0; i < 2; i++) {
+        o->d[i] = k->pivot[i] + o->y[i];
+        o->h[i] = h[i] + k->mass * o->d[i];
+    }
+    o->J = c->J + o->d[0] * (h[0] + o->h[0]) + o->d[1] * (h[1] + o->h[1]);
+}
+
+void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
+                         const double *a, double w, double al, const double *q1, const double *q2)
+{
+    const double t1 = dot(k->mean, q1, k->n), t2 = dot(k->mean, q2, k->n), ww = w * w;
+    const double *y = o->y, *d = o->d, cent = t1 * (t1 + 2 * w);
+    const double am[2] = {a[0] - al * d[1] - ww * d[0] - t2 * y[1] - cent * y[0],
+                          a[1] + al * d[0] - ww * d[1] + t2 * y[0] - cent * y[1]};
+    double ai[2], Fi[2];
+    turn_back(ai, o->cs, am);
+    core_inertia(Fi, N, Q, k, &o->core, ai, w + t1, al + t2, q1, q2);
+    turn2(F, o->cs, Fi);
+    const double moment = *N + y[0] * F[1] - y[1] * F[0];
+    for (int i = 0; i < k->n; i++) Q[i] += k->mean[i] * moment;
+    *N += d[0] * F[1] - d[1] * F[0];
+}
+
+double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
+                           const double *q1)
+{
+    const double t1 = dot(k->mean, q1, k->n);
+    double vi[2];
+    turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
+    return core_kinetic(k, &o->core, vi, w + t1, q1);
+}
+
+void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const struct flex_planar_shape *o)
+{
+    const struct flex_planar_core *c = &o->core;
     const int n = k->n;
+    const double *p = k->pivot, *h = c->h;
+    const double J = c->J - 2 * (p[0] * h[0] + p[1] * h[1]) + k->mass * (p[0] * p[0] + p[1] * p[1]);
     for (int j = 0; j < n; j++) {
-        const double *rest = k->rest + (long)n * j;
-        const double x = k->m_inv * o->Hx[j], y = k->m_inv * o->Hy[j], e = k->j_inv * o->E[j], c = k->j_inv * o->C[j];
+        const double t = k->mean[j], x = k->m_inv * c->Hx[j], y = k->m_inv * c->Hy[j];
+        const double G =
+            k->rpsi[j] + c->P[j] + (h[0] * y - h[1] * x) + k->j_inv * (c->rho * c->C[j] - c->tau * c->E[j]);
+        double H[2], *u = U + 3 * j;
+        turn2(H, o->cs, (double[]){c->Hx[j] - t * (h[1] - k->mass * p[1]), c->Hy[j] + t * (h[0] - k->mass * p[0])});
+        u[0] = G - (p[0] * c->Hy[j] - p[1] * c->Hx[j]); /* about the pivot, without the turn */
+        u[1] = H[0];
+        u[2] = H[1];
+    }
+    for (int j = 0; j < n; j++) {
+        const double *rest = k->rest + (long)n * j, t = k->mean[j], g = U[3 * j] + J * t;
+        const double x = k->m_inv * c->Hx[j], y = k->m_inv * c->Hy[j], e = k->j_inv * c->E[j], r = k->j_inv * c->C[j];
         for (int i = j; i < n; i++)
-            M[i + n * j] = rest[i] + (o->Hx[i] * x + o->Hy[i] * y) + (o->E[i] * e + o->C[i] * c);
-        G[j] = k->rpsi[j] + o->P[j] + (o->h[0] * y - o->h[1] * x) + (o->rho * c - o->tau * e);
+            M[i + n * j] =
+                rest[i] + (c->Hx[i] * x + c->Hy[i] * y) + (c->E[i] * e + c->C[i] * r) + k->mean[i] * g + U[3 * i] * t;
+    }
+    for (int j = 0; j < n; j++) {
+        double *u = U + 3 * j; /* about the origin */
+        u[0] += J * k->mean[j] + p[0] * u[2] - p[1] * u[1];
     }
 }
 
@@ -351,21 +425,48 @@ static void build_node(struct node *o, const struct flex_node *from, int n, stru
     panel_build(&o->S, n, 2, (double *const[]){Sx, Sy}, NULL, life);
 }
 
-struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *life)
+/* The body in its mean frame, which stands on the reference node and turns by that much with q: no angular momentum
+ * about the node but that of the turn, to first order.  Without S the fields mean what they say, and so does the
+ * frame. */
+static const struct flex_body *to_mean(double *mean, const struct flex_body *o, struct arena *life)
+{
+    const struct flex_node *at = &o->node[o->reference];
+    struct flex_node *nodes = TAKE(life, struct flex_node, 1);
+    struct flex_body single = *o;
+    const double J = trace2(o->xx) + o->rot[8] + o->mass * (at->x[0] * at->x[0] + at->x[1] * at->x[1]);
+    if (!o->s) return o;
+    *nodes = *at;
+    nodes->psi = TAKE(life, double, 3 * o->n);
+    for (int j = 0; j < o->n; j++) {
+        const double *f = o->f + 3 * j;
+        mean[j] = (cross2(o->xf + 9 * j) + o->rpsi[3 * j + 2] - (at->x[0] * f[1] - at->x[1] * f[0])) / J;
+        nodes->psi[3 * j + 2] = mean[j];
+    }
+    single.node = nodes;
+    single.nnode = 1;
+    return flex_refer(&single, 0, life);
+}
+
+struct flex_planar *flex_planar_build(const struct flex_body *body, struct arena *life)
 {
     struct flex_planar *k = TAKE(life, struct flex_planar, 1);
-    k->n = o->n;
+    k->n = body->n;
+    k->mean = TAKE(life, double, k->n);
+    k->pivot[0] = body->node[body->reference].x[0];
+    k->pivot[1] = body->node[body->reference].x[1];
+    const struct flex_body *o = to_mean(k->mean, body, life);
     build_linear(k, o, life);
     build_square(k, o, life);
     form_build(&k->K, o->K, o->n, life);
     if (o->D) form_build(&k->D, o->D, o->n, life);
-    k->node = TAKE(life, struct node, o->nnode);
-    for (int i = 0; i < o->nnode; i++) build_node(&k->node[i], &o->node[i], o->n, life);
+    k->node = TAKE(life, struct node, body->nnode);
+    for (int i = 0; i < body->nnode; i++) build_node(&k->node[i], &body->node[i], k->n, life);
     return k;
 }
 
-void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life)
+void flex_planar_shape_take(struct flex_planar_shape *shape, const struct flex_planar *k, struct arena *life)
 {
+    struct flex_planar_core *o = &shape->core;
     o->work = TAKE(life, double, BLOCKS * k->n);
     o->rates = TAKE(life, double, RATES * k->n);
     o->Hx = o->work + k->shape.at[0];

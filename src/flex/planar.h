@@ -42,10 +42,15 @@ struct flex_planar;
 struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *life);
 
 /* What depends on q alone. */
-struct flex_planar_shape {
+struct flex_planar_core {                  /* in the mean frame */
     double h[2], rho, tau, J, rest;        /* rest: r */
     const double *Hx, *Hy, *E, *C, *W, *P; /* [n]; W^ q, P^'q */
     double *work, *rates;                  /* where they stand; work of flex_planar_inertia() */
+};
+struct flex_planar_shape {
+    double h[2], J;
+    double cs[2], d[2], y[2]; /* of the mean frame: cos, sin; its origin; the same from the pivot */
+    struct flex_planar_core core;
 };
 void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life);
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q);
@@ -60,8 +65,8 @@ void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q
 /* T for v of the origin, w, q' [J]. */
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1);
-/* Me [n x n], its lower triangle; G [n]. */
-void flex_planar_mass(double *M, double *G, const struct flex_planar *k, const struct flex_planar_shape *o);
+/* M^ of the coordinates [n x n], its lower triangle; U [3 x n] their columns of G, Hx, Hy. */
+void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const struct flex_planar_shape *o);
 
 /* A node's small body in the frame: it stands at x, turned by angle. */
 struct flex_planar_place {

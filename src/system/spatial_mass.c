@@ -135,10 +135,11 @@ static void flexible_column(double *M, const struct sweep *s, const struct flexi
     double F[3] = {0}, N[3] = {0};
     size_t n = (size_t)s->n, col = (size_t)f->iv[j];
     if (bears) {
-        const double *Me = flex_kernel_mass(f->kernel) + f->n * j;
-        m3_mul(F, f->R, f->shape.H + 3 * j);
+        double H[3];
+        flex_mass_column(f->Q, H, f->kernel, &f->shape, j);
+        m3_mul(F, f->R, H);
         m3_mul(N, f->R, f->shape.G + 3 * j);
-        for (int i = 0; i <= j; i++) M[(size_t)f->iv[i] + n * col] = Me[i];
+        for (int i = 0; i <= j; i++) M[(size_t)f->iv[i] + n * col] = f->Q[i];
     }
     for (int i = 0; i < f->nnode[cls]; i++) {
         int node = f->node[cls][i];

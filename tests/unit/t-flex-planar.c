@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "flex/planar.h"
+#include "la/dense.h"
 #include "unit/particles.h"
 
 #include <cmocka.h>
@@ -138,9 +139,9 @@ static void shortening_is_right_to_its_order(void **state)
         }
         for (int c = 0; c < 2; c++) near(f.shape.h[c], h[c], 1e-14);
         near(f.shape.J, J, 50 * small * small * small);
-        double Me[MODES * MODES], G0[MODES];
-        flex_planar_mass(Me, G0, f.k, &f.shape);
-        for (int k = 0; k < f.n; k++) near(G0[k], G[k], 50 * small * small);
+        double Me[MODES * MODES], U[3 * MODES];
+        flex_planar_mass(Me, U, f.k, &f.shape);
+        for (int k = 0; k < f.n; k++) near(U[3 * k], G[k], 50 * small * small);
         arena_close(f.arena);
     }
 }
@@ -216,14 +217,39 @@ static void mass_matrix_is_the_energy(void **state)
         const double rest[2] = {0, 0};
         double T = 0;
         open_body(&f, seed, true);
-        double Me[MODES * MODES], G[MODES], w = f.w;
-        flex_planar_mass(Me, G, f.k, &f.shape);
+        double Me[MODES * MODES], U[3 * MODES], w = f.w;
+        flex_planar_mass(Me, U, f.k, &f.shape);
         for (int i = 0; i < f.n; i++)
             for (int j = 0; j <= i; j++) T += (i == j ? .5 : 1) * f.q1[i] * f.q1[j] * Me[i + f.n * j];
         near(T, flex_planar_kinetic(f.k, &f.shape, rest, 0, f.q1), 1e-13);
         T += .5 * f.shape.J * w * w;
-        for (int i = 0; i < f.n; i++) T += w * G[i] * f.q1[i];
+        for (int i = 0; i < f.n; i++) T += w * U[3 * i] * f.q1[i];
         near(T, flex_planar_kinetic(f.k, &f.shape, rest, w, f.q1), 1e-13);
+        arena_close(f.arena);
+    }
+}
+
+/* The energy is a square: positive however large q is, with second-order displacements, too. */
+static void mass_matrix_is_positive(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < SEEDS; seed++) {
+        struct fixture f;
+        enum { MOST = 3 + MODES };
+        double M[MOST * MOST], U[3 * MODES], Me[MODES * MODES];
+        open_body(&f, seed, true);
+        const int n = 3 + f.n;
+        for (int k = 0; k < f.n; k++) f.q[k] *= 10;
+        flex_planar_shape_at(&f.shape, f.k, f.q);
+        flex_planar_mass(Me, U, f.k, &f.shape);
+        memset(M, 0, sizeof M);
+        M[0] = M[1 + n] = f.cloud->body.mass;
+        M[2] = -f.shape.h[1], M[2 + n] = f.shape.h[0], M[2 + 2 * n] = f.shape.J;
+        for (int k = 0; k < f.n; k++) {
+            M[3 + k] = U[3 * k + 1], M[3 + k + n] = U[3 * k + 2], M[3 + k + 2 * n] = U[3 * k];
+            for (int i = k; i < f.n; i++) M[3 + i + n * (3 + k)] = Me[i + f.n * k];
+        }
+        assert_true(dense_cholesky(M, n, n) < 0);
         arena_close(f.arena);
     }
 }
@@ -297,6 +323,7 @@ int main(void)
         cmocka_unit_test(shortening_is_right_to_its_order),
         cmocka_unit_test(inertia_is_lagrange),
         cmocka_unit_test(mass_matrix_is_the_energy),
+        cmocka_unit_test(mass_matrix_is_positive),
         cmocka_unit_test(elastic_forces_are_the_products),
         cmocka_unit_test(nodes_move_like_particles),
     };

@@ -1,6 +1,7 @@
 /* t-motion.c -- the inertia of a flexible body against particles, and against differences of its own energy. */
 #include "flex/motion.h"
 
+#include "la/dense.h"
 #include "unit/clouds.h"
 
 #include <math.h>
@@ -199,11 +200,12 @@ static void later(struct scene *o, const struct scene *from, double t)
 /* P, L, dT/dq' and the energy T + V, one after the other. */
 static void store(double *x, struct scene *o)
 {
-    const double *Me = flex_kernel_mass(o->k);
+    double Me[N * N], H[3 * N];
+    for (int j = 0; j < o->n; j++) flex_mass_column(Me + o->n * j, H + 3 * j, o->k, &o->shape, j);
     flex_momentum(x, x + 3, o->k, &o->shape, o->v, o->w, o->q1);
     for (int i = 0; i < o->n; i++) {
-        x[6 + i] = dot(o->shape.H + 3 * i, o->v, 3) + dot(o->shape.G + 3 * i, o->w, 3);
-        for (int j = 0; j < o->n; j++) x[6 + i] += Me[i + o->n * j] * o->q1[j];
+        x[6 + i] = dot(H + 3 * i, o->v, 3) + dot(o->shape.G + 3 * i, o->w, 3);
+        for (int j = 0; j < o->n; j++) x[6 + i] += Me[i < j ? i + o->n * j : j + o->n * i] * o->q1[j];
     }
     x[6 + o->n] = flex_kinetic(o->k, &o->shape, o->v, o->w, o->q1) + flex_elastic(o->k, o->q);
 }
@@ -311,6 +313,21 @@ static void test_matrix(void **state)
     }
 }
 
+/* The energy is a square: positive however large q is, with second-order displacements, too. */
+static void test_positive(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < SEEDS; seed++) {
+        struct scene o;
+        double M[(6 + N) * (6 + N)];
+        open_scene(&o, seed, CLOUD_S | CLOUD_ROTARY);
+        scale_state(&o, 10);
+        matrix(M, &o);
+        assert_true(dense_cholesky(M, 6 + o.n, 6 + o.n) < 0);
+        arena_close(o.arena);
+    }
+}
+
 /* A NULL is zero, and calling twice gives the same bits. */
 static void test_nothing(void **state)
 {
@@ -401,7 +418,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_particles), cmocka_unit_test(test_orders),  cmocka_unit_test(test_lagrange),
-        cmocka_unit_test(test_matrix),    cmocka_unit_test(test_nothing), cmocka_unit_test(test_places),
+        cmocka_unit_test(test_matrix),
+        cmocka_unit_test(test_positive),    cmocka_unit_test(test_nothing), cmocka_unit_test(test_places),
         cmocka_unit_test(test_cayley),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
