@@ -1,13 +1,4 @@
-/* motion.c -- see motion.h
- *
- * All that is linear in q stands in one table, base + change q with a column for each coordinate: the slopes of the
- * c_a, dJ^/dq and G^; so a shape costs one product.  In the same way `fast` holds what is multiplied by q': twice
- * Y_kj = int phi^_k x phi^_j dm, antisymmetric, and the second slopes of the c_a.
- *
- *     G^_j = rpsi_j + Y_kj q_k,     G^' q' = 0,
- *
- * and from (dG^_j/dq_k - dG^_k/dq_j) q_k' = 2 Y_kj q_k' comes the gyroscopic term of Q.  The c_a are quadratic and J^
- * is without a linear term, so that the mean of their slopes at 0 and q takes them there. */
+/* motion.c -- see motion.h */
 #include "flex/motion.h"
 
 #include <math.h>
@@ -17,129 +8,60 @@
 #include "la/eigen.h"
 #include "la/vec3.h"
 
-static const double THIN = 1e-12; /* of the largest principal moment: no extension */
+enum { SERIES = 12 };             /* terms, for turns up to pi */
+static const double THIN = 1e-12; /* of the largest moment of inertia: no turn about that axis */
 
 struct flex_kernel {
     const struct flex_body *body;
-    int n, na;            /* coordinates, vectors c_a */
-    double root;          /* of the mass */
-    double weight[4][3];  /* c_a = int p (x . weight_a) dm, a > 0 */
-    double c[4][3], J[6]; /* undeformed; J^ = rot */
-    int rows, fixed;      /* rows of base, and of these the first that do not change: without s */
-    double *base;         /* [rows]: dc_a/dq [3 x n] each, dJ^/dq [6 x n], G^ [3 x n] of the undeformed body */
-    double *change;       /* [rows - fixed, by n] its rate with q */
-    int nfast;            /* 3 n, with s and xs more */
-    double *fast;         /* [nfast by n]: 2 Y, d2c_a/dq2 */
-    double *Me;           /* [n x n] M^ */
+    int n;
+    double pivot[3];       /* the reference node */
+    struct flex_node mean; /* psi: Theta */
+    struct affine *in;
 };
 
-/* --- tables ------------------------------------------------------------------------------------- */
+/* --- the mean frame ----------------------------------------------------------------------------- */
 
-/* o += s (int a x b) for B = int a b'. */
-static void add_axial(double *o, double s, const double *B)
+/* Theta = J^-1 (int (x - x0) x phi dm + rpsi), without turns about axes of no inertia. */
+static void mean_turn(double *psi, const struct flex_body *o, const double *x0)
 {
-    o[0] += s * (B[7] - B[5]);
-    o[1] += s * (B[2] - B[6]);
-    o[2] += s * (B[3] - B[1]);
-}
-
-/* J += s (tr B 1 - sym B) in six numbers. */
-static void add_inertia(double *J, double s, const double *B)
-{
-    J[0] += s * (B[4] + B[8]);
-    J[1] += s * (B[0] + B[8]);
-    J[2] += s * (B[0] + B[4]);
-    J[3] -= .5 * s * (B[1] + B[3]);
-    J[4] -= .5 * s * (B[2] + B[6]);
-    J[5] -= .5 * s * (B[5] + B[7]);
-}
-
-/* Principal axes of xx, those along which the body extends. */
-static void axes(struct flex_kernel *k)
-{
-    double xx[9], X[9], lambda[3];
-    memcpy(xx, k->body->xx, sizeof xx);
-    eigen_symmetric(lambda, X, xx, 3);
-    k->root = sqrt(k->body->mass);
-    k->na = 1;
-    for (int i = 2; i >= 0; i--) {
-        if (!(lambda[i] > THIN * lambda[2])) continue;
-        v3_scale(k->weight[k->na], 1 / sqrt(lambda[i]), X + 3 * i);
-        v3_scale(k->c[k->na++], sqrt(lambda[i]), X + 3 * i);
-    }
-}
-
-/* The part of vector a in a field with the first moments one = int phi dm and x = int x phi' dm. */
-static void moment(double *o, const struct flex_kernel *k, int a, const double *one, const double *x)
-{
-    if (a)
-        m3_tmul(o, x, k->weight[a]);
-    else
-        v3_scale(o, 1 / k->root, one);
-}
-
-static void undeformed(struct flex_kernel *k)
-{
-    const struct flex_body *o = k->body;
-    const int n = k->n;
-    const double rot[6] = {o->rot[0], o->rot[4], o->rot[8], o->rot[3], o->rot[6], o->rot[7]};
-    memcpy(k->J, rot, sizeof k->J);
-    for (int j = 0; j < n; j++) {
-        for (int a = 0; a < k->na; a++) moment(k->base + 3 * (j + n * a), k, a, o->f + 3 * j, o->xf + 9 * j);
-        v3_copy(k->base + k->rows - 3 * n + 3 * j, o->rpsi + 3 * j);
-    }
-}
-
-/* The pair of coordinates j and k. */
-static void fill_pair(struct flex_kernel *o, int j, int k)
-{
-    const struct flex_body *b = o->body;
-    const int n = o->n, jk = j + n * k, rows = o->rows - o->fixed;
-    double *change = o->change + (long)rows * k - o->fixed, *fast = o->fast + (long)o->nfast * k, rest[9];
-    double *J = change + o->rows - 9 * n + 6 * j, *G = change + o->rows - 3 * n + 3 * j;
-    for (int i = 0; i < 9; i++) rest[i] = .5 * (b->ff[i + 9 * jk] + b->ff[i / 3 + 3 * (i % 3) + 9 * (k + n * j)]);
-    for (int a = 0; a < o->na; a++)
-        for (int i = 0; i < 9; i++) rest[i] -= o->base[3 * (j + n * a) + i % 3] * o->base[3 * (k + n * a) + i / 3];
-    add_inertia(J, 2, rest);
-    add_axial(G, -1, rest);
-    add_axial(fast + 3 * j, -2, rest);
-    o->Me[jk] = rest[0] + rest[4] + rest[8] + .5 * (b->ppsi[jk] + b->ppsi[k + n * j]);
-    if (o->fixed) return;
-    for (int a = 0; a < o->na; a++) {
-        double *s = change + 3 * (j + n * a);
-        moment(s, o, a, b->s + 3 * jk, b->xs + 9 * jk);
-        v3_copy(fast + 3 * (j + n * (a + 1)), s);
+    double J[9], X[9], lambda[3], size = o->xx[0] + o->xx[4] + o->xx[8] + o->mass * v3_dot(x0, x0);
+    for (int i = 0; i < 9; i++) J[i] = o->rot[i] - o->xx[i] - o->mass * x0[i % 3] * x0[i / 3] + (i % 4 == 0 ? size : 0);
+    eigen_symmetric(lambda, X, J, 3);
+    for (int j = 0; j < o->n; j++) {
+        const double *B = o->xf + 9 * j;
+        double G[3] = {B[7] - B[5], B[2] - B[6], B[3] - B[1]}, arm[3];
+        v3_add(G, o->rpsi + 3 * j);
+        v3_cross(arm, x0, o->f + 3 * j);
+        v3_take(G, arm);
+        v3_set(psi + 3 * j, 0, 0, 0);
+        for (int i = 0; i < 3; i++)
+            if (lambda[i] > THIN * lambda[2]) v3_axpy(psi + 3 * j, v3_dot(X + 3 * i, G) / lambda[i], X + 3 * i);
     }
 }
 
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life)
 {
     struct flex_kernel *k = TAKE(life, struct flex_kernel, 1);
-    const int n = o->n;
-    *k = (struct flex_kernel){.body = o, .n = n};
-    axes(k);
-    k->rows = (9 + 3 * k->na) * n;
-    k->fixed = o->s ? 0 : 3 * k->na * n;
-    k->nfast = o->s ? 3 * (1 + k->na) * n : 3 * n;
-    k->base = TAKE(life, double, k->rows);
-    k->change = TAKE(life, double, (long)(k->rows - k->fixed) * n);
-    k->fast = TAKE(life, double, (long)k->nfast *n);
-    k->Me = TAKE(life, double, n *n);
-    undeformed(k);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) fill_pair(k, i, j);
+    *k = (struct flex_kernel){.body = o, .n = o->n};
+    v3_copy(k->pivot, o->node[o->reference].x);
+    v3_copy(k->mean.x, k->pivot);
+    k->mean.phi = TAKE(life, double, 3 * o->n);
+    k->mean.psi = TAKE(life, double, 3 * o->n);
+    if (o->s) {
+        struct flex_body single = *o;
+        mean_turn(k->mean.psi, o, k->pivot);
+        single.node = &k->mean;
+        single.nnode = 1;
+        o = flex_refer(&single, 0, life);
+    }
+    k->in = affine_build(o, life);
     return k;
 }
 
-/* --- shape -------------------------------------------------------------------------------------- */
-
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life)
 {
-    double *all = TAKE(life, double, k->rows);
-    *o = (struct flex_shape){.C = all, .dJ = all + k->rows - 9 * k->n, .rest = all + k->rows - 3 * k->n};
-    o->G = TAKE(life, double, 3 * k->n);
-    o->work = TAKE(life, double, k->nfast);
-    memcpy(all, k->base, sizeof *all * (size_t)k->rows);
+    *o = (struct flex_shape){.dw = TAKE(life, double, 3 * k->n), .lever = TAKE(life, double, 3 * k->n)};
+    affine_take(&o->in, k->in, life);
 }
 
 /* o [m] += A x, A [m x n] of so few rows that they stay in registers. */
@@ -148,95 +70,113 @@ static inline void add3(double *o, const double *A, const double *x, int n)
     for (int j = 0; j < n; j++) v3_axpy(o, x[j], A + 3 * j);
 }
 
-static inline void add6(double *o, const double *A, const double *x, int n)
+/* The turn by theta = Theta q: R = exp(theta x), wt = T theta'.  With s = theta.theta, a = (1 - cos)/s and
+ * b = (1 - sin/sqrt(s))/s as power series,
+ *
+ *     R = 1 + (1 - s b) theta x + a theta x theta x,    T = 1 + a theta x + b theta x theta x. */
+static void turn_mean(struct flex_shape *o, const struct flex_kernel *k, const double *q)
 {
-    double sum[6] = {0};
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < 6; i++) sum[i] += x[j] * A[6 * j + i];
-    for (int i = 0; i < 6; i++) o[i] += sum[i];
+    double *t = o->theta, s, term = .5;
+    v3_set(t, 0, 0, 0);
+    add3(t, k->mean.psi, q, k->n);
+    s = v3_dot(t, t);
+    o->a = o->b = o->a1 = o->b1 = 0;
+    for (int i = 0; i < SERIES; i++) { /* term = s^i / (2 i + 2)!, of alternating sign; its slope by s takes i/s */
+        o->a += term;
+        o->b += term / (2 * i + 3);
+        o->a1 -= term * (i + 1) / ((2 * i + 3) * (2 * i + 4));
+        o->b1 -= term * (i + 1) / ((2 * i + 3) * (2 * i + 4) * (double)(2 * i + 5));
+        term *= -s / ((2 * i + 3) * (2 * i + 4));
+    }
+    for (int i = 0; i < 3; i++) {
+        const double e[3] = {i == 0, i == 1, i == 2};
+        double x[3], y[3];
+        v3_cross(x, t, e);
+        v3_cross(y, t, x);
+        v3_copy(o->R + 3 * i, e);
+        v3_axpy(o->R + 3 * i, 1 - s * o->b, x);
+        v3_axpy(o->R + 3 * i, o->a, y);
+    }
+    for (int j = 0; j < k->n; j++) {
+        const double *psi = k->mean.psi + 3 * j;
+        double x[3], y[3], *dw = o->dw + 3 * j;
+        v3_cross(x, t, psi);
+        v3_cross(y, t, x);
+        v3_copy(dw, psi);
+        v3_axpy(dw, o->a, x);
+        v3_axpy(dw, o->b, y);
+    }
+}
+
+/* T' theta'. */
+static void turn_rate(double *o, const struct flex_shape *x, const double *t1)
+{
+    const double *t = x->theta, s1 = 2 * v3_dot(t, t1);
+    double u[3], v[3];
+    v3_cross(u, t, t1);
+    v3_cross(v, t, u);
+    v3_axpy(o, s1 * x->a1, u);
+    v3_axpy(o, s1 * x->b1, v);
+    v3_cross(v, t1, u);
+    v3_axpy(o, x->b, v);
+}
+
+/* J of the particles moved by d: + 2 d.h 1 - d h' - h d' + m (d.d 1 - d d'), h before. */
+static void move_inertia(double *J, const double *d, const double *h, double m)
+{
+    double x[3];
+    v3_copy(x, h);
+    v3_axpy(x, .5 * m, d);
+    const double dx = 2 * v3_dot(d, x);
+    for (int i = 0; i < 3; i++) J[i] += dx - 2 * d[i] * x[i];
+    J[3] -= d[0] * x[1] + d[1] * x[0];
+    J[4] -= d[0] * x[2] + d[2] * x[0];
+    J[5] -= d[1] * x[2] + d[2] * x[1];
 }
 
 void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const double *q)
 {
-    const int n = k->n, m = k->rows - k->fixed;
-    double J[6] = {0};
-    memcpy(o->C + k->fixed, k->base + k->fixed, sizeof *o->C * (size_t)m);
-    dense_gemv(o->C + k->fixed, 1, k->change, q, m, n, m);
-    add6(J, o->dJ, q, n);
-    for (int i = 0; i < 6; i++) o->J[i] = o->Jrest[i] = k->J[i] + .5 * J[i];
-    memcpy(o->G, o->rest, sizeof *o->G * 3 * (size_t)n);
-    for (int a = 0; a < k->na; a++) {
-        const double *C = o->C + 3 * n * a;
-        double *c = o->c[a], d[3] = {0};
-        add3(d, k->base + 3 * n * a, q, n);
-        add3(d, C, q, n);
-        v3_copy(c, k->c[a]);
-        v3_axpy(c, .5, d);
-        const double cc[9] = {c[0] * c[0], 0, 0, c[0] * c[1], c[1] * c[1], 0, c[0] * c[2], c[1] * c[2], c[2] * c[2]};
-        add_inertia(o->J, 1, (double[]){cc[0], cc[3], cc[6], cc[3], cc[4], cc[7], cc[6], cc[7], cc[8]});
-        for (int j = 0; j < n; j++) v3_cross_add(o->G + 3 * j, c, C + 3 * j);
-    }
-    v3_scale(o->h, k->root, o->c[0]);
-}
-
-void flex_mass_column(double *M, double *H, const struct flex_kernel *k, const struct flex_shape *o, int j)
-{
-    const int n = k->n;
-    v3_scale(H, k->root, o->C + 3 * j);
-    for (int i = 0; i <= j; i++) {
-        M[i] = k->Me[i + n * j];
-        for (int a = 0; a < k->na; a++) M[i] += v3_dot(o->C + 3 * (i + n * a), o->C + 3 * (j + n * a));
-    }
+    double h[3];
+    affine_at(&o->in, k->in, q);
+    turn_mean(o, k, q);
+    m3_mul(o->y, o->R, k->pivot);
+    v3_scale(o->y, -1, o->y);
+    v3_sum(o->d, k->pivot, o->y);
+    m3_mul(h, o->R, o->in.h);
+    v3_copy(o->h, h);
+    v3_axpy(o->h, k->body->mass, o->d);
+    s3_turn(o->J, o->R, o->in.J);
+    move_inertia(o->J, o->d, h, k->body->mass);
 }
 
 /* --- inertia ------------------------------------------------------------------------------------ */
 
-/* Vector a, a particle of mass 1: what its acceleration takes. */
-static void particle(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *o, int a,
-                     const double *a0, const double *w, const double *al, const double *q1, const double *q2)
+/* The motion of the mean frame: a, w, al from those of the frame, in its own axes. */
+static void carry(double *a1, double *w1, double *al1, const struct flex_kernel *k, const struct flex_shape *o,
+                  const double *a, const double *w, const double *al, const double *q1, const double *q2)
 {
-    const int n = k->n;
-    const double *c = o->c[a], *C = o->C + 3 * n * a;
-    double g[3] = {0, 0, 0}, v[3] = {0, 0, 0}, x[3];
-    if (a == 0) v3_axpy(g, k->root, a0);
-    v3_cross_add(g, al, c);
-    v3_cross(x, w, c);
+    double wt[3] = {0, 0, 0}, at[3] = {0, 0, 0}, t1[3] = {0, 0, 0}, x[3], acc[3], spin[3];
     if (q1) {
-        add3(v, C, q1, n);
-        v3_axpy(x, 2, v);
+        add3(wt, o->dw, q1, k->n);
+        add3(t1, k->mean.psi, q1, k->n);
+        turn_rate(at, o, t1);
     }
-    v3_cross_add(g, w, x);
-    if (q1 && !k->fixed) add3(g, o->work + 3 * n * (a + 1), q1, n);
-    if (q2) add3(g, C, q2, n);
-    if (a == 0) v3_scale(F, k->root, g);
-    v3_cross_add(N, c, g);
-    for (int j = 0; j < n; j++) Q[j] += v3_dot(C + 3 * j, g);
-}
-
-/* The rest: J^ w' + w x J^ w + J^' w + G^ q'' + w x G^ q',  G^T w' + M^ q'' + 2 w . Y q' - 1/2 w . dJ^/dq w. */
-static void rest(double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *o, const double *w,
-                 const double *al, const double *q1, const double *q2)
-{
-    const int n = k->n;
-    const double ww[6] = {.5 * w[0] * w[0], .5 * w[1] * w[1], .5 * w[2] * w[2], w[0] * w[1], w[0] * w[2], w[1] * w[2]};
-    double L[3], J1[6] = {0}, J1w[3];
-    s3_mul(N, o->Jrest, al);
-    s3_mul(L, o->Jrest, w);
-    if (q1) {
-        add3(L, o->rest, q1, n);
-        add6(J1, o->dJ, q1, n);
-        s3_mul(J1w, J1, w);
-        v3_add(N, J1w);
-    }
-    v3_cross_add(N, w, L);
-    if (q2) add3(N, o->rest, q2, n);
-    for (int j = 0; j < n; j++) {
-        const double *dJ = o->dJ + 6 * j;
-        Q[j] = v3_dot(o->rest + 3 * j, al) -
-               (dJ[0] * ww[0] + dJ[1] * ww[1] + dJ[2] * ww[2] + dJ[3] * ww[3] + dJ[4] * ww[4] + dJ[5] * ww[5]);
-        if (q1) Q[j] += v3_dot(w, o->work + 3 * j);
-    }
-    if (q2) dense_gemv(Q, 1, k->Me, q2, n, n, n);
+    if (q2) add3(at, o->dw, q2, k->n);
+    v3_copy(acc, a);
+    v3_cross_add(acc, al, o->d);
+    v3_cross_add(acc, at, o->y);
+    v3_cross(x, w, o->d);
+    v3_cross_add(acc, w, x);
+    v3_cross(x, wt, o->y);
+    v3_cross_add(acc, wt, x);
+    v3_scale(x, 2, x);
+    v3_cross_add(acc, w, x);
+    v3_sum(spin, al, at);
+    v3_cross_add(spin, w, wt);
+    v3_add(wt, w);
+    m3_tmul(a1, o->R, acc);
+    m3_tmul(w1, o->R, wt);
+    m3_tmul(al1, o->R, spin);
 }
 
 void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *shape,
@@ -244,73 +184,86 @@ void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, 
                   const double *q2, bool elastic)
 {
     const int n = k->n;
-    if (q1) {
-        memset(shape->work, 0, sizeof *shape->work * (size_t)k->nfast);
-        dense_gemv(shape->work, 1, k->fast, q1, k->nfast, n, k->nfast);
-    }
-    rest(N, Q, k, shape, w, al, q1, q2);
-    for (int i = 0; i < k->na; i++) particle(F, N, Q, k, shape, i, a, w, al, q1, q2);
+    double a1[3], w1[3], al1[3], f[3], moment[3];
+    carry(a1, w1, al1, k, shape, a, w, al, q1, q2);
+    affine_inertia(f, moment, Q, k->in, &shape->in, a1, w1, al1, q1, q2);
+    m3_mul(F, shape->R, f);
+    m3_mul(N, shape->R, moment);
+    v3_copy(moment, N);
+    v3_cross_add(moment, shape->y, F);
+    v3_cross_add(N, shape->d, F);
+    for (int j = 0; j < n; j++) Q[j] += v3_dot(shape->dw + 3 * j, moment);
     if (!elastic) return;
     dense_gemv(Q, 1, k->body->K, q, n, n, n);
     if (k->body->D && q1) dense_gemv(Q, 1, k->body->D, q1, n, n, n);
 }
 
+/* With unit rate of coordinate j: H and its moment about the pivot G from those against the mean frame and those that
+ * its turn brings; the rows of others are dw_i.G + dw_j.(moment of i against the mean frame). */
+void flex_mass_column(double *M, double *H, double *G, const struct flex_kernel *k, struct flex_shape *o, int j)
+{
+    const double *dw = o->dw + 3 * j;
+    double h[3], x[3], v[3], turned[3], *lever = o->lever + 3 * j;
+    affine_mass_column(M, h, x, k->in, &o->in, j);
+    m3_mul(H, o->R, h);
+    m3_mul(lever, o->R, x);
+    v3_cross_add(lever, o->y, H);
+    m3_mul(h, o->R, o->in.h);
+    v3_cross(v, dw, o->y);
+    v3_cross_add(H, dw, h);
+    v3_axpy(H, k->body->mass, v);
+    m3_tmul(turned, o->R, dw);
+    s3_mul(x, o->in.J, turned);
+    m3_mul(G, o->R, x);
+    v3_cross_add(G, h, v);
+    v3_cross(x, dw, h);
+    v3_axpy(x, k->body->mass, v);
+    v3_cross_add(G, o->y, x);
+    v3_add(G, lever);
+    for (int i = 0; i <= j; i++) M[i] += v3_dot(o->dw + 3 * i, G) + v3_dot(dw, o->lever + 3 * i);
+    v3_cross_add(G, k->pivot, H);
+}
+
 /* --- momentum and energy ------------------------------------------------------------------------ */
 
-/* Velocity of vector a. */
-static void moves(double *u, const struct flex_kernel *k, const struct flex_shape *o, int a, const double *v,
-                  const double *w, const double *q1)
+static void carry_velocity(double *v1, double *w1, const struct flex_kernel *k, const struct flex_shape *o,
+                           const double *v, const double *w, const double *q1)
 {
-    v3_scale(u, a ? 0 : k->root, v);
-    v3_cross_add(u, w, o->c[a]);
-    add3(u, o->C + 3 * k->n * a, q1, k->n);
+    double wt[3] = {0, 0, 0}, x[3];
+    add3(wt, o->dw, q1, k->n);
+    v3_copy(x, v);
+    v3_cross_add(x, w, o->d);
+    v3_cross_add(x, wt, o->y);
+    v3_add(wt, w);
+    m3_tmul(v1, o->R, x);
+    m3_tmul(w1, o->R, wt);
 }
 
-void flex_momentum(double *P, double *L, const struct flex_kernel *k, const struct flex_shape *o, const double *v,
+void flex_momentum(double *P, double *L, const struct flex_kernel *k, const struct flex_shape *shape, const double *v,
                    const double *w, const double *q1)
 {
-    s3_mul(L, o->Jrest, w);
-    add3(L, o->rest, q1, k->n);
-    for (int a = 0; a < k->na; a++) {
-        double u[3];
-        moves(u, k, o, a, v, w, q1);
-        if (a == 0) v3_scale(P, k->root, u);
-        v3_cross_add(L, o->c[a], u);
-    }
+    double v1[3], w1[3], p[3], l[3];
+    carry_velocity(v1, w1, k, shape, v, w, q1);
+    affine_momentum(p, l, k->in, &shape->in, v1, w1, q1);
+    m3_mul(P, shape->R, p);
+    m3_mul(L, shape->R, l);
+    v3_cross_add(L, shape->d, P);
 }
 
-/* x'A x. */
-static double square(const double *A, const double *x, int n)
-{
-    double sum = 0;
-    for (int j = 0; j < n; j++) {
-        double Ax = 0;
-        for (int i = 0; i < n; i++) Ax += A[i + n * j] * x[i];
-        sum += Ax * x[j];
-    }
-    return sum;
-}
-
-double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *o, const double *v, const double *w,
+double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *shape, const double *v, const double *w,
                     const double *q1)
 {
-    double L[3], T = square(k->Me, q1, k->n);
-    s3_mul(L, o->Jrest, w);
-    T += v3_dot(w, L);
-    v3_set(L, 0, 0, 0);
-    add3(L, o->rest, q1, k->n);
-    T += 2 * v3_dot(w, L);
-    for (int a = 0; a < k->na; a++) {
-        double u[3];
-        moves(u, k, o, a, v, w, q1);
-        T += v3_dot(u, u);
-    }
-    return .5 * T;
+    double v1[3], w1[3];
+    carry_velocity(v1, w1, k, shape, v, w, q1);
+    return affine_kinetic(k->in, &shape->in, v1, w1, q1);
 }
 
 double flex_elastic(const struct flex_kernel *k, const double *q)
 {
-    return .5 * square(k->body->K, q, k->n);
+    double sum = 0;
+    for (int j = 0; j < k->n; j++)
+        for (int i = 0; i < k->n; i++) sum += q[i] * k->body->K[i + k->n * j] * q[j];
+    return .5 * sum;
 }
 
 /* --- nodes -------------------------------------------------------------------------------------- */

@@ -1,30 +1,18 @@
 /* motion.h -- a flexible body's inertia in motion, in the axes of its frame.
  *
- * The shapes are split into an affine motion of the body and a rest that is square to all affine motions,
- * phi_j = f_j/m + Phi_j x + phi^_j.  With the principal axes of int x x' dm = sum l_a e_a e_a' an affinely moved body
- * is four particles of mass 1 (fewer where it has no extension),
+ * The frame of the data is clamped to the reference node.  With second-order displacements the inertia is taken in
+ * the body's mean frame: it stands on the reference node, too, and turns against the frame by the rotation vector
+ * theta = Theta q, Theta = J^-1 int (x - x_0) x phi dm, so that in it motion of the coordinates has no angular momentum
+ * about the node, to first order.  Seen there displacements of second order are small and the motion of frame and
+ * coordinates do not nearly cancel where the node's joint is free to turn (affine.h has the inertia in a given frame).
+ * With y from the node to the origin of the mean frame, d from origin to origin, wt and dw the turn's angular velocity
+ * and its slopes by q', F, N and Q are those of the mean frame and
  *
- *     c_0 = h/sqrt(m),   h = f q + 1/2 q' s q            first moment,  H = dh/dq = f + s q
- *     c_a = sqrt(l_a) e_a + (xf'q + 1/2 q' xs'q) e_a/sqrt(l_a),
+ *     a := a + w' x d + w x (w x d) + 2 w x (wt x y) + wt' x y + wt x (wt x y),    w := w + wt,   w' := w' + wt' + w x
+ * wt Q := Q + dw.(N + y x F) + K q + D q',    N := N + d x F.
  *
- * for int p p' dm = sum c_a c_a' where p is affine in x.  Of the second-order displacements 1/2 q'Sq, s and xs know the
- * affine part, and this is what the body gets.  So its energy is a square whatever q is,
- *
- *     2 T = |sqrt(m) v + w x c_0 + c_0'|^2 + sum |w x c_a + c_a'|^2 + w.J^ w + 2 w.G^ q' + q'.M^ q'
- *     J^ = rot + int (phi^ q.phi^ q - phi^ q (phi^ q)'),  G^ = rpsi + int phi^ q x phi^,  M^ = int phi^'phi^ + ppsi;
- *
- * were the terms counted one by one to some order in q, the mass matrix of a beam pinned where its modes are clamped
- * would be negative at small q already, for there the motion of the frame and of the modes nearly cancel.  In sum, with
- * J = J^ + sum (c_a.c_a 1 - c_a c_a'),  G = G^ + sum c_a x dc_a/dq,  Me = M^ + sum (dc_a/dq)'(dc_a/dq),
- *
- *     T = m v.v/2 + v.(w x h + H q') + w.J w/2 + w.G q' + q'.Me q'/2.
- *
- * Forces are d'Alembert's of the particles, and of the rest those of the Boltzmann-Hamel equations F = P' + w x P,
- * N = L' + w x L + v x P with P = dT/dv, L = dT/dw, Q = (dT/dq')' - dT/dq.  With a = v' + w x v the true acceleration
- * of the origin in frame axes (gravity in it as upward acceleration) g_a = [sqrt(m) a] + w' x c_a + w x (w x c_a) + 2 w
- * x c_a' + c_a''      (a: of c_0 alone) F = sqrt(m) g_0 N = sum c_a x g_a + J^ w' + w x J^ w + J^' w + G^ q'' + w x G^
- * q' Q = sum dc_a/dq . g_a + G^T w' + M^ q'' + 2 w . (int phi^_k x phi^_j dm) q_k' - 1/2 w . dJ^/dq w + K q + D q'
- * Affine in (a, w', q''), with a symmetric matrix; energy is kept exactly: (T + q'Kq/2)' = v.F + w.N + q'.Q
+ * a = v' + w x v is the true acceleration of the origin in frame axes (gravity in it as upward acceleration).  All is
+ * affine in (a, w', q''), with a symmetric positive matrix; energy is kept exactly: (T + q'Kq/2)' = v.F + w.N + q'.Q
  * without D.  N is about the origin.  Motions in the x-y plane stay there where the body's data do.
  *
  * Boltzmann, Sitz.-ber. Akad. Wien 111 (1902) 1603; the terms by order in q: Wallrapp, Mech. Struct. Mach. 22
@@ -32,7 +20,7 @@
 #ifndef FMDSUB_FLEX_MOTION_H
 #define FMDSUB_FLEX_MOTION_H
 
-#include "flex/body.h"
+#include "flex/affine.h"
 
 /* Tables for evaluation, made once from the data. */
 struct flex_kernel;
@@ -40,19 +28,21 @@ struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *l
 
 /* What depends on q alone. */
 struct flex_shape {
-    double h[3];
-    double J[6], Jrest[6]; /* about the origin: xx yy zz xy xz yz; J^ */
-    double c[4][3];        /* c_a */
-    double *C;             /* [3 x n] each: dc_a/dq */
-    double *dJ;            /* [6 x n] dJ^/dq */
-    double *rest, *G;      /* [3 x n] G^, G */
-    double *work;
+    double h[3];    /* first moment */
+    double J[6];    /* inertia about the origin: xx yy zz xy xz yz */
+    double R[9], c; /* mean frame to frame, by column; 1/(1 + theta.theta/4) */
+    double theta[3], d[3], y[3];
+    double a, b, a1, b1;    /* of the turn, and slopes by theta.theta */
+    double *dw;             /* [3 x n] */
+    double *lever;          /* [3 x n] of flex_mass_column(), columns so far */
+    struct affine_shape in; /* in the mean frame */
 };
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life);
 void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const double *q);
 
-/* Column j of Me, its rows to j, and of H [3]. */
-void flex_mass_column(double *M, double *H, const struct flex_kernel *k, const struct flex_shape *o, int j);
+/* Column j of the mass matrix of the coordinates, its rows to j, of dP/dq' = H [3] and dL/dq' = G [3]; one after the
+ * other from column 0. */
+void flex_mass_column(double *M, double *H, double *G, const struct flex_kernel *k, struct flex_shape *o, int j);
 
 /* F [3], N [3], Q [n] (written) for the motion a, w, al = w', q, q1 = q', q2 = q'' (each of the two may be NULL:
  * zero); shape is that of q.  Stiffness and damping are in Q where elastic is true. */

@@ -431,18 +431,17 @@ static void build_node(struct node *o, const struct flex_node *from, int n, stru
 static const struct flex_body *to_mean(double *mean, const struct flex_body *o, struct arena *life)
 {
     const struct flex_node *at = &o->node[o->reference];
-    struct flex_node *nodes = TAKE(life, struct flex_node, 1);
+    struct flex_node turning = {.phi = TAKE(life, double, 3 * o->n), .psi = TAKE(life, double, 3 * o->n)};
     struct flex_body single = *o;
     const double J = trace2(o->xx) + o->rot[8] + o->mass * (at->x[0] * at->x[0] + at->x[1] * at->x[1]);
     if (!o->s) return o;
-    *nodes = *at;
-    nodes->psi = TAKE(life, double, 3 * o->n);
+    memcpy(turning.x, at->x, sizeof turning.x);
     for (int j = 0; j < o->n; j++) {
         const double *f = o->f + 3 * j;
         mean[j] = (cross2(o->xf + 9 * j) + o->rpsi[3 * j + 2] - (at->x[0] * f[1] - at->x[1] * f[0])) / J;
-        nodes->psi[3 * j + 2] = mean[j];
+        turning.psi[3 * j + 2] = mean[j];
     }
-    single.node = nodes;
+    single.node = &turning;
     single.nnode = 1;
     return flex_refer(&single, 0, life);
 }
