@@ -28,9 +28,17 @@ function pair(i, j, a, b, value) # int phi_ia phi_jb, a and b 1 ... 3, i and j 1
     ff[a - 1 + 3 * (b - 1) + 9 * (i - 1 + n * (j - 1))] = value
     ff[b - 1 + 3 * (a - 1) + 9 * (j - 1 + n * (i - 1))] = value
 }
-function node(name, x, phi, psi)
+function node(name, x, phi, psi,    u, S)
 {
-    printf "  {\"name\": \"%s\", \"x\": [%s, 0, 0], \"phi\": [%s],\n   \"psi\": [%s]}", name, num(x), phi, psi
+    printf "  {\"name\": \"%s\", \"x\": [%s, 0, 0], \"phi\": [%s],\n   \"psi\": [%s]", name, num(x), phi, psi
+    if (stiff) {
+        u = x / l + .5
+        S[0] = -(pi / l) ^ 2 * (u * l / 2 + l / (4 * pi) * sin(2 * pi * u))
+        S[15] = -(2 * pi / l) ^ 2 * (u * l / 2 + l / (8 * pi) * sin(4 * pi * u))
+        S[3] = S[12] = -pi / l * (sin(3 * pi * u) / 3 + sin(pi * u))
+        put("S", S, 3 * n * n)
+    }
+    printf "}"
 }
 BEGIN {
     pi = testset ? 3.1415927 : atan2(0, -1); n = 4; l = .3; b = .008; E = 2e11; m = .151104; J = .0045339259; A = b * b; I = A * A / 12
@@ -46,6 +54,14 @@ BEGIN {
     pair(3, 3, 1, 1, 8 * scale * m); pair(3, 4, 1, 1, scale * m); pair(4, 4, 1, 1, 2 * scale * m)
     pair(1, 3, 2, 1, 16 / pi ^ 3 * m); pair(1, 4, 2, 1, (1 / pi - 8 / pi ^ 3) * m); pair(2, 4, 2, 1, -m / (2 * pi))
     put("ff", ff, 9 * n * n)
+    if (stiff) {
+        s2[0] = -m * (pi / l) ^ 2 * l / 4; s2[15] = 4 * s2[0]                      # int x/2 = l2/4, the sines have no mean
+        s2[3] = s2[12] = -m * pi / l * (2 / (9 * pi) + 2 / pi)
+        put("s", s2, 3 * n * n)
+        xs[0] = -m * (pi / l) ^ 2 * l * l * (1 / 24 - 1 / (8 * pi ^ 2))
+        xs[45] = -m * (2 * pi / l) ^ 2 * l * l * (1 / 24 - 1 / (32 * pi ^ 2))
+        put("xs", xs, 9 * n * n)
+    }
     put("rpsi", rpsi, 3 * n)
     put("ppsi", ppsi, n * n)
     k = E * I * pi ^ 4 / (2 * l ^ 3); K[0] = k; K[5] = 16 * k
