@@ -258,8 +258,7 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
 
 /* --- nodes -------------------------------------------------------------------------------------- */
 
-void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q,
-                          const double *q1, const double *q2)
+void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q)
 {
     const struct node *d = &k->node[node];
     const double *base = d->d.base, *px = base + d->d.at[0], *py = base + d->d.at[1];
@@ -273,7 +272,12 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
     o->x[0] = d->x[0] + .5 * x;
     o->x[1] = d->x[1] + .5 * y;
     o->angle = angle;
-    if (!q1) return;
+}
+
+void flex_planar_place_rates(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1,
+                             const double *q2)
+{
+    const struct node *d = &k->node[node];
     o->v[0] = dot(o->dx, q1, k->n);
     o->v[1] = dot(o->dy, q1, k->n);
     o->w = dot(o->dw, q1, k->n);

@@ -77,8 +77,9 @@ struct flex_planar_place {
     double *work;               /* [4 n] where dx and dy stand, and work */
 };
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life);
-/* q1 NULL: velocities are not wanted, nor are accelerations; q2 NULL: these alone are not. */
-void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q,
-                          const double *q1, const double *q2);
+void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q);
+/* Velocities, after flex_planar_place_at(); q2 NULL: accelerations are not wanted. */
+void flex_planar_place_rates(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1,
+                             const double *q2);
 
 #endif
