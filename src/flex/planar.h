@@ -31,6 +31,14 @@
  *     N   = h x F/m + (rho B - tau A)/jx + r al + 2 w (W^ q).q' + (rpsi + P^'q).q''
  *     Q_k = H_k . F/m + (E_k A + C_k B)/jx + al (rpsi + P^'q)_k + 2 w (P^'q')_k - w2 (W^ q)_k + (M^ q'')_k
  *
+ * All this is in the body's mean frame, which stands on the reference node and turns against the frame of the data by
+ * the angle Theta q, Theta = int (x - x_0) x phi dm / J, so that in it motion of the coordinates has no angular
+ * momentum about the node, to first order (without second-order displacements Theta = 0).  With y from the node to the
+ * origin of the mean frame, d from origin to origin, t1 = Theta q', t2 = Theta q'', in the axes of the frame
+ *
+ *     a := a + al J d - w2 d + t2 J y - t1 (t1 + 2 w) y,   w := w + t1,   al := al + t2,
+ *     Q := Q + Theta (N + y x F),   N := N + d x F.
+ *
  * Stiffness K q and damping D q' stand apart. */
 #ifndef FMDSUB_FLEX_PLANAR_H
 #define FMDSUB_FLEX_PLANAR_H
