@@ -1,119 +1,67 @@
-/* motion.c -- see motion.h
- *
- * All that is linear in q stands in one table, [H; dJ/dq; G] = base + change q with a column for each coordinate, so
- * that a shape costs one product.  In the same way `fast` holds what is multiplied by q'.  With Y_kj = int phi_k x
- * phi_j dm, antisymmetric, and Z_kj = int x x S_kj dm, symmetric,
- *
- *     G_j = int x x phi_j dm + rpsi_j + (Y_kj + Z_kj) q_k,      G' q' = q' Z q'  (Y cancels in the sum),
- *
- * and from (dG_j/dq_k - dG_k/dq_j) q_k' = 2 Y_kj q_k' comes the gyroscopic term of Q.  h and J are quadratic, so the
- * mean of their slopes at 0 and q takes them there:
- *
- *     h = (f + H) q / 2,     J = J(0) + (dJ/dq(0) + dJ/dq) q / 2.
- */
+/* motion.c -- see motion.h */
 #include "flex/motion.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "la/dense.h"
+#include "la/eigen.h"
 #include "la/vec3.h"
+
+enum { SERIES = 12 };             /* terms, for turns up to pi */
+static const double THIN = 1e-12; /* of the largest moment of inertia: no turn about that axis */
 
 struct flex_kernel {
     const struct flex_body *body;
     int n;
-    double J[6];    /* undeformed */
-    int fixed;      /* rows of base that do not change: those of H where there is no s */
-    double *base;   /* [12 n]: H [3 x n], dJ/dq [6 x n], G [3 x n] of the undeformed body */
-    double *change; /* [12 n - fixed, by n] its rate with q */
-    int nfast;      /* 3 n, or 9 n with s and xs */
-    double *fast;   /* [nfast by n]: 2 Y, s, Z */
-    double *Me;     /* [n x n] */
+    double pivot[3];       /* the reference node */
+    struct flex_node mean; /* psi: Theta */
+    struct affine *in;
 };
 
-/* --- tables ------------------------------------------------------------------------------------- */
+/* --- the mean frame ----------------------------------------------------------------------------- */
 
-/* o += s (int a x b) for B = int a b'. */
-static void add_axial(double *o, double s, const double *B)
+/* Theta = J^-1 (int (x - x0) x phi dm + rpsi), without turns about axes of no inertia. */
+static void mean_turn(double *psi, const struct flex_body *o, const double *x0)
 {
-    o[0] += s * (B[7] - B[5]);
-    o[1] += s * (B[2] - B[6]);
-    o[2] += s * (B[3] - B[1]);
-}
-
-/* J += s (tr B 1 - sym B) in six numbers. */
-static void add_inertia(double *J, double s, const double *B)
-{
-    J[0] += s * (B[4] + B[8]);
-    J[1] += s * (B[0] + B[8]);
-    J[2] += s * (B[0] + B[4]);
-    J[3] -= .5 * s * (B[1] + B[3]);
-    J[4] -= .5 * s * (B[2] + B[6]);
-    J[5] -= .5 * s * (B[5] + B[7]);
-}
-
-static void undeformed(struct flex_kernel *k, const struct flex_body *o)
-{
-    const int n = k->n;
-    const double rot[6] = {o->rot[0], o->rot[4], o->rot[8], o->rot[3], o->rot[6], o->rot[7]};
-    memcpy(k->J, rot, sizeof k->J);
-    add_inertia(k->J, 1, o->xx);
-    memcpy(k->base, o->f, sizeof *o->f * 3 * (size_t)n);
-    for (int j = 0; j < n; j++) {
-        double *G = k->base + 9 * n + 3 * j;
-        add_inertia(k->base + 3 * n + 6 * j, 2, o->xf + 9 * j);
-        v3_copy(G, o->rpsi + 3 * j);
-        add_axial(G, 1, o->xf + 9 * j);
+    double J[9], X[9], lambda[3], size = o->xx[0] + o->xx[4] + o->xx[8] + o->mass * v3_dot(x0, x0);
+    for (int i = 0; i < 9; i++) J[i] = o->rot[i] - o->xx[i] - o->mass * x0[i % 3] * x0[i / 3] + (i % 4 == 0 ? size : 0);
+    eigen_symmetric(lambda, X, J, 3);
+    for (int j = 0; j < o->n; j++) {
+        const double *B = o->xf + 9 * j;
+        double G[3] = {B[7] - B[5], B[2] - B[6], B[3] - B[1]}, arm[3];
+        v3_add(G, o->rpsi + 3 * j);
+        v3_cross(arm, x0, o->f + 3 * j);
+        v3_take(G, arm);
+        v3_set(psi + 3 * j, 0, 0, 0);
+        for (int i = 0; i < 3; i++)
+            if (lambda[i] > THIN * lambda[2]) v3_axpy(psi + 3 * j, v3_dot(X + 3 * i, G) / lambda[i], X + 3 * i);
     }
-}
-
-/* The pair of coordinates j and k. */
-static void fill_pair(struct flex_kernel *o, int j, int k)
-{
-    const struct flex_body *b = o->body;
-    const int n = o->n, jk = j + n * k;
-    double *change = o->change + (12 * n - o->fixed) * k - o->fixed, *fast = o->fast + o->nfast * k;
-    add_inertia(change + 3 * n + 6 * j, 1, b->ff + 9 * jk);
-    add_inertia(change + 3 * n + 6 * j, 1, b->ff + 9 * (k + n * j));
-    add_axial(change + 9 * n + 3 * j, 1, b->ff + 9 * (k + n * j));
-    add_axial(fast + 3 * j, 2, b->ff + 9 * (k + n * j));
-    if (o->fixed) return;
-    v3_copy(change + 3 * j, b->s + 3 * jk);
-    add_inertia(change + 3 * n + 6 * j, 2, b->xs + 9 * jk);
-    add_axial(change + 9 * n + 3 * j, 1, b->xs + 9 * jk);
-    v3_copy(fast + 3 * n + 3 * j, b->s + 3 * jk);
-    add_axial(fast + 6 * n + 3 * j, 1, b->xs + 9 * jk);
 }
 
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life)
 {
     struct flex_kernel *k = TAKE(life, struct flex_kernel, 1);
-    const int n = o->n;
-    *k = (struct flex_kernel){.body = o, .n = n, .fixed = o->s ? 0 : 3 * n, .nfast = o->s ? 9 * n : 3 * n};
-    k->base = TAKE(life, double, 12 * n);
-    k->change = TAKE(life, double, (12 * n - k->fixed) * n);
-    k->fast = TAKE(life, double, k->nfast *n);
-    k->Me = TAKE(life, double, n *n);
-    undeformed(k, o);
-    flex_mass(k->Me, o);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) fill_pair(k, i, j);
+    *k = (struct flex_kernel){.body = o, .n = o->n};
+    v3_copy(k->pivot, o->node[o->reference].x);
+    v3_copy(k->mean.x, k->pivot);
+    k->mean.phi = TAKE(life, double, 3 * o->n);
+    k->mean.psi = TAKE(life, double, 3 * o->n);
+    if (o->s) {
+        struct flex_body single = *o;
+        mean_turn(k->mean.psi, o, k->pivot);
+        single.node = &k->mean;
+        single.nnode = 1;
+        o = flex_refer(&single, 0, life);
+    }
+    k->in = affine_build(o, life);
     return k;
 }
 
-const double *flex_kernel_mass(const struct flex_kernel *k)
-{
-    return k->Me;
-}
-
-/* --- shape -------------------------------------------------------------------------------------- */
-
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life)
 {
-    double *all = TAKE(life, double, 12 * k->n);
-    *o = (struct flex_shape){.H = all, .dJ = all + 3 * k->n, .G = all + 9 * k->n};
-    o->work = TAKE(life, double, 9 * k->n);
-    memcpy(all, k->base, sizeof *all * 12 * (size_t)k->n);
-    memcpy(o->J, k->J, sizeof o->J);
+    *o = (struct flex_shape){.dw = TAKE(life, double, 3 * k->n), .lever = TAKE(life, double, 3 * k->n)};
+    affine_take(&o->in, k->in, life);
 }
 
 /* o [m] += A x, A [m x n] of so few rows that they stay in registers. */
@@ -122,76 +70,113 @@ static inline void add3(double *o, const double *A, const double *x, int n)
     for (int j = 0; j < n; j++) v3_axpy(o, x[j], A + 3 * j);
 }
 
-static inline void add6(double *o, const double *A, const double *x, int n)
+/* The turn by theta = Theta q: R = exp(theta x), wt = T theta'.  With s = theta.theta, a = (1 - cos)/s and
+ * b = (1 - sin/sqrt(s))/s as power series,
+ *
+ *     R = 1 + (1 - s b) theta x + a theta x theta x,    T = 1 + a theta x + b theta x theta x. */
+static void turn_mean(struct flex_shape *o, const struct flex_kernel *k, const double *q)
 {
-    double sum[6] = {0};
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < 6; i++) sum[i] += x[j] * A[6 * j + i];
-    for (int i = 0; i < 6; i++) o[i] += sum[i];
+    double *t = o->theta, s, term = .5;
+    v3_set(t, 0, 0, 0);
+    add3(t, k->mean.psi, q, k->n);
+    s = v3_dot(t, t);
+    o->a = o->b = o->a1 = o->b1 = 0;
+    for (int i = 0; i < SERIES; i++) { /* term = s^i / (2 i + 2)!, of alternating sign; its slope by s takes i/s */
+        o->a += term;
+        o->b += term / (2 * i + 3);
+        o->a1 -= term * (i + 1) / ((2 * i + 3) * (2 * i + 4));
+        o->b1 -= term * (i + 1) / ((2 * i + 3) * (2 * i + 4) * (double)(2 * i + 5));
+        term *= -s / ((2 * i + 3) * (2 * i + 4));
+    }
+    for (int i = 0; i < 3; i++) {
+        const double e[3] = {i == 0, i == 1, i == 2};
+        double x[3], y[3];
+        v3_cross(x, t, e);
+        v3_cross(y, t, x);
+        v3_copy(o->R + 3 * i, e);
+        v3_axpy(o->R + 3 * i, 1 - s * o->b, x);
+        v3_axpy(o->R + 3 * i, o->a, y);
+    }
+    for (int j = 0; j < k->n; j++) {
+        const double *psi = k->mean.psi + 3 * j;
+        double x[3], y[3], *dw = o->dw + 3 * j;
+        v3_cross(x, t, psi);
+        v3_cross(y, t, x);
+        v3_copy(dw, psi);
+        v3_axpy(dw, o->a, x);
+        v3_axpy(dw, o->b, y);
+    }
+}
+
+/* T' theta'. */
+static void turn_rate(double *o, const struct flex_shape *x, const double *t1)
+{
+    const double *t = x->theta, s1 = 2 * v3_dot(t, t1);
+    double u[3], v[3];
+    v3_cross(u, t, t1);
+    v3_cross(v, t, u);
+    v3_axpy(o, s1 * x->a1, u);
+    v3_axpy(o, s1 * x->b1, v);
+    v3_cross(v, t1, u);
+    v3_axpy(o, x->b, v);
+}
+
+/* J of the particles moved by d: + 2 d.h 1 - d h' - h d' + m (d.d 1 - d d'), h before. */
+static void move_inertia(double *J, const double *d, const double *h, double m)
+{
+    double x[3];
+    v3_copy(x, h);
+    v3_axpy(x, .5 * m, d);
+    const double dx = 2 * v3_dot(d, x);
+    for (int i = 0; i < 3; i++) J[i] += dx - 2 * d[i] * x[i];
+    J[3] -= d[0] * x[1] + d[1] * x[0];
+    J[4] -= d[0] * x[2] + d[2] * x[0];
+    J[5] -= d[1] * x[2] + d[2] * x[1];
 }
 
 void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const double *q)
 {
-    const int n = k->n, m = 12 * n - k->fixed;
-    double h[3] = {0}, J[6] = {0};
-    memcpy(o->H + k->fixed, k->base + k->fixed, sizeof *o->H * (size_t)m);
-    dense_gemv(o->H + k->fixed, 1, k->change, q, m, n, m);
-    add3(h, k->base, q, n);
-    add3(h, o->H, q, n);
-    v3_scale(o->h, .5, h);
-    add6(J, k->base + 3 * n, q, n);
-    add6(J, o->dJ, q, n);
-    for (int i = 0; i < 6; i++) o->J[i] = k->J[i] + .5 * J[i];
+    double h[3];
+    affine_at(&o->in, k->in, q);
+    turn_mean(o, k, q);
+    m3_mul(o->y, o->R, k->pivot);
+    v3_scale(o->y, -1, o->y);
+    v3_sum(o->d, k->pivot, o->y);
+    m3_mul(h, o->R, o->in.h);
+    v3_copy(o->h, h);
+    v3_axpy(o->h, k->body->mass, o->d);
+    s3_turn(o->J, o->R, o->in.J);
+    move_inertia(o->J, o->d, h, k->body->mass);
 }
 
 /* --- inertia ------------------------------------------------------------------------------------ */
 
-/* Frame alone: m a + w' x h + w x (w x h),  h x a + J w' + w x J w. */
-static void frame(double *F, double *N, double mass, const struct flex_shape *o, const double *a, const double *w,
-                  const double *al)
+/* The motion of the mean frame: a, w, al from those of the frame, in its own axes. */
+static void carry(double *a1, double *w1, double *al1, const struct flex_kernel *k, const struct flex_shape *o,
+                  const double *a, const double *w, const double *al, const double *q1, const double *q2)
 {
-    double wh[3], L[3];
-    v3_scale(F, mass, a);
-    v3_cross_add(F, al, o->h);
-    v3_cross(wh, w, o->h);
-    v3_cross_add(F, w, wh);
-    s3_mul(N, o->J, al);
-    v3_cross_add(N, o->h, a);
-    s3_mul(L, o->J, w);
-    v3_cross_add(N, w, L);
-}
-
-/* What q' adds: 2 w x h' + q' s q',  J' w + G' q' + w x G q',  2 w . Y q'. */
-static void carried(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *o,
-                    const double *w, const double *q1)
-{
-    const int n = k->n;
-    double *y = o->work, h1[3] = {0}, Gq[3] = {0}, J1[6] = {0}, J1w[3];
-    memset(y, 0, sizeof *y * (size_t)k->nfast);
-    dense_gemv(y, 1, k->fast, q1, k->nfast, n, k->nfast);
-    add3(h1, o->H, q1, n);
-    v3_scale(h1, 2, h1);
-    v3_cross_add(F, w, h1);
-    add6(J1, o->dJ, q1, n);
-    s3_mul(J1w, J1, w);
-    v3_add(N, J1w);
-    add3(Gq, o->G, q1, n);
-    v3_cross_add(N, w, Gq);
-    for (int j = 0; j < n; j++) Q[j] += v3_dot(w, y + 3 * j);
-    if (k->fixed) return;
-    add3(F, y + 3 * n, q1, n);
-    add3(N, y + 6 * n, q1, n);
-}
-
-/* H^T a + G^T w' - 1/2 w . dJ/dq w. */
-static void follow(double *Q, const struct flex_shape *o, const double *a, const double *w, const double *al, int n)
-{
-    const double ww[6] = {.5 * w[0] * w[0], .5 * w[1] * w[1], .5 * w[2] * w[2], w[0] * w[1], w[0] * w[2], w[1] * w[2]};
-    for (int j = 0; j < n; j++) {
-        const double *dJ = o->dJ + 6 * j;
-        Q[j] = v3_dot(o->H + 3 * j, a) + v3_dot(o->G + 3 * j, al) -
-               (dJ[0] * ww[0] + dJ[1] * ww[1] + dJ[2] * ww[2] + dJ[3] * ww[3] + dJ[4] * ww[4] + dJ[5] * ww[5]);
+    double wt[3] = {0, 0, 0}, at[3] = {0, 0, 0}, t1[3] = {0, 0, 0}, x[3], acc[3], spin[3];
+    if (q1) {
+        add3(wt, o->dw, q1, k->n);
+        add3(t1, k->mean.psi, q1, k->n);
+        turn_rate(at, o, t1);
     }
+    if (q2) add3(at, o->dw, q2, k->n);
+    v3_copy(acc, a);
+    v3_cross_add(acc, al, o->d);
+    v3_cross_add(acc, at, o->y);
+    v3_cross(x, w, o->d);
+    v3_cross_add(acc, w, x);
+    v3_cross(x, wt, o->y);
+    v3_cross_add(acc, wt, x);
+    v3_scale(x, 2, x);
+    v3_cross_add(acc, w, x);
+    v3_sum(spin, al, at);
+    v3_cross_add(spin, w, wt);
+    v3_add(wt, w);
+    m3_tmul(a1, o->R, acc);
+    m3_tmul(w1, o->R, wt);
+    m3_tmul(al1, o->R, spin);
 }
 
 void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *shape,
@@ -199,57 +184,86 @@ void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, 
                   const double *q2, bool elastic)
 {
     const int n = k->n;
-    frame(F, N, k->body->mass, shape, a, w, al);
-    follow(Q, shape, a, w, al, n);
-    if (q1) carried(F, N, Q, k, shape, w, q1);
-    if (q2) {
-        add3(F, shape->H, q2, n);
-        add3(N, shape->G, q2, n);
-        dense_gemv(Q, 1, k->Me, q2, n, n, n);
-    }
+    double a1[3], w1[3], al1[3], f[3], moment[3];
+    carry(a1, w1, al1, k, shape, a, w, al, q1, q2);
+    affine_inertia(f, moment, Q, k->in, &shape->in, a1, w1, al1, q1, q2);
+    m3_mul(F, shape->R, f);
+    m3_mul(N, shape->R, moment);
+    v3_copy(moment, N);
+    v3_cross_add(moment, shape->y, F);
+    v3_cross_add(N, shape->d, F);
+    for (int j = 0; j < n; j++) Q[j] += v3_dot(shape->dw + 3 * j, moment);
     if (!elastic) return;
     dense_gemv(Q, 1, k->body->K, q, n, n, n);
     if (k->body->D && q1) dense_gemv(Q, 1, k->body->D, q1, n, n, n);
 }
 
+/* With unit rate of coordinate j: H and its moment about the pivot G from those against the mean frame and those that
+ * its turn brings; the rows of others are dw_i.G + dw_j.(moment of i against the mean frame). */
+void flex_mass_column(double *M, double *H, double *G, const struct flex_kernel *k, struct flex_shape *o, int j)
+{
+    const double *dw = o->dw + 3 * j;
+    double h[3], x[3], v[3], turned[3], *lever = o->lever + 3 * j;
+    affine_mass_column(M, h, x, k->in, &o->in, j);
+    m3_mul(H, o->R, h);
+    m3_mul(lever, o->R, x);
+    v3_cross_add(lever, o->y, H);
+    m3_mul(h, o->R, o->in.h);
+    v3_cross(v, dw, o->y);
+    v3_cross_add(H, dw, h);
+    v3_axpy(H, k->body->mass, v);
+    m3_tmul(turned, o->R, dw);
+    s3_mul(x, o->in.J, turned);
+    m3_mul(G, o->R, x);
+    v3_cross_add(G, h, v);
+    v3_cross(x, dw, h);
+    v3_axpy(x, k->body->mass, v);
+    v3_cross_add(G, o->y, x);
+    v3_add(G, lever);
+    for (int i = 0; i <= j; i++) M[i] += v3_dot(o->dw + 3 * i, G) + v3_dot(dw, o->lever + 3 * i);
+    v3_cross_add(G, k->pivot, H);
+}
+
 /* --- momentum and energy ------------------------------------------------------------------------ */
+
+static void carry_velocity(double *v1, double *w1, const struct flex_kernel *k, const struct flex_shape *o,
+                           const double *v, const double *w, const double *q1)
+{
+    double wt[3] = {0, 0, 0}, x[3];
+    add3(wt, o->dw, q1, k->n);
+    v3_copy(x, v);
+    v3_cross_add(x, w, o->d);
+    v3_cross_add(x, wt, o->y);
+    v3_add(wt, w);
+    m3_tmul(v1, o->R, x);
+    m3_tmul(w1, o->R, wt);
+}
 
 void flex_momentum(double *P, double *L, const struct flex_kernel *k, const struct flex_shape *shape, const double *v,
                    const double *w, const double *q1)
 {
-    v3_scale(P, k->body->mass, v);
-    v3_cross_add(P, w, shape->h);
-    add3(P, shape->H, q1, k->n);
-    s3_mul(L, shape->J, w);
-    v3_cross_add(L, shape->h, v);
-    add3(L, shape->G, q1, k->n);
-}
-
-/* x'A x. */
-static double square(const double *A, const double *x, int n)
-{
-    double sum = 0;
-    for (int j = 0; j < n; j++) {
-        double Ax = 0;
-        for (int i = 0; i < n; i++) Ax += A[i + n * j] * x[i];
-        sum += Ax * x[j];
-    }
-    return sum;
+    double v1[3], w1[3], p[3], l[3];
+    carry_velocity(v1, w1, k, shape, v, w, q1);
+    affine_momentum(p, l, k->in, &shape->in, v1, w1, q1);
+    m3_mul(P, shape->R, p);
+    m3_mul(L, shape->R, l);
+    v3_cross_add(L, shape->d, P);
 }
 
 double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *shape, const double *v, const double *w,
                     const double *q1)
 {
-    double P[3], L[3], x[3] = {0}, y[3] = {0};
-    flex_momentum(P, L, k, shape, v, w, q1);
-    add3(x, shape->H, q1, k->n);
-    add3(y, shape->G, q1, k->n);
-    return .5 * (v3_dot(v, P) + v3_dot(w, L) + v3_dot(v, x) + v3_dot(w, y) + square(k->Me, q1, k->n));
+    double v1[3], w1[3];
+    carry_velocity(v1, w1, k, shape, v, w, q1);
+    return affine_kinetic(k->in, &shape->in, v1, w1, q1);
 }
 
 double flex_elastic(const struct flex_kernel *k, const double *q)
 {
-    return .5 * square(k->body->K, q, k->n);
+    double sum = 0;
+    for (int j = 0; j < k->n; j++)
+        for (int i = 0; i < k->n; i++) sum += q[i] * k->body->K[i + k->n * j] * q[j];
+    return .5 * sum;
 }
 
 /* --- nodes -------------------------------------------------------------------------------------- */

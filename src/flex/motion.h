@@ -1,17 +1,18 @@
 /* motion.h -- a flexible body's inertia in motion, in the axes of its frame.
  *
- * From one kinetic energy of the frame's velocity v (of its origin), w and q', with
- *     h(q)  = f q + 1/2 q' s q                 first moment,   H = dh/dq = f + s q
- *     J(q)  = tr A 1 - A + rot,  A = xx + sym(2 xf q) + q' (ff + sym xs) q
- *     G(q)  = int (x + u) x (phi_j + S_j q) dm + rpsi, to first order in q     [3 x n]
- *     T = m v.v/2 + v.(w x h + H q') + w.J w/2 + w.G q' + q'.Me q'/2
- * by the Boltzmann-Hamel equations F = P' + w x P, N = L' + w x L + v x P with P = dT/dv, L = dT/dw,
- * Q = (dT/dq')' - dT/dq.  With a = v' + w x v the true acceleration of the origin in frame axes (gravity in it as
- * upward acceleration):
- *     F = m a + w' x h + w x (w x h) + 2 w x h' + H q'' + q' s q'
- *     N = h x a + J w' + w x J w + J' w + G q'' + G' q' + w x G q'
- *     Q = H^T a + G^T w' + Me q'' + 2 w . (int phi_k x phi_j dm) q_k' - 1/2 w . dJ/dq w + K q + D q'
- * Affine in (a, w', q''), with a symmetric matrix; energy is kept exactly: (T + q'Kq/2)' = v.F + w.N + q'.Q
+ * The frame of the data is clamped to the reference node.  With second-order displacements the inertia is taken in
+ * the body's mean frame: it stands on the reference node, too, and turns against the frame by the rotation vector
+ * theta = Theta q, Theta = J^-1 int (x - x_0) x phi dm, so that in it motion of the coordinates has no angular momentum
+ * about the node, to first order.  Seen there displacements of second order are small and the motion of frame and
+ * coordinates do not nearly cancel where the node's joint is free to turn (affine.h has the inertia in a given frame).
+ * With y from the node to the origin of the mean frame, d from origin to origin, wt and dw the turn's angular velocity
+ * and its slopes by q', F, N and Q are those of the mean frame and
+ *
+ *     a := a + w' x d + w x (w x d) + 2 w x (wt x y) + wt' x y + wt x (wt x y),    w := w + wt,   w' := w' + wt' + w x
+ * wt Q := Q + dw.(N + y x F) + K q + D q',    N := N + d x F.
+ *
+ * a = v' + w x v is the true acceleration of the origin in frame axes (gravity in it as upward acceleration).  All is
+ * affine in (a, w', q''), with a symmetric positive matrix; energy is kept exactly: (T + q'Kq/2)' = v.F + w.N + q'.Q
  * without D.  N is about the origin.  Motions in the x-y plane stay there where the body's data do.
  *
  * Boltzmann, Sitz.-ber. Akad. Wien 111 (1902) 1603; the terms by order in q: Wallrapp, Mech. Struct. Mach. 22
@@ -19,24 +20,29 @@
 #ifndef FMDSUB_FLEX_MOTION_H
 #define FMDSUB_FLEX_MOTION_H
 
-#include "flex/body.h"
+#include "flex/affine.h"
 
 /* Tables for evaluation, made once from the data. */
 struct flex_kernel;
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life);
-const double *flex_kernel_mass(const struct flex_kernel *k); /* Me [n x n] */
 
 /* What depends on q alone. */
 struct flex_shape {
-    double h[3];
-    double J[6];  /* about the origin: xx yy zz xy xz yz */
-    double *H;    /* [3 x n] */
-    double *dJ;   /* [6 x n] dJ/dq */
-    double *G;    /* [3 x n] */
-    double *work; /* [9 x n] */
+    double h[3];    /* first moment */
+    double J[6];    /* inertia about the origin: xx yy zz xy xz yz */
+    double R[9], c; /* mean frame to frame, by column; 1/(1 + theta.theta/4) */
+    double theta[3], d[3], y[3];
+    double a, b, a1, b1;    /* of the turn, and slopes by theta.theta */
+    double *dw;             /* [3 x n] */
+    double *lever;          /* [3 x n] of flex_mass_column(), columns so far */
+    struct affine_shape in; /* in the mean frame */
 };
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life);
 void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const double *q);
+
+/* Column j of the mass matrix of the coordinates, its rows to j, of dP/dq' = H [3] and dL/dq' = G [3]; one after the
+ * other from column 0. */
+void flex_mass_column(double *M, double *H, double *G, const struct flex_kernel *k, struct flex_shape *o, int j);
 
 /* F [3], N [3], Q [n] (written) for the motion a, w, al = w', q, q1 = q', q2 = q'' (each of the two may be NULL:
  * zero); shape is that of q.  Stiffness and damping are in Q where elastic is true. */

@@ -1,23 +1,45 @@
 /* planar.h -- a flexible body's inertia and nodes in the plane, for the step loop.
  *
- * The equations of motion.h with displacements in x and y and rotation about z.  In the axes of the frame, with
- * J (x, y) = (-y, x), a x b = a . (-J b) the scalar cross product, and the tables of body.h,
+ * Displacements in x and y, rotation about z.  With J (x, y) = (-y, x), a x b = a . (-J b) the scalar cross product,
+ * jx = int x.x and m, each shape is a similar motion of the body and a rest, phi_j = f_j/m + (e_j + g_j J) x/jx +
+ * phi^_j,
  *
- *     h = f q + 1/2 q' s q,  H = f + s q       first moment [2], dh/dq [2 x n]
- *     J = j0 + (e + y) . q,  y = e + W q       inertia about the origin; dJ/dq = 2 y
- *     G = g + B q                              [n]
- *     T = m v.v/2 + v . (w J h + H q') + J w2/2 + w G . q' + q' . Me q'/2
+ *     e = int x . phi,   g = int x x phi,   W^_jk = int phi^_j . phi^_k,   P^_jk = int phi^_j x phi^_k,
  *
- * where  j0 = tr xx + rot,  e = tr xf,  W = tr (ff + xs),  g = int x x phi_j + rpsi,  B = P' + X,
- * P_jk = int phi_j x phi_k,  X_jk = int x x S_jk,  Me = tr ff + ppsi.  Lagrange's equations, with p = dT/dv and
- * L = dT/dw in axes that turn with w (F = p' + w J p, N = L' + v x p) and a = v' + w J v, are
+ * and the rest is square to the similar motions.  Of the second-order displacements 1/2 q'Sq the integrals know the
+ * similar part; this part is what the body gets, so that in the axes of the frame a particle stands at
+ *
+ *     h/m + (rho + tau J) x/jx + phi^ q,      h = f q + 1/2 q' s q,  H = dh/dq          first moment [2], [2 x n]
+ *     rho = jx + e.q + 1/2 q' tr(xs) q,       E = drho/dq = int x . (phi + S q)
+ *     tau = g.q + 1/2 q' (int x x S) q,       C = dtau/dq = int x x (phi + S q)
+ *
+ * and its energy is a square whatever q is: were the terms in q counted one by one to some order, the mass matrix of a
+ * beam pinned where its modes are clamped would be negative at small q already, for there the motion of the frame and
+ * of the modes nearly cancel.  With r = rot + q'W^ q and the constant M^ = W^ + ppsi,
+ *
+ *     2 T = |m v + w J h + H q'|^2/m + ((E.q' - w tau)^2 + (C.q' + w rho)^2)/jx
+ *           + r w^2 + 2 w (rpsi + P^'q).q' + q'.M^ q'
+ *
+ *     J   = r + |h|^2/m + (rho^2 + tau^2)/jx                           inertia about the origin
+ *     G_k = rpsi_k + (P^'q)_k + h x H_k/m + (rho C_k - tau E_k)/jx
+ *     Me  = M^ + H'H/m + (EE' + CC')/jx
+ *
+ * and with a = v' + w J v (of d'Alembert, part by part)
  *
  *     F   = m a + al J h - w2 h + 2 w J H q' + H q'' + q' s q'
- *     N   = h x a + J al + 2 w y . q' + G . q'' + q' X q'
- *     Q_k = H_k . a + G_k al + 2 w P_jk q'_j - w2 y_k + (Me q'')_k
+ *     A   = -al tau - w2 rho - 2 w tau' + rho'',    B = al rho - w2 tau + 2 w rho' + tau''
+ *     N   = h x F/m + (rho B - tau A)/jx + r al + 2 w (W^ q).q' + (rpsi + P^'q).q''
+ *     Q_k = H_k . F/m + (E_k A + C_k B)/jx + al (rpsi + P^'q)_k + 2 w (P^'q')_k - w2 (W^ q)_k + (M^ q'')_k
  *
- * (the q'-terms of G' and dG/dq meet as B_kj - B_jk = 2 P_jk; P takes no part in q' B q').  Stiffness K q and
- * damping D q' stand apart. */
+ * All this is in the body's mean frame, which stands on the reference node and turns against the frame of the data by
+ * the angle Theta q, Theta = int (x - x_0) x phi dm / J, so that in it motion of the coordinates has no angular
+ * momentum about the node, to first order (without second-order displacements Theta = 0).  With y from the node to the
+ * origin of the mean frame, d from origin to origin, t1 = Theta q', t2 = Theta q'', in the axes of the frame
+ *
+ *     a := a + al J d - w2 d + t2 J y - t1 (t1 + 2 w) y,   w := w + t1,   al := al + t2,
+ *     Q := Q + Theta (N + y x F),   N := N + d x F.
+ *
+ * Stiffness K q and damping D q' stand apart. */
 #ifndef FMDSUB_FLEX_PLANAR_H
 #define FMDSUB_FLEX_PLANAR_H
 
@@ -28,10 +50,15 @@ struct flex_planar;
 struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *life);
 
 /* What depends on q alone. */
+struct flex_planar_core {                  /* in the mean frame */
+    double h[2], rho, tau, J, rest;        /* rest: r */
+    const double *Hx, *Hy, *E, *C, *W, *P; /* [n]; W^ q, P^'q */
+    double *work, *rates;                  /* where they stand; work of flex_planar_inertia() */
+};
 struct flex_planar_shape {
     double h[2], J;
-    const double *Hx, *Hy, *G, *y; /* [n] */
-    double *work, *rates;          /* [4 n] where they stand; work of flex_planar_inertia() */
+    double cs[2], d[2], y[2]; /* of the mean frame: cos, sin; its origin; the same from the pivot */
+    struct flex_planar_core core;
 };
 void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life);
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q);
@@ -46,7 +73,8 @@ void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q
 /* T for v of the origin, w, q' [J]. */
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1);
-const double *flex_planar_mass(const struct flex_planar *k); /* Me [n x n] */
+/* M^ of the coordinates [n x n], its lower triangle; U [3 x n] their columns of G, Hx, Hy. */
+void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const struct flex_planar_shape *o);
 
 /* A node's small body in the frame: it stands at x, turned by angle. */
 struct flex_planar_place {
@@ -57,8 +85,9 @@ struct flex_planar_place {
     double *work;               /* [4 n] where dx and dy stand, and work */
 };
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life);
-/* q1 NULL: velocities are not wanted, nor are accelerations; q2 NULL: these alone are not. */
-void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q,
-                          const double *q1, const double *q2);
+void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q);
+/* Velocities, after flex_planar_place_at(); q2 NULL: accelerations are not wanted. */
+void flex_planar_place_rates(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1,
+                             const double *q2);
 
 #endif

@@ -6,49 +6,6 @@
 #include "flex/spin.h"
 #include "la/vec3.h"
 
-/* h, h', h'' by the body's coordinates: h = f q + q'S q/2, h' = H q', h'' = H q'' + q''S q' with H = f + S q. */
-static void first_moment(double *h, double *h1, double *h2, const struct model_body *b, const double *q,
-                         const double *v, const double *a)
-{
-    const struct flex_body *o = b->flex;
-    v3_set(h, 0, 0, 0);
-    v3_set(h1, 0, 0, 0);
-    v3_set(h2, 0, 0, 0);
-    for (int j = 0; j < o->n; j++) {
-        double H[3], half[3], turn[3] = {0, 0, 0};
-        v3_copy(H, o->f + 3 * j);
-        v3_copy(half, H);
-        for (int i = 0; o->s && i < o->n; i++) {
-            const double *s = o->s + 3 * (i + o->n * j);
-            v3_axpy(H, q[b->mode_q[i]], s);
-            v3_axpy(half, q[b->mode_q[i]] / 2, s);
-            v3_axpy(turn, v[b->mode_v[i]], s);
-        }
-        v3_axpy(h, q[b->mode_q[j]], half);
-        v3_axpy(h1, v[b->mode_v[j]], H);
-        v3_axpy(h2, v[b->mode_v[j]], turn);
-        if (a) v3_axpy(h2, a[b->mode_v[j]], H);
-    }
-}
-
-void bent_centre(struct pose *frame, const struct model_body *b, const double *q, const double *v, const double *a)
-{
-    double h[3], h1[3], h2[3], part[3][3], across[3];
-    first_moment(part[0], part[1], part[2], b, q, v, a);
-    m3_mul(h, frame->R, part[0]);
-    m3_mul(h1, frame->R, part[1]);
-    m3_mul(h2, frame->R, part[2]);
-    v3_cross(across, frame->w, h);
-    v3_axpy(frame->r, 1 / b->mass, h);
-    v3_cross_add(h2, frame->al, h);
-    v3_cross_add(h2, frame->w, across);
-    v3_cross_add(h2, frame->w, h1);
-    v3_cross_add(h2, frame->w, h1);
-    v3_axpy(frame->a, 1 / b->mass, h2);
-    v3_add(h1, across);
-    v3_axpy(frame->v, 1 / b->mass, h1);
-}
-
 static double along(const double *row, int stride, const struct model_body *b, const double *q)
 {
     double sum = 0;

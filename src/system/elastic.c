@@ -17,6 +17,8 @@ void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
         flex_shape_take(&e->shape, e->kernel, life);
         e->q = TAKE(life, double, b->nmode);
         e->q1 = TAKE(life, double, b->nmode);
+        e->q2 = TAKE(life, double, b->nmode);
+        e->Q = TAKE(life, double, b->nmode);
     }
 }
 
@@ -74,16 +76,23 @@ void elastic_slopes(const struct elastic *o, double *K, double *C, int n, enum r
     }
 }
 
+static void gather(struct elastic_body *o, const double *q, const double *v, const double *a)
+{
+    const struct model_body *b = o->model;
+    for (int i = 0; i < b->nmode; i++) {
+        o->q[i] = q[b->mode_q[i]];
+        o->q1[i] = v[b->mode_v[i]];
+        if (a) o->q2[i] = a[b->mode_v[i]];
+    }
+    flex_shape_at(&o->shape, o->kernel, o->q);
+}
+
 /* In the frame P and H about its origin; about the world's H + r x P. */
 void elastic_momentum(double *p, double *L, struct elastic_body *o, const struct pose *frame, const double *q,
                       const double *v)
 {
     double P[3], H[3], moving[3], turning[3], world[3];
-    for (int i = 0; i < o->model->nmode; i++) {
-        o->q[i] = q[o->model->mode_q[i]];
-        o->q1[i] = v[o->model->mode_v[i]];
-    }
-    flex_shape_at(&o->shape, o->kernel, o->q);
+    gather(o, q, v, NULL);
     m3_tmul(moving, frame->R, frame->v);
     m3_tmul(turning, frame->R, frame->w);
     flex_momentum(P, H, o->kernel, &o->shape, moving, turning, o->q1);
@@ -91,4 +100,28 @@ void elastic_momentum(double *p, double *L, struct elastic_body *o, const struct
     v3_add(p, world);
     v3_cross_add(L, frame->r, world);
     m3_mul_add(L, frame->R, H);
+}
+
+void elastic_centre(struct pose *frame, const struct elastic *o, int body, const double *q, const double *v,
+                    const double *a)
+{
+    struct elastic_body *e = o->body;
+    double u[3], w[3], acc[3], al[3], P[3], F[3], N[3], m;
+    while (e->number != body) e++;
+    m = e->model->mass;
+    gather(e, q, v, a);
+    m3_tmul(u, frame->R, frame->v);
+    m3_tmul(w, frame->R, frame->w);
+    flex_momentum(P, N, e->kernel, &e->shape, u, w, e->q1);
+    if (a) {
+        m3_tmul(acc, frame->R, frame->a);
+        m3_tmul(al, frame->R, frame->al);
+        flex_inertia(F, N, e->Q, e->kernel, &e->shape, acc, w, al, e->q, e->q1, e->q2, false);
+        m3_mul(frame->a, frame->R, F);
+        v3_scale(frame->a, 1 / m, frame->a);
+    }
+    m3_mul(frame->v, frame->R, P);
+    v3_scale(frame->v, 1 / m, frame->v);
+    m3_mul(u, frame->R, e->shape.h);
+    v3_axpy(frame->r, 1 / m, u);
 }

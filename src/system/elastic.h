@@ -20,7 +20,7 @@ struct elastic_body {
     int number; /* among the model's bodies */
     struct flex_kernel *kernel;
     struct flex_shape shape;
-    double *q, *q1; /* [nmode] at hand */
+    double *q, *q1, *q2, *Q; /* [nmode] at hand */
 };
 
 void elastic_build(struct elastic *o, const struct model *m, struct arena *life);
@@ -35,5 +35,10 @@ void elastic_slopes(const struct elastic *o, double *K, double *C, int n, enum r
 /* p += momentum, L += angular momentum about the world's origin of a body whose frame moves so. */
 void elastic_momentum(double *p, double *L, struct elastic_body *o, const struct pose *frame, const double *q,
                       const double *v);
+
+/* Place, velocity, acceleration of the centre of mass of a flexible body, world axes; frame: the pose of its frame,
+ * replaced.  q, v, a of the model, a NULL: no accelerations.  The body's momentum and the force it takes tell them. */
+void elastic_centre(struct pose *frame, const struct elastic *o, int body, const double *q, const double *v,
+                    const double *a);
 
 #endif

@@ -39,11 +39,17 @@ static void gather(double *x, const int *i, const double *from, int n)
 /* Body axes and modes. */
 static void bend(struct bend *b, const struct part *x, const double *q, const double *v, const double *a)
 {
+    bool moved = b->change == 0;
     turn2(b->cs, (double[]){x->c, x->s}, b->drawn);
-    gather(b->q, b->iq, q, b->n);
+    for (int k = 0; k < b->n; k++) {
+        const double now = q[b->iq[k]];
+        if (now == b->q[k]) continue; /* never for NAN */
+        b->q[k] = now;
+        moved = true;
+    }
+    b->change += moved;
     if (v) gather(b->v, b->iv, v, b->n);
     if (a) gather(b->a, b->iv, a, b->n);
-    b->shaped = false;
 }
 
 /* x at its node of p. */
@@ -52,7 +58,9 @@ static void stand(struct stand *o, struct part *x, const struct part *p, bool mo
     const struct bend *b = o->of;
     const struct flex_planar_place *d = &o->place;
     double u[2];
-    flex_planar_place_at(&o->place, b->kernel, o->node, b->q, moves ? b->v : NULL, speeds_up ? b->a : NULL);
+    if (o->change != b->change) flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
+    o->change = b->change;
+    if (moves) flex_planar_place_rates(&o->place, b->kernel, o->node, b->v, speeds_up ? b->a : NULL);
     turn2(x->arm, b->cs, d->x);
     x->c_b[0] = x->c_b[1] = 0;
     x->phi = p->phi + d->angle;

@@ -9,13 +9,14 @@
 struct bend {
     const struct flex_planar *kernel;
     struct flex_planar_shape shape;
-    bool shaped; /* it is that of q */
     int n;
     const int *iq, *iv;     /* [n] places of its modes */
     double *q, *v, *a, *Q;  /* [n] gathered; the modes' rows */
     double drawn[2], cs[2]; /* cos, sin of its axes drawn and now */
     double *U, *M;          /* [3 x n], [n x n] its columns of M^, frame and modes; M its lower triangle */
     size_t at;              /* its place in a factor */
+    /* What was worked out for these q is good until they change: loops are closed by joints, modes stand still. */
+    long change, shaped; /* count of changes; that of the shape */
 };
 
 /* A body at a node of `of`. */
@@ -23,7 +24,8 @@ struct stand {
     struct bend *of;
     int node;
     struct flex_planar_place place;
-    size_t at; /* its place in a factor */
+    long change; /* of the modes that place is for */
+    size_t at;   /* its place in a factor */
 };
 
 /* Leaves bend and stand NULL in a model without flexible bodies; none of the others is then called. */
@@ -54,11 +56,12 @@ int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d)
 void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body);
 void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body);
 
-/* What depends on q alone, once for each motion, where it is wanted. */
+/* What depends on q alone, once for each q, where it is wanted. */
 static inline void planar_flex_shape(struct bend *b)
 {
-    if (!b->shaped) flex_planar_shape_at(&b->shape, b->kernel, b->q);
-    b->shaped = true;
+    if (b->shaped == b->change) return;
+    flex_planar_shape_at(&b->shape, b->kernel, b->q);
+    b->shaped = b->change;
 }
 
 /* First moment in the world. */

@@ -67,12 +67,11 @@ static void rise(double *M, const struct sweep *s, double *f, int body, int col)
 
 void planar_flex_own(struct bend *b)
 {
-    memcpy(b->M, flex_planar_mass(b->kernel), sizeof *b->M * (size_t)(b->n * b->n));
+    flex_planar_mass(b->M, b->U, b->kernel, &b->shape);
     for (int k = 0; k < b->n; k++) {
-        double *U = b->U + 3 * k;
-        U[0] = b->shape.G[k];
-        U[1] = b->cs[0] * b->shape.Hx[k] - b->cs[1] * b->shape.Hy[k];
-        U[2] = b->cs[1] * b->shape.Hx[k] + b->cs[0] * b->shape.Hy[k];
+        double *U = b->U + 3 * k, x = U[1];
+        U[1] = b->cs[0] * x - b->cs[1] * U[2];
+        U[2] = b->cs[1] * x + b->cs[0] * U[2];
     }
 }
 

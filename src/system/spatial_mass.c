@@ -130,15 +130,16 @@ static void column(double *M, const struct sweep *s, int body, int k)
 }
 
 /* Column of the j-th coordinate of f, whose own inertia is in it where it bears. */
-static void flexible_column(double *M, const struct sweep *s, const struct flexible *f, int j, bool bears, unsigned cls)
+static void flexible_column(double *M, const struct sweep *s, struct flexible *f, int j, bool bears, unsigned cls)
 {
     double F[3] = {0}, N[3] = {0};
     size_t n = (size_t)s->n, col = (size_t)f->iv[j];
     if (bears) {
-        const double *Me = flex_kernel_mass(f->kernel) + f->n * j;
-        m3_mul(F, f->R, f->shape.H + 3 * j);
-        m3_mul(N, f->R, f->shape.G + 3 * j);
-        for (int i = 0; i <= j; i++) M[(size_t)f->iv[i] + n * col] = Me[i];
+        double H[3], G[3];
+        flex_mass_column(f->Q, H, G, f->kernel, &f->shape, j);
+        m3_mul(F, f->R, H);
+        m3_mul(N, f->R, G);
+        for (int i = 0; i <= j; i++) M[(size_t)f->iv[i] + n * col] = f->Q[i];
     }
     for (int i = 0; i < f->nnode[cls]; i++) {
         int node = f->node[cls][i];
@@ -164,7 +165,7 @@ void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls)
     spatial_place(s, q, NULL, NULL, cls);
     compose(s, o);
     for (int i = 0; i < o->n; i++) {
-        const struct flexible *f = spatial_flexible(s, o->body[i]);
+        struct flexible *f = spatial_flexible(s, o->body[i]);
         for (int k = 0; k < s->link[o->body[i]].nv; k++) column(M, s, o->body[i], k);
         for (int j = 0; f && j < f->n; j++) flexible_column(M, s, f, j, o->bears[i], cls);
     }

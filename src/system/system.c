@@ -384,7 +384,7 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 void system_centre(const struct system *s, struct pose *o, int body)
 {
     s->ops->pose(s->view, o, body);
-    if (s->model->body[body].flex) bent_centre(o, &s->model->body[body], s->q, s->v, s->a);
+    if (s->model->body[body].flex) elastic_centre(o, &s->elastic, body, s->q, s->v, s->a);
 }
 
 void system_displacement(const struct system *s, double *d, const struct model_point *p)

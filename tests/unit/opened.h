@@ -51,7 +51,7 @@ static void open_beside(struct opened *o, const char *text, const char *beside)
     fail_msg("%s", o->report.text);
 }
 
-static void open_deck(struct opened *o, const char *text)
+static inline void open_deck(struct opened *o, const char *text)
 {
     open_beside(o, text, NULL);
 }

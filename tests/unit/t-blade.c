@@ -111,11 +111,14 @@ static void test_spatial(void **state)
         char hub[60], speed[60];
         const char *const set[] = {"bodies.blade.section={rectangle: [0.002, 0.002]}",
                                    "bodies.blade.material={E: 2.1e+11, nu: 0.3, density: 7850}",
-                                   "bodies.blade.points={tip: {station: 1}}", hub, speed};
+                                   "bodies.blade.points={tip: {station: 1}}",
+                                   "parameters.F=0",
+                                   hub,
+                                   speed};
         struct opened o;
         snprintf(hub, sizeof hub, "parameters.r=%.17g", c->hub);
         snprintf(speed, sizeof speed, "parameters.W=%.17g", c->speed * unit);
-        open_deck(&o, "decks/rotating-blade.yaml", 5, set);
+        open_deck(&o, "decks/rotating-blade.yaml", 6, set);
         find_modes(&o);
         assert_int_equal(o.modes.n, 8);
         for (int i = 0; i < 3; i++) {

@@ -180,7 +180,7 @@ static void test_segments(void **state)
     double whole = miss(2, one, 0), some = miss(5, four, kane.length), many = miss(5, eight, kane.length);
     (void)state;
     print_message("peak missed by %.2g in one frame, %.2g in 4 segments, %.2g in 8\n", whole, some, many);
-    assert_true(whole > 2e-3 && whole < 4e-3);
+    assert_true(whole > 1e-3 && whole < 2.5e-3);
     assert_true(some < 1e-3);
     assert_true(many < 1e-4);
 }
@@ -258,7 +258,7 @@ static void test_too_far(void **state)
                                        "constraints.clamp.fixed=[hub, arm1]", "bodies.arm.stress={}"};
     (void)state;
     assert_false(told("[W-bending]", "parameters.T=15", 0, 0, NULL));
-    assert_true(told("'arm' bends by 0.26", "parameters.T=6", 0, 0, NULL));
+    assert_true(told("'arm' bends by 0.259 ", "parameters.T=6", 0, 0, NULL));
     assert_false(told("[W-bending]", "parameters.T=6", kane.length, 4, four));
 }
 
