@@ -173,7 +173,13 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
 {
     const struct scene *scene = b->scene;
     const char *dot = strchr(n->text, '.');
-    int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k;
+    int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k, body;
+    if (joint < 0 && scene_mode(scene, n->text, &body, &k)) {
+        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate",
+                   "'%s' is an elastic coordinate: no force or drive acts along it", n->text);
+        diag_hint(b->diags, "a force or a measure takes hold of a point of the body");
+        return -1;
+    }
     if (joint < 0) return 0;
     const struct scene_joint *j = &scene->joint[joint];
     if (j->kind->nv[scene->space == 3] == 0) {
