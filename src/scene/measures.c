@@ -209,6 +209,31 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
     return 1;
 }
 
+/* Neither a joint nor a coordinate of one, or a measure where `measures` may stand. */
+static void refuse_name(struct builder *b, const struct node *n, bool measures)
+{
+    const struct scene *scene = b->scene;
+    const char *const *all;
+    struct scene_slot slot;
+    int total = quantity_names(b, &all), count = 0;
+    if (find_quantity(scene, &slot, n->text) && slot.type != SCENE_TIME && slot.type != SCENE_MEASURE) {
+        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is %s", diag_clip(b->diags, n->text),
+                   slot.type == SCENE_MODE || slot.type == SCENE_MODE_RATE ? "an elastic coordinate"
+                                                                           : "a rate, not a coordinate");
+        diag_hint(b->diags, "expected a joint or one of its coordinates%s", measures ? ", or a measure" : "");
+        return;
+    }
+    const char **list = TAKE(b->life, const char *, total);
+    for (int i = 0; i < total; i++) {
+        const bool joint = find_joint(scene, all[i], strlen(all[i])) >= 0;
+        const bool found = find_quantity(scene, &slot, all[i]);
+        if (joint || (found && slot.type == SCENE_COORDINATE) || (measures && found && slot.type == SCENE_MEASURE))
+            list[count++] = all[i];
+    }
+    unknown_name(b, n, AT_VALUE, "E-unknown-name", measures ? "joint, coordinate or measure" : "joint or coordinate",
+                 n->text, list, count);
+}
+
 int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what)
 {
     if (n->type != NODE_SCALAR) {
@@ -216,11 +241,7 @@ int find_coordinate(struct builder *b, struct scene_measure *m, const struct nod
         return 1;
     }
     int made = coordinate_measure(b, m, n);
-    if (made == 0) {
-        const char *const *list;
-        int count = quantity_names(b, &list);
-        unknown_name(b, n, AT_VALUE, "E-unknown-name", "joint or coordinate", n->text, list + 1, count - 1);
-    }
+    if (made == 0) refuse_name(b, n, false);
     return made <= 0;
 }
 
@@ -241,10 +262,6 @@ int measure_of(struct builder *b, const struct node *n, const char *what)
     if (found >= 0) return found;
     int made = coordinate_measure(b, &m, n);
     if (made > 0) return measure_add(b, &m);
-    if (made == 0) {
-        const char *const *list;
-        int count = quantity_names(b, &list);
-        unknown_name(b, n, AT_VALUE, "E-unknown-name", "joint, coordinate or measure", n->text, list + 1, count - 1);
-    }
+    if (made == 0) refuse_name(b, n, true);
     return -1;
 }
