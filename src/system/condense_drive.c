@@ -75,9 +75,9 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     const int n = ode->n, nt = o->nt;
     double *dv = o->mean, *M = o->M_jump;
     if (!corners(o, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
-    corners(o, ta, tb); /* their rates have been asked for between */
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
     condense_factor(o, q, ta, &why);
+    corners(o, ta, tb); /* their rates have been asked for between */
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
     condense_follow(o, o->at);
     condense_still(o, q, ALL);

@@ -49,18 +49,28 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     return OK;
 }
 
+static const double ASIDE = 2e-3; /* rad, or of the mechanism's length */
+
+/* Drives, too, have their mechanism beside where it is; not where they must agree with each other. */
+static void drives_aside(struct condense *o, double way)
+{
+    o->loops->aside = o->holds == 0 ? way : 0;
+}
+
 /* Postures on both sides of q, where C_qd is nearly singular: round-off eps of the closure would come into r as
  * eps/ratio^3.  r and M^ pass smoothly through such a posture, and their mean over the two sides differs from them by
  * ASIDE^2 only.  0: not nearly singular, or the sides are no better. */
 static int look_aside(struct condense *o, const double *q, double t)
 {
-    static const double NEARLY = 3e-4, ASIDE = 2e-3;
+    static const double NEARLY = 3e-4;
     const double here = condense_least_ratio(o);
     struct trouble why;
     if (here >= NEARLY) return 0;
     for (int side = 0; side < 2; side++) {
         for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->size[o->ind[i]];
+        drives_aside(o, side ? ASIDE : -ASIDE);
         condense_point(&o->ode, o->side[side], q, o->aside, 1, t);
+        drives_aside(o, 0);
         if (condense_factor(o, o->side[side], t, &why) != OK || condense_least_ratio(o) < 2 * here) return 0;
     }
     return 1;
