@@ -21,8 +21,21 @@ void condense_time(struct condense *o, double t, double ta, double tb)
     loops_over(o->loops, ta, tb);
 }
 
+enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why)
+{
+    const struct model *m = o->model;
+    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) {
+        const int row = o->loops->first[l];
+        if (!isfinite(o->loops->c[row]) || !isfinite(o->loops->c1[row]) ||
+            (accelerations && !isfinite(o->loops->c2[row])))
+            return trouble_set(why, TROUBLE_DRIVE, l, NAN, t);
+    }
+    return OK;
+}
+
 enum status condense_lost(const struct condense *o, double t, struct trouble *why)
 {
+    TRY(condense_driven(o, false, t, why));
     return trouble_set(why, TROUBLE_CLOSURE, o->lost, o->lost_by, t);
 }
 

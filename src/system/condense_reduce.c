@@ -26,9 +26,10 @@ void condense_gather(struct condense *o, double *r, double *w, const double *rt)
     for (int i = 0; i < o->ode.n; i++) r[i] += rt[o->ind[i]];
 }
 
-/* The tree names a row by its place in the whole v. */
+/* The tree names a row by its place in the whole v; but first it may be a drive that is to blame. */
 static enum status in_own_rows(const struct condense *o, enum status status, struct trouble *why)
 {
+    if (status != OK && why && why->code == TROUBLE_NOT_FINITE) TRY(condense_driven(o, true, why->t, why));
     if (status != OK && why && why->code != TROUBLE_LAW && why->index >= 0) why->index = o->slot[why->index];
     return status;
 }
@@ -37,6 +38,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
                                unsigned cls, struct trouble *why)
 {
     condense_time(o, x->t, x->ta, x->tb);
+    TRY(condense_driven(o, false, x->t, why));
     TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
     TRY(condense_contest(o, x->t, why));
     struct instant whole = *x;

@@ -40,6 +40,17 @@ for eps in 1.0e-4 1.0e-5 1.0e-6 1.0e-9; do
     done
 done
 
+# A drive that has no value from some time on, alone and with a freedom left.
+for value in 'sqrt(0.3 - t)' '0.1*asin(t/0.3)'; do
+    for scheme in midpoint newmark subcycle rk4; do
+        "$FMDSUB" run -q --set "drives.one.value=$value" --set drives.two.value="$value" \
+            --set integrate.scheme=$scheme --set "initial={assemble: true}" tests/hard/two-drives.yaml >"$work/out" 2>"$work/err"
+        expect "$value, $scheme: status" 5 $? "$work/err"
+        grep -q "drive 'one' or a rate of it is not a number" "$work/err" && ok "$value, $scheme: told" ||
+            not_ok "$value, $scheme: told" "stderr:" "$work/err"
+    done
+done
+
 # Twenty seconds with the fast part resolved, omega h = 0.084: the balance holds, and does not wander.
 for n in 1 5 10 20; do
     "$FMDSUB" run -q --set integrate.step=5.0e-4 --set integrate.ratio=$n --every 0.05 --until 20 \
