@@ -216,10 +216,9 @@ static void refuse_name(struct builder *b, const struct node *n, bool measures)
     const char *const *all;
     struct scene_slot slot;
     int total = quantity_names(b, &all), count = 0;
-    if (find_quantity(scene, &slot, n->text) && slot.type != SCENE_TIME && slot.type != SCENE_MEASURE) {
-        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is %s", diag_clip(b->diags, n->text),
-                   slot.type == SCENE_MODE || slot.type == SCENE_MODE_RATE ? "an elastic coordinate"
-                                                                           : "a rate, not a coordinate");
+    if (find_quantity(scene, &slot, n->text) && (slot.type == SCENE_RATE || slot.type == SCENE_MEASURE_RATE)) {
+        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is a rate, not a coordinate",
+                   diag_clip(b->diags, n->text));
         diag_hint(b->diags, "expected a joint or one of its coordinates%s", measures ? ", or a measure" : "");
         return;
     }
