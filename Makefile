@@ -104,14 +104,14 @@ $(BUILD)/bench/%: tests/bench/%.c $(LIBRARY)
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study hard reduce
+	@$(RUN) unit decks bad faults man order study airscrew hard reduce
 
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(BENCHES)
 
 unit: $(UNITS)
 	@$(RUN) unit
 
-decks bad faults man-examples order study hard reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
+decks bad faults man-examples order study airscrew hard reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 asan:
@@ -184,5 +184,5 @@ clean:
 	rm -rf $(BUILD)
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order hard order-tight asan golden bench layers eqs format format-check lint man \
+.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench layers eqs format format-check lint man \
         deps deps-test demo tools tests-built install uninstall clean

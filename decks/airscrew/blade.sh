@@ -51,17 +51,24 @@ printf '%s\n' "$head" '*STEP' "$store" >free.inp
 calculix free
 for end in sti mas dof; do cp "free.$end" "blade.$end"; done
 
-# What CalculiX itself finds: frequencies at rest, stress at 8000 rpm (837.758 rad/s), frequencies there.
-spin='*STEP
-*STATIC
-*DLOAD
+# What CalculiX itself finds: frequencies at rest, stress at 8000 rpm (837.758 rad/s), linear and not, frequencies there,
+# without and with Coriolis forces (enough modes for those of stretch, which they couple with bending).
+load='*DLOAD
 blade,CENTRIF,701838.5,0.,0.,0.,0.,0.,1.'
+spin="*STEP
+*STATIC
+$load"
 printf '%s\n' "$head" "$clamp" '*STEP' '*FREQUENCY' 8 '*END STEP' >rest.inp
 calculix rest
 printf '%s\n' "$head" "$clamp" "$spin" '*NODE FILE' U '*EL FILE' S '*END STEP' >spin.inp
 calculix spin
 printf '%s\n' "$head" "$clamp" "$spin" '*END STEP' '*STEP,PERTURBATION' '*FREQUENCY' 8 '*END STEP' >spun.inp
 calculix spun
+printf '%s\n' "$head" "$clamp" '*STEP,NLGEOM' '*STATIC' "$load" '*NODE FILE' U '*EL FILE' S '*END STEP' >large.inp
+calculix large
+printf '%s\n' "$head" "$clamp" "$spin" '*END STEP' '*STEP,PERTURBATION' '*FREQUENCY,STORAGE=YES' 60 '*END STEP' \
+    '*STEP,PERTURBATION' '*COMPLEX FREQUENCY,CORIOLIS' 60 "$load" '*END STEP' >coriolis.inp
+calculix coriolis
 
 # Points at the root, at mid-chord: nodes of the box at c = 0, d = 1 and -1.
 node() { awk -v c="$1" -v d="$2" 'BEGIN { FS = "[ ,]+" } /^\*/ { node = /^\*NODE/ } node && $2 == 0 && ($3 - c)^2 < 1e-9 && ($4 - d)^2 < 1e-9 { print $1; exit }' box.inp; }

@@ -106,24 +106,53 @@ static double as_large(const struct decouple *p, const double *r, int m)
     return force > mass && force / mass < 0x1p900 ? ldexp(1, ilogb(force / mass) + 1) : 1;
 }
 
+/* What the fast bodies' rows r say more than p->r at the acceleration s p->a (p->z: their difference over s). */
+static enum status inertia(struct decouple *p, struct instant *with, double s, struct trouble *why)
+{
+    p->effort->fast++;
+    with->a = p->a;
+    TRY(p->ode->ops->resid(p->ode, p->z, NULL, NULL, with, FAST, why));
+    for (int i = 0; i < p->ns + p->ml; i++) p->z[i] = (p->z[i] - p->r[i]) / s;
+    return OK;
+}
+
+/* (M_f P_S)_L by its columns: one question for each fast coordinate. */
+static enum status by_columns(struct decouple *p, struct instant *with, double s, int rows, struct trouble *why)
+{
+    int ns = p->ns, ml = p->ml;
+    for (int j = 0; j < ns; j++) {
+        zero(p->a, ns + ml);
+        p->a[j] = s;
+        for (int i = 0; i < rows; i++) p->a[ns + i] = -s * p->W[i + (long)j * p->nl];
+        TRY(inertia(p, with, s, why));
+        copy(p->MsW + j * ml, p->z + ns, ml);
+    }
+    return OK;
+}
+
+/* The same by its rows, M_LS - M_LL W of the fast bodies, for M_f is symmetric: one question for each slow one. */
+static enum status by_rows(struct decouple *p, struct instant *with, double s, int rows, struct trouble *why)
+{
+    int ns = p->ns, ml = p->ml;
+    for (int i = 0; i < ml; i++) {
+        zero(p->a, ns + ml);
+        p->a[ns + i] = s;
+        TRY(inertia(p, with, s, why));
+        for (int j = 0; j < ns; j++) p->MsW[i + j * ml] = p->z[j] - dot(p->z + ns, p->W + (long)j * p->nl, rows);
+    }
+    return OK;
+}
+
 /* MsW and W' M_s W from the fast bodies. */
 static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
 {
-    const struct ode2_ops *ops = p->ode->ops;
     int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
     struct instant with = *x;
     with.a = NULL;
-    p->effort->fast += ns + 1;
-    TRY(ops->resid(p->ode, p->r, NULL, NULL, &with, FAST, why));
+    p->effort->fast++;
+    TRY(p->ode->ops->resid(p->ode, p->r, NULL, NULL, &with, FAST, why));
     double s = as_large(p, p->r, ns + ml);
-    with.a = p->a;
-    for (int j = 0; j < ns; j++) {
-        zero(p->a, ns);
-        p->a[j] = s;
-        for (int i = 0; i < rows; i++) p->a[ns + i] = -s * p->W[i + (long)j * p->nl];
-        TRY(ops->resid(p->ode, p->z, NULL, NULL, &with, FAST, why));
-        for (int i = 0; i < ml; i++) p->MsW[i + j * ml] = (p->z[ns + i] - p->r[ns + i]) / s;
-    }
+    TRY(ns <= ml ? by_columns(p, &with, s, rows, why) : by_rows(p, &with, s, rows, why));
     zero(p->WMW, ns * ns);
     dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
     for (int j = 0; j < ns; j++)

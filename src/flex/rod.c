@@ -343,12 +343,59 @@ void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, in
         }
 }
 
+/* Where the pull may jump, or ends: joints, places of loads, masses. */
+static bool loaded(const struct rod *o, int node)
+{
+    const struct flex_beam *beam = o->beam;
+    if (node == 0 || node == o->nnode - 1) return true;
+    for (int i = 0; i < beam->ninterface; i++)
+        if (rod_node(o, beam->interface[i]) == node) return true;
+    for (int i = 0; i < beam->npoint; i++)
+        if (rod_node(o, beam->point[i]) == node) return true;
+    for (int i = 0; i < beam->nlump; i++)
+        if (rod_node(o, beam->lump[i].station) == node) return true;
+    return false;
+}
+
+static double middle(const struct rod *o, int element)
+{
+    return (o->s[element] + o->s[element + 1]) / 2;
+}
+
+/* The element across the nearer node that carries no load, else across the other; -1: none. */
+static int neighbour(const struct rod *o, int element, double s)
+{
+    int nearer = s < middle(o, element) ? -1 : 1;
+    for (int side = nearer, k = 0; k < 2; k++, side = -side)
+        if (!loaded(o, side < 0 ? element : element + 1)) return element + side;
+    return -1;
+}
+
+/* Force along the beam in an element. */
+static double pull(const struct rod *o, int element, const double *phi)
+{
+    double sum = 0;
+    for (int k = 0; k < 12; k++) {
+        int a = freedom(o, element, k);
+        if (a >= 0) sum += o->G[72 * element + 6 * k] * phi[a];
+    }
+    return sum;
+}
+
+/* The pull of an element is its mean; from middle to middle it is taken as linear. */
 void rod_strains(double *W, const struct rod *o, double station, const double *Phi, int n)
 {
     double S[36], N[12 * 12] = {0}, s = station * o->length;
-    int e = 0;
+    int e = 0, size = o->nnode * o->per;
     while (e < o->nnode - 2 && o->s[e + 1] <= s + SAME * o->length) e++;
     strain_by_load(S, o->beam, station, o->s[e + 1] - s);
     strains(N, S, o->G + 72 * e);
     apply(W, N, o, e, Phi, n);
+    int other = neighbour(o, e, s);
+    if (other < 0) return;
+    double share = (s - middle(o, e)) / (middle(o, other) - middle(o, e));
+    for (int j = 0; j < n; j++) {
+        const double *phi = Phi + (long)size * j;
+        W[ROD_GAMMA + 12 * j] += S[0] * share * (pull(o, other, phi) - pull(o, e, phi));
+    }
 }

@@ -57,7 +57,7 @@ void rod_matrices(struct band *K, struct band *M, const struct rod *o, const dou
 
 /* For n columns Phi [freedoms x n] of the mesh: W [12 x n], the fields at a Gauss point; displacement and rotation at
  * a node (the strains, which may jump there, are left zero); strains alone at a station, those of the element that
- * begins at or before. */
+ * begins at or before, stretch by the pull that is linear between the middles of elements no load comes between. */
 void rod_at_point(double *W, const struct rod *o, int point, const double *Phi, int n);
 void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, int n);
 void rod_strains(double *W, const struct rod *o, double station, const double *Phi, int n);

@@ -113,6 +113,20 @@ static void add_body(struct listing *l, const struct model_body *b, int i)
     add_parts(l, b->name, a, first_parts, n, "m/s2", "acceleration of the centre of mass", FROM_ACCELERATION, i);
 }
 
+/* A beam's stress by its parts, a solid's by the tensor. */
+static void add_stress(struct listing *l, const struct flex_stress *s, const char *name, int i, int k)
+{
+    static const char *const part[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+    if (s->axial)
+        add(l, join(l, name, "axial"), "Pa", "normal stress from stretch", (struct origin){FROM_AXIAL, i, k, -1});
+    if (s->bending)
+        add(l, join(l, name, "bending"), "Pa", "normal stress from bending", (struct origin){FROM_BENDING, i, k, -1});
+    for (int c = 0; !s->axial && !s->bending && c < 6; c++)
+        add(l, join(l, name, part[c]), "Pa", c < 3 ? "normal stress, body axes" : "shear stress, body axes",
+            (struct origin){FROM_TENSOR, i, 6 * k + c, -1});
+    add(l, join(l, name, "von_mises"), "Pa", "equivalent stress", (struct origin){FROM_VON_MISES, i, k, -1});
+}
+
 /* Elastic coordinates, and stresses at named places. */
 static void add_elastic(struct listing *l, const struct model *m, int i)
 {
@@ -127,15 +141,8 @@ static void add_elastic(struct listing *l, const struct model *m, int i)
             add(l, arena_print(l->life, "%s.mode%d%s", b->name, k + 1, words[part]), NULL, briefs[part],
                 (struct origin){types[part], place, 0, fast});
         }
-    for (int k = 0; b->flex && k < b->flex->nstress; k++) {
-        const char *name = join(l, b->name, b->flex->stress[k].name);
-        if (b->flex->stress[k].axial)
-            add(l, join(l, name, "axial"), "Pa", "normal stress from stretch", (struct origin){FROM_AXIAL, i, k, -1});
-        if (b->flex->stress[k].bending)
-            add(l, join(l, name, "bending"), "Pa", "normal stress from bending",
-                (struct origin){FROM_BENDING, i, k, -1});
-        add(l, join(l, name, "von_mises"), "Pa", "equivalent stress", (struct origin){FROM_VON_MISES, i, k, -1});
-    }
+    for (int k = 0; b->flex && k < b->flex->nstress; k++)
+        add_stress(l, &b->flex->stress[k], join(l, b->name, b->flex->stress[k].name), i, k);
 }
 
 static void add_point(struct listing *l, const struct model_point *p, int i)
@@ -253,6 +260,9 @@ unsigned catalogue_needs(const struct catalogue *o, const struct selection *chos
         case FROM_LOOP:
         case FROM_DRIVE:
         case FROM_TIE:
+        case FROM_FORCE:
+        case FROM_ELONGATION:
+        case FROM_POWER:
             needs |= SEE_MOTION | SEE_ACCELERATION;
             break;
         default:

@@ -21,6 +21,7 @@ enum origin_type {
     FROM_POINT_VELOCITY,
     FROM_POINT_ACCELERATION,
     FROM_DISPLACEMENT, /* point; k: x, y, z of its flexible body */
+    FROM_TENSOR,       /* index: flexible body; k: 6 times its stress + xx yy zz xy xz yz */
     FROM_AXIAL,        /* index: flexible body; k: its stress */
     FROM_BENDING,
     FROM_VON_MISES,

@@ -86,6 +86,7 @@ static double elastic_part(const struct sim *sim, const struct origin *s)
         system_displacement(sim->system, d, &sim->model->point[s->index]);
         return d[s->k];
     }
+    if (s->type == FROM_TENSOR) return system_stress(sim->system, s->index, s->k / 6, STRESS_XX + (unsigned)(s->k % 6));
     return system_stress(sim->system, s->index, s->k,
                          s->type == FROM_AXIAL     ? STRESS_AXIAL
                          : s->type == FROM_BENDING ? STRESS_BENDING
@@ -134,6 +135,7 @@ double record_value(const struct sim *sim, const struct origin *s)
     case FROM_POINT_ACCELERATION:
         return point_part(sim, s);
     case FROM_DISPLACEMENT:
+    case FROM_TENSOR:
     case FROM_AXIAL:
     case FROM_BENDING:
     case FROM_VON_MISES:

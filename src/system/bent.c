@@ -17,6 +17,7 @@ double bent_stress(const struct model_body *b, int stress, enum bent_stress part
 {
     const struct flex_stress *s = &b->flex->stress[stress];
     double t[6];
+    if (part <= STRESS_YZ) return along(s->tensor + part, 6, b, q);
     if (part == STRESS_AXIAL) return along(s->axial, 1, b, q);
     if (part == STRESS_BENDING) return along(s->bending, 1, b, q);
     for (int i = 0; i < 6; i++) t[i] = along(s->tensor + i, 6, b, q);

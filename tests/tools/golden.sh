@@ -1,7 +1,7 @@
 # golden.sh -- what would change in the golden records, column by column; WRITE=1 rewrites them.
 . tests/tools/lib.sh
 
-for deck in decks/*.yaml tests/decks/*.yaml; do
+for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
     [ -f "$deck" ] || continue
     name=${deck##*/}
     name=${name%.yaml}

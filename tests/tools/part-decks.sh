@@ -24,7 +24,7 @@ compare_reference() { # NAME RUN
     else not_ok "$name reference" "too far from tests/refdata/$name.csv" "$work/cmp"; fi
 }
 
-for deck in decks/*.yaml tests/decks/*.yaml; do
+for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
     [ -f "$deck" ] || continue
     name=${deck##*/}
     name=${name%.yaml}

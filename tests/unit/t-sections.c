@@ -150,11 +150,43 @@ static void test_stress(void **state)
     arena_close(life);
 }
 
+/* A pull that grows along the beam, as by its weight: exact for a uniform one, with a mass on it too; in an element
+ * between two masses it is that of the middle. */
+static void test_pull(void **state)
+{
+    const struct flex_probe probe[] = {{"root", 0, 0, 0}, {"below", 0.3, 0, 0}, {"above", 0.5, 0, 0}, {"end", 1, 0, 0}};
+    const struct flex_lump lump[] = {{0.5, 3, {0}}, {0.25, 3, {0}}};
+    struct flex_section c = rectangle(0, 0.02, 0.01);
+    (void)state;
+    for (int space = 2; space <= 3; space++)
+        for (int nlump = 0; nlump <= 2; nlump++) {
+            struct arena *life = arena_open();
+            struct flex_beam o = bar(space, 1, 4, space == 2 ? 12 : 24, &c, 1, ROOT_ONLY);
+            double at[3], weight = o.density * c.A;
+            o.nlump = nlump;
+            o.lump = lump;
+            o.nprobe = 4;
+            o.probe = probe;
+            struct flex_body *body = made(&o, at, life);
+            for (int k = 0; k < 4; k++) {
+                double x = probe[k].station, sum = 0;
+                for (int j = 0; j < body->n; j++)
+                    sum += body->f[3 * j] / body->K[j + body->n * j] * body->stress[k].axial[j];
+                double from = nlump < 2 ? x : x < 0.25 ? 0.125 : x < 0.5 ? 0.375 : x;
+                double pull = weight * (1 - from);
+                for (int m = 0; m < nlump; m++) pull += x < lump[m].station ? lump[m].mass : 0;
+                if (!(fabs(sum - pull / c.A) < 1e-7 * weight / c.A))
+                    fail_msg("space %d, %d masses, %s: %.12g, not %.12g", space, nlump, probe[k].name, sum, pull / c.A);
+            }
+            arena_close(life);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_taper_static), cmocka_unit_test(test_jump),   cmocka_unit_test(test_taper),
-        cmocka_unit_test(test_turned),       cmocka_unit_test(test_stress),
+        cmocka_unit_test(test_turned),       cmocka_unit_test(test_stress), cmocka_unit_test(test_pull),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,10 +171,13 @@ static void test_end(void **state)
     }
 }
 
+enum { LAST = 400 };
+
 /* A sink that counts. */
 struct counter {
     struct sink sink;
-    int rows, events;
+    int rows, events, width;
+    double last[LAST]; /* the last row's first values */
 };
 
 static enum status no_meta(struct sink *s, const struct run_meta *m, struct report *r)
@@ -184,8 +187,10 @@ static enum status no_meta(struct sink *s, const struct run_meta *m, struct repo
 
 static enum status count_row(struct sink *s, const double *x, struct report *r)
 {
-    (void)x, (void)r;
-    ((struct counter *)s->self)->rows++;
+    struct counter *c = s->self;
+    (void)r;
+    c->rows++;
+    for (int i = 0; i < c->width; i++) c->last[i] = x[i];
     return OK;
 }
 
@@ -231,6 +236,44 @@ static void test_far_records(void **state)
     }
 }
 
+/* A few steps of a deck with the columns that are asked for. */
+static void open_columns(struct opened *o, struct counter *c, const char *deck, const char *columns)
+{
+    const char *const set[] = {columns, "integrate.until=2.0e-3", "integrate.step=1.0e-3", "integrate.ratio=1",
+                               "output.every={steps: 1}"};
+    struct report report = {0};
+    counter_open(c);
+    open_deck(o, deck, 5, set, false);
+    assert_true(o->sim.chosen.n <= LAST);
+    c->width = o->sim.chosen.n;
+    assert_int_equal(sim_run(&o->sim, &c->sink, &report), OK);
+}
+
+/* What a column says does not depend on the columns beside it. */
+static void test_columns_alone(void **state)
+{
+    static const char *const decks[] = {"decks/bar-slider.yaml", "decks/cantilever.yaml", "decks/quick-return.yaml",
+                                        "tests/decks/audit-free-bushings.yaml"};
+    (void)state;
+    for (size_t k = 0; k < sizeof decks / sizeof *decks; k++) {
+        struct counter all, one;
+        struct opened together, alone;
+        open_columns(&together, &all, decks[k], "output.columns=['*']");
+        for (int i = 0; i < all.width; i++) {
+            char set[200];
+            const char *name = together.sim.catalogue.column[together.sim.chosen.index[i]].name;
+            if (strcmp(name, "t") == 0) continue;
+            snprintf(set, sizeof set, "output.columns=[%s]", name);
+            open_columns(&alone, &one, decks[k], set);
+            assert_int_equal(one.width, 2);
+            if (memcmp(&one.last[1], &all.last[i], sizeof(double)) != 0)
+                fail_msg("%s: %s is %g alone, %g with others", decks[k], name, one.last[1], all.last[i]);
+            arena_close(alone.life);
+        }
+        arena_close(together.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +283,7 @@ int main(void)
         cmocka_unit_test(test_twin),
         cmocka_unit_test(test_end),
         cmocka_unit_test(test_far_records),
+        cmocka_unit_test(test_columns_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
