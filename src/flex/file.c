@@ -40,14 +40,11 @@ static enum status member(const cJSON **out, const cJSON *object, const char *ke
     return *out || !needed ? OK : bad(p, key, "missing");
 }
 
-/* x [n] is filled; *there (may be NULL): was it given? */
-static enum status numbers(double *x, int n, bool *there, const cJSON *object, const char *key, const struct place *p)
+static enum status numbers(double *x, int n, const cJSON *object, const char *key, const struct place *p)
 {
     const cJSON *list, *item;
     int i = 0;
-    TRY(member(&list, object, key, !there, p));
-    if (there) *there = list != NULL;
-    if (!list) return OK;
+    TRY(member(&list, object, key, true, p));
     if (!cJSON_IsArray(list)) return bad(p, key, "expected a list of numbers");
     cJSON_ArrayForEach(item, list)
     {
@@ -97,20 +94,21 @@ static enum status name(const char **out, const cJSON *object, bool needed, cons
 static enum status optional(double **out, int n, const cJSON *object, const char *key, const struct place *p,
                             struct arena *life)
 {
-    bool there;
-    double *x = TAKE(life, double, n);
-    TRY(numbers(x, n, &there, object, key, p));
-    *out = there ? x : NULL;
-    return OK;
+    const cJSON *list;
+    *out = NULL;
+    TRY(member(&list, object, key, false, p));
+    if (!list) return OK;
+    *out = TAKE(life, double, n);
+    return numbers(*out, n, object, key, p);
 }
 
 static enum status read_node(struct flex_node *o, int n, const cJSON *item, const struct place *p, struct arena *life)
 {
     if (!cJSON_IsObject(item)) return bad(p, "", "expected an object");
     TRY(name(&o->name, item, false, p, life));
-    TRY(numbers(o->x, 3, NULL, item, "x", p));
-    TRY(numbers(o->phi, 3 * n, NULL, item, "phi", p));
-    TRY(numbers(o->psi, 3 * n, NULL, item, "psi", p));
+    TRY(numbers(o->x, 3, item, "x", p));
+    TRY(numbers(o->phi, 3 * n, item, "phi", p));
+    TRY(numbers(o->psi, 3 * n, item, "psi", p));
     return optional(&o->S, 3 * n * n, item, "S", p, life);
 }
 
@@ -119,7 +117,7 @@ static enum status read_stress(struct flex_stress *o, int n, const cJSON *item, 
 {
     if (!cJSON_IsObject(item)) return bad(p, "", "expected an object");
     TRY(name(&o->name, item, true, p, life));
-    TRY(numbers(o->tensor, 6 * n, NULL, item, "tensor", p));
+    TRY(numbers(o->tensor, 6 * n, item, "tensor", p));
     TRY(optional(&o->axial, n, item, "axial", p, life));
     TRY(optional(&o->bending, n, item, "bending", p, life));
     return !o->axial == !o->bending ? OK : bad(p, "axial", "axial and bending go together");
@@ -160,14 +158,14 @@ static enum status read_integrals(struct flex_body *o, const cJSON *json, const 
 {
     const int n = o->n;
     TRY(scalar(&o->mass, json, "mass", p));
-    TRY(numbers(o->xx, 9, NULL, json, "xx", p));
-    TRY(numbers(o->rot, 9, NULL, json, "rot", p));
-    TRY(numbers(o->f, 3 * n, NULL, json, "f", p));
-    TRY(numbers(o->xf, 9 * n, NULL, json, "xf", p));
-    TRY(numbers(o->ff, 9 * n * n, NULL, json, "ff", p));
-    TRY(numbers(o->rpsi, 3 * n, NULL, json, "rpsi", p));
-    TRY(numbers(o->ppsi, n * n, NULL, json, "ppsi", p));
-    TRY(numbers(o->K, n * n, NULL, json, "K", p));
+    TRY(numbers(o->xx, 9, json, "xx", p));
+    TRY(numbers(o->rot, 9, json, "rot", p));
+    TRY(numbers(o->f, 3 * n, json, "f", p));
+    TRY(numbers(o->xf, 9 * n, json, "xf", p));
+    TRY(numbers(o->ff, 9 * n * n, json, "ff", p));
+    TRY(numbers(o->rpsi, 3 * n, json, "rpsi", p));
+    TRY(numbers(o->ppsi, n * n, json, "ppsi", p));
+    TRY(numbers(o->K, n * n, json, "K", p));
     TRY(optional(&o->s, 3 * n * n, json, "s", p, life));
     TRY(optional(&o->xs, 9 * n * n, json, "xs", p, life));
     TRY(optional(&o->D, n * n, json, "D", p, life));
@@ -252,7 +250,7 @@ static enum status read_body(struct flex_body **out, double *at, const cJSON *js
     TRY(list_of(&stresses, &nstress, json, "stresses", p));
     if (!nnode) return bad(p, "nodes", "the list is empty");
     TRY(whole(&reference, json, "reference", 0, nnode - 1, p));
-    TRY(numbers(place, 3, NULL, json, "at", p));
+    TRY(numbers(place, 3, json, "at", p));
     struct flex_body *o = flex_body_take(n, nnode, nstress, false, life);
     o->reference = reference;
     TRY(read_integrals(o, json, p, life));

@@ -100,13 +100,16 @@ static double narrow(const struct signal *s, double *ta, double *tb, int halving
     return fabs(here) > fabs(first) / 4 ? here : 0;
 }
 
+/* Slopes of a table whose points are on a line differ by round-off of their times. */
+static const double STRAIGHT = 1e-9;
+
 double signal_corner(const struct signal *s, double ta, double tb)
 {
     double a[3], b[3];
     if (s->expr) return narrow(s, &ta, &tb, 24);
     signal_motion(s, a, ta);
     signal_motion(s, b, tb);
-    return b[1] - a[1];
+    return fabs(b[1] - a[1]) > STRAIGHT * (fabs(a[1]) + fabs(b[1])) ? b[1] - a[1] : 0;
 }
 
 /* A table's corners are its points. */

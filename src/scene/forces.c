@@ -130,7 +130,8 @@ static int read_table(struct builder *b, struct signal *o, const struct node *n)
     struct table_keys k = {0};
     if (read_keys(&k, keys_table, n, NULL, "'value'", &b->reader)) return 1;
     if (!k.table == !k.file) {
-        diag_error(b->diags, n, AT_VALUE, "E-table", "expected 'table' or 'file'");
+        diag_error(b->diags, n, AT_VALUE, "E-table",
+                   k.table ? "expected 'table' or 'file', not both" : "expected 'table' or 'file'");
         return 1;
     }
     if (k.table) return read_rows(b, o, k.table);

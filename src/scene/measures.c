@@ -173,7 +173,13 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
 {
     const struct scene *scene = b->scene;
     const char *dot = strchr(n->text, '.');
-    int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k;
+    int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k, body;
+    if (joint < 0 && scene_mode(scene, n->text, &body, &k)) {
+        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate",
+                   "'%s' is an elastic coordinate: no force or drive acts along it", n->text);
+        diag_hint(b->diags, "a force or a measure takes hold of a point of the body");
+        return -1;
+    }
     if (joint < 0) return 0;
     const struct scene_joint *j = &scene->joint[joint];
     if (j->kind->nv[scene->space == 3] == 0) {
@@ -203,6 +209,30 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
     return 1;
 }
 
+/* Neither a joint nor a coordinate of one, or a measure where `measures` may stand. */
+static void refuse_name(struct builder *b, const struct node *n, bool measures)
+{
+    const struct scene *scene = b->scene;
+    const char *const *all;
+    struct scene_slot slot;
+    int total = quantity_names(b, &all), count = 0;
+    if (find_quantity(scene, &slot, n->text) && (slot.type == SCENE_RATE || slot.type == SCENE_MEASURE_RATE)) {
+        diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is a rate, not a coordinate",
+                   diag_clip(b->diags, n->text));
+        diag_hint(b->diags, "expected a joint or one of its coordinates%s", measures ? ", or a measure" : "");
+        return;
+    }
+    const char **list = TAKE(b->life, const char *, total);
+    for (int i = 0; i < total; i++) {
+        const bool joint = find_joint(scene, all[i], strlen(all[i])) >= 0;
+        const bool found = find_quantity(scene, &slot, all[i]);
+        if (joint || (found && slot.type == SCENE_COORDINATE) || (measures && found && slot.type == SCENE_MEASURE))
+            list[count++] = all[i];
+    }
+    unknown_name(b, n, AT_VALUE, "E-unknown-name", measures ? "joint, coordinate or measure" : "joint or coordinate",
+                 n->text, list, count);
+}
+
 int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what)
 {
     if (n->type != NODE_SCALAR) {
@@ -210,11 +240,7 @@ int find_coordinate(struct builder *b, struct scene_measure *m, const struct nod
         return 1;
     }
     int made = coordinate_measure(b, m, n);
-    if (made == 0) {
-        const char *const *list;
-        int count = quantity_names(b, &list);
-        unknown_name(b, n, AT_VALUE, "E-unknown-name", "joint or coordinate", n->text, list + 1, count - 1);
-    }
+    if (made == 0) refuse_name(b, n, false);
     return made <= 0;
 }
 
@@ -235,10 +261,6 @@ int measure_of(struct builder *b, const struct node *n, const char *what)
     if (found >= 0) return found;
     int made = coordinate_measure(b, &m, n);
     if (made > 0) return measure_add(b, &m);
-    if (made == 0) {
-        const char *const *list;
-        int count = quantity_names(b, &list);
-        unknown_name(b, n, AT_VALUE, "E-unknown-name", "joint, coordinate or measure", n->text, list + 1, count - 1);
-    }
+    if (made == 0) refuse_name(b, n, true);
     return -1;
 }

@@ -10,29 +10,34 @@ static bool same(const char *name, const char *text, size_t len)
     return name && strlen(name) == len && memcmp(name, text, len) == 0;
 }
 
+/* Can the section hold joints or measures?  One of a name that is not known may be meant to. */
+static bool may_hold_names(const struct node *section)
+{
+    if (section->type != NODE_MAP) return false;
+    for (const struct key *k = keys_deck; k->name; k++)
+        if (strcmp(section->key, k->name) == 0)
+            return strcmp(k->name, "constraints") == 0 || strcmp(k->name, "measures") == 0;
+    return true;
+}
+
 /* Is the thing whose name leads `name` in the deck, but left out of the scene for errors of its own?  Then enough
  * has been said. */
 bool known_but_wrong(const struct builder *b, const char *name)
 {
-    static const char *const others[] = {"bodies", "forces", "parameters", "initial", "partition", "integrate"};
     const struct node *root = b->reader.deck->root;
     char lead[64];
     size_t len = strcspn(name, ".");
-    if (len >= sizeof lead) return false;
+    if (len >= sizeof lead || diags_errors(b->diags) == 0) return false;
     memcpy(lead, name, len);
     lead[len] = 0;
     for (int i = 1; i < b->scene->nbody; i++) /* its modes are not known */
         if (same(b->scene->body[i].name, name, len) && strncmp(name + len, ".mode", 5) == 0 && b->draft[i] &&
-            !b->scene->body[i].flex && diags_errors(b->diags))
+            !b->scene->body[i].flex)
             return true;
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
-    for (int i = 0; i < root->count; i++) { /* constraints, measures, or a misspelt one of them */
-        const struct node *section = root->item[i];
-        bool other = false;
-        for (size_t k = 0; k < sizeof others / sizeof *others; k++) other |= strcmp(section->key, others[k]) == 0;
-        if (!other && section->type == NODE_MAP && node_find(section, lead)) return true;
-    }
+    for (int i = 0; i < root->count; i++)
+        if (may_hold_names(root->item[i]) && node_find(root->item[i], lead)) return true;
     return false;
 }
 

@@ -72,7 +72,7 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
         o->type = mode == 1 ? INITIAL_POSITION : INITIAL_RATE;
         return read_number(o->x, n, NULL, &b->reader);
     }
-    if (o->joint >= 0) {
+    if (dot && o->joint >= 0) {
         const struct scene_joint *j = &scene->joint[o->joint];
         if (turns_freely(b, j) && strcmp(dot + 1, "omega") == 0) return read_omega(b, o, n);
         if (turns_freely(b, j) && strcmp(dot + 1, "rotation") == 0) return read_rotation(b, o, n);

@@ -143,6 +143,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     switch (why->code) {
     case TROUBLE_LAW:
         return "look at the expressions and tables of its forces";
+    case TROUBLE_DRIVE:
+        return "look at its expression";
     case TROUBLE_NOT_FINITE:
         return sim->stepper.effort.majors || sim->stepper.effort.rejected
                    ? "try a smaller step, or look at the forces"
@@ -187,9 +189,15 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
         snprintf(what, sizeof what, "the iteration matrix is singular at '%s' (pivot ratio %.2g)", coordinate,
                  why->value);
         break;
+    case TROUBLE_DRIVE:
+        snprintf(what, sizeof what, "drive '%s' or a rate of it is not a number", sim->model->loop[why->index].name);
+        break;
     case TROUBLE_CLOSURE:
-        snprintf(what, sizeof what, "%s '%s' cannot be kept: it misses by %.3g of the mechanism's size",
-                 sim_loop_kind(sim, why->index), sim->model->loop[why->index].name, why->value);
+        snprintf(what, sizeof what, "%s '%s' cannot be kept", sim_loop_kind(sim, why->index),
+                 sim->model->loop[why->index].name);
+        if (isfinite(why->value))
+            snprintf(what + strlen(what), sizeof what - strlen(what), ": it misses by %.3g of the mechanism's size",
+                     why->value);
         break;
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);

@@ -294,11 +294,6 @@ int condense_place(const struct condense *c, int i)
     return c->ind[i];
 }
 
-bool condense_independent(const struct condense *c, int iv)
-{
-    return c->slot[iv] >= 0;
-}
-
 long condense_charts(const struct condense *c)
 {
     return c->charts;

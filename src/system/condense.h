@@ -58,7 +58,6 @@ void condense_reaction(const struct condense *c, double *f, double *n, int loop,
 const struct loops *condense_loops(const struct condense *c);
 double condense_worst(struct condense *c, const double *q, double t); /* max |C| */
 int condense_place(const struct condense *c, int i);                  /* place in the tree's v of independent i */
-bool condense_independent(const struct condense *c, int iv);
 /* Whose reactions no dynamics can tell, because rows are redundant: unique [nloop], unique_joint [njoint]. */
 void condense_mark(struct condense *c, bool *unique, bool *unique_joint);
 bool condense_dropped(const struct condense *c, int row);

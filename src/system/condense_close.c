@@ -12,8 +12,9 @@
 #include "la/rot.h"
 #include "system/condense_parts.h"
 
-static const double CLOSED = 1e-9; /* a Newton correction below this leaves its square */
-static const double FAR = 1;       /* a correction this large after two iterations leads elsewhere */
+static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
+static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_qd is nearly singular */
+static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
 enum { MOST_ITERATIONS = 20 };
 
 double condense_misfit(struct condense *o, int *row, const double *q)
@@ -66,14 +67,15 @@ static double correct(struct condense *o, const double *q1, int *worst)
     return most;
 }
 
-/* The least that the loops missed by on the way. */
-static void note_miss(struct condense *o)
+/* What the loops miss by; the least of it on the way is kept. */
+static double note_miss(struct condense *o)
 {
     double most = 0;
     int row = 0;
     for (int i = 0; i < o->loops->nrow; i++)
         if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), row = i;
     if (most < o->lost_by) o->lost_by = most, o->lost = o->loops->row[row].loop;
+    return most;
 }
 
 int condense_close(struct condense *o, double *q1, const double *base, double s)
@@ -83,9 +85,9 @@ int condense_close(struct condense *o, double *q1, const double *base, double s)
     for (int i = 0; i < MOST_ITERATIONS; i++) {
         place(o, q1, base, s);
         double size = correct(o, q1, &worst);
-        if (!(size <= CLOSED)) note_miss(o);
+        const double miss = size <= CLOSED ? 0 : note_miss(o);
         if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
-        if (size > CLOSED) continue;
+        if (size > CLOSED && miss > ROUND_OFF) continue;
         place(o, q1, base, s);
         return 1;
     }

@@ -21,8 +21,21 @@ void condense_time(struct condense *o, double t, double ta, double tb)
     loops_over(o->loops, ta, tb);
 }
 
+enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why)
+{
+    const struct model *m = o->model;
+    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) {
+        const int row = o->loops->first[l];
+        if (!isfinite(o->loops->c[row]) || !isfinite(o->loops->c1[row]) ||
+            (accelerations && !isfinite(o->loops->c2[row])))
+            return trouble_set(why, TROUBLE_DRIVE, l, NAN, t);
+    }
+    return OK;
+}
+
 enum status condense_lost(const struct condense *o, double t, struct trouble *why)
 {
+    TRY(condense_driven(o, false, t, why));
     return trouble_set(why, TROUBLE_CLOSURE, o->lost, o->lost_by, t);
 }
 
@@ -75,9 +88,9 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     const int n = ode->n, nt = o->nt;
     double *dv = o->mean, *M = o->M_jump;
     if (!corners(o, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
-    corners(o, ta, tb); /* their rates have been asked for between */
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
     condense_factor(o, q, ta, &why);
+    corners(o, ta, tb); /* their rates have been asked for between */
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
     condense_follow(o, o->at);
     condense_still(o, q, ALL);

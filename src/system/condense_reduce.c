@@ -26,9 +26,10 @@ void condense_gather(struct condense *o, double *r, double *w, const double *rt)
     for (int i = 0; i < o->ode.n; i++) r[i] += rt[o->ind[i]];
 }
 
-/* The tree names a row by its place in the whole v. */
+/* The tree names a row by its place in the whole v; but first it may be a drive that is to blame. */
 static enum status in_own_rows(const struct condense *o, enum status status, struct trouble *why)
 {
+    if (status != OK && why && why->code == TROUBLE_NOT_FINITE) TRY(condense_driven(o, true, why->t, why));
     if (status != OK && why && why->code != TROUBLE_LAW && why->index >= 0) why->index = o->slot[why->index];
     return status;
 }
@@ -37,6 +38,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
                                unsigned cls, struct trouble *why)
 {
     condense_time(o, x->t, x->ta, x->tb);
+    TRY(condense_driven(o, false, x->t, why));
     TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
     TRY(condense_contest(o, x->t, why));
     struct instant whole = *x;
@@ -49,18 +51,28 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     return OK;
 }
 
+static const double ASIDE = 2e-3; /* rad, or of the mechanism's length */
+
+/* Drives, too, have their mechanism beside where it is; not where they must agree with each other. */
+static void drives_aside(struct condense *o, double way)
+{
+    o->loops->aside = o->holds == 0 ? way : 0;
+}
+
 /* Postures on both sides of q, where C_qd is nearly singular: round-off eps of the closure would come into r as
  * eps/ratio^3.  r and M^ pass smoothly through such a posture, and their mean over the two sides differs from them by
  * ASIDE^2 only.  0: not nearly singular, or the sides are no better. */
 static int look_aside(struct condense *o, const double *q, double t)
 {
-    static const double NEARLY = 3e-4, ASIDE = 2e-3;
+    static const double NEARLY = 3e-4;
     const double here = condense_least_ratio(o);
     struct trouble why;
     if (here >= NEARLY) return 0;
     for (int side = 0; side < 2; side++) {
         for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->size[o->ind[i]];
+        drives_aside(o, side ? ASIDE : -ASIDE);
         condense_point(&o->ode, o->side[side], q, o->aside, 1, t);
+        drives_aside(o, 0);
         if (condense_factor(o, o->side[side], t, &why) != OK || condense_least_ratio(o) < 2 * here) return 0;
     }
     return 1;

@@ -227,12 +227,12 @@ static enum status agrees(struct condense *o, const double *q0, const double *v0
         int iv = m->coordinate[i].iv;
         if (iv < 0 || o->slot[iv] >= 0) continue;
         if (q0[i] != 0 && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
-            return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops, which make it %.9g",
-                        m->coordinate[i].name, q0[i], o->q[i]);
+            return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
+                        m->coordinate[i].name, q0[i], m->ndrive ? " and drives at t = 0" : "", o->q[i]);
         if (v0[iv] != 0 && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
             return fail(&o->start.report, E_MODEL,
-                        "initial rate of '%s' %.9g does not fit the loops, which make it %.9g", m->coordinate[i].name,
-                        v0[iv], o->vt[iv]);
+                        "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g", m->coordinate[i].name,
+                        v0[iv], m->ndrive ? " and drives at t = 0" : "", o->vt[iv]);
     }
     return OK;
 }
@@ -284,16 +284,23 @@ static enum status contradiction(struct condense *o)
 }
 
 /* Drives begin where they are drawn. */
-static void draw_drives(struct condense *o)
+static enum status draw_drives(struct condense *o)
 {
     struct loops *l = o->loops;
     int row;
-    if (o->model->ndrive == 0) return;
-    condense_misfit(o, &row, o->q); /* their targets are still 0 */
+    struct trouble why;
+    if (o->model->ndrive == 0) return OK;
+    loops_when(l, 0);
+    if (condense_driven(o, false, 0, &why) != OK)
+        return fail(&o->start.report, E_MODEL, "drive '%s' or a rate of it is not a number at t = 0",
+                    o->model->loop[why.index].name);
+    for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
+    condense_misfit(o, &row, o->q);
     for (int i = 0; i < l->nrow; i++)
         if (l->row[i].type == ROW_DRIVE) l->drawn[i] = o->C[i];
     l->share = 0;
     loops_when(l, 0);
+    return OK;
 }
 
 /* Were rows dropped where a drive has a say? */
@@ -333,7 +340,7 @@ static enum status project_start(struct condense *o, const double *q0, const dou
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)
 {
     for (int i = 0; i < o->moves->nturn; i++) o->q[o->moves->turn[i].iq[0]] = 1;
-    draw_drives(o);
+    TRY(draw_drives(o));
     TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");

@@ -94,6 +94,7 @@ void loops_when(struct loops *o, double t)
         const double *x = motion_of(o, l, t), unit = scale(o, l);
         int row = o->first[l];
         o->c[row] = o->share == 1 ? unit * x[0] : o->drawn[row] + o->share * (unit * x[0] - o->drawn[row]);
+        o->c[row] += o->aside;
         o->c1[row] = o->cw[row] = unit * x[1];
         o->c2[row] = unit * x[2];
     }

@@ -58,6 +58,7 @@ struct loops {
     struct row grad;      /* of a driven measure */
     struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
     double *c, *c1, *c2;  /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
+    double aside;         /* added to c, while a posture beside the one of drives is looked for */
     double *cw;           /* [nrow] the rate that their force works with */
     struct moved *moved;  /* [ndrive x MOVED] drives at the times last asked for */
     double *drawn, share; /* [nrow] of drives: their measure as drawn; how far they have gone from there to c(t) */

@@ -29,6 +29,28 @@ grep -q "drive 'two' contradicts" "$work/err" && ok "two drives, 1e-3 apart: tol
 "$FMDSUB" run --set 'drives.two.value=0.2*sin(t) + if(t < 0.5, 0, (t - 0.5)^2)' tests/hard/two-drives.yaml >"$work/out" 2>"$work/err"
 expect "two drives that part: status" 5 $? "$work/err"
 
+# A corner next to a singular posture, from which drives alone can step aside.  The angle is that of a smooth passage.
+for eps in 1.0e-4 1.0e-5 1.0e-6 1.0e-9; do
+    for scheme in midpoint newmark subcycle rk4 dopri5; do
+        how="--set parameters.eps=$eps --set integrate.scheme=$scheme"
+        [ $scheme = dopri5 ] && how="$how --set integrate.tolerance=1.0e-8"
+        "$FMDSUB" run -q $how tests/hard/flat-drive.yaml >"$work/out" 2>"$work/err"
+        expect "flat by $eps, $scheme: status" 0 $? "$work/err"
+        expect "flat by $eps, $scheme: angle" 0.2441 "$(awk -F, 'END { printf "%.4f", $2 + ('$eps' * 0.84) }' "$work/out")"
+    done
+done
+
+# A drive that has no value from some time on, alone and with a freedom left.
+for value in 'sqrt(0.3 - t)' '0.1*asin(t/0.3)'; do
+    for scheme in midpoint newmark subcycle rk4; do
+        "$FMDSUB" run -q --set "drives.one.value=$value" --set drives.two.value="$value" \
+            --set integrate.scheme=$scheme --set "initial={assemble: true}" tests/hard/two-drives.yaml >"$work/out" 2>"$work/err"
+        expect "$value, $scheme: status" 5 $? "$work/err"
+        grep -q "drive 'one' or a rate of it is not a number" "$work/err" && ok "$value, $scheme: told" ||
+            not_ok "$value, $scheme: told" "stderr:" "$work/err"
+    done
+done
+
 # Twenty seconds with the fast part resolved, omega h = 0.084: the balance holds, and does not wander.
 for n in 1 5 10 20; do
     "$FMDSUB" run -q --set integrate.step=5.0e-4 --set integrate.ratio=$n --every 0.05 --until 20 \
