@@ -148,6 +148,7 @@ static struct jet variable(const double *slot, int index, int which)
 double expr_jet(const struct expr *e, double *d, double *dd, const double *slot, int which)
 {
     struct jet stack[EXPR_STACK + 1], *s = stack, y; /* s: the first free place */
+    stack[0] = constant(0);
     for (const struct instruction *x = e->code; x->op != OP_END; x++) {
         if (x->op == OP_CONST) {
             *s++ = constant(x->value);

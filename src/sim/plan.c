@@ -18,7 +18,7 @@ static enum status find_scheme(struct sim *sim, struct diags *diags)
     const struct integrate *p = &sim->plan;
     const char *names[32];
     int n = 0;
-    for (; stepper_kinds[n] && n < 32; n++) names[n] = stepper_kinds[n]->name;
+    for (; n < 32 && stepper_kinds[n]; n++) names[n] = stepper_kinds[n]->name;
     const struct stepper_kind *kind = stepper_find(p->scheme);
     if (kind) {
         sim->stepper.kind = kind;

@@ -85,7 +85,7 @@ static enum status resid(const struct ode2 *ode, double *r, double *w, double *d
     if (isnan(x->q[0])) return condense_lost(o, x->t, why);
     TRY(resid_there(o, r, w, dk, x, cls, why));
     if (!look_aside(o, x->q, x->t)) return OK;
-    double w_side[2][POWER_CHANNELS];
+    double w_side[2][POWER_CHANNELS] = {{0}};
     for (int side = 0; side < 2; side++) {
         struct instant there = *x;
         there.q = o->side[side];

@@ -5,8 +5,8 @@
  *
  *     arm = R x,     r = r_p + arm,                      its axes R R_n E
  *     w  = w_p + R w_n                                   v = v_p + w_p x arm + R v_n
- *     al = al_p + R al_n + w_p x R w_n                   a = a_p + al_p x arm + w_p x (w_p x arm) + 2 w_p x R v_n + R
- * a_n
+ *     al = al_p + R al_n + w_p x R w_n
+ *     a  = a_p + al_p x arm + w_p x (w_p x arm) + 2 w_p x R v_n + R a_n
  *
  * and its force and moment go to the frame as over any arm and to the coordinates as dx' F + dw' N. */
 #include <string.h>
