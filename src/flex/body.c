@@ -239,6 +239,6 @@ struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena
     for (int k = 0; k < o->nnode; k++) refer_node(&o->node[k], &old->node[k], &r, n);
     refer_single(o, old, &r);
     for (int k = 0; k < n * n; k++) refer_pair(o, old, &r, k % n, k / n);
-    for (int k = 0; o->s && k < n * n; k++) refer_second(o, old, &r, k % n, k / n);
+    for (int k = 0; old->s && k < n * n; k++) refer_second(o, old, &r, k % n, k / n);
     return o;
 }

@@ -36,9 +36,9 @@ void ledger_push(struct ledger *o, double t, double kinetic, double elastic, dou
     double kin = kinetic - o->kinetic0;
     double taken = o->lost - o->work[LEDGER_DAMPER] - o->work[LEDGER_FRICTION];
     double internal = elastic - o->elastic0 + taken;
-    double external = o->work[LEDGER_EXTERNAL] + o->work[LEDGER_DRIVE] - (gravity - o->gravity0);
-    o->residual = kin + internal - external;
-    o->norm = fmax(o->norm, fmax(fabs(kin) + fabs(internal) + fabs(external), least_norm(o)));
+    double drive = o->work[LEDGER_DRIVE], external = o->work[LEDGER_EXTERNAL] - (gravity - o->gravity0);
+    o->residual = kin + internal - external - drive;
+    o->norm = fmax(o->norm, fmax(fabs(kin) + fabs(internal) + fabs(external) + fabs(drive), least_norm(o)));
     if (fabs(o->residual) > o->worst || isnan(o->residual)) {
         o->worst = fabs(o->residual);
         o->t_worst = t;

@@ -4,9 +4,9 @@
  *
  * counted from the start: W_kin the change of kinetic energy; W_int the change of elastic energy and
  * what dampers, friction and the scheme's own damping took; W_ext the work of external forces, drives and gravity.
- * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, at least 1e-2 of the energy at the start
- * and what round-off leaves of a difference of energies: print (2-26*) leaves it undefined.  The works come from the
- * integrator, summed by its own quadrature. */
+ * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, the drives' share in W_ext for itself, at least 1e-2
+ * of the energy at the start and what round-off leaves of a difference of energies: print (2-26*) leaves it undefined.
+ * The works come from the integrator, summed by its own quadrature. */
 #ifndef FMDSUB_LEDGER_LEDGER_H
 #define FMDSUB_LEDGER_LEDGER_H
 

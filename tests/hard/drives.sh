@@ -51,6 +51,10 @@ for value in 'sqrt(0.3 - t)' '0.1*asin(t/0.3)'; do
     done
 done
 
+# What balances is a drive's work and gravity's; kinetic energy next to them is none.
+"$FMDSUB" run -q tests/hard/slow-lift.yaml >"$work/out" 2>"$work/err"
+expect "slow lift: status" 0 $? "$work/err"
+
 # Twenty seconds with the fast part resolved, omega h = 0.084: the balance holds, and does not wander.
 for n in 1 5 10 20; do
     "$FMDSUB" run -q --set integrate.step=5.0e-4 --set integrate.ratio=$n --every 0.05 --until 20 \
