@@ -10,9 +10,9 @@ void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort
 {
     int n = ode->n;
     *m = (struct matrix){.ode = ode, .effort = effort};
-    m->J = TAKE(life, double, n *n);
-    m->K = TAKE(life, double, n *n);
-    m->C = TAKE(life, double, n *n);
+    m->J = TAKE(life, double, (size_t)n *(size_t)n);
+    m->K = TAKE(life, double, (size_t)n *(size_t)n);
+    m->C = TAKE(life, double, (size_t)n *(size_t)n);
     m->swap = TAKE(life, int, n);
     m->structured = n > SMALL && ode->direct && ode->direct->factor && ode->direct->solve;
     if (m->structured) m->F = arena_take(life, 1, ode->direct->factor_size);

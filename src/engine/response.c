@@ -13,8 +13,8 @@ static void take_minor(struct minor *m, int n, int ns, struct arena *life)
 {
     double **square[] = {&m->K, &m->C}, **fast[] = {&m->J, &m->S, &m->V, &m->spare};
     *m = (struct minor){.n = n, .ns = ns};
-    for (int i = 0; i < 2; i++) *square[i] = TAKE(life, double, n *n);
-    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, ns *ns);
+    for (int i = 0; i < 2; i++) *square[i] = TAKE(life, double, (size_t)n *(size_t)n);
+    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, (size_t)ns *(size_t)ns);
     m->swap = TAKE(life, int, ns);
 }
 
@@ -85,8 +85,8 @@ void response_open(struct response *p, const struct decouple *dec, struct arena 
     double **wide[] = {&p->X, &p->Y, &p->v, &p->dx, &p->dd};
     double **mixed[] = {&p->U, &p->GU, &p->V};
     double **pair[] = {&p->E, &p->T};
-    for (int i = 0; i < 5; i++) *slow[i] = TAKE(life, double, nl *nl);
-    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, ns *ns);
+    for (int i = 0; i < 5; i++) *slow[i] = TAKE(life, double, (size_t)nl *(size_t)nl);
+    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, (size_t)ns *(size_t)ns);
     for (int i = 0; i < 5; i++) *wide[i] = TAKE(life, double, 2 * ns * ns);
     for (int i = 0; i < 3; i++) *mixed[i] = TAKE(life, double, 2 * ns * nl);
     for (int i = 0; i < 2; i++) *pair[i] = TAKE(life, double, 4 * ns * ns);
@@ -94,8 +94,8 @@ void response_open(struct response *p, const struct decouple *dec, struct arena 
     p->one.Mss = p->Mss;
     p->one.A = p->A;
     p->one.D = p->D;
-    p->FW = TAKE(life, double, nl *ns);
-    p->Q = TAKE(life, double, p->ml *ns);
+    p->FW = TAKE(life, double, (size_t)nl *(size_t)ns);
+    p->Q = TAKE(life, double, (size_t)p->ml *(size_t)ns);
     p->d = TAKE(life, double, n);
     p->z = TAKE(life, double, n);
     p->s = TAKE(life, double, 2 * ns);

@@ -217,7 +217,7 @@ static void build_loops(struct system *s, struct arena *life)
     const struct model *m = s->model;
     s->loops = condense_build(m, s->ops, &s->ode, s->elements, &s->moves, m->q0, m->v0, life);
     const int n = condense_ode2(s->loops)->n;
-    if (!s->M) s->M = TAKE(life, double, n *n);
+    if (!s->M) s->M = TAKE(life, double, (size_t)n *(size_t)n);
     s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
 }
 
