@@ -124,10 +124,19 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     return 0;
 }
 
+/* `initial: static`, `initial: assemble`: the wish alone. */
+static bool is_wish(struct scene *scene, const struct node *n)
+{
+    if (n->type != NODE_SCALAR) return false;
+    if (strcmp(n->text, "static") == 0) return scene->at_rest = true;
+    if (strcmp(n->text, "assemble") == 0) return scene->assemble = true;
+    return false;
+}
+
 int read_initial(struct builder *b, const struct node *n)
 {
     int errors = 0;
-    if (!n) return 0;
+    if (!n || is_wish(b->scene, n)) return 0;
     if (read_map(n, "'initial'", &b->reader)) return 1;
     if (node_find(n, "from")) return read_from(b, n, node_find(n, "from"));
     struct scene *scene = b->scene;

@@ -17,3 +17,10 @@ expect "check: joints whose reactions are not unique" "pin1 pin2 pin3 pin5 pin6"
     "$(sed -n 's/^ *\(pin[0-9]\) .*of the tree; reactions not unique$/\1/p' "$work/words" | sort | tr '\n' ' ' | sed 's/ $//')"
 expect "check: mass" "5 kg, centre at (0.6, -0.6, 0.5) m" "$(sed -n 's/^mass: //p' "$work/words")"
 expect "check: centre in the object" "[0.6, -0.6, 0.5]" "$(sed -n 's/^.*"centre":[[:space:]]*\(\[.*\]\),$/\1/p' "$work/object" | sed 's/0000000000*1//g')"
+
+# A wish alone is the same as in a map.
+sed 's/^initial:.*/initial: static/' decks/cantilever.yaml >"$work/alone.yaml"
+for deck in decks/cantilever.yaml "$work/alone.yaml"; do
+    "$FMDSUB" run -q --until 0.01 "$deck" >"$work/$(basename "$deck" .yaml).csv" 2>"$work/err"
+done
+same "initial: static, alone and in a map" "$work/cantilever.csv" "$work/alone.csv"
