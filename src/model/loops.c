@@ -87,7 +87,7 @@ static void mark_quick_drives(const struct making *o, bool *fast)
     const struct model *m = o->m;
     if (p->ratio <= 1 || !(p->step > 0)) return;
     for (int i = 0; i < m->ndrive; i++) {
-        const struct model_loop *l = &o->loop[m->nloop - m->ndrive + i];
+        const struct model_loop *l = &o->loop[model_first_drive(m) + i];
         const double error = local_error(l->drive, p->step * p->ratio, p->until);
         if (fast[l->component] || error <= RESOLVED) continue;
         fast[l->component] = true;

@@ -151,4 +151,10 @@ struct model {
     int ndrive;                                /* the last ndrive loops are drives, in the scene's order */
 };
 
+/* The number of the first loop that is a drive; nloop where there are none. */
+static inline int model_first_drive(const struct model *m)
+{
+    return m->nloop - m->ndrive;
+}
+
 #endif

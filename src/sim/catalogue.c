@@ -237,7 +237,7 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
     for (int i = 0; i < m->npoint; i++) add_point(&l, &m->point[i], i);
     for (int i = 0; i < m->nmeasure; i++) add_measure(&l, &m->measure[i], i);
     for (int i = 0; i < m->nforce; i++) add_force(&l, m, &m->force[i], i);
-    for (int i = m->nloop - m->ndrive; i < m->nloop; i++) add_drive(&l, m, i);
+    for (int i = model_first_drive(m); i < m->nloop; i++) add_drive(&l, m, i);
     add_energies(&l);
     add_steps(&l);
 }

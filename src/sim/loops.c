@@ -10,7 +10,7 @@ static const struct node *node_of(const struct sim *sim, int l)
 {
     const struct model *m = sim->model;
     int i = 0;
-    if (m->loop[l].drive) return sim->scene->drive[l - (m->nloop - m->ndrive)].node;
+    if (m->loop[l].drive) return sim->scene->drive[l - model_first_drive(m)].node;
     while (m->loop_of[i] != l) i++;
     return sim->scene->joint[i].node;
 }

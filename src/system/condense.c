@@ -200,7 +200,7 @@ static double next_kink(const struct ode2 *ode, double t)
     const struct condense *o = ode->self;
     const struct model *m = o->model;
     double next = o->tree->breaks ? o->tree->breaks->next(o->tree, t) : INFINITY;
-    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) next = fmin(next, signal_next(m->loop[l].drive, t));
+    for (int l = model_first_drive(m); l < m->nloop; l++) next = fmin(next, signal_next(m->loop[l].drive, t));
     return next;
 }
 

@@ -24,7 +24,7 @@ void condense_time(struct condense *o, double t, double ta, double tb)
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why)
 {
     const struct model *m = o->model;
-    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) {
+    for (int l = model_first_drive(m); l < m->nloop; l++) {
         const int row = o->loops->first[l];
         if (!isfinite(o->loops->c[row]) || !isfinite(o->loops->c1[row]) ||
             (accelerations && !isfinite(o->loops->c2[row])))
@@ -59,24 +59,12 @@ enum status condense_contest(struct condense *o, double t, struct trouble *why)
     return OK;
 }
 
-/* c1 := by how much the drives' rates jump in [ta, tb); 0: nowhere. */
-static int corners(struct condense *o, double ta, double tb)
-{
-    const struct model *m = o->model;
-    int any = 0;
-    for (int l = m->nloop - m->ndrive; l < m->nloop; l++) {
-        const double unit = m->measure[m->loop[l].measure].angular ? 1 : 1 / o->loops->length;
-        any |= (o->loops->c1[o->loops->first[l]] = unit * signal_corner(m->loop[l].drive, ta, tb)) != 0;
-    }
-    return any;
-}
-
 double condense_corner(const struct ode2 *ode, double ta, double tb)
 {
     const struct condense *o = ode->self;
     const struct model *m = o->model;
     double first = INFINITY;
-    for (int l = m->nloop - m->ndrive; l < m->nloop; l++)
+    for (int l = model_first_drive(m); l < m->nloop; l++)
         first = fmin(first, signal_corner_time(m->loop[l].drive, ta, fmin(first, tb)));
     return first;
 }
@@ -87,10 +75,10 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     struct trouble why;
     const int n = ode->n, nt = o->nt;
     double *dv = o->mean, *M = o->M_jump;
-    if (!corners(o, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
+    if (!loops_corners(o->loops, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
     condense_factor(o, q, ta, &why);
-    corners(o, ta, tb); /* their rates have been asked for between */
+    loops_corners(o->loops, ta, tb); /* their rates have been asked for between */
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
     condense_follow(o, o->at);
     condense_still(o, q, ALL);

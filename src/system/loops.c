@@ -59,7 +59,7 @@ static void look_at_drive(struct loops *o, const struct sweep *s, int l, const d
 
 void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v)
 {
-    const int joints = o->model->nloop - o->model->ndrive;
+    const int joints = model_first_drive(o->model);
     for (int l = 0; l < joints; l++) {
         const struct model_loop *loop = &o->model->loop[l];
         if (loop->nterm)
@@ -79,7 +79,7 @@ static double scale(const struct loops *o, int l)
 /* Where drive l is at t: the iterations of a step ask for the same few times again and again. */
 static const double *motion_of(struct loops *o, int l, double t)
 {
-    struct moved *m = o->moved + MOVED * (l - (o->model->nloop - o->model->ndrive));
+    struct moved *m = o->moved + MOVED * (l - model_first_drive(o->model));
     for (int i = 0; i < MOVED; i++)
         if (m[i].t == t) return m[i].x;
     for (int i = MOVED - 1; i > 0; i--) m[i] = m[i - 1];
@@ -90,7 +90,7 @@ static const double *motion_of(struct loops *o, int l, double t)
 
 void loops_when(struct loops *o, double t)
 {
-    for (int l = o->model->nloop - o->model->ndrive; l < o->model->nloop; l++) {
+    for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         const double *x = motion_of(o, l, t), unit = scale(o, l);
         int row = o->first[l];
         o->c[row] = o->share == 1 ? unit * x[0] : o->drawn[row] + o->share * (unit * x[0] - o->drawn[row]);
@@ -110,7 +110,7 @@ static bool has_corner(const struct signal *c, const double *a, const double *b,
 void loops_over(struct loops *o, double ta, double tb)
 {
     if (ta == tb) return;
-    for (int l = o->model->nloop - o->model->ndrive; l < o->model->nloop; l++) {
+    for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         double a[3], unit = scale(o, l) / (tb - ta);
         int row = o->first[l];
         memcpy(a, motion_of(o, l, ta), sizeof a);
@@ -119,6 +119,17 @@ void loops_over(struct loops *o, double ta, double tb)
         o->c2[row] = unit * (b[1] - a[1]);
         if (has_corner(o->model->loop[l].drive, a, b, ta, tb)) o->cw[row] = scale(o, l) * (a[1] + b[1]) / 2;
     }
+}
+
+int loops_corners(struct loops *o, double ta, double tb)
+{
+    int any = 0;
+    for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
+        double *jump = &o->c1[o->first[l]];
+        *jump = scale(o, l) * signal_corner(o->model->loop[l].drive, ta, tb);
+        any |= *jump != 0;
+    }
+    return any;
 }
 
 void loops_values(double *C, const struct loops *o)
@@ -197,7 +208,7 @@ static void jacobian(struct loops *o, const struct sweep *s, int l)
 
 void loops_jacobian(struct loops *o, const struct sweep *s)
 {
-    const int joints = o->model->nloop - o->model->ndrive;
+    const int joints = model_first_drive(o->model);
     for (int l = 0; l < joints; l++)
         if (o->model->loop[l].nterm == 0) jacobian(o, s, l);
     for (int l = joints; l < o->model->nloop; l++) drive_jacobian(o, s, l);

@@ -69,6 +69,8 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
 /* Drives as they are at t; over [ta, tb], if that is longer than nothing, by their mean rate and acceleration. */
 void loops_when(struct loops *o, double t);
 void loops_over(struct loops *o, double ta, double tb);
+/* c1 := by how much the rates of drives jump at corners in [ta, tb); 0: nowhere. */
+int loops_corners(struct loops *o, double ta, double tb);
 /* Looks at the bodies: first of all, after each motion; v may be that of any motion where rates are not asked. */
 void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v);
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
