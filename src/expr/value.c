@@ -281,6 +281,46 @@ bool expr_is_constant(const struct expr *e)
     return next_slot(e, -1) < 0;
 }
 
+/* Roots and radii bend where they are 0, quotients where their divisor is. */
+static bool is_smooth(enum op op)
+{
+    switch (op) {
+    case OP_CONST:
+    case OP_SLOT:
+    case OP_ADD:
+    case OP_SUB:
+    case OP_MUL:
+    case OP_ADD_CONST:
+    case OP_SUB_CONST:
+    case OP_MUL_CONST:
+    case OP_DIV_CONST:
+    case OP_ADD_SLOT:
+    case OP_SUB_SLOT:
+    case OP_MUL_SLOT:
+    case OP_NEG:
+    case OP_SQUARE:
+    case OP_CUBE:
+    case OP_SIN:
+    case OP_COS:
+    case OP_ATAN:
+    case OP_SINH:
+    case OP_COSH:
+    case OP_TANH:
+    case OP_EXP:
+    case OP_END:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool expr_is_smooth(const struct expr *e)
+{
+    for (int i = 0; i < e->n; i++)
+        if (!is_smooth(e->code[i].op)) return false;
+    return true;
+}
+
 int expr_length(const struct expr *e)
 {
     return e->n - 1;

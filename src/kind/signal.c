@@ -56,8 +56,8 @@ void signal_motion(const struct signal *s, double *x, double t)
         x[0] = expr_jet(s->expr, &x[1], &x[2], &t, 0);
         return;
     }
-    x[0] = table_value(&x[1], s, t);
-    x[1] = 0;
+    double slope;
+    x[0] = table_value(&slope, s, t);
     if (s->n < 2 || t < s->t[0] || t - s->t[s->n - 1] > same) return;
     int i = t >= s->t[s->n - 1] ? s->n - 2 : piece(s, t);
     if (i > 0 && t - s->t[i] <= same) i--;
@@ -86,6 +86,7 @@ static double excess(const struct signal *s, double *size, double ta, double tb)
  * a mere jump of the acceleration halves with the interval: 0. */
 static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
+    if (expr_is_smooth(s->expr)) return 0;
     double size, first = excess(s, &size, *ta, *tb), here = first;
     if (fabs(first) <= 1e-6 * size) return 0;
     for (int i = 0; i < halvings; i++) {

@@ -533,6 +533,20 @@ static void jets(void **state)
     arena_close(arena);
 }
 
+/* Smooth is what has nothing in it that may bend. */
+static void smooth(void **state)
+{
+    static const char *const can_bend[] = {"abs(t)", "t + min(t, 1)", "if(t < 1, t, 1)", "sqrt(t)", "hypot(t, x)",
+                                           "1/t",    "mod(t, 2)",     "floor(t)",        "t^x",     "sin(sign(t))"};
+    static const char *const cannot[] = {"2", "t", "3*t - x^2", "sin(2*pi*t)*exp(-t/3)", "tanh(t)^3 + atan(x)"};
+    struct arena *arena = arena_open();
+    (void)state;
+    for (size_t i = 0; i < sizeof can_bend / sizeof *can_bend; i++)
+        assert_false(expr_is_smooth(parsed(arena, can_bend[i])));
+    for (size_t i = 0; i < sizeof cannot / sizeof *cannot; i++) assert_true(expr_is_smooth(parsed(arena, cannot[i])));
+    arena_close(arena);
+}
+
 /* A truth by itself is what it is as the condition of if. */
 static void truths(void **state)
 {
@@ -572,9 +586,9 @@ static void truths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values),       cmocka_unit_test(errors), cmocka_unit_test(limits),
-        cmocka_unit_test(corners),      cmocka_unit_test(slots),  cmocka_unit_test(speed),
-        cmocka_unit_test(random_trees), cmocka_unit_test(truths), cmocka_unit_test(jets),
+        cmocka_unit_test(values), cmocka_unit_test(errors), cmocka_unit_test(limits),       cmocka_unit_test(corners),
+        cmocka_unit_test(slots),  cmocka_unit_test(speed),  cmocka_unit_test(random_trees), cmocka_unit_test(truths),
+        cmocka_unit_test(jets),   cmocka_unit_test(smooth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
