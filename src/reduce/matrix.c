@@ -55,15 +55,24 @@ static enum status triples(struct sparse *o, struct text *text, const struct mat
     return build(o, &t, text, life);
 }
 
-enum status matrix_read_triples(struct sparse *o, const char *path, const struct matrix_rows *rows, struct arena *life,
-                                struct report *report)
+/* A file in one of the two forms. */
+static enum status read_by(enum status (*form)(struct sparse *o, struct text *text, const struct matrix_rows *rows,
+                                               struct arena *scratch, struct arena *life),
+                           struct sparse *o, const char *path, const struct matrix_rows *rows, struct arena *life,
+                           struct report *report)
 {
     struct arena *scratch = arena_open();
     struct text text;
     enum status status = text_open(&text, path, scratch, report);
-    if (status == OK) status = triples(o, &text, rows, scratch, life);
+    if (status == OK) status = form(o, &text, rows, scratch, life);
     arena_close(scratch);
     return status;
+}
+
+enum status matrix_read_triples(struct sparse *o, const char *path, const struct matrix_rows *rows, struct arena *life,
+                                struct report *report)
+{
+    return read_by(triples, o, path, rows, life, report);
 }
 
 static bool next_word(char **at, const char *word)
@@ -126,10 +135,5 @@ static enum status market(struct sparse *o, struct text *text, const struct matr
 enum status matrix_read_market(struct sparse *o, const char *path, const struct matrix_rows *rows, struct arena *life,
                                struct report *report)
 {
-    struct arena *scratch = arena_open();
-    struct text text;
-    enum status status = text_open(&text, path, scratch, report);
-    if (status == OK) status = market(o, &text, rows, scratch, life);
-    arena_close(scratch);
-    return status;
+    return read_by(market, o, path, rows, life, report);
 }
