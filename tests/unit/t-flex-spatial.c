@@ -10,6 +10,7 @@
 #include "system/system.h"
 
 #include "unit/bent.h"
+#include "unit/near.h"
 #include "unit/transforms.h"
 
 #include <math.h>
@@ -66,22 +67,6 @@ static void open_scene(struct scene *o, unsigned seed, unsigned cloud_flags)
 {
     open_tree(o, seed, (seed % 3 == 0 ? TREE_CHAIN : 0) | (seed % 2 ? TREE_FAST_LEAVES : 0), cloud_flags);
 }
-
-static double worst(const double *a, const double *b, int n)
-{
-    double x = 0;
-    for (int i = 0; i < n; i++) x = fmax(x, isnan(a[i] - b[i]) ? INFINITY : fabs(a[i] - b[i]));
-    return x;
-}
-
-static double size(const double *a, int n)
-{
-    double x = 1;
-    for (int i = 0; i < n; i++) x = fmax(x, fabs(a[i]));
-    return x;
-}
-
-#define NEAR(a, b, n, tolerance) assert_true(worst(a, b, n) <= (tolerance)*size(b, n))
 
 static void resid(double *r, struct scene *o, const double *v, const double *a, unsigned cls)
 {

@@ -3,6 +3,7 @@
 
 #include "la/dense.h"
 #include "unit/clouds.h"
+#include "unit/near.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -39,22 +40,6 @@ static void open_scene(struct scene *o, unsigned seed, unsigned flags)
     cloud_field(o->q1, &d, o->n, 1);
     cloud_field(o->q2, &d, o->n, 2);
 }
-
-static double worst(const double *a, const double *b, int n)
-{
-    double x = 0;
-    for (int i = 0; i < n; i++) x = fmax(x, isnan(a[i] - b[i]) ? INFINITY : fabs(a[i] - b[i]));
-    return x;
-}
-
-static double size(const double *a, int n)
-{
-    double x = 1;
-    for (int i = 0; i < n; i++) x = fmax(x, fabs(a[i]));
-    return x;
-}
-
-#define NEAR(a, b, n, tolerance) assert_true(worst(a, b, n) <= (tolerance)*size(b, n))
 
 static void cross(double *o, const double *a, const double *b)
 {

@@ -6,6 +6,7 @@
  * f(x + i e)/e has no difference in it and is exact to round-off (Squire & Trapp 1998). */
 #include "system/sweep.h"
 
+#include "unit/near.h"
 #include "unit/transforms.h"
 
 #include <math.h>
@@ -259,24 +260,6 @@ static void open_scene(struct scene *o, unsigned seed)
     if (seed % 7 == 6) straighten(m);
     open_model(o, m, seed);
 }
-
-/* Largest difference; infinite when one is not a number. */
-static double worst(const double *a, const double *b, int n)
-{
-    double x = 0;
-    for (int i = 0; i < n; i++) x = fmax(x, isnan(a[i] - b[i]) ? INFINITY : fabs(a[i] - b[i]));
-    return x;
-}
-
-static double size(const double *a, int n)
-{
-    double x = 1;
-    for (int i = 0; i < n; i++) x = fmax(x, fabs(a[i]));
-    return x;
-}
-
-/* Of the size of b, at least 1. */
-#define NEAR(a, b, n, tolerance) assert_true(worst(a, b, n) <= (tolerance)*size(b, n))
 
 static void push_all(struct scene *o)
 {
