@@ -28,6 +28,8 @@ enum {
     MOST = 6 * (MOST_BODIES + MOST_JOINTS)
 };
 
+#include "unit/augmented.h"
+
 /* A joint of either sort, as the independent formulation sees it. */
 struct any_joint {
     enum joint_type type;
@@ -161,15 +163,6 @@ static void make_linkage(struct linkage *o, int space, unsigned seed, bool redun
 
 /* --- the independent formulation ---------------------------------------------------------------- */
 
-struct place {
-    double r[3], R[9], v[3], w[3];
-};
-
-static void cross(double *o, const double *a, const double *b)
-{
-    o[0] = a[1] * b[2] - a[2] * b[1], o[1] = a[2] * b[0] - a[0] * b[2], o[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static void add_unit(double *J, int body, const double *dir, const double *arm, double factor)
 {
     double moment[3];
@@ -290,7 +283,7 @@ static void later(struct place *to, const struct place *from, int n, double h)
     }
 }
 
-static double J0[MOST][MOST], J1[MOST][MOST], S[MOST][MOST + 1];
+static double J0[MOST][MOST], J1[MOST][MOST];
 
 /* y += s J v */
 static void add_product(double *y, double s, double (*J)[MOST], const struct place *p, int rows, int nbody)
@@ -301,69 +294,6 @@ static void add_product(double *y, double s, double (*J)[MOST], const struct pla
                 y[i] += s * (J[i][6 * (b - 1) + k] * p[b].v[k] + J[i][6 * (b - 1) + 3 + k] * p[b].w[k]);
 }
 
-/* Solves S x = last column with full pivoting; what is left over must vanish. */
-static double solve(double *x, int n)
-{
-    int col[MOST], rank = 0;
-    double first = 0, left = 0;
-    for (int j = 0; j < n; j++) col[j] = j, x[j] = 0;
-    for (; rank < n; rank++) {
-        int pi = rank, pj = rank;
-        for (int i = rank; i < n; i++)
-            for (int j = rank; j < n; j++)
-                if (fabs(S[i][col[j]]) > fabs(S[pi][col[pj]])) pi = i, pj = j;
-        double pivot = S[pi][col[pj]];
-        if (rank == 0) first = fabs(pivot);
-        if (fabs(pivot) < 1e-9 * first) break;
-        int c = col[rank];
-        col[rank] = col[pj], col[pj] = c;
-        for (int j = 0; j <= n; j++) {
-            double y = S[pi][j];
-            S[pi][j] = S[rank][j], S[rank][j] = y;
-        }
-        for (int i = rank + 1; i < n; i++) {
-            double f = S[i][col[rank]] / S[rank][col[rank]];
-            for (int j = 0; f != 0 && j <= n; j++) S[i][j] -= f * S[rank][j];
-        }
-    }
-    for (int i = rank; i < n; i++) left = fmax(left, fabs(S[i][n]));
-    for (int i = rank - 1; i >= 0; i--) {
-        double sum = S[i][n];
-        for (int j = i + 1; j < rank; j++) sum -= S[i][col[j]] * x[col[j]];
-        x[col[i]] = sum / S[i][col[i]];
-    }
-    return left;
-}
-
-/* Tensor about the centre in world axes. */
-static void tensor(double *I, const struct model_body *b, const double *R)
-{
-    const double *t = b->inertia;
-    const double T[9] = {t[0], t[3], t[4], t[3], t[1], t[5], t[4], t[5], t[2]};
-    double RT[9];
-    tree_mm(RT, R, T);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            I[i + 3 * j] = 0;
-            for (int k = 0; k < 3; k++) I[i + 3 * j] += RT[i + 3 * k] * R[j + 3 * k];
-        }
-}
-
-static void put_body(const struct model *m, int b, const struct place *p, int n)
-{
-    double I[9], L[3], gyro[3];
-    const int at = 6 * (b - 1);
-    tensor(I, &m->body[b], p->R);
-    tree_mv(L, I, p->w);
-    cross(gyro, p->w, L);
-    for (int i = 0; i < 3; i++) {
-        S[at + i][at + i] = m->body[b].mass;
-        S[at + i][n] = m->body[b].mass * m->gravity[i];
-        S[at + 3 + i][n] = -gyro[i];
-        for (int j = 0; j < 3; j++) S[at + 3 + i][at + 3 + j] = I[i + 3 * j];
-    }
-}
-
 /* x: accelerations of body b (from 1) at 6 (b - 1): of the centre, angular. */
 static double accelerations(double *x, const struct linkage *o, const struct place *p)
 {
@@ -371,26 +301,14 @@ static double accelerations(double *x, const struct linkage *o, const struct pla
     const struct model *m = &o->model;
     struct place q[MOST_BODIES];
     double gacc[MOST] = {0};
-    const int nb = 6 * (m->nbody - 1), rows = all_rows(J0, o, p), n = nb + rows;
+    const int rows = all_rows(J0, o, p);
     for (int i = 0; i < 4; i++) { /* central differences of fourth order */
         static const double at[] = {-2, -1, 1, 2}, weight[] = {1. / 12, -2. / 3, 2. / 3, -1. / 12};
         later(q, p, m->nbody, at[i] * h);
         all_rows(J1, o, q);
         add_product(gacc, weight[i] / h, J1, p, rows, m->nbody);
     }
-    memset(S, 0, sizeof S);
-    for (int i = 0; i < rows; i++) {
-        for (int k = 0; k < nb; k++) S[nb + i][k] = S[k][nb + i] = J0[i][k];
-        S[nb + i][n] = -gacc[i];
-    }
-    for (int b = 1; b < m->nbody; b++) put_body(m, b, &p[b], n);
-    for (int k = 0; m->space == 2 && k < nb; k++) /* out of the plane: nothing moves */
-        if (k % 6 == 2 || k % 6 == 3 || k % 6 == 4) {
-            for (int i = 0; i < n; i++) S[k][i] = S[i][k] = 0;
-            S[k][k] = 1;
-            S[k][n] = 0;
-        }
-    return solve(x, n);
+    return augmented_solve(x, m, p, J0, gacc, rows);
 }
 
 /* --- the comparison ------------------------------------------------------------------------------ */
