@@ -287,11 +287,12 @@ static void shift(struct flex_place *o, const struct flex_node *node, const doub
 
 /* R = cay(theta), theta = psi q; in frame axes w = c (theta' + theta x theta'/2), c = 1/(1 + theta.theta/4).  R's
  * column i is e_i + c (theta x e_i + theta x (theta x e_i)/2). */
-static double turn(struct flex_place *o, double *theta, const struct flex_node *node, const double *q, int n)
+static void turn(struct flex_place *o, const struct flex_node *node, const double *q, int n)
 {
+    double *theta = o->theta;
     v3_set(theta, 0, 0, 0);
     add3(theta, node->psi, q, n);
-    const double c = 1 / (1 + .25 * v3_dot(theta, theta));
+    const double c = o->c = 1 / (1 + .25 * v3_dot(theta, theta));
     for (int i = 0; i < 3; i++) {
         const double e[3] = {i == 0, i == 1, i == 2};
         double y[3], z[3];
@@ -309,28 +310,37 @@ static double turn(struct flex_place *o, double *theta, const struct flex_node *
         v3_cross_add(dw, theta, half);
         v3_scale(dw, c, dw);
     }
-    return c;
 }
 
-void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q, const double *q1,
-                   const double *q2)
+void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q)
+{
+    const struct flex_node *at = &k->body->node[node];
+    shift(o, at, q, k->n);
+    turn(o, at, q, k->n);
+}
+
+/* The bias of accelerations is what they are with q'' = 0: v' = q'S q', and (theta' + theta x theta'/2)' has no
+ * theta' x theta'. */
+void flex_place_move(struct flex_place *o, const struct flex_kernel *k, int node, const double *q1)
 {
     const int n = k->n;
     const struct flex_node *at = &k->body->node[node];
-    double theta[3], theta1[3] = {0};
-    shift(o, at, q, n);
-    const double c = turn(o, theta, at, q, n);
-    if (!q1) return;
+    double theta1[3] = {0};
     v3_set(o->v, 0, 0, 0);
     v3_set(o->w, 0, 0, 0);
+    v3_set(o->bias, 0, 0, 0);
     add3(o->v, o->dx, q1, n);
     add3(o->w, o->dw, q1, n);
-    if (!q2) return;
-    v3_set(o->a, 0, 0, 0);
-    add3(o->a, o->dx, q2, n);
     for (int j = 0; at->S && j < n; j++)
-        for (int i = 0; i < n; i++) v3_axpy(o->a, q1[i] * q1[j], at->S + 3 * (i + n * j));
-    add3(theta1, at->psi, q1, n); /* (theta' + theta x theta'/2)' has no theta' x theta' */
-    v3_scale(o->al, -.5 * c * v3_dot(theta, theta1), o->w);
-    add3(o->al, o->dw, q2, n);
+        for (int i = 0; i < n; i++) v3_axpy(o->bias, q1[i] * q1[j], at->S + 3 * (i + n * j));
+    add3(theta1, at->psi, q1, n);
+    v3_scale(o->turning, -.5 * o->c * v3_dot(o->theta, theta1), o->w);
+}
+
+void flex_place_speed_up(struct flex_place *o, const struct flex_kernel *k, const double *q2)
+{
+    v3_copy(o->a, o->bias);
+    add3(o->a, o->dx, q2, k->n);
+    v3_copy(o->al, o->turning);
+    add3(o->al, o->dw, q2, k->n);
 }

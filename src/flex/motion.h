@@ -58,16 +58,20 @@ double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *shape,
                     const double *q1);
 double flex_elastic(const struct flex_kernel *k, const double *q);
 
-/* A node's small body in the frame at q, q', q''.  q' NULL: position only, q'' NULL: no accelerations. */
+/* A node's small body in the frame. */
 struct flex_place {
     double x[3], R[9]; /* where it stands; node axes (parallel to the frame's when undeformed) to frame, by column */
+    double theta[3], c;
     double v[3], w[3]; /* velocity and angular velocity against the frame, frame axes */
     double a[3], al[3];
-    double *dx; /* [3 x n] dv/dq' = phi + S q */
-    double *dw; /* [3 x n] dw/dq' */
+    double bias[3], turning[3]; /* of a and al: what q' alone makes */
+    double *dx;                 /* [3 x n] dv/dq' = phi + S q */
+    double *dw;                 /* [3 x n] dw/dq' */
 };
 void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct arena *life);
-void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q, const double *q1,
-                   const double *q2);
+void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q);
+/* Velocities, after flex_place_at(); then accelerations. */
+void flex_place_move(struct flex_place *o, const struct flex_kernel *k, int node, const double *q1);
+void flex_place_speed_up(struct flex_place *o, const struct flex_kernel *k, const double *q2);
 
 #endif

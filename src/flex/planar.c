@@ -3,47 +3,10 @@
  * Everything linear in q is one product: the blocks that are not zero stand below each other in one table by column,
  * the zero ones of a beam along an axis take no time.  The same with q'.  Me is a diagonal for modes, so that M^ q'' is
  * Me q'' less the similar part of the fields at rest. */
-#include "flex/planar.h"
-
 #include <math.h>
 #include <string.h>
 
-enum { BLOCKS = 6, RATES = 5 };
-
-/* out = base + A x; block b of out begins at at[b]. */
-struct panel {
-    int n, size, rows; /* size of out; rows of A, whose other blocks are zero */
-    int at[BLOCKS];
-    double *base; /* [size] */
-    double *A;    /* [rows x n] */
-};
-
-/* y += A x; where A is diagonal, as for modes, [n] numbers will do. */
-struct form {
-    bool diagonal;
-    double *A;
-};
-
-struct node {
-    double x[2];
-    double *psi; /* [n] */
-    struct panel d, S;
-};
-
-struct flex_planar {
-    int n;
-    double pivot[2];      /* of the mean frame: the reference node */
-    double *mean;         /* [n] its turn by coordinate */
-    double mass, jx, rot; /* jx = tr xx */
-    double m_inv, j_inv;  /* 1/mass, 1/jx; 0 for a particle */
-    double *f, *e, *g;    /* [n x 2], [n], [n]: of the body at rest */
-    double *rpsi;         /* [n] */
-    struct panel shape;   /* of q: H (x, y), E, C, W^ q, P^' q */
-    struct panel rates;   /* of q': P^' q', sx, sy, tr xs, X */
-    struct form Me, K, D;
-    double *rest; /* [n x n] M^ */
-    struct node *node;
-};
+#include "flex/planar_parts.h"
 
 /* --- products ----------------------------------------------------------------------------------- */
 
@@ -274,216 +237,23 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
     o->angle = angle;
 }
 
-void flex_planar_place_rates(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1,
-                             const double *q2)
+void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1)
 {
     const struct node *d = &k->node[node];
     o->v[0] = dot(o->dx, q1, k->n);
     o->v[1] = dot(o->dy, q1, k->n);
     o->w = dot(o->dw, q1, k->n);
-    if (!q2) return;
-    o->a[0] = dot(o->dx, q2, k->n);
-    o->a[1] = dot(o->dy, q2, k->n);
-    o->al = dot(o->dw, q2, k->n);
+    o->bias[0] = o->bias[1] = 0;
     if (d->S.rows == 0) return;
     double *S = o->work + 2 * (long)k->n;
     panel_at(S, &d->S, q1);
-    o->a[0] += dot(S + d->S.at[0], q1, k->n);
-    o->a[1] += dot(S + d->S.at[1], q1, k->n);
+    o->bias[0] = dot(S + d->S.at[0], q1, k->n);
+    o->bias[1] = dot(S + d->S.at[1], q1, k->n);
 }
 
-/* --- building ----------------------------------------------------------------------------------- */
-
-static bool all_zero(const double *x, int n)
+void flex_planar_place_speed_up(struct flex_planar_place *o, const struct flex_planar *k, const double *q2)
 {
-    for (int i = 0; i < n; i++)
-        if (x[i] != 0) return false;
-    return true;
-}
-
-/* Tables [n x n] and bases [n] (NULL: zero) by block. */
-static void panel_build(struct panel *o, int n, int blocks, double *const *table, double *const *base,
-                        struct arena *life)
-{
-    bool zero[BLOCKS];
-    int next = 0;
-    o->n = n;
-    o->size = blocks * n;
-    o->base = TAKE(life, double, o->size);
-    for (int b = 0; b < blocks; b++) {
-        zero[b] = all_zero(table[b], n * n);
-        if (!zero[b]) o->rows += n;
-    }
-    for (int pass = 0; pass < 2; pass++) /* those that are not zero first */
-        for (int b = 0; b < blocks; b++)
-            if (zero[b] == pass) o->at[b] = next, next += n;
-    o->A = TAKE(life, double, (long)o->rows *n);
-    for (int b = 0; b < blocks; b++) {
-        if (base && base[b]) memcpy(o->base + o->at[b], base[b], sizeof(double) * (size_t)n);
-        for (int j = 0; !zero[b] && j < n; j++)
-            memcpy(o->A + o->at[b] + (long)o->rows * j, table[b] + (long)n * j, sizeof(double) * (size_t)n);
-    }
-}
-
-static void form_build(struct form *o, const double *A, int n, struct arena *life)
-{
-    o->diagonal = true;
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++)
-            if (i != j && A[i + n * j] != 0) o->diagonal = false;
-    o->A = TAKE(life, double, o->diagonal ? n : n *n);
-    if (!o->diagonal) memcpy(o->A, A, sizeof *A * (size_t)(n * n));
-    for (int i = 0; o->diagonal && i < n; i++) o->A[i] = A[i + n * i];
-}
-
-/* Trace and scalar cross product of a 3 x 3 product a b' in the plane. */
-static double trace2(const double *ab)
-{
-    return ab[0] + ab[4];
-}
-
-static double cross2(const double *ab)
-{
-    return ab[3] - ab[1];
-}
-
-static void build_linear(struct flex_planar *k, const struct flex_body *o, struct arena *life)
-{
-    const int n = o->n;
-    k->mass = o->mass;
-    k->jx = trace2(o->xx);
-    k->rot = o->rot[8];
-    k->m_inv = 1 / k->mass;
-    k->j_inv = k->jx > 0 ? 1 / k->jx : 0;
-    k->f = TAKE(life, double, 2 * n);
-    k->e = TAKE(life, double, n);
-    k->g = TAKE(life, double, n);
-    k->rpsi = TAKE(life, double, n);
-    for (int j = 0; j < n; j++) {
-        k->f[j] = o->f[3 * j];
-        k->f[j + n] = o->f[3 * j + 1];
-        k->e[j] = trace2(o->xf + 9 * j);
-        k->g[j] = cross2(o->xf + 9 * j);
-        k->rpsi[j] = o->rpsi[3 * j + 2];
-    }
-}
-
-/* Of a_i b_j over the similar parts of the fields: their scalar product (W) and cross product (P). */
-static void similar(double *W, double *P, const struct flex_planar *k, int i, int j)
-{
-    const double *fx = k->f, *fy = k->f + k->n, *e = k->e, *g = k->g;
-    *W = k->m_inv * (fx[i] * fx[j] + fy[i] * fy[j]) + k->j_inv * (e[i] * e[j] + g[i] * g[j]);
-    *P = k->m_inv * (fx[i] * fy[j] - fy[i] * fx[j]) + k->j_inv * (e[i] * g[j] - g[i] * e[j]);
-}
-
-/* Symmetric parts of s and xs: the antisymmetric ones do no harm anywhere, if there are any. */
-static void build_square(struct flex_planar *k, const struct flex_body *o, struct arena *life)
-{
-    const int n = o->n, nn = n * n;
-    double *W = TAKE(life, double, nn), *P = TAKE(life, double, nn), *sx = TAKE(life, double, nn);
-    double *sy = TAKE(life, double, nn), *se = TAKE(life, double, nn), *sc = TAKE(life, double, nn);
-    double *Me = TAKE(life, double, nn);
-    k->rest = TAKE(life, double, nn);
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            const int ij = i + n * j, ji = j + n * i;
-            double w, p;
-            similar(&w, &p, k, j, i);
-            const double both = .5 * (trace2(o->ff + 9 * ij) + trace2(o->ff + 9 * ji));
-            const double turns = .5 * (o->ppsi[ij] + o->ppsi[ji]);
-            Me[ij] = both + turns;
-            W[ij] = both - w;
-            k->rest[ij] = Me[ij] - w;
-            P[ij] = .5 * (cross2(o->ff + 9 * ji) - cross2(o->ff + 9 * ij)) - p; /* P^_ji */
-            if (o->s) {
-                sx[ij] = .5 * (o->s[3 * ij] + o->s[3 * ji]);
-                sy[ij] = .5 * (o->s[3 * ij + 1] + o->s[3 * ji + 1]);
-            }
-            if (o->xs) {
-                se[ij] = .5 * (trace2(o->xs + 9 * ij) + trace2(o->xs + 9 * ji));
-                sc[ij] = .5 * (cross2(o->xs + 9 * ij) + cross2(o->xs + 9 * ji));
-            }
-        }
-    double *const base[BLOCKS] = {k->f, k->f + n, k->e, k->g, NULL, NULL};
-    panel_build(&k->shape, n, BLOCKS, (double *const[]){sx, sy, se, sc, W, P}, base, life);
-    panel_build(&k->rates, n, RATES, (double *const[]){P, sx, sy, se, sc}, NULL, life);
-    form_build(&k->Me, Me, n, life);
-}
-
-static void build_node(struct node *o, const struct flex_node *from, int n, struct arena *life)
-{
-    double *phi = TAKE(life, double, 2 * n), *Sx = TAKE(life, double, n *n), *Sy = TAKE(life, double, n *n);
-    o->psi = TAKE(life, double, n);
-    o->x[0] = from->x[0];
-    o->x[1] = from->x[1];
-    for (int j = 0; j < n; j++) {
-        phi[j] = from->phi[3 * j];
-        phi[j + n] = from->phi[3 * j + 1];
-        o->psi[j] = from->psi[3 * j + 2];
-    }
-    for (int ij = 0; from->S && ij < n * n; ij++) {
-        Sx[ij] = from->S[3 * ij];
-        Sy[ij] = from->S[3 * ij + 1];
-    }
-    panel_build(&o->d, n, 2, (double *const[]){Sx, Sy}, (double *const[]){phi, phi + n}, life);
-    panel_build(&o->S, n, 2, (double *const[]){Sx, Sy}, NULL, life);
-}
-
-/* The body in its mean frame, which stands on the reference node and turns by that much with q: no angular momentum
- * about the node but that of the turn, to first order.  Without S the fields mean what they say, and so does the
- * frame. */
-static const struct flex_body *to_mean(double *mean, const struct flex_body *o, struct arena *life)
-{
-    const struct flex_node *at = &o->node[o->reference];
-    struct flex_node turning = {.phi = TAKE(life, double, 3 * o->n), .psi = TAKE(life, double, 3 * o->n)};
-    struct flex_body single = *o;
-    const double J = trace2(o->xx) + o->rot[8] + o->mass * (at->x[0] * at->x[0] + at->x[1] * at->x[1]);
-    if (!o->s) return o;
-    memcpy(turning.x, at->x, sizeof turning.x);
-    for (int j = 0; j < o->n; j++) {
-        const double *f = o->f + 3 * j;
-        mean[j] = (cross2(o->xf + 9 * j) + o->rpsi[3 * j + 2] - (at->x[0] * f[1] - at->x[1] * f[0])) / J;
-        turning.psi[3 * j + 2] = mean[j];
-    }
-    single.node = &turning;
-    single.nnode = 1;
-    return flex_refer(&single, 0, life);
-}
-
-struct flex_planar *flex_planar_build(const struct flex_body *body, struct arena *life)
-{
-    struct flex_planar *k = TAKE(life, struct flex_planar, 1);
-    k->n = body->n;
-    k->mean = TAKE(life, double, k->n);
-    k->pivot[0] = body->node[body->reference].x[0];
-    k->pivot[1] = body->node[body->reference].x[1];
-    const struct flex_body *o = to_mean(k->mean, body, life);
-    build_linear(k, o, life);
-    build_square(k, o, life);
-    form_build(&k->K, o->K, o->n, life);
-    if (o->D) form_build(&k->D, o->D, o->n, life);
-    k->node = TAKE(life, struct node, body->nnode);
-    for (int i = 0; i < body->nnode; i++) build_node(&k->node[i], &body->node[i], k->n, life);
-    return k;
-}
-
-void flex_planar_shape_take(struct flex_planar_shape *shape, const struct flex_planar *k, struct arena *life)
-{
-    struct flex_planar_core *o = &shape->core;
-    o->work = TAKE(life, double, BLOCKS * k->n);
-    o->rates = TAKE(life, double, RATES * k->n);
-    o->Hx = o->work + k->shape.at[0];
-    o->Hy = o->work + k->shape.at[1];
-    o->E = o->work + k->shape.at[2];
-    o->C = o->work + k->shape.at[3];
-    o->W = o->work + k->shape.at[4];
-    o->P = o->work + k->shape.at[5];
-}
-
-void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)
-{
-    o->work = TAKE(life, double, 4 * k->n);
-    o->dx = o->work + k->node[node].d.at[0];
-    o->dy = o->work + k->node[node].d.at[1];
-    o->dw = k->node[node].psi;
+    o->a[0] = dot(o->dx, q2, k->n) + o->bias[0];
+    o->a[1] = dot(o->dy, q2, k->n) + o->bias[1];
+    o->al = dot(o->dw, q2, k->n);
 }

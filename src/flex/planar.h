@@ -81,13 +81,14 @@ struct flex_planar_place {
     double x[2], angle; /* x + phi q + 1/2 q' S q,  psi . q */
     double v[2], w;     /* against the frame, frame axes */
     double a[2], al;
+    double bias[2];             /* of a: q1' S q1 */
     const double *dx, *dy, *dw; /* [n] velocities by q': phi + S q, psi */
     double *work;               /* [4 n] where dx and dy stand, and work */
 };
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life);
 void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q);
-/* Velocities, after flex_planar_place_at(); q2 NULL: accelerations are not wanted. */
-void flex_planar_place_rates(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1,
-                             const double *q2);
+/* Velocities, after flex_planar_place_at(); then accelerations. */
+void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1);
+void flex_planar_place_speed_up(struct flex_planar_place *o, const struct flex_planar *k, const double *q2);
 
 #endif

@@ -10,6 +10,13 @@
 #include "system/routes.h"
 #include "system/sweep.h"
 
+/* Compiled twice, with and without flexible bodies: trees of rigid bodies pay nothing for them. */
+#if defined(__GNUC__)
+#define TWICE __attribute__((always_inline)) static inline
+#else
+#define TWICE static inline
+#endif
+
 /* HELD: no freedom; TURN: revolute; SLIDE: prismatic; GLIDE: two displacements, one rotation. */
 enum planar_type { HELD, TURN, SLIDE, GLIDE };
 
@@ -32,6 +39,7 @@ struct part {
     double r[2];          /* centre of mass */
     double v[2], a[2];    /* of it; gravity is in a as the ground's acceleration -g */
     double arm[2];        /* from the parent's centre */
+    double rho[2];        /* the joint's point from there */
     double c_b[2];        /* from the joint's point */
     double e[2][2];       /* directions of the displacements */
     double F[2], N;       /* force and moment about the centre that the joint must bring up */
@@ -54,14 +62,16 @@ struct sweep {
     bool accelerated;     /* the last motion had accelerations */
 };
 
-/* Position of body x of link l hanging on p, and its world axes and arms. */
-void planar_place(struct sweep *s, const double *q, unsigned cls);
+static inline void planar_turn(double *y, double c, double s, const double *x)
+{
+    y[0] = c * x[0] - s * x[1];
+    y[1] = s * x[0] + c * x[1];
+}
 
-/* One body on its joint; v, a NULL: not wanted. */
-void planar_hang(struct part *x, const struct part *p, const struct link *l, const double *q, const double *v,
-                 const double *a);
-/* The joint's rows of r; force and moment go to the parent. */
-void planar_bring_up(double *r, const struct part *x, struct part *p, const struct link *l);
+static inline double planar_cross(const double *x, const double *y)
+{
+    return x[0] * y[1] - x[1] * y[0];
+}
 
 /* Is the k-th velocity of l its rotation? */
 static inline bool planar_turns(const struct link *l, int k)
@@ -78,6 +88,22 @@ static inline void planar_unit(double *u, const struct part *x, const struct lin
     u[2] = turns ? l->turn * x->c_b[0] : x->e[k][1];
 }
 
+/* See sweep.h. */
+void planar_place(struct sweep *s, const double *q, unsigned cls);
+void planar_move(struct sweep *s, const double *q, const double *v, unsigned cls);
+void planar_speed_up(struct sweep *s, const double *v, const double *a, unsigned cls);
+void planar_forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
+void planar_backward(struct sweep *s, double *r, unsigned cls);
+void planar_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
+void planar_pose(const struct sweep *s, struct pose *o, int body);
+void planar_push(struct sweep *s, int body, const double *x, const double *f);
+void planar_twist(struct sweep *s, int body, const double *n);
+void planar_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+void planar_row(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
+                const double *n);
+int planar_path(const struct sweep *s, const int **k, int body);
+void planar_energy(const struct sweep *s, double *kinetic, double *gravity);
+void planar_reaction(const struct sweep *s, double *f, double *n, int joint);
 void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t planar_factor_size(const struct sweep *s);
 int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);

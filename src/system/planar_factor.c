@@ -18,13 +18,6 @@
 
 #include "system/planar_flex.h"
 
-/* Compiled twice, with and without modes: trees of rigid bodies pay nothing for them. */
-#if defined(__GNUC__)
-#define TWICE __attribute__((always_inline)) static inline
-#else
-#define TWICE static inline
-#endif
-
 struct pivot {
     double s[3], U[3], inverse;
 };

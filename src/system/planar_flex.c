@@ -37,61 +37,66 @@ static void gather(double *x, const int *i, const double *from, int n)
 /* --- motion ------------------------------------------------------------------------------------- */
 
 /* Body axes and modes. */
-static void bend(struct bend *b, const struct part *x, const double *q, const double *v, const double *a)
+void planar_bend_place(struct bend *b, const struct part *x, const double *q)
 {
     bool moved = b->change == 0;
     turn2(b->cs, (double[]){x->c, x->s}, b->drawn);
     for (int k = 0; k < b->n; k++) {
-        const double now = q[b->iq[k]];
-        if (now == b->q[k]) continue; /* never for NAN */
-        b->q[k] = now;
-        moved = true;
+        moved |= !(q[b->iq[k]] == b->q[k]); /* always for NAN */
+        b->q[k] = q[b->iq[k]];
     }
     b->change += moved;
-    if (v) gather(b->v, b->iv, v, b->n);
-    if (a) gather(b->a, b->iv, a, b->n);
 }
 
-/* x at its node of p. */
-static void stand(struct stand *o, struct part *x, const struct part *p, bool moves, bool speeds_up)
+void planar_bend_move(struct bend *b, const double *v)
+{
+    gather(b->v, b->iv, v, b->n);
+}
+
+void planar_bend_speed_up(struct bend *b, const double *a)
+{
+    gather(b->a, b->iv, a, b->n);
+}
+
+void planar_stand_place(struct part *x, struct stand *o, const struct part *p)
 {
     const struct bend *b = o->of;
     const struct flex_planar_place *d = &o->place;
-    double u[2];
-    if (o->change != b->change) flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
-    o->change = b->change;
-    if (moves) flex_planar_place_rates(&o->place, b->kernel, o->node, b->v, speeds_up ? b->a : NULL);
+    if (o->change != b->change) {
+        flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
+        sincos(d->angle, &o->cs[1], &o->cs[0]);
+        o->change = b->change;
+    }
     turn2(x->arm, b->cs, d->x);
     x->c_b[0] = x->c_b[1] = 0;
     x->phi = p->phi + d->angle;
-    sincos(x->phi, &x->s, &x->c);
+    x->c = p->c * o->cs[0] - p->s * o->cs[1];
+    x->s = p->s * o->cs[0] + p->c * o->cs[1];
     for (int i = 0; i < 2; i++) x->r[i] = p->r[i] + x->arm[i];
-    if (!moves) return;
-    turn2(u, b->cs, d->v);
-    x->w = p->w + d->w;
-    x->v[0] = p->v[0] - p->w * x->arm[1] + u[0];
-    x->v[1] = p->v[1] + p->w * x->arm[0] + u[1];
-    if (!speeds_up) return;
-    const double ww = p->w * p->w, w2 = 2 * p->w;
-    turn2(x->a, b->cs, d->a);
-    x->al = p->al + d->al;
-    x->a[0] += p->a[0] - p->al * x->arm[1] - ww * x->arm[0] - w2 * u[1];
-    x->a[1] += p->a[1] + p->al * x->arm[0] - ww * x->arm[1] + w2 * u[0];
 }
 
-void planar_flex_outwards(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
+void planar_stand_move(struct part *x, struct stand *o, const struct part *p)
 {
-    const struct roster *o = &s->rosters.of[cls];
-    for (int i = 0; i < o->n; i++) {
-        const int body = o->body[i];
-        const struct link *l = &s->link[body];
-        struct part *x = &s->part[body], *p = &s->part[l->parent];
-        if (s->stand[body])
-            stand(s->stand[body], x, p, v != NULL, a != NULL);
-        else
-            planar_hang(x, p, l, q, v, a);
-        if (s->bend[body]) bend(s->bend[body], x, q, v, a);
-    }
+    const struct bend *b = o->of;
+    double u[2];
+    flex_planar_place_move(&o->place, b->kernel, o->node, b->v);
+    turn2(u, b->cs, o->place.v);
+    x->w = p->w + o->place.w;
+    x->v[0] = p->v[0] - p->w * x->arm[1] + u[0];
+    x->v[1] = p->v[1] + p->w * x->arm[0] + u[1];
+}
+
+void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p)
+{
+    const struct bend *b = o->of;
+    const double ww = p->w * p->w, w2 = 2 * p->w;
+    double u[2];
+    flex_planar_place_speed_up(&o->place, b->kernel, b->a);
+    turn2(u, b->cs, o->place.v);
+    turn2(x->a, b->cs, o->place.a);
+    x->al = p->al + o->place.al;
+    x->a[0] += p->a[0] - p->al * x->arm[1] - ww * x->arm[0] - w2 * u[1];
+    x->a[1] += p->a[1] + p->al * x->arm[0] - ww * x->arm[1] + w2 * u[0];
 }
 
 /* --- what elements ask -------------------------------------------------------------------------- */
@@ -109,6 +114,16 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
     w[2] = node->place.dw[mode];
     xv[0] -= w[2] * (x[1] - at->r[1]);
     xv[1] += w[2] * (x[0] - at->r[0]);
+}
+
+void planar_stand_row(double *restrict g, const struct stand *o, const struct part *at, const double *x,
+                      const double *f, double n)
+{
+    const double *restrict dx = o->place.dx, *restrict dy = o->place.dy, *restrict dw = o->place.dw;
+    const double arm[2] = {x[0] - at->r[0], x[1] - at->r[1]}, moment = n + planar_cross(arm, f);
+    double F[2];
+    turn_back(F, o->of->cs, f);
+    for (int k = 0; k < o->of->n; k++) g[k] = dx[k] * F[0] + dy[k] * F[1] + dw[k] * moment;
 }
 
 void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
@@ -129,56 +144,32 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
 
 /* --- forces ------------------------------------------------------------------------------------- */
 
-static void load(struct bend *b, struct part *x)
+void planar_bend_load(struct part *x, struct bend *b, bool bears)
 {
-    double a[2], F[2];
-    planar_flex_shape(b);
-    turn_back(a, b->cs, x->a);
-    flex_planar_inertia(F, &x->N, b->Q, b->kernel, &b->shape, a, x->w, x->al, b->v, b->a);
-    flex_planar_elastic(b->Q, b->kernel, b->q, b->v);
+    double a[2], F[2] = {0, 0};
+    x->N = 0;
+    if (bears) {
+        planar_flex_shape(b);
+        turn_back(a, b->cs, x->a);
+        flex_planar_inertia(F, &x->N, b->Q, b->kernel, &b->shape, a, x->w, x->al, b->v, b->a);
+        flex_planar_elastic(b->Q, b->kernel, b->q, b->v);
+    } else {
+        memset(b->Q, 0, sizeof *b->Q * (size_t)b->n);
+    }
     turn2(x->F, b->cs, F);
 }
 
-void planar_flex_load(struct sweep *s, unsigned cls)
-{
-    const struct roster *o = &s->rosters.of[cls];
-    for (int i = 0; i < o->n; i++) {
-        const struct link *l = &s->link[o->body[i]];
-        struct part *x = &s->part[o->body[i]];
-        struct bend *b = s->bend[o->body[i]];
-        const double bears = o->bears[i];
-        if (b && o->bears[i]) {
-            load(b, x);
-            continue;
-        }
-        x->F[0] = bears * l->mass * x->a[0];
-        x->F[1] = bears * l->mass * x->a[1];
-        x->N = bears * l->inertia * x->al;
-        if (b) memset(b->Q, 0, sizeof *b->Q * (size_t)b->n);
-    }
-}
-
 /* The modes' rows of force F and moment N at the node, both in the world. */
-static void bend_by(double *Q, const struct stand *o, const double *F, double N)
+void planar_stand_bring_up(struct stand *o, const struct part *x)
 {
-    double f[2];
-    turn_back(f, o->of->cs, F);
-    for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * N;
+    double f[2], *Q = o->of->Q;
+    turn_back(f, o->of->cs, x->F);
+    for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * x->N;
 }
 
-void planar_flex_inwards(struct sweep *s, double *r, unsigned cls)
+void planar_bend_bring_up(double *r, const struct bend *b)
 {
-    const struct roster *o = &s->rosters.of[cls];
-    for (int i = o->n - 1; i >= 0; i--) {
-        const int body = o->body[i];
-        const struct link *l = &s->link[body];
-        const struct part *x = &s->part[body];
-        const struct bend *b = s->bend[body];
-        if (s->stand[body]) bend_by(s->stand[body]->of->Q, s->stand[body], x->F, x->N);
-        if (b)
-            for (int k = 0; k < b->n; k++) r[b->iv[k]] += b->Q[k];
-        planar_bring_up(r, x, &s->part[l->parent], l);
-    }
+    for (int k = 0; k < b->n; k++) r[b->iv[k]] += b->Q[k];
 }
 
 /* --- building ----------------------------------------------------------------------------------- */

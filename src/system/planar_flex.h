@@ -24,17 +24,40 @@ struct stand {
     struct bend *of;
     int node;
     struct flex_planar_place place;
-    long change; /* of the modes that place is for */
-    size_t at;   /* its place in a factor */
+    double cs[2]; /* cos, sin of its angle against the frame */
+    long change;  /* of the modes that place is for */
+    size_t at;    /* its place in a factor */
 };
 
 /* Leaves bend and stand NULL in a model without flexible bodies; none of the others is then called. */
 void planar_flex_build(struct sweep *s, struct arena *life);
 
-/* Motion; v, a NULL: not wanted.  Inertia of all bodies into F, N and the modes' rows.  Rows of r. */
-void planar_flex_outwards(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
-void planar_flex_load(struct sweep *s, unsigned cls);
-void planar_flex_inwards(struct sweep *s, double *r, unsigned cls);
+static inline struct bend *planar_bend(const struct sweep *s, int body)
+{
+    return s->bend ? s->bend[body] : NULL;
+}
+
+static inline struct stand *planar_stand(const struct sweep *s, int body)
+{
+    return s->stand ? s->stand[body] : NULL;
+}
+
+/* The three passes of motion for what is not in x, the frame; then its inertia into x and the modes' Q, which go to
+ * the rows of r. */
+void planar_bend_place(struct bend *b, const struct part *x, const double *q);
+void planar_bend_move(struct bend *b, const double *v);
+void planar_bend_speed_up(struct bend *b, const double *a);
+void planar_bend_load(struct part *x, struct bend *b, bool bears);
+void planar_bend_bring_up(double *r, const struct bend *b);
+
+/* The three passes for x at its node of p; its force and moment to the modes' Q. */
+void planar_stand_place(struct part *x, struct stand *o, const struct part *p);
+void planar_stand_move(struct part *x, struct stand *o, const struct part *p);
+void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p);
+void planar_stand_bring_up(struct stand *o, const struct part *x);
+/* row() of the modes that move x, which stands there. */
+void planar_stand_row(double *g, const struct stand *o, const struct part *at, const double *x, const double *f,
+                      double n);
 
 /* partial() of a mode; energies of the flexible bodies are added. */
 void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);

@@ -78,7 +78,7 @@ void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
     memset(M, 0, sizeof *M * (size_t)s->n * (size_t)s->n);
-    planar_place(s, q, cls);
+    if (q) planar_place(s, q, cls);
     s->part[0].cm = s->part[0].cj = s->part[0].cs[0] = s->part[0].cs[1] = 0;
     compose(s, o);
     if (s->bend) {

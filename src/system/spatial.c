@@ -118,10 +118,10 @@ static inline void place(struct part *restrict x, const struct part *restrict p,
 }
 
 /* A loop of its own: right after their stores the loads of R in pairs would wait (12 ns a body of 65). */
-void spatial_place(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
+void spatial_place(struct sweep *s, const double *q, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
-    if (s->nflexible) spatial_flex_gather(s, q, v, a);
+    s->accelerated = false;
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
@@ -131,7 +131,7 @@ void spatial_place(struct sweep *s, const double *q, const double *v, const doub
             spatial_stand_place(x, stand, p);
         else
             place(x, p, l, q);
-        if (flexible) spatial_flex_place(flexible, x, l);
+        if (flexible) spatial_flex_place(flexible, x, l, q);
     }
 }
 
@@ -191,13 +191,18 @@ static inline void joint_sums(double *restrict w, double *restrict d, const stru
     }
 }
 
-static inline void move_on(struct part *restrict x, struct motion *restrict o, const struct part *restrict p,
+static inline void turn_on(struct part *restrict x, struct motion *restrict o, const struct part *restrict p,
                            const struct link *restrict l, const double *restrict v)
 {
     joint_sums(o->wr, o->dv, x, l, v);
     v3_sum(x->w, p->w, o->wr);
     v3_cross(o->v_rho, p->w, x->rho);
     v3_cross(o->v_c, x->w, x->c);
+}
+
+static inline void move_on(struct part *restrict x, const struct motion *restrict o, const struct part *restrict p,
+                           const struct link *restrict l)
+{
     for (int i = 0; i < 3; i++) x->v[i] = p->v[i] + o->v_rho[i] + o->v_c[i];
     if (slides(l->type)) v3_add(x->v, o->dv);
 }
@@ -235,16 +240,40 @@ static void move(struct sweep *s, const double *q, const double *v, unsigned cls
 {
     const struct roster *o = &s->rosters.of[cls];
     s->accelerated = false;
-    spatial_place(s, q, v, NULL, cls);
+    if (q) spatial_place(s, q, cls);
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        const struct stand *stand = spatial_stand(s, o->body[i]);
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
-        if (stand)
+        if (stand) {
             spatial_stand_move(x, stand, p);
-        else
-            move_on(x, &joint, p, l, v);
+        } else {
+            turn_on(x, &joint, p, l, v);
+            move_on(x, &joint, p, l);
+        }
+        if (flexible) spatial_flex_move(flexible, v);
+    }
+}
+
+static void accelerate(struct sweep *s, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = true;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        struct motion joint;
+        if (stand) {
+            spatial_stand_speed_up(x, stand, p);
+        } else {
+            turn_on(x, &joint, p, l, v);
+            speed_up(x, &joint, p, l, v, a);
+        }
+        if (flexible) spatial_flex_speed_up(flexible, a);
     }
 }
 
@@ -268,34 +297,51 @@ static inline void stay_light(struct part *x, struct flexible *f)
     if (f) memset(f->Q, 0, sizeof *f->Q * (size_t)f->n);
 }
 
+static inline void load(struct sweep *s, int body, bool bears)
+{
+    struct part *x = &s->part[body];
+    struct flexible *flexible = spatial_flexible(s, body);
+    if (!bears || spatial_stand(s, body))
+        stay_light(x, flexible);
+    else if (flexible)
+        spatial_flex_bring_up(x, flexible);
+    else
+        bring_up(x, &s->link[body]);
+}
+
+/* The last two passes and the loads at once, where every body is rigid. */
+static void at_once(struct sweep *s, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = true;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct motion joint;
+        turn_on(x, &joint, p, l, v);
+        move_on(x, &joint, p, l);
+        speed_up(x, &joint, p, l, v, a);
+        if (o->bears[i])
+            bring_up(x, l);
+        else
+            stay_light(x, NULL);
+    }
+}
+
 static void forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
     if (!a) a = s->zero;
-    s->accelerated = true;
     v3_set(s->part[0].F, 0, 0, 0);
     v3_set(s->part[0].N, 0, 0, 0);
-    spatial_place(s, q, v, a, cls);
-    for (int i = 0; i < o->n; i++) {
-        const struct link *l = &s->link[o->body[i]];
-        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        const struct stand *stand = spatial_stand(s, o->body[i]);
-        struct flexible *flexible = spatial_flexible(s, o->body[i]);
-        struct motion joint;
-        if (stand) {
-            spatial_stand_move(x, stand, p);
-            spatial_stand_speed_up(x, stand, p);
-        } else {
-            move_on(x, &joint, p, l, v);
-            speed_up(x, &joint, p, l, v, a);
-        }
-        if (!o->bears[i] || stand)
-            stay_light(x, flexible);
-        else if (flexible)
-            spatial_flex_bring_up(x, flexible);
-        else
-            bring_up(x, l);
+    if (q && !s->nflexible) {
+        spatial_place(s, q, cls);
+        at_once(s, v, a, cls);
+        return;
     }
+    if (q) move(s, q, v, cls);
+    accelerate(s, v, a, cls);
+    for (int i = 0; i < o->n; i++) load(s, o->body[i], o->bears[i]);
 }
 
 /* --- forces inwards ---------------------------------------------------------------------------- */
@@ -349,8 +395,10 @@ static void reaction(const struct sweep *s, double *f, double *n, int joint)
 }
 
 const struct sweep_ops sweep_spatial = {.build = spatial_build,
-                                        .forward = forward,
+                                        .place = spatial_place,
                                         .move = move,
+                                        .speed_up = accelerate,
+                                        .forward = forward,
                                         .point = spatial_point,
                                         .pose = spatial_pose,
                                         .push = spatial_push,
@@ -358,6 +406,7 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .backward = backward,
                                         .mass = spatial_mass,
                                         .partial = spatial_partial,
+                                        .row = spatial_row,
                                         .path = spatial_path,
                                         .factor_size = spatial_factor_size,
                                         .factor = spatial_factor,

@@ -58,12 +58,11 @@ struct twist {
 struct flexible {
     const struct flex_kernel *kernel;
     struct flex_shape shape;
-    bool shaped; /* it is that of q */
+    long change, shaped; /* count of changes of q; that of the shape */
     double mass;
     int body, n;
-    const int *iq, *iv;  /* [n] its coordinates */
-    double *q, *q1, *q2; /* [n] at hand; q1, q2 as far as `order` says: 0, 1, 2 derivatives */
-    int order;
+    const int *iq, *iv;     /* [n] its coordinates */
+    double *q, *q1, *q2;    /* [n] at hand */
     double *Q;              /* [n] what the rows of its coordinates need */
     double R[9];            /* body axes to world */
     int nnode[4], *node[4]; /* bodies at its nodes by class, as the rosters have them */
@@ -74,6 +73,7 @@ struct stand {
     const struct flexible *on; /* NULL: it hangs on a joint */
     int node;
     struct flex_place place;
+    long change; /* of the coordinates that place is for */
     double E[9]; /* its inner frame in the node's axes */
 };
 
@@ -144,8 +144,7 @@ static inline void spatial_unit(struct twist *o, const struct part *x, const str
 
 struct sweep *spatial_build(const struct model *m, struct arena *life);
 
-/* Positions of the bodies of cls; for the nodes of flexible bodies with v and a (NULL: not known) their motion. */
-void spatial_place(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
+void spatial_place(struct sweep *s, const double *q, unsigned cls);
 
 static inline struct flexible *spatial_flexible(const struct sweep *s, int body)
 {
@@ -159,16 +158,17 @@ static inline struct stand *spatial_stand(const struct sweep *s, int body)
 
 /* Flexible bodies: see spatial_flex.c. */
 void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *life);
-void spatial_flex_gather(struct sweep *s, const double *q, const double *v, const double *a);
-void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l);
+void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l, const double *q);
+void spatial_flex_move(struct flexible *f, const double *v);
+void spatial_flex_speed_up(struct flexible *f, const double *a);
 void spatial_flex_bring_up(struct part *x, struct flexible *f);
 void spatial_flex_rows(double *r, const struct flexible *f);
-/* Its shape, once for each motion, where it is wanted. */
+/* Its shape, once for each q, where it is wanted. */
 void spatial_flex_shape(struct flexible *f);
 void spatial_flex_energy(double *T, double *V, const struct part *x, struct flexible *f, const double *gravity);
 void spatial_stand_place(struct part *x, struct stand *o, const struct part *p);
-void spatial_stand_move(struct part *x, const struct stand *o, const struct part *p);
-void spatial_stand_speed_up(struct part *x, const struct stand *o, const struct part *p);
+void spatial_stand_move(struct part *x, struct stand *o, const struct part *p);
+void spatial_stand_speed_up(struct part *x, struct stand *o, const struct part *p);
 void spatial_stand_load(struct stand *o, const struct part *x);
 /* The body at a node that i hangs on, or is; both of one flexible body f. */
 int spatial_stand_below(const struct sweep *s, const struct flexible *f, int i);
@@ -186,6 +186,8 @@ void spatial_pose(const struct sweep *s, struct pose *o, int body);
 void spatial_push(struct sweep *s, int body, const double *x, const double *f);
 void spatial_twist(struct sweep *s, int body, const double *n);
 void spatial_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+void spatial_row(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
+                 const double *n);
 int spatial_path(const struct sweep *s, const int **k, int body);
 void spatial_energy(const struct sweep *s, double *kinetic, double *gravity);
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);

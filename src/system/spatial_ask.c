@@ -86,6 +86,46 @@ void spatial_partial(const struct sweep *s, double *xv, double *w, int body, con
     v3_cross(xv, e, d);
 }
 
+/* Rows of a joint, [nv]: f at the joint's point, its moment there. */
+static void joint_row(double *g, const struct part *p, const struct link *l, const double *x, const double *f,
+                      const double *n)
+{
+    double arm[3], moment[3];
+    v3_diff(arm, x, p->r);
+    v3_add(arm, p->c);
+    v3_copy(moment, n);
+    v3_cross_add(moment, arm, f);
+    for (int k = 0; k < l->nv; k++) g[k] = v3_dot(spatial_axis(p, l, k), spatial_turns(l, k) ? moment : f);
+}
+
+static void stand_row(double *g, const struct part *p, const struct stand *o, const double *x, const double *f,
+                      const double *n)
+{
+    double arm[3], moment[3], F[3], N[3];
+    v3_diff(arm, x, p->r);
+    v3_copy(moment, n);
+    v3_cross_add(moment, arm, f);
+    m3_tmul(F, o->on->R, f);
+    m3_tmul(N, o->on->R, moment);
+    for (int k = 0; k < o->on->n; k++) g[k] = spatial_stand_row(o, k, F, N);
+}
+
+void spatial_row(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
+                 const double *n)
+{
+    static const double none[3];
+    if (!f) f = none;
+    if (!n) n = none;
+    for (int at = s->routes.npath[body] - from; at > 0; body = s->link[body].parent) {
+        const struct stand *stand = spatial_stand(s, body);
+        at -= stand ? stand->on->n : s->link[body].nv;
+        if (stand)
+            stand_row(g + at, &s->part[body], stand, x, f, n);
+        else
+            joint_row(g + at, &s->part[body], &s->link[body], x, f, n);
+    }
+}
+
 int spatial_path(const struct sweep *s, const int **k, int body)
 {
     *k = s->routes.path[body];

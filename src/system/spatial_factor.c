@@ -135,7 +135,7 @@ int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const d
     double(*arm)[3] = arms(F);
     struct pivot *pivot = pivots(s, F) + s->n;
     if (s->nflexible) return 0;
-    if (q) spatial_place(s, q, NULL, NULL, ALL);
+    if (q) spatial_place(s, q, ALL);
     for (int i = 1; i < s->nbody; i++) start(&s->articulated[i], cm, &s->link[i], &s->part[i]);
     for (int i = s->nbody - 1; i > 0; i--) {
         const struct link *l = &s->link[i];

@@ -72,8 +72,9 @@ void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *li
 
 void spatial_flex_shape(struct flexible *f)
 {
-    if (!f->shaped) flex_shape_at(&f->shape, f->kernel, f->q);
-    f->shaped = true;
+    if (f->shaped == f->change) return;
+    flex_shape_at(&f->shape, f->kernel, f->q);
+    f->shaped = f->change;
 }
 
 /* --- motion outwards ---------------------------------------------------------------------------- */
@@ -83,28 +84,33 @@ static void pick(double *o, const double *x, const int *at, int n)
     for (int i = 0; i < n; i++) o[i] = x[at[i]];
 }
 
-void spatial_flex_gather(struct sweep *s, const double *q, const double *v, const double *a)
+void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l, const double *q)
 {
-    for (int i = 0; i < s->nflexible; i++) {
-        struct flexible *f = &s->flexible[i];
-        f->order = a ? 2 : v ? 1 : 0;
-        pick(f->q, q, f->iq, f->n);
-        if (v) pick(f->q1, v, f->iv, f->n);
-        if (a) pick(f->q2, a, f->iv, f->n);
+    bool moved = f->change == 0;
+    m3_mulmt(f->R, x->R, l->turned);
+    for (int k = 0; k < f->n; k++) {
+        moved |= !(q[f->iq[k]] == f->q[k]); /* always for NAN */
+        f->q[k] = q[f->iq[k]];
     }
+    f->change += moved;
 }
 
-void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l)
+void spatial_flex_move(struct flexible *f, const double *v)
 {
-    m3_mulmt(f->R, x->R, l->turned);
-    f->shaped = false;
+    pick(f->q1, v, f->iv, f->n);
+}
+
+void spatial_flex_speed_up(struct flexible *f, const double *a)
+{
+    pick(f->q2, a, f->iv, f->n);
 }
 
 void spatial_stand_place(struct part *x, struct stand *o, const struct part *p)
 {
     const struct flexible *f = o->on;
     double R[9];
-    flex_place_at(&o->place, f->kernel, o->node, f->q, f->order > 0 ? f->q1 : NULL, f->order > 1 ? f->q2 : NULL);
+    if (o->change != f->change) flex_place_at(&o->place, f->kernel, o->node, f->q);
+    o->change = f->change;
     m3_mul(x->arm, f->R, o->place.x);
     v3_copy(x->rho, x->arm);
     v3_set(x->c, 0, 0, 0);
@@ -113,28 +119,32 @@ void spatial_stand_place(struct part *x, struct stand *o, const struct part *p)
     m3_mulm(x->R, R, o->E);
 }
 
-void spatial_stand_move(struct part *x, const struct stand *o, const struct part *p)
+void spatial_stand_move(struct part *x, struct stand *o, const struct part *p)
 {
+    const struct flexible *f = o->on;
     double w[3], v[3];
-    m3_mul(w, o->on->R, o->place.w);
-    m3_mul(v, o->on->R, o->place.v);
+    flex_place_move(&o->place, f->kernel, o->node, f->q1);
+    m3_mul(w, f->R, o->place.w);
+    m3_mul(v, f->R, o->place.v);
     v3_sum(x->w, p->w, w);
     v3_sum(x->v, p->v, v);
     v3_cross_add(x->v, p->w, x->arm);
 }
 
-void spatial_stand_speed_up(struct part *x, const struct stand *o, const struct part *p)
+void spatial_stand_speed_up(struct part *x, struct stand *o, const struct part *p)
 {
+    const struct flexible *f = o->on;
     double w[3], v[3], turned[3];
-    m3_mul(w, o->on->R, o->place.w);
-    m3_mul(v, o->on->R, o->place.v);
+    flex_place_speed_up(&o->place, f->kernel, f->q2);
+    m3_mul(w, f->R, o->place.w);
+    m3_mul(v, f->R, o->place.v);
     v3_copy(x->al, p->al);
-    m3_mul_add(x->al, o->on->R, o->place.al);
+    m3_mul_add(x->al, f->R, o->place.al);
     v3_cross_add(x->al, p->w, w);
     v3_cross(turned, p->w, x->arm);
     v3_axpy(turned, 2, v);
     v3_copy(x->a, p->a);
-    m3_mul_add(x->a, o->on->R, o->place.a);
+    m3_mul_add(x->a, f->R, o->place.a);
     v3_cross_add(x->a, p->al, x->arm);
     v3_cross_add(x->a, p->w, turned);
 }

@@ -162,7 +162,7 @@ void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
     memset(M, 0, sizeof *M * (size_t)s->n * (size_t)s->n);
-    spatial_place(s, q, NULL, NULL, cls);
+    if (q) spatial_place(s, q, cls);
     compose(s, o);
     for (int i = 0; i < o->n; i++) {
         struct flexible *f = spatial_flexible(s, o->body[i]);

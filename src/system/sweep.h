@@ -27,11 +27,15 @@ struct sweep_ops {
     /* Takes work memory for forward() and everything that does not depend on the state. */
     struct sweep *(*build)(const struct model *m, struct arena *life);
 
-    /* Poses, velocities and accelerations (a NULL: zero; gravity taken as upward acceleration of the
-     * ground) of the bodies of cls; sets the body forces to zero. */
-    void (*forward)(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
-    /* Motion only down to velocities (measures, energies). */
+    /* Poses of the bodies of cls. */
+    void (*place)(struct sweep *s, const double *q, unsigned cls);
+    /* Motion only down to velocities (measures, energies); q NULL: where place() has left the bodies. */
     void (*move)(struct sweep *s, const double *q, const double *v, unsigned cls);
+    /* Accelerations where move() has been, with its v (gravity taken as upward acceleration of the ground). */
+    void (*speed_up)(struct sweep *s, const double *v, const double *a, unsigned cls);
+    /* All three, a NULL: zero; q NULL: where move() has been, with its v.  Then the body forces are those of their
+     * inertia alone. */
+    void (*forward)(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
 
     /* World position x and velocity xv [3] of the point p (body axes, from the centre). */
     void (*point)(const struct sweep *s, double *x, double *xv, int body, const double *p);
@@ -43,16 +47,21 @@ struct sweep_ops {
     /* r += what the bodies of cls need to move so (all rows on their paths): inertia minus pushed. */
     void (*backward)(struct sweep *s, double *r, unsigned cls);
 
-    /* M [n x n] by column, all written, of the bodies of cls. */
+    /* M [n x n] by column, all written, of the bodies of cls; q NULL: where place() has left them. */
     void (*mass)(struct sweep *s, double *M, const double *q, unsigned cls);
 
     /* Partial velocities at the last forward() or move(): velocity of the world point x carried by the body,
      * and its angular velocity, per unit v[k]; both [3]; zero where k does not move it. */
     void (*partial)(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
-    /* The velocities that move the body, ascending from the ground; returns how many. */
+    /* The velocities that move the body, from the ground outwards; returns how many. */
     int (*path)(const struct sweep *s, const int **k, int body);
 
-    /* cm M + diag(d), d [n], factored at q (NULL: where forward(ALL) or move(ALL) has left the bodies) by articulated
+    /* Power of the force f (NULL: none) at world point x of the body and of the torque n (NULL: none) per unit of each
+     * velocity on its path, behind the first `from` of them; these end with those of a body. */
+    void (*row)(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
+                const double *n);
+
+    /* cm M + diag(d), d [n], factored at q (NULL: where place(ALL) has left the bodies) by articulated
      * bodies into F; 0 when a pivot is not positive. */
     size_t (*factor_size)(const struct sweep *s);
     int (*factor)(struct sweep *s, void *F, double cm, const double *d, const double *q);

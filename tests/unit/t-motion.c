@@ -345,10 +345,13 @@ static void test_places(void **state)
         open_scene(&o, seed, seed % 3 ? CLOUD_S : 0);
         flex_place_take(&p, o.k, o.arena);
         flex_place_take(&at, o.k, o.arena);
-        flex_place_at(&p, o.k, 2, o.q, o.q1, o.q2);
+        flex_place_at(&p, o.k, 2, o.q);
+        flex_place_move(&p, o.k, 2, o.q1);
+        flex_place_speed_up(&p, o.k, o.q2);
         for (int i = 0; i < 4; i++) {
             later(&there, &o, (i < 2 ? i - 2 : i - 1) * h);
-            flex_place_at(&at, o.k, 2, there.q, there.q1, NULL);
+            flex_place_at(&at, o.k, 2, there.q);
+            flex_place_move(&at, o.k, 2, there.q1);
             memcpy(x[i], at.x, 24), memcpy(x[i] + 3, at.R, 72);
             memcpy(x[i] + 12, at.v, 24), memcpy(x[i] + 15, at.w, 24);
         }
@@ -386,7 +389,7 @@ static void test_cayley(void **state)
         double theta[3] = {0};
         open_scene(&o, seed, 0);
         flex_place_take(&p, o.k, o.arena);
-        flex_place_at(&p, o.k, 1, o.q, NULL, NULL);
+        flex_place_at(&p, o.k, 1, o.q);
         for (int i = 0; i < o.n; i++)
             for (int c = 0; c < 3; c++) theta[c] += .5 * o.cloud->body.node[1].psi[c + 3 * i] * o.q[i];
         for (int i = 0; i < 3; i++) {

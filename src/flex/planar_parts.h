@@ -1,0 +1,44 @@
+/* planar_parts.h -- the tables of planar.h. */
+#ifndef FMDSUB_FLEX_PLANAR_PARTS_H
+#define FMDSUB_FLEX_PLANAR_PARTS_H
+
+#include "flex/planar.h"
+
+enum { BLOCKS = 6, RATES = 5 };
+
+/* out = base + A x; block b of out begins at at[b]. */
+struct panel {
+    int n, size, rows; /* size of out; rows of A, whose other blocks are zero */
+    int at[BLOCKS];
+    double *base; /* [size] */
+    double *A;    /* [rows x n] */
+};
+
+/* y += A x; where A is diagonal, as for modes, [n] numbers will do. */
+struct form {
+    bool diagonal;
+    double *A;
+};
+
+struct node {
+    double x[2];
+    double *psi; /* [n] */
+    struct panel d, S;
+};
+
+struct flex_planar {
+    int n;
+    double pivot[2];      /* of the mean frame: the reference node */
+    double *mean;         /* [n] its turn by coordinate */
+    double mass, jx, rot; /* jx = tr xx */
+    double m_inv, j_inv;  /* 1/mass, 1/jx; 0 for a particle */
+    double *f, *e, *g;    /* [n x 2], [n], [n]: of the body at rest */
+    double *rpsi;         /* [n] */
+    struct panel shape;   /* of q: H (x, y), E, C, W^ q, P^' q */
+    struct panel rates;   /* of q': P^' q', sx, sy, tr xs, X */
+    struct form Me, K, D;
+    double *rest; /* [n x n] M^ */
+    struct node *node;
+};
+
+#endif
