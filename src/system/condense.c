@@ -152,9 +152,10 @@ static void build_components(struct condense *o, struct arena *life)
 static void build_workspace(struct condense *o, struct arena *life)
 {
     double **of[] = {&o->vt, &o->at, &o->rt, &o->zero, &o->dx, &o->dxs, &o->v, &o->way, &o->aside, &o->mean};
-    double **places[] = {&o->q, &o->base, &o->G0_at, &o->qtry, &o->side[0], &o->side[1]};
+    double **places[] = {&o->q, &o->base, &o->G0_at, &o->factored_at, &o->qtry, &o->side[0], &o->side[1]};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
+    o->factored_at[0] = NAN;
     o->C = TAKE(life, double, o->loops->nrow);
     o->C2 = TAKE(life, double, o->loops->nrow);
     o->still = TAKE(life, double, o->nt);
@@ -199,25 +200,23 @@ static double next_kink(const struct ode2 *ode, double t)
 {
     const struct condense *o = ode->self;
     const struct model *m = o->model;
-    double next = o->tree->breaks ? o->tree->breaks->next(o->tree, t) : INFINITY;
+    double next = o->tree->ode.breaks ? o->tree->breaks.next(&o->tree->ode, t) : INFINITY;
     for (int l = model_first_drive(m); l < m->nloop; l++) next = fmin(next, signal_next(m->loop[l].drive, t));
     return next;
 }
 
-struct condense *condense_build(const struct model *m, const struct sweep_ops *sweep, const struct ode2 *tree,
-                                struct elements *elements, const struct moves *moves, const double *q0,
-                                const double *v0, struct arena *life)
+struct condense *condense_build(struct tree *tree, const double *q0, const double *v0, struct arena *life)
 {
     struct condense *o = TAKE(life, struct condense, 1);
-    o->model = m;
-    o->ops = sweep;
+    const struct model *m = o->model = tree->model;
     o->tree = tree;
-    o->elements = elements;
-    o->moves = moves;
+    o->ops = tree->ops;
+    o->sweep = tree->sweep;
+    o->elements = tree->elements;
+    o->moves = &tree->moves;
     o->nt = m->n;
-    o->sweep = sweep->build(m, life);
-    o->loops = loops_build(m, sweep, life);
-    o->seen = loops_build(m, sweep, life);
+    o->loops = loops_build(m, o->ops, life);
+    o->seen = loops_build(m, o->ops, life);
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
     o->breaks = (struct ode2_breaks){
         .next = next_kink, .jump = m->ndrive ? condense_jump : NULL, .corner = m->ndrive ? condense_corner : NULL};
@@ -225,7 +224,7 @@ struct condense *condense_build(const struct model *m, const struct sweep_ops *s
                            .ops = &condense_ops,
                            .move = &condense_move,
                            .chart = &o->chart,
-                           .breaks = tree->breaks || m->ndrive ? &o->breaks : NULL,
+                           .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .self = o};
     o->life = life;
     o->scratch = arena_open();
@@ -264,11 +263,10 @@ const struct loops *condense_loops(const struct condense *c)
     return c->loops;
 }
 
-void condense_push(struct condense *c, struct sweep *s, const double *q, const double *v, double t,
-                   const double *lambda)
+void condense_push(struct condense *c, struct sweep *s, const double *q, double t, const double *lambda)
 {
     loops_when(c->seen, t);
-    loops_look(c->seen, s, q, v);
+    loops_look(c->seen, s, q);
     loops_push(c->seen, s, lambda);
 }
 

@@ -11,10 +11,8 @@
 #ifndef FMDSUB_SYSTEM_CONDENSE_H
 #define FMDSUB_SYSTEM_CONDENSE_H
 
-#include "system/elements.h"
 #include "system/loops.h"
-#include "system/moves.h"
-#include "system/ode2.h"
+#include "system/tree.h"
 
 struct condense;
 
@@ -31,11 +29,9 @@ struct condense_start {
     int changed_at;
 };
 
-/* q0 [m->nq], v0 [m->n]: the start as the deck has it.  The system that comes out stands still where start->status
- * is not OK. */
-struct condense *condense_build(const struct model *m, const struct sweep_ops *ops, const struct ode2 *tree,
-                                struct elements *elements, const struct moves *moves, const double *q0,
-                                const double *v0, struct arena *life);
+/* q0 [nq], v0 [n] of the tree: the start as the deck has it.  The system that comes out stands still where
+ * start->status is not OK. */
+struct condense *condense_build(struct tree *tree, const double *q0, const double *v0, struct arena *life);
 
 const struct condense_start *condense_started(const struct condense *c);
 const double *condense_q(const struct condense *c);         /* [nq] closed start */
@@ -45,12 +41,12 @@ const struct ode2 *condense_ode2(const struct condense *c); /* lives as long */
 /* Velocities, accelerations (a NULL: not wanted) of the whole tree [m->n], of the independent v, a at a closed q. */
 enum status condense_rates(struct condense *c, double *vt, double *at, const double *q, const double *v,
                            const double *a, double t, struct trouble *why);
-/* lambda [rows] for the tree's residual rt at the state of the last condense_rates(); dropped rows: 0. */
+/* lambda [rows] for the tree's residual rt at the state of the last condense_rates(); dropped rows: 0.  After one with
+ * accelerations the tree's sweep moves so. */
 void condense_lambda(struct condense *c, double *lambda, const double *rt);
 
 /* The multipliers as forces on the bodies of a sweep that stands where they were found; what joint `loop` exerts. */
-void condense_push(struct condense *c, struct sweep *s, const double *q, const double *v, double t,
-                   const double *lambda);
+void condense_push(struct condense *c, struct sweep *s, const double *q, double t, const double *lambda);
 /* Of a drive, after condense_push(): its force along its measure, its power. */
 void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda);
 void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda);

@@ -48,9 +48,9 @@ static enum status mass(struct projection *p, struct condense *o, const double *
     static const double LITTLE = 1e-9;
     const int n = o->nt;
     double most = 0;
-    TRY(o->tree->ops->mass(o->tree, p->M, q, 0, ALL, why));
+    TRY(o->tree->ode.ops->mass(&o->tree->ode, p->M, q, 0, ALL, why));
     if (dense_cholesky(p->M, n, n) < 0) return OK;
-    TRY(o->tree->ops->mass(o->tree, p->M, q, 0, ALL, why));
+    TRY(o->tree->ode.ops->mass(&o->tree->ode, p->M, q, 0, ALL, why));
     for (int i = 0; i < n; i++) most = fmax(most, p->M[i + i * n] * o->size[i] * o->size[i]);
     for (int i = 0; i < n; i++) p->M[i + i * n] += LITTLE * most / (o->size[i] * o->size[i]);
     return dense_cholesky(p->M, n, n) < 0 ? OK : trouble_set(why, TROUBLE_MASS, 0, 0, 0);
@@ -63,7 +63,7 @@ static enum status prepare(struct projection *p, struct condense *o, const doubl
     const struct loops *l = o->loops;
     const int n = o->nt, rows = l->nrow;
     TRY(mass(p, o, q, why));
-    condense_look(o, q, o->zero);
+    condense_look(o, q);
     loops_values(o->C, l);
     memset(p->Cq, 0, sizeof *p->Cq * (size_t)(rows * n));
     for (int r = 0; r < rows; r++) {

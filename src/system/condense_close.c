@@ -20,8 +20,7 @@ enum { MOST_ITERATIONS = 20 };
 double condense_misfit(struct condense *o, int *row, const double *q)
 {
     double most = 0;
-    o->ops->move(o->sweep, q, o->zero, ALL);
-    loops_look(o->loops, o->sweep, q, o->zero);
+    condense_see(o, q);
     loops_values(o->C, o->loops);
     for (int i = 0; i < o->loops->nrow; i++)
         if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), *row = i;
@@ -47,7 +46,7 @@ static void place(struct condense *o, double *q1, const double *base, double s)
 static double correct(struct condense *o, const double *q1, int *worst)
 {
     double most = 0;
-    condense_look(o, q1, o->zero);
+    condense_look(o, q1);
     loops_values(o->C, o->loops);
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];

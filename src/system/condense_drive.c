@@ -82,13 +82,13 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
     condense_follow(o, o->at);
     condense_still(o, q, ALL);
-    condense_momentum(o, o->rt, o->at, q, ALL);
+    condense_momentum(o, o->rt, o->at, ALL);
     condense_gather(o, dv, NULL, o->rt);
     dense_cholesky_solve(M, dv, n, n);
     for (int i = 0; i < n; i++) dv[i] = -dv[i];
     condense_spread(o, o->at, dv);
     condense_follow(o, o->at); /* all of the jump */
-    condense_momentum(o, o->rt, o->at, q, ALL);
+    condense_momentum(o, o->rt, o->at, ALL);
     for (int i = 0; i < nt; i++) *work += o->rt[i] * (o->vt[i] + o->at[i] / 2);
     for (int i = 0; i < n; i++) v[i] += dv[i];
     return 1;

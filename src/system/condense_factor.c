@@ -92,19 +92,31 @@ double condense_least_ratio(const struct condense *o)
     return least;
 }
 
-void condense_look(struct condense *o, const double *q, const double *v)
+void condense_see(struct condense *o, const double *q)
 {
-    o->ops->move(o->sweep, q, v, ALL);
-    loops_look(o->loops, o->sweep, q, v);
+    o->factored_at[0] = NAN;
+    tree_place(o->tree, q);
+    loops_look(o->loops, o->sweep, q);
+}
+
+void condense_look(struct condense *o, const double *q)
+{
+    condense_see(o, q);
     loops_jacobian(o->loops, o->sweep);
 }
 
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why)
 {
-    condense_look(o, q, o->zero);
+    const size_t bytes = sizeof *q * (size_t)o->model->nq;
+    if (memcmp(q, o->factored_at, bytes) == 0) {
+        tree_place(o->tree, q);
+        return OK;
+    }
+    condense_look(o, q);
     for (int i = 0; i < o->ncomponent; i++)
         if (!component_factor(o, &o->component[i], NULL))
             return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[o->component[i].row[0]].loop, NAN, t);
+    memcpy(o->factored_at, q, bytes);
     return OK;
 }
 
@@ -131,7 +143,7 @@ void condense_follow(struct condense *o, double *xt)
 /* x_d := -C_qd^-1 C'' , C'' with x_d = 0: (C_q v)_q v + C_qi a_i + C_tt. */
 static void accelerate(struct condense *o, double *at)
 {
-    loops_second(o->C2, o->loops, at);
+    loops_second(o->C2, o->loops, o->sweep, at);
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int r = 0; r < c->nr; r++) c->x[r] = -o->C2[c->row[c->kept[r]]];
@@ -151,8 +163,8 @@ enum status condense_motion(struct condense *o, double *vt, double *at, const do
         condense_spread(o, at, a);
     else
         memset(at, 0, sizeof *at * (size_t)o->nt);
-    o->ops->forward(o->sweep, q, vt, at, ALL);
-    loops_look(o->loops, o->sweep, q, vt);
+    tree_move(o->tree, q, vt);
+    o->ops->speed_up(o->sweep, vt, at, ALL);
     accelerate(o, at);
     return OK;
 }

@@ -67,9 +67,9 @@ struct component {
 };
 
 struct condense {
+    struct tree *tree; /* of it, as they are used often: */
     const struct model *model;
     const struct sweep_ops *ops;
-    const struct ode2 *tree;
     const struct moves *moves;
     struct sweep *sweep;
     struct loops *loops, *seen; /* at trial states; where condense_push() stood */
@@ -93,6 +93,7 @@ struct condense {
     double *zero;            /* [nt] */
     double *dx, *dxs, *base; /* [nt], [nt], [nq] */
     double *G0_at;           /* [nq] where G0 holds */
+    double *factored_at;     /* [nq] where all components are looked at and factored; NAN: nowhere */
     bool few;                /* independents, against the tree: M^ and slopes without its own matrices */
     double *M;               /* [nt x nt]; few: NULL */
     double *still, *Tx;      /* [nt] */
@@ -111,8 +112,9 @@ struct condense {
 
 /* --- C_q and its factor ---------------------------------------------------------------------------- */
 
-/* Poses at q and C_q there. */
-void condense_look(struct condense *o, const double *q, const double *v);
+/* The loops at q; with C_q. */
+void condense_see(struct condense *o, const double *q);
+void condense_look(struct condense *o, const double *q);
 /* F := the component's part of C_q, as last looked at. */
 void component_read(const struct condense *o, struct component *c);
 /* F, A, factored; dx: along the Cayley vectors it holds, NULL: at the posture itself.  0: singular or not finite. */
@@ -142,11 +144,11 @@ enum status condense_contest(struct condense *o, double t, struct trouble *why);
 int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
 double condense_corner(const struct ode2 *ode, double ta, double tb);
 
-/* o->still; y [nt] := M x of the tree with its bodies of cls at q, where condense_still() has been. */
+/* o->still; y [nt] := M x of the tree with its bodies of cls, where condense_still() has been. */
 void condense_still(struct condense *o, const double *q, unsigned cls);
-void condense_momentum(struct condense *o, double *y, const double *x, const double *q, unsigned cls);
+void condense_momentum(struct condense *o, double *y, const double *x, unsigned cls);
 
-/* All components looked at and factored at q. */
+/* All components looked at and factored at q, where the bodies then stand. */
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why);
 /* Least pivot ratio at the posture last factored. */
 double condense_least_ratio(const struct condense *o);

@@ -44,7 +44,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     struct instant whole = *x;
     whole.v = o->vt;
     whole.a = o->at;
-    TRY(in_own_rows(o, o->tree->ops->resid(o->tree, o->rt, w, dk, &whole, cls, why), why));
+    TRY(in_own_rows(o, tree_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, true, why), why));
     condense_gather(o, r, w, o->rt);
     for (int i = 0; i < o->ode.n; i++)
         if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);
@@ -143,14 +143,15 @@ static void symmetric(double *M, int n)
 void condense_still(struct condense *o, const double *q, unsigned cls)
 {
     memset(o->still, 0, sizeof *o->still * (size_t)o->nt);
-    o->ops->forward(o->sweep, q, o->zero, NULL, cls);
+    tree_move(o->tree, q, o->zero);
+    o->ops->forward(o->sweep, NULL, o->zero, NULL, cls);
     o->ops->backward(o->sweep, o->still, cls);
 }
 
-void condense_momentum(struct condense *o, double *y, const double *x, const double *q, unsigned cls)
+void condense_momentum(struct condense *o, double *y, const double *x, unsigned cls)
 {
     memset(y, 0, sizeof *y * (size_t)o->nt);
-    o->ops->forward(o->sweep, q, o->zero, x, cls);
+    o->ops->forward(o->sweep, NULL, o->zero, x, cls);
     o->ops->backward(o->sweep, y, cls);
     for (int i = 0; i < o->nt; i++) y[i] -= o->still[i];
 }
@@ -175,7 +176,7 @@ static enum status mass_by_momentum(struct condense *o, double *M, const double 
     condense_still(o, q, cls);
     for (int i = 0; i < o->ode.n; i++) {
         column_of_T(o, o->Tx, i);
-        condense_momentum(o, o->rt, o->Tx, q, cls);
+        condense_momentum(o, o->rt, o->Tx, cls);
         condense_gather(o, M + n * (size_t)i, NULL, o->rt);
         if (!isfinite(M[(n + 1) * (size_t)i])) return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
     }
@@ -207,7 +208,7 @@ static enum status slopes_by_rows(struct condense *o, double *K, double *C, cons
     const struct reduction to = {o->ode.n, o, reduce_row, o->Ty, o->Ty + o->ode.n};
     if (K) memset(K, 0, sizeof *K * nn);
     if (C) memset(C, 0, sizeof *C * nn);
-    o->ops->move(o->sweep, x->q, x->v, cls);
+    tree_move(o->tree, x->q, x->v);
     elements_slopes_reduced(o->elements, o->sweep, K, C, x, (enum rate)cls, &to);
     for (size_t i = 0; i < nn; i++)
         if ((K && !isfinite(K[i])) || (C && !isfinite(C[i])))
@@ -222,7 +223,7 @@ static enum status mass_there(struct condense *o, double *M, const double *q, do
 {
     TRY(prepare_T(o, q, t, why));
     if (o->few) return mass_by_momentum(o, M, q, t, cls, why);
-    TRY(in_own_rows(o, o->tree->ops->mass(o->tree, o->M, q, t, cls, why), why));
+    TRY(in_own_rows(o, o->tree->ode.ops->mass(&o->tree->ode, o->M, q, t, cls, why), why));
     congruence(o, M, o->M);
     symmetric(M, o->ode.n);
     return OK;
@@ -256,11 +257,11 @@ static enum status slopes(const struct ode2 *ode, double *K, double *C, const st
     whole.a = NULL;
     if (o->few) return slopes_by_rows(o, K, C, &whole, cls, why);
     if (K) {
-        TRY(in_own_rows(o, o->tree->ops->slopes(o->tree, o->M, NULL, &whole, cls, why), why));
+        TRY(in_own_rows(o, o->tree->ode.ops->slopes(&o->tree->ode, o->M, NULL, &whole, cls, why), why));
         congruence(o, K, o->M);
     }
     if (C) {
-        TRY(in_own_rows(o, o->tree->ops->slopes(o->tree, NULL, o->M, &whole, cls, why), why));
+        TRY(in_own_rows(o, o->tree->ode.ops->slopes(&o->tree->ode, NULL, o->M, &whole, cls, why), why));
         congruence(o, C, o->M);
     }
     return OK;

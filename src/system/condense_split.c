@@ -135,6 +135,7 @@ static double quality(struct condense *o, struct component *c)
 
 double component_choose(struct condense *o, struct component *c)
 {
+    o->factored_at[0] = NAN;
     find_pivots(o, c, c->weight, c->nr, 0);
     take_split(o, c);
     return quality(o, c);
@@ -174,6 +175,7 @@ static void keep_split(int *to, const struct component *c)
 
 static void put_back(struct condense *o, struct component *c, const int *from)
 {
+    o->factored_at[0] = NAN;
     memcpy(c->kept, from, sizeof *from * (size_t)c->nrow);
     memcpy(c->dep, from + c->nrow, sizeof *from * (size_t)c->nr);
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);

@@ -66,7 +66,7 @@ static int to_blame(const struct condense *o, const struct component *c)
 /* Ranks and splits at q, where the loops miss by so much. */
 static enum status split_all(struct condense *o, const double *q, double miss)
 {
-    condense_look(o, q, o->zero);
+    condense_look(o, q);
     o->start.redundant = 0;
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];

@@ -24,8 +24,9 @@ static void null_vector(struct condense *o, struct component *c, int r, double *
 static void joint_forces(struct condense *o, double (*f)[6], const double *lambda)
 {
     memset(o->rt, 0, sizeof *o->rt * (size_t)o->nt);
-    o->ops->forward(o->sweep, o->q, o->zero, NULL, ALL);
-    loops_look(o->loops, o->sweep, o->q, o->zero);
+    tree_move(o->tree, o->q, o->zero);
+    o->ops->forward(o->sweep, NULL, o->zero, NULL, ALL);
+    condense_see(o, o->q);
     if (lambda) loops_push(o->loops, o->sweep, lambda);
     o->ops->backward(o->sweep, o->rt, ALL);
     for (int i = 0; i < o->model->njoint; i++) o->ops->reaction(o->sweep, f[i], f[i] + 3, i);

@@ -15,17 +15,17 @@
  * for ALONG a force -lambda e on B at its point and the opposite on A, for SPAN along n, for LEAN a pair of torques.
  * A sum's is the generalized force -lambda f_i on each of its coordinates, which is a matter of their joints: these
  * bear nothing of it. */
-#include "system/loops.h"
-
 #include <math.h>
 #include <string.h>
 
-#include "la/vec3.h"
+#include "system/loops_parts.h"
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
-static void look(struct loop_place *p, const struct loops *o, const struct sweep *s, const struct model_loop *l)
+static void look(struct loops *o, const struct sweep *s, int loop)
 {
+    const struct model_loop *l = &o->model->loop[loop];
+    struct loop_place *p = &o->place[loop];
     double a[3], b[3];
     o->ops->pose(s, &p->A, l->first);
     o->ops->pose(s, &p->B, l->second);
@@ -34,8 +34,11 @@ static void look(struct loop_place *p, const struct loops *o, const struct sweep
     v3_sum(p->x, p->B.r, b);
     v3_diff(p->d, p->x, p->A.r);
     v3_take(p->d, a);
-    m3_mulm(p->EA, p->A.R, l->Ea);
-    m3_mulm(p->EB, p->B.R, l->Eb);
+    for (int i = o->first[loop]; i < o->first[loop + 1]; i++) {
+        const struct loop_row *r = &o->row[i];
+        if (r->type == ROW_ALONG || r->type == ROW_LEAN) m3_mul(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
+        if (r->type == ROW_LEAN) m3_mul(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
+    }
 }
 
 static void look_at_terms(struct loop_place *p, const struct model *m, const struct model_loop *l, const double *q)
@@ -47,17 +50,18 @@ static void look_at_terms(struct loop_place *p, const struct model *m, const str
     }
 }
 
-/* A driven measure and where its bodies stand. */
-static void look_at_drive(struct loops *o, const struct sweep *s, int l, const double *q, const double *v)
+/* A driven measure; its rate is that of any motion. */
+static void look_at_drive(struct loops *o, const struct sweep *s, int l, const double *q)
 {
-    const struct model_loop *d = &o->model->loop[l];
-    measure_at(&o->act[l], &o->measures, s, d->measure, q, v);
-    if (o->model->measure[d->measure].type == MEASURE_COORDINATE) return;
-    o->ops->pose(s, &o->place[l].A, d->first);
-    o->ops->pose(s, &o->place[l].B, d->second);
+    static const double at_rest[1];
+    const int i = o->model->loop[l].measure;
+    if (loops_along_coordinate(o, l))
+        o->act[l].s = q[o->model->measure[i].iq];
+    else
+        measure_at(&o->act[l], &o->measures, s, i, q, at_rest);
 }
 
-void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v)
+void loops_look(struct loops *o, const struct sweep *s, const double *q)
 {
     const int joints = model_first_drive(o->model);
     for (int l = 0; l < joints; l++) {
@@ -65,15 +69,9 @@ void loops_look(struct loops *o, const struct sweep *s, const double *q, const d
         if (loop->nterm)
             look_at_terms(&o->place[l], o->model, loop, q);
         else
-            look(&o->place[l], o, s, loop);
+            look(o, s, l);
     }
-    for (int l = joints; l < o->model->nloop; l++) look_at_drive(o, s, l, q, v);
-}
-
-/* A row's unit: angles as they are, lengths over the mechanism's. */
-static double scale(const struct loops *o, int l)
-{
-    return o->model->measure[o->model->loop[l].measure].angular ? 1 : 1 / o->length;
+    for (int l = joints; l < o->model->nloop; l++) look_at_drive(o, s, l, q);
 }
 
 /* Where drive l is at t: the iterations of a step ask for the same few times again and again. */
@@ -91,7 +89,7 @@ static const double *motion_of(struct loops *o, int l, double t)
 void loops_when(struct loops *o, double t)
 {
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
-        const double *x = motion_of(o, l, t), unit = scale(o, l);
+        const double *x = motion_of(o, l, t), unit = loops_scale(o, l);
         int row = o->first[l];
         o->c[row] = o->share == 1 ? unit * x[0] : o->drawn[row] + o->share * (unit * x[0] - o->drawn[row]);
         o->c[row] += o->aside;
@@ -111,13 +109,13 @@ void loops_over(struct loops *o, double ta, double tb)
 {
     if (ta == tb) return;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
-        double a[3], unit = scale(o, l) / (tb - ta);
+        double a[3], unit = loops_scale(o, l) / (tb - ta);
         int row = o->first[l];
         memcpy(a, motion_of(o, l, ta), sizeof a);
         const double *b = motion_of(o, l, tb);
         o->c1[row] = o->cw[row] = unit * (b[0] - a[0]);
         o->c2[row] = unit * (b[1] - a[1]);
-        if (has_corner(o->model->loop[l].drive, a, b, ta, tb)) o->cw[row] = scale(o, l) * (a[1] + b[1]) / 2;
+        if (has_corner(o->model->loop[l].drive, a, b, ta, tb)) o->cw[row] = loops_scale(o, l) * (a[1] + b[1]) / 2;
     }
 }
 
@@ -126,7 +124,7 @@ int loops_corners(struct loops *o, double ta, double tb)
     int any = 0;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         double *jump = &o->c1[o->first[l]];
-        *jump = scale(o, l) * signal_corner(o->model->loop[l].drive, ta, tb);
+        *jump = loops_scale(o, l) * signal_corner(o->model->loop[l].drive, ta, tb);
         any |= *jump != 0;
     }
     return any;
@@ -139,10 +137,10 @@ void loops_values(double *C, const struct loops *o)
         const struct loop_place *p = &o->place[r->loop];
         switch (r->type) {
         case ROW_ALONG:
-            C[i] = v3_dot(p->EA + 3 * r->i, p->d) / o->length;
+            C[i] = v3_dot(o->axes[i].e, p->d) / o->length;
             break;
         case ROW_LEAN:
-            C[i] = v3_dot(p->EA + 3 * r->i, p->EB + 3 * r->j);
+            C[i] = v3_dot(o->axes[i].e, o->axes[i].g);
             break;
         case ROW_TURN:
             C[i] = p->B.angle - p->A.angle;
@@ -154,17 +152,10 @@ void loops_values(double *C, const struct loops *o)
             C[i] = p->sum / o->scale[r->loop];
             break;
         case ROW_DRIVE:
-            C[i] = scale(o, r->loop) * o->act[r->loop].s - o->c[i];
+            C[i] = loops_scale(o, r->loop) * o->act[r->loop].s - o->c[i];
             break;
         }
     }
-}
-
-/* n of a span; 0 while its points are in one place. */
-static void along(double *n, const double *d)
-{
-    const double size = v3_norm(d);
-    v3_scale(n, size > 0 ? 1 / size : 0, d);
 }
 
 static bool is_force(const struct loop_row *r)
@@ -174,35 +165,54 @@ static bool is_force(const struct loop_row *r)
 
 /* The row of a joint or rod as a pair of opposite unit wrenches: C' = dir.(relative velocity at the second's point), or
  * of (relative angular velocity). */
-static void direction(double *dir, const struct loops *o, const struct loop_row *r)
+static void direction(double *dir, const struct loops *o, int i)
 {
+    const struct loop_row *r = &o->row[i];
     const struct loop_place *p = &o->place[r->loop];
-    if (r->type == ROW_ALONG) v3_scale(dir, 1 / o->length, p->EA + 3 * r->i);
-    if (r->type == ROW_LEAN) v3_cross(dir, p->EB + 3 * r->j, p->EA + 3 * r->i);
+    if (r->type == ROW_ALONG) v3_scale(dir, 1 / o->length, o->axes[i].e);
+    if (r->type == ROW_LEAN) v3_cross(dir, o->axes[i].g, o->axes[i].e);
     if (r->type == ROW_TURN) v3_set(dir, 0, 0, 1);
     if (r->type != ROW_SPAN) return;
-    along(dir, p->d);
+    loops_normal(dir, p->d);
     v3_scale(dir, 1 / o->length, dir);
 }
 
 static void drive_jacobian(struct loops *o, const struct sweep *s, int l)
 {
+    if (loops_along_coordinate(o, l)) {
+        o->Cq[l][0] = loops_scale(o, l);
+        return;
+    }
     row_add_measure(&o->grad, &o->measures, s, &o->act[l], o->model->loop[l].measure);
-    for (int k = 0; k < o->nk[l]; k++) o->Cq[l][k] = scale(o, l) * o->grad.x[o->k[l][k]];
+    for (int k = 0; k < o->nk[l]; k++) o->Cq[l][k] = loops_scale(o, l) * o->grad.x[o->k[l][k]];
     row_clear(&o->grad);
+}
+
+/* The row's unit wrench as what it does on the first body or on the second, by the coordinates of its way. */
+static void way_row(double *g, const struct loops *o, const struct sweep *s, int row, bool second)
+{
+    const struct model_loop *loop = &o->model->loop[o->row[row].loop];
+    double dir[3];
+    direction(dir, o, row);
+    if (!second) v3_scale(dir, -1, dir);
+    const bool force = is_force(&o->row[row]);
+    o->ops->row(s, g, second ? loop->second : loop->first, o->ways[o->row[row].loop].from, o->place[o->row[row].loop].x,
+                force ? dir : NULL, force ? NULL : dir);
 }
 
 static void jacobian(struct loops *o, const struct sweep *s, int l)
 {
-    const struct model_loop *loop = &o->model->loop[l];
-    const int nk = o->nk[l], first = o->first[l], n = o->first[l + 1] - first;
-    double dir[LOOP_ROWS][3];
-    for (int i = 0; i < n; i++) direction(dir[i], o, &o->row[first + i]);
-    for (int k = 0; k < nk; k++) {
-        double v[3], w[3];
-        int side = o->side[l][k];
-        o->ops->partial(s, v, w, side > 0 ? loop->second : loop->first, o->place[l].x, o->k[l][k]);
-        for (int i = 0; i < n; i++) o->Cq[l][i * nk + k] = side * v3_dot(dir[i], is_force(&o->row[first + i]) ? v : w);
+    const struct loop_ways *w = &o->ways[l];
+    double *Cq = o->Cq[l], *both = o->grad.g;
+    for (int i = o->first[l]; i < o->first[l + 1]; i++, Cq += o->nk[l]) {
+        if (w->n[0] > 0) way_row(Cq, o, s, i, false);
+        if (w->same == 0) {
+            if (w->n[1] > 0) way_row(Cq + w->n[0], o, s, i, true);
+            continue;
+        }
+        way_row(both, o, s, i, true);
+        for (int k = 0; k < w->same; k++) Cq[k] += both[k];
+        for (int k = w->same; k < w->n[1]; k++) Cq[w->n[0] + k - w->same] = both[k];
     }
 }
 
@@ -214,120 +224,6 @@ void loops_jacobian(struct loops *o, const struct sweep *s)
     for (int l = joints; l < o->model->nloop; l++) drive_jacobian(o, s, l);
 }
 
-/* Of the second body's point b (from the centre, world) or the first's: v + w x b, a + al x b + w x (w x b). */
-static void point_rates(double *xv, double *xa, const struct pose *p, const double *b)
-{
-    double turned[3];
-    v3_cross(turned, p->w, b);
-    v3_sum(xv, p->v, turned);
-    v3_copy(xa, p->a);
-    v3_cross_add(xa, p->al, b);
-    v3_cross_add(xa, p->w, turned);
-}
-
-static double second_along(const struct loop_place *p, const double *e)
-{
-    double b[3], vb[3], ab[3], va[3], aa[3], u[3], coriolis[3];
-    v3_diff(b, p->x, p->B.r);
-    point_rates(vb, ab, &p->B, b);
-    v3_diff(b, p->x, p->A.r); /* A's motion where B's point is: w_A x d and its kin are in it */
-    point_rates(va, aa, &p->A, b);
-    v3_diff(u, vb, va);
-    v3_cross(coriolis, p->A.w, u);
-    v3_take(ab, aa);
-    v3_axpy(ab, -2, coriolis);
-    return v3_dot(e, ab);
-}
-
-static double second_lean(const struct loop_place *p, const double *e, const double *g)
-{
-    double e1[3], g1[3], e2[3], g2[3];
-    v3_cross(e1, p->A.w, e);
-    v3_cross(g1, p->B.w, g);
-    v3_cross(e2, p->A.al, e);
-    v3_cross_add(e2, p->A.w, e1);
-    v3_cross(g2, p->B.al, g);
-    v3_cross_add(g2, p->B.w, g1);
-    return v3_dot(e2, g) + 2 * v3_dot(e1, g1) + v3_dot(e, g2);
-}
-
-/* Of the distance between the world points a on A and b on B. */
-static double second_distance(const struct loop_place *p, const double *a, const double *b)
-{
-    double arm[3], vb[3], ab[3], va[3], aa[3], d[3], n[3];
-    v3_diff(arm, b, p->B.r);
-    point_rates(vb, ab, &p->B, arm);
-    v3_diff(arm, a, p->A.r);
-    point_rates(va, aa, &p->A, arm);
-    v3_take(vb, va);
-    v3_take(ab, aa);
-    v3_diff(d, b, a);
-    along(n, d);
-    const double rate = v3_dot(n, vb);
-    return v3_dot(n, ab) + (v3_dot(vb, vb) - rate * rate) / v3_norm(d);
-}
-
-static double second_span(const struct loop_place *p)
-{
-    double a[3];
-    v3_diff(a, p->x, p->d);
-    return second_distance(p, a, p->x);
-}
-
-static double second_sum(const struct model *m, const struct model_loop *l, const double *a)
-{
-    double sum = 0;
-    for (int i = 0; i < l->nterm; i++) sum += l->term[i].factor * a[m->joint[l->term[i].joint].iv[l->term[i].k]];
-    return sum;
-}
-
-static double second_measure(const struct loops *o, int l, const double *a)
-{
-    const struct model_measure *m = &o->model->measure[o->model->loop[l].measure];
-    const struct action *act = &o->act[l];
-    struct loop_place *p = &o->place[l];
-    switch (m->type) {
-    case MEASURE_COORDINATE:
-        return a[m->iv];
-    case MEASURE_DISTANCE:
-        return second_distance(p, act->at_a, act->at_b);
-    case MEASURE_DISPLACEMENT:
-        v3_copy(p->x, act->at_b);
-        return second_along(p, act->dir);
-    case MEASURE_ANGLE:
-        break;
-    }
-    return act->dir[2] * (p->B.al[2] - p->A.al[2]);
-}
-
-void loops_second(double *C2, const struct loops *o, const double *a)
-{
-    for (int i = 0; i < o->nrow; i++) {
-        const struct loop_row *r = &o->row[i];
-        const struct loop_place *p = &o->place[r->loop];
-        switch (r->type) {
-        case ROW_ALONG:
-            C2[i] = second_along(p, p->EA + 3 * r->i) / o->length;
-            break;
-        case ROW_LEAN:
-            C2[i] = second_lean(p, p->EA + 3 * r->i, p->EB + 3 * r->j);
-            break;
-        case ROW_TURN:
-            C2[i] = p->B.al[2] - p->A.al[2];
-            break;
-        case ROW_SPAN:
-            C2[i] = second_span(p) / o->length;
-            break;
-        case ROW_SUM:
-            C2[i] = second_sum(o->model, &o->model->loop[r->loop], a) / o->scale[r->loop];
-            break;
-        case ROW_DRIVE:
-            C2[i] = scale(o, r->loop) * second_measure(o, r->loop, a) - o->c2[i];
-            break;
-        }
-    }
-}
-
 /* --- forces ------------------------------------------------------------------------------------- */
 
 static void wrench(double *f, double *n, const struct loops *o, int l, const double *lambda)
@@ -336,7 +232,7 @@ static void wrench(double *f, double *n, const struct loops *o, int l, const dou
     v3_set(n, 0, 0, 0);
     for (int i = o->first[l]; i < o->first[l + 1] && o->model->loop[l].nterm == 0; i++) {
         double dir[3];
-        direction(dir, o, &o->row[i]);
+        direction(dir, o, i);
         v3_axpy(is_force(&o->row[i]) ? f : n, -lambda[i], dir);
     }
 }
@@ -344,14 +240,14 @@ static void wrench(double *f, double *n, const struct loops *o, int l, const dou
 /* A drive along a coordinate is a matter of its joint: nothing to push. */
 static void push_drive(const struct loops *o, struct sweep *s, int l, const double *lambda)
 {
-    if (o->model->measure[o->model->loop[l].measure].type == MEASURE_COORDINATE) return;
-    action_push(&o->measures, s, &o->act[l], -lambda[o->first[l]] * scale(o, l));
+    if (loops_along_coordinate(o, l)) return;
+    action_push(&o->measures, s, &o->act[l], -lambda[o->first[l]] * loops_scale(o, l));
 }
 
 void loops_drive(const struct loops *o, double *force, double *power, int l, const double *lambda)
 {
     const int row = o->first[l];
-    *force = -lambda[row] * scale(o, l);
+    *force = -lambda[row] * loops_scale(o, l);
     *power = -lambda[row] * o->c1[row];
 }
 

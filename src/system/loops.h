@@ -31,9 +31,20 @@ struct loop_row {
 /* Where a loop's two bodies stand. */
 struct loop_place {
     struct pose A, B;
-    double d[3], x[3];   /* from the first's point to the second's; the second's point, world */
-    double EA[9], EB[9]; /* joint axes in the world, by column */
-    double sum;          /* ROW_SUM: of the coordinates */
+    double d[3], x[3]; /* from the first's point to the second's; the second's point, world */
+    double sum;        /* ROW_SUM: of the coordinates */
+};
+
+/* The axes that a row speaks of, in the world: of the first body; of the second (ROW_LEAN). */
+struct loop_axes {
+    double e[3], g[3];
+};
+
+/* The coordinates on a loop's ways to its first and its second body, from the body where they part.  If that is
+ * flexible and they go on from two of its nodes, both begin with its modes. */
+struct loop_ways {
+    int from, n[2]; /* of path(): what both share; what follows */
+    int same;       /* modes with which both begin */
 };
 
 /* Where a drive is at time t, its rate and acceleration. */
@@ -50,12 +61,13 @@ struct loops {
     struct loop_row *row;     /* [nrow], loop by loop */
     int *first;               /* [nloop + 1] first row of each loop */
     struct loop_place *place; /* [nloop] */
+    struct loop_axes *axes;   /* [nrow] */
     int *nk, **k;             /* [nloop] coordinates tied: places in v */
-    int **side;               /* [nloop][nk] +1: moves the second body, -1: the first */
+    struct loop_ways *ways;   /* [nloop] */
     double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
     double *scale;            /* [nloop] what the terms of a sum are divided by [m] or [rad] */
     struct measures measures;
-    struct row grad;      /* of a driven measure */
+    struct row grad;      /* of a driven measure; its work */
     struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
     double *c, *c1, *c2;  /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
     double aside;         /* added to c, while a posture beside the one of drives is looked for */
@@ -71,13 +83,13 @@ void loops_when(struct loops *o, double t);
 void loops_over(struct loops *o, double ta, double tb);
 /* c1 := by how much the rates of drives jump at corners in [ta, tb); 0: nowhere. */
 int loops_corners(struct loops *o, double ta, double tb);
-/* Looks at the bodies: first of all, after each motion; v may be that of any motion where rates are not asked. */
-void loops_look(struct loops *o, const struct sweep *s, const double *q, const double *v);
+/* Looks at the bodies where they stand: first of all, after each place(). */
+void loops_look(struct loops *o, const struct sweep *s, const double *q);
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
 void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
-/* C'' [nrow], after forward(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
+/* C'' [nrow], after speed_up(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
  * + C_tt. */
-void loops_second(double *C2, const struct loops *o, const double *a);
+void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a);
 void loops_push(const struct loops *o, struct sweep *s, const double *lambda); /* applies -C_q' lambda */
 /* Force of the drive along its measure [N] or [N m], and its power [W]. */
 void loops_drive(const struct loops *o, double *force, double *power, int l, const double *lambda);

@@ -2,8 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "la/vec3.h"
-#include "system/loops.h"
+#include "system/loops_parts.h"
 
 struct equation {
     enum loop_row_type type;
@@ -101,22 +100,6 @@ static double length_of(const struct model *m)
     return most > 0 ? most : 1;
 }
 
-static bool among(const int *k, int n, int what)
-{
-    for (int i = 0; i < n; i++)
-        if (k[i] == what) return true;
-    return false;
-}
-
-static void add_path(struct loops *o, int l, const int *k, int n, const int *other, int nother, int side)
-{
-    for (int i = 0; i < n; i++) {
-        if (among(other, nother, k[i])) continue;
-        o->side[l][o->nk[l]] = side;
-        o->k[l][o->nk[l]++] = k[i];
-    }
-}
-
 /* The largest term for coordinates of usual size, 1 rad or a length of the mechanism. */
 static double size_of(const struct loops *o, const struct model_loop *loop)
 {
@@ -132,34 +115,53 @@ static void tie_terms(struct loops *o, int l, struct arena *life)
     const struct model_loop *loop = &o->model->loop[l];
     o->nk[l] = loop->nterm;
     o->k[l] = TAKE(life, int, loop->nterm);
-    o->side[l] = TAKE(life, int, loop->nterm);
     o->Cq[l] = TAKE(life, double, loop->nterm);
     o->scale[l] = size_of(o, loop);
     for (int i = 0; i < loop->nterm; i++) {
         const struct model_term *t = &loop->term[i];
         o->k[l][i] = o->model->joint[t->joint].iv[t->k];
-        o->side[l][i] = 1;
         o->Cq[l][i] = t->factor / o->scale[l];
     }
+}
+
+/* The body where the ways from the ground to a and b part. */
+static int parting(const struct model *m, int a, int b)
+{
+    while (a != b) {
+        if (a > b)
+            a = m->body[a].parent;
+        else
+            b = m->body[b].parent;
+    }
+    return a;
 }
 
 static void tie(struct loops *o, int l, const struct sweep *s, struct arena *life)
 {
     const struct model_loop *loop = &o->model->loop[l];
-    const int *a, *b;
-    int na = o->ops->path(s, &a, loop->first), nb = o->ops->path(s, &b, loop->second);
-    if (loop->drive && o->model->measure[loop->measure].type == MEASURE_COORDINATE) {
-        a = b = &o->model->measure[loop->measure].iv;
-        na = 0;
-        nb = 1;
+    const int bodies[2] = {loop->first, loop->second};
+    struct loop_ways *w = &o->ways[l];
+    const int *k[2];
+    int same = 0;
+    w->from = o->ops->path(s, &k[0], parting(o->model, bodies[0], bodies[1]));
+    for (int i = 0; i < 2; i++) {
+        w->n[i] = o->ops->path(s, &k[i], bodies[i]) - w->from;
+        k[i] += w->from;
     }
-    o->k[l] = TAKE(life, int, na + nb);
-    o->side[l] = TAKE(life, int, na + nb);
-    int both = 0; /* the way they have in common, which may be long */
-    while (both < na && both < nb && a[both] == b[both]) both++;
-    add_path(o, l, a + both, na - both, b + both, nb - both, -1);
-    add_path(o, l, b + both, nb - both, a + both, na - both, 1);
-    o->Cq[l] = TAKE(life, double, (o->first[l + 1] - o->first[l]) * o->nk[l]);
+    while (same < w->n[0] && same < w->n[1] && k[0][same] == k[1][same]) same++;
+    const int n = o->nk[l] = w->n[0] + w->n[1] - same;
+    o->k[l] = TAKE(life, int, n);
+    for (int i = 0; i < w->n[0]; i++) o->k[l][i] = k[0][i];
+    for (int i = same; i < w->n[1]; i++) o->k[l][w->n[0] + i - same] = k[1][i];
+    w->same = same;
+    o->Cq[l] = TAKE(life, double, (o->first[l + 1] - o->first[l]) * n);
+}
+
+static void tie_coordinate(struct loops *o, int l, struct arena *life)
+{
+    o->k[l] = TAKE(life, int, 1);
+    o->k[l][o->nk[l]++] = o->model->measure[o->model->loop[l].measure].iv;
+    o->Cq[l] = TAKE(life, double, 1);
 }
 
 struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)
@@ -173,7 +175,7 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->place = TAKE(life, struct loop_place, m->nloop);
     o->nk = TAKE(life, int, m->nloop);
     o->k = TAKE(life, int *, m->nloop);
-    o->side = TAKE(life, int *, m->nloop);
+    o->ways = TAKE(life, struct loop_ways, m->nloop);
     o->Cq = TAKE(life, double *, m->nloop);
     o->scale = TAKE(life, double, m->nloop);
     struct sweep *paths = ops->build(m, life);
@@ -184,10 +186,13 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
         o->first[l + 1] = o->nrow;
         if (m->loop[l].nterm)
             tie_terms(o, l, life);
+        else if (m->loop[l].drive && loops_along_coordinate(o, l))
+            tie_coordinate(o, l, life);
         else
             tie(o, l, paths, life);
     }
     measures_build(&o->measures, m, ops, life);
+    o->axes = TAKE(life, struct loop_axes, o->nrow);
     o->grad = row_make(m->n, life);
     o->act = TAKE(life, struct action, m->nloop);
     o->c = TAKE(life, double, o->nrow);

@@ -125,7 +125,8 @@ void action_push(const struct measures *m, struct sweep *s, const struct action 
 
 struct row row_make(int n, struct arena *life)
 {
-    return (struct row){.k = TAKE(life, int, n), .on = TAKE(life, bool, n), .x = TAKE(life, double, n)};
+    return (struct row){
+        .k = TAKE(life, int, n), .on = TAKE(life, bool, n), .x = TAKE(life, double, n), .g = TAKE(life, double, n)};
 }
 
 void row_clear(struct row *o)
@@ -143,11 +144,8 @@ void row_add_body(struct row *o, const struct measures *m, const struct sweep *s
     static const double nowhere[3];
     const int *path;
     int n = m->ops->path(s, &path, body);
-    for (int i = 0; i < n; i++) {
-        double xv[3], w[3];
-        m->ops->partial(s, xv, w, body, at ? at : nowhere, path[i]);
-        row_add(o, path[i], scale * v3_dot(dir, at ? xv : w));
-    }
+    m->ops->row(s, o->g, body, 0, at ? at : nowhere, at ? dir : NULL, at ? NULL : dir);
+    for (int i = 0; i < n; i++) row_add(o, path[i], scale * o->g[i]);
 }
 
 void row_add_measure(struct row *o, const struct measures *m, const struct sweep *s, const struct action *act, int i)

@@ -34,6 +34,7 @@ struct row {
     int *k;    /* [n of the system] */
     bool *on;  /* likewise */
     double *x; /* likewise */
+    double *g; /* likewise: work */
 };
 
 struct measures {

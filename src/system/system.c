@@ -1,10 +1,7 @@
-/* system.c -- a model as mechanics: the equations of motion (2-4) by inverse dynamics.
+/* system.c -- a model as mechanics: its tree, with loops closed over it, and what the output asks for.
  *
- *     r(q, v, a, t) = M^ a - Q^                                              (2-4)
- *
- * is one sweep outwards, the elements, one sweep inwards; M^ comes from composite bodies, a from r(a = 0) by
- * articulated bodies, or by M^ where these do not go (flexible bodies in space).  All that is called in the step loop
- * works in the sweep `work`; what the output asks for stands in `view`, which the step loop leaves alone. */
+ * All that is called in the step loop works in the sweep of the tree; what the output asks for stands in `view`, which
+ * the step loop leaves alone. */
 #include "system/system.h"
 
 #include <math.h>
@@ -13,211 +10,30 @@
 #include "la/dense.h"
 #include "la/vec3.h"
 #include "system/condense.h"
-#include "system/elastic.h"
-#include "system/elements.h"
-#include "system/moves.h"
+#include "system/tree.h"
 
 struct system {
     const struct model *model;
     const struct sweep_ops *ops;
-    struct sweep *work, *view;
-    struct elements *elements;
-    struct elastic elastic; /* flexible bodies */
-    bool diagonal;          /* elements_are_diagonal() */
-    struct moves moves;
-    struct ode2_direct direct;
-    struct ode2_breaks breaks;
-    struct ode2 ode;        /* of the tree */
+    struct tree tree;
     struct condense *loops; /* of the tree with its loops; NULL: none */
-    double *M;              /* [n x n] M^ with loops or flexible bodies */
-    double *lambda;         /* [rows] at the last see() */
+    struct sweep *view;
+    double *M;      /* [n x n] M^ with loops */
+    double *lambda; /* [rows] at the last see() */
     double constraint_worst;
-    void *factor;     /* of M^, for accel() */
-    double *at;       /* [nq] where system_energy_at() has put the bodies of `work`, while `placed`: a factor there */
-    bool placed;      /* need not find their positions again */
-    double *d, *zero; /* [n] */
-    struct effect *suspect; /* [nforce] for naming the element that is not finite */
     /* at the last see() */
     double *q, *v, *a, *r; /* [nq], [n] */
     struct effect *effect; /* [nforce] */
     struct energies energies;
 };
 
-static struct system *system_of(const struct ode2 *o)
-{
-    return o->self;
-}
-
-/* --- r, M, slopes ------------------------------------------------------------------------------- */
-
-/* Names the element, if one is to blame, else the row. */
-static enum status not_finite(struct system *s, const double *r, const struct instant *x, enum rate cls,
-                              struct trouble *why)
-{
-    const struct model *m = s->model;
-    memset(s->suspect, 0, sizeof *s->suspect * (size_t)m->nforce);
-    s->placed = false;
-    s->ops->forward(s->work, x->q, x->v, x->a, cls);
-    elements_load(s->elements, s->work, s->d, NULL, NULL, s->suspect, x, cls);
-    for (int i = 0; i < m->nforce; i++) {
-        if (isfinite(s->suspect[i].force)) continue;
-        trouble_set(why, TROUBLE_LAW, i, s->suspect[i].force, x->t);
-        if (why) why->kind = (int)m->force[i].type;
-        return E_NUMERIC;
-    }
-    int row = 0;
-    while (row < m->n - 1 && isfinite(r[row])) row++;
-    return trouble_set(why, TROUBLE_NOT_FINITE, row, r[row], x->t);
-}
-
-/* n numbers, `stride` apart; four sums, so that they need not wait for each other. */
-static bool all_finite(const double *r, int n, int stride)
-{
-    double sum[4] = {0, 0, 0, 0};
-    for (size_t i = 0; i < (size_t)n; i++) sum[i & 3] += r[i * (size_t)stride] * 0;
-    return sum[0] + sum[1] + sum[2] + sum[3] == 0;
-}
-
-static enum status resid(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
-                         struct trouble *why)
-{
-    struct system *s = system_of(o);
-    enum rate rate = (enum rate)cls;
-    for (int i = 0; i < o->n; i++) r[i] = 0;
-    if (w)
-        for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
-    if (dk) *dk = 0;
-    s->placed = false;
-    s->ops->forward(s->work, x->q, x->v, x->a, rate);
-    elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
-    if (w && s->elastic.n) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
-    s->ops->backward(s->work, r, rate);
-    return all_finite(r, o->n, 1) ? OK : not_finite(s, r, x, rate, why);
-}
-
-static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
-{
-    struct system *s = system_of(o);
-    s->placed = false;
-    s->ops->mass(s->work, M, q, cls);
-    /* all that enters M enters its diagonal */
-    return all_finite(M, o->n, o->n + 1) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
-}
-
-static enum status slopes(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
-                          struct trouble *why)
-{
-    struct system *s = system_of(o);
-    const size_t nn = (size_t)o->n * (size_t)o->n;
-    if (K) memset(K, 0, nn * sizeof *K);
-    if (C) memset(C, 0, nn * sizeof *C);
-    s->placed = s->placed && s->diagonal;
-    if (!s->diagonal) s->ops->move(s->work, x->q, x->v, cls);
-    elements_slopes(s->elements, s->work, K, C, x, (enum rate)cls);
-    elastic_slopes(&s->elastic, K, C, o->n, (enum rate)cls);
-    if ((K && !all_finite(K, o->n * o->n, 1)) || (C && !all_finite(C, o->n * o->n, 1)))
-        return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
-    return OK;
-}
-
-static const struct ode2_ops ops = {.resid = resid, .mass = mass, .slopes = slopes};
-
-/* --- positions ---------------------------------------------------------------------------------- */
-
-static void move_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t)
-{
-    (void)t;
-    moves_point(&system_of(o)->moves, q1, q0, dx, s);
-}
-
-static void move_diff(const struct ode2 *o, double *dx, const double *q1, const double *q0)
-{
-    moves_diff(&system_of(o)->moves, dx, q1, q0);
-}
-
-static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
-                      const double *v, double t)
-{
-    (void)q1, (void)q0, (void)t;
-    moves_rate(&system_of(o)->moves, dxrate, dx, v);
-}
-
-static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
-
-/* --- articulated bodies ------------------------------------------------------------------------- */
-
-/* x := M^-1 x where the last sweep has stood. */
-static enum status solve_mass(struct system *s, double *x, const double *q, double t, struct trouble *why)
-{
-    const int n = s->model->n;
-    if (s->ops->factor(s->work, s->factor, 1, s->zero, NULL)) {
-        s->ops->solve(s->work, s->factor, x);
-        return OK;
-    }
-    if (!s->elastic.n) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
-    TRY(mass(&s->ode, s->M, q, t, ALL, why));
-    int pivot = dense_cholesky(s->M, n, n);
-    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
-    dense_cholesky_solve(s->M, x, n, n);
-    return OK;
-}
-
-static enum status accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
-                         struct trouble *why)
-{
-    struct system *s = system_of(o);
-    const struct instant x = {.t = t, .q = q, .v = v};
-    TRY(resid(o, a, w, NULL, &x, ALL, why));
-    TRY(solve_mass(s, a, q, t, why));
-    for (int i = 0; i < o->n; i++) a[i] = -a[i];
-    return OK;
-}
-
-static enum status factor(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
-                          struct trouble *why)
-{
-    struct system *s = system_of(o);
-    if (!s->diagonal || s->elastic.n) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
-    memset(s->d, 0, sizeof *s->d * (size_t)o->n);
-    elements_diagonal(s->elements, s->d, cc, ck, x);
-    s->placed = false;
-    return s->ops->factor(s->work, F, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
-}
-
-static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t,
-                           struct trouble *why)
-{
-    struct system *s = system_of(o);
-    s->placed = s->placed && memcmp(s->at, q, sizeof *q * (size_t)o->nq) == 0;
-    return s->ops->factor(s->work, F, 1, d, s->placed ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
-}
-
-static void solve(const struct ode2 *o, const void *F, double *x)
-{
-    struct system *s = system_of(o);
-    s->ops->solve(s->work, F, x);
-}
-
-/* --- kinks in time ------------------------------------------------------------------------------ */
-
-static double next_kink(const struct ode2 *o, double t)
-{
-    const struct model *m = system_of(o)->model;
-    double next = INFINITY;
-    for (int i = 0; i < m->nforce; i++)
-        if (m->force[i].type == FORCE_VALUE || m->force[i].type == FORCE_LOAD)
-            for (int k = 0; k < 3; k++) next = fmin(next, signal_next(&m->force[i].value[k], t));
-    return next;
-}
-
 /* --- loops -------------------------------------------------------------------------------------- */
 
 static void build_loops(struct system *s, struct arena *life)
 {
-    const struct model *m = s->model;
-    s->loops = condense_build(m, s->ops, &s->ode, s->elements, &s->moves, m->q0, m->v0, life);
+    s->loops = condense_build(&s->tree, s->model->q0, s->model->v0, life);
     const int n = condense_ode2(s->loops)->n;
-    if (!s->M) s->M = TAKE(life, double, (size_t)n *(size_t)n);
+    s->M = TAKE(life, double, (size_t)n *(size_t)n);
     s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
 }
 
@@ -233,7 +49,7 @@ static enum status loops_accel(struct system *s, const double *q, const double *
     dense_cholesky_solve(s->M, s->r, o->n, o->n);
     for (int i = 0; i < o->n; i++) s->r[i] = -s->r[i];
     TRY(condense_rates(s->loops, s->v, s->a, q, v, s->r, t, why));
-    TRY(resid(&s->ode, s->r, NULL, NULL, &x, ALL, why));
+    TRY(tree_resid(&s->tree, s->r, NULL, NULL, &x, ALL, true, why));
     condense_lambda(s->loops, s->lambda, s->r);
     return OK;
 }
@@ -244,47 +60,21 @@ struct system *system_build(const struct model *m, struct arena *life)
 {
     struct system *s = TAKE(life, struct system, 1);
     s->model = m;
-    s->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
-    s->work = s->ops->build(m, life);
+    tree_build(&s->tree, m, life);
+    s->ops = s->tree.ops;
     s->view = s->ops->build(m, life);
-    s->elements = elements_build(m, s->ops, life);
-    s->diagonal = elements_are_diagonal(s->elements);
-    elastic_build(&s->elastic, m, life);
-    if (s->elastic.n) s->M = TAKE(life, double, m->n * m->n);
-    moves_build(&s->moves, m, life);
-    const size_t bytes = s->ops->factor_size(s->work);
-    s->factor = arena_take(life, 1, bytes);
-    s->d = TAKE(life, double, m->n);
-    s->zero = TAKE(life, double, m->n);
-    s->at = TAKE(life, double, m->nq);
     s->q = TAKE(life, double, m->nq);
     s->v = TAKE(life, double, m->n);
     s->a = TAKE(life, double, m->n);
     s->r = TAKE(life, double, m->n);
-    s->suspect = TAKE(life, struct effect, m->nforce);
     s->effect = TAKE(life, struct effect, m->nforce);
-    s->direct = (struct ode2_direct){
-        .accel = accel, .factor_size = bytes, .factor = factor, .stiffen = stiffen, .solve = solve};
-    bool plain = s->moves.nturn == 0 && s->moves.nfirst == m->n && m->nq == m->n;
-    s->breaks = (struct ode2_breaks){.next = next_kink};
-    s->ode.self = s;
-    const double first = next_kink(&s->ode, -INFINITY);
-    s->ode = (struct ode2){.n = m->n,
-                           .ns = m->ns,
-                           .nq = m->nq,
-                           .near = m->near,
-                           .ops = &ops,
-                           .move = plain ? NULL : &move,
-                           .direct = &s->direct,
-                           .breaks = isinf(first) ? NULL : &s->breaks,
-                           .self = s};
     if (m->nloop) build_loops(s, life);
     return s;
 }
 
 const struct ode2 *system_ode2(const struct system *s)
 {
-    return s->loops ? condense_ode2(s->loops) : &s->ode;
+    return s->loops ? condense_ode2(s->loops) : &s->tree.ode;
 }
 
 enum status system_start(const struct system *s, double *q, double *v, struct report *report)
@@ -324,7 +114,7 @@ double system_constraint_worst(const struct system *s)
 static void see_energies(struct system *s, struct energies *e, struct sweep *sweep, const double *q, const double *v)
 {
     s->ops->energy(sweep, &e->kinetic, &e->gravity);
-    e->elastic = elements_stored(s->elements, sweep, q, v) + elastic_stored(&s->elastic, q);
+    e->elastic = elements_stored(s->tree.elements, sweep, q, v) + elastic_stored(&s->tree.elastic, q);
 }
 
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what, struct trouble *why)
@@ -339,11 +129,11 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
     }
     if (what & SEE_ACCELERATION) {
         const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
-        TRY(s->loops ? loops_accel(s, q, v, t, why) : accel(&s->ode, s->a, NULL, q, v, t, why));
+        TRY(s->loops ? loops_accel(s, q, v, t, why) : s->tree.direct.accel(&s->tree.ode, s->a, NULL, q, v, t, why));
         memset(s->r, 0, sizeof *s->r * (size_t)m->n);
         s->ops->forward(s->view, s->q, s->v, s->a, ALL);
-        elements_load(s->elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
-        if (s->loops) condense_push(s->loops, s->view, s->q, s->v, t, s->lambda);
+        elements_load(s->tree.elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
+        if (s->loops) condense_push(s->loops, s->view, s->q, t, s->lambda);
         s->ops->backward(s->view, s->r, ALL);
     } else {
         s->ops->move(s->view, s->q, s->v, ALL);
@@ -384,7 +174,7 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 void system_centre(const struct system *s, struct pose *o, int body)
 {
     s->ops->pose(s->view, o, body);
-    if (s->model->body[body].flex) elastic_centre(o, &s->elastic, body, s->q, s->v, s->a);
+    if (s->model->body[body].flex) elastic_centre(o, &s->tree.elastic, body, s->q, s->v, s->a);
 }
 
 void system_displacement(const struct system *s, double *d, const struct model_point *p)
@@ -405,7 +195,7 @@ double system_stress(const struct system *s, int body, int stress, enum bent_str
 
 void system_measure(const struct system *s, double *value, double *rate, int measure)
 {
-    elements_measure(s->elements, s->view, value, rate, measure, s->q, s->v);
+    elements_measure(s->tree.elements, s->view, value, rate, measure, s->q, s->v);
 }
 
 /* On the deck's second body: the child, or the parent, which feels the opposite. */
@@ -451,16 +241,14 @@ void system_energy_at(struct system *s, struct energies *e, const double *q, con
         condense_rates(s->loops, s->v, NULL, q, v, NULL, t, &why);
         v = s->v;
     }
-    s->ops->move(s->work, q, v, ALL);
-    memcpy(s->at, q, sizeof *q * (size_t)s->model->nq);
-    s->placed = true;
-    see_energies(s, e, s->work, q, v);
+    tree_move(&s->tree, q, v);
+    see_energies(s, e, s->tree.sweep, q, v);
 }
 
 void system_frame_spin(const struct system *s, double *w, int body)
 {
     struct pose frame;
-    s->ops->pose(s->work, &frame, body);
+    s->ops->pose(s->tree.sweep, &frame, body);
     m3_tmul(w, frame.R, frame.w);
 }
 
@@ -469,10 +257,10 @@ void system_momentum(const struct system *s, double *p, double *L)
 {
     v3_set(p, 0, 0, 0);
     v3_set(L, 0, 0, 0);
-    for (int i = 0; i < s->elastic.n; i++) {
+    for (int i = 0; i < s->tree.elastic.n; i++) {
         struct pose b;
-        s->ops->pose(s->view, &b, s->elastic.body[i].number);
-        elastic_momentum(p, L, &s->elastic.body[i], &b, s->q, s->v);
+        s->ops->pose(s->view, &b, s->tree.elastic.body[i].number);
+        elastic_momentum(p, L, &s->tree.elastic.body[i], &b, s->q, s->v);
     }
     for (int i = 1; i < s->model->nbody; i++) {
         const struct model_body *body = &s->model->body[i];

@@ -202,13 +202,48 @@ static void test_file(void **state)
     arena_close(file.life);
 }
 
+/* A loop between two nodes of one flexible body, whose modes are on both of its ways; cut at either end of a strut. */
+static void test_two_nodes(void **state)
+{
+    static const char bodies[] = "gravity: [0, -9.81]\n"
+                                 "bodies:\n"
+                                 "  stem:\n"
+                                 "    beam: {from: [0, 0], to: [1, 0], elements: 4}\n"
+                                 "    section: {rectangle: [0.01, 0.004]}\n"
+                                 "    material: aluminium\n"
+                                 "    modes: 3\n"
+                                 "    points: {near: {station: 0.25}, tip: {station: 1}}\n"
+                                 "  left: {mass: 0.2, inertia: 0.01, at: [0.35, 0.3]}\n"
+                                 "  right: {mass: 0.3, inertia: 0.01, at: [0.75, 0.3], points: {eye: [0, 0.1]}}\n"
+                                 "constraints:\n"
+                                 "  foot: {revolute: [ground, stem], at: [0, 0]}\n"
+                                 "  a: {revolute: [stem, left], at: [0.25, 0]}\n";
+    static const char *const ends[2] = {"  b: {revolute: [stem, right], at: [1, 0]}\n",
+                                        "  top: {revolute: [left, right], at: [0.5, 0.6]}\n"};
+    static const char *const columns[] = {"foot.angle", "stem.mode1", "stem.tip.dy", "right.eye.x", "a.angle_rate"};
+    struct opened cut[2];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char text[2000];
+        snprintf(text, sizeof text, "%s%s%sintegrate: {scheme: midpoint, step: 2.5e-5, until: 0.05}\n", bodies, ends[i],
+                 ends[1 - i]);
+        open_deck(&cut[i], text);
+        run(&cut[i]);
+        assert_true(cut[i].sim.ledger.worst < 1e-6 * value(&cut[i], "energy.elastic"));
+    }
+    for (size_t i = 0; i < sizeof columns / sizeof *columns; i++) {
+        const double x = value(&cut[0], columns[i]);
+        assert_true(x != 0);
+        near(value(&cut[1], columns[i]), x, 1e-5 * fabs(x));
+    }
+    for (int i = 0; i < 2; i++) arena_close(cut[i].life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rates),
-        cmocka_unit_test(test_cut),
-        cmocka_unit_test(test_segments),
-        cmocka_unit_test(test_file),
+        cmocka_unit_test(test_rates), cmocka_unit_test(test_cut),       cmocka_unit_test(test_segments),
+        cmocka_unit_test(test_file),  cmocka_unit_test(test_two_nodes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -210,12 +210,12 @@ static void few_independents(void **state)
         const double *T = columns_of_T(&o, q);
         struct instant x = {.t = .3, .q = q, .v = v}, whole = x;
         assert_int_equal(o.ode->ops->mass(o.ode, M, q, .3, ALL, &why), OK);
-        assert_int_equal(o.loops->tree->ops->mass(o.loops->tree, X, q, .3, ALL, &why), OK);
+        assert_int_equal(o.loops->tree->ode.ops->mass(&o.loops->tree->ode, X, q, .3, ALL, &why), OK);
         is_congruent(&o, M, X, T);
         assert_int_equal(o.ode->ops->slopes(o.ode, K, C, &x, ALL, &why), OK);
         assert_int_equal(condense_rates(o.loops, vt, NULL, q, v, NULL, .3, &why), OK);
         whole.v = vt;
-        assert_int_equal(o.loops->tree->ops->slopes(o.loops->tree, X, Y, &whole, ALL, &why), OK);
+        assert_int_equal(o.loops->tree->ode.ops->slopes(&o.loops->tree->ode, X, Y, &whole, ALL, &why), OK);
         is_congruent(&o, K, X, T);
         is_congruent(&o, C, Y, T);
     }
