@@ -463,7 +463,7 @@ static struct sweep *build_ends(const struct elements *e, struct arena *life)
         force[m->nforce] = e->model->force[e->other[i].force];
         force[m->nforce++].cls = FAST;
     }
-    return e->ops->build(m, life);
+    return e->ops->build(m, STEPPED, life);
 }
 
 struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)

@@ -178,7 +178,7 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->ways = TAKE(life, struct loop_ways, m->nloop);
     o->Cq = TAKE(life, double *, m->nloop);
     o->scale = TAKE(life, double, m->nloop);
-    struct sweep *paths = ops->build(m, life);
+    struct sweep *paths = ops->build(m, SEEN, life);
     for (int l = 0; l < m->nloop; l++) {
         struct equation e[LOOP_ROWS] = {{ROW_DRIVE, 0, 0}};
         int n = m->loop[l].drive ? 1 : equations_of(e, m->loop[l].type, m->space);

@@ -37,15 +37,33 @@ static void list(struct roster *o, const bool *moves, const bool *bears, int nbo
     o->bears = with_mass;
 }
 
-void rosters_build(struct rosters *o, const struct model *m, struct arena *life)
+/* What motion, forces and loops need: all bodies but nodes where nothing happens. */
+static void find_wanted(bool *wanted, const struct model *m)
+{
+    for (int i = 0; i < m->nforce; i++) read_force(wanted, m, &m->force[i]);
+    for (int i = 0; i < m->nloop; i++) {
+        const struct model_loop *l = &m->loop[i];
+        if (l->nterm == 0) wanted[l->first] = wanted[l->second] = true;
+        if (l->drive) read_measure(wanted, m, l->measure);
+    }
+    for (int i = m->nbody - 1; i > 0; i--) {
+        if (!m->body[i].at_node) wanted[i] = true;
+        if (wanted[i]) wanted[m->body[i].parent] = true;
+    }
+}
+
+void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, struct arena *life)
 {
     bool *fast = TAKE(life, bool, m->nbody), *slow = TAKE(life, bool, m->nbody), *all = TAKE(life, bool, m->nbody);
     bool *moves = TAKE(life, bool, m->nbody), *none = TAKE(life, bool, m->nbody);
     memset(o, 0, sizeof *o);
+    if (purpose == STEPPED)
+        find_wanted(all, m);
+    else
+        memset(all, true, sizeof *all * (size_t)m->nbody);
     for (int i = 1; i < m->nbody; i++) {
-        fast[i] = moves[i] = m->body[i].fast;
-        slow[i] = !fast[i];
-        all[i] = true;
+        fast[i] = moves[i] = all[i] && m->body[i].fast;
+        slow[i] = all[i] && !m->body[i].fast;
     }
     for (int i = 0; i < m->nforce; i++)
         if (m->force[i].cls & FAST) read_force(moves, m, &m->force[i]);

@@ -142,7 +142,7 @@ static inline void spatial_unit(struct twist *o, const struct part *x, const str
     }
 }
 
-struct sweep *spatial_build(const struct model *m, struct arena *life);
+struct sweep *spatial_build(const struct model *m, enum purpose purpose, struct arena *life);
 
 void spatial_place(struct sweep *s, const double *q, unsigned cls);
 

@@ -23,9 +23,12 @@ struct pose {
 
 struct sweep;
 
+/* Nodes of flexible bodies that only the output looks at stand still in sweeps of the step loop. */
+enum purpose { STEPPED, SEEN };
+
 struct sweep_ops {
     /* Takes work memory for forward() and everything that does not depend on the state. */
-    struct sweep *(*build)(const struct model *m, struct arena *life);
+    struct sweep *(*build)(const struct model *m, enum purpose purpose, struct arena *life);
 
     /* Poses of the bodies of cls. */
     void (*place)(struct sweep *s, const double *q, unsigned cls);
@@ -88,6 +91,6 @@ struct roster {
 struct rosters {
     struct roster of[4]; /* by class: FAST, SLOW, ALL */
 };
-void rosters_build(struct rosters *o, const struct model *m, struct arena *life);
+void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, struct arena *life);
 
 #endif

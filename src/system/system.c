@@ -62,7 +62,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->model = m;
     tree_build(&s->tree, m, life);
     s->ops = s->tree.ops;
-    s->view = s->ops->build(m, life);
+    s->view = s->ops->build(m, SEEN, life);
     s->q = TAKE(life, double, m->nq);
     s->v = TAKE(life, double, m->n);
     s->a = TAKE(life, double, m->n);

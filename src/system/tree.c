@@ -215,7 +215,7 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
     o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
-    o->sweep = o->ops->build(m, life);
+    o->sweep = o->ops->build(m, STEPPED, life);
     o->elements = elements_build(m, o->ops, life);
     o->diagonal = elements_are_diagonal(o->elements);
     elastic_build(&o->elastic, m, life);

@@ -366,7 +366,7 @@ static void loads_act_where_they_stand(void **state)
             f.m->force = &load, f.m->nforce = 1;
             start(&f);
             const struct sweep_ops *ops = space == 2 ? &sweep_planar : &sweep_spatial;
-            struct sweep *s = ops->build(f.m, f.arena);
+            struct sweep *s = ops->build(f.m, STEPPED, f.arena);
             struct pose b;
             ops->move(s, f.q, f.v, ALL);
             ops->point(s, x, xv, 5, load.b.p);

@@ -338,7 +338,7 @@ static void massless_modes_have_no_pivot(void **state)
             memset(o->ff, 0, sizeof *o->ff * 9 * (size_t)(n * n));
             memset(o->rpsi, 0, sizeof *o->rpsi * 3 * (size_t)n);
             memset(o->ppsi, 0, sizeof *o->ppsi * (size_t)(n * n));
-            struct sweep *s = sweep_planar.build(f.m, f.arena);
+            struct sweep *s = sweep_planar.build(f.m, SEEN, f.arena);
             void *F = arena_take(f.arena, 1, sweep_planar.factor_size(s));
             assert_false(sweep_planar.factor(s, F, 1, d, f.q));
             for (int k = 0; k < n; k++) d[body->mode_v[k]] = 1;
