@@ -116,64 +116,216 @@ static int least_of(int a, int b)
     return a < b ? a : b;
 }
 
-/* Columns before k keep the multipliers where they were made: exchanges are repeated in solving (as LAPACK's dgbtrf).
+/* --- by rows ------------------------------------------------------------------------------------ *
+ *
+ * Columns before k keep the multipliers where they were made: exchanges are repeated in solving (as LAPACK's dgbtrf).
  */
-int pivot_rows(double *A, int *swap, const int *band, int n, int ld)
+
+/* The largest |number| of x[k ... rows), its place; -1: none, or not finite. */
+static inline int largest(const double *x, int k, int rows)
 {
-    for (int k = 0; k < n; k++) {
-        const int rows = least_of(k + band[0] + 1, n), cols = least_of(k + band[1] + 1, n);
-        double *pivots = A + (size_t)k * (size_t)ld, best = 0;
-        int p = k;
-        for (int i = k; i < rows; i++)
-            if (fabs(pivots[i]) > best) best = fabs(pivots[i]), p = i;
-        if (!(best > 0 && isfinite(best))) return k;
-        swap[k] = p;
-        for (int j = k; j < cols; j++) {
-            double *x = A + (size_t)j * (size_t)ld, u = x[p];
-            x[p] = x[k];
-            x[k] = u;
-            if (j == k)
-                for (int i = k + 1; i < rows; i++) x[i] /= u;
-            else if (u != 0)
-                for (int i = k + 1; i < rows; i++) x[i] -= pivots[i] * u;
-        }
-    }
-    return n;
+    double best = fabs(x[k]);
+    int p = k;
+    for (int i = k + 1; i < rows; i++)
+        if (fabs(x[i]) > best) best = fabs(x[i]), p = i;
+    return best > 0 && best < INFINITY ? p : -1;
 }
 
-static void exchange_x(double *x, int i, int j)
+static inline void exchange_x(double *x, int i, int j)
 {
     double y = x[i];
     x[i] = x[j];
     x[j] = y;
 }
 
-void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
+/* x -= y a;  a . x; by pairs, for bands are narrow. */
+static inline void take_away(double *restrict x, double y, const double *restrict a, int n)
 {
-    for (int j = 0; j < n; j++) {
-        const double *l = LU + (size_t)j * (size_t)ld;
-        const int rows = least_of(j + band[0] + 1, n);
-        exchange_x(x, j, swap[j]);
-        for (int i = j + 1; x[j] != 0 && i < rows; i++) x[i] -= l[i] * x[j];
+    for (; n >= 2; n -= 2, x += 2, a += 2) {
+        x[0] -= a[0] * y;
+        x[1] -= a[1] * y;
+    }
+    if (n) x[0] -= a[0] * y;
+}
+
+static inline double sum_of(const double *restrict a, const double *restrict x, int n)
+{
+    double sum = 0, other = 0;
+    for (; n >= 2; n -= 2, x += 2, a += 2) {
+        sum += a[0] * x[0];
+        other += a[1] * x[1];
+    }
+    return n ? sum + a[0] * x[0] + other : sum + other;
+}
+
+static int rows_factor(double *A, int *swap, const int *band, int n, int ld)
+{
+    for (int k = 0; k < n; k++) {
+        const int rows = least_of(k + band[0] + 1, n), cols = least_of(k + band[1] + 1, n);
+        double *l = A + (size_t)k * (size_t)ld, *x = l;
+        const int p = swap[k] = largest(l, k, rows);
+        if (p < 0) return k;
+        if (p != k) exchange_x(l, k, p);
+        const double inverse = 1 / l[k];
+        for (int i = k + 1; i < rows; i++) l[i] *= inverse;
+        for (int j = k + 1; j < cols; j++) {
+            x += ld;
+            if (p != k) exchange_x(x, k, p);
+            if (x[k] != 0) take_away(x + k + 1, x[k], l + k + 1, rows - k - 1);
+        }
+    }
+    return n;
+}
+
+static void rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
+{
+    const double *a = LU;
+    for (int j = 0; j < n; j++, a += ld) {
+        const double y = x[swap[j]];
+        x[swap[j]] = x[j];
+        x[j] = y;
+        if (y != 0) take_away(x + j + 1, y, a + j + 1, least_of(band[0], n - j - 1));
     }
     for (int j = n - 1; j >= 0; j--) {
-        const double *u = LU + (size_t)j * (size_t)ld;
-        x[j] /= u[j];
-        for (int i = j > band[1] ? j - band[1] : 0; x[j] != 0 && i < j; i++) x[i] -= u[i] * x[j];
+        a -= ld;
+        const int first = j > band[1] ? j - band[1] : 0;
+        const double y = x[j] /= a[j];
+        if (y != 0) take_away(x + first, y, a + first, j - first);
+    }
+}
+
+static void rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
+{
+    const double *a = LU;
+    for (int j = 0; j < n; j++, a += ld) {
+        const int first = j > band[1] ? j - band[1] : 0;
+        x[j] = (x[j] - sum_of(a + first, x + first, j - first)) / a[j];
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        a -= ld;
+        const double y = x[j] - sum_of(a + j + 1, x + j + 1, least_of(band[0], n - j - 1));
+        x[j] = x[swap[j]];
+        x[swap[j]] = y;
+    }
+}
+
+/* --- the same for two or three rows, unrolled: loops would cost more than what is in them ------------ */
+
+#if defined(__GNUC__) && !defined(__clang__)
+#define FEW __attribute__((always_inline)) static inline
+#define UNROLLED _Pragma("GCC unroll 4")
+#else
+#define FEW static inline
+#define UNROLLED
+#endif
+
+FEW int few_factor(double *A, int *swap, int n, int ld)
+{
+    UNROLLED
+    for (int k = 0; k < n; k++) {
+        double *l = A + k * ld, best = fabs(l[k]);
+        int p = k;
+        UNROLLED
+        for (int i = k + 1; i < n; i++)
+            if (fabs(l[i]) > best) best = fabs(l[i]), p = i;
+        if (!(best > 0 && best < INFINITY)) return k;
+        swap[k] = p;
+        if (p != k) exchange_x(l, k, p);
+        const double inverse = 1 / l[k];
+        UNROLLED
+        for (int i = k + 1; i < n; i++) l[i] *= inverse;
+        UNROLLED
+        for (int j = k + 1; j < n; j++) {
+            double *x = A + j * ld;
+            if (p != k) exchange_x(x, k, p);
+            UNROLLED
+            for (int i = k + 1; i < n; i++) x[i] -= l[i] * x[k];
+        }
+    }
+    return n;
+}
+
+FEW void few_solve(const double *restrict LU, const int *swap, double *restrict x, int n, int ld)
+{
+    UNROLLED
+    for (int j = 0; j < n; j++) {
+        const double *l = LU + j * ld, y = x[swap[j]];
+        x[swap[j]] = x[j];
+        x[j] = y;
+        UNROLLED
+        for (int i = j + 1; i < n; i++) x[i] -= l[i] * y;
+    }
+    UNROLLED
+    for (int j = n - 1; j >= 0; j--) {
+        const double *u = LU + j * ld, y = x[j] /= u[j];
+        UNROLLED
+        for (int i = 0; i < j; i++) x[i] -= u[i] * y;
+    }
+}
+
+FEW void few_tsolve(const double *restrict LU, const int *swap, double *restrict x, int n, int ld)
+{
+    UNROLLED
+    for (int j = 0; j < n; j++) {
+        const double *u = LU + j * ld;
+        double y = x[j];
+        UNROLLED
+        for (int i = 0; i < j; i++) y -= u[i] * x[i];
+        x[j] = y / u[j];
+    }
+    UNROLLED
+    for (int j = n - 1; j >= 0; j--) {
+        const double *l = LU + j * ld;
+        double y = x[j];
+        UNROLLED
+        for (int i = j + 1; i < n; i++) y -= l[i] * x[i];
+        x[j] = x[swap[j]];
+        x[swap[j]] = y;
+    }
+}
+
+/* n, where the band is as wide as the matrix; 0: any other. */
+static int whole(const int *band, int n)
+{
+    return band[0] == n - 1 && band[1] == n - 1 ? n : 0;
+}
+
+int pivot_rows(double *A, int *swap, const int *band, int n, int ld)
+{
+    switch (whole(band, n)) {
+    case 2:
+        return few_factor(A, swap, 2, ld);
+    case 3:
+        return few_factor(A, swap, 3, ld);
+    default:
+        return rows_factor(A, swap, band, n, ld);
+    }
+}
+
+void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
+{
+    switch (whole(band, n)) {
+    case 2:
+        few_solve(LU, swap, x, 2, ld);
+        break;
+    case 3:
+        few_solve(LU, swap, x, 3, ld);
+        break;
+    default:
+        rows_solve(LU, swap, band, x, n, ld);
     }
 }
 
 void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
 {
-    for (int j = 0; j < n; j++) {
-        const double *u = LU + (size_t)j * (size_t)ld;
-        for (int i = j > band[1] ? j - band[1] : 0; i < j; i++) x[j] -= u[i] * x[i];
-        x[j] /= u[j];
-    }
-    for (int j = n - 1; j >= 0; j--) {
-        const double *l = LU + (size_t)j * (size_t)ld;
-        const int rows = least_of(j + band[0] + 1, n);
-        for (int i = j + 1; i < rows; i++) x[j] -= l[i] * x[i];
-        exchange_x(x, j, swap[j]);
+    switch (whole(band, n)) {
+    case 2:
+        few_tsolve(LU, swap, x, 2, ld);
+        break;
+    case 3:
+        few_tsolve(LU, swap, x, 3, ld);
+        break;
+    default:
+        rows_tsolve(LU, swap, band, x, n, ld);
     }
 }

@@ -1,5 +1,6 @@
 /* condense.c -- see condense.h: building, and what others ask. */
 #include <math.h>
+#include <string.h>
 
 #include "la/vec3.h"
 #include "system/condense_parts.h"
@@ -41,9 +42,15 @@ static void build_rows(struct condense *o, struct component *c, struct arena *li
     for (int r = 0; r < c->nrow; r++) c->start[r + 1] = c->start[r] + l->nk[loop_of_row(o, c, r)];
     c->at = TAKE(life, int, c->start[c->nrow]);
     c->F = TAKE(life, double, c->start[c->nrow]);
+    c->of_dep = TAKE(life, struct entry, c->start[c->nrow]);
+    c->of_ind = TAKE(life, struct entry, c->start[c->nrow]);
     for (int r = 0; r < c->nrow; r++) {
         const int loop = loop_of_row(o, c, r);
         for (int k = 0; k < l->nk[loop]; k++) c->at[c->start[r] + k] = o->column[l->k[loop][k]];
+        if (c->row[r] > l->first[loop]) continue;
+        const size_t n = (size_t)(l->nk[loop] * (l->first[loop + 1] - l->first[loop]));
+        memcpy(c->F + c->start[r], l->Cq[loop], sizeof *c->F * n); /* sums have theirs for good */
+        l->Cq[loop] = c->F + c->start[r];
     }
 }
 

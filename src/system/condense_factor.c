@@ -14,15 +14,6 @@
 #include "la/vec3.h"
 #include "system/condense_parts.h"
 
-void component_read(const struct condense *o, struct component *c)
-{
-    const struct loops *l = o->loops;
-    for (int r = 0; r < c->nrow; r++) {
-        const int row = c->row[r], loop = l->row[row].loop, nk = l->nk[loop];
-        memcpy(c->F + c->start[r], l->Cq[loop] + (row - l->first[loop]) * nk, sizeof *c->F * (size_t)nk);
-    }
-}
-
 /* Columns of a rotation, along the Cayley vector phi from the base in place of the angular velocity:
  * F := F T^-1,  T^-1 = (1 - [phi]x/2)/(1 + |phi|^2/4). */
 static void along_phi(double *F, const int *at, const double *phi)
@@ -37,17 +28,13 @@ static void along_phi(double *F, const int *at, const double *phi)
 static void fill(struct component *c)
 {
     if (c->nr == 0) return;
-    memset(c->A_room.store, 0, sizeof *c->A * (size_t)c->nr * (size_t)(c->ld + 1));
-    for (int r = 0; r < c->nr; r++)
-        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
-            const int j = c->place[c->at[e]];
-            if (j >= 0) c->A[r + (size_t)j * (size_t)c->ld] = c->F[e];
-        }
+    double *store = c->A_room.store;
+    memset(store, 0, sizeof *store * (size_t)c->nr * (size_t)(c->ld + 1));
+    for (const struct entry *x = c->of_dep; x < c->of_dep + c->nof_dep; x++) store[x->at] = c->F[x->e];
 }
 
 int component_factor(struct condense *o, struct component *c, const double *dx)
 {
-    component_read(o, c);
     for (int i = 0; dx && i < c->nspin; i++) {
         const struct spin *spin = &c->spin[i];
         const int *iv = o->moves->turn[spin->turn].iv;
@@ -66,11 +53,8 @@ void component_G(const struct component *c, double *G)
 {
     if (c->nr == 0 || c->ni == 0) return;
     memset(G, 0, sizeof *G * (size_t)c->nr * (size_t)c->ni);
-    for (int r = 0; r < c->nr; r++)
-        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
-            const int j = -1 - c->place[c->at[e]];
-            if (j >= 0) G[r + (size_t)j * (size_t)c->nr] = -c->F[e];
-        }
+    for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++)
+        G[x->row + (size_t)x->at * (size_t)c->nr] = -c->F[x->e];
     for (int j = 0; j < c->ni; j++) component_solve(c, G + (size_t)j * (size_t)c->nr);
 }
 
@@ -132,9 +116,7 @@ void condense_follow(struct condense *o, double *xt)
         struct component *c = &o->component[i];
         memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
         for (int k = 0; k < c->nlead; k++) c->x[c->lead[k]] = o->loops->c1[c->row[c->kept[c->lead[k]]]];
-        for (int r = 0; r < c->nr; r++)
-            for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++)
-                if (c->place[c->at[e]] < 0) c->x[r] -= c->F[e] * xt[c->k[c->at[e]]];
+        for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++) c->x[x->row] -= c->F[x->e] * xt[x->k];
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) xt[c->k[c->dep[r]]] = c->x[r];
     }

@@ -25,11 +25,7 @@ static double exact(const struct condense *o, const struct component *c, const d
 void component_times_G(const struct component *c, const struct solved *at, double *y, const double *x)
 {
     memset(y, 0, sizeof *y * (size_t)c->nr);
-    for (int r = 0; r < c->nr; r++)
-        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
-            const int j = -1 - c->place[c->at[e]];
-            if (j >= 0) y[r] -= at->F[e] * x[j];
-        }
+    for (const struct entry *n = c->of_ind; n < c->of_ind + c->nof_ind; n++) y[n->row] -= at->F[n->e] * x[n->at];
     pivot_rows_solve(at->A, at->swap, c->band, y, c->nr, c->ld);
 }
 
@@ -40,11 +36,7 @@ static void row_of_G(const struct component *c, const struct solved *at, double 
     memset(z, 0, sizeof *z * (size_t)c->ni);
     y[row] = 1;
     pivot_rows_tsolve(at->A, at->swap, c->band, y, c->nr, c->ld);
-    for (int r = 0; r < c->nr; r++)
-        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
-            const int j = -1 - c->place[c->at[e]];
-            if (j >= 0) z[j] -= at->F[e] * y[r];
-        }
+    for (const struct entry *n = c->of_ind; n < c->of_ind + c->nof_ind; n++) z[n->at] -= at->F[n->e] * y[n->row];
 }
 
 /* The largest of x [n], each times or by its size; k: where it is. */

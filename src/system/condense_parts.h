@@ -31,6 +31,14 @@ struct solved {
     int *swap;
 };
 
+/* A number of C_q in a used row. */
+struct entry {
+    int e;   /* in F */
+    int row; /* in `kept` */
+    int k;   /* its coordinate's place in v */
+    int at;  /* of a dependent coordinate: in A's store; of an independent one: its number */
+};
+
 struct component {
     int nk, *k;       /* coordinates: places in v */
     int nrow, *row;   /* all its rows; the first nr of `kept` are used */
@@ -41,7 +49,9 @@ struct component {
     int nlead, *lead; /* [nrow] kept rows of drives: numbers in `kept` */
     double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
     int *start, *at;  /* [nrow + 1]; coordinates of row r: numbers in k, at[start[r]] ... */
-    double *F;        /* [start[nrow]] C_q */
+    double *F;        /* [start[nrow]] C_q: the rows of its loops, in their Cq */
+    int nof_dep, nof_ind;
+    struct entry *of_dep, *of_ind; /* row by row */
     int nspin;
     struct spin *spin;
     double *A; /* C_qd, factored: A(i,j) = A[i + j ld] inside its band */
@@ -115,9 +125,8 @@ struct condense {
 /* The loops at q; with C_q. */
 void condense_see(struct condense *o, const double *q);
 void condense_look(struct condense *o, const double *q);
-/* F := the component's part of C_q, as last looked at. */
-void component_read(const struct condense *o, struct component *c);
-/* F, A, factored; dx: along the Cayley vectors it holds, NULL: at the posture itself.  0: singular or not finite. */
+/* A, factored, of C_q as last looked at; dx: C_q then is along the Cayley vectors it holds, NULL: at the posture itself.
+ * 0: singular or not finite. */
 int component_factor(struct condense *o, struct component *c, const double *dx);
 /* x [nr] := C_qd^-1 x */
 void component_solve(const struct component *c, double *x);

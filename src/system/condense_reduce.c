@@ -19,9 +19,8 @@ void condense_gather(struct condense *o, double *r, double *w, const double *rt)
         struct component *c = &o->component[i];
         component_multipliers(c, rt);
         if (w) component_power(o, c, w);
-        for (int k = 0; k < c->nr; k++)
-            for (int e = c->start[c->kept[k]]; e < c->start[c->kept[k] + 1]; e++)
-                if (c->place[c->at[e]] < 0) r[o->slot[c->k[c->at[e]]]] += c->F[e] * c->x[k];
+        for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++)
+            r[o->slot[x->k]] += c->F[x->e] * c->x[x->row];
     }
     for (int i = 0; i < o->ode.n; i++) r[i] += rt[o->ind[i]];
 }

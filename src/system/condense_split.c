@@ -17,7 +17,6 @@ static const double LARGE = 3;       /* rate of a dependent coordinate per unit:
 static void whole_matrix(struct condense *o, struct component *c)
 {
     memset(c->whole, 0, sizeof *c->whole * (size_t)c->nrow * (size_t)c->nk);
-    component_read(o, c);
     for (int r = 0; r < c->nrow; r++)
         for (int e = c->start[r]; e < c->start[r + 1]; e++)
             c->whole[r + (size_t)c->at[e] * (size_t)c->nrow] = c->F[e] * o->size[c->k[c->at[e]]];
@@ -35,7 +34,6 @@ static int find_pivots(struct condense *o, struct component *c, const double *we
     }
     const struct arena_mark mark = arena_mark(o->scratch);
     double *value = TAKE(o->scratch, double, c->start[c->nrow]);
-    component_read(o, c);
     for (int e = 0; e < c->start[c->nrow]; e++) value[e] = c->F[e] * o->size[c->k[c->at[e]]];
     n = sparse_pivot(c->prow, c->pcol, c->pivot, c->start, c->at, value, c->nrow, c->nk, weight, most, least,
                      o->scratch);
@@ -75,8 +73,8 @@ static double *room_for(struct condense *o, struct room *room, size_t size)
 /* Where C_qd can have numbers, and room for it and for G. */
 static void find_band(struct condense *o, struct component *c)
 {
-    enum { WIDE = 16 };
-    int below = 0, above = 0;
+    enum { WIDE = 16, FEW = 3 }; /* of a few rows all, for which pivot_rows() is quickest */
+    int below = c->nr <= FEW ? c->nr - 1 : 0, above = below;
     if (c->nr == 0) return;
     for (int r = 0; r < c->nr; r++)
         for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
@@ -95,6 +93,21 @@ static void find_band(struct condense *o, struct component *c)
         c->base.A = room_for(o, &c->base_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
     else
         c->G0 = room_for(o, &c->G0_room, (size_t)c->nr * (size_t)c->ni);
+}
+
+/* Which numbers of C_q go where. */
+static void list_entries(struct component *c)
+{
+    const int offset = (int)(c->A - c->A_room.store);
+    c->nof_dep = c->nof_ind = 0;
+    for (int r = 0; r < c->nr; r++)
+        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
+            const int j = c->place[c->at[e]];
+            if (j >= 0)
+                c->of_dep[c->nof_dep++] = (struct entry){e, r, c->k[c->at[e]], offset + r + j * c->ld};
+            else
+                c->of_ind[c->nof_ind++] = (struct entry){e, r, c->k[c->at[e]], -1 - j};
+        }
 }
 
 static void find_places(struct component *c)
@@ -125,6 +138,7 @@ static void take_split(struct condense *o, struct component *c)
             if (c->place[k] < 0 && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
     find_places(c);
     find_band(o, c);
+    list_entries(c);
     find_leads(o, c);
 }
 
@@ -181,6 +195,7 @@ static void put_back(struct condense *o, struct component *c, const int *from)
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
     find_places(c);
     find_band(o, c);
+    list_entries(c);
     find_leads(o, c);
 }
 
