@@ -66,7 +66,10 @@ static void place(struct newmark *m, const double *a1)
         m->dx[i] = h * m->v0[i] + b0 * m->a0[i] + b1 * a1[i];
         m->v[i] = m->v0[i] + g0 * m->a0[i] + g1 * a1[i];
     }
-    motion_point(m->ode, m->q, m->q0, m->dx, 1, m->x.t);
+    if (m->newton.count > 0) /* m->q is that of the last iterate */
+        motion_again(m->ode, m->q, m->q0, m->dx, 1, m->x.t);
+    else
+        motion_point(m->ode, m->q, m->q0, m->dx, 1, m->x.t);
     m->x.a = a1;
 }
 

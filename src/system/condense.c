@@ -158,11 +158,11 @@ static void build_components(struct condense *o, struct arena *life)
 
 static void build_workspace(struct condense *o, struct arena *life)
 {
-    double **of[] = {&o->vt, &o->at, &o->rt, &o->zero, &o->dx, &o->dxs, &o->v, &o->way, &o->aside, &o->mean};
-    double **places[] = {&o->q, &o->base, &o->G0_at, &o->factored_at, &o->qtry, &o->side[0], &o->side[1]};
+    double **of[] = {&o->vt, &o->at, &o->rt, &o->zero, &o->dx, &o->dxs, &o->last, &o->v, &o->way, &o->aside, &o->mean};
+    double **places[] = {&o->q, &o->base, &o->G0_at, &o->seen_at, &o->factored_at, &o->qtry, &o->side[0], &o->side[1]};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
-    o->factored_at[0] = NAN;
+    o->seen_at[0] = o->factored_at[0] = NAN;
     o->C = TAKE(life, double, o->loops->nrow);
     o->C2 = TAKE(life, double, o->loops->nrow);
     o->still = TAKE(life, double, o->nt);

@@ -12,23 +12,26 @@
 #include "la/rot.h"
 #include "system/condense_parts.h"
 
-static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
-static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_qd is nearly singular */
-static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
+static const double CLOSED = 1e-9; /* a Newton correction below this leaves its square */
+static const double FAR = 1;       /* a correction this large after two iterations leads elsewhere */
 enum { MOST_ITERATIONS = 20 };
 
-double condense_misfit(struct condense *o, int *row, const double *q)
+double condense_missed(const struct condense *o, int *row)
 {
     double most = 0;
-    condense_see(o, q);
-    loops_values(o->C, o->loops);
     for (int i = 0; i < o->loops->nrow; i++)
         if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), *row = i;
     return most;
 }
 
-/* q1 = base (+) dx; of rotations that are wholly independent the fraction s of the way. */
-static void place(struct condense *o, double *q1, const double *base, double s)
+double condense_misfit(struct condense *o, int *row, const double *q)
+{
+    condense_see(o, q);
+    loops_values(o->C, o->loops);
+    return condense_missed(o, row);
+}
+
+void condense_put(struct condense *o, double *q1, const double *base, double s)
 {
     moves_point(o->moves, q1, base, o->dx, 1);
     for (int i = 0; s != 1 && i < o->moves->nturn; i++) {
@@ -42,52 +45,52 @@ static void place(struct condense *o, double *q1, const double *base, double s)
     }
 }
 
-/* One Newton correction of all dependents at q1 = base (+) dx; returns its size in scales. */
-static double correct(struct condense *o, const double *q1, int *worst)
+double condense_correct(struct condense *o)
 {
     double most = 0;
-    condense_look(o, q1);
-    loops_values(o->C, o->loops);
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
-        if (!component_factor(o, c, o->dx)) return *worst = o->loops->row[c->row[0]].loop, NAN;
         for (int r = 0; r < c->nr; r++) c->x[r] = -o->C[c->row[c->kept[r]]];
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) {
-            int k = c->k[c->dep[r]];
-            double size = fabs(c->x[r]) / o->size[k];
+            const int k = c->k[c->dep[r]];
+            const double size = fabs(c->x[r]) / o->size[k];
             o->dx[k] += c->x[r];
-            if (size <= most) continue;
-            most = size;
-            *worst = o->loops->row[c->row[c->kept[r]]].loop;
+            if (size > most || isnan(size)) most = size;
         }
-        if (!isfinite(most)) return NAN;
     }
     return most;
+}
+
+/* One Newton correction at q1 = base (+) dx; returns its size, or NAN. */
+static double correct(struct condense *o, const double *q1)
+{
+    condense_look(o, q1);
+    loops_values(o->C, o->loops);
+    for (int i = 0; i < o->ncomponent; i++)
+        if (!component_factor(o, &o->component[i], o->dx)) return NAN;
+    return condense_correct(o);
 }
 
 /* What the loops miss by; the least of it on the way is kept. */
 static double note_miss(struct condense *o)
 {
-    double most = 0;
     int row = 0;
-    for (int i = 0; i < o->loops->nrow; i++)
-        if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), row = i;
+    const double most = condense_missed(o, &row);
     if (most < o->lost_by) o->lost_by = most, o->lost = o->loops->row[row].loop;
     return most;
 }
 
 int condense_close(struct condense *o, double *q1, const double *base, double s)
 {
-    int worst = 0;
     o->lost_by = INFINITY;
     for (int i = 0; i < MOST_ITERATIONS; i++) {
-        place(o, q1, base, s);
-        double size = correct(o, q1, &worst);
+        condense_put(o, q1, base, s);
+        double size = correct(o, q1);
         const double miss = size <= CLOSED ? 0 : note_miss(o);
         if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
-        if (size > CLOSED && miss > ROUND_OFF) continue;
-        place(o, q1, base, s);
+        if (size > CLOSED && miss > CONDENSE_ROUND_OFF) continue;
+        condense_put(o, q1, base, s);
         return 1;
     }
     return 0;
@@ -196,4 +199,5 @@ static void move_rate(const struct ode2 *ode, double *dxrate, const double *q1, 
     for (int i = 0; i < ode->n; i++) dxrate[i] = o->at[o->ind[i]];
 }
 
-const struct ode2_move condense_move = {.point = condense_point, .diff = move_diff, .rate = move_rate};
+const struct ode2_move condense_move = {
+    .point = condense_point, .again = condense_again, .diff = move_diff, .rate = move_rate};

@@ -78,14 +78,18 @@ double condense_least_ratio(const struct condense *o)
 
 void condense_see(struct condense *o, const double *q)
 {
-    o->factored_at[0] = NAN;
+    const size_t bytes = sizeof *q * (size_t)o->model->nq;
     tree_place(o->tree, q);
+    if (memcmp(q, o->seen_at, bytes) == 0) return;
+    o->factored_at[0] = NAN;
     loops_look(o->loops, o->sweep, q);
+    memcpy(o->seen_at, q, bytes);
 }
 
 void condense_look(struct condense *o, const double *q)
 {
     condense_see(o, q);
+    o->factored_at[0] = NAN;
     loops_jacobian(o->loops, o->sweep);
 }
 

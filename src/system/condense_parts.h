@@ -3,6 +3,7 @@
  *     condense_factor.c  C_q at a posture, C_qd factored; rates and accelerations of the dependents, multipliers
  *     condense_reduce.c  r, M^ and slopes of the independents
  *     condense_close.c   dependents that close the loops; positions moved
+ *     condense_again.c   the same from another posture nearby
  *     condense_split.c   which coordinates are dependent
  *     condense_order.c   in which order rows and dependents stand
  *     condense_gain.c    how fast dependents go
@@ -102,8 +103,10 @@ struct condense {
     double *vt, *at, *rt;    /* [nt] */
     double *zero;            /* [nt] */
     double *dx, *dxs, *base; /* [nt], [nt], [nq] */
+    double *last;            /* [nt] */
     double *G0_at;           /* [nq] where G0 holds */
-    double *factored_at;     /* [nq] where all components are looked at and factored; NAN: nowhere */
+    double *seen_at;         /* [nq] where the loops are looked at; NAN: nowhere */
+    double *factored_at;     /* [nq] where C_q is, and all components are factored; NAN: nowhere */
     bool few;                /* independents, against the tree: M^ and slopes without its own matrices */
     double *M;               /* [nt x nt]; few: NULL */
     double *still, *Tx;      /* [nt] */
@@ -125,8 +128,8 @@ struct condense {
 /* The loops at q; with C_q. */
 void condense_see(struct condense *o, const double *q);
 void condense_look(struct condense *o, const double *q);
-/* A, factored, of C_q as last looked at; dx: C_q then is along the Cayley vectors it holds, NULL: at the posture itself.
- * 0: singular or not finite. */
+/* A, factored, of C_q as last looked at; dx: C_q then is along the Cayley vectors it holds, NULL: at the posture
+ * itself. 0: singular or not finite. */
 int component_factor(struct condense *o, struct component *c, const double *dx);
 /* x [nr] := C_qd^-1 x */
 void component_solve(const struct component *c, double *x);
@@ -178,10 +181,20 @@ double condense_misfit(struct condense *o, int *row, const double *q);
 int condense_tangent(struct condense *o, const double *q);
 /* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
 void condense_predict(struct condense *o);
+/* |C| that no correction makes less. */
+static const double CONDENSE_ROUND_OFF = 1e-15;
+/* The largest |C| in o->C; *row stays where all are 0. */
+double condense_missed(const struct condense *o, int *row);
+/* q1 = base (+) o->dx; of rotations that are wholly independent the fraction s of the way. */
+void condense_put(struct condense *o, double *q1, const double *base, double s);
+/* o->dx of the dependents -= C_qd^-1 C, with the factors and the o->C at hand; how much that is, in scales. */
+double condense_correct(struct condense *o);
 /* Closes q1 = base (+) o->dx by its dependents; 0: it cannot be. */
 int condense_close(struct condense *o, double *q1, const double *base, double s);
 /* The point() of condense_move: predicted and closed at time t; NAN where it cannot be. */
 void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t);
+/* Its again(): condense_again.c. */
+void condense_again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t);
 
 /* --- partition ------------------------------------------------------------------------------------ */
 

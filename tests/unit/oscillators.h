@@ -418,7 +418,7 @@ static inline enum status carrier_slopes(const struct ode2 *o, double *K, double
 static inline void carrier_open(struct carrier *s, int slider)
 {
     static const struct ode2_ops ops = {carrier_resid, carrier_mass, carrier_slopes};
-    static const struct ode2_move move = {carrier_point, carrier_diff, carrier_rate};
+    static const struct ode2_move move = {.point = carrier_point, .diff = carrier_diff, .rate = carrier_rate};
     *s = (struct carrier){.J = {2, 3, 1.5}, .md = {.1, 0, .8}, .m = .5, .at = {.7, .2, .3}, .k = 200, .g = 9.81};
     s->ode = (struct ode2){.n = 3 + slider, .ns = slider, .nq = 4 + slider, .ops = &ops, .move = &move, .self = s};
 }

@@ -76,6 +76,23 @@ static const char room[] = "fmdsub: 1\n"
                            "initial: {shaft.angle_rate: 3}\n"
                            "integrate: {scheme: newmark, step: 1.0e-3, until: 1}\n";
 
+static const char bending[] = "fmdsub: 1\n"
+                              "gravity: [0, -9.81]\n"
+                              "bodies:\n"
+                              "  crank: {mass: 1, inertia: 0.1, at: [0, 0.2]}\n"
+                              "  rod:\n"
+                              "    beam: {from: [0, 0.4], to: [1.2, 0.6], elements: 4}\n"
+                              "    section: {rectangle: [0.02, 0.01]}\n"
+                              "    material: aluminium\n"
+                              "    modes: 2\n"
+                              "  rocker: {mass: 1, inertia: 0.1, at: [1.2, 0.3]}\n"
+                              "constraints:\n"
+                              "  shaft: {revolute: [ground, crank], at: [0, 0]}\n"
+                              "  elbow: {revolute: [crank, rod], at: [0, 0.4]}\n"
+                              "  wrist: {revolute: [rod, rocker], at: [1.2, 0.6]}\n"
+                              "  pivot: {revolute: [ground, rocker], at: [1.2, 0]}\n"
+                              "integrate: {scheme: newmark, step: 1.0e-4, until: 1}\n";
+
 static void open_text(struct opened *o, const char *text)
 {
     char path[] = "/tmp/t-condense-XXXXXX";
@@ -251,6 +268,43 @@ static void ways(void **state)
     }
 }
 
+/* From the posture of another displacement, near or far: where point() goes, from wherever it has been called between.
+ */
+static void ways_from_another(void **state)
+{
+    (void)state;
+    static const char *const decks[] = {plane, room, bending};
+    for (int deck = 0; deck < 3; deck++) {
+        struct opened o;
+        open_text(&o, decks[deck]);
+        struct condense *c = system_loops(o.sim.system);
+        int reached = 0;
+        for (unsigned seed = 1; seed <= 60; seed++) {
+            static const double size[] = {0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3, 1};
+            struct tree_dice d = {seed};
+            const double s = seed % 3 ? 1 : .5, change = size[seed % 8];
+            double dx[MOST], q[MOST], want[MOST];
+            const double reach = deck < 2 ? .1 : .02;
+            memcpy(o.q, o.sim.x.q, sizeof *o.q * (size_t)o.ode->nq);
+            if (deck < 2) scatter(&o, seed);
+            for (int i = 0; i < o.n; i++) dx[i] = tree_roll(&d, -reach, reach);
+            o.ode->move->point(o.ode, q, o.q, dx, s, 0);
+            for (int pass = 0; pass < 2; pass++) { /* again() from point(), then from again() */
+                for (int i = 0; i < o.n; i++) dx[i] += change * tree_roll(&d, -reach, reach);
+                o.ode->move->point(o.ode, want, o.q, dx, s, 0);
+                o.ode->move->again(o.ode, q, o.q, dx, s, 0);
+                assert_true(isnan(want[0]) == isnan(q[0]));
+                if (isnan(q[0])) break; /* out of reach */
+                reached++;
+                assert_true(condense_worst(c, q, 0) < 1e-14);
+                near_all(q, want, o.ode->nq, 2e-13);
+            }
+        }
+        assert_true(reached > 100);
+        arena_close(o.life);
+    }
+}
+
 /* A posture that cannot be reached is not a number, and the residual says which loop. */
 static void out_of_reach(void **state)
 {
@@ -291,8 +345,9 @@ static void energy(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(laws), cmocka_unit_test(classes),      cmocka_unit_test(rates),
-        cmocka_unit_test(ways), cmocka_unit_test(out_of_reach), cmocka_unit_test(energy),
+        cmocka_unit_test(laws),   cmocka_unit_test(classes),           cmocka_unit_test(rates),
+        cmocka_unit_test(ways),   cmocka_unit_test(ways_from_another), cmocka_unit_test(out_of_reach),
+        cmocka_unit_test(energy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

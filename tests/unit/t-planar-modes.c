@@ -267,7 +267,7 @@ static void modes_at_rest_are_a_rigid_body(void **state)
             for (int k = 0; k < f.m->body[i].nmode; k++) mode[f.m->body[i].mode_v[k]] = true;
         }
         rigid.body = body;
-        struct sweep *s = sweep_planar.build(&rigid, f.arena);
+        struct sweep *s = sweep_planar.build(&rigid, SEEN, f.arena);
         for (int k = 0; k < f.n; k++)
             if (mode[k]) f.q[k] = f.v[k] = f.a[k] = 0;
         sweep_resid(r, &f, f.a, ALL);
