@@ -1,8 +1,7 @@
 /* planar.c -- see planar.h.
  *
  * Everything linear in q is one product: the blocks that are not zero stand below each other in one table by column,
- * the zero ones of a beam along an axis take no time.  The same with q'.  Me is a diagonal for modes, so that M^ q'' is
- * Me q'' less the similar part of the fields at rest. */
+ * the zero ones of a beam along an axis take no time.  The same with q' and q''. */
 #include <math.h>
 #include <string.h>
 
@@ -10,29 +9,38 @@
 
 /* --- products ----------------------------------------------------------------------------------- */
 
-/* y [rows] += A x, four columns at a time; the order of sums is that of the text. */
-static inline void multiply(double *restrict y, const double *restrict A, const double *restrict x, int rows, int n)
-{
-    int j = 0;
-    for (; j + 4 <= n; j += 4, A += 4 * (long)rows) {
-        const double *A1 = A + rows, *A2 = A1 + rows, *A3 = A2 + rows;
-        double x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
-        for (int i = 0; i < rows; i++) y[i] += (A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3);
-    }
-    for (; j < n; j++, A += rows)
-        for (int i = 0; i < rows; i++) y[i] += A[i] * x[j];
-}
+/* Four rows at once where the processor can; each row's sum is the same. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define FOUR_ROWS __attribute__((target_clones("avx2", "default")))
+#else
+#define FOUR_ROWS
+#endif
 
-static inline void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
+/* Four columns at a time; the order of sums is that of the text. */
+FOUR_ROWS static void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
 {
-    for (int i = 0; i < o->size; i++) out[i] = o->base[i];
-    multiply(out, o->A, x, o->rows, o->n);
+    const int rows = o->rows / 4 * 4; /* as they are; so they are known to be a multiple of 4 */
+    const double *restrict A = o->A;
+    int j = 0;
+    memcpy(out, o->base, sizeof *out * (size_t)o->size);
+    for (; j + 4 <= o->n; j += 4, A += 4 * (long)rows) {
+        const double *A1 = A + rows, *A2 = A1 + rows, *A3 = A2 + rows;
+        const double x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
+        for (int i = 0; i < rows; i++) out[i] += (A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3);
+    }
+    for (; j + 2 <= o->n; j += 2, A += 2 * (long)rows) {
+        const double *A1 = A + rows, x0 = x[j], x1 = x[j + 1];
+        for (int i = 0; i < rows; i++) out[i] += A[i] * x0 + A1[i] * x1;
+    }
+    for (; j < o->n; j++, A += rows)
+        for (int i = 0; i < rows; i++) out[i] += A[i] * x[j];
 }
 
 static inline void form_add(double *restrict y, const struct form *o, const double *restrict x, int n)
 {
     if (!o->diagonal)
-        multiply(y, o->A, x, n, n);
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i++) y[i] += o->A[i + n * j] * x[j];
     else
         for (int i = 0; i < n; i++) y[i] += o->A[i] * x[i];
 }
@@ -42,6 +50,19 @@ static inline double dot(const double *x, const double *y, int n)
     double sum = 0;
     for (int i = 0; i < n; i++) sum += x[i] * y[i];
     return sum;
+}
+
+/* The sums of x, y and z times q: a node's motion by the coordinates'. */
+static inline void three_sums(double *xy, double *angle, const double *restrict x, const double *restrict y,
+                              const double *restrict z, const double *restrict q, int n)
+{
+    double sx = 0, sy = 0, sz = 0;
+    for (int i = 0; i < n; i++) {
+        sx += x[i] * q[i];
+        sy += y[i] * q[i];
+        sz += z[i] * q[i];
+    }
+    xy[0] = sx, xy[1] = sy, *angle = sz;
 }
 
 /* --- shape -------------------------------------------------------------------------------------- */
@@ -67,9 +88,10 @@ static void core_at(struct flex_planar_core *o, const struct flex_planar *k, con
         o->rest + k->m_inv * (o->h[0] * o->h[0] + o->h[1] * o->h[1]) + k->j_inv * (o->rho * o->rho + o->tau * o->tau);
 }
 
-/* Rates of the body's own affine motion: h', rho', tau' by q' and, in b, their q''-terms. */
+/* Rates of the body's own affine motion: h', rho', tau' by q' and, in b, their q''-terms; of the rest W^ q . q' and
+ * (rpsi + P^'q) . q''. */
 struct affine {
-    double h[2], rho, tau, b[4];
+    double h[2], rho, tau, b[4], W, G;
 };
 
 static inline struct affine affine_rates(const struct flex_planar *k, const struct flex_planar_core *o,
@@ -79,43 +101,47 @@ static inline struct affine affine_rates(const struct flex_planar *k, const stru
     const double *se = o->rates + k->rates.at[3], *sc = o->rates + k->rates.at[4];
     struct affine x = {0};
     for (int i = 0; i < k->n; i++) {
-        x.h[0] += o->Hx[i] * q1[i];
-        x.h[1] += o->Hy[i] * q1[i];
-        x.rho += o->E[i] * q1[i];
-        x.tau += o->C[i] * q1[i];
-        x.b[0] += o->Hx[i] * q2[i] + sx[i] * q1[i];
-        x.b[1] += o->Hy[i] * q2[i] + sy[i] * q1[i];
-        x.b[2] += o->E[i] * q2[i] + se[i] * q1[i];
-        x.b[3] += o->C[i] * q2[i] + sc[i] * q1[i];
+        const double v = q1[i], a = q2[i], Hx = o->Hx[i], Hy = o->Hy[i], E = o->E[i], C = o->C[i];
+        x.h[0] += Hx * v;
+        x.h[1] += Hy * v;
+        x.rho += E * v;
+        x.tau += C * v;
+        x.b[0] += Hx * a + sx[i] * v;
+        x.b[1] += Hy * a + sy[i] * v;
+        x.b[2] += E * a + se[i] * v;
+        x.b[3] += C * a + sc[i] * v;
+        x.W += o->W[i] * v;
+        x.G += (o->P[i] + k->rpsi[i]) * a;
     }
     return x;
+}
+
+/* The coordinates' rows, for the acceleration a of the mass, A and B of the turns. */
+static inline void core_rows(double *restrict Q, const struct flex_planar *k, const struct flex_planar_core *o,
+                             const double *a, double A, double B, double w, double al)
+{
+    const double *restrict Hx = o->Hx, *restrict Hy = o->Hy, *restrict E = o->E, *restrict C = o->C;
+    const double *restrict rpsi = k->rpsi, *restrict P = o->P, *restrict W = o->W;
+    const double *restrict P1 = o->rates + k->rates.at[0], *restrict M = o->rates + k->rates.size;
+    const double ax = a[0], ay = a[1], w2 = 2 * w, ww = w * w;
+    for (int i = 0; i < k->n; i++)
+        Q[i] =
+            (Hx[i] * ax + Hy[i] * ay) + (E[i] * A + C[i] * B) + al * (rpsi[i] + P[i]) + (w2 * P1[i] - ww * W[i]) + M[i];
 }
 
 static void core_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o,
                          const double *a, double w, double al, const double *q1, const double *q2)
 {
-    const double *P = o->rates + k->rates.at[0], *fx = k->f, *fy = k->f + k->n, ww = w * w;
-    double u[4] = {0, 0, 0, 0}, rest = al * o->rest;
+    const double ww = w * w;
     panel_at(o->rates, &k->rates, q1);
+    panel_at(o->rates + k->rates.size, &k->M, q2);
     const struct affine x = affine_rates(k, o, q1, q2);
     F[0] = k->mass * a[0] - al * o->h[1] - ww * o->h[0] - 2 * w * x.h[1] + x.b[0];
     F[1] = k->mass * a[1] + al * o->h[0] - ww * o->h[1] + 2 * w * x.h[0] + x.b[1];
     const double A = k->j_inv * (x.b[2] - al * o->tau - ww * o->rho - 2 * w * x.tau);
     const double B = k->j_inv * (x.b[3] + al * o->rho - ww * o->tau + 2 * w * x.rho);
-    const double ax = k->m_inv * F[0], ay = k->m_inv * F[1];
-    for (int i = 0; i < k->n; i++) {
-        u[0] += fx[i] * q2[i];
-        u[1] += fy[i] * q2[i];
-        u[2] += k->e[i] * q2[i];
-        u[3] += k->g[i] * q2[i];
-        rest += 2 * w * o->W[i] * q1[i] + (o->P[i] + k->rpsi[i]) * q2[i];
-    }
-    u[0] *= k->m_inv, u[1] *= k->m_inv, u[2] *= k->j_inv, u[3] *= k->j_inv;
-    for (int i = 0; i < k->n; i++)
-        Q[i] = (o->Hx[i] * ax + o->Hy[i] * ay) + (o->E[i] * A + o->C[i] * B) + al * (k->rpsi[i] + o->P[i]) +
-               (2 * w * P[i] - ww * o->W[i]) - (fx[i] * u[0] + fy[i] * u[1]) - (k->e[i] * u[2] + k->g[i] * u[3]);
-    form_add(Q, &k->Me, q2, k->n);
-    *N = k->m_inv * (o->h[0] * F[1] - o->h[1] * F[0]) + (o->rho * B - o->tau * A) + rest;
+    core_rows(Q, k, o, (double[]){k->m_inv * F[0], k->m_inv * F[1]}, A, B, w, al);
+    *N = k->m_inv * (o->h[0] * F[1] - o->h[1] * F[0]) + (o->rho * B - o->tau * A) + al * o->rest + 2 * w * x.W + x.G;
 }
 
 void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q, const double *q1)
@@ -132,7 +158,8 @@ static double core_kinetic(const struct flex_planar *k, const struct flex_planar
     const double py = k->mass * v[1] + w * o->h[0] + dot(o->Hy, q1, n);
     const double x = dot(o->E, q1, n) - w * o->tau, y = dot(o->C, q1, n) + w * o->rho;
     double T = o->rest * w * w + 2 * w * (dot(k->rpsi, q1, n) + dot(o->P, q1, n));
-    for (int j = 0; j < n; j++) T += q1[j] * dot(k->rest + (long)n * j, q1, n);
+    panel_at(o->rates, &k->M, q1);
+    T += dot(o->rates, q1, n);
     return .5 * (k->m_inv * (px * px + py * py) + k->j_inv * (x * x + y * y) + T);
 }
 
@@ -240,12 +267,10 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
 void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1)
 {
     const struct node *d = &k->node[node];
-    o->v[0] = dot(o->dx, q1, k->n);
-    o->v[1] = dot(o->dy, q1, k->n);
-    o->w = dot(o->dw, q1, k->n);
+    three_sums(o->v, &o->w, o->dx, o->dy, o->dw, q1, k->n);
     o->bias[0] = o->bias[1] = 0;
     if (d->S.rows == 0) return;
-    double *S = o->work + 2 * (long)k->n;
+    double *S = o->work + d->d.size;
     panel_at(S, &d->S, q1);
     o->bias[0] = dot(S + d->S.at[0], q1, k->n);
     o->bias[1] = dot(S + d->S.at[1], q1, k->n);
@@ -253,7 +278,6 @@ void flex_planar_place_move(struct flex_planar_place *o, const struct flex_plana
 
 void flex_planar_place_speed_up(struct flex_planar_place *o, const struct flex_planar *k, const double *q2)
 {
-    o->a[0] = dot(o->dx, q2, k->n) + o->bias[0];
-    o->a[1] = dot(o->dy, q2, k->n) + o->bias[1];
-    o->al = dot(o->dw, q2, k->n);
+    three_sums(o->a, &o->al, o->dx, o->dy, o->dw, q2, k->n);
+    for (int i = 0; i < 2; i++) o->a[i] += o->bias[i];
 }

@@ -83,7 +83,7 @@ struct flex_planar_place {
     double a[2], al;
     double bias[2];             /* of a: q1' S q1 */
     const double *dx, *dy, *dw; /* [n] velocities by q': phi + S q, psi */
-    double *work;               /* [4 n] where dx and dy stand, and work */
+    double *work;               /* where dx and dy stand, and work */
 };
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life);
 void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q);

@@ -17,7 +17,7 @@ static void panel_build(struct panel *o, int n, int blocks, double *const *table
     bool zero[BLOCKS];
     int next = 0;
     o->n = n;
-    o->size = blocks * n;
+    o->size = (blocks * n + 3) / 4 * 4;
     o->base = TAKE(life, double, o->size);
     for (int b = 0; b < blocks; b++) {
         zero[b] = all_zero(table[b], n * n);
@@ -26,6 +26,7 @@ static void panel_build(struct panel *o, int n, int blocks, double *const *table
     for (int pass = 0; pass < 2; pass++) /* those that are not zero first */
         for (int b = 0; b < blocks; b++)
             if (zero[b] == pass) o->at[b] = next, next += n;
+    o->rows = (o->rows + 3) / 4 * 4;
     o->A = TAKE(life, double, (long)o->rows *n);
     for (int b = 0; b < blocks; b++) {
         if (base && base[b]) memcpy(o->base + o->at[b], base[b], sizeof(double) * (size_t)n);
@@ -91,7 +92,6 @@ static void build_square(struct flex_planar *k, const struct flex_body *o, struc
     const int n = o->n, nn = n * n;
     double *W = TAKE(life, double, nn), *P = TAKE(life, double, nn), *sx = TAKE(life, double, nn);
     double *sy = TAKE(life, double, nn), *se = TAKE(life, double, nn), *sc = TAKE(life, double, nn);
-    double *Me = TAKE(life, double, nn);
     k->rest = TAKE(life, double, nn);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
@@ -100,9 +100,8 @@ static void build_square(struct flex_planar *k, const struct flex_body *o, struc
             similar(&w, &p, k, j, i);
             const double both = .5 * (trace2(o->ff + 9 * ij) + trace2(o->ff + 9 * ji));
             const double turns = .5 * (o->ppsi[ij] + o->ppsi[ji]);
-            Me[ij] = both + turns;
             W[ij] = both - w;
-            k->rest[ij] = Me[ij] - w;
+            k->rest[ij] = both + turns - w;
             P[ij] = .5 * (cross2(o->ff + 9 * ji) - cross2(o->ff + 9 * ij)) - p; /* P^_ji */
             if (o->s) {
                 sx[ij] = .5 * (o->s[3 * ij] + o->s[3 * ji]);
@@ -116,7 +115,7 @@ static void build_square(struct flex_planar *k, const struct flex_body *o, struc
     double *const base[BLOCKS] = {k->f, k->f + n, k->e, k->g, NULL, NULL};
     panel_build(&k->shape, n, BLOCKS, (double *const[]){sx, sy, se, sc, W, P}, base, life);
     panel_build(&k->rates, n, RATES, (double *const[]){P, sx, sy, se, sc}, NULL, life);
-    form_build(&k->Me, Me, n, life);
+    panel_build(&k->M, n, 1, &k->rest, NULL, life);
 }
 
 static void build_node(struct node *o, const struct flex_node *from, int n, struct arena *life)
@@ -179,8 +178,8 @@ struct flex_planar *flex_planar_build(const struct flex_body *body, struct arena
 void flex_planar_shape_take(struct flex_planar_shape *shape, const struct flex_planar *k, struct arena *life)
 {
     struct flex_planar_core *o = &shape->core;
-    o->work = TAKE(life, double, BLOCKS * k->n);
-    o->rates = TAKE(life, double, RATES * k->n);
+    o->work = TAKE(life, double, k->shape.size);
+    o->rates = TAKE(life, double, k->rates.size + k->M.size);
     o->Hx = o->work + k->shape.at[0];
     o->Hy = o->work + k->shape.at[1];
     o->E = o->work + k->shape.at[2];
@@ -191,7 +190,7 @@ void flex_planar_shape_take(struct flex_planar_shape *shape, const struct flex_p
 
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)
 {
-    o->work = TAKE(life, double, 4 * k->n);
+    o->work = TAKE(life, double, k->node[node].d.size + k->node[node].S.size);
     o->dx = o->work + k->node[node].d.at[0];
     o->dy = o->work + k->node[node].d.at[1];
     o->dw = k->node[node].psi;

@@ -8,7 +8,8 @@ enum { BLOCKS = 6, RATES = 5 };
 
 /* out = base + A x; block b of out begins at at[b]. */
 struct panel {
-    int n, size, rows; /* size of out; rows of A, whose other blocks are zero */
+    int n, size,
+        rows; /* size of out; rows of A, whose other blocks are zero; both multiples of 4, what is too many 0 */
     int at[BLOCKS];
     double *base; /* [size] */
     double *A;    /* [rows x n] */
@@ -36,7 +37,8 @@ struct flex_planar {
     double *rpsi;         /* [n] */
     struct panel shape;   /* of q: H (x, y), E, C, W^ q, P^' q */
     struct panel rates;   /* of q': P^' q', sx, sy, tr xs, X */
-    struct form Me, K, D;
+    struct panel M;       /* of q'': M^ q'' */
+    struct form K, D;
     double *rest; /* [n x n] M^ */
     struct node *node;
 };

@@ -119,7 +119,8 @@ static int least_of(int a, int b)
 /* --- by rows ------------------------------------------------------------------------------------ *
  *
  * Columns before k keep the multipliers where they were made: exchanges are repeated in solving (as LAPACK's dgbtrf).
- */
+ * Numbers are divided by pivots, not multiplied by their inverses: what is equal becomes exactly 1, and mechanisms that
+ * are symmetric stay so where C_q is nearly singular. */
 
 /* The largest |number| of x[k ... rows), its place; -1: none, or not finite. */
 static inline int largest(const double *x, int k, int rows)
@@ -166,8 +167,7 @@ static int rows_factor(double *A, int *swap, const int *band, int n, int ld)
         const int p = swap[k] = largest(l, k, rows);
         if (p < 0) return k;
         if (p != k) exchange_x(l, k, p);
-        const double inverse = 1 / l[k];
-        for (int i = k + 1; i < rows; i++) l[i] *= inverse;
+        for (int i = k + 1; i < rows; i++) l[i] /= l[k];
         for (int j = k + 1; j < cols; j++) {
             x += ld;
             if (p != k) exchange_x(x, k, p);
@@ -231,9 +231,8 @@ FEW int few_factor(double *A, int *swap, int n, int ld)
         if (!(best > 0 && best < INFINITY)) return k;
         swap[k] = p;
         if (p != k) exchange_x(l, k, p);
-        const double inverse = 1 / l[k];
         UNROLLED
-        for (int i = k + 1; i < n; i++) l[i] *= inverse;
+        for (int i = k + 1; i < n; i++) l[i] /= l[k];
         UNROLLED
         for (int j = k + 1; j < n; j++) {
             double *x = A + j * ld;

@@ -12,9 +12,10 @@
 
 #include "system/condense_parts.h"
 
-static const double QUICK = 1e-2;   /* rate at which corrections must shrink */
-static const double LITTLE = 1e-16; /* correction that may be missing */
-static const double NEAR = 1e-9;    /* way that is none: its rate would be that of round-off */
+static const double QUICK = 1e-2;    /* rate at which corrections must shrink */
+static const double LITTLE = 1e-16;  /* correction that may be missing */
+static const double NOTHING = 1e-15; /* and one that is round-off */
+static const double NEAR = 1e-9;     /* way that is none: its rate would be that of round-off */
 enum { MOST_CORRECTIONS = 3 };
 
 static double farther(double far, double x, double size)
@@ -53,8 +54,9 @@ static int step_on(struct condense *o, double *q1, const double *base, double s)
     int row;
     for (int i = 0; i < MOST_CORRECTIONS; i++) {
         condense_put(o, q1, base, s);
-        if (condense_misfit(o, &row, q1) <= CONDENSE_ROUND_OFF) return 1;
+        condense_misfit(o, &row, q1);
         const double next = condense_correct(o);
+        if (next <= NOTHING) return 1;
         rate = i ? next / size : rate * next;
         size = next;
         if (!(rate < QUICK)) return 0;

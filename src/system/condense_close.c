@@ -12,8 +12,9 @@
 #include "la/rot.h"
 #include "system/condense_parts.h"
 
-static const double CLOSED = 1e-9; /* a Newton correction below this leaves its square */
-static const double FAR = 1;       /* a correction this large after two iterations leads elsewhere */
+static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
+static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_qd is nearly singular */
+static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
 enum { MOST_ITERATIONS = 20 };
 
 double condense_missed(const struct condense *o, int *row)
@@ -89,7 +90,7 @@ int condense_close(struct condense *o, double *q1, const double *base, double s)
         double size = correct(o, q1);
         const double miss = size <= CLOSED ? 0 : note_miss(o);
         if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
-        if (size > CLOSED && miss > CONDENSE_ROUND_OFF) continue;
+        if (size > CLOSED && miss > ROUND_OFF) continue;
         condense_put(o, q1, base, s);
         return 1;
     }

@@ -181,8 +181,6 @@ double condense_misfit(struct condense *o, int *row, const double *q);
 int condense_tangent(struct condense *o, const double *q);
 /* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
 void condense_predict(struct condense *o);
-/* |C| that no correction makes less. */
-static const double CONDENSE_ROUND_OFF = 1e-15;
 /* The largest |C| in o->C; *row stays where all are 0. */
 double condense_missed(const struct condense *o, int *row);
 /* q1 = base (+) o->dx; of rotations that are wholly independent the fraction s of the way. */
