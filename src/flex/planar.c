@@ -6,18 +6,12 @@
 #include <string.h>
 
 #include "flex/planar_parts.h"
+#include "la/wide.h"
 
 /* --- products ----------------------------------------------------------------------------------- */
 
-/* Four rows at once where the processor can; each row's sum is the same. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define FOUR_ROWS __attribute__((target_clones("avx2", "default")))
-#else
-#define FOUR_ROWS
-#endif
-
 /* Four columns at a time; the order of sums is that of the text. */
-FOUR_ROWS static void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
+WIDE static void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
 {
     const int rows = o->rows / 4 * 4; /* as they are; so they are known to be a multiple of 4 */
     const double *restrict A = o->A;

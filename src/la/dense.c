@@ -12,21 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The loops worth three compilations; the choice is made once, when the program is loaded. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&                       \
-    !defined(__SANITIZE_ADDRESS__)
-#define WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define WIDE
-#endif
-
-/* The kernels must stand in every one of these copies: called, they would be of the plain one, and gcc 12 then leaves
- * the upper halves of the registers in use at the end (no vzeroupper), which slows all that runs afterwards. */
-#if defined(__GNUC__)
-#define INTO __attribute__((always_inline))
-#else
-#define INTO
-#endif
+#include "la/wide.h"
 
 enum { NARROW = 12 }; /* below, the call through the loader's table costs more than it gives */
 
@@ -73,12 +59,12 @@ int dense_cholesky(double *A, int n, int ld)
     return n <= NARROW ? cholesky(A, n, ld) : cholesky_wide(A, n, ld);
 }
 
-void dense_cholesky_solve(const double *L, double *x, int n, int ld)
+void dense_cholesky_solve(const double *restrict L, double *restrict x, int n, int ld)
 {
     for (int j = 0; j < n; j++) {
         const double *c = L + (long)j * ld;
         if (x[j] == 0) continue;
-        double xj = x[j] /= c[j];
+        const double xj = x[j] /= c[j];
         for (int i = j + 1; i < n; i++) x[i] -= c[i] * xj;
     }
     for (int j = n - 1; j >= 0; j--) {

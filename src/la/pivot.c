@@ -139,7 +139,7 @@ static inline void exchange_x(double *x, int i, int j)
     x[j] = y;
 }
 
-/* x -= y a;  a . x; by pairs, for bands are narrow. */
+/* x [n] -= y a;  a . x; two numbers at a time, for bands are narrow. */
 static inline void take_away(double *restrict x, double y, const double *restrict a, int n)
 {
     for (; n >= 2; n -= 2, x += 2, a += 2) {
@@ -151,12 +151,12 @@ static inline void take_away(double *restrict x, double y, const double *restric
 
 static inline double sum_of(const double *restrict a, const double *restrict x, int n)
 {
-    double sum = 0, other = 0;
+    double even = 0, odd = 0;
     for (; n >= 2; n -= 2, x += 2, a += 2) {
-        sum += a[0] * x[0];
-        other += a[1] * x[1];
+        even += a[0] * x[0];
+        odd += a[1] * x[1];
     }
-    return n ? sum + a[0] * x[0] + other : sum + other;
+    return n ? even + a[0] * x[0] + odd : even + odd;
 }
 
 static int rows_factor(double *A, int *swap, const int *band, int n, int ld)

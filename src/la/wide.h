@@ -1,0 +1,23 @@
+/* wide.h -- loops compiled for the vectors that a processor may have.
+ *
+ * Only for loops whose sums do not depend on how many numbers are taken at once: the same bits everywhere. */
+#ifndef FMDSUB_LA_WIDE_H
+#define FMDSUB_LA_WIDE_H
+
+/* The loops worth three compilations; the choice is made once, when the program is loaded. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&                       \
+    !defined(__SANITIZE_ADDRESS__)
+#define WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define WIDE
+#endif
+
+/* The kernels must stand in every one of these copies: called, they would be of the plain one, and gcc 12 then leaves
+ * the upper halves of the registers in use at the end (no vzeroupper), which slows all that runs afterwards. */
+#if defined(__GNUC__)
+#define INTO __attribute__((always_inline))
+#else
+#define INTO
+#endif
+
+#endif
