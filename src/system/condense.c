@@ -44,6 +44,7 @@ static void build_rows(struct condense *o, struct component *c, struct arena *li
     c->F = TAKE(life, double, c->start[c->nrow]);
     c->of_dep = TAKE(life, struct entry, c->start[c->nrow]);
     c->of_ind = TAKE(life, struct entry, c->start[c->nrow]);
+    c->from = TAKE(life, int, c->nrow + 1);
     for (int r = 0; r < c->nrow; r++) {
         const int loop = loop_of_row(o, c, r);
         for (int k = 0; k < l->nk[loop]; k++) c->at[c->start[r] + k] = o->column[l->k[loop][k]];

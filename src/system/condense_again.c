@@ -35,8 +35,7 @@ static double go_along(struct condense *o)
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
         for (int r = 0; r < c->nr; r++) c->x[r] = 0;
-        for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++)
-            c->x[x->row] -= c->F[x->e] * o->last[x->k];
+        component_take(c, c->x, o->last);
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) {
             const int k = c->k[c->dep[r]];

@@ -44,6 +44,18 @@ int component_factor(struct condense *o, struct component *c, const double *dx)
     return pivot_rows(c->A, c->prow, c->band, c->nr, c->ld) == c->nr;
 }
 
+void component_take(const struct component *c, double *restrict x, const double *restrict xt)
+{
+    const double *restrict F = c->F;
+    const struct entry *e = c->of_ind;
+    for (int r = 0; r < c->nr; r++) {
+        const struct entry *end = c->of_ind + c->from[r + 1];
+        double sum = x[r];
+        for (; e < end; e++) sum -= F[e->e] * xt[e->k];
+        x[r] = sum;
+    }
+}
+
 void component_solve(const struct component *c, double *x)
 {
     pivot_rows_solve(c->A, c->prow, c->band, x, c->nr, c->ld);
@@ -53,8 +65,9 @@ void component_G(const struct component *c, double *G)
 {
     if (c->nr == 0 || c->ni == 0) return;
     memset(G, 0, sizeof *G * (size_t)c->nr * (size_t)c->ni);
-    for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++)
-        G[x->row + (size_t)x->at * (size_t)c->nr] = -c->F[x->e];
+    for (int r = 0; r < c->nr; r++)
+        for (const struct entry *x = c->of_ind + c->from[r]; x < c->of_ind + c->from[r + 1]; x++)
+            G[r + x->at * c->nr] = -c->F[x->e];
     for (int j = 0; j < c->ni; j++) component_solve(c, G + (size_t)j * (size_t)c->nr);
 }
 
@@ -120,7 +133,7 @@ void condense_follow(struct condense *o, double *xt)
         struct component *c = &o->component[i];
         memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
         for (int k = 0; k < c->nlead; k++) c->x[c->lead[k]] = o->loops->c1[c->row[c->kept[c->lead[k]]]];
-        for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++) c->x[x->row] -= c->F[x->e] * xt[x->k];
+        component_take(c, c->x, xt);
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) xt[c->k[c->dep[r]]] = c->x[r];
     }

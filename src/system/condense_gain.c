@@ -25,7 +25,8 @@ static double exact(const struct condense *o, const struct component *c, const d
 void component_times_G(const struct component *c, const struct solved *at, double *y, const double *x)
 {
     memset(y, 0, sizeof *y * (size_t)c->nr);
-    for (const struct entry *n = c->of_ind; n < c->of_ind + c->nof_ind; n++) y[n->row] -= at->F[n->e] * x[n->at];
+    for (int r = 0; r < c->nr; r++)
+        for (int i = c->from[r]; i < c->from[r + 1]; i++) y[r] -= at->F[c->of_ind[i].e] * x[c->of_ind[i].at];
     pivot_rows_solve(at->A, at->swap, c->band, y, c->nr, c->ld);
 }
 
@@ -36,7 +37,8 @@ static void row_of_G(const struct component *c, const struct solved *at, double 
     memset(z, 0, sizeof *z * (size_t)c->ni);
     y[row] = 1;
     pivot_rows_tsolve(at->A, at->swap, c->band, y, c->nr, c->ld);
-    for (const struct entry *n = c->of_ind; n < c->of_ind + c->nof_ind; n++) z[n->at] -= at->F[n->e] * y[n->row];
+    for (int r = 0; r < c->nr; r++)
+        for (int i = c->from[r]; i < c->from[r + 1]; i++) z[c->of_ind[i].at] -= at->F[c->of_ind[i].e] * y[r];
 }
 
 /* The largest of x [n], each times or by its size; k: where it is. */

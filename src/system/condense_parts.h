@@ -34,10 +34,10 @@ struct solved {
 
 /* A number of C_q in a used row. */
 struct entry {
-    int e;   /* in F */
-    int row; /* in `kept` */
-    int k;   /* its coordinate's place in v */
-    int at;  /* of a dependent coordinate: in A's store; of an independent one: its number */
+    int e;    /* in F */
+    int k;    /* its coordinate's place in v */
+    int at;   /* of a dependent coordinate: in A's store; of an independent one: its number here */
+    int slot; /* and among all independent ones */
 };
 
 struct component {
@@ -51,8 +51,9 @@ struct component {
     double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
     int *start, *at;  /* [nrow + 1]; coordinates of row r: numbers in k, at[start[r]] ... */
     double *F;        /* [start[nrow]] C_q: the rows of its loops, in their Cq */
-    int nof_dep, nof_ind;
-    struct entry *of_dep, *of_ind; /* row by row */
+    int nof_dep;
+    struct entry *of_dep, *of_ind;
+    int *from; /* [nr + 1] where the rows of of_ind begin */
     int nspin;
     struct spin *spin;
     double *A; /* C_qd, factored: A(i,j) = A[i + j ld] inside its band */
@@ -131,6 +132,8 @@ void condense_look(struct condense *o, const double *q);
 /* A, factored, of C_q as last looked at; dx: C_q then is along the Cayley vectors it holds, NULL: at the posture
  * itself. 0: singular or not finite. */
 int component_factor(struct condense *o, struct component *c, const double *dx);
+/* x [nr] -= C_qi of the independent numbers of xt [nt] */
+void component_take(const struct component *c, double *x, const double *xt);
 /* x [nr] := C_qd^-1 x */
 void component_solve(const struct component *c, double *x);
 /* G := -C_qd^-1 C_qi */

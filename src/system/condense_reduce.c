@@ -19,8 +19,11 @@ void condense_gather(struct condense *o, double *r, double *w, const double *rt)
         struct component *c = &o->component[i];
         component_multipliers(c, rt);
         if (w) component_power(o, c, w);
-        for (const struct entry *x = c->of_ind; x < c->of_ind + c->nof_ind; x++)
-            r[o->slot[x->k]] += c->F[x->e] * c->x[x->row];
+        for (int k = 0; k < c->nr; k++) {
+            const double lambda = c->x[k];
+            for (const struct entry *x = c->of_ind + c->from[k]; x < c->of_ind + c->from[k + 1]; x++)
+                r[x->slot] += c->F[x->e] * lambda;
+        }
     }
     for (int i = 0; i < o->ode.n; i++) r[i] += rt[o->ind[i]];
 }

@@ -99,15 +99,19 @@ static void find_band(struct condense *o, struct component *c)
 static void list_entries(struct component *c)
 {
     const int offset = (int)(c->A - c->A_room.store);
-    c->nof_dep = c->nof_ind = 0;
-    for (int r = 0; r < c->nr; r++)
+    int n = 0;
+    c->nof_dep = 0;
+    for (int r = 0; r < c->nr; r++) {
+        c->from[r] = n;
         for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
             const int j = c->place[c->at[e]];
             if (j >= 0)
-                c->of_dep[c->nof_dep++] = (struct entry){e, r, c->k[c->at[e]], offset + r + j * c->ld};
+                c->of_dep[c->nof_dep++] = (struct entry){e, c->k[c->at[e]], offset + r + j * c->ld, -1};
             else
-                c->of_ind[c->nof_ind++] = (struct entry){e, r, c->k[c->at[e]], -1 - j};
+                c->of_ind[n++] = (struct entry){e, c->k[c->at[e]], -1 - j, -1};
         }
+    }
+    c->from[c->nr] = n;
 }
 
 static void find_places(struct component *c)
@@ -155,6 +159,11 @@ double component_choose(struct condense *o, struct component *c)
     return quality(o, c);
 }
 
+static void number_entries(const struct condense *o, struct component *c)
+{
+    for (int i = 0; i < c->from[c->nr]; i++) c->of_ind[i].slot = o->slot[c->of_ind[i].k];
+}
+
 /* Fast ones first, then slow; coordinates in no loop are all independent.  A component
  * keeps its number of fast ones, whoever they are. */
 void condense_number(struct condense *o)
@@ -173,6 +182,7 @@ void condense_number(struct condense *o)
     }
     o->ode.n = n;
     for (int i = 0; i < n; i++) o->slot[o->ind[i]] = i;
+    for (int i = 0; i < o->ncomponent; i++) number_entries(o, &o->component[i]);
     for (int i = 0; i < o->moves->nturn; i++) {
         o->bound[i] = false;
         for (int k = 0; k < 3; k++) o->bound[i] |= o->slot[o->moves->turn[i].iv[k]] < 0;
