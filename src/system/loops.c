@@ -188,32 +188,28 @@ static void drive_jacobian(struct loops *o, const struct sweep *s, int l)
     row_clear(&o->grad);
 }
 
-/* The row's unit wrench as what it does on the first body or on the second, by the coordinates of its way. */
-static void way_row(double *g, const struct loops *o, const struct sweep *s, int row, bool second)
+/* A row's unit wrench as what it does on the second body and, the other way, on the first, by the coordinates of their
+ * ways. */
+static void wrench_row(struct loops *o, const struct sweep *s, double *Cq, int l, int row)
 {
-    const struct model_loop *loop = &o->model->loop[o->row[row].loop];
-    double dir[3];
-    direction(dir, o, row);
-    if (!second) v3_scale(dir, -1, dir);
+    const struct model_loop *loop = &o->model->loop[l];
+    const struct loop_ways *w = &o->ways[l];
+    const double *x = o->place[l].x;
     const bool force = is_force(&o->row[row]);
-    o->ops->row(s, g, second ? loop->second : loop->first, o->ways[o->row[row].loop].from, o->place[o->row[row].loop].x,
-                force ? dir : NULL, force ? NULL : dir);
+    double dir[3], back[3], *to = w->same ? o->grad.g : Cq + w->n[0];
+    direction(dir, o, row);
+    v3_scale(back, -1, dir);
+    if (w->n[0] > 0) o->ops->row(s, Cq, loop->first, w->from, x, force ? back : NULL, force ? NULL : back);
+    if (w->n[1] > 0) o->ops->row(s, to, loop->second, w->from, x, force ? dir : NULL, force ? NULL : dir);
+    if (w->same == 0) return;
+    for (int k = 0; k < w->same; k++) Cq[k] += to[k];
+    for (int k = w->same; k < w->n[1]; k++) Cq[w->n[0] + k - w->same] = to[k];
 }
 
 static void jacobian(struct loops *o, const struct sweep *s, int l)
 {
-    const struct loop_ways *w = &o->ways[l];
-    double *Cq = o->Cq[l], *both = o->grad.g;
-    for (int i = o->first[l]; i < o->first[l + 1]; i++, Cq += o->nk[l]) {
-        if (w->n[0] > 0) way_row(Cq, o, s, i, false);
-        if (w->same == 0) {
-            if (w->n[1] > 0) way_row(Cq + w->n[0], o, s, i, true);
-            continue;
-        }
-        way_row(both, o, s, i, true);
-        for (int k = 0; k < w->same; k++) Cq[k] += both[k];
-        for (int k = w->same; k < w->n[1]; k++) Cq[w->n[0] + k - w->same] = both[k];
-    }
+    double *Cq = o->Cq[l];
+    for (int i = o->first[l]; i < o->first[l + 1]; i++, Cq += o->nk[l]) wrench_row(o, s, Cq, l, i);
 }
 
 void loops_jacobian(struct loops *o, const struct sweep *s)

@@ -32,6 +32,7 @@ struct loop_row {
 struct loop_place {
     struct pose A, B;
     double d[3], x[3]; /* from the first's point to the second's; the second's point, world */
+    double seen[3];    /* ROW_ALONG, which stand first: the point's acceleration as the first body sees it */
     double sum;        /* ROW_SUM: of the coordinates */
 };
 

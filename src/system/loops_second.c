@@ -12,9 +12,10 @@ static void point_rates(double *xv, double *xa, const struct pose *p, const doub
     v3_cross_add(xa, p->w, turned);
 }
 
-static double second_along(const struct loop_place *p, const double *e)
+/* The second's point as the first body sees it: C'' of a row along e is e.a. */
+static void seen_acceleration(double *ab, const struct loop_place *p)
 {
-    double b[3], vb[3], ab[3], va[3], aa[3], u[3], coriolis[3];
+    double b[3], vb[3], va[3], aa[3], u[3], coriolis[3];
     v3_diff(b, p->x, p->B.r);
     point_rates(vb, ab, &p->B, b);
     v3_diff(b, p->x, p->A.r); /* A's motion where B's point is: w_A x d and its kin are in it */
@@ -23,7 +24,6 @@ static double second_along(const struct loop_place *p, const double *e)
     v3_cross(coriolis, p->A.w, u);
     v3_take(ab, aa);
     v3_axpy(ab, -2, coriolis);
-    return v3_dot(e, ab);
 }
 
 static double second_lean(const struct loop_place *p, const double *e, const double *g)
@@ -73,6 +73,7 @@ static double second_measure(const struct loops *o, int l, const double *a)
     const struct model_measure *m = &o->model->measure[o->model->loop[l].measure];
     const struct action *act = &o->act[l];
     struct loop_place *p = &o->place[l];
+    double seen[3];
     switch (m->type) {
     case MEASURE_COORDINATE:
         return a[m->iv];
@@ -80,7 +81,8 @@ static double second_measure(const struct loops *o, int l, const double *a)
         return second_distance(p, act->at_a, act->at_b);
     case MEASURE_DISPLACEMENT:
         v3_copy(p->x, act->at_b);
-        return second_along(p, act->dir);
+        seen_acceleration(seen, p);
+        return v3_dot(act->dir, seen);
     case MEASURE_ANGLE:
         break;
     }
@@ -94,6 +96,7 @@ static void look_at_motion(struct loops *o, const struct sweep *s, int l)
     if (loop->nterm || (loop->drive && loops_along_coordinate(o, l))) return;
     o->ops->pose(s, &o->place[l].A, loop->first);
     o->ops->pose(s, &o->place[l].B, loop->second);
+    if (o->row[o->first[l]].type == ROW_ALONG) seen_acceleration(o->place[l].seen, &o->place[l]);
 }
 
 void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a)
@@ -104,7 +107,7 @@ void loops_second(double *C2, struct loops *o, const struct sweep *s, const doub
         const struct loop_place *p = &o->place[r->loop];
         switch (r->type) {
         case ROW_ALONG:
-            C2[i] = second_along(p, o->axes[i].e) / o->length;
+            C2[i] = v3_dot(o->axes[i].e, p->seen) / o->length;
             break;
         case ROW_LEAN:
             C2[i] = second_lean(p, o->axes[i].e, o->axes[i].g);

@@ -78,13 +78,30 @@ void planar_partial(const struct sweep *s, double *xv, double *w, int body, cons
     xv[1] = turn * (x[0] - at[0]);
 }
 
-/* Rows of a joint, [nv]: f at the joint's point, its moment there. */
+static inline double along(const double *e, const double *f)
+{
+    return e[0] * f[0] + e[1] * f[1];
+}
+
+/* Rows of a joint, [nv], for f at x and the moment n. */
 static inline void joint_row(double *g, const struct part *p, const struct link *l, const double *x, const double *f,
                              double n)
 {
-    for (int k = 0; k < l->nv; k++) {
-        const double at[2] = {x[0] - (p->r[0] - p->c_b[0]), x[1] - (p->r[1] - p->c_b[1])};
-        g[k] = planar_turns(l, k) ? l->turn * (planar_cross(at, f) + n) : p->e[k][0] * f[0] + p->e[k][1] * f[1];
+    const double at[2] = {x[0] - (p->r[0] - p->c_b[0]), x[1] - (p->r[1] - p->c_b[1])};
+    switch (l->type) {
+    case TURN:
+        g[0] = l->turn * (planar_cross(at, f) + n);
+        break;
+    case SLIDE:
+        g[0] = along(p->e[0], f);
+        break;
+    case GLIDE:
+        g[0] = along(p->e[0], f);
+        g[1] = along(p->e[1], f);
+        g[2] = l->turn * (planar_cross(at, f) + n);
+        break;
+    case HELD:
+        break;
     }
 }
 
