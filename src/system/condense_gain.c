@@ -14,11 +14,14 @@
 static double exact(const struct condense *o, const struct component *c, const double *G)
 {
     double most = 0;
-    for (int j = 0; j < c->ni; j++)
+    for (int r = 0; r < c->nr; r++) c->x[r] = 1 / o->size[c->k[c->dep[r]]];
+    for (int j = 0; j < c->ni; j++, G += c->nr) {
+        const double size = o->size[c->k[c->ind[j]]];
         for (int r = 0; r < c->nr; r++) {
-            double g = G[r + (size_t)j * (size_t)c->nr] * o->size[c->k[c->ind[j]]] / o->size[c->k[c->dep[r]]];
-            most = fmax(most, fabs(g));
+            const double g = fabs(G[r]) * size * c->x[r];
+            if (g > most) most = g;
         }
+    }
     return most;
 }
 

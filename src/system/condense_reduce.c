@@ -46,7 +46,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     struct instant whole = *x;
     whole.v = o->vt;
     whole.a = o->at;
-    TRY(in_own_rows(o, tree_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, true, why), why));
+    TRY(in_own_rows(o, tree_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, why), why));
     condense_gather(o, r, w, o->rt);
     for (int i = 0; i < o->ode.n; i++)
         if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);

@@ -13,8 +13,10 @@
 /* Compiled twice, with and without flexible bodies: trees of rigid bodies pay nothing for them. */
 #if defined(__GNUC__)
 #define TWICE __attribute__((always_inline)) static inline
+#define APART __attribute__((noinline)) static
 #else
 #define TWICE static inline
+#define APART static
 #endif
 
 /* HELD: no freedom; TURN: revolute; SLIDE: prismatic; GLIDE: two displacements, one rotation. */

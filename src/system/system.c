@@ -49,7 +49,7 @@ static enum status loops_accel(struct system *s, const double *q, const double *
     dense_cholesky_solve(s->M, s->r, o->n, o->n);
     for (int i = 0; i < o->n; i++) s->r[i] = -s->r[i];
     TRY(condense_rates(s->loops, s->v, s->a, q, v, s->r, t, why));
-    TRY(tree_resid(&s->tree, s->r, NULL, NULL, &x, ALL, true, why));
+    TRY(tree_resid(&s->tree, s->r, NULL, NULL, &x, ALL, why));
     condense_lambda(s->loops, s->lambda, s->r);
     return OK;
 }

@@ -68,8 +68,8 @@ static bool all_finite(const double *r, int n, int stride)
     return sum[0] + sum[1] + sum[2] + sum[3] == 0;
 }
 
-enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
-                       bool moved, struct trouble *why)
+static inline enum status residual(struct tree *o, double *r, double *w, double *dk, const struct instant *x,
+                                   enum rate cls, bool moved, struct trouble *why)
 {
     const int n = o->model->n;
     for (int i = 0; i < n; i++) r[i] = 0;
@@ -84,10 +84,16 @@ enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const s
     return all_finite(r, n, 1) ? OK : not_finite(o, r, x, cls, why);
 }
 
+enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
+                       struct trouble *why)
+{
+    return residual(o, r, w, dk, x, cls, true, why);
+}
+
 static enum status resid(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
                          struct trouble *why)
 {
-    return tree_resid(tree_of(o), r, w, dk, x, (enum rate)cls, false, why);
+    return residual(tree_of(o), r, w, dk, x, (enum rate)cls, false, why);
 }
 
 static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)

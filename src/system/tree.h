@@ -38,8 +38,8 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life);
 void tree_place(struct tree *o, const double *q);
 void tree_move(struct tree *o, const double *q, const double *v);
 
-/* resid() of the ode; moved: tree_place() has been at x->q, and the sweep's move(ALL) with x->v since. */
+/* resid() of the ode, where tree_move() has been with x->q and x->v. */
 enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
-                       bool moved, struct trouble *why);
+                       struct trouble *why);
 
 #endif
