@@ -346,17 +346,10 @@ static void forward(struct sweep *s, const double *q, const double *v, const dou
 
 /* --- forces inwards ---------------------------------------------------------------------------- */
 
-/* Moment about the joint's point on the child. */
-static inline void moment_at_joint(double *n, const struct part *x)
-{
-    v3_copy(n, x->N);
-    v3_cross_add(n, x->c, x->F);
-}
-
 static inline void rows(double *restrict r, const struct part *restrict x, const struct link *restrict l)
 {
     double n[3];
-    moment_at_joint(n, x);
+    spatial_moment(n, x);
     for (int k = 0; k < l->nv; k++) r[l->iv[k]] += v3_dot(spatial_axis(x, l, k), spatial_turns(l, k) ? n : x->F);
 }
 
@@ -378,22 +371,6 @@ static void backward(struct sweep *s, double *r, unsigned cls)
     }
 }
 
-/* The axes of every joint's rotations are at right angles to each other, those of its displacements too, so the
- * free directions come out one by one. */
-static void reaction(const struct sweep *s, double *f, double *n, int joint)
-{
-    int body = s->model->joint[joint].child;
-    const struct part *x = &s->part[body];
-    const struct link *l = &s->link[body];
-    v3_copy(f, x->F);
-    moment_at_joint(n, x);
-    for (int k = 0; k < l->nv; k++) {
-        const double *e = spatial_axis(x, l, k);
-        double *of = spatial_turns(l, k) ? n : f;
-        v3_axpy(of, -v3_dot(e, of), e);
-    }
-}
-
 const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .place = spatial_place,
                                         .move = move,
@@ -412,4 +389,4 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .factor = spatial_factor,
                                         .solve = spatial_solve,
                                         .energy = spatial_energy,
-                                        .reaction = reaction};
+                                        .reaction = spatial_reaction};

@@ -142,6 +142,13 @@ static inline void spatial_unit(struct twist *o, const struct part *x, const str
     }
 }
 
+/* Moment about the joint's point on the child. */
+static inline void spatial_moment(double *n, const struct part *x)
+{
+    v3_copy(n, x->N);
+    v3_cross_add(n, x->c, x->F);
+}
+
 struct sweep *spatial_build(const struct model *m, enum purpose purpose, struct arena *life);
 
 void spatial_place(struct sweep *s, const double *q, unsigned cls);
@@ -190,6 +197,7 @@ void spatial_row(const struct sweep *s, double *g, int body, int from, const dou
                  const double *n);
 int spatial_path(const struct sweep *s, const int **k, int body);
 void spatial_energy(const struct sweep *s, double *kinetic, double *gravity);
+void spatial_reaction(const struct sweep *s, double *f, double *n, int joint);
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
 int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);

@@ -1,4 +1,4 @@
-/* spatial_ask.c -- what elements ask of the spatial recursion and give to it; energies */
+/* spatial_ask.c -- what elements ask of the spatial recursion and give to it; energies, reactions */
 #include <string.h>
 
 #include "system/spatial.h"
@@ -151,4 +151,20 @@ void spatial_energy(const struct sweep *s, double *kinetic, double *gravity)
     }
     *kinetic = .5 * T;
     *gravity = V;
+}
+
+/* The axes of every joint's rotations are at right angles to each other, those of its displacements too, so the
+ * free directions come out one by one. */
+void spatial_reaction(const struct sweep *s, double *f, double *n, int joint)
+{
+    int body = s->model->joint[joint].child;
+    const struct part *x = &s->part[body];
+    const struct link *l = &s->link[body];
+    v3_copy(f, x->F);
+    spatial_moment(n, x);
+    for (int k = 0; k < l->nv; k++) {
+        const double *e = spatial_axis(x, l, k);
+        double *of = spatial_turns(l, k) ? n : f;
+        v3_axpy(of, -v3_dot(e, of), e);
+    }
 }
