@@ -145,11 +145,13 @@ static void build_components(struct condense *o, struct arena *life)
     o->column = TAKE(life, int, o->nt);
     o->owner = TAKE(life, int, o->nt);
     o->size = TAKE(life, double, o->nt);
+    o->per = TAKE(life, double, o->nt);
     for (int i = 0; i < o->nt; i++) o->owner[i] = turn[i] = -1;
     for (int l = 0; l < m->nloop; l++)
         for (int k = 0; k < o->loops->nk[l]; k++) o->owner[o->loops->k[l][k]] = m->loop[l].component;
     for (int i = 0; i < o->moves->nturn; i++) turn[o->moves->turn[i].iv[0]] = i;
     build_sizes(o);
+    for (int i = 0; i < o->nt; i++) o->per[i] = 1 / o->size[i];
     list_parts(o, life);
     for (int i = 0; i < o->ncomponent; i++) {
         build_component(o, &o->component[i], life);

@@ -18,9 +18,10 @@ static const double NOTHING = 1e-15; /* and one that is round-off */
 static const double NEAR = 1e-9;     /* way that is none: its rate would be that of round-off */
 enum { MOST_CORRECTIONS = 3 };
 
-static double farther(double far, double x, double size)
+static inline double farther(double far, double x, double per)
 {
-    return fmax(far, fabs(x) / size);
+    const double way = fabs(x) * per;
+    return way > far ? way : far;
 }
 
 /* o->dx of the dependents along the tangent at the posture that o->last leads to; how far that is, in scales. */
@@ -30,7 +31,7 @@ static double go_along(struct condense *o)
     for (int i = 0; i < o->ode.n; i++) {
         const int k = o->ind[i];
         o->last[k] = o->dx[k] - o->last[k];
-        far = farther(far, o->last[k], o->size[k]);
+        far = farther(far, o->last[k], o->per[k]);
     }
     for (int i = 0; i < o->ncomponent; i++) {
         struct component *c = &o->component[i];
@@ -40,7 +41,7 @@ static double go_along(struct condense *o)
         for (int r = 0; r < c->nr; r++) {
             const int k = c->k[c->dep[r]];
             o->dx[k] = o->last[k] + c->x[r];
-            far = farther(far, c->x[r], o->size[k]);
+            far = farther(far, c->x[r], o->per[k]);
         }
     }
     return far;

@@ -55,7 +55,7 @@ double condense_correct(struct condense *o)
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) {
             const int k = c->k[c->dep[r]];
-            const double size = fabs(c->x[r]) / o->size[k];
+            const double size = fabs(c->x[r]) * o->per[k];
             o->dx[k] += c->x[r];
             if (size > most || isnan(size)) most = size;
         }

@@ -14,7 +14,7 @@
 static double exact(const struct condense *o, const struct component *c, const double *G)
 {
     double most = 0;
-    for (int r = 0; r < c->nr; r++) c->x[r] = 1 / o->size[c->k[c->dep[r]]];
+    for (int r = 0; r < c->nr; r++) c->x[r] = o->per[c->k[c->dep[r]]];
     for (int j = 0; j < c->ni; j++, G += c->nr) {
         const double size = o->size[c->k[c->ind[j]]];
         for (int r = 0; r < c->nr; r++) {

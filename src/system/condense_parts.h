@@ -93,6 +93,7 @@ struct condense {
     int *slot;    /* [nt] number among the independent ones; -1: dependent */
     bool *bound;  /* [nturn] a rate of this rotation is dependent */
     double *size; /* [nt] scale of a coordinate: 1, or the loops' length */
+    double *per;  /* [nt] 1/size */
     struct condense_start start;
     struct ode2 ode;
     struct ode2_chart chart;
