@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "la/dense.h"
+#include "la/wide.h"
 
 static struct tree *tree_of(const struct ode2 *o)
 {
@@ -68,8 +69,9 @@ static bool all_finite(const double *r, int n, int stride)
     return sum[0] + sum[1] + sum[2] + sum[3] == 0;
 }
 
-static inline enum status residual(struct tree *o, double *r, double *w, double *dk, const struct instant *x,
-                                   enum rate cls, bool moved, struct trouble *why)
+/* Written into both of its callers: chains of a few bodies would feel the call. */
+INTO static inline enum status residual(struct tree *o, double *r, double *w, double *dk, const struct instant *x,
+                                        enum rate cls, bool moved, struct trouble *why)
 {
     const int n = o->model->n;
     for (int i = 0; i < n; i++) r[i] = 0;
