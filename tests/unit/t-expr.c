@@ -512,7 +512,12 @@ static void jets(void **state)
                                         "mod(t, 0.37)*t",
                                         "if(t < 0.5, t^2, 1 - t^3)",
                                         "x*t^2 + u2/(t + 2)",
-                                        "floor(t) + sign(t)*t^4"};
+                                        "floor(t) + sign(t)*t^4",
+                                        "sin(2*t)/(1 + t*t)",
+                                        "(2 + sin(t))^cos(2*t)",
+                                        "atan2(sin(t), exp(t))",
+                                        "hypot(sin(3*t), x - t*t)",
+                                        "(1 + t)^-2 + pow(t, 3)"};
     static const int which = 0;
     struct arena *arena = arena_open();
     (void)state;
