@@ -61,9 +61,6 @@ enum status deck_expr(struct expr **out, const struct node *n, const struct expr
 /* The same for a condition, "hub.angle > 1". */
 enum status deck_truth(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
 
-/* The part of a scalar's text that starts at byte `offset` as a place in the source. */
-struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length);
-
 /* The value of a parameter: 0 if there is one. */
 int deck_parameter(double *out, const char *name, const struct deck *deck);
 

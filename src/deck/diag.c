@@ -141,11 +141,6 @@ void diag_error_in(struct diags *d, struct span at, const char *code, const char
     WITH_ARGS(format, add(d, ERROR, at, NULL, code, format, args));
 }
 
-void diag_warn_in(struct diags *d, struct span at, const char *code, const char *format, ...)
-{
-    WITH_ARGS(format, add(d, WARNING, at, NULL, code, format, args));
-}
-
 static void add_note(struct diags *d, struct span at, const char *format, va_list args)
 {
     if (!d->last) return;

@@ -53,30 +53,12 @@ int read_list(const struct node *n, const char *what, struct reader *rd)
     return n->type == NODE_LIST ? 0 : wrong_type(n, what, "a list", rd);
 }
 
-int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
+static int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
 {
     if (n->told) return 1;
     if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, what, "a text", rd);
     *out = n->text;
     return 0;
-}
-
-int read_names(const char ***out, int *count, const struct node *list, const char *what, struct reader *rd)
-{
-    bool one = list->type == NODE_SCALAR;
-    int n = one ? 1 : list->count, errors = 0;
-    *count = 0;
-    if (list->told) return 1;
-    if (list->type == NODE_MAP || node_is_null(list)) return wrong_type(list, what, "a name or a list of names", rd);
-    *out = TAKE(rd->deck->arena, const char *, n);
-    for (int i = 0; i < n; i++) {
-        const char *text;
-        if (read_text(&text, one ? list : list->item[i], what, rd))
-            errors++;
-        else
-            (*out)[(*count)++] = text;
-    }
-    return errors;
 }
 
 /* ---- numbers ---- */
@@ -173,7 +155,8 @@ static int split_words(const char **list, const char *words, struct arena *arena
     return n;
 }
 
-int read_word(int *out, const struct node *n, const char *words, struct reader *rd)
+/* The index of the text in "newmark|midpoint|...". */
+static int read_word(int *out, const struct node *n, const char *words, struct reader *rd)
 {
     const char *list[WORDS], *text;
     if (read_text(&text, n, NULL, rd)) return 1;
@@ -208,7 +191,7 @@ int read_vector(double *x, int n, const struct node *list, const char *what, str
     return errors != 0;
 }
 
-int read_numbers(struct key_list *out, const struct node *list, const struct key *key, struct reader *rd)
+static int read_numbers(struct key_list *out, const struct node *list, const struct key *key, struct reader *rd)
 {
     struct arena *arena = rd->deck->arena;
     int errors = 0, lo = key->nmin, hi = key->nmax;
@@ -224,11 +207,6 @@ int read_numbers(struct key_list *out, const struct node *list, const struct key
     for (int i = 0; i < list->count; i++) errors += read_number(&x[i], list->item[i], key, rd);
     if (!errors) *out = (struct key_list){list->count, x};
     return errors != 0;
-}
-
-int read_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct reader *rd)
-{
-    return deck_expr(out, n, names, rd->deck) != OK;
 }
 
 void read_unknown(const struct node *n, enum diag_at at, const char *code, const char *what, const char *name,

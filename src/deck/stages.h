@@ -47,7 +47,6 @@ struct parameter {
     enum parameter_state state;
     double value;
 };
-struct parameter *parameter_find(const struct deck *deck, const char *name);
 
 /* May a parameter or loop variable be called so?  Tells at n. */
 bool variable_name(const char *name, const struct node *n, const char *code, struct diags *diags);

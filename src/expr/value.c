@@ -68,11 +68,6 @@ int expr_reads(const struct expr *e, int *slots, int max)
     return n;
 }
 
-bool expr_is_constant(const struct expr *e)
-{
-    return next_slot(e, -1) < 0;
-}
-
 /* Roots and radii bend where they are 0, quotients where their divisor is. */
 static bool is_smooth(enum op op)
 {
@@ -111,9 +106,4 @@ bool expr_is_smooth(const struct expr *e)
     for (int i = 0; i < e->n; i++)
         if (!is_smooth(e->code[i].op)) return false;
     return true;
-}
-
-int expr_length(const struct expr *e)
-{
-    return e->n - 1;
 }

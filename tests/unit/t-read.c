@@ -224,19 +224,6 @@ static void single(void **state)
     assert_int_equal(read_int(&i, value("-2147483647"), NULL, &rd), 0);
     assert_int_equal(i, -INT_MAX);
     assert_int_equal(read_int(&i, value("2147483648"), NULL, &rd), 1);
-    const char **names;
-    assert_int_equal(read_names(&names, &i, value("[a, \"b c\", d.*]"), "columns", &rd), 0);
-    assert_true(i == 3 && !strcmp(names[1], "b c") && !strcmp(names[2], "d.*"));
-    assert_int_equal(read_names(&names, &i, value("one"), "columns", &rd), 0);
-    assert_int_equal(i, 1);
-    assert_int_equal(read_names(&names, &i, value("{a: 1}"), "columns", &rd), 1);
-    assert_non_null(strstr(messages(), "columns: expected a name or a list of names, found a map [E-type]"));
-    assert_int_equal(read_names(&names, &i, value("[a, [b], c]"), "columns", &rd), 1);
-    assert_int_equal(i, 2);
-    struct expr *e;
-    assert_int_equal(read_expr(&e, value("2*p"), NULL, &rd), 0);
-    assert_true(expr_value(e, NULL) == 10);
-    assert_int_equal(read_expr(&e, value("2*q"), NULL, &rd), 1);
     read_unknown(value("rodd"), AT_VALUE, "E-unknown-body", "body", "rodd", (const char *const[]){"ground", "rod"}, 2,
                  &rd);
     assert_non_null(strstr(messages(), ":2:4: error: unknown body 'rodd' [E-unknown-body]\n    2 | x: rodd\n      |    "
