@@ -77,7 +77,4 @@ const struct node *deck_yaml(const struct node *file, struct deck *deck);
 /* The path of a file beside the deck, which joins the deck's hash; NULL: told. */
 const char *deck_file(const struct node *n, struct deck *deck);
 
-/* Opens a file named by a node, inside the deck's folder; -1: told. */
-int deck_open_file(const struct node *n, struct deck *deck);
-
 #endif
