@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "deck/read.h" /* before cmocka.h, which has a macro fail */
+#include "unit/told.h"
 
 #include <cmocka.h>
 
@@ -82,14 +83,7 @@ static struct node *value(const char *text)
 
 static const char *messages(void)
 {
-    char *text;
-    size_t size;
-    FILE *to = open_memstream(&text, &size);
-    diags_print(to, rd.diags, false);
-    fclose(to);
-    const char *copy = arena_copy(arena, text, size);
-    free(text);
-    return copy;
+    return told(rd.diags, arena);
 }
 
 static void whole_table(void **state)
