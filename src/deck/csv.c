@@ -39,11 +39,7 @@ static bool number(double *out, const char *text, struct field f)
 
 static double *new_row(struct csv *c)
 {
-    if (c->rows == c->room) {
-        double *more = TAKE(c->deck->arena, double, (size_t)(c->room = 2 * c->room + 64) * (size_t)c->columns);
-        if (c->rows) memcpy(more, c->x, (size_t)c->rows * (size_t)c->columns * sizeof *more);
-        c->x = more;
-    }
+    c->x = arena_more(c->deck->arena, c->x, c->rows, &c->room, (size_t)c->columns * sizeof *c->x);
     return c->x + (size_t)c->rows * (size_t)c->columns;
 }
 

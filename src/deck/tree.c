@@ -40,11 +40,7 @@ static struct span event_span(const struct builder *b, const yaml_event_t *e)
 
 static void push(struct builder *b, struct node *n)
 {
-    if (b->top == b->room) {
-        struct node **more = TAKE(b->pool->arena, struct node *, b->room = 2 * b->room + 256);
-        if (b->top) memcpy(more, b->stack, (size_t)b->top * sizeof *more);
-        b->stack = more;
-    }
+    b->stack = arena_more(b->pool->arena, b->stack, b->top, &b->room, sizeof *b->stack);
     b->stack[b->top++] = n;
 }
 

@@ -8,11 +8,7 @@
 
 void emit_code(struct parser *p, struct instruction x)
 {
-    if (p->n == p->room) {
-        struct instruction *more = TAKE(p->arena, struct instruction, p->room = p->room ? 2 * p->room : 64);
-        if (p->n) memcpy(more, p->code, (size_t)p->n * sizeof *more);
-        p->code = more;
-    }
+    p->code = arena_more(p->arena, p->code, p->n, &p->room, sizeof *p->code);
     p->code[p->n++] = x;
 }
 

@@ -15,14 +15,9 @@ struct listing {
 static void add(struct listing *l, const char *name, const char *unit, const char *brief, struct origin origin)
 {
     struct catalogue *o = l->o;
-    if (o->n == o->room) {
-        int room = o->room ? 2 * o->room : 256;
-        struct column *column = TAKE(l->life, struct column, room);
-        struct origin *origins = TAKE(l->life, struct origin, room);
-        if (o->n) memcpy(column, o->column, (size_t)o->n * sizeof *column);
-        if (o->n) memcpy(origins, o->origin, (size_t)o->n * sizeof *origins);
-        *o = (struct catalogue){o->n, room, column, origins};
-    }
+    int room = o->room;
+    o->column = arena_more(l->life, o->column, o->n, &room, sizeof *o->column);
+    o->origin = arena_more(l->life, o->origin, o->n, &o->room, sizeof *o->origin);
     o->column[o->n] = (struct column){name, unit, brief};
     o->origin[o->n++] = origin;
 }
