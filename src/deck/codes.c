@@ -107,7 +107,7 @@ const struct diag_help diag_helps[] = {
     {"E-two-kinds", "Two keys say what the thing is, or give the same quantity. Keep one of them."},
     {"E-which-coordinate",
      "The joint has several freedoms, none, or turns freely: name one plain coordinate of it, or use "
-     "a measure; a gear ties two different ones.  Rates and elastic coordinates cannot stand for it."},
+     "a measure; a gear ties two different ones. Rates and elastic coordinates cannot stand for it."},
     /* the scene: bodies, joints, forces */
     {"E-no-bodies", "A scene needs a body besides the ground."},
     {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},
