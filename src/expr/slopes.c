@@ -48,10 +48,12 @@ double expr_slopes(const struct expr *e, double *d, const double *slot, const in
 {
     if (n == 0) return expr_value(e, slot);
     struct number stack[EXPR_STACK + 1];
-    for (int i = 0; i < n; i += WIDE) {
+    int i = 0;
+    do {
         int m = n - i < WIDE ? n - i : WIDE;
         pass(stack, e, slot, which + i, m);
         memcpy(d + i, stack[0].d, (size_t)m * sizeof *d);
-    }
+        i += WIDE;
+    } while (i < n);
     return stack[0].x;
 }
