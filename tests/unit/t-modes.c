@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "unit/decks.h"
+#include "sim/load.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>
@@ -13,12 +13,23 @@
 
 #include <cmocka.h>
 
-static void find(struct opened *o, struct modes *m, const char *path, int nset, const char *const *set)
+struct opened {
+    struct arena *life;
+    struct scene *scene;
+    struct sim sim;
+    struct modes modes;
+};
+
+static void find(struct opened *o, const char *path, int nset, const char *const *set)
 {
-    open_path(o, path, nset, set);
-    print_wrong(o);
-    assert_int_equal(o->status, OK);
-    assert_int_equal(modes_find(m, &o->sim, o->life, &o->report), OK);
+    struct report report = {0};
+    const struct deck_options options = {.nset = nset, .set = set};
+    const struct sim_options quiet = {.version = "test"};
+    o->life = arena_open();
+    struct diags *diags = diags_open(o->life);
+    assert_int_equal(sim_load(&o->scene, path, &options, diags, o->life, &report), OK);
+    assert_int_equal(sim_open(&o->sim, o->scene, &o->scene->integrate, &quiet, diags, o->life, &report), OK);
+    assert_int_equal(modes_find(&o->modes, &o->sim, o->life, &report), OK);
 }
 
 static void near(double x, double wanted, double relative)
@@ -31,15 +42,14 @@ static void near(double x, double wanted, double relative)
 static void test_slider(void **state)
 {
     struct opened o;
-    struct modes found;
     (void)state;
-    find(&o, &found, "decks/bar-slider.yaml", 0, NULL);
-    assert_int_equal(found.n, 2);
-    near(found.mode[1].omega, sqrt(1000. / 5), 1e-6);
-    assert_true(found.mode[0].omega < 1e-3);
-    near(found.mode[1].fast, 1, 1e-6);
-    near(found.fast_top, sqrt(1000. / 5), 1e-6);
-    shut(&o);
+    find(&o, "decks/bar-slider.yaml", 0, NULL);
+    assert_int_equal(o.modes.n, 2);
+    near(o.modes.mode[1].omega, sqrt(1000. / 5), 1e-6);
+    assert_true(o.modes.mode[0].omega < 1e-3);
+    near(o.modes.mode[1].fast, 1, 1e-6);
+    near(o.modes.fast_top, sqrt(1000. / 5), 1e-6);
+    arena_close(o.life);
 }
 
 /* Two equal uniform rods hanging: with lambda = w^2 L / g, 7 lambda^2 - 42 lambda + 27 = 0, that is
@@ -48,12 +58,11 @@ static void test_double_pendulum(void **state)
 {
     static const char *const hanging[] = {"initial={pin1.angle: -1.5707963267948966}"};
     struct opened o;
-    struct modes found;
     (void)state;
-    find(&o, &found, "decks/double-pendulum.yaml", 1, hanging);
-    near(found.mode[0].omega, sqrt(9.81 * (3 - 6 / sqrt(7))), 1e-6);
-    near(found.mode[1].omega, sqrt(9.81 * (3 + 6 / sqrt(7))), 1e-6);
-    shut(&o);
+    find(&o, "decks/double-pendulum.yaml", 1, hanging);
+    near(o.modes.mode[0].omega, sqrt(9.81 * (3 - 6 / sqrt(7))), 1e-6);
+    near(o.modes.mode[1].omega, sqrt(9.81 * (3 + 6 / sqrt(7))), 1e-6);
+    arena_close(o.life);
 }
 
 /* Upright it is unstable both ways: growth rates. */
@@ -61,27 +70,25 @@ static void test_upright(void **state)
 {
     static const char *const upright[] = {"initial={pin1.angle: 1.5707963267948966}"};
     struct opened o;
-    struct modes found;
     (void)state;
-    find(&o, &found, "decks/double-pendulum.yaml", 1, upright);
-    near(found.mode[0].omega, -sqrt(9.81 * (3 + 6 / sqrt(7))), 1e-6);
-    near(found.mode[1].omega, -sqrt(9.81 * (3 - 6 / sqrt(7))), 1e-6);
-    shut(&o);
+    find(&o, "decks/double-pendulum.yaml", 1, upright);
+    near(o.modes.mode[0].omega, -sqrt(9.81 * (3 + 6 / sqrt(7))), 1e-6);
+    near(o.modes.mode[1].omega, -sqrt(9.81 * (3 - 6 / sqrt(7))), 1e-6);
+    arena_close(o.life);
 }
 
 /* The suggestion resolves what it names. */
 static void test_suggestion(void **state)
 {
     struct opened o;
-    struct modes found;
     double h;
     int ratio;
     (void)state;
-    find(&o, &found, "decks/stiff-leaf-chain.yaml", 0, NULL);
-    modes_suggest(&h, &ratio, &found, &o.sim);
-    assert_true(h * found.fast_top <= 0.1 && h * found.fast_top >= 0.04);
-    assert_true(ratio > 1 && h * ratio * found.slow_top <= 0.1 + 1e-12);
-    shut(&o);
+    find(&o, "decks/stiff-leaf-chain.yaml", 0, NULL);
+    modes_suggest(&h, &ratio, &o.modes, &o.sim);
+    assert_true(h * o.modes.fast_top <= 0.1 && h * o.modes.fast_top >= 0.04);
+    assert_true(ratio > 1 && h * ratio * o.modes.slow_top <= 0.1 + 1e-12);
+    arena_close(o.life);
 }
 
 /* A carriage of mass m1 on a spring along x of a disk that turns at W, on it a bob of mass m2 on a spring and a damper
@@ -92,7 +99,7 @@ static void test_suggestion(void **state)
  * and by the derivative of the characteristic polynomial, to first order in the damper c, the rate of decay
  *
  *     s = c (k1 - a w^2) / (2 a (k2 - m2 w^2) + 2 m2 (k1 - a w^2) + 8 W^2 m2^2). */
-static void on_disk(struct opened *o, struct modes *m, const char *speed)
+static void on_disk(struct opened *o, const char *speed)
 {
     static const char deck[] = "fmdsub: 1\n"
                                "parameters: {W: 0}\n"
@@ -114,7 +121,7 @@ static void on_disk(struct opened *o, struct modes *m, const char *speed)
     assert_true(file >= 0);
     assert_int_equal(write(file, deck, sizeof deck - 1), sizeof deck - 1);
     close(file);
-    find(o, m, path, 1, &speed);
+    find(o, path, 1, &speed);
     unlink(path);
 }
 
@@ -123,19 +130,18 @@ static void test_gyroscopic(void **state)
     (void)state;
     const double W = 7, a = 5, m = 3, k1 = 500 - a * W * W, k2 = 700 - m * W * W, c = 0.4;
     struct opened o;
-    struct modes found;
     double p = k1 / a, q = k2 / m, sum = p + q + 4 * W * W * m / a, root = sqrt(sum * sum - 4 * p * q);
-    on_disk(&o, &found, "parameters.W=7");
-    assert_int_equal(found.n, 2);
+    on_disk(&o, "parameters.W=7");
+    assert_int_equal(o.modes.n, 2);
     for (int i = 0; i < 2; i++) {
         double w2 = (sum + (i ? root : -root)) / 2, x = k1 - a * w2, y = k2 - m * w2;
         double decay = c * x / (2 * a * y + 2 * m * x + 8 * W * W * m * m);
-        near(found.mode[i].omega, sqrt(w2), 1e-7);
-        near(found.mode[i].damping, decay / sqrt(w2), 1e-6);
-        near(found.mode[i].share[0] + found.mode[i].share[1], 1, 1e-9);
+        near(o.modes.mode[i].omega, sqrt(w2), 1e-7);
+        near(o.modes.mode[i].damping, decay / sqrt(w2), 1e-6);
+        near(o.modes.mode[i].share[0] + o.modes.mode[i].share[1], 1, 1e-9);
     }
-    assert_false(found.gyroscopic_left_out);
-    shut(&o);
+    assert_false(o.modes.gyroscopic_left_out);
+    arena_close(o.life);
 }
 
 /* Faster than the weaker spring can hold it: without gyroscopic terms unstable, and it says so. */
@@ -143,12 +149,11 @@ static void test_left_out(void **state)
 {
     (void)state;
     struct opened o;
-    struct modes found;
-    on_disk(&o, &found, "parameters.W=12");
-    near(found.mode[0].omega, -sqrt(144 - 500. / 5), 1e-6);
-    near(found.mode[1].omega, sqrt(700. / 3 - 144), 1e-6);
-    assert_true(found.gyroscopic_left_out);
-    shut(&o);
+    on_disk(&o, "parameters.W=12");
+    near(o.modes.mode[0].omega, -sqrt(144 - 500. / 5), 1e-6);
+    near(o.modes.mode[1].omega, sqrt(700. / 3 - 144), 1e-6);
+    assert_true(o.modes.gyroscopic_left_out);
+    arena_close(o.life);
 }
 
 int main(void)
