@@ -39,12 +39,8 @@ const char *page_type(const struct key *k)
         return "whole number";
     case KEY_BOOL:
         return "true or false";
-    case KEY_LIST:
-        return k->words ? k->words : "[number, ...]";
     case KEY_TEXT:
         return "text";
-    case KEY_EXPR:
-        return "expression";
     default:
         return k->words;
     }

@@ -191,24 +191,6 @@ int read_vector(double *x, int n, const struct node *list, const char *what, str
     return errors != 0;
 }
 
-static int read_numbers(struct key_list *out, const struct node *list, const struct key *key, struct reader *rd)
-{
-    struct arena *arena = rd->deck->arena;
-    int errors = 0, lo = key->nmin, hi = key->nmax;
-    if (list->told) return 1;
-    if (list->type != NODE_LIST) return wrong_type(list, NULL, "a list of numbers", rd);
-    if (list->count < lo || (hi && list->count > hi)) {
-        const char *expected = lo == hi  ? arena_print(arena, "%d number%s", lo, lo == 1 ? "" : "s")
-                               : hi == 0 ? arena_print(arena, "at least %d numbers", lo)
-                                         : arena_print(arena, "%d to %d numbers", lo, hi);
-        return wrong_count(list, NULL, expected, rd);
-    }
-    double *x = TAKE(arena, double, list->count);
-    for (int i = 0; i < list->count; i++) errors += read_number(&x[i], list->item[i], key, rd);
-    if (!errors) *out = (struct key_list){list->count, x};
-    return errors != 0;
-}
-
 void read_unknown(const struct node *n, enum diag_at at, const char *code, const char *what, const char *name,
                   const char *const *words, int nwords, struct reader *rd)
 {
@@ -230,14 +212,8 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
         return read_bool(member, n, rd);
     case KEY_WORD:
         return read_word(member, n, key->words, rd);
-    case KEY_LIST:
-        return read_numbers(member, n, key, rd);
     case KEY_TEXT:
         return read_text(member, n, NULL, rd);
-    case KEY_EXPR:
-        if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, NULL, "a number or an expression", rd);
-        ((struct node *)n)->formula = true;
-        break;
     case KEY_NODE:
         break;
     }
@@ -249,15 +225,7 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
 static const struct node *imply(const struct key *key, const struct node *map, struct reader *rd)
 {
     struct pool *pool = &rd->deck->pool;
-    struct node *n;
-    if (*key->fallback == '[' || *key->fallback == '{') {
-        const struct source *s = source_of("default", key->fallback, strlen(key->fallback), rd->deck->arena);
-        n = tree_parse(pool, rd->diags, diags_add_source(rd->diags, s), 0);
-        if (!n) return NULL;
-        n->scope = map->scope;
-    } else {
-        n = pool_scalar(pool, key->fallback, map);
-    }
+    struct node *n = pool_scalar(pool, key->fallback, map);
     n->key = key->name;
     n->implied = true;
     tree_append(pool, (struct node *)map, n);
