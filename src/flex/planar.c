@@ -173,6 +173,17 @@ static double core_kinetic(const struct flex_planar *k, const struct flex_planar
     return .5 * (k->m_inv * (px * px + py * py) + k->j_inv * (x * x + y * y) + T);
 }
 
+static void core_momentum(double *P, double *L, const struct flex_planar *k, const struct flex_planar_core *o,
+                          const double *v, double w, const double *q1)
+{
+    const int n = k->n;
+    const double x = dot(o->E, q1, n) - w * o->tau, y = dot(o->C, q1, n) + w * o->rho;
+    P[0] = k->mass * v[0] - w * o->h[1] + dot(o->Hx, q1, n);
+    P[1] = k->mass * v[1] + w * o->h[0] + dot(o->Hy, q1, n);
+    *L = k->m_inv * (o->h[0] * P[1] - o->h[1] * P[0]) + k->j_inv * (o->rho * y - o->tau * x) + o->rest * w +
+         dot(k->rpsi, q1, n) + dot(o->P, q1, n);
+}
+
 /* --- the mean frame ----------------------------------------------------------------------------- */
 
 static inline void turn2(double *y, const double *cs, const double *x)
@@ -218,12 +229,29 @@ void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_plan
     *N += d[0] * F[1] - d[1] * F[0];
 }
 
+/* Velocity of the mean frame's origin in its own axes, where the frame turns against it by t1 = Theta q'. */
+static void carry_velocity(double *vi, const struct flex_planar_shape *o, const double *v, double w, double t1)
+{
+    turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
+}
+
+void flex_planar_momentum(double *P, double *L, const struct flex_planar *k, const struct flex_planar_shape *o,
+                          const double *v, double w, const double *q1)
+{
+    const double t1 = dot(k->mean, q1, k->n);
+    double vi[2], Pi[2];
+    carry_velocity(vi, o, v, w, t1);
+    core_momentum(Pi, L, k, &o->core, vi, w + t1, q1);
+    turn2(P, o->cs, Pi);
+    *L += o->d[0] * P[1] - o->d[1] * P[0];
+}
+
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1)
 {
     const double t1 = dot(k->mean, q1, k->n);
     double vi[2];
-    turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
+    carry_velocity(vi, o, v, w, t1);
     return core_kinetic(k, &o->core, vi, w + t1, q1);
 }
 

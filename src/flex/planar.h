@@ -70,6 +70,9 @@ void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_plan
 /* Q += K q + D q' */
 void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q, const double *q1);
 
+/* Momentum P = dT/dv [2] and angular momentum about the origin dT/dw. */
+void flex_planar_momentum(double *P, double *L, const struct flex_planar *k, const struct flex_planar_shape *o,
+                          const double *v, double w, const double *q1);
 /* T for v of the origin, w, q' [J]. */
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1);

@@ -389,4 +389,7 @@ const struct sweep_ops sweep_planar = {.build = build,
                                        .factor = planar_factor,
                                        .solve = planar_solve,
                                        .energy = energy,
-                                       .reaction = reaction};
+                                       .reaction = reaction,
+                                       .momentum = planar_momentum,
+                                       .inertia = planar_inertia,
+                                       .hasten = planar_hasten};

@@ -363,4 +363,7 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .factor = spatial_factor,
                                         .solve = spatial_solve,
                                         .energy = spatial_energy,
-                                        .reaction = reaction};
+                                        .reaction = reaction,
+                                        .momentum = spatial_momentum,
+                                        .inertia = spatial_inertia,
+                                        .hasten = spatial_hasten};

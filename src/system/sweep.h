@@ -21,6 +21,13 @@ struct pose {
     double angle;       /* plane: rotation about z since drawn, continuous [rad] */
 };
 
+/* Some bodies as one; world axes. */
+struct bulk {
+    double m, c[3];    /* mass, centre of mass */
+    double p[3], L[3]; /* momentum; angular momentum about the centre; or the rates of both */
+    double J[6];       /* with rates: inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
+};
+
 struct sweep;
 
 struct sweep_ops {
@@ -66,6 +73,14 @@ struct sweep_ops {
      * on its child, about the joint's point on the child, world axes, [3] each, with the free directions
      * (which carry only elements along the joint's own coordinates) projected out. */
     void (*reaction)(const struct sweep *s, double *f, double *n, int joint);
+
+    /* The n bodies `body` as one, the first of them a tree's root: their momenta, at the last move() or forward(); the
+     * rates of these and their inertia, after forward() and before anything is pushed. */
+    void (*momentum)(struct sweep *s, struct bulk *o, const int *body, int n);
+    void (*inertia)(struct sweep *s, struct bulk *o, const int *body, int n);
+    /* Adds the accelerations of one rigid motion, a of the point c and al, to these bodies, between forward() and
+     * backward(): to what they need, not to what other functions know of their motion. */
+    void (*hasten)(struct sweep *s, const int *body, int n, const double *c, const double *a, const double *al);
 };
 
 extern const struct sweep_ops sweep_planar, sweep_spatial;
