@@ -110,7 +110,7 @@ static void accept(struct midpoint *m, struct stepper *s, struct state *x, doubl
     s->last_sweeps += m->newton.count;
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->h * m->w[c];
     place(m, m->a);
-    if (m->ode->settle) m->ode->settle(m->ode, m->q1, &m->x);
+    if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
     copy(m->aold, x->a, n);
     copy(x->a, m->a, n);
     copy(x->q, m->q1, m->ode->nq);

@@ -138,7 +138,7 @@ void condense_gather(struct condense *o, double *r, double *w, const double *rt)
 /* w += power of the drives, with the multipliers in component->x */
 void component_power(const struct condense *o, const struct component *c, double *w);
 /* As ode2 has it, where the tree has one. */
-void condense_settle(const struct ode2 *ode, double *q1, const struct instant *x);
+void condense_settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x);
 /* E_NUMERIC where a dropped row no longer holds, at the posture looked at. */
 enum status condense_contest(struct condense *o, double t, struct trouble *why);
 /* As ode2_breaks has it. */

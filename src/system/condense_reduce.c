@@ -45,12 +45,14 @@ static enum status look_at_ends(struct condense *o, struct instant *whole, const
     return OK;
 }
 
-void condense_settle(const struct ode2 *ode, double *q1, const struct instant *x)
+void condense_settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x)
 {
     struct condense *o = ode->self;
     struct instant whole = *x;
     struct trouble why;
-    if (look_at_ends(o, &whole, x, &why) == OK) o->tree->settle(o->tree, q1, &whole);
+    if (look_at_ends(o, &whole, x, &why) != OK) return;
+    o->tree->settle(o->tree, q1, o->vb, &whole);
+    for (int i = 0; i < ode->n; i++) v1[i] = o->vb[o->ind[i]];
 }
 
 static enum status resid_there(struct condense *o, double *r, double *w, double *dk, const struct instant *x,

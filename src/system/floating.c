@@ -7,6 +7,8 @@
 #include "la/dense.h"
 #include "la/vec3.h"
 
+static const double FADES = 1e-8; /* kinetic energy of motion against the whole, over all about the centre */
+
 /* --- what floats -------------------------------------------------------------------------------- */
 
 static bool travels(const struct model *m, const struct model_joint *j)
@@ -29,11 +31,6 @@ static bool is_tied(const struct model *m, const int *root, int body)
     return false;
 }
 
-static bool has_mass(const struct model_body *b)
-{
-    return !b->at_node && (b->flex || b->mass > 0 || b->inertia[2] > 0);
-}
-
 /* One body held in its centre. */
 static bool is_plain(const struct model *m, const struct floater *f)
 {
@@ -46,7 +43,7 @@ static void list(struct floater *f, const struct model *m, const int *root, int 
     f->n = 0;
     f->body = TAKE(life, int, m->nbody);
     for (int i = body; i < m->nbody; i++)
-        if (root[i] == body && (i == body || has_mass(&m->body[i]))) f->body[f->n++] = i;
+        if (root[i] == body) f->body[f->n++] = i;
 }
 
 /* A sweep whose FAST bodies are those that float. */
@@ -64,33 +61,64 @@ static struct sweep *build_there(const struct floating *o, const struct model *m
     return o->ops->build(copy, life);
 }
 
-/* Directions in which the displacements of its root move it. */
-static void find_travel(struct floating *o, struct floater *f, const struct model *m)
+/* The root's velocities, and how its displacements move it. */
+static void find_root(struct floating *o, struct floater *f)
 {
+    const struct model *m = o->model;
     const struct model_joint *j = &m->joint[m->body[f->body[0]].joint];
-    f->ntravel = m->space;
-    f->travel = j->iq;
-    for (int k = 0; k < f->ntravel; k++) {
+    f->nv = j->nv;
+    f->nslide = m->space;
+    f->slide = j->iq;
+    f->iv = j->iv;
+    v3_copy(f->hung, m->body[0].at);
+    m3_mul_add(f->hung, m->body[0].R, j->a);
+    for (int k = 0; k < f->nslide; k++) {
         double w[3];
-        o->ops->partial(o->there, f->e[k], w, f->body[0], m->body[f->body[0]].at, j->iv[k]);
+        o->ops->partial(o->there, f->e[k], w, f->body[0], f->hung, j->iv[k]);
     }
+}
+
+/* One of the two bodies floats with f, the other does not. */
+static bool parts(const struct floater *f, const int *root, int a, int b)
+{
+    return (root[a] == f->body[0]) != (root[b] == f->body[0]);
+}
+
+static bool is_from_outside(const struct model_force *force, const struct model *m, const struct floater *f,
+                            const int *root)
+{
+    const struct model_measure *s = &m->measure[force->measure];
+    if (force->type == FORCE_LOAD) return root[force->b.body] == f->body[0];
+    if (force->type == FORCE_BUSHING) return parts(f, root, force->a.body, force->b.body);
+    if (s->type != MEASURE_COORDINATE) return parts(f, root, s->a.body, s->b.body);
+    for (int k = 0; k < f->nv; k++)
+        if (s->iv == f->iv[k]) return true;
+    return false;
+}
+
+static bool is_alone(const struct model *m, const struct floater *f, const int *root)
+{
+    for (int i = 0; i < m->nforce; i++)
+        if (is_from_outside(&m->force[i], m, f, root)) return false;
+    return true;
 }
 
 static void take_memory(struct floating *o, struct arena *life)
 {
     for (int i = 0; i < 2; i++) {
-        o->q[i] = TAKE(life, double, o->nq);
-        o->v[i] = TAKE(life, double, o->nv);
+        o->q[i] = TAKE(life, double, o->model->nq);
+        o->v[i] = TAKE(life, double, o->model->n);
     }
-    o->try = TAKE(life, double, o->nq);
-    o->at = TAKE(life, double, o->nq);
-    o->to = TAKE(life, double, o->nq);
+    o->try = TAKE(life, double, o->model->nq);
+    o->at = TAKE(life, double, o->model->nq);
+    o->to = TAKE(life, double, o->model->nq);
+    o->moving = TAKE(life, double, o->model->n);
 }
 
 void floating_build(struct floating *o, const struct model *m, const struct sweep_ops *ops, struct arena *life)
 {
     int *root = TAKE(life, int, m->nbody);
-    *o = (struct floating){.ops = ops, .nq = m->nq, .nv = m->n, .part = TAKE(life, struct floater, m->nbody)};
+    *o = (struct floating){.model = m, .ops = ops, .part = TAKE(life, struct floater, m->nbody)};
     for (int i = 1; i < m->nbody; i++) root[i] = m->body[i].parent == 0 ? i : root[m->body[i].parent];
     for (int i = 1; i < m->nbody; i++) {
         if (!travels(m, &m->joint[m->body[i].joint]) || is_tied(m, root, i)) continue;
@@ -100,7 +128,11 @@ void floating_build(struct floating *o, const struct model *m, const struct swee
     if (o->n == 0) return;
     o->there = build_there(o, m, root, life);
     ops->move(o->there, m->q0, m->v0, FAST);
-    for (int i = 0; i < o->n; i++) find_travel(o, &o->part[i], m);
+    o->stands = -1;
+    for (int i = 0; i < o->n; i++) {
+        find_root(o, &o->part[i]);
+        o->part[i].alone = is_alone(m, &o->part[i], root);
+    }
     take_memory(o, life);
 }
 
@@ -108,29 +140,35 @@ void floating_build(struct floating *o, const struct model *m, const struct swee
 
 static bool is_at(const struct floating *o, int end, const double *v)
 {
-    return o->known[end] && memcmp(o->q[end], o->try, sizeof *v * (size_t)o->nq) == 0 &&
-           memcmp(o->v[end], v, sizeof *v * (size_t)o->nv) == 0;
+    return o->known[end] && memcmp(o->q[end], o->try, sizeof *v * (size_t)o->model->nq) == 0 &&
+           memcmp(o->v[end], v, sizeof *v * (size_t)o->model->n) == 0;
+}
+
+static void stand(struct floating *o, int end)
+{
+    if (o->stands != end) o->ops->move(o->there, o->q[end], o->v[end], FAST);
+    o->stands = end;
 }
 
 /* Momenta at q, v; a step starts where the last one has ended. */
 static void look(struct floating *o, int end, const double *q, const double *v)
 {
-    memcpy(o->try, q, sizeof *q * (size_t)o->nq);
+    memcpy(o->try, q, sizeof *q * (size_t)o->model->nq);
     for (int i = 0; i < o->n; i++)
-        for (int k = 0; k < o->part[i].ntravel; k++) o->try[o->part[i].travel[k]] = 0;
+        for (int k = 0; k < o->part[i].nslide; k++) o->try[o->part[i].slide[k]] = 0;
     if (is_at(o, end, v)) return;
     const bool same = is_at(o, 1 - end, v);
-    memcpy(o->q[end], o->try, sizeof *q * (size_t)o->nq);
-    memcpy(o->v[end], v, sizeof *v * (size_t)o->nv);
-    if (!same) o->ops->move(o->there, o->try, v, FAST);
+    memcpy(o->q[end], o->try, sizeof *q * (size_t)o->model->nq);
+    memcpy(o->v[end], v, sizeof *v * (size_t)o->model->n);
+    o->known[end] = true;
+    o->stands = -1;
+    for (int i = 0; same && i < o->n; i++) o->part[i].end[end] = o->part[i].end[1 - end];
+    if (same) return;
+    stand(o, end);
     for (int i = 0; i < o->n; i++) {
         struct floater *f = &o->part[i];
-        if (same)
-            f->end[end] = f->end[1 - end];
-        else
-            o->ops->momentum(o->there, &f->end[end], f->body, f->n);
+        o->ops->momentum(o->there, &f->end[end], f->body, f->n);
     }
-    o->known[end] = true;
 }
 
 static void look_at_ends(struct floating *o, const struct instant *x)
@@ -144,7 +182,7 @@ static void look_at_ends(struct floating *o, const struct instant *x)
 static void centre(double *c, const struct floater *f, int end, const double *q)
 {
     v3_copy(c, f->end[end].c);
-    for (int k = 0; k < f->ntravel; k++) v3_axpy(c, q[f->travel[k]], f->e[k]);
+    for (int k = 0; k < f->nslide; k++) v3_axpy(c, q[f->slide[k]], f->e[k]);
 }
 
 /* How far c_a + h (p_a + p_b)/(2 m) is from the centre at qb. */
@@ -159,32 +197,22 @@ static void left_behind(double *d, const struct floater *f, const struct instant
     v3_take(d, c);
 }
 
-static void travel(double *q, const struct floater *f, double s, const double *d)
+static void slide(double *q, const struct floater *f, double s, const double *d)
 {
-    for (int k = 0; k < f->ntravel; k++) q[f->travel[k]] += s * v3_dot(f->e[k], d);
+    for (int k = 0; k < f->nslide; k++) q[f->slide[k]] += s * v3_dot(f->e[k], d);
 }
 
 void floating_place(struct floating *o, struct instant *settled, const struct instant *x)
 {
     look_at_ends(o, x);
     *settled = *x;
-    settled->q = memcpy(o->at, x->q, sizeof *o->at * (size_t)o->nq);
-    settled->qb = memcpy(o->to, x->qb, sizeof *o->to * (size_t)o->nq);
+    settled->q = memcpy(o->at, x->q, sizeof *o->at * (size_t)o->model->nq);
+    settled->qb = memcpy(o->to, x->qb, sizeof *o->to * (size_t)o->model->nq);
     for (int i = 0; i < o->n; i++) {
         double d[3];
         left_behind(d, &o->part[i], x);
-        travel(o->at, &o->part[i], .5, d);
-        travel(o->to, &o->part[i], 1, d);
-    }
-}
-
-void floating_settle(struct floating *o, double *q1, const struct instant *x)
-{
-    look_at_ends(o, x);
-    for (int i = 0; i < o->n; i++) {
-        double d[3];
-        left_behind(d, &o->part[i], x);
-        travel(q1, &o->part[i], 1, d);
+        slide(o->at, &o->part[i], .5, d);
+        slide(o->to, &o->part[i], 1, d);
     }
 }
 
@@ -200,20 +228,89 @@ static void solve(double *x, const double *J)
         dense_cholesky_solve(A, x, 3, 3);
 }
 
-void floating_balance(struct floating *o, struct sweep *s, const struct instant *x)
+/* The factor of the motion against the whole, of kinetic energy T_rel, by which the energy comes right; it fades where
+ * there is hardly any such motion, and nothing to come right. */
+static double stretch(double missing, double T_rel, double T)
 {
-    const double per = 1 / (x->tb - x->ta);
+    const double least = FADES * T;
+    return T > 0 ? missing * 2 * T_rel / (4 * T_rel * T_rel + least * least) : 0;
+}
+
+/* What is missing from now to the change from a to b, per unit time. */
+static void find_change(struct change *o, const struct bulk *now, const struct drag *has, const struct floater *f,
+                        double per)
+{
+    const struct bulk *a = &f->end[0], *b = &f->end[1];
+    double w[3];
+    for (int k = 0; k < 3; k++) {
+        o->dv[k] = (.5 * (a->p[k] + b->p[k]) - now->p[k]) / now->m;
+        o->a[k] = (per * (b->p[k] - a->p[k]) - has->F[k]) / now->m;
+        o->al[k] = per * (b->L[k] - a->L[k]) - has->N[k];
+        w[k] = now->L[k];
+    }
+    solve(o->al, now->J);
+    solve(w, now->J);
+    const double missing = per * (b->T - a->T) - has->W - v3_dot(o->al, now->L);
+    o->k = stretch(missing, now->T - .5 * v3_dot(w, now->L), now->T);
+    v3_axpy(o->al, -o->k, w);
+}
+
+void floating_balance(struct floating *o, struct sweep *s, struct instant *x)
+{
+    double *v = memcpy(o->moving, x->v, sizeof *v * (size_t)o->model->n);
+    x->v = v;
     for (int i = 0; i < o->n; i++) {
         const struct floater *f = &o->part[i];
-        const struct bulk *a = &f->end[0], *b = &f->end[1];
         struct bulk now;
-        double da[3], al[3];
-        o->ops->inertia(s, &now, f->body, f->n);
-        for (int k = 0; k < 3; k++) {
-            da[k] = (per * (b->p[k] - a->p[k]) - now.p[k]) / now.m;
-            al[k] = per * (b->L[k] - a->L[k]) - now.L[k];
-        }
-        solve(al, now.J);
-        o->ops->hasten(s, f->body, f->n, now.c, da, al);
+        struct drag has;
+        struct change change;
+        o->ops->momentum(s, &now, f->body, f->n);
+        o->ops->inertia(s, &has, &now, f->body, f->n);
+        find_change(&change, &now, &has, f, 1 / (x->tb - x->ta));
+        o->ops->hasten(s, &change, &now, f->body, f->n);
+        for (int k = 0; k < f->nslide; k++) v[f->iv[k]] += v3_dot(f->e[k], change.dv);
     }
+}
+
+/* Velocities of the root for the velocity dv of the centre, and for turning by w about it; stands at end 1. */
+static void push_root(const struct floating *o, double *v, const struct floater *f, const double *dv, const double *w)
+{
+    double arm[3], d[3];
+    v3_diff(arm, f->hung, f->end[1].c);
+    v3_copy(d, dv);
+    v3_cross_add(d, w, arm);
+    for (int k = 0; k < f->nv; k++) {
+        double x[3], axis[3];
+        o->ops->partial(o->there, x, axis, f->body[0], f->hung, f->iv[k]);
+        v[f->iv[k]] += k < f->nslide ? v3_dot(f->e[k], d) : v3_dot(axis, w);
+    }
+}
+
+/* p_b = p_a + h m g, L_b = L_a: what the iteration has left of that is far below what the step is good for. */
+static void finish(struct floating *o, double *v1, struct floater *f, double h)
+{
+    struct bulk *a = &f->end[0], *b = &f->end[1];
+    double dv[3], w[3];
+    for (int k = 0; k < 3; k++) {
+        dv[k] = (a->p[k] - b->p[k]) / b->m + h * o->model->gravity[k];
+        w[k] = a->L[k] - b->L[k];
+    }
+    solve(w, b->J);
+    if (!isfinite(dv[0] + dv[1] + dv[2] + w[0] + w[1] + w[2])) return;
+    push_root(o, v1, f, dv, w);
+    v3_axpy(b->p, b->m, dv);
+}
+
+void floating_settle(struct floating *o, double *q1, double *v1, const struct instant *x)
+{
+    look_at_ends(o, x);
+    stand(o, 1);
+    for (int i = 0; i < o->n; i++) {
+        struct floater *f = &o->part[i];
+        double d[3];
+        if (f->alone) finish(o, v1, f, x->tb - x->ta);
+        left_behind(d, f, x);
+        slide(q1, f, 1, d);
+    }
+    o->known[1] = false;
 }

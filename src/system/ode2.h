@@ -31,7 +31,7 @@ struct instant {
     const double *v, *a;   /* [n]; a NULL: zero */
     const double *qa, *qb; /* [nq] ends of the interval, for discrete gradients; NULL: point law */
     const double *va, *vb; /* [n] velocities at the ends, where v is their mean and a their difference over tb - ta;
-                            * NULL: not such an interval.  Read where there is a settle() only: see there */
+                            * NULL: not such an interval.  Read where there is a settle(), see there */
     double ta, tb;         /* [s] times of the ends: drives move by their means over it; equal: as they are at t */
 };
 
@@ -100,9 +100,6 @@ struct ode2_breaks {
     double (*corner)(const struct ode2 *o, double ta, double tb);
 };
 
-/* A system of which something flies freely.  Where va and vb are given, resid(ALL) takes the change of its momenta from
- * end to end, so that a step keeps them; its centre of mass then is not quite where point() has put it, and settle(),
- * at the end of the step, moves q1 = x->qb there.  resid() knows of that. */
 struct ode2 {
     int n;    /* independent velocities */
     int ns;   /* of these fast, the first ns */
@@ -113,8 +110,12 @@ struct ode2 {
     const struct ode2_direct *direct;
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;
-    void (*settle)(const struct ode2 *o, double *q1, const struct instant *x); /* optional */
-    void *self;                                                                /* the owner's */
+    /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
+     * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
+     * it: at the end of a step settle() moves q1, which is x->qb, there, and v1, x->vb, by what is left of the
+     * residual. */
+    void (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x);
+    void *self; /* the owner's */
 };
 
 #endif

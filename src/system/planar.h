@@ -83,7 +83,7 @@ size_t planar_factor_size(const struct sweep *s);
 int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void planar_solve(const struct sweep *s, const void *F, double *x);
 void planar_momentum(struct sweep *s, struct bulk *o, const int *body, int n);
-void planar_inertia(struct sweep *s, struct bulk *o, const int *body, int n);
-void planar_hasten(struct sweep *s, const int *body, int n, const double *c, const double *a, const double *al);
+void planar_inertia(struct sweep *s, struct drag *o, const struct bulk *now, const int *body, int n);
+void planar_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 
 #endif

@@ -24,8 +24,20 @@ struct pose {
 /* Some bodies as one; world axes. */
 struct bulk {
     double m, c[3];    /* mass, centre of mass */
-    double p[3], L[3]; /* momentum; angular momentum about the centre; or the rates of both */
-    double J[6];       /* with rates: inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
+    double p[3], L[3]; /* momentum, angular momentum about the centre */
+    double J[6];       /* inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
+    double T;          /* kinetic energy in the motion about the centre: without p.p/(2 m) */
+};
+
+/* What their inertia takes: force, moment about the centre, power in the motion about it. */
+struct drag {
+    double F[3], N[3], W;
+};
+
+/* A change of their motion: the velocity dv of all of them; accelerations a + al x (r - c) + k v, al + k w, k q', with
+ * velocities v against that of the centre. */
+struct change {
+    double dv[3], a[3], al[3], k;
 };
 
 struct sweep;
@@ -74,13 +86,12 @@ struct sweep_ops {
      * (which carry only elements along the joint's own coordinates) projected out. */
     void (*reaction)(const struct sweep *s, double *f, double *n, int joint);
 
-    /* The n bodies `body` as one, the first of them a tree's root: their momenta, at the last move() or forward(); the
-     * rates of these and their inertia, after forward() and before anything is pushed. */
+    /* The n bodies `body` as one, the first of them a tree's root: at the last move() or forward(); what their inertia
+     * takes, after forward() and before anything is pushed. */
     void (*momentum)(struct sweep *s, struct bulk *o, const int *body, int n);
-    void (*inertia)(struct sweep *s, struct bulk *o, const int *body, int n);
-    /* Adds the accelerations of one rigid motion, a of the point c and al, to these bodies, between forward() and
-     * backward(): to what they need, not to what other functions know of their motion. */
-    void (*hasten)(struct sweep *s, const int *body, int n, const double *c, const double *a, const double *al);
+    void (*inertia)(struct sweep *s, struct drag *o, const struct bulk *now, const int *body, int n);
+    /* Changes their motion between forward() and backward(): velocities, and for the accelerations what they need. */
+    void (*hasten)(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 };
 
 extern const struct sweep_ops sweep_planar, sweep_spatial;

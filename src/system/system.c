@@ -97,7 +97,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
     if (dk) *dk = 0;
     s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, rate);
-    if (balanced) floating_balance(&s->floating, s->work, x);
+    if (balanced) floating_balance(&s->floating, s->work, &settled);
     elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
     if (w && s->elastic.n) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
     s->ops->backward(s->work, r, rate);
@@ -153,9 +153,9 @@ static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, co
 
 static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
 
-static void settle(const struct ode2 *o, double *q1, const struct instant *x)
+static void settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x)
 {
-    floating_settle(&system_of(o)->floating, q1, x);
+    floating_settle(&system_of(o)->floating, q1, v1, x);
 }
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
