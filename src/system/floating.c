@@ -7,7 +7,8 @@
 #include "la/dense.h"
 #include "la/vec3.h"
 
-static const double FADES = 1e-8; /* kinetic energy of motion against the whole, over all about the centre */
+static const double FADES = 1e-8; /* what is left of T there, which is good to 16 digits */
+static const double MOST = .1; /* of the motion of the bodies against the whole may change in a step for the energy */
 
 /* --- what floats -------------------------------------------------------------------------------- */
 
@@ -228,19 +229,22 @@ static void solve(double *x, const double *J)
         dense_cholesky_solve(A, x, 3, 3);
 }
 
-/* The factor of the motion against the whole, of kinetic energy T_rel, by which the energy comes right; it fades where
- * there is hardly any such motion, and nothing to come right. */
-static double stretch(double missing, double T_rel, double T)
+/* The rate at which motion against the whole, of kinetic energy T_rel, must grow for the energy `missing` per unit
+ * time. Both vanish with that motion; where it turns round within a step they say little of each other, and where it is
+ * hardly there round-off of T says nothing. */
+static double stretch(double missing, double T_rel, double T, double h)
 {
-    const double least = FADES * T;
-    return T > 0 ? missing * 2 * T_rel / (4 * T_rel * T_rel + least * least) : 0;
+    const double least = FADES * T, twice = 2 * T_rel, size = twice * twice + least * least;
+    const double k = size > 0 ? missing * twice / size : 0, much = MOST / (h * k);
+    return fabs(much) < 1 ? k * much * much : k;
 }
 
 /* What is missing from now to the change from a to b, per unit time. */
 static void find_change(struct change *o, const struct bulk *now, const struct drag *has, const struct floater *f,
-                        double per)
+                        double h)
 {
     const struct bulk *a = &f->end[0], *b = &f->end[1];
+    const double per = 1 / h;
     double w[3];
     for (int k = 0; k < 3; k++) {
         o->dv[k] = (.5 * (a->p[k] + b->p[k]) - now->p[k]) / now->m;
@@ -251,7 +255,7 @@ static void find_change(struct change *o, const struct bulk *now, const struct d
     solve(o->al, now->J);
     solve(w, now->J);
     const double missing = per * (b->T - a->T) - has->W - v3_dot(o->al, now->L);
-    o->k = stretch(missing, now->T - .5 * v3_dot(w, now->L), now->T);
+    o->k = stretch(missing, now->T - .5 * v3_dot(w, now->L), now->T, h);
     v3_axpy(o->al, -o->k, w);
 }
 
@@ -266,7 +270,7 @@ void floating_balance(struct floating *o, struct sweep *s, struct instant *x)
         struct change change;
         o->ops->momentum(s, &now, f->body, f->n);
         o->ops->inertia(s, &has, &now, f->body, f->n);
-        find_change(&change, &now, &has, f, 1 / (x->tb - x->ta));
+        find_change(&change, &now, &has, f, x->tb - x->ta);
         o->ops->hasten(s, &change, &now, f->body, f->n);
         for (int k = 0; k < f->nslide; k++) v[f->iv[k]] += v3_dot(f->e[k], change.dv);
     }
