@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "la/dense.h"
 #include "la/vec3.h"
 
 static const double FADES = 1e-8; /* what is left of T there, which is good to 16 digits */
@@ -168,7 +167,7 @@ static void look(struct floating *o, int end, const double *q, const double *v)
     stand(o, end);
     for (int i = 0; i < o->n; i++) {
         struct floater *f = &o->part[i];
-        o->ops->momentum(o->there, &f->end[end], f->body, f->n);
+        o->ops->gather(o->there, &f->end[end], f->body, f->n, BULK_MOTION);
     }
 }
 
@@ -219,14 +218,14 @@ void floating_place(struct floating *o, struct instant *settled, const struct in
 
 /* --- the balances ------------------------------------------------------------------------------- */
 
-/* x := J^-1 x; NAN where J is singular: nothing turns about an axis then. */
-static void solve(double *x, const double *J)
+/* A := J^-1; NAN where J is singular: nothing turns about an axis then. */
+static void invert(double *A, const double *J)
 {
-    double A[9] = {J[0], J[3], J[4], J[3], J[1], J[5], J[4], J[5], J[2]};
-    if (dense_cholesky(A, 3, 3) >= 0)
-        v3_set(x, NAN, NAN, NAN);
-    else
-        dense_cholesky_solve(A, x, 3, 3);
+    const double xx = J[0], yy = J[1], zz = J[2], xy = J[3], xz = J[4], yz = J[5];
+    const double C[6] = {yy * zz - yz * yz, xx * zz - xz * xz, xx * yy - xy * xy,
+                         xz * yz - xy * zz, xy * yz - xz * yy, xy * xz - xx * yz};
+    const double det = xx * C[0] + xy * C[3] + xz * C[4];
+    for (int i = 0; i < 6; i++) A[i] = C[i] / det;
 }
 
 /* The rate at which motion against the whole, of kinetic energy T_rel, must grow for the energy `missing` per unit
@@ -240,21 +239,20 @@ static double stretch(double missing, double T_rel, double T, double h)
 }
 
 /* What is missing from now to the change from a to b, per unit time. */
-static void find_change(struct change *o, const struct bulk *now, const struct drag *has, const struct floater *f,
-                        double h)
+static void find_change(struct change *o, const struct bulk *now, const struct floater *f, double h)
 {
     const struct bulk *a = &f->end[0], *b = &f->end[1];
     const double per = 1 / h;
-    double w[3];
+    double Jinv[6], w[3], L[3];
     for (int k = 0; k < 3; k++) {
         o->dv[k] = (.5 * (a->p[k] + b->p[k]) - now->p[k]) / now->m;
-        o->a[k] = (per * (b->p[k] - a->p[k]) - has->F[k]) / now->m;
-        o->al[k] = per * (b->L[k] - a->L[k]) - has->N[k];
-        w[k] = now->L[k];
+        o->a[k] = (per * (b->p[k] - a->p[k]) - now->F[k]) / now->m;
+        L[k] = per * (b->L[k] - a->L[k]) - now->N[k];
     }
-    solve(o->al, now->J);
-    solve(w, now->J);
-    const double missing = per * (b->T - a->T) - has->W - v3_dot(o->al, now->L);
+    invert(Jinv, now->J);
+    s3_mul(w, Jinv, now->L);
+    s3_mul(o->al, Jinv, L);
+    const double missing = per * (b->T - a->T) - now->W - v3_dot(o->al, now->L);
     o->k = stretch(missing, now->T - .5 * v3_dot(w, now->L), now->T, h);
     v3_axpy(o->al, -o->k, w);
 }
@@ -266,11 +264,9 @@ void floating_balance(struct floating *o, struct sweep *s, struct instant *x)
     for (int i = 0; i < o->n; i++) {
         const struct floater *f = &o->part[i];
         struct bulk now;
-        struct drag has;
         struct change change;
-        o->ops->momentum(s, &now, f->body, f->n);
-        o->ops->inertia(s, &has, &now, f->body, f->n);
-        find_change(&change, &now, &has, f, x->tb - x->ta);
+        o->ops->gather(s, &now, f->body, f->n, BULK_FORCES);
+        find_change(&change, &now, f, x->tb - x->ta);
         o->ops->hasten(s, &change, &now, f->body, f->n);
         for (int k = 0; k < f->nslide; k++) v[f->iv[k]] += v3_dot(f->e[k], change.dv);
     }
@@ -293,14 +289,15 @@ static void push_root(const struct floating *o, double *v, const struct floater 
 /* p_b = p_a + h m g, L_b = L_a: what the iteration has left of that is far below what the step is good for. */
 static void finish(struct floating *o, double *v1, struct floater *f, double h)
 {
-    struct bulk *a = &f->end[0], *b = &f->end[1];
-    double dv[3], w[3];
-    for (int k = 0; k < 3; k++) {
-        dv[k] = (a->p[k] - b->p[k]) / b->m + h * o->model->gravity[k];
-        w[k] = a->L[k] - b->L[k];
-    }
-    solve(w, b->J);
-    if (!isfinite(dv[0] + dv[1] + dv[2] + w[0] + w[1] + w[2])) return;
+    const struct bulk *a = &f->end[0];
+    struct bulk *b = &f->end[1];
+    double dv[3], dL[3], w[3], Jinv[6];
+    o->ops->gather(o->there, b, f->body, f->n, BULK_INERTIA);
+    for (int k = 0; k < 3; k++) dv[k] = (a->p[k] - b->p[k]) / b->m + h * o->model->gravity[k];
+    v3_diff(dL, a->L, b->L);
+    invert(Jinv, b->J);
+    s3_mul(w, Jinv, dL);
+    if (!isfinite(v3_dot(dv, dv) + v3_dot(w, w))) return;
     push_root(o, v1, f, dv, w);
     v3_axpy(b->p, b->m, dv);
 }
@@ -312,9 +309,11 @@ void floating_settle(struct floating *o, double *q1, double *v1, const struct in
     for (int i = 0; i < o->n; i++) {
         struct floater *f = &o->part[i];
         double d[3];
-        if (f->alone) finish(o, v1, f, x->tb - x->ta);
+        if (f->alone) {
+            finish(o, v1, f, x->tb - x->ta);
+            o->known[1] = false;
+        }
         left_behind(d, f, x);
         slide(q1, f, 1, d);
     }
-    o->known[1] = false;
 }

@@ -390,6 +390,5 @@ const struct sweep_ops sweep_planar = {.build = build,
                                        .solve = planar_solve,
                                        .energy = energy,
                                        .reaction = reaction,
-                                       .momentum = planar_momentum,
-                                       .inertia = planar_inertia,
+                                       .gather = planar_gather,
                                        .hasten = planar_hasten};

@@ -364,6 +364,5 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .solve = spatial_solve,
                                         .energy = spatial_energy,
                                         .reaction = reaction,
-                                        .momentum = spatial_momentum,
-                                        .inertia = spatial_inertia,
+                                        .gather = spatial_gather,
                                         .hasten = spatial_hasten};

@@ -193,8 +193,7 @@ void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
 int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void spatial_solve(const struct sweep *s, const void *F, double *x);
-void spatial_momentum(struct sweep *s, struct bulk *o, const int *body, int n);
-void spatial_inertia(struct sweep *s, struct drag *o, const struct bulk *now, const int *body, int n);
+void spatial_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what);
 void spatial_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 
 #endif

@@ -5,9 +5,12 @@
  *
  *     S = sum m d + h,   P = sum m u,   L = sum (d x m u + I w),   2 T = sum (m u.u + w.I w)
  *     J = sum (I + m (d.d 1 - d d') + 2 d.h 1 - d h' - h d')
- *     centre c = o + S/m,   momentum m v_o + P;   about the centre L - S x P/m,   J - (S.S 1 - S S')/m,   2 T - P.P/m
+ *     F = sum F,   N = sum (d x F + N),   W = sum (u.F + w.N + q'.Q)
+ *     centre c = o + S/m,   momentum m v_o + P;   about the centre L - S x P/m,   J - (S.S 1 - S S')/m,   2 T - P.P/m,
+ *     N - S x F/m,   W - P.F/m
  *
- * h is the first moment of a flexible body about its frame; it has its P, L, I and T from its own kinetic energy. */
+ * h is the first moment of a flexible body about its frame; it has its P, L, I and T from its own kinetic energy, and Q
+ * without stiffness and damping.  Gravity, which is in the accelerations, has no moment about the centre. */
 #include "la/dense.h"
 #include "system/spatial.h"
 
@@ -23,83 +26,56 @@ static inline void add_arms(double *J, double m, const double *x, const double *
     J[5] -= m / 2 * (x[1] * y[2] + x[2] * y[1]);
 }
 
-/* One body about its own frame, world axes. */
-struct share {
-    double m, h[3], p[3], L[3], J[6], T;
-};
-
-static void share_of_flexible(struct share *o, struct flexible *f, const double *u, const double *world_w)
+static inline void add_momenta(struct bulk *o, const double *p, const double *L, const double *d)
 {
-    double v[3], w[3], p[3], L[3];
+    v3_add(o->p, p);
+    v3_add(o->L, L);
+    v3_cross_add(o->L, d, p);
+}
+
+/* Inertia I in the body's axes R about its frame. */
+static inline void add_inertia(double *J, const double *I, const double *R, double m, const double *d)
+{
+    double world[6];
+    s3_turn(world, R, I);
+    for (int i = 0; i < 6; i++) J[i] += world[i];
+    add_arms(J, m, d, d);
+}
+
+static void add_flexible(struct bulk *o, struct flexible *f, const double *d, const double *u, const double *world_w,
+                         int what)
+{
+    double v[3], w[3], p[3], L[3], P[3], N[3], h[3], T;
     spatial_flex_shape(f);
     m3_tmul(v, f->R, u);
     m3_tmul(w, f->R, world_w);
-    flex_momentum(p, L, f->kernel, &f->shape, v, w, f->q1);
-    m3_mul(o->p, f->R, p);
-    m3_mul(o->L, f->R, L);
-    m3_mul(o->h, f->R, f->shape.h);
-    s3_turn(o->J, f->R, f->shape.J);
-    o->m = f->mass;
-    o->T = flex_kinetic(f->kernel, &f->shape, v, w, f->q1);
+    flex_momentum(p, L, &T, f->kernel, &f->shape, v, w, f->q1);
+    m3_mul(P, f->R, p);
+    m3_mul(N, f->R, L);
+    m3_mul(h, f->R, f->shape.h);
+    add_momenta(o, P, N, d);
+    o->m += f->mass;
+    v3_axpy(o->c, f->mass, d);
+    v3_add(o->c, h);
+    o->T += T;
+    if (what < BULK_INERTIA) return;
+    add_inertia(o->J, f->shape.J, f->R, f->mass, d);
+    add_arms(o->J, 2, d, h);
 }
 
-static inline void share_of_rigid(struct share *o, const struct link *l, const double *R, const double *u,
-                                  const double *w)
+static inline void add_rigid(struct bulk *o, const struct link *l, const struct part *x, const double *d,
+                             const double *u, int what)
 {
-    s3_turn(o->J, R, l->inertia);
-    s3_mul(o->L, o->J, w);
-    v3_scale(o->p, l->mass, u);
-    v3_set(o->h, 0, 0, 0);
-    o->m = l->mass;
-    o->T = .5 * (v3_dot(o->p, u) + v3_dot(o->L, w));
-}
-
-static inline void add_share(struct bulk *o, const struct share *x, const double *d)
-{
-    o->m += x->m;
-    v3_axpy(o->c, x->m, d);
-    v3_add(o->c, x->h);
-    v3_add(o->p, x->p);
-    v3_add(o->L, x->L);
-    v3_cross_add(o->L, d, x->p);
-    for (int i = 0; i < 6; i++) o->J[i] += x->J[i];
-    add_arms(o->J, x->m, d, d);
-    add_arms(o->J, 2, d, x->h);
-    o->T += x->T;
-}
-
-/* From sums about the root's frame, with S in c. */
-static void about_centre(struct bulk *o, const struct part *root)
-{
-    double S[3], P[3];
-    v3_copy(S, o->c);
-    v3_scale(P, -1 / o->m, o->p);
-    v3_cross_add(o->L, S, P);
-    add_arms(o->J, -1 / o->m, S, S);
-    o->T += .5 * v3_dot(P, o->p);
-    v3_copy(o->c, root->r);
-    v3_axpy(o->c, 1 / o->m, S);
-    v3_axpy(o->p, o->m, root->v);
-}
-
-void spatial_momentum(struct sweep *s, struct bulk *o, const int *body, int n)
-{
-    const struct part *root = &s->part[body[0]];
-    *o = (struct bulk){.m = 0};
-    for (int i = 0; i < n; i++) {
-        const struct part *x = &s->part[body[i]];
-        struct flexible *f = spatial_flexible(s, body[i]);
-        struct share y;
-        double d[3], u[3];
-        v3_diff(d, x->r, root->r);
-        v3_diff(u, x->v, root->v);
-        if (f)
-            share_of_flexible(&y, f, u, x->w);
-        else
-            share_of_rigid(&y, &s->link[body[i]], x->R, u, x->w);
-        add_share(o, &y, d);
-    }
-    about_centre(o, root);
+    double p[3], w[3], spin[3], L[3];
+    v3_scale(p, l->mass, u);
+    m3_tmul(w, x->R, x->w);
+    s3_mul(spin, l->inertia, w);
+    m3_mul(L, x->R, spin);
+    add_momenta(o, p, L, d);
+    o->m += l->mass;
+    v3_axpy(o->c, l->mass, d);
+    o->T += .5 * (v3_dot(p, u) + v3_dot(spin, w));
+    if (what >= BULK_INERTIA) add_inertia(o->J, l->inertia, x->R, l->mass, d);
 }
 
 /* Power of the modes' rows, without that of stiffness and damping. */
@@ -113,23 +89,49 @@ static double power_of_modes(const struct flexible *f, const struct flex_body *b
     return W;
 }
 
-void spatial_inertia(struct sweep *s, struct drag *o, const struct bulk *now, const int *body, int n)
+static inline void add_forces(struct bulk *o, const struct part *x, const double *d, const double *u)
 {
-    *o = (struct drag){.W = 0};
-    v3_scale(o->F, now->m, s->model->gravity);
+    v3_add(o->F, x->F);
+    v3_add(o->N, x->N);
+    v3_cross_add(o->N, d, x->F);
+    o->W += v3_dot(u, x->F) + v3_dot(x->w, x->N);
+}
+
+/* From sums about the root's frame, with S in c. */
+static void about_centre(struct bulk *o, const struct part *root, const double *gravity)
+{
+    double c[3], v[3];
+    v3_scale(c, 1 / o->m, o->c);
+    v3_scale(v, -1 / o->m, o->p);
+    v3_cross_add(o->L, o->c, v);
+    o->T += .5 * v3_dot(v, o->p);
+    add_arms(o->J, -o->m, c, c);
+    o->W += v3_dot(v, o->F);
+    v3_cross_add(o->N, o->F, c);
+    v3_axpy(o->F, o->m, gravity);
+    v3_sum(o->c, root->r, c);
+    v3_axpy(o->p, o->m, root->v);
+}
+
+void spatial_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what)
+{
+    const struct part *root = &s->part[body[0]];
+    *o = (struct bulk){.m = 0};
     for (int i = 0; i < n; i++) {
         const struct part *x = &s->part[body[i]];
-        const struct flexible *f = spatial_flexible(s, body[i]);
+        struct flexible *f = spatial_flexible(s, body[i]);
         double d[3], u[3];
-        v3_diff(d, x->r, now->c);
-        v3_copy(u, x->v);
-        v3_axpy(u, -1 / now->m, now->p);
-        v3_add(o->F, x->F);
-        v3_add(o->N, x->N);
-        v3_cross_add(o->N, d, x->F);
-        o->W += v3_dot(u, x->F) + v3_dot(x->w, x->N);
+        v3_diff(d, x->r, root->r);
+        v3_diff(u, x->v, root->v);
+        if (f)
+            add_flexible(o, f, d, u, x->w, what);
+        else
+            add_rigid(o, &s->link[body[i]], x, d, u, what);
+        if (what < BULK_FORCES) continue;
+        add_forces(o, x, d, u);
         if (f) o->W += power_of_modes(f, s->model->body[body[i]].flex);
     }
+    about_centre(o, root, s->model->gravity);
 }
 
 static void hasten_flexible(struct part *x, struct flexible *f, const double *a, const double *al, double k)

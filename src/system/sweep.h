@@ -23,16 +23,13 @@ struct pose {
 
 /* Some bodies as one; world axes. */
 struct bulk {
-    double m, c[3];    /* mass, centre of mass */
-    double p[3], L[3]; /* momentum, angular momentum about the centre */
-    double J[6];       /* inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
-    double T;          /* kinetic energy in the motion about the centre: without p.p/(2 m) */
+    double m, c[3];       /* mass, centre of mass */
+    double p[3], L[3];    /* momentum, angular momentum about the centre */
+    double T;             /* kinetic energy of the motion about the centre: without p.p/(2 m) */
+    double J[6];          /* inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
+    double F[3], N[3], W; /* what their inertia takes: force, moment about the centre, power in the motion about it */
 };
-
-/* What their inertia takes: force, moment about the centre, power in the motion about it. */
-struct drag {
-    double F[3], N[3], W;
-};
+enum { BULK_MOTION, BULK_INERTIA, BULK_FORCES }; /* as far as T, J, W */
 
 /* A change of their motion: the velocity dv of all of them; accelerations a + al x (r - c) + k v, al + k w, k q', with
  * velocities v against that of the centre. */
@@ -86,10 +83,9 @@ struct sweep_ops {
      * (which carry only elements along the joint's own coordinates) projected out. */
     void (*reaction)(const struct sweep *s, double *f, double *n, int joint);
 
-    /* The n bodies `body` as one, the first of them a tree's root: at the last move() or forward(); what their inertia
-     * takes, after forward() and before anything is pushed. */
-    void (*momentum)(struct sweep *s, struct bulk *o, const int *body, int n);
-    void (*inertia)(struct sweep *s, struct drag *o, const struct bulk *now, const int *body, int n);
+    /* The n bodies `body` as one, the first of them a tree's root, at the last move() or forward(); forces after
+     * forward() and before anything is pushed. */
+    void (*gather)(struct sweep *s, struct bulk *o, const int *body, int n, int what);
     /* Changes their motion between forward() and backward(): velocities, and for the accelerations what they need. */
     void (*hasten)(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 };
