@@ -128,6 +128,8 @@ double component_ratio(const struct condense *o, const struct component *c);
 void component_multipliers(const struct component *c, const double *rt);
 /* Drives as they are at t, by their means over [ta, tb] where that is an interval. */
 void condense_time(struct condense *o, double t, double ta, double tb);
+/* Does the rate of a drive jump in the interval of the last condense_time()? */
+int condense_jumps(const struct condense *o);
 /* E_NUMERIC where a drive or its rate is not finite, as condense_time() has left them. */
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why);
 /* The posture NAN is one that could not be closed: says which loop was lost. */

@@ -61,6 +61,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     struct instant whole = *x;
     TRY(look_at_ends(o, &whole, x, why));
     condense_time(o, x->t, x->ta, x->tb);
+    whole.jump = condense_jumps(o);
     TRY(condense_driven(o, false, x->t, why));
     TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
     TRY(condense_contest(o, x->t, why));

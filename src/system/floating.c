@@ -239,10 +239,10 @@ static double stretch(double missing, double T_rel, double T, double h)
 }
 
 /* What is missing from now to the change from a to b, per unit time. */
-static void find_change(struct change *o, const struct bulk *now, const struct floater *f, double h)
+static void find_change(struct change *o, const struct bulk *now, const struct floater *f, const struct instant *x)
 {
     const struct bulk *a = &f->end[0], *b = &f->end[1];
-    const double per = 1 / h;
+    const double h = x->tb - x->ta, per = 1 / h;
     double Jinv[6], w[3], L[3];
     for (int k = 0; k < 3; k++) {
         o->dv[k] = (.5 * (a->p[k] + b->p[k]) - now->p[k]) / now->m;
@@ -253,7 +253,7 @@ static void find_change(struct change *o, const struct bulk *now, const struct f
     s3_mul(w, Jinv, now->L);
     s3_mul(o->al, Jinv, L);
     const double missing = per * (b->T - a->T) - now->W - v3_dot(o->al, now->L);
-    o->k = stretch(missing, now->T - .5 * v3_dot(w, now->L), now->T, h);
+    o->k = x->jump ? 0 : stretch(missing, now->T - .5 * v3_dot(w, now->L), now->T, h);
     v3_axpy(o->al, -o->k, w);
 }
 
@@ -266,7 +266,7 @@ void floating_balance(struct floating *o, struct sweep *s, struct instant *x)
         struct bulk now;
         struct change change;
         o->ops->gather(s, &now, f->body, f->n, BULK_FORCES);
-        find_change(&change, &now, f, x->tb - x->ta);
+        find_change(&change, &now, f, x);
         o->ops->hasten(s, &change, &now, f->body, f->n);
         for (int k = 0; k < f->nslide; k++) v[f->iv[k]] += v3_dot(f->e[k], change.dv);
     }

@@ -32,6 +32,7 @@ struct instant {
     const double *qa, *qb; /* [nq] ends of the interval, for discrete gradients; NULL: point law */
     const double *va, *vb; /* [n] velocities at the ends, where v is their mean and a their difference over tb - ta;
                             * NULL: not such an interval.  Read where there is a settle(), see there */
+    int jump;              /* velocities of a drive jump between: va and vb are not ends of one smooth motion */
     double ta, tb;         /* [s] times of the ends: drives move by their means over it; equal: as they are at t */
 };
 
