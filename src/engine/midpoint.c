@@ -5,7 +5,8 @@
  * Second order, symmetric.  It keeps quadratic invariants (Cooper 1987), so the energy of a linear
  * system is exact, with work h v . Q.  For a body R1 = R0 cay(h omega) gives both R1 J omega1 =
  * R0 J omega0 and omega . J (omega1 - omega0) = 0: momentum and energy of a free body are exact too
- * (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107, 1993).
+ * (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107, 1993).  Mechanisms that fly freely get the same by va, vb and
+ * settle() of ode2.h.
  *
  * Newton for a with J = M^ + (h/2) C + (h^2/4) K. */
 #include "engine/midpoint.h"

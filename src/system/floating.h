@@ -1,23 +1,29 @@
-/* floating.h -- mechanisms that fly freely keep their momenta over a step.
+/* floating.h -- mechanisms that fly freely keep their momenta and their energy over a step.
  *
- * A tree whose root joint is free, and whose loops do not reach the ground, is `floating`.  Over a step from q_a, v_a
- * to q_b, v_b its acceleration as a whole is that which makes the balances of momentum exact:
+ * A tree whose root joint is free, and whose loops do not reach the ground, is `floating`.  Let its momentum p, angular
+ * momentum L and kinetic energy T of the motion about the centre of mass c be known at the ends a and b of a step, and
+ * at its middle, where M^ a + .. has bodies with accelerations of which the rates p', L', T' would come.  To these
+ * accelerations is added what makes the balances exact: one rigid motion, da in the centre and al, and k times the
+ * velocities v_rel that are not part of the whole's motion with p/m and J^-1 L:
  *
- *     sum m a = (p_b - p_a)/h,   sum (d x m a + ..) = (L_b - L_a)/h             about its centre of mass
+ *     m da + p' = (p_b - p_a)/h,   J al + L' = (L_b - L_a)/h,   k v_rel.M^ v_rel + al.L + T' = (T_b - T_a)/h
  *
- * To what M^ a + .. of the midpoint has, one rigid motion of acceleration da in the centre of mass c, and al, is added:
- *
- *     m da = (p_b - p_a)/h - sum m a,   J al = (L_b - L_a)/h - sum (d x m a + ..)
- *
- * of second order in h.  In the rows of the root's joint r = 0 then reads change of momentum = h times the external
- * forces; and what the root's own quasi-velocities are, and which body is the root, no longer matters to the others,
- * whose rows are those of the midpoint rule seen from the centre of mass.  The centre itself goes
+ * All three are of second order in h and the same both ways in time.  The velocity of the centre is the mean over the
+ * step, too:
  *
  *     c_b = c_a + h (p_a + p_b)/(2 m)
  *
- * so that c x p, the energy p.p/2m - m g.c and the step itself are the same in every frame that moves with constant
- * velocity: settle() puts the tree there, along the displacements of its root, and a midpoint by half of that.  Where
- * gravity is the only force from outside, it also takes away what the iteration has left in the momenta. */
+ * r = 0 then reads, in the rows of the root's joint, change of momenta = h times the forces from outside and their
+ * moments, and along v, p.p/(2m) + T rises by h v.Q, the work of all forces: the ledger's own sum.  What the root's
+ * quasi-velocities are and how fast the whole flies does not matter to what happens inside; in the plane it does not
+ * matter either which body is the root.  settle() puts the tree where the centre is at the end of a step, by the
+ * displacements of its root, a midpoint by half of that.  Where gravity is the only force from outside it also takes
+ * away what the iteration has left in the momenta.
+ *
+ * Without k v_rel the energy would drift: with p and L kept the motion inside is no longer that of a reversible system,
+ * as it turns the other way round with the other sign of L.  Balances along the velocities: LaBudde & Greenspan,
+ * Numer. Math. 25 (1976) 323; of rigid and elastic bodies: Simo, Tarnow & Wong, Comput. Methods Appl. Mech. Eng. 100
+ * (1992) 63. */
 #ifndef FMDSUB_SYSTEM_FLOATING_H
 #define FMDSUB_SYSTEM_FLOATING_H
 
