@@ -109,7 +109,7 @@ static void take_memory(struct floating *o, struct arena *life)
         o->q[i] = TAKE(life, double, o->model->nq);
         o->v[i] = TAKE(life, double, o->model->n);
     }
-    o->try = TAKE(life, double, o->model->nq);
+    o->still = TAKE(life, double, o->model->nq);
     o->at = TAKE(life, double, o->model->nq);
     o->to = TAKE(life, double, o->model->nq);
     o->moving = TAKE(life, double, o->model->n);
@@ -128,52 +128,58 @@ void floating_build(struct floating *o, const struct model *m, const struct swee
     if (o->n == 0) return;
     o->there = build_there(o, m, root, life);
     ops->move(o->there, m->q0, m->v0, FAST);
-    o->stands = -1;
     for (int i = 0; i < o->n; i++) {
         find_root(o, &o->part[i]);
         o->part[i].alone = is_alone(m, &o->part[i], root);
     }
     take_memory(o, life);
+    for (int i = 0; i < m->nq; i++) o->still[i] = 1;
+    for (int i = 0; i < o->n; i++)
+        for (int k = 0; k < o->part[i].nslide; k++) o->still[o->part[i].slide[k]] = 0;
 }
 
 /* --- the ends of the step ----------------------------------------------------------------------- */
 
-static bool is_at(const struct floating *o, int end, const double *v)
+static bool is_at(const struct floating *o, int end, const double *q, const double *v)
 {
-    return o->known[end] && memcmp(o->q[end], o->try, sizeof *v * (size_t)o->model->nq) == 0 &&
-           memcmp(o->v[end], v, sizeof *v * (size_t)o->model->n) == 0;
+    if (!o->known[end]) return false;
+    for (int i = 0; i < o->model->nq; i++)
+        if (o->q[end][i] != o->still[i] * q[i]) return false;
+    for (int i = 0; i < o->model->n; i++)
+        if (o->v[end][i] != v[i]) return false;
+    return true;
 }
 
-static void stand(struct floating *o, int end)
+static void keep(struct floating *o, int end, const double *q, const double *v)
 {
-    if (o->stands != end) o->ops->move(o->there, o->q[end], o->v[end], FAST);
-    o->stands = end;
+    for (int i = 0; i < o->model->nq; i++) o->q[end][i] = o->still[i] * q[i];
+    for (int i = 0; i < o->model->n; i++) o->v[end][i] = v[i];
+    o->known[end] = true;
 }
 
-/* Momenta at q, v; a step starts where the last one has ended. */
 static void look(struct floating *o, int end, const double *q, const double *v)
 {
-    memcpy(o->try, q, sizeof *q * (size_t)o->model->nq);
+    keep(o, end, q, v);
+    o->ops->move(o->there, o->q[end], o->v[end], FAST);
     for (int i = 0; i < o->n; i++)
-        for (int k = 0; k < o->part[i].nslide; k++) o->try[o->part[i].slide[k]] = 0;
-    if (is_at(o, end, v)) return;
-    const bool same = is_at(o, 1 - end, v);
-    memcpy(o->q[end], o->try, sizeof *q * (size_t)o->model->nq);
-    memcpy(o->v[end], v, sizeof *v * (size_t)o->model->n);
-    o->known[end] = true;
-    o->stands = -1;
-    for (int i = 0; same && i < o->n; i++) o->part[i].end[end] = o->part[i].end[1 - end];
-    if (same) return;
-    stand(o, end);
-    for (int i = 0; i < o->n; i++) {
-        struct floater *f = &o->part[i];
-        o->ops->gather(o->there, &f->end[end], f->body, f->n, BULK_MOTION);
+        o->ops->gather(o->there, &o->part[i].end[end], o->part[i].body, o->part[i].n, BULK_MOTION);
+}
+
+/* A step starts where the last one has ended. */
+static void look_at_start(struct floating *o, const double *q, const double *v)
+{
+    if (is_at(o, 0, q, v)) return;
+    if (!is_at(o, 1, q, v)) {
+        look(o, 0, q, v);
+        return;
     }
+    keep(o, 0, q, v);
+    for (int i = 0; i < o->n; i++) o->part[i].end[0] = o->part[i].end[1];
 }
 
 static void look_at_ends(struct floating *o, const struct instant *x)
 {
-    look(o, 0, x->qa, x->va);
+    look_at_start(o, x->qa, x->va);
     look(o, 1, x->qb, x->vb);
 }
 
@@ -305,7 +311,6 @@ static void finish(struct floating *o, double *v1, struct floater *f, double h)
 void floating_settle(struct floating *o, double *q1, double *v1, const struct instant *x)
 {
     look_at_ends(o, x);
-    stand(o, 1);
     for (int i = 0; i < o->n; i++) {
         struct floater *f = &o->part[i];
         double d[3];

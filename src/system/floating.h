@@ -47,10 +47,10 @@ struct floating {
     const struct model *model;
     const struct sweep_ops *ops;
     struct sweep *there; /* its FAST bodies are those that float */
-    int stands;          /* the end where it stands */
     double *q[2], *v[2]; /* the ends that end[] is for; displacements of roots are 0 there */
     bool known[2];
-    double *try, *at, *to, *moving; /* [nq]; [n] */
+    double *still;            /* [nq] 0: a displacement of a root, else 1 */
+    double *at, *to, *moving; /* [nq], [nq], [n] */
 };
 
 /* n = 0 where nothing floats.  A rigid body by itself on a joint in its centre does not: the midpoint rule is exact
