@@ -203,9 +203,9 @@ static void left_behind(double *d, const struct floater *f, const struct instant
     v3_take(d, c);
 }
 
-static void slide(double *q, const struct floater *f, double s, const double *d)
+static void slide(double *q, const struct floater *f, const double *d)
 {
-    for (int k = 0; k < f->nslide; k++) q[f->slide[k]] += s * v3_dot(f->e[k], d);
+    for (int k = 0; k < f->nslide; k++) q[f->slide[k]] += v3_dot(f->e[k], d);
 }
 
 void floating_place(struct floating *o, struct instant *settled, const struct instant *x)
@@ -213,12 +213,12 @@ void floating_place(struct floating *o, struct instant *settled, const struct in
     look_at_ends(o, x);
     *settled = *x;
     settled->q = memcpy(o->at, x->q, sizeof *o->at * (size_t)o->model->nq);
+    settled->v = memcpy(o->moving, x->v, sizeof *o->moving * (size_t)o->model->n);
     settled->qb = memcpy(o->to, x->qb, sizeof *o->to * (size_t)o->model->nq);
     for (int i = 0; i < o->n; i++) {
         double d[3];
         left_behind(d, &o->part[i], x);
-        slide(o->at, &o->part[i], .5, d);
-        slide(o->to, &o->part[i], 1, d);
+        slide(o->to, &o->part[i], d);
     }
 }
 
@@ -249,8 +249,11 @@ static void find_change(struct change *o, const struct bulk *now, const struct f
 {
     const struct bulk *a = &f->end[0], *b = &f->end[1];
     const double h = x->tb - x->ta, per = 1 / h;
-    double Jinv[6], w[3], L[3];
+    double Jinv[6], w[3], L[3], ca[3], cb[3];
+    centre(ca, f, 0, x->qa);
+    centre(cb, f, 1, x->qb);
     for (int k = 0; k < 3; k++) {
+        o->dr[k] = .5 * (ca[k] + cb[k]) - now->c[k];
         o->dv[k] = (.5 * (a->p[k] + b->p[k]) - now->p[k]) / now->m;
         o->a[k] = (per * (b->p[k] - a->p[k]) - now->F[k]) / now->m;
         L[k] = per * (b->L[k] - a->L[k]) - now->N[k];
@@ -263,10 +266,8 @@ static void find_change(struct change *o, const struct bulk *now, const struct f
     v3_axpy(o->al, -o->k, w);
 }
 
-void floating_balance(struct floating *o, struct sweep *s, struct instant *x)
+void floating_balance(struct floating *o, struct sweep *s, const struct instant *x)
 {
-    double *v = memcpy(o->moving, x->v, sizeof *v * (size_t)o->model->n);
-    x->v = v;
     for (int i = 0; i < o->n; i++) {
         const struct floater *f = &o->part[i];
         struct bulk now;
@@ -274,7 +275,8 @@ void floating_balance(struct floating *o, struct sweep *s, struct instant *x)
         o->ops->gather(s, &now, f->body, f->n, BULK_FORCES);
         find_change(&change, &now, f, x);
         o->ops->hasten(s, &change, &now, f->body, f->n);
-        for (int k = 0; k < f->nslide; k++) v[f->iv[k]] += v3_dot(f->e[k], change.dv);
+        slide(o->at, f, change.dr);
+        for (int k = 0; k < f->nslide; k++) o->moving[f->iv[k]] += v3_dot(f->e[k], change.dv);
     }
 }
 
@@ -319,6 +321,6 @@ void floating_settle(struct floating *o, double *q1, double *v1, const struct in
             o->known[1] = false;
         }
         left_behind(d, f, x);
-        slide(q1, f, 1, d);
+        slide(q1, f, d);
     }
 }

@@ -139,8 +139,10 @@ void planar_hasten(struct sweep *s, const struct change *o, const struct bulk *n
         const double d[2] = {x->r[0] - now->c[0], x->r[1] - now->c[1]}, al = o->al[2] + o->k * x->w;
         const double a[2] = {o->a[0] - o->al[2] * d[1] + o->k * (x->v[0] - per * now->p[0]),
                              o->a[1] + o->al[2] * d[0] + o->k * (x->v[1] - per * now->p[1])};
-        x->v[0] += o->dv[0];
-        x->v[1] += o->dv[1];
+        for (int j = 0; j < 2; j++) {
+            x->r[j] += o->dr[j];
+            x->v[j] += o->dv[j];
+        }
         if (b) {
             hasten_flexible(x, b, s->zero, a, al, o->k);
             continue;

@@ -161,6 +161,7 @@ void spatial_hasten(struct sweep *s, const struct change *o, const struct bulk *
         v3_axpy(a, -o->k / now->m, now->p);
         v3_copy(al, o->al);
         v3_axpy(al, o->k, x->w);
+        v3_add(x->r, o->dr);
         v3_add(x->v, o->dv);
         if (f) {
             hasten_flexible(x, f, a, al, o->k);

@@ -31,10 +31,10 @@ struct bulk {
 };
 enum { BULK_MOTION, BULK_INERTIA, BULK_FORCES }; /* as far as T, J, W */
 
-/* A change of their motion: the velocity dv of all of them; accelerations a + al x (r - c) + k v, al + k w, k q', with
- * velocities v against that of the centre. */
+/* A change of their motion: displacement dr and velocity dv of all of them; accelerations a + al x (r - c) + k v,
+ * al + k w, k q', with velocities v against that of the centre. */
 struct change {
-    double dv[3], a[3], al[3], k;
+    double dr[3], dv[3], a[3], al[3], k;
 };
 
 struct sweep;
@@ -86,7 +86,8 @@ struct sweep_ops {
     /* The n bodies `body` as one, the first of them a tree's root, at the last move() or forward(); forces after
      * forward() and before anything is pushed. */
     void (*gather)(struct sweep *s, struct bulk *o, const int *body, int n, int what);
-    /* Changes their motion between forward() and backward(): velocities, and for the accelerations what they need. */
+    /* Changes their motion between forward() and backward(): places, velocities, and for the accelerations what they
+     * need. */
     void (*hasten)(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 };
 

@@ -258,7 +258,11 @@ static void check_hasten(struct bodies *b)
 {
     const int n = b->m->n;
     const bool plane = b->m->space == 2;
-    struct change o = {{.1, .2, 0}, {.7, -.4, plane ? 0 : .2}, {plane ? 0 : .5, plane ? 0 : -.3, .6}, .8};
+    struct change o = {.dr = {.3, -.1, 0},
+                       .dv = {.1, .2, 0},
+                       .a = {.7, -.4, plane ? 0 : .2},
+                       .al = {plane ? 0 : .5, plane ? 0 : -.3, .6},
+                       .k = .8};
     double r0[50] = {0}, r1[50] = {0}, x[50], u[3];
     struct pose before, after;
     b->ops->forward(b->s, b->q, b->v, b->a, ALL);
@@ -267,6 +271,7 @@ static void check_hasten(struct bodies *b)
     b->ops->pose(b->s, &before, b->n);
     b->ops->hasten(b->s, &o, &b->now, b->list, b->n);
     b->ops->pose(b->s, &after, b->n);
+    for (int i = 0; i < 3; i++) near(after.r[i], before.r[i] + o.dr[i], 1e-14);
     for (int i = 0; i < 3; i++) near(after.v[i], before.v[i] + o.dv[i], 1e-14);
     b->ops->backward(b->s, r1, ALL);
     v3_scale(u, -o.k / b->now.m, b->now.p);
@@ -317,6 +322,31 @@ static void test_kept(void **state)
             if (!(d.E < (fine ? of[i].E : fmax(1e-5, of[i].E)))) fail_msg("%zu: energy drifts by %g", i, d.E);
             arena_close(o.life);
         }
+}
+
+/* Two that fly together, with a force between: it takes from one what it gives to the other, and its moments are
+ * nothing for both. */
+static void test_pair(void **state)
+{
+    static const char pair[] = "bodies:\n"
+                               "  a: {mass: 3, inertia: 0.4, at: [0.1, 0.05]}\n"
+                               "  b: {mass: 1, inertia: 0.08, at: [1.1, 0.15]}\n"
+                               "  c: {mass: 2, inertia: 0.3, at: [0.2, 2]}\n"
+                               "  d: {mass: 0.7, inertia: 0.05, at: [0.95, 2.2], points: {p: [0.2, 0.1]}}\n"
+                               "constraints:\n"
+                               "  one: {free: [ground, a], at: [0, 0]}\n"
+                               "  two: {free: [ground, c]}\n"
+                               "  ab: {revolute: [a, b], at: [0.65, 0.15]}\n"
+                               "  cd: {revolute: [c, d], at: [0.5, 2]}\n"
+                               "measures: {apart: {distance: [b, d.p]}}\n"
+                               "forces:\n  s: {force: apart, value: \"-20*(apart - 1)\"}\n"
+                               "initial: {one.x_rate: 0.3, one.angle_rate: 2, ab.angle_rate: -3, cd.angle_rate: 2}\n";
+    struct opened o;
+    (void)state;
+    begin(&o, pair, "", "scheme: midpoint, step: 0.01, until: 20, newton_tolerance: 1.0e-13");
+    const struct drift d = drift(&o, .01, 1, 2000);
+    if (!(d.p < 1e-10 && d.L < 1e-10)) fail_msg("momenta drift by %g, %g", d.p, d.L);
+    arena_close(o.life);
 }
 
 /* Where nothing moves against the whole, or all of it turns round at once, and not in a small step, the energy has
@@ -572,10 +602,10 @@ static void test_subcycled(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bodies_as_one), cmocka_unit_test(test_kept),      cmocka_unit_test(test_quiet),
-        cmocka_unit_test(test_ledger),        cmocka_unit_test(test_impulse),   cmocka_unit_test(test_parabola),
-        cmocka_unit_test(test_boost),         cmocka_unit_test(test_root),      cmocka_unit_test(test_reversed),
-        cmocka_unit_test(test_order),         cmocka_unit_test(test_subcycled),
+        cmocka_unit_test(test_bodies_as_one), cmocka_unit_test(test_kept),   cmocka_unit_test(test_pair),
+        cmocka_unit_test(test_quiet),         cmocka_unit_test(test_ledger), cmocka_unit_test(test_impulse),
+        cmocka_unit_test(test_parabola),      cmocka_unit_test(test_boost),  cmocka_unit_test(test_root),
+        cmocka_unit_test(test_reversed),      cmocka_unit_test(test_order),  cmocka_unit_test(test_subcycled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
