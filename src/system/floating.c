@@ -13,51 +13,106 @@ static const double MOST = .1; /* of the motion of the bodies against the whole 
 
 static bool travels(const struct model *m, const struct model_joint *j)
 {
-    return j->parent == 0 && (j->type == JOINT_FREE || (m->space == 2 && j->type == JOINT_PLANAR));
+    return j->type == JOINT_FREE || (m->space == 2 && j->type == JOINT_PLANAR);
 }
 
-/* Loop l ties what its root's joint moves. */
-static bool ties(const struct model *m, const struct model_loop *l, const int *root, int body)
+/* Of the bodies that hang on the ground: [nbody]. */
+struct roots {
+    int *of;               /* each body's root; the ground's is 0 */
+    int *count;            /* bodies that have it */
+    bool *tied, *from_out; /* by a loop; a force acts on it from outside */
+};
+
+/* a, b: bodies that something stands between. */
+static void part(bool *mark, const struct roots *r, int a, int b)
 {
-    for (int i = 0; i < l->nterm; i++)
-        if (m->joint[l->term[i].joint].child == body) return true;
-    return l->nterm == 0 && (root[l->first] == body) != (root[l->second] == body);
+    if (r->of[a] == r->of[b]) return;
+    mark[r->of[a]] = mark[r->of[b]] = true;
 }
 
-static bool is_tied(const struct model *m, const int *root, int body)
+static void mark_loops(struct roots *r, const struct model *m)
 {
-    for (int i = 0; i < m->nloop; i++)
-        if (ties(m, &m->loop[i], root, body)) return true;
-    return false;
+    for (int i = 0; i < m->nloop; i++) {
+        const struct model_loop *l = &m->loop[i];
+        for (int k = 0; k < l->nterm; k++) part(r->tied, r, m->joint[l->term[k].joint].parent, l->term[k].joint + 1);
+        if (l->nterm == 0) part(r->tied, r, l->first, l->second);
+    }
 }
 
-/* One body held in its centre. */
-static bool is_plain(const struct model *m, const struct floater *f)
+static void mark_measure(struct roots *r, const struct model *m, const struct model_measure *s, const int *joint)
 {
-    const struct model_body *b = &m->body[f->body[0]];
-    return f->n == 1 && !b->flex && v3_norm(m->joint[b->joint].b) == 0;
+    if (s->type != MEASURE_COORDINATE)
+        part(r->from_out, r, s->a.body, s->b.body);
+    else if (joint[s->iv] >= 0)
+        part(r->from_out, r, m->joint[joint[s->iv]].parent, m->joint[joint[s->iv]].child);
 }
 
-static void list(struct floater *f, const struct model *m, const int *root, int body, struct arena *life)
+/* joint [n]: the one whose velocity it is; -1: of a mode. */
+static void mark_forces(struct roots *r, const struct model *m, const int *joint)
 {
-    f->n = 0;
-    f->body = TAKE(life, int, m->nbody);
-    for (int i = body; i < m->nbody; i++)
-        if (root[i] == body) f->body[f->n++] = i;
+    for (int i = 0; i < m->nforce; i++) {
+        const struct model_force *f = &m->force[i];
+        if (f->type == FORCE_LOAD)
+            part(r->from_out, r, 0, f->b.body);
+        else if (f->type == FORCE_BUSHING)
+            part(r->from_out, r, f->a.body, f->b.body);
+        else
+            mark_measure(r, m, &m->measure[f->measure], joint);
+    }
+}
+
+static void find_roots(struct roots *r, const struct model *m, struct arena *life)
+{
+    int *joint = TAKE(life, int, m->n);
+    *r = (struct roots){TAKE(life, int, m->nbody), TAKE(life, int, m->nbody), TAKE(life, bool, m->nbody),
+                        TAKE(life, bool, m->nbody)};
+    for (int i = 1; i < m->nbody; i++) {
+        r->of[i] = m->body[i].parent == 0 ? i : r->of[m->body[i].parent];
+        r->count[r->of[i]]++;
+    }
+    for (int i = 0; i < m->n; i++) joint[i] = -1;
+    for (int i = 0; i < m->njoint; i++)
+        for (int k = 0; k < m->joint[i].nv; k++) joint[m->joint[i].iv[k]] = i;
+    mark_loops(r, m);
+    mark_forces(r, m, joint);
+}
+
+/* More than one body held in its centre. */
+static bool floats(const struct model *m, const struct roots *r, int body)
+{
+    const struct model_body *b = &m->body[body];
+    const struct model_joint *j = &m->joint[b->joint];
+    if (b->parent != 0 || !travels(m, j) || r->tied[body]) return false;
+    return r->count[body] > 1 || b->flex || v3_norm(j->b) > 0;
+}
+
+static void list_bodies(struct floating *o, const struct roots *r, struct arena *life)
+{
+    const struct model *m = o->model;
+    struct floater **of = TAKE(life, struct floater *, m->nbody);
+    o->part = TAKE(life, struct floater, m->nbody);
+    for (int i = 1; i < m->nbody; i++) {
+        if (floats(m, r, i)) {
+            of[i] = &o->part[o->n++];
+            *of[i] = (struct floater){.body = TAKE(life, int, r->count[i]), .alone = !r->from_out[i]};
+        }
+        struct floater *f = of[r->of[i]];
+        if (f) f->body[f->n++] = i;
+    }
 }
 
 /* A sweep whose FAST bodies are those that float. */
-static struct sweep *build_there(const struct floating *o, const struct model *m, const int *root, struct arena *life)
+static struct sweep *build_there(const struct floating *o, struct arena *life)
 {
     struct model *copy = TAKE(life, struct model, 1);
-    struct model_body *body = TAKE(life, struct model_body, m->nbody);
-    *copy = *m;
+    struct model_body *body = TAKE(life, struct model_body, o->model->nbody);
+    *copy = *o->model;
     copy->body = body;
     copy->nforce = 0;
-    memcpy(body, m->body, sizeof *body * (size_t)m->nbody);
-    for (int i = 0; i < m->nbody; i++) body[i].fast = false;
-    for (int k = 0; k < o->n; k++)
-        for (int i = 0; i < m->nbody; i++) body[i].fast |= root[i] == o->part[k].body[0];
+    memcpy(body, o->model->body, sizeof *body * (size_t)copy->nbody);
+    for (int i = 0; i < copy->nbody; i++) body[i].fast = false;
+    for (int i = 0; i < o->n; i++)
+        for (int k = 0; k < o->part[i].n; k++) body[o->part[i].body[k]].fast = true;
     return o->ops->build(copy, life);
 }
 
@@ -75,32 +130,8 @@ static void find_root(struct floating *o, struct floater *f)
     for (int k = 0; k < f->nslide; k++) {
         double w[3];
         o->ops->partial(o->there, f->e[k], w, f->body[0], f->hung, j->iv[k]);
+        o->still[f->slide[k]] = 0;
     }
-}
-
-/* One of the two bodies floats with f, the other does not. */
-static bool parts(const struct floater *f, const int *root, int a, int b)
-{
-    return (root[a] == f->body[0]) != (root[b] == f->body[0]);
-}
-
-static bool is_from_outside(const struct model_force *force, const struct model *m, const struct floater *f,
-                            const int *root)
-{
-    const struct model_measure *s = &m->measure[force->measure];
-    if (force->type == FORCE_LOAD) return root[force->b.body] == f->body[0];
-    if (force->type == FORCE_BUSHING) return parts(f, root, force->a.body, force->b.body);
-    if (s->type != MEASURE_COORDINATE) return parts(f, root, s->a.body, s->b.body);
-    for (int k = 0; k < f->nv; k++)
-        if (s->iv == f->iv[k]) return true;
-    return false;
-}
-
-static bool is_alone(const struct model *m, const struct floater *f, const int *root)
-{
-    for (int i = 0; i < m->nforce; i++)
-        if (is_from_outside(&m->force[i], m, f, root)) return false;
-    return true;
 }
 
 static void take_memory(struct floating *o, struct arena *life)
@@ -117,25 +148,16 @@ static void take_memory(struct floating *o, struct arena *life)
 
 void floating_build(struct floating *o, const struct model *m, const struct sweep_ops *ops, struct arena *life)
 {
-    int *root = TAKE(life, int, m->nbody);
-    *o = (struct floating){.model = m, .ops = ops, .part = TAKE(life, struct floater, m->nbody)};
-    for (int i = 1; i < m->nbody; i++) root[i] = m->body[i].parent == 0 ? i : root[m->body[i].parent];
-    for (int i = 1; i < m->nbody; i++) {
-        if (!travels(m, &m->joint[m->body[i].joint]) || is_tied(m, root, i)) continue;
-        list(&o->part[o->n], m, root, i, life);
-        o->n += !is_plain(m, &o->part[o->n]);
-    }
+    struct roots roots;
+    find_roots(&roots, m, life);
+    *o = (struct floating){.model = m, .ops = ops};
+    list_bodies(o, &roots, life);
     if (o->n == 0) return;
-    o->there = build_there(o, m, root, life);
-    ops->move(o->there, m->q0, m->v0, FAST);
-    for (int i = 0; i < o->n; i++) {
-        find_root(o, &o->part[i]);
-        o->part[i].alone = is_alone(m, &o->part[i], root);
-    }
     take_memory(o, life);
+    o->there = build_there(o, life);
+    ops->move(o->there, m->q0, m->v0, FAST);
     for (int i = 0; i < m->nq; i++) o->still[i] = 1;
-    for (int i = 0; i < o->n; i++)
-        for (int k = 0; k < o->part[i].nslide; k++) o->still[o->part[i].slide[k]] = 0;
+    for (int i = 0; i < o->n; i++) find_root(o, &o->part[i]);
 }
 
 /* --- the ends of the step ----------------------------------------------------------------------- */
