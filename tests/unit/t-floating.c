@@ -12,6 +12,7 @@
 
 #define THREE                                                                                                          \
     "bodies:\n"                                                                                                        \
+    "  ground: {points: {o: [0.5, 0.5]}}\n"                                                                            \
     "  a: {mass: 3, inertia: 0.4, at: [0.15, 0.05], points: {p: [0, 1]}}\n"                                            \
     "  b: {mass: 1, inertia: 0.08, at: [1.1, 0.15]}\n"                                                                 \
     "  c: {mass: 0.7, inertia: 0.05, at: [1.95, 0.2], points: {p: [0, 1]}}\n"                                          \
@@ -295,6 +296,34 @@ static void test_bodies_as_one(void **state)
         check_bulk(&b);
         check_hasten(&b);
         arena_close(b.o.life);
+    }
+}
+
+/* --- what floats -------------------------------------------------------------------------------- */
+
+/* Only what no loop and no drive ties to the ground, and not a body by itself that its joint holds in the centre. */
+static void test_what_floats(void **state)
+{
+    static const struct {
+        const char *text, *more;
+        bool floats;
+    } of[] = {{robot, "", true},
+              {loop, "", true},
+              {beam3, "", true},
+              {robot, "drives: {d: {drive: go.x, value: 0.2*t}}\n", false},
+              {robot, "drives: {d: {drive: go.angle, value: 1*t}}\n", false},
+              {robot, "drives: {d: {drive: bc.angle, value: -0.8 + 3*t}}\n", true},
+              {THREE "  go: {free: [ground, a], at: [0, 0]}\n  rod: {distance: [ground.o, c.p]}\n", "", false},
+              {THREE "  pin: {revolute: [ground, a], at: [0, 0]}\n", "", false},
+              {"bodies: {a: {mass: 1, inertia: 1, at: [1, 0]}}\nconstraints: {go: {free: [ground, a]}}\n", "", false},
+              {"bodies: {a: {mass: 1, inertia: 1, at: [1, 0]}}\nconstraints: {go: {free: [ground, a], at: [0, 0]}}\n",
+               "", true}};
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct opened o;
+        begin(&o, of[i].text, of[i].more, "scheme: midpoint, step: 1.0e-3, until: 1");
+        if ((system_ode2(o.sim.system)->settle != NULL) != of[i].floats) fail_msg("%zu floats, or does not", i);
+        arena_close(o.life);
     }
 }
 
@@ -602,10 +631,11 @@ static void test_subcycled(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bodies_as_one), cmocka_unit_test(test_kept),   cmocka_unit_test(test_pair),
-        cmocka_unit_test(test_quiet),         cmocka_unit_test(test_ledger), cmocka_unit_test(test_impulse),
-        cmocka_unit_test(test_parabola),      cmocka_unit_test(test_boost),  cmocka_unit_test(test_root),
-        cmocka_unit_test(test_reversed),      cmocka_unit_test(test_order),  cmocka_unit_test(test_subcycled),
+        cmocka_unit_test(test_bodies_as_one), cmocka_unit_test(test_what_floats), cmocka_unit_test(test_kept),
+        cmocka_unit_test(test_pair),          cmocka_unit_test(test_quiet),       cmocka_unit_test(test_ledger),
+        cmocka_unit_test(test_impulse),       cmocka_unit_test(test_parabola),    cmocka_unit_test(test_boost),
+        cmocka_unit_test(test_root),          cmocka_unit_test(test_reversed),    cmocka_unit_test(test_order),
+        cmocka_unit_test(test_subcycled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
