@@ -86,7 +86,8 @@ const struct diag_help diag_helps[] = {
      "A CSV file holds the same number of columns of decimal numbers in every row, separated by commas, with at most "
      "one row of names at the top. Empty lines and lines after '#' are skipped."},
     /* the scene: names */
-    {"E-name", "Names are letters, digits and '_', a letter first; ground, energy, step, t and type are taken."},
+    {"E-name",
+     "Names are letters, digits and '_', a letter first; ground, energy, momentum, step, t and type are taken."},
     {"E-duplicate-name",
      "Measures take no name of a joint or a body, which expressions and forces could not tell apart; "
      "and what two things are called may not make two columns of one name. Rename one of them."},

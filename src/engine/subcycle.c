@@ -227,6 +227,14 @@ static void remember(struct subcycle *c)
     forecast_keep(&c->forecast, &c->resp, &x);
 }
 
+/* Momenta of what flies freely, where nothing but gravity acts on it, are as they were. */
+static void settle(struct subcycle *c, const struct state *x)
+{
+    const struct instant whole = {
+        .t = c->t1, .q = c->qn, .v = c->v, .qa = x->q, .qb = c->qn, .va = x->v, .vb = c->v, .ta = c->t0, .tb = c->t1};
+    if (c->ode->settle) c->ode->settle(c->ode, c->qn, c->v, &whole);
+}
+
 static void accept(struct subcycle *c, struct stepper *s, struct state *x)
 {
     int n = c->n;
@@ -239,6 +247,7 @@ static void accept(struct subcycle *c, struct stepper *s, struct state *x)
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
     for (int i = 0; i < n; i++) x->a[i] = per * (c->v[i] - x->v[i]);
+    settle(c, x);
     copy(x->v, c->v, n);
     copy(x->q, c->qn, c->ode->nq);
     x->t = c->t1;

@@ -15,6 +15,7 @@
 #include "system/condense.h"
 #include "system/elastic.h"
 #include "system/elements.h"
+#include "system/floating.h"
 #include "system/moves.h"
 
 struct system {
@@ -25,6 +26,7 @@ struct system {
     struct elastic elastic; /* flexible bodies */
     bool diagonal;          /* elements_are_diagonal() */
     struct moves moves;
+    struct floating floating; /* what flies freely */
     struct ode2_direct direct;
     struct ode2_breaks breaks;
     struct ode2 ode;        /* of the tree */
@@ -83,12 +85,19 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 {
     struct system *s = system_of(o);
     enum rate rate = (enum rate)cls;
+    struct instant settled;
+    const bool balanced = s->floating.n > 0 && x->va && cls == ALL;
+    if (balanced) {
+        floating_place(&s->floating, &settled, x);
+        x = &settled;
+    }
     for (int i = 0; i < o->n; i++) r[i] = 0;
     if (w)
         for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
     if (dk) *dk = 0;
     s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, rate);
+    if (balanced) floating_balance(&s->floating, s->work, &settled);
     elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
     if (w && s->elastic.n) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
     s->ops->backward(s->work, r, rate);
@@ -143,6 +152,11 @@ static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, co
 }
 
 static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
+
+static void settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x)
+{
+    floating_settle(&system_of(o)->floating, q1, v1, x);
+}
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
@@ -252,6 +266,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     elastic_build(&s->elastic, m, life);
     if (s->elastic.n) s->M = TAKE(life, double, m->n * m->n);
     moves_build(&s->moves, m, life);
+    floating_build(&s->floating, m, s->ops, life);
     const size_t bytes = s->ops->factor_size(s->work);
     s->factor = arena_take(life, 1, bytes);
     s->d = TAKE(life, double, m->n);
@@ -277,6 +292,7 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .move = plain ? NULL : &move,
                            .direct = &s->direct,
                            .breaks = isinf(first) ? NULL : &s->breaks,
+                           .settle = s->floating.n ? settle : NULL,
                            .self = s};
     if (m->nloop) build_loops(s, life);
     return s;
