@@ -61,9 +61,6 @@ enum status deck_expr(struct expr **out, const struct node *n, const struct expr
 /* The same for a condition, "hub.angle > 1". */
 enum status deck_truth(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
 
-/* The part of a scalar's text that starts at byte `offset` as a place in the source. */
-struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length);
-
 /* The value of a parameter: 0 if there is one. */
 int deck_parameter(double *out, const char *name, const struct deck *deck);
 
@@ -79,8 +76,5 @@ const struct node *deck_yaml(const struct node *file, struct deck *deck);
 
 /* The path of a file beside the deck, which joins the deck's hash; NULL: told. */
 const char *deck_file(const struct node *n, struct deck *deck);
-
-/* Opens a file named by a node, inside the deck's folder; -1: told. */
-int deck_open_file(const struct node *n, struct deck *deck);
 
 #endif

@@ -83,4 +83,6 @@ const struct sweep_ops sweep_planar = {.build = build,
                                        .factor = planar_factor,
                                        .solve = planar_solve,
                                        .energy = planar_energy,
-                                       .reaction = planar_reaction};
+                                       .reaction = planar_reaction,
+                                       .gather = planar_gather,
+                                       .hasten = planar_hasten};

@@ -74,12 +74,19 @@ INTO static inline enum status residual(struct tree *o, double *r, double *w, do
                                         enum rate cls, bool moved, struct trouble *why)
 {
     const int n = o->model->n;
+    const bool balanced = o->floating.n > 0 && x->va && cls == ALL;
+    struct instant settled;
+    if (balanced) {
+        floating_place(&o->floating, &settled, x);
+        x = &settled;
+    }
     for (int i = 0; i < n; i++) r[i] = 0;
     if (w)
         for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
     if (dk) *dk = 0;
-    if (!moved) o->stands = false;
+    if (!moved || balanced) o->stands = false;
     o->ops->forward(o->sweep, moved ? NULL : x->q, x->v, x->a, cls);
+    if (balanced) floating_balance(&o->floating, o->sweep, &settled);
     elements_load(o->elements, o->sweep, r, w, dk, NULL, x, cls);
     if (w && o->elastic.n) w[POWER_DAMPER] -= elastic_lost(&o->elastic, x->v, cls);
     o->ops->backward(o->sweep, r, cls);
@@ -150,6 +157,11 @@ static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, co
 }
 
 static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
+
+static void settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x)
+{
+    floating_settle(&tree_of(o)->floating, q1, v1, x);
+}
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
@@ -229,6 +241,7 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
     elastic_build(&o->elastic, m, life);
     if (o->elastic.n) o->M = TAKE(life, double, m->n * m->n);
     moves_build(&o->moves, m, life);
+    floating_build(&o->floating, m, o->ops, life);
     const size_t bytes = o->ops->factor_size(o->sweep);
     o->factor = arena_take(life, 1, bytes);
     o->d = TAKE(life, double, m->n);
@@ -249,5 +262,6 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
                            .move = plain ? NULL : &move,
                            .direct = &o->direct,
                            .breaks = isinf(first) ? NULL : &o->breaks,
+                           .settle = o->floating.n ? settle : NULL,
                            .self = o};
 }

@@ -10,6 +10,7 @@
 
 #include "system/elastic.h"
 #include "system/elements.h"
+#include "system/floating.h"
 #include "system/moves.h"
 #include "system/sweep.h"
 
@@ -23,7 +24,8 @@ struct tree {
     bool diagonal;          /* elements_are_diagonal() */
     struct elastic elastic; /* flexible bodies */
     struct moves moves;
-    struct ode2 ode; /* of the tree */
+    struct floating floating; /* what flies freely */
+    struct ode2 ode;          /* of the tree */
     struct ode2_direct direct;
     struct ode2_breaks breaks;
     double *M;              /* [n x n] of flexible bodies */
