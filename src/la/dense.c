@@ -59,22 +59,19 @@ int dense_cholesky(double *A, int n, int ld)
     return n <= NARROW ? cholesky(A, n, ld) : cholesky_wide(A, n, ld);
 }
 
-/* What is next waits for little: the inverses of the diagonal are there before x is, and of a sum the number found last
- * is the last term. */
 void dense_cholesky_solve(const double *restrict L, double *restrict x, int n, int ld)
 {
-    const double *c = L;
-    for (int j = 0; j < n; j++, c += ld + 1) {
-        const double inverse = 1 / *c;
+    for (int j = 0; j < n; j++) {
+        const double *c = L + (long)j * ld;
         if (x[j] == 0) continue;
-        const double xj = x[j] *= inverse;
-        for (int i = 1; i < n - j; i++) x[j + i] -= c[i] * xj;
+        const double xj = x[j] /= c[j];
+        for (int i = j + 1; i < n; i++) x[i] -= c[i] * xj;
     }
     for (int j = n - 1; j >= 0; j--) {
-        c -= ld + 1;
-        double *xj = x + j, inverse = 1 / *c, sum = *xj;
-        for (int i = n - 1 - j; i > 0; i--) sum -= c[i] * xj[i];
-        *xj = sum * inverse;
+        const double *c = L + (long)j * ld;
+        double sum = x[j];
+        for (int i = j + 1; i < n; i++) sum -= c[i] * x[i];
+        x[j] = sum / c[j];
     }
 }
 
@@ -152,6 +149,11 @@ void dense_lu_solve(const double *LU, const int *swap, double *x, int n, int ld)
         double xj = x[j] /= c[j];
         for (int i = 0; i < j; i++) x[i] -= c[i] * xj;
     }
+}
+
+void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld, int m, int ldx)
+{
+    for (int k = 0; k < m; k++) dense_lu_solve(LU, swap, X + (long)k * ldx, n, ld);
 }
 
 INTO static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
