@@ -52,7 +52,7 @@ struct midpoint *midpoint_new(struct stepper *s, struct arena *life)
     return m;
 }
 
-/* The midpoint and the end that belong to the mean acceleration a. */
+/* The midpoint that belongs to the mean acceleration a, and the end where it is looked at. */
 static void place(struct midpoint *m, const double *a)
 {
     for (int i = 0; i < m->ode->n; i++) {
@@ -61,7 +61,7 @@ static void place(struct midpoint *m, const double *a)
         m->dx[i] = m->h * m->v[i];
     }
     motion_point(m->ode, m->q, m->q0, m->dx, .5, m->x.t);
-    motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
+    if (m->x.qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     m->x.a = a;
 }
 
@@ -111,6 +111,7 @@ static void accept(struct midpoint *m, struct stepper *s, struct state *x, doubl
     s->last_sweeps += m->newton.count;
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->h * m->w[c];
     place(m, m->a);
+    if (!m->x.qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
     copy(m->aold, x->a, n);
     copy(x->a, m->a, n);
@@ -132,8 +133,13 @@ enum status midpoint_advance(struct midpoint *m, struct stepper *s, struct state
     m->h = h;
     m->q0 = x->q;
     m->v0 = x->v;
-    m->x = (struct instant){
-        .t = x->t + (t1 - x->t) / 2, .q = m->q, .v = m->v, .qa = x->q, .qb = m->q1, .ta = x->t, .tb = t1};
+    m->x = (struct instant){.t = x->t + (t1 - x->t) / 2,
+                            .q = m->q,
+                            .v = m->v,
+                            .qa = x->q,
+                            .qb = m->ode->pointwise ? NULL : m->q1,
+                            .ta = x->t,
+                            .tb = t1};
     if (m->ode->settle) m->x.va = x->v, m->x.vb = m->v1;
     newton_begin(&m->newton, predict(m, x, fresh));
     if (m->newton.stale || h != m->hfactor) {

@@ -237,6 +237,7 @@ struct condense *condense_build(struct tree *tree, const double *q0, const doubl
                            .chart = &o->chart,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .settle = tree->ode.settle ? condense_settle : NULL,
+                           .pointwise = tree->ode.pointwise,
                            .self = o};
     o->life = life;
     o->scratch = arena_open();

@@ -26,6 +26,9 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
 void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
                    const struct instant *x, enum rate cls);
 
+/* Does none of them ask for the ends of the interval? */
+bool elements_are_pointwise(const struct elements *e);
+
 /* K += dr/dq, C += dr/dv, by column, either may be NULL; after move(). */
 void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x, enum rate cls);
 

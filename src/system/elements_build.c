@@ -142,3 +142,12 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
     for (int i = 0; i < e->most_slots; i++) e->which[i] = i + 1;
     return e;
 }
+
+bool elements_are_pointwise(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct model_force *f = &e->model->force[e->other[i].force];
+        if (f->type == FORCE_BUSHING || (f->type == FORCE_LAW && f->kind->stored)) return false;
+    }
+    return true;
+}

@@ -119,7 +119,8 @@ struct ode2 {
      * it: at the end of a step settle() moves q1, which is x->qb, there, and v1, x->vb, by what is left of the
      * residual. */
     void (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x);
-    void *self; /* the owner's */
+    int pointwise; /* nothing looks at qa and qb: they need not be known, and may be NULL */
+    void *self;    /* the owner's */
 };
 
 #endif

@@ -263,5 +263,6 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
                            .direct = &o->direct,
                            .breaks = isinf(first) ? NULL : &o->breaks,
                            .settle = o->floating.n ? settle : NULL,
+                           .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};
 }

@@ -156,6 +156,26 @@ static void the_same_bits_twice(void **state)
     }
 }
 
+/* A system that is pointwise says the same whatever the ends; one with springs that are not plain does not. */
+static void ends_are_looked_at_or_not(void **state)
+{
+    (void)state;
+    EVERY_TREE(space, seed)
+    for (unsigned flags = 0; flags < 2; flags++) {
+        struct fixture f;
+        double r[MOST], without[MOST], zero[MOST] = {0}, change = 0;
+        open_tree(&f, space, 6, seed, TREE_REVOLUTE | (flags ? TREE_FORCES : 0));
+        struct instant x = {.t = .1, .q = f.q, .v = f.v, .ta = 0, .tb = .2};
+        f.o->ops->resid(f.o, without, NULL, NULL, &x, ALL, NULL);
+        x.qa = zero, x.qb = f.q;
+        f.o->ops->resid(f.o, r, NULL, NULL, &x, ALL, NULL);
+        for (int i = 0; i < f.o->n; i++) change = fmax(change, fabs(r[i] - without[i]));
+        assert_int_equal(f.o->pointwise, !flags);
+        assert_true(flags ? change > 1e-3 : change == 0);
+        close_tree(&f);
+    }
+}
+
 static void nothing_is_allocated(void **state)
 {
     (void)state;
@@ -499,6 +519,7 @@ int main(void)
         cmocka_unit_test(classes_add_up),
         cmocka_unit_test(resid_is_affine_in_accelerations),
         cmocka_unit_test(the_same_bits_twice),
+        cmocka_unit_test(ends_are_looked_at_or_not),
         cmocka_unit_test(nothing_is_allocated),
         cmocka_unit_test(accelerations_solve_the_equations),
         cmocka_unit_test(the_structured_factor_is_the_dense_matrix),
