@@ -147,7 +147,6 @@ const struct diag_help diag_helps[] = {
     {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
                     "them, or those above a frequency."},
     {"E-newmark", "Newmark's method is stable for every step if 2 beta >= gamma >= 1/2."},
-    {"E-scheme", "The key belongs to other schemes. `fmdsub list schemes` shows them."},
     {"E-step", "The step is too long or too short for the run."},
     {"E-ratio", "A major step (ratio times step) must fit into the run."},
     {"E-every", "Records fall on the ends of major steps: 'every' is a multiple of ratio times step, or {steps: N}."},
@@ -161,6 +160,9 @@ const struct diag_help diag_helps[] = {
                      "right for small loads only. From the speed named, that of the body held at its inboard joint "
                      "alone, it bends away without bound, which no real beam does; the energy balance does not show "
                      "it. Take 'stiffening: false' out."},
+    {"W-scheme",
+     "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
+     "a deck whose scheme --set has changed are passed over without a word."},
     {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
                 "smaller ratio would let it be slow."},
     {"W-bending",

@@ -61,6 +61,9 @@ enum status deck_expr(struct expr **out, const struct node *n, const struct expr
 /* The same for a condition, "hub.angle > 1". */
 enum status deck_truth(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
 
+/* Does it stand on the command line, as --set or what is short for it? */
+bool deck_was_set(const struct deck *deck, const struct node *n);
+
 /* The part of a scalar's text that starts at byte `offset` as a place in the source. */
 struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length);
 

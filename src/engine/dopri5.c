@@ -253,6 +253,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_dopri5 = {
     .name = "dopri5",
     .brief = "Dormand-Prince 5(4), explicit, steps of its own inside H",
+    .reads = " tolerance ",
     .rates = 1,
     .order = 5,
     .adaptive = 1,

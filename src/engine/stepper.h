@@ -53,6 +53,7 @@ struct stepper;
 struct stepper_kind {
     const char *name;  /* deck word */
     const char *brief; /* one line for `fmdsub list` and the manual */
+    const char *reads; /* deck words of the options that it knows, " " around each; until is everyone's */
     int rates;         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
     int adaptive;   /* chooses its own steps inside H */

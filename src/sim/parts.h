@@ -8,6 +8,9 @@
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report);
 enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
 
+/* unread.c: warnings of keys that the scheme does not read */
+void warn_of_unread(const struct sim *sim, struct diags *diags);
+
 /* advance.c: one major step to `to`, halved where it must be */
 enum status advance(struct sim *sim, double h, int ratio, double to);
 

@@ -24,7 +24,7 @@ static void open_stepper(struct sim *sim, struct arena *life)
     o.rho_infinity = p->rho_infinity;
     o.symmetric = p->symmetric;
     o.newton_tolerance = p->newton_tolerance;
-    if (p->tolerance > 0) o.rtol = o.atol = p->tolerance;
+    if (sim->stepper.kind->adaptive && p->tolerance > 0) o.rtol = o.atol = p->tolerance;
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), &o, life);
 }
 
@@ -76,6 +76,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     spins_open(sim, life);
     sim->system = system_build(m, life);
     sim->x = new_state(m, life);
+    warn_of_unread(sim, diags);
     warn_of_loops(sim, diags);
     open_stepper(sim, life);
     return start(sim, report);
