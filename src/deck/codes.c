@@ -163,6 +163,10 @@ const struct diag_help diag_helps[] = {
     {"W-scheme",
      "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
      "a deck whose scheme --set has changed are passed over without a word."},
+    {"W-drive-start",
+     "At t = 0 the drive's value is not that of the drawn position, and the mechanism is moved there before the run. "
+     "Draw it there, say so by 'initial: {joint.coordinate: value}' or 'initial: {assemble: true}', or let the "
+     "drive begin where it is drawn: a distance with its length, a coordinate with 0."},
     {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
                 "smaller ratio would let it be slow."},
     {"W-bending",

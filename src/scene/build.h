@@ -142,6 +142,8 @@ bool known_but_wrong(const struct builder *b, const char *name);
 
 int read_forces(struct builder *b, const struct node *n);
 int read_drives(struct builder *b, const struct node *n);
+/* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */
+void warn_of_drives(struct builder *b);
 /* An expression or table of time alone. */
 int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);

@@ -41,6 +41,10 @@ void spins_note(struct sim *sim);
 bool spins_passed(const struct sim *sim);
 void say_spins(const struct sim *sim, FILE *to);
 
+/* leaps.c: drives that jump in the major step that ends at `to` */
+void leaps_open(struct sim *sim, struct arena *life);
+enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report);
+
 /* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
 double record_value(const struct sim *sim, const struct origin *s);
 enum status record_fill(struct sim *sim);

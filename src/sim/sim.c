@@ -74,6 +74,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(events_open(sim, diags, life));
     bends_open(sim, life);
     spins_open(sim, life);
+    leaps_open(sim, life);
     sim->system = system_build(m, life);
     sim->x = new_state(m, life);
     warn_of_unread(sim, diags);
@@ -163,6 +164,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
     enum { LOOK_EVERY = 64 };
     for (long k = 1; k <= sim->majors; k++) {
         long charts = system_charts(sim->system);
+        if (sim->nleap) TRY(leaps_look(sim, end_of(sim, k), sink, report));
         enum status status = major(sim, k);
         if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));

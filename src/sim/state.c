@@ -86,6 +86,8 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
     if (diags_status(diags) == OK) check_quaternions(m, q, from, diags);
     m->q0 = q;
     m->v0 = v;
+    m->said_q = memset(TAKE(life, bool, m->nq), true, (size_t)m->nq * sizeof(bool));
+    m->said_v = memset(TAKE(life, bool, m->n), true, (size_t)m->n * sizeof(bool));
     return diags_status(diags);
 }
 
