@@ -226,10 +226,10 @@ static enum status agrees(struct condense *o, const double *q0, const double *v0
     for (int i = 0; i < m->ncoordinate; i++) {
         int iv = m->coordinate[i].iv;
         if (iv < 0 || o->slot[iv] >= 0) continue;
-        if (m->said_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
+        if (m->said_q && m->said_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
             return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
                         m->coordinate[i].name, q0[i], m->ndrive ? " and drives at t = 0" : "", o->q[i]);
-        if (m->said_v[iv] && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
+        if (m->said_v && m->said_v[iv] && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
             return fail(&o->start.report, E_MODEL,
                         "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g", m->coordinate[i].name,
                         v0[iv], m->ndrive ? " and drives at t = 0" : "", o->vt[iv]);
