@@ -163,6 +163,9 @@ const struct diag_help diag_helps[] = {
     {"W-scheme",
      "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
      "a deck whose scheme --set has changed are passed over without a word."},
+    {"W-time",
+     "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
+     "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},
     {"W-drive-start",
      "At t = 0 the drive's value is not that of the drawn position, and the mechanism is moved there before the run. "
      "Draw it there, say so by 'initial: {joint.coordinate: value}' or 'initial: {assemble: true}', or let the "

@@ -137,5 +137,6 @@ void make_start(struct making *o)
     m->v0 = v;
     m->said_q = said_q;
     m->said_v = said_v;
+    m->t0 = scene->start;
     m->assemble = scene->assemble;
 }

@@ -43,7 +43,7 @@ static int initial_names(struct builder *b, const char *const **out)
     int s = scene->space == 3, n = 0;
     int modes = 0;
     for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
-    const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2) + 2 * modes);
+    const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2) + 2 * modes + 3);
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         for (int k = 0; k < j->kind->nq[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
@@ -56,6 +56,9 @@ static int initial_names(struct builder *b, const char *const **out)
             list[n++] = arena_print(b->life, "%s.mode%d", scene->body[i].name, k);
             list[n++] = arena_print(b->life, "%s.mode%d_rate", scene->body[i].name, k);
         }
+    list[n++] = "static";
+    list[n++] = "assemble";
+    list[n++] = "from";
     *out = list;
     return n;
 }
@@ -103,16 +106,50 @@ static int read_wish(struct builder *b, bool *wish, const struct node *n)
     return 0;
 }
 
+/* Nothing but how the clock goes on stands beside `from`. */
+static int read_clock(struct builder *b, int *keeps, const struct node *initial)
+{
+    for (int i = 0; i < initial->count; i++) {
+        const struct node *n = initial->item[i];
+        if (strcmp(n->key, "from") == 0) continue;
+        if (strcmp(n->key, "time") == 0) {
+            if (read_word(keeps, n, "zero|keep", &b->reader)) return 1;
+            continue;
+        }
+        diag_error(b->diags, n, AT_KEY, "E-state", "'from' gives all coordinates: '%.60s' cannot be set beside it",
+                   n->key);
+        return 1;
+    }
+    return 0;
+}
+
+/* The first of the drives and forces that is a function of time; NULL: none is. */
+static const struct node *first_of_time(const struct scene *scene)
+{
+    for (int i = 0; i < scene->ndrive; i++)
+        if (signal_reads_time(&scene->drive[i].value)) return scene->drive[i].node;
+    for (int i = 0; i < scene->nforce; i++)
+        for (int k = 0; k < 3; k++)
+            if (signal_reads_time(&scene->force[i].value[k])) return scene->force[i].node;
+    return NULL;
+}
+
+/* The deck does not say how the clock goes on, where it matters. */
+static void warn_of_clock(struct builder *b, const struct node *initial, const struct node *n, double t)
+{
+    const struct node *told = first_of_time(b->scene);
+    if (t == 0 || node_find(initial, "time") || !told) return;
+    diag_warn(b->diags, n, AT_VALUE, "W-time",
+              "the state is from t = %.9g s, and the run starts at t = 0: so does '%.60s'", t, told->key);
+    diag_hint(b->diags, "'time: keep' goes on from there, 'time: zero' says that this is meant");
+}
+
 /* The file that a run left by --final-state; its names are looked up when there are columns. */
 static int read_from(struct builder *b, const struct node *initial, const struct node *n)
 {
     struct state_keys k = {0};
-    if (initial->count > 1) {
-        const struct node *other = initial->item[initial->item[0] == n];
-        diag_error(b->diags, other, AT_KEY, "E-state", "'from' gives all coordinates: '%.60s' cannot be set beside it",
-                   other->key);
-        return 1;
-    }
+    int keeps = 0;
+    if (read_clock(b, &keeps, initial)) return 1;
     const struct node *root = deck_yaml(n, b->reader.deck);
     if (root && !node_find(root, "fmdsub_state")) {
         diag_error(b->diags, n, AT_VALUE, "E-state", "this file is no final state: it has no 'fmdsub_state'");
@@ -120,6 +157,12 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     }
     if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return 1;
     if (read_map(k.state, "'state'", &b->reader)) return 1;
+    if (keeps && !node_find(root, "t")) {
+        diag_error(b->diags, node_find(initial, "time"), AT_VALUE, "E-state", "the state has no 't' to go on from");
+        return 1;
+    }
+    if (keeps) b->scene->start = k.t;
+    warn_of_clock(b, initial, n, k.t);
     b->scene->from = k.state;
     return 0;
 }
@@ -278,21 +321,30 @@ static int check_steps(struct builder *b, const struct integrate *o, const struc
 {
     const struct node *step = node_find(n, "step");
     if (!step) return 0;
-    double count = o->until / o->step;
+    const double span = o->until - b->scene->start, count = span / o->step;
     if (o->until + o->step == o->until) {
         diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s vanishes beside until %g s", o->step, o->until);
         return 1;
     }
-    if (o->step > o->until * (1 + 1e-12)) {
-        diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s is longer than the run, %g s", o->step, o->until);
+    if (o->step > span * (1 + 1e-9)) {
+        diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s is longer than the run, %g s", o->step, span);
         return 1;
     }
-    if (o->ratio > 1 && (double)o->ratio > count * (1 + 1e-12)) {
+    if (o->ratio > 1 && (double)o->ratio > count * (1 + 1e-9)) {
         diag_error(b->diags, node_find(n, "ratio"), AT_VALUE, "E-ratio",
                    "one major step of %d minor ones is longer than the run", o->ratio);
         return 1;
     }
     return 0;
+}
+
+/* A run that goes on from a state's time has an end beyond it. */
+static int check_span(struct builder *b, const struct integrate *o)
+{
+    if (o->until > b->scene->start) return 0;
+    diag_error(b->diags, o->end, AT_VALUE, "E-state",
+               "the run starts at t = %.9g s, where its state was: it cannot end at %.9g s", b->scene->start, o->until);
+    return 1;
 }
 
 static int read_until(struct builder *b, struct integrate *o)
@@ -315,7 +367,7 @@ int read_integrate(struct builder *b, const struct node *n)
         return 1;
     }
     int errors = check_newmark(b, o, n);
-    errors += read_until(b, o) || check_steps(b, o, n);
+    errors += read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
     if (errors) o->until = 0;
     return errors;
 }

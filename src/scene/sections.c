@@ -207,7 +207,8 @@ const struct key keys_until[] = {
 
 const struct key keys_state[] = {
     PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 1, KEY_REQUIRED, NULL, "version of this form: 1"),
-    PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL, "when it was, for people"),
+    PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL,
+               "when it was; 'time: keep' goes on from there"),
     PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
                "all coordinates and all rates, by their column names"),
     KEYS_END,

@@ -21,7 +21,7 @@ void leaps_open(struct sim *sim, struct arena *life)
         const struct signal *s = m->loop[model_first_drive(m) + i].drive;
         struct leaping o = {.loop = model_first_drive(m) + i};
         if (!s->expr || expr_is_smooth(s->expr)) continue;
-        signal_motion(s, o.x, 0);
+        signal_motion(s, o.x, m->t0);
         o.most = fabs(o.x[0]);
         sim->leap[sim->nleap++] = o;
     }

@@ -60,10 +60,11 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
 /* progress.c: a line on a terminal, rewritten a few times a second */
 struct progress {
     FILE *to;
-    double start, shown; /* [s] */
+    double start, shown; /* on the clock [s] */
+    double from;         /* of the run [s] */
     bool wrote;
 };
-void progress_open(struct progress *p, FILE *to, double now);
+void progress_open(struct progress *p, FILE *to, double now, double t);
 void progress_show(struct progress *p, double now, double t, double until);
 void progress_close(struct progress *p);
 

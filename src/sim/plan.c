@@ -74,7 +74,7 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
         return OK;
     }
     double steps = out->every / H;
-    sim->every = (long)fmin(fmax(1, round(steps)), (double)sim->majors);
+    sim->every = (long)fmin(fmax(1, round(steps)), (double)(sim->before + sim->majors));
     if (near_whole(steps) && steps > 0.5) return OK;
     double below = floor(steps) * H, above = ceil(steps) * H;
     if (below > 0)
@@ -87,6 +87,21 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
     return E_DECK;
 }
 
+/* On the steps of a run from t = 0, where the start is the end of one of them: then two runs are the same as one. */
+static enum status count_steps(struct sim *sim, double H, struct report *report)
+{
+    const double start = sim->scene->start, until = sim->plan.until, past = start / H;
+    if (!(until / H <= MOST_STEPS && past <= MOST_STEPS))
+        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: the limit is %g", until / H, until, MOST_STEPS);
+    const bool along = near_whole(past);
+    sim->before = along ? lround(past) : 0;
+    sim->origin = along ? 0 : start;
+    const double steps = (until - sim->origin) / H;
+    sim->majors = (near_whole(steps) ? lround(steps) : (long)ceil(steps)) - sim->before;
+    if (sim->majors < 1) sim->majors = 1;
+    return OK;
+}
+
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report)
 {
     struct integrate *p = &sim->plan;
@@ -97,17 +112,13 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
     double H = p->step * p->ratio;
     if (sim->stepper.kind->adaptive) { /* its steps are its own: one call from record to record */
         const struct output *out = &sim->scene->output;
-        H = out->every > 0 ? out->every : p->step > 0 ? H : p->until / 100;
+        H = out->every > 0 ? out->every : p->step > 0 ? H : (p->until - sim->scene->start) / 100;
         p->step = H;
         p->ratio = 1;
     } else if (!(p->step > 0)) {
         return missing_step(sim, diags);
     }
-    double steps = p->until / H;
-    if (!(steps <= MOST_STEPS))
-        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: the limit is %g", steps, p->until, MOST_STEPS);
-    sim->majors = near_whole(steps) ? lround(steps) : (long)ceil(steps);
-    if (sim->majors < 1) sim->majors = 1;
+    TRY(count_steps(sim, H, report));
     return plan_every(sim, H, diags);
 }
 

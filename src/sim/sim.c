@@ -11,7 +11,7 @@
 
 static struct state new_state(const struct model *m, struct arena *life)
 {
-    return (struct state){0, TAKE(life, double, m->nq), TAKE(life, double, m->n), TAKE(life, double, m->n)};
+    return (struct state){m->t0, TAKE(life, double, m->nq), TAKE(life, double, m->n), TAKE(life, double, m->n)};
 }
 
 static void open_stepper(struct sim *sim, struct arena *life)
@@ -45,15 +45,25 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
                 why.value);
 }
 
-/* Consistent accelerations at t = 0; a massless freedom shows here. */
+static enum status place(struct sim *sim, struct report *report)
+{
+    struct report why = {0};
+    enum status status = system_start(sim->system, sim->x.q, sim->x.v, &why);
+    const bool shifted = sim->scene->from && sim->model->ndrive && sim->scene->start == 0;
+    if (status == OK) return OK;
+    return fail(report, status, "%.900s%s", why.text,
+                shifted ? "; 'time: keep' beside 'from' goes on at the state's own time" : "");
+}
+
+/* Consistent accelerations at the start; a massless freedom shows here. */
 static enum status start(struct sim *sim, struct report *report)
 {
     struct energies e;
     struct trouble why = {0};
-    TRY(system_start(sim->system, sim->x.q, sim->x.v, report));
+    TRY(place(sim, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK) return say_trouble(sim, &why, E_MODEL, report);
-    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, 0);
+    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t);
     ledger_open(&sim->ledger, sim->scene->delta, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
@@ -135,12 +145,12 @@ static enum status tell_end(struct sim *sim, struct sink *sink, struct report *r
     return sink->ops->end(sink, &summary, report);
 }
 
-/* The exact time at the end of major step k (from 1): i * h from the whole number of minor steps; the last
- * one ends at `until`. */
+/* The exact time at the end of major step k (from 1): i * h from the whole number of minor steps since t = 0, or since
+ * the start where that is no end of a step; the last one ends at `until`. */
 static double end_of(const struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
-    return k == sim->majors ? p->until : (double)(k * p->ratio) * p->step;
+    return k == sim->majors ? p->until : sim->origin + (double)((sim->before + k) * p->ratio) * p->step;
 }
 
 /* Major step k; the last may be cut: same ratio, a smaller minor step. */
@@ -148,7 +158,8 @@ static enum status major(struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
     double to = end_of(sim, k), h = p->step;
-    if (k == sim->majors && fabs(to - (double)(k * p->ratio) * h) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
+    const double whole = sim->origin + (double)((sim->before + k) * p->ratio) * h;
+    if (k == sim->majors && fabs(to - whole) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
     return advance(sim, h, p->ratio, to);
 }
 
@@ -169,7 +180,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));
         TRY(look(sim, sink, report));
-        bool due = k % sim->every == 0 || k == sim->majors || sim->watch.met;
+        bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(tell_row(sim, sink, report));
         if (due || k % LOOK_EVERY == 0) {
             double now = clock_wall();
@@ -199,7 +210,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct progress progress;
     double wall = clock_wall(), cpu = clock_cpu();
-    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall);
+    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall, sim->x.t);
     say_plan(sim);
     sim_print_assembly(sim, sim->options.say);
     TRY(tell_meta(sim, sink, report));

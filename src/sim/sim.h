@@ -60,6 +60,8 @@ struct sim {
     double *row;            /* [chosen.n] */
     unsigned needs;         /* SEE_... */
     long majors, every;     /* major steps in all; between records */
+    long before;            /* major steps from t = 0 to the start, where it is the end of one */
+    double origin;          /* when steps are counted from [s]: 0, or the start */
     struct watch watch;
     double last_h; /* minor step of the last step */
     long rows;
