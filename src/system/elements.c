@@ -346,6 +346,16 @@ void elements_measure(const struct elements *e, const struct sweep *s, double *v
     *rate = act.rate;
 }
 
+bool elements_turn(const struct elements *e)
+{
+    return e->measures.turns;
+}
+
+void elements_settle(struct elements *e, const struct sweep *s)
+{
+    measures_settle(&e->measures, s);
+}
+
 /* --- building ----------------------------------------------------------------------------------- */
 
 static bool is_plain(const struct model *m, const struct model_force *f)

@@ -12,9 +12,12 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
     o->model = m;
     o->ops = ops;
     o->drawn = arena_take(life, (size_t)m->nmeasure, sizeof *o->drawn);
-    for (int i = 0; i < m->nmeasure; i++)
-        if (m->measure[i].type == MEASURE_ANGLE)
-            m3_tmulm(o->drawn[i], m->body[m->measure[i].a.body].R, m->body[m->measure[i].b.body].R);
+    o->stood = TAKE(life, double, m->nmeasure);
+    for (int i = 0; i < m->nmeasure; i++) {
+        if (m->measure[i].type != MEASURE_ANGLE) continue;
+        m3_tmulm(o->drawn[i], m->body[m->measure[i].a.body].R, m->body[m->measure[i].b.body].R);
+        o->turns = o->turns || m->space == 3;
+    }
 }
 
 /* x_b - x_a and its rate; the points are the action's. */
@@ -63,8 +66,9 @@ static double twist_angle(double *dir, const double *q, const double *e)
 }
 
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
-                  const double *drawn)
+                  const double *drawn, double stood)
 {
+    static const double TURN = 6.283185307179586;
     struct pose a, b;
     double w[3];
     m->ops->pose(s, &a, def->a.body);
@@ -79,6 +83,7 @@ static void angle(struct action *o, const struct measures *m, const struct sweep
         m3_mulmt(turn, R, drawn);
         quat_of_matrix(q, turn);
         o->s = twist_angle(dir, q, def->axis);
+        o->s += TURN * round((stood - o->s) / TURN);
         m3_mul(o->dir, a.R, dir);
     }
     v3_diff(w, b.w, a.w);
@@ -104,8 +109,18 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
         displacement(o, m, s, def);
         break;
     case MEASURE_ANGLE:
-        angle(o, m, s, def, m->drawn[i]);
+        angle(o, m, s, def, m->drawn[i], m->stood[i]);
         break;
+    }
+}
+
+void measures_settle(struct measures *o, const struct sweep *s)
+{
+    for (int i = 0; i < o->model->nmeasure; i++) {
+        struct action act;
+        if (o->model->measure[i].type != MEASURE_ANGLE || o->model->space == 2) continue;
+        measure_at(&act, o, s, i, NULL, NULL);
+        if (isfinite(act.s)) o->stood[i] = act.s;
     }
 }
 

@@ -11,7 +11,8 @@
  *                   s = 2 atan2(e.x, w),     dir = (w^2 e + w x cross e + (e.x) x) / (w^2 + (e.x)^2)  in axes of a
  *
  * The last is from (w, x)' = (-W.x, w W + W cross x)/2 with W the relative angular velocity in axes of a.  Two
- * points in one place have no direction: dir is 0 then. */
+ * points in one place have no direction: dir is 0 then.  It is known up to whole turns, and is the one nearest to where
+ * the angle stood at the end of the last step, so that it goes on through half a turn, and a spring winds up. */
 #ifndef FMDSUB_SYSTEM_MEASURE_H
 #define FMDSUB_SYSTEM_MEASURE_H
 
@@ -40,6 +41,8 @@ struct measures {
     const struct model *model;
     const struct sweep_ops *ops;
     double (*drawn)[9]; /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
+    double *stood;      /* [nmeasure] space, angles: at the end of the last step [rad] */
+    bool turns;         /* there are such */
 };
 
 void measures_build(struct measures *o, const struct model *m, const struct sweep_ops *ops, struct arena *life);
@@ -47,6 +50,9 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
 /* The measure i at the sweep's last motion; a coordinate's s and rate only. */
 void measure_at(struct action *o, const struct measures *m, const struct sweep *s, int i, const double *q,
                 const double *v);
+
+/* Between steps: angles in space stand where they are at the sweep's last motion. */
+void measures_settle(struct measures *o, const struct sweep *s);
 
 /* Pushes the sweep's bodies with f along the measure (not for coordinates). */
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f);

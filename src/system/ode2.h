@@ -82,8 +82,8 @@ struct ode2_direct {
 
 /* Between accepted major steps only. */
 struct ode2_chart {
-    /* A better chart (partition, rotation base) at q: 1 if it changed, then carry() every velocity-like
-     * vector that is kept. */
+    /* Angles known up to whole turns go on from q.  A better chart (partition, rotation base) there: 1 if it changed,
+     * then carry() every velocity-like vector that is kept. */
     int (*rechart)(struct ode2 *o, double *q, double *v, double t);
     void (*carry)(const struct ode2 *o, double *x);
 };

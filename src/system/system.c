@@ -198,6 +198,21 @@ static void solve(const struct ode2 *o, const void *F, double *x)
     s->ops->solve(s->work, F, x);
 }
 
+/* --- turns -------------------------------------------------------------------------------------- */
+
+/* Angles in space go on from q.  The coordinates stay. */
+static int settle(struct ode2 *o, double *q, double *v, double t)
+{
+    struct system *s = system_of(o);
+    (void)v, (void)t;
+    s->placed = false;
+    s->ops->move(s->work, q, s->zero, ALL);
+    elements_settle(s->elements, s->work);
+    return 0;
+}
+
+static const struct ode2_chart turns = {.rechart = settle};
+
 /* --- kinks in time ------------------------------------------------------------------------------ */
 
 static double next_kink(const struct ode2 *o, double t)
@@ -276,6 +291,7 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &s->direct,
+                           .chart = elements_turn(s->elements) ? &turns : NULL,
                            .breaks = isinf(first) ? NULL : &s->breaks,
                            .self = s};
     if (m->nloop) build_loops(s, life);
