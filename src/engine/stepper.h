@@ -42,7 +42,7 @@ struct step_options {
     double rho_infinity;     /* subcycle: 1 none ... 0 most damping of what h does not resolve */
     int symmetric;           /* subcycle: W at the average of both ends, second pass */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
-    double rtol, atol;       /* adaptive schemes: error per step in every coordinate */
+    double rtol, atol;       /* adaptive schemes: error per step in every coordinate; atol in usual sizes */
     int sweeps;              /* most sweeps or iterations per step; 0: the scheme's default */
 };
 

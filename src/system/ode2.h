@@ -108,7 +108,8 @@ struct ode2 {
     const struct ode2_direct *direct;
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;
-    void *self; /* the owner's */
+    double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
+    void *self;                                  /* the owner's */
 };
 
 #endif

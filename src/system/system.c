@@ -16,6 +16,7 @@
 #include "system/elastic.h"
 #include "system/elements.h"
 #include "system/moves.h"
+#include "system/sizes.h"
 
 struct system {
     const struct model *model;
@@ -36,6 +37,7 @@ struct system {
     double *at;       /* [nq] where system_energy_at() has put the bodies of `work`, while `placed`: a factor there */
     bool placed;      /* need not find their positions again */
     double *d, *zero; /* [n] */
+    double *size;     /* [n] usual changes of the coordinates */
     struct effect *suspect; /* [nforce] for naming the element that is not finite */
     /* at the last see() */
     double *q, *v, *a, *r; /* [nq], [n] */
@@ -255,6 +257,11 @@ static enum status loops_accel(struct system *s, const double *q, const double *
 
 /* --- building ----------------------------------------------------------------------------------- */
 
+static double size_of(const struct ode2 *o, int i)
+{
+    return system_of(o)->size[i];
+}
+
 struct system *system_build(const struct model *m, struct arena *life)
 {
     struct system *s = TAKE(life, struct system, 1);
@@ -271,6 +278,8 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->factor = arena_take(life, 1, bytes);
     s->d = TAKE(life, double, m->n);
     s->zero = TAKE(life, double, m->n);
+    s->size = TAKE(life, double, m->n);
+    sizes_fill(s->size, m);
     s->at = TAKE(life, double, m->nq);
     s->q = TAKE(life, double, m->nq);
     s->v = TAKE(life, double, m->n);
@@ -293,6 +302,7 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .direct = &s->direct,
                            .chart = elements_turn(s->elements) ? &turns : NULL,
                            .breaks = isinf(first) ? NULL : &s->breaks,
+                           .size = size_of,
                            .self = s};
     if (m->nloop) build_loops(s, life);
     return s;
