@@ -163,6 +163,9 @@ const struct diag_help diag_helps[] = {
     {"W-scheme",
      "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
      "a deck whose scheme --set has changed are passed over without a word."},
+    {"W-unused", "What the deck gives changes nothing. Take it out, or look for the name that it should have had."},
+    {"W-partition", "Where no coordinate is fast, everything takes the major step, ratio times step. Name the fast "
+                    "coordinates in partition:, or take ratio 1."},
     {"W-time",
      "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
      "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},

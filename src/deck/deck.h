@@ -64,6 +64,9 @@ enum status deck_truth(struct expr **out, const struct node *n, const struct exp
 /* Does it stand on the command line, as --set or what is short for it? */
 bool deck_was_set(const struct deck *deck, const struct node *n);
 
+/* When all has been read: parameters of the deck's own text, or of --set, that nothing asked for. */
+void deck_warn_unused(struct deck *deck);
+
 /* The part of a scalar's text that starts at byte `offset` as a place in the source. */
 struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length);
 

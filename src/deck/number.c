@@ -52,6 +52,7 @@ int lookup_find(void *self, int *slot, double *value, const char *name, struct e
     struct parameter *p = parameter_find(look->deck, name);
     if (!p) return not_here(look, slot, value, name, error);
     *value = p->value;
+    p->used = true;
     if (p->state == WAITING || p->state == BUSY) look->pending = (int)(p - look->deck->parameter);
     if (p->state == BROKEN) look->broken = true;
     return p->state != KNOWN;
@@ -131,6 +132,11 @@ static enum status tell_numeral(const struct node *n, const struct expr_error *e
     return tell(n);
 }
 
+static bool doubled_star(const char *text, size_t at)
+{
+    return at > 0 && at < strlen(text) && text[at] == '*' && text[at - 1] == '*';
+}
+
 static enum status tell_error(const struct node *n, const struct expr_error *error, struct deck *deck)
 {
     struct diags *d = deck->diags;
@@ -151,7 +157,8 @@ static enum status tell_error(const struct node *n, const struct expr_error *err
     at.mark = span.from;
     at.end = span.to;
     diag_error(d, &at, AT_VALUE, code, "%s", error->text);
-    if (error->hint[0]) diag_hint(d, "%s", error->hint);
+    const char *hint = doubled_star(n->text, error->offset) ? "a power is written x^2" : error->hint;
+    if (*hint) diag_hint(d, "%s", hint);
     if (!is_exact(deck, n)) diag_hint(d, "in \"%s\"", diag_clip(d, n->text));
     return tell(n);
 }

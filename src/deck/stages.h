@@ -46,6 +46,7 @@ struct parameter {
     struct node *node;
     enum parameter_state state;
     double value;
+    bool used; /* something asked for it */
 };
 struct parameter *parameter_find(const struct deck *deck, const char *name);
 

@@ -179,6 +179,10 @@ static int read_rigid(struct builder *b, struct scene_body *body, const struct n
     if (k.orient) errors += read_orientation(b, body->R, k.orient, what);
     if (k.shape) errors += read_shape(b, body, &k, what);
     if (k.inertia) errors += read_inertia(b, body->inertia, k.inertia, what);
+    if (!errors && k.shape && k.inertia && !isnan(k.mass)) {
+        diag_warn(b->diags, k.shape, AT_KEY, "W-unused", "%s: 'mass' and 'inertia' leave nothing for its shape to give",
+                  what);
+    }
     if (!errors && isnan(body->mass)) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s has no 'mass'", what);
         errors++;
@@ -195,10 +199,23 @@ static bool is_beam(const struct node *n)
     return false;
 }
 
+/* A beam and a file at once: nothing is read of it. */
+static bool is_both(const struct node *n)
+{
+    return n->type == NODE_MAP && node_find(n, "flexible") && node_find(n, "beam");
+}
+
 static int read_body(struct builder *b, int index, const struct node *n)
 {
     struct scene_body *body = &b->scene->body[index];
-    if (n->type == NODE_MAP && node_find(n, "flexible")) return read_reduced(b, body, n);
+    const struct node *file = n->type == NODE_MAP ? node_find(n, "flexible") : NULL;
+    if (is_both(n)) {
+        diag_error(b->diags, file, AT_KEY, "E-two-kinds",
+                   "body '%.60s' is a beam, or from a file: expected 'beam' or 'flexible'", n->key);
+        diag_note(b->diags, node_find(n, "beam"), AT_KEY, "this makes it a beam");
+        return 1;
+    }
+    if (file) return read_reduced(b, body, n);
     if (is_beam(n)) return read_beam(b, body, index, n);
     return read_rigid(b, body, n);
 }
@@ -267,7 +284,7 @@ int read_bodies(struct builder *b, const struct node *n)
     scene->point = TAKE(b->life, struct scene_point, count_points(scene, n));
     if (ground) errors += read_ground(b, ground);
     for (int i = 1; i < scene->nbody; i++) {
-        if (scene->body[i].node->type != NODE_MAP) continue;
+        if (scene->body[i].node->type != NODE_MAP || is_both(scene->body[i].node)) continue;
         const struct node *points = node_find(scene->body[i].node, "points");
         if (scene->body[i].flex) name_nodes(b, i, points);
         errors += read_points(b, i, points, "'points'");

@@ -20,6 +20,18 @@ static bool may_hold_names(const struct node *section)
     return true;
 }
 
+/* Has a body lost what follows its name, for errors of its own?  A flexible body that is not made its modes, and one
+ * from a file its nodes; any body the points that are in the deck and were wrong. */
+static bool lost_with(const struct builder *b, int body, const char *rest)
+{
+    const struct scene_body *o = &b->scene->body[body];
+    const struct node *points = o->node->type == NODE_MAP ? node_find(o->node, "points") : NULL;
+    if (*rest == '.' && points && (points->type != NODE_MAP || node_find(points, rest + 1))) return true;
+    if (o->flex) return false;
+    if (b->draft[body]) return *rest == 0 || strncmp(rest, ".mode", 5) == 0;
+    return o->node->type == NODE_MAP && node_find(o->node, "flexible");
+}
+
 /* Is the thing whose name leads `name` in the deck, but left out of the scene for errors of its own?  Then enough
  * has been said. */
 bool known_but_wrong(const struct builder *b, const char *name)
@@ -30,10 +42,8 @@ bool known_but_wrong(const struct builder *b, const char *name)
     if (len >= sizeof lead || diags_errors(b->diags) == 0) return false;
     memcpy(lead, name, len);
     lead[len] = 0;
-    for (int i = 1; i < b->scene->nbody; i++) /* its modes are not known */
-        if (same(b->scene->body[i].name, name, len) && strncmp(name + len, ".mode", 5) == 0 && b->draft[i] &&
-            !b->scene->body[i].flex)
-            return true;
+    for (int i = 1; i < b->scene->nbody; i++)
+        if (same(b->scene->body[i].name, name, len) && lost_with(b, i, name + len)) return true;
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
     for (int i = 0; i < root->count; i++)

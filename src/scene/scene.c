@@ -87,5 +87,6 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
     if (k.integrate) read_integrate(&b, k.integrate);
     read_output(&b, k.output);
     read_energy(&b, k.energy);
+    if (diags_errors(diags) == 0) deck_warn_unused(deck);
     return diags_status(diags);
 }

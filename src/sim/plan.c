@@ -44,7 +44,7 @@ static void prefer_single_rate(struct sim *sim)
 
 static enum status missing_step(struct sim *sim, struct diags *diags)
 {
-    diag_error(diags, sim->plan.node, AT_KEY, "E-missing-key", "scheme %s needs a 'step'", sim->stepper.kind->name);
+    diag_error(diags, sim->plan.node, AT_KEY, "E-missing-key", "scheme %s needs a 'step'", sim->plan.scheme);
     if (sim->plan.tolerance > 0) diag_hint(diags, "'tolerance' is for schemes that choose their steps, such as dopri5");
     return E_DECK;
 }
@@ -137,6 +137,17 @@ static void choose_default(struct sim *sim, struct arena *life)
     sim->chosen = (struct selection){n, index, -1};
 }
 
+/* Does the column's name begin with that of a joint outside of the tree? */
+static bool closes_loop(const struct sim *sim, const char *column)
+{
+    const struct scene *s = sim->scene;
+    const size_t len = strcspn(column, ".");
+    for (int i = 0; i < s->njoint; i++)
+        if (column[len] && strlen(s->joint[i].name) == len && memcmp(s->joint[i].name, column, len) == 0)
+            return sim->model->joint_of[i] < 0;
+    return false;
+}
+
 static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct arena *life)
 {
     const struct output *out = &sim->scene->output;
@@ -149,6 +160,10 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
         if (columns_select(&one, sim->catalogue.column, sim->catalogue.n, &patterns[i], 1, E_DECK, life, &report) == OK)
             continue;
         diag_error(diags, out->pattern[i], AT_VALUE, "E-unknown-column", "%s", report.text);
+        if (closes_loop(sim, patterns[i]))
+            diag_hint(diags,
+                      "this joint closes a loop and has no coordinates; ask for a measure, or choose another for "
+                      "the loop by its 'loop: true'");
         status = E_DECK;
     }
     TRY(status);

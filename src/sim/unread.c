@@ -56,6 +56,19 @@ static bool has_rates(const struct stepper_kind *kind, const char *key)
     return kind->rates > 1;
 }
 
+/* Two rates, and nothing that takes the small step; coordinates to lead where nothing follows. */
+static void warn_of_partition(const struct sim *sim, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const struct node *leads = node_find(node_find(sim->scene->deck->root, "partition"), "independent");
+    const struct ode2 *ode = system_ode2(sim->system);
+    if (sim->stepper.kind->rates > 1 && p->ratio > 1 && ode->ns == 0 && ode->n > 0)
+        diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
+                  "no coordinate is fast: all of the deck takes steps of %g s", p->step * p->ratio);
+    if (leads && sim->model->nloop == 0)
+        diag_warn(diags, leads, AT_KEY, "W-unused", "'independent' means nothing without loops or drives");
+}
+
 void warn_of_unread(const struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
@@ -67,6 +80,7 @@ void warn_of_unread(const struct sim *sim, struct diags *diags)
         if (reads(kind, n->key) || says_nothing(p, n->key) || paces_records(sim, n->key) || compared(sim, n)) continue;
         tell(sim, n, reads, diags);
     }
+    warn_of_partition(sim, diags);
     const struct node *fast = node_find(node_find(sim->scene->deck->root, "partition"), "fast");
     if (fast && !has_rates(kind, fast->key) && !compared(sim, fast)) tell(sim, fast, has_rates, diags);
 }

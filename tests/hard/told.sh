@@ -64,3 +64,49 @@ for deck in decks/*.yaml; do
     "$FMDSUB" check "$deck" 2>&1 | grep -q W-scheme && not_ok "$deck" "its scheme does not read what it says"
 done
 ok "shipped decks say nothing in vain"
+
+# Numbers that look like other units, and what is given for nothing.
+cat >"$work/arm.yaml" <<'END'
+fmdsub: 1
+parameters: {length: 2}
+bodies:
+  hub: {mass: 1, inertia: 0.02, at: [0, 0], orient: 0.1}
+  arm:
+    beam: {from: [0, 0], to: [length, 0]}
+    section: {rectangle: [0.02, 0.01]}
+    material: {E: 70.0e+9, nu: 0.33, density: 2700}
+constraints:
+  shaft: {revolute: [ground, hub], at: [0, 0]}
+  clamp: {fixed: [hub, arm], at: [0, 0]}
+partition: {fast: [arm]}
+integrate: {step: 1.0e-4, ratio: 5, until: 0.005}
+END
+
+# warned WORDS SET...: one warning, with these words; "": none.
+warned() {
+    warned_words=$1
+    shift
+    for warned_set; do
+        set -- "$@" --set "$warned_set"
+        shift
+    done
+    "$FMDSUB" run -q "$@" "$work/arm.yaml" >"$work/out" 2>"$work/err"
+    warned_got="exit $? $(sed -n 's/.*warning: //p' "$work/err")"
+    case $warned_got in
+    "exit 0 $warned_words"*) [ -n "$warned_words" ] || [ "$warned_got" = "exit 0 " ] && ok "told '$warned_words': $*" && return ;;
+    esac
+    not_ok "told '$warned_words': $*" "got '$warned_got'" "$work/err"
+}
+warned ""
+warned "body 'arm': sound runs at 0.161 m/s through this material [W-units]" 'bodies.arm.material.E=70'
+warned "body 'arm': sound runs at 5.09 m/s through this material [W-units]" 'bodies.arm.material.E=70.0e+3'
+warned "body 'arm': sound runs at 1.61e+05 m/s through this material [W-units]" 'bodies.arm.material.density=2.7'
+warned "body 'arm' is a beam of 2000 m [W-units]" 'parameters.length=2000'
+warned "body 'arm': a section of about 20 m, the beam is 2 m long [W-units]" 'bodies.arm.section.rectangle=[10, 20]'
+warned "an angle of 45 rad is 7.16 turns [W-units]" 'bodies.hub.orient=45'
+warned "parameter 'lenght' is used nowhere [W-unused]" 'parameters.lenght=3'
+warned "body 'hub': 'mass' and 'inertia' leave nothing for its shape to give [W-unused]" 'bodies.hub.shape={box: [0.1, 0.1, 0.1]}'
+warned "no coordinate is fast: all of the deck takes steps of 0.0005 s [W-partition]" 'partition={}'
+warned "" 'partition={}' 'integrate.ratio=1'
+warned "'independent' means nothing without loops or drives [W-unused]" 'partition.independent=[shaft]'
+warned "" 'partition.independent=[shaft]' 'constraints.far={distance: [[0, 1], arm.tip]}' 'bodies.arm.points.tip={station: 1}'
