@@ -148,6 +148,8 @@ void warn_of_drives(struct builder *b);
 int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
 int read_initial(struct builder *b, const struct node *n);
+/* Has the joint a rotation that is no angle? */
+bool turns_freely(const struct builder *b, const struct scene_joint *j);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n);
 int read_output(struct builder *b, const struct node *n);

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "scene/build.h"
+#include "scene/flexible.h"
 
 static bool same(const char *name, const char *text, size_t len)
 {
@@ -51,10 +52,26 @@ bool known_but_wrong(const struct builder *b, const char *name)
     return false;
 }
 
+/* The beam of this name is there in parts only. */
+static bool tell_segments(struct builder *b, const struct node *n, enum diag_at which, const char *code,
+                          const char *name)
+{
+    int first = 0, last = 0;
+    for (int i = 1; i < b->scene->nbody; i++) {
+        if (!b->draft[i] || !b->draft[i]->whole || strcmp(b->draft[i]->whole, name) != 0) continue;
+        if (!first) first = i;
+        last = i;
+    }
+    if (!first) return false;
+    diag_error(b->diags, n, which, code, "beam '%.60s' is cut into segments: expected one of '%.60s' ... '%.60s'", name,
+               b->scene->body[first].name, b->scene->body[last].name);
+    return true;
+}
+
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count)
 {
-    if (known_but_wrong(b, name)) return;
+    if (known_but_wrong(b, name) || tell_segments(b, n, which, code, name)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
 }

@@ -148,6 +148,31 @@ static bool closes_loop(const struct sim *sim, const char *column)
     return false;
 }
 
+/* What a name that is a column's up to a dot has to offer. */
+static void hint_columns(const struct sim *sim, const char *pattern, struct diags *diags)
+{
+    enum { SHOWN = 8 };
+    char text[400] = "";
+    const size_t len = strcspn(pattern, ".");
+    int n = 0;
+    for (int i = 0; i < sim->catalogue.n; i++) {
+        const char *name = sim->catalogue.column[i].name;
+        if (strncmp(name, pattern, len) != 0 || name[len] != '.' || n++ >= SHOWN) continue;
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%.40s", n > 1 ? ", " : "", name);
+    }
+    if (n) diag_hint(diags, "known here: %s%s", text, n > SHOWN ? ", ..." : "");
+}
+
+static void hint(const struct sim *sim, const char *pattern, const struct report *told, struct diags *diags)
+{
+    if (closes_loop(sim, pattern))
+        diag_hint(diags,
+                  "this joint closes a loop and has no coordinates; ask for a measure, or choose another for the "
+                  "loop by its 'loop: true'");
+    else if (!strstr(told->text, "did you mean"))
+        hint_columns(sim, pattern, diags);
+}
+
 static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct arena *life)
 {
     const struct output *out = &sim->scene->output;
@@ -160,10 +185,7 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
         if (columns_select(&one, sim->catalogue.column, sim->catalogue.n, &patterns[i], 1, E_DECK, life, &report) == OK)
             continue;
         diag_error(diags, out->pattern[i], AT_VALUE, "E-unknown-column", "%s", report.text);
-        if (closes_loop(sim, patterns[i]))
-            diag_hint(diags,
-                      "this joint closes a loop and has no coordinates; ask for a measure, or choose another for "
-                      "the loop by its 'loop: true'");
+        hint(sim, patterns[i], &report, diags);
         status = E_DECK;
     }
     TRY(status);
