@@ -20,7 +20,7 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
     PARAM_NODE(struct deck_keys, drives, "drives", "{name: drive}", 0, "coordinates and measures that move as told"),
     PARAM_NODE(struct deck_keys, initial, "initial",
-               "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file}", 0,
+               "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file, time: keep}", 0,
                "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
                "nearest stable equilibrium; assemble: to the nearest state that fits"),
     PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]}", 0, "coordinates that take the minor step"),
