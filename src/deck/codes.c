@@ -142,7 +142,7 @@ const struct diag_help diag_helps[] = {
     {"E-table", "A table has rows [t, x] with increasing t."},
     /* the scene: start and run */
     {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "
-                "nothing beside 'from' is set."},
+                "nothing beside 'from' is set but 'time'. A run that keeps its time ends later than that."},
     {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
     {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
                     "them, or those above a frequency."},

@@ -69,7 +69,7 @@ struct until_keys {
 struct state_keys {
     int version;
     double t;
-    const struct node *state;
+    const struct node *state, *angles;
 };
 struct output_keys {
     const struct node *every, *columns;

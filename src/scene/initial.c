@@ -153,6 +153,7 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     }
     if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return 1;
     if (read_map(k.state, "'state'", &b->reader)) return 1;
+    if (k.angles && read_map(k.angles, "'angles'", &b->reader)) return 1;
     if (keeps && !node_find(root, "t")) {
         diag_error(b->diags, node_find(initial, "time"), AT_VALUE, "E-state", "the state has no 't' to go on from");
         return 1;
@@ -160,6 +161,7 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     if (keeps) b->scene->start = k.t;
     warn_of_clock(b, initial, n, k.t);
     b->scene->from = k.state;
+    b->scene->angles = k.angles;
     return 0;
 }
 

@@ -211,6 +211,8 @@ const struct key keys_state[] = {
                "when it was; 'time: keep' goes on from there"),
     PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
                "all coordinates and all rates, by their column names"),
+    PARAM_NODE(struct state_keys, angles, "angles", "{measure: number}", 0,
+               "where measured angles in space stand [rad], which a posture gives up to whole turns"),
     KEYS_END,
 };
 

@@ -19,8 +19,9 @@ void warn_of_loops(const struct sim *sim, struct diags *diags);
 const char *sim_loop_kind(const struct sim *sim, int l); /* "constraint" or "drive" */
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
 
-/* state.c: the model's initial state from the file that the deck names */
+/* state.c: the model's initial state from the file that the deck names; how far angles have turned there */
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
+enum status state_turns(struct sim *sim, struct diags *diags);
 
 /* events.c: the end that the deck describes, joints that leave their range */
 enum status events_open(struct sim *sim, struct diags *diags, struct arena *life);

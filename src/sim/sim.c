@@ -86,6 +86,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     spins_open(sim, life);
     leaps_open(sim, life);
     sim->system = system_build(m, life);
+    TRY(state_turns(sim, diags));
     sim->x = new_state(m, life);
     warn_of_unread(sim, diags);
     warn_of_loops(sim, diags);

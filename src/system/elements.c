@@ -351,6 +351,11 @@ bool elements_turn(const struct elements *e)
     return e->measures.turns;
 }
 
+void elements_stand(struct elements *e, int measure, double x)
+{
+    measures_stand(&e->measures, measure, x);
+}
+
 void elements_settle(struct elements *e, const struct sweep *s)
 {
     measures_settle(&e->measures, s);

@@ -124,6 +124,11 @@ void measures_settle(struct measures *o, const struct sweep *s)
     }
 }
 
+void measures_stand(struct measures *o, int i, double x)
+{
+    o->stood[i] = x;
+}
+
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f)
 {
     double on_a[3], on_b[3];

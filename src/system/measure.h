@@ -54,6 +54,9 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
 /* Between steps: angles in space stand where they are at the sweep's last motion. */
 void measures_settle(struct measures *o, const struct sweep *s);
 
+/* Angle i in space stands at x [rad], or nearby. */
+void measures_stand(struct measures *o, int i, double x);
+
 /* Pushes the sweep's bodies with f along the measure (not for coordinates). */
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f);
 

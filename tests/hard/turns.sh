@@ -50,3 +50,11 @@ awk -F, 'NR > 1 { d = $2 - $3; d = d < 0 ? -d : d; if (d > worst) worst = d }
     END { printf "%.2g rad apart, turned by %.3g", worst, $2; exit !(worst < 1e-9 && $2 > 20) }' "$work/out" >"$work/line"
 if [ $? = 0 ]; then ok "a loop's crank: measure and joint $(cat "$work/line")"
 else not_ok "a loop's crank" "measure and joint $(cat "$work/line")" "$work/err"; fi
+
+# Half of the winding, and the other half from its end: the spring stays wound.
+"$FMDSUB" run -q --until 2 --set integrate.scheme=rk4 --final-state "$work/half.json" "$work/winding.yaml" >"$work/out" 2>"$work/err"
+"$FMDSUB" run -q --set integrate.scheme=rk4 "$work/winding.yaml" 2>>"$work/err" | tail -n 1 | cut -d, -f1-6 >"$work/whole"
+"$FMDSUB" run -q --set integrate.scheme=rk4 --set 'initial={from: half.json, time: keep}' "$work/winding.yaml" 2>>"$work/err" |
+    tail -n 1 | cut -d, -f1-6 >"$work/halves"
+same "wound up, then on from there" "$work/whole" "$work/halves"
+expect "wound up there" yes "$(awk -F'[ ,]+' '/"twist"/ { print ($2 < -3.2) ? "yes" : $2 }' "$work/half.json")" "$work/half.json"
