@@ -199,6 +199,11 @@ static bool is_beam(const struct node *n)
     return false;
 }
 
+bool is_from_file(const struct node *n)
+{
+    return n->type == NODE_MAP && (node_find(n, "flexible") || node_find(n, "origin"));
+}
+
 /* A beam and a file at once: nothing is read of it. */
 static bool is_both(const struct node *n)
 {
@@ -208,14 +213,13 @@ static bool is_both(const struct node *n)
 static int read_body(struct builder *b, int index, const struct node *n)
 {
     struct scene_body *body = &b->scene->body[index];
-    const struct node *file = n->type == NODE_MAP ? node_find(n, "flexible") : NULL;
     if (is_both(n)) {
-        diag_error(b->diags, file, AT_KEY, "E-two-kinds",
+        diag_error(b->diags, node_find(n, "flexible"), AT_KEY, "E-two-kinds",
                    "body '%.60s' is a beam, or from a file: expected 'beam' or 'flexible'", n->key);
         diag_note(b->diags, node_find(n, "beam"), AT_KEY, "this makes it a beam");
         return 1;
     }
-    if (file) return read_reduced(b, body, n);
+    if (is_from_file(n)) return read_reduced(b, body, n);
     if (is_beam(n)) return read_beam(b, body, index, n);
     return read_rigid(b, body, n);
 }

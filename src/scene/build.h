@@ -137,6 +137,9 @@ void warn_of_angle(struct builder *b, const struct node *n, double angle);
 /* A name, and not one of those that columns of the program's own begin with. */
 bool may_own_columns(const char *name);
 
+/* Has a body a key that only one from a file has?  Its own word may be misspelt. */
+bool is_from_file(const struct node *n);
+
 /* Does the deck name it, but in a way that is wrong and was told? */
 bool known_but_wrong(const struct builder *b, const char *name);
 

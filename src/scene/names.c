@@ -30,7 +30,7 @@ static bool lost_with(const struct builder *b, int body, const char *rest)
     if (*rest == '.' && points && (points->type != NODE_MAP || node_find(points, rest + 1))) return true;
     if (o->flex) return false;
     if (b->draft[body]) return *rest == 0 || strncmp(rest, ".mode", 5) == 0;
-    return o->node->type == NODE_MAP && node_find(o->node, "flexible");
+    return is_from_file(o->node);
 }
 
 /* Is the thing whose name leads `name` in the deck, but left out of the scene for errors of its own?  Then enough
@@ -68,10 +68,27 @@ static bool tell_segments(struct builder *b, const struct node *n, enum diag_at 
     return true;
 }
 
+/* A mode beyond those of its body. */
+static bool tell_modes(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *name)
+{
+    const size_t len = strcspn(name, ".");
+    const char *number = name + len + 5;
+    for (int i = 1; i < b->scene->nbody; i++) {
+        const struct scene_body *o = &b->scene->body[i];
+        if (!o->nmode || !same(o->name, name, len) || strncmp(name + len, ".mode", 5) != 0) continue;
+        const size_t digits = strspn(number, "0123456789");
+        if (!digits || (number[digits] && strcmp(number + digits, "_rate") != 0)) continue;
+        diag_error(b->diags, n, which, code, "'%.60s': body '%.60s' has modes 1 to %d", name, o->name, o->nmode);
+        return true;
+    }
+    return false;
+}
+
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count)
 {
     if (known_but_wrong(b, name) || tell_segments(b, n, which, code, name)) return;
+    if (tell_modes(b, n, which, code, name)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
 }
