@@ -139,6 +139,7 @@ static int read_spot(struct builder *b, struct scene_point *p, int body, const s
         return 1;
     }
     if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p->at.p, body, n);
+    if (n->type == NODE_SCALAR && body > 0 && is_from_file(b->scene->body[body].node)) return 1; /* nodes not known */
     return read_place(b, p->at.p, n, what);
 }
 
