@@ -165,7 +165,8 @@ const struct diag_help diag_helps[] = {
      "a deck whose scheme --set has changed are passed over without a word."},
     {"W-unused", "What the deck gives changes nothing. Take it out, or look for the name that it should have had."},
     {"W-partition", "Where no coordinate is fast, everything takes the major step, ratio times step. Name the fast "
-                    "coordinates in partition:, or take ratio 1."},
+                    "coordinates in partition:, or take ratio 1. Where all are fast, as in one loop with a fast "
+                    "coordinate, everything takes the minor step, and a ratio saves nothing."},
     {"W-time",
      "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
      "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},

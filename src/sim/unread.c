@@ -62,9 +62,14 @@ static void warn_of_partition(const struct sim *sim, struct diags *diags)
     const struct integrate *p = &sim->plan;
     const struct node *leads = node_find(node_find(sim->scene->deck->root, "partition"), "independent");
     const struct ode2 *ode = system_ode2(sim->system);
-    if (sim->stepper.kind->rates > 1 && p->ratio > 1 && ode->ns == 0 && ode->n > 0)
+    const bool two = sim->stepper.kind->rates > 1 && p->ratio > 1 && ode->n > 0;
+    if (two && ode->ns == 0)
         diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
                   "no coordinate is fast: all of the deck takes steps of %g s", p->step * p->ratio);
+    if (two && ode->ns == ode->n && sim->model->ndrive == 0) /* what is driven may be slow */
+        diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
+                  "all coordinates are fast%s: the ratio saves nothing",
+                  sim->model->nloop ? ", by name or by a loop with one that is" : "");
     if (leads && sim->model->nloop == 0)
         diag_warn(diags, leads, AT_KEY, "W-unused", "'independent' means nothing without loops or drives");
 }
