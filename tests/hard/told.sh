@@ -109,5 +109,5 @@ warned "body 'hub': 'mass' and 'inertia' leave nothing for its shape to give [W-
 warned "no coordinate is fast: all of the deck takes steps of 0.0005 s [W-partition]" 'partition={}'
 warned "" 'partition={}' 'integrate.ratio=1'
 warned "'independent' means nothing without loops or drives [W-unused]" 'partition.independent=[shaft]'
-warned "" 'partition.independent=[shaft]' 'constraints.far={distance: [[0, 1], arm.tip]}' 'bodies.arm.points.tip={station: 1}'
+warned "" 'partition.independent=[shaft]' 'constraints.far={distance: [[0, 1], arm.tip]}' 'bodies.arm.points.tip={station: 1}' 'integrate.ratio=1'
 warned "all coordinates are fast: the ratio saves nothing [W-partition]" 'partition.fast=[shaft, arm]'
