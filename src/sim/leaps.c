@@ -45,21 +45,33 @@ static bool follows(struct leaping *o, const struct signal *s, double a, double 
     return fabs(gap) <= unseen(o);
 }
 
+/* Where the deck has the drive's value. */
+static const char *place_of(const struct sim *sim, const struct leaping *o, char *text, size_t size)
+{
+    const struct node *n = node_find(sim->scene->drive[o->loop - model_first_drive(sim->model)].node, "value");
+    const struct source *s = diags_source(sim->scene->deck->diags, n->file);
+    snprintf(text, size, "%.200s:%d:%d", s ? s->path : "", n->mark.line, n->mark.col);
+    return text;
+}
+
 static enum status judge(struct sim *sim, struct leaping *o, double at, double before, double behind, struct sink *sink,
                          struct report *report)
 {
     const char *name = sim->model->loop[o->loop].name;
     const double by = fabs(behind - before);
-    char text[200];
+    char text[200], place[240];
     o->most = fmax(o->most, fmax(fabs(before), fabs(behind)));
     if (by <= unseen(o)) return OK;
     snprintf(text, sizeof text, "drive '%.60s' jumps by %.3g, from %.9g to %.9g, at t = %.9g s", name, by, before,
              behind, at);
     if (by > PATCHED * o->most)
-        return fail(report, E_NUMERIC,
-                    "stopped at t = %.12g s: %s; nothing follows a step in position: let it move there in some time",
-                    sim->x.t, text);
-    if (sim->options.say && !o->told) fprintf(sim->options.say, "warning: %s: its pieces do not quite meet\n", text);
+        return fail(
+            report, E_NUMERIC,
+            "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some time",
+            sim->x.t, text, place_of(sim, o, place, sizeof place));
+    if (sim->options.say && !o->told)
+        fprintf(sim->options.say, "warning: %s (%s): its pieces do not quite meet\n", text,
+                place_of(sim, o, place, sizeof place));
     o->told = true;
     return sink ? sink->ops->event(sink, sim->x.t, "drive", text, report) : OK;
 }

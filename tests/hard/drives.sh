@@ -67,7 +67,7 @@ for scheme in midpoint newmark subcycle miao rk4 dopri5; do
     [ $scheme = dopri5 ] && how="$how --set integrate.tolerance=1.0e-8"
     "$FMDSUB" run -q $how "$work/rail.yaml" >"$work/out" 2>"$work/err"
     expect "jump, $scheme: status" 5 $? "$work/err"
-    grep -q "stopped at t = 0.01 s: drive 'slide' jumps by 0.99, from 0.0105 to 1, at t = 0.0105 s" "$work/err" &&
+    grep -q "stopped at t = 0.01 s: drive 'slide' jumps by 0.99, from 0.0105 to 1, at t = 0.0105 s ($work/rail.yaml:7:31)" "$work/err" &&
         ok "jump, $scheme: told" || not_ok "jump, $scheme: told" "stderr:" "$work/err"
     expect "jump, $scheme: records before it, whole" "0.01 4 12" "$(awk -F, 'END { print $1, NF, NR }' "$work/out")"
 done
