@@ -210,7 +210,8 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     struct condense *o = ode->self;
     struct trouble why;
     int changed = 0, wanted = 0;
-    if (o->tree->chart) o->tree->chart->rechart((struct ode2 *)o->tree, q, v, t); /* its coordinates stay */
+    if (o->tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) == OK)
+        o->tree->chart->rechart((struct ode2 *)o->tree, q, o->vt, t); /* its coordinates stay */
     if (!condense_tangent(o, q)) return 0;
     for (int i = 0; i < o->ncomponent; i++) wanted += o->component[i].away = runs_away(o, &o->component[i]);
     if (!wanted) return 0;

@@ -356,9 +356,9 @@ void elements_stand(struct elements *e, int measure, double x)
     measures_stand(&e->measures, measure, x);
 }
 
-void elements_settle(struct elements *e, const struct sweep *s)
+void elements_settle(struct elements *e, const struct sweep *s, double t)
 {
-    measures_settle(&e->measures, s);
+    measures_settle(&e->measures, s, t);
 }
 
 /* --- building ----------------------------------------------------------------------------------- */

@@ -13,7 +13,10 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
     o->ops = ops;
     o->drawn = arena_take(life, (size_t)m->nmeasure, sizeof *o->drawn);
     o->stood = TAKE(life, double, m->nmeasure);
+    o->went = TAKE(life, double, m->nmeasure);
+    o->t = m->t0;
     for (int i = 0; i < m->nmeasure; i++) {
+        o->went[i] = NAN;
         if (m->measure[i].type != MEASURE_ANGLE) continue;
         m3_tmulm(o->drawn[i], m->body[m->measure[i].a.body].R, m->body[m->measure[i].b.body].R);
         o->turns = o->turns || m->space == 3;
@@ -65,10 +68,17 @@ static double twist_angle(double *dir, const double *q, const double *e)
     return 2 * atan2(y, w);
 }
 
+/* x and whole turns, next to `to`. */
+static double nearest(double x, double to)
+{
+    static const double TURN = 6.283185307179586;
+    return x + TURN * round((to - x) / TURN);
+}
+
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
                   const double *drawn, double stood)
 {
-    static const double TURN = 6.283185307179586;
+
     struct pose a, b;
     double w[3];
     m->ops->pose(s, &a, def->a.body);
@@ -83,7 +93,7 @@ static void angle(struct action *o, const struct measures *m, const struct sweep
         m3_mulmt(turn, R, drawn);
         quat_of_matrix(q, turn);
         o->s = twist_angle(dir, q, def->axis);
-        o->s += TURN * round((stood - o->s) / TURN);
+        o->s = nearest(o->s, stood);
         m3_mul(o->dir, a.R, dir);
     }
     v3_diff(w, b.w, a.w);
@@ -114,14 +124,19 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
     }
 }
 
-void measures_settle(struct measures *o, const struct sweep *s)
+void measures_settle(struct measures *o, const struct sweep *s, double t)
 {
     for (int i = 0; i < o->model->nmeasure; i++) {
         struct action act;
         if (o->model->measure[i].type != MEASURE_ANGLE || o->model->space == 2) continue;
         measure_at(&act, o, s, i, NULL, NULL);
-        if (isfinite(act.s)) o->stood[i] = act.s;
+        const double before = isnan(o->went[i]) ? act.rate : o->went[i];
+        const double now = nearest(act.s, o->stood[i] + (t - o->t) * (before + act.rate) / 2);
+        if (!isfinite(now)) continue;
+        o->stood[i] = now;
+        o->went[i] = act.rate;
     }
+    o->t = t;
 }
 
 void measures_stand(struct measures *o, int i, double x)

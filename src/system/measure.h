@@ -42,6 +42,8 @@ struct measures {
     const struct sweep_ops *ops;
     double (*drawn)[9]; /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
     double *stood;      /* [nmeasure] space, angles: at the end of the last step [rad] */
+    double *went;       /* [nmeasure] their rates there [rad/s]; NAN: not known yet */
+    double t;           /* when that was [s] */
     bool turns;         /* there are such */
 };
 
@@ -51,8 +53,9 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
 void measure_at(struct action *o, const struct measures *m, const struct sweep *s, int i, const double *q,
                 const double *v);
 
-/* Between steps: angles in space stand where they are at the sweep's last motion. */
-void measures_settle(struct measures *o, const struct sweep *s);
+/* Between steps: angles in space stand where they are at the sweep's last motion, at t; their rates tell how many whole
+ * turns the step has taken. */
+void measures_settle(struct measures *o, const struct sweep *s, double t);
 
 /* Angle i in space stands at x [rad], or nearby. */
 void measures_stand(struct measures *o, int i, double x);

@@ -202,14 +202,13 @@ static void solve(const struct ode2 *o, const void *F, double *x)
 
 /* --- turns -------------------------------------------------------------------------------------- */
 
-/* Angles in space go on from q.  The coordinates stay. */
+/* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
 static int settle(struct ode2 *o, double *q, double *v, double t)
 {
     struct system *s = system_of(o);
-    (void)v, (void)t;
     s->placed = false;
-    s->ops->move(s->work, q, s->zero, ALL);
-    elements_settle(s->elements, s->work);
+    s->ops->move(s->work, q, v, ALL);
+    elements_settle(s->elements, s->work, t);
     return 0;
 }
 

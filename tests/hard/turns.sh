@@ -51,6 +51,31 @@ awk -F, 'NR > 1 { d = $2 - $3; d = d < 0 ? -d : d; if (d > worst) worst = d }
 if [ $? = 0 ]; then ok "a loop's crank: measure and joint $(cat "$work/line")"
 else not_ok "a loop's crank" "measure and joint $(cat "$work/line")" "$work/err"; fi
 
+# Nearly a turn, and more than one, in every step: the rates tell.
+cat >"$work/rotor.yaml" <<'END'
+fmdsub: 1
+bodies:
+  rotor: {mass: 1, inertia: [0.1, 0.2, 0.25], at: [0, 0, 0]}
+constraints:
+  shaft: {revolute: [ground, rotor], at: [0, 0, 0], axis: [0, 0, 1]}
+measures:
+  turn: {angle: [ground, rotor], axis: [0, 0, 1]}
+forces:
+  load: {torque: shaft, value: -0.5*t}
+initial: {shaft.angle_rate: 100}
+integrate: {scheme: midpoint, step: 0.05, until: 2}
+output: {columns: [shaft.angle, turn]}
+END
+for step in 0.05 0.1; do
+    for scheme in midpoint newmark rk4; do
+        "$FMDSUB" run -q --set integrate.step=$step --set integrate.scheme=$scheme "$work/rotor.yaml" >"$work/out" 2>"$work/err"
+        awk -F, 'NR > 1 { d = $2 - $3; d = d < 0 ? -d : d; if (d > worst) worst = d }
+            END { printf "%.2g rad apart, turned by %.4g", worst, $2; exit !(worst < 1e-9 && $2 > 190) }' "$work/out" >"$work/line"
+        if [ $? = 0 ]; then ok "$(awk "BEGIN { print 100*$step }") rad a step, $scheme: measure and joint $(cat "$work/line")"
+        else not_ok "steps of $step s, $scheme" "measure and joint $(cat "$work/line")" "$work/err"; fi
+    done
+done
+
 # Half of the winding, and the other half from its end: the spring stays wound.
 "$FMDSUB" run -q --until 2 --set integrate.scheme=rk4 --final-state "$work/half.json" "$work/winding.yaml" >"$work/out" 2>"$work/err"
 "$FMDSUB" run -q --set integrate.scheme=rk4 "$work/winding.yaml" 2>>"$work/err" | tail -n 1 | cut -d, -f1-6 >"$work/whole"
