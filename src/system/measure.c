@@ -78,7 +78,6 @@ static double nearest(double x, double to)
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
                   const double *drawn, double stood)
 {
-
     struct pose a, b;
     double w[3];
     m->ops->pose(s, &a, def->a.body);
