@@ -1,6 +1,7 @@
 /* arena.c -- a list of blocks, each twice the last; see arena.h */
 #include "base/arena.h"
 
+#include <limits.h>
 #include <stdalign.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -30,7 +31,7 @@ struct arena {
     long grown;
 };
 
-enum { FIRST_BLOCK = 1 << 16, ALIGNMENT = 64 };
+enum { FIRST_BLOCK = 1 << 16, ALIGNMENT = 64, FIRST_ITEMS = 32 };
 
 static void out_of_memory(void)
 {
@@ -96,6 +97,16 @@ void *arena_take(struct arena *arena, size_t count, size_t bytes)
     arena->taken += size;
     memset(memory, 0, size);
     return memory;
+}
+
+void *arena_more(struct arena *arena, void *list, int n, int *room, size_t bytes)
+{
+    if (n < *room) return list;
+    if (*room > INT_MAX / 2) out_of_memory();
+    *room = *room ? 2 * *room : FIRST_ITEMS;
+    void *more = arena_take(arena, (size_t)*room, bytes);
+    if (n) memcpy(more, list, (size_t)n * bytes);
+    return more;
 }
 
 char *arena_copy(struct arena *arena, const char *text, size_t len)

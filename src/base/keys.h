@@ -13,10 +13,8 @@ enum key_type {
     KEY_INT,  /* int               likewise, whole */
     KEY_BOOL, /* int               true or false */
     KEY_WORD, /* int               index into words, "newmark|midpoint|..." */
-    KEY_LIST, /* struct key_list   nmin..nmax numbers */
     KEY_TEXT, /* const char *      any text */
-    KEY_EXPR, /* const node *      an expression of t and state, compiled later by the scene */
-    KEY_NODE  /* const node *      a shape of its own (point, name, list of names, map), read by its owner;
+    KEY_NODE  /* const node *      a shape of its own (point, name, list, expression, map), read by its owner;
                                    words tells the shape for the manual: "point", "joint", "[body, body]" */
 };
 
@@ -28,20 +26,14 @@ enum key_flag {
     KEY_SPATIAL = 16 /* only in 3-D decks */
 };
 
-struct key_list {
-    int n;
-    double *x; /* [n] */
-};
-
 struct key {
     const char *name;
     enum key_type type;
     size_t offset;    /* of the member it fills */
     const char *unit; /* "N/m"; NULL: none */
-    double lo, hi;    /* range of the number(s), inclusive unless flagged */
+    double lo, hi;    /* range of the number, inclusive unless flagged */
     unsigned flags;
-    int nmin, nmax;       /* KEY_LIST */
-    const char *words;    /* KEY_WORD: choices joined by '|'; KEY_NODE, KEY_LIST: shape in words */
+    const char *words;    /* KEY_WORD: choices joined by '|'; KEY_NODE: shape in words */
     const char *fallback; /* default as deck text; NULL: stays as the struct was */
     const char *brief;    /* one line for the manual */
 };
@@ -72,19 +64,9 @@ struct key {
         .name = word, .type = KEY_WORD, .offset = offsetof(strukt, member), .words = words_, .flags = flags_,          \
         .fallback = fallback_, .brief = brief_                                                                         \
     }
-#define PARAM_LIST(strukt, member, word, unit_, nmin_, nmax_, lo_, hi_, flags_, shape_, brief_)                        \
-    {                                                                                                                  \
-        .name = word, .type = KEY_LIST, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,       \
-        .flags = flags_, .nmin = nmin_, .nmax = nmax_, .words = shape_, .brief = brief_                                \
-    }
 #define PARAM_TEXT(strukt, member, word, flags_, fallback_, brief_)                                                    \
     {                                                                                                                  \
         .name = word, .type = KEY_TEXT, .offset = offsetof(strukt, member), .flags = flags_, .fallback = fallback_,    \
-        .brief = brief_                                                                                                \
-    }
-#define PARAM_EXPR(strukt, member, word, unit_, flags_, brief_)                                                        \
-    {                                                                                                                  \
-        .name = word, .type = KEY_EXPR, .offset = offsetof(strukt, member), .unit = unit_, .flags = flags_,            \
         .brief = brief_                                                                                                \
     }
 #define PARAM_NODE(strukt, member, word, shape_, flags_, brief_)                                                       \

@@ -52,8 +52,7 @@ enum trouble_code {
     TROUBLE_MASS,       /* M^ not positive definite; index: coordinate */
     TROUBLE_LAW,        /* a force is not finite; kind: element kind, index: element */
     TROUBLE_CLOSURE,    /* a loop cannot be closed, or its equations are singular; index: loop joint */
-    TROUBLE_DRIVE,      /* a drive or a rate of it is not finite; index: loop joint */
-    TROUBLE_BALANCE     /* the energy balance (2-26) is broken; value: residual over norm */
+    TROUBLE_DRIVE       /* a drive or a rate of it is not finite; index: loop joint */
 };
 
 struct trouble {

@@ -59,7 +59,6 @@ enum status verb_new(const struct request *request, struct arena *life, struct r
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report);
 bool cli_color(const struct request *request);
-void cli_help(FILE *to);
 
 /* check --format json */
 struct sim;

@@ -24,7 +24,7 @@ const struct verb verbs[] = {
     {0},
 };
 
-void cli_help(FILE *to)
+static void help(FILE *to)
 {
     fprintf(to, "usage: fmdsub VERB [options] [DECK]    (DECK '-': standard input)\n\n");
     for (const struct verb *v = verbs; v->name; v++) fprintf(to, "  %-8s %s\n", v->name, v->brief);
@@ -110,9 +110,9 @@ static enum status dispatch(const struct request *request, struct arena *life, s
     const char *names[16];
     int n = 0;
     if (request->version) return printf("fmdsub %s\n", FMDSUB_VERSION), OK;
-    if (request->help) return cli_help(stdout), OK;
+    if (request->help) return help(stdout), OK;
     if (!request->verb) {
-        cli_help(stderr);
+        help(stderr);
         return E_USAGE;
     }
     for (const struct verb *v = verbs; v->name; v++) {

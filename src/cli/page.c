@@ -11,10 +11,10 @@
 static void put(FILE *to, const char *text)
 {
     if (*text == '.' || *text == '\'') fputs("\\&", to);
-    for (; *text; text++) {
+    for (char before = 0; *text; before = *text++) {
         if (*text == '\\')
             fputs("\\e", to);
-        else if (text[0] == '.' && text[1] == ' ')
+        else if (text[0] == '.' && text[1] == ' ' && before != '.')
             text++, fputs(".\n", to);
         else
             putc(*text, to);
@@ -39,12 +39,8 @@ const char *page_type(const struct key *k)
         return "whole number";
     case KEY_BOOL:
         return "true or false";
-    case KEY_LIST:
-        return k->words ? k->words : "[number, ...]";
     case KEY_TEXT:
         return "text";
-    case KEY_EXPR:
-        return "expression";
     default:
         return k->words;
     }

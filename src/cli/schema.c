@@ -56,14 +56,8 @@ static cJSON *key_schema(const struct key *k)
     case KEY_WORD:
         o = words_schema(k->words);
         break;
-    case KEY_LIST:
-        o = typed("array");
-        break;
     case KEY_TEXT:
         o = typed("string");
-        break;
-    case KEY_EXPR:
-        o = type_list("number", "string");
         break;
     default:
         o = cJSON_CreateObject();

@@ -86,7 +86,8 @@ const struct diag_help diag_helps[] = {
      "A CSV file holds the same number of columns of decimal numbers in every row, separated by commas, with at most "
      "one row of names at the top. Empty lines and lines after '#' are skipped."},
     /* the scene: names */
-    {"E-name", "Names are letters, digits and '_', a letter first; ground, energy, step, t and type are taken."},
+    {"E-name",
+     "Names are letters, digits and '_', a letter first; ground, energy, momentum, step, t and type are taken."},
     {"E-duplicate-name",
      "Measures take no name of a joint or a body, which expressions and forces could not tell apart; "
      "and what two things are called may not make two columns of one name. Rename one of them."},
@@ -107,7 +108,7 @@ const struct diag_help diag_helps[] = {
     {"E-two-kinds", "Two keys say what the thing is, or give the same quantity. Keep one of them."},
     {"E-which-coordinate",
      "The joint has several freedoms, none, or turns freely: name one plain coordinate of it, or use "
-     "a measure; a gear ties two different ones.  Rates and elastic coordinates cannot stand for it."},
+     "a measure; a gear ties two different ones. Rates and elastic coordinates cannot stand for it."},
     /* the scene: bodies, joints, forces */
     {"E-no-bodies", "A scene needs a body besides the ground."},
     {"E-same-body", "Both ends are on one body: nothing moves between them. The world is called ground."},

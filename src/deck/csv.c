@@ -1,6 +1,5 @@
 /* csv.c -- columns of numbers from a file beside the deck. */
 #include <string.h>
-#include <unistd.h>
 
 #include "deck/stages.h"
 
@@ -40,11 +39,7 @@ static bool number(double *out, const char *text, struct field f)
 
 static double *new_row(struct csv *c)
 {
-    if (c->rows == c->room) {
-        double *more = TAKE(c->deck->arena, double, (size_t)(c->room = 2 * c->room + 64) * (size_t)c->columns);
-        if (c->rows) memcpy(more, c->x, (size_t)c->rows * (size_t)c->columns * sizeof *more);
-        c->x = more;
-    }
+    c->x = arena_more(c->deck->arena, c->x, c->rows, &c->room, (size_t)c->columns * sizeof *c->x);
     return c->x + (size_t)c->rows * (size_t)c->columns;
 }
 
@@ -127,19 +122,10 @@ static void read_lines(struct csv *c)
 enum status deck_csv(double **x, int *rows, int columns, const struct node *file, struct deck *deck)
 {
     struct csv c = {.deck = deck, .columns = columns};
-    struct source *s;
-    struct report report = {0};
+    struct source *s = source_beside(file, deck);
     *x = NULL;
     *rows = 0;
-    int fd = deck_open_file(file, deck);
-    if (fd < 0) return E_DECK;
-    const char *path = arena_print(deck->arena, "%s%s", strcmp(deck->folder, ".") ? deck->folder : "", file->text);
-    enum status status = source_read(&s, fd, path, deck->max_bytes, deck->arena, &report);
-    close(fd);
-    if (status != OK) {
-        diag_error(deck->diags, file, AT_VALUE, status == E_LIMIT ? "E-limit-file" : "E-path", "%s", report.text);
-        return E_DECK;
-    }
+    if (!s) return E_DECK;
     c.source = s;
     c.file = diags_add_source(deck->diags, s);
     hash_text(deck, s->text, s->len + 1);

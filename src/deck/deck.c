@@ -114,8 +114,7 @@ int deck_open_file(const struct node *n, struct deck *deck)
     return -1;
 }
 
-/* A file named by a node; NULL: told. */
-static struct source *read_beside(const struct node *file, struct deck *deck)
+struct source *source_beside(const struct node *file, struct deck *deck)
 {
     struct source *s;
     struct report report = {0};
@@ -131,13 +130,13 @@ static struct source *read_beside(const struct node *file, struct deck *deck)
 
 const struct node *deck_yaml(const struct node *file, struct deck *deck)
 {
-    struct source *s = read_beside(file, deck);
+    struct source *s = source_beside(file, deck);
     return s ? deck_parse(deck, s, file->text) : NULL;
 }
 
 const char *deck_file(const struct node *file, struct deck *deck)
 {
-    struct source *s = read_beside(file, deck);
+    struct source *s = source_beside(file, deck);
     if (!s) return NULL;
     hash_text(deck, s->text, s->len + 1);
     return s->path;

@@ -67,9 +67,6 @@ bool deck_was_set(const struct deck *deck, const struct node *n);
 /* When all has been read: parameters of the deck's own text, or of --set, that nothing asked for. */
 void deck_warn_unused(struct deck *deck);
 
-/* The part of a scalar's text that starts at byte `offset` as a place in the source. */
-struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length);
-
 /* The value of a parameter: 0 if there is one. */
 int deck_parameter(double *out, const char *name, const struct deck *deck);
 
@@ -85,8 +82,5 @@ const struct node *deck_yaml(const struct node *file, struct deck *deck);
 
 /* The path of a file beside the deck, which joins the deck's hash; NULL: told. */
 const char *deck_file(const struct node *n, struct deck *deck);
-
-/* Opens a file named by a node, inside the deck's folder; -1: told. */
-int deck_open_file(const struct node *n, struct deck *deck);
 
 #endif

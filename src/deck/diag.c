@@ -40,12 +40,7 @@ struct diags *diags_open(struct arena *arena)
 
 int diags_add_source(struct diags *d, const struct source *s)
 {
-    if (d->nsource == d->source_room) {
-        d->source_room = 2 * d->source_room + 4;
-        const struct source **more = TAKE(d->arena, const struct source *, d->source_room);
-        if (d->nsource) memcpy(more, d->source, (size_t)d->nsource * sizeof *more);
-        d->source = more;
-    }
+    d->source = arena_more(d->arena, d->source, d->nsource, &d->source_room, sizeof *d->source);
     d->source[d->nsource] = s;
     return d->nsource++;
 }
@@ -139,11 +134,6 @@ void diag_warn(struct diags *d, const struct node *at, enum diag_at which, const
 void diag_error_in(struct diags *d, struct span at, const char *code, const char *format, ...)
 {
     WITH_ARGS(format, add(d, ERROR, at, NULL, code, format, args));
-}
-
-void diag_warn_in(struct diags *d, struct span at, const char *code, const char *format, ...)
-{
-    WITH_ARGS(format, add(d, WARNING, at, NULL, code, format, args));
 }
 
 static void add_note(struct diags *d, struct span at, const char *format, va_list args)

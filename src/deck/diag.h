@@ -51,8 +51,6 @@ struct span {
 struct span diag_span(const struct node *at, enum diag_at which);
 __attribute__((format(printf, 4, 5))) void diag_error_in(struct diags *d, struct span at, const char *code,
                                                          const char *format, ...);
-__attribute__((format(printf, 4, 5))) void diag_warn_in(struct diags *d, struct span at, const char *code,
-                                                        const char *format, ...);
 __attribute__((format(printf, 3, 4))) void diag_note_in(struct diags *d, struct span at, const char *format, ...);
 
 /* The word of words[0..n) that was probably meant, or NULL: a near miss, but not one letter for another. */

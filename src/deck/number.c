@@ -15,7 +15,7 @@ static int by_name(const void *a, const void *b)
     return strcmp(((const struct parameter *)a)->name, ((const struct parameter *)b)->name);
 }
 
-struct parameter *parameter_find(const struct deck *deck, const char *name)
+static struct parameter *parameter_find(const struct deck *deck, const char *name)
 {
     struct parameter key = {.name = name};
     if (!deck->nparameter) return NULL;
@@ -67,9 +67,9 @@ static struct mark forward(struct mark at, const char *text, size_t bytes)
     return at;
 }
 
-/* Where the text stands in the source as it is, the place is exact; after escapes, folds and $i it is the whole value.
- */
-struct span deck_place(const struct deck *deck, const struct node *n, size_t offset, size_t length)
+/* The part of a scalar's text that starts at byte `offset` as a place in the source.  Where the text stands there as it
+ * is, the place is exact; after escapes, folds and $i it is the whole value. */
+static struct span place(const struct deck *deck, const struct node *n, size_t offset, size_t length)
 {
     const struct source *s = diags_source(deck->diags, n->file);
     struct mark from = n->mark;
@@ -83,7 +83,7 @@ struct span deck_place(const struct deck *deck, const struct node *n, size_t off
 
 static bool is_exact(const struct deck *deck, const struct node *n)
 {
-    struct span at = deck_place(deck, n, 0, n->len), whole = diag_span(n, AT_VALUE);
+    struct span at = place(deck, n, 0, n->len), whole = diag_span(n, AT_VALUE);
     return n->quoted ? at.from.col == whole.from.col + 1 : at.to.col == whole.to.col && at.to.line == whole.to.line;
 }
 
@@ -154,7 +154,7 @@ static enum status tell_error(const struct node *n, const struct expr_error *err
     }
     /* Through a node at the place, so that copies of a repeat are told once. */
     struct node at = *n;
-    struct span span = deck_place(deck, n, error->offset, error->length);
+    struct span span = place(deck, n, error->offset, error->length);
     at.mark = span.from;
     at.end = span.to;
     diag_error(d, &at, AT_VALUE, code, "%s", error->text);

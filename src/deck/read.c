@@ -53,30 +53,12 @@ int read_list(const struct node *n, const char *what, struct reader *rd)
     return n->type == NODE_LIST ? 0 : wrong_type(n, what, "a list", rd);
 }
 
-int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
+static int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
 {
     if (n->told) return 1;
     if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, what, "a text", rd);
     *out = n->text;
     return 0;
-}
-
-int read_names(const char ***out, int *count, const struct node *list, const char *what, struct reader *rd)
-{
-    bool one = list->type == NODE_SCALAR;
-    int n = one ? 1 : list->count, errors = 0;
-    *count = 0;
-    if (list->told) return 1;
-    if (list->type == NODE_MAP || node_is_null(list)) return wrong_type(list, what, "a name or a list of names", rd);
-    *out = TAKE(rd->deck->arena, const char *, n);
-    for (int i = 0; i < n; i++) {
-        const char *text;
-        if (read_text(&text, one ? list : list->item[i], what, rd))
-            errors++;
-        else
-            (*out)[(*count)++] = text;
-    }
-    return errors;
 }
 
 /* ---- numbers ---- */
@@ -173,7 +155,8 @@ static int split_words(const char **list, const char *words, struct arena *arena
     return n;
 }
 
-int read_word(int *out, const struct node *n, const char *words, struct reader *rd)
+/* The index of the text in "newmark|midpoint|...". */
+static int read_word(int *out, const struct node *n, const char *words, struct reader *rd)
 {
     const char *list[WORDS], *text;
     if (read_text(&text, n, NULL, rd)) return 1;
@@ -208,29 +191,6 @@ int read_vector(double *x, int n, const struct node *list, const char *what, str
     return errors != 0;
 }
 
-int read_numbers(struct key_list *out, const struct node *list, const struct key *key, struct reader *rd)
-{
-    struct arena *arena = rd->deck->arena;
-    int errors = 0, lo = key->nmin, hi = key->nmax;
-    if (list->told) return 1;
-    if (list->type != NODE_LIST) return wrong_type(list, NULL, "a list of numbers", rd);
-    if (list->count < lo || (hi && list->count > hi)) {
-        const char *expected = lo == hi  ? arena_print(arena, "%d number%s", lo, lo == 1 ? "" : "s")
-                               : hi == 0 ? arena_print(arena, "at least %d numbers", lo)
-                                         : arena_print(arena, "%d to %d numbers", lo, hi);
-        return wrong_count(list, NULL, expected, rd);
-    }
-    double *x = TAKE(arena, double, list->count);
-    for (int i = 0; i < list->count; i++) errors += read_number(&x[i], list->item[i], key, rd);
-    if (!errors) *out = (struct key_list){list->count, x};
-    return errors != 0;
-}
-
-int read_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct reader *rd)
-{
-    return deck_expr(out, n, names, rd->deck) != OK;
-}
-
 void read_unknown(const struct node *n, enum diag_at at, const char *code, const char *what, const char *name,
                   const char *const *words, int nwords, struct reader *rd)
 {
@@ -252,14 +212,8 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
         return read_bool(member, n, rd);
     case KEY_WORD:
         return read_word(member, n, key->words, rd);
-    case KEY_LIST:
-        return read_numbers(member, n, key, rd);
     case KEY_TEXT:
         return read_text(member, n, NULL, rd);
-    case KEY_EXPR:
-        if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, NULL, "a number or an expression", rd);
-        ((struct node *)n)->formula = true;
-        break;
     case KEY_NODE:
         break;
     }
@@ -271,15 +225,7 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
 static const struct node *imply(const struct key *key, const struct node *map, struct reader *rd)
 {
     struct pool *pool = &rd->deck->pool;
-    struct node *n;
-    if (*key->fallback == '[' || *key->fallback == '{') {
-        const struct source *s = source_of("default", key->fallback, strlen(key->fallback), rd->deck->arena);
-        n = tree_parse(pool, rd->diags, diags_add_source(rd->diags, s), 0);
-        if (!n) return NULL;
-        n->scope = map->scope;
-    } else {
-        n = pool_scalar(pool, key->fallback, map);
-    }
+    struct node *n = pool_scalar(pool, key->fallback, map);
     n->key = key->name;
     n->implied = true;
     tree_append(pool, (struct node *)map, n);

@@ -17,7 +17,7 @@ struct reader {
 /* Fills the struct at out from map: unknown keys (with a near miss among the table and `also`), missing ones, types,
  * ranges, keys of the other space.  Defaults are read from their deck text and join the map as implied nodes.
  * also: further keys the caller reads itself, ends with NULL; may be NULL.  what: "body 'rod'", for messages.
- * KEY_NODE and KEY_EXPR members are set to the node (const struct node *).  Returns the number of errors told. */
+ * KEY_NODE members are set to the node (const struct node *).  Returns the number of errors told. */
 int read_keys(void *out, const struct key *keys, const struct node *map, const char *const *also, const char *what,
               struct reader *rd);
 
@@ -25,23 +25,13 @@ int read_keys(void *out, const struct key *keys, const struct node *map, const c
 int read_number(double *out, const struct node *n, const struct key *key, struct reader *rd);
 int read_int(int *out, const struct node *n, const struct key *key, struct reader *rd);
 int read_bool(int *out, const struct node *n, struct reader *rd);
-/* The index of the text in "newmark|midpoint|...". */
-int read_word(int *out, const struct node *n, const char *words, struct reader *rd);
-int read_text(const char **out, const struct node *n, const char *what, struct reader *rd);
 
 /* Exactly n numbers; what: "a point", for messages. */
 int read_vector(double *x, int n, const struct node *list, const char *what, struct reader *rd);
-/* nmin..nmax numbers into memory of the deck. */
-int read_numbers(struct key_list *out, const struct node *list, const struct key *key, struct reader *rd);
-/* A text, or a list of texts. */
-int read_names(const char ***out, int *n, const struct node *list, const char *what, struct reader *rd);
 
 /* Is it of this type?  "expected a map, found a list". */
 int read_map(const struct node *n, const char *what, struct reader *rd);
 int read_list(const struct node *n, const char *what, struct reader *rd);
-
-/* An expression of parameters, loop variables and the caller's names. */
-int read_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct reader *rd);
 
 /* Tells "unknown 'x'" at n with the nearest of words[0..n), or all of them: for names of things, kinds, columns. */
 void read_unknown(const struct node *n, enum diag_at at, const char *code, const char *what, const char *name,

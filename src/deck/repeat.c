@@ -20,11 +20,7 @@ struct list {
 
 static void append(struct list *list, struct node *n, struct arena *arena)
 {
-    if (list->n == list->room) {
-        struct node **more = TAKE(arena, struct node *, list->room = 2 * list->room + 16);
-        if (list->n) memcpy(more, list->item, (size_t)list->n * sizeof *more);
-        list->item = more;
-    }
+    list->item = arena_more(arena, list->item, list->n, &list->room, sizeof *list->item);
     list->item[list->n++] = n;
 }
 

@@ -13,7 +13,8 @@
 
 /* ---- lines and places ---- */
 
-size_t source_break(const char *p, const char *end)
+/* Bytes of the break at p, 0 if there is none. */
+static size_t break_at(const char *p, const char *end)
 {
     size_t left = (size_t)(end - p);
     if (left >= 2 && p[0] == '\r' && p[1] == '\n') return 2;
@@ -30,7 +31,7 @@ static int find_lines(size_t *line, const char *text, size_t len)
     int n = 1;
     if (line) line[0] = 0;
     for (const char *p = text; p < end;) {
-        size_t skip = source_break(p, end);
+        size_t skip = break_at(p, end);
         p += skip ? skip : 1;
         if (!skip || p == end) continue;
         if (line) line[n] = (size_t)(p - text);
@@ -55,7 +56,7 @@ size_t source_line_end(const struct source *s, int line)
 {
     size_t start = s->line[line - 1], end = s->line[line];
     for (size_t k = 3; k >= 1; k--)
-        if (start + k <= end && source_break(s->text + end - k, s->text + end) == k) return end - k;
+        if (start + k <= end && break_at(s->text + end - k, s->text + end) == k) return end - k;
     return end;
 }
 

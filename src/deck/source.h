@@ -20,9 +20,6 @@ struct source {
 /* The end of the line at text[at], without its break: CR, LF, CR LF, NEL, LS or PS, as in YAML. */
 size_t source_line_end(const struct source *s, int line);
 
-/* Bytes of the break at p, 0 if there is none. */
-size_t source_break(const char *p, const char *end);
-
 /* Offset of a place, and the place of an offset. */
 size_t source_offset(const struct source *s, struct mark at);
 struct mark source_mark(const struct source *s, size_t offset);

@@ -13,6 +13,11 @@ void include_all(struct deck *deck, const struct stat *self);
 /* Checks a text and makes its tree; NULL: told. */
 struct node *deck_parse(struct deck *deck, const struct source *s, const char *what);
 
+/* Opens a file named by a node, inside the deck's folder; -1: told. */
+int deck_open_file(const struct node *n, struct deck *deck);
+/* The same as a source; NULL: told. */
+struct source *source_beside(const struct node *file, struct deck *deck);
+
 void hash_text(struct deck *deck, const char *text, size_t len);
 
 /* --set, in two rounds: early ones find their place in the deck as written, so that parameters and
@@ -48,7 +53,6 @@ struct parameter {
     double value;
     bool used; /* something asked for it */
 };
-struct parameter *parameter_find(const struct deck *deck, const char *name);
 
 /* May a parameter or loop variable be called so?  Tells at n. */
 bool variable_name(const char *name, const struct node *n, const char *code, struct diags *diags);

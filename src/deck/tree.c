@@ -8,58 +8,31 @@
 #include <stdint.h>
 #include <string.h>
 
-#include <yaml.h>
+#include "deck/tree_parts.h"
 
-#include "deck/syntax.h"
-
-struct anchor {
-    const char *name;
-    struct node *node;
-    struct span at;
-    bool open;  /* its node is being built */
-    long nodes; /* in it, aliases counted in full */
-};
-
-struct builder {
-    struct pool *pool;
-    struct diags *diags;
-    struct syntax syntax;
-    int file;
-    int depth, anchors, aliases;
-    struct anchor *anchor; /* [MAX_ANCHORS], once there is one */
-    struct node **alias;   /* [MAX_ANCHORS] copies whose children are still the anchor's */
-    struct node **stack;   /* items of the open collections */
-    int top, room;
-    yaml_parser_t parser;
-};
-
-static struct span event_span(const struct builder *b, const yaml_event_t *e)
+struct span tree_span(const struct builder *b, const yaml_event_t *e)
 {
     return syntax_span(&b->syntax, e->start_mark, e->end_mark);
 }
 
-static void push(struct builder *b, struct node *n)
-{
-    if (b->top == b->room) {
-        struct node **more = TAKE(b->pool->arena, struct node *, b->room = 2 * b->room + 256);
-        if (b->top) memcpy(more, b->stack, (size_t)b->top * sizeof *more);
-        b->stack = more;
-    }
-    b->stack[b->top++] = n;
-}
-
-static bool within(struct builder *b, long nodes, struct span at)
+bool tree_within(struct builder *b, long nodes, struct span at)
 {
     if (b->pool->nodes + nodes <= MAX_NODES) return true;
     diag_error_in(b->diags, at, "E-limit-nodes", "the deck holds more than %d values", MAX_NODES);
     return false;
 }
 
-static bool shallow(struct builder *b, int height, struct span at)
+bool tree_shallow(struct builder *b, int height, struct span at)
 {
     if (b->depth + height <= MAX_DEPTH) return true;
     diag_error_in(b->diags, at, "E-limit-depth", "lists and maps are nested more than %d deep", MAX_DEPTH);
     return false;
+}
+
+static void push(struct builder *b, struct node *n)
+{
+    b->stack = arena_more(b->pool->arena, b->stack, b->top, &b->room, sizeof *b->stack);
+    b->stack[b->top++] = n;
 }
 
 static bool next_event(struct builder *b, yaml_event_t *e)
@@ -67,86 +40,6 @@ static bool next_event(struct builder *b, yaml_event_t *e)
     if (yaml_parser_parse(&b->parser, e)) return true;
     syntax_tell(&b->syntax, &b->parser);
     return false;
-}
-
-/* ---- anchors and aliases ---- */
-
-static struct anchor *find_anchor(struct builder *b, const char *name)
-{
-    for (int i = 0; i < b->anchors; i++)
-        if (!strcmp(b->anchor[i].name, name)) return &b->anchor[i];
-    return NULL;
-}
-
-/* Registers the anchor of an event, if it has one.  -1: no more of them; else its number + 1, 0: none. */
-static int open_anchor(struct builder *b, const yaml_char_t *text, struct node *n, struct span at)
-{
-    const char *name = (const char *)text;
-    if (!name) return 0;
-    const struct anchor *first = find_anchor(b, name);
-    if (first) {
-        diag_error_in(b->diags, at, "E-anchor", "anchor '&%s' is given twice", diag_clip(b->diags, name));
-        diag_note_in(b->diags, first->at, "first given here");
-        return 0;
-    }
-    if (b->anchors == MAX_ANCHORS) {
-        diag_error_in(b->diags, at, "E-limit-anchors", "more than %d anchors", MAX_ANCHORS);
-        return -1;
-    }
-    if (!b->anchor) b->anchor = TAKE(b->pool->arena, struct anchor, MAX_ANCHORS);
-    struct anchor *a = &b->anchor[b->anchors++];
-    *a = (struct anchor){pool_text(b->pool, name, strlen(name)), n, at, true, b->pool->nodes};
-    return b->anchors;
-}
-
-static void close_anchor(struct builder *b, int number)
-{
-    if (number <= 0) return;
-    struct anchor *a = &b->anchor[number - 1];
-    a->open = false;
-    a->nodes = b->pool->nodes - a->nodes + 1;
-}
-
-/* A copy of what the anchor names; children stay shared until the whole is known to be small enough. */
-static struct node *alias(struct builder *b, const yaml_event_t *e)
-{
-    const char *name = (const char *)e->data.alias.anchor;
-    struct span at = event_span(b, e);
-    struct node *n = pool_node(b->pool);
-    *n = (struct node){.type = NODE_SCALAR, .file = b->file, .mark = at.from, .end = at.to, .text = "", .told = true};
-    const struct anchor *a = find_anchor(b, name);
-    if (!a || a->open) {
-        diag_error_in(b->diags, at, "E-anchor",
-                      a ? "alias '*%s' is inside of what it names" : "no anchor '&%s' before this alias",
-                      diag_clip(b->diags, name));
-        if (a) diag_note_in(b->diags, a->at, "it names this");
-        return n;
-    }
-    if (b->aliases == MAX_ANCHORS) {
-        diag_error_in(b->diags, at, "E-limit-anchors", "more than %d aliases", MAX_ANCHORS);
-        return NULL;
-    }
-    if (!within(b, a->nodes, at) || !shallow(b, a->node->height, at)) return NULL;
-    b->pool->nodes += a->nodes - 1;
-    *n = *a->node;
-    n->mark = at.from;
-    n->end = at.to;
-    n->key = NULL;
-    if (!b->alias) b->alias = TAKE(b->pool->arena, struct node *, MAX_ANCHORS);
-    b->alias[b->aliases++] = n;
-    return n;
-}
-
-/* Gives every alias children of its own. */
-static void part_aliases(struct builder *b)
-{
-    long nodes = b->pool->nodes; /* counted already */
-    for (int i = 0; i < b->aliases; i++) {
-        struct node *n = b->alias[i];
-        if (n->count) n->item = pool_items(b->pool, n->item, n->count);
-        for (int k = 0; k < n->count; k++) n->item[k] = tree_copy(b->pool, n->item[k], NULL);
-    }
-    b->pool->nodes = nodes;
 }
 
 /* ---- scalars, lists, maps ---- */
@@ -167,7 +60,7 @@ static struct node *scalar(struct builder *b, const yaml_event_t *e)
 {
     const char *text = (const char *)e->data.scalar.value;
     size_t len = e->data.scalar.length;
-    struct span at = event_span(b, e);
+    struct span at = tree_span(b, e);
     struct node *n = pool_node(b->pool);
     bool plain = e->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
     if (len > MAX_SCALAR) {
@@ -231,7 +124,7 @@ static bool fill_list(struct builder *b, struct node *n)
         yaml_event_t e;
         if (!next_event(b, &e)) return false;
         bool last = e.type == YAML_SEQUENCE_END_EVENT;
-        if (last) n->end = event_span(b, &e).to;
+        if (last) n->end = tree_span(b, &e).to;
         struct node *item = last ? NULL : build(b, &e);
         yaml_event_delete(&e);
         if (last) return close_collection(b, n, first);
@@ -315,7 +208,7 @@ static bool fill_map(struct builder *b, struct node *n)
         yaml_event_t e;
         if (!next_event(b, &e)) return false;
         bool last = e.type == YAML_MAPPING_END_EVENT;
-        if (last) n->end = event_span(b, &e).to;
+        if (last) n->end = tree_span(b, &e).to;
         bool going = last || member(b, n, &e, &open);
         yaml_event_delete(&e);
         if (!going) return false;
@@ -334,15 +227,15 @@ static void end_block(struct node *n)
 
 static struct node *collection(struct builder *b, const yaml_event_t *e, enum node_type type, bool flow)
 {
-    struct span at = event_span(b, e);
+    struct span at = tree_span(b, e);
     struct node *n = pool_node(b->pool);
     *n = (struct node){.type = type, .file = b->file, .mark = at.from, .end = at.to, .flow = flow};
-    if (!shallow(b, 1, at)) return NULL;
+    if (!tree_shallow(b, 1, at)) return NULL;
     b->depth++;
     bool map = type == NODE_MAP;
-    int anchor = open_anchor(b, map ? e->data.mapping_start.anchor : e->data.sequence_start.anchor, n, at);
+    int anchor = anchor_open(b, map ? e->data.mapping_start.anchor : e->data.sequence_start.anchor, n, at);
     if (anchor < 0 || !(map ? fill_map(b, n) : fill_list(b, n))) return NULL;
-    close_anchor(b, anchor);
+    anchor_close(b, anchor);
     b->depth--;
     end_block(n);
     return n;
@@ -351,20 +244,20 @@ static struct node *collection(struct builder *b, const yaml_event_t *e, enum no
 static struct node *anchored_scalar(struct builder *b, const yaml_event_t *e)
 {
     struct node *n = scalar(b, e);
-    int anchor = n ? open_anchor(b, e->data.scalar.anchor, n, event_span(b, e)) : -1;
+    int anchor = n ? anchor_open(b, e->data.scalar.anchor, n, tree_span(b, e)) : -1;
     if (anchor < 0) return NULL;
-    close_anchor(b, anchor);
+    anchor_close(b, anchor);
     return n;
 }
 
 /* The node that starts with an event.  NULL: told, no way on. */
 static struct node *build(struct builder *b, const yaml_event_t *e)
 {
-    struct span at = event_span(b, e);
-    if (!within(b, 1, at)) return NULL;
+    struct span at = tree_span(b, e);
+    if (!tree_within(b, 1, at)) return NULL;
     switch (e->type) {
     case YAML_ALIAS_EVENT:
-        return alias(b, e);
+        return alias_node(b, e);
     case YAML_SCALAR_EVENT:
         check_tag(b, e->data.scalar.tag, at);
         return anchored_scalar(b, e);
@@ -385,7 +278,7 @@ static bool expect(struct builder *b, yaml_event_type_t *type, struct span *at)
     yaml_event_t e;
     if (!next_event(b, &e)) return false;
     *type = e.type;
-    *at = event_span(b, &e);
+    *at = tree_span(b, &e);
     yaml_event_delete(&e);
     return true;
 }
@@ -415,7 +308,7 @@ static struct node *document(struct builder *b)
         diag_error_in(b->diags, at, "E-documents", "a second document; a deck is one");
         return NULL;
     }
-    part_aliases(b);
+    aliases_part(b);
     return root;
 }
 

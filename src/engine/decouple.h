@@ -1,6 +1,6 @@
 /* decouple.h -- slow and fast coordinates without common inertia.
  *
- *     W = M_LL^-1 M_LS,   P = [1 -W; 0 1] (slow first),   v = P (u, v_S)
+ *     W = M_LL^-1 M_LS,   P = [1 -W; 0 1] (slow first),   v = P (u, v_S)                                    (S1)
  *
  * makes P' M^ P = diag(M_LL, M~_SS), M~_SS = M_SS - M_SL W: the fast part sits on its free, recoiling base.  In
  * memory S = [0,ns) comes first.

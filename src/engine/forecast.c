@@ -83,7 +83,7 @@ static void mean_of(double *mean, const double *d, int ns, int ratio)
 {
     for (int i = 0; i < ns; i++) {
         double sum = 0;
-        for (int k = 0; k < ratio; k++) sum += d[i + k * ns];
+        for (int k = 0; k < ratio; k++) sum += d[i + (long)k * ns];
         mean[i] = sum / ratio;
     }
 }
@@ -129,7 +129,7 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     for (int i = 0; i < ns; i++) {
         double miss = f->said[i] = next(&f->miss[i]);
         if (f->with[i] > PROVED * f->without[i]) continue;
-        for (int k = 0; k < p->ratio; k++) d[i + k * ns] += miss;
+        for (int k = 0; k < p->ratio; k++) d[i + (long)k * ns] += miss;
     }
 }
 
@@ -196,7 +196,7 @@ double forecast_error(const struct forecast *f, const struct found *x, const dou
     for (int i = 0; i < f->ns; i++) {
         double sum = 0, before = x->h * f->as[i];
         for (int k = 0; k < x->ratio; k++) {
-            double d = x->d[i + k * f->ns];
+            double d = x->d[i + (long)k * f->ns];
             sum += fabs(d - before);
             before = d;
         }
@@ -233,7 +233,7 @@ static void find_trend(struct forecast *f, const struct response *p, const struc
 
 void forecast_keep(struct forecast *f, const struct response *p, const struct found *x)
 {
-    const double *d = x->d + (x->ratio - 1) * f->ns;
+    const double *d = x->d + (long)(x->ratio - 1) * f->ns;
     find_trend(f, p, x, d);
     for (int i = 0; i < f->ns; i++) {
         f->as[i] = d[i] / x->h;

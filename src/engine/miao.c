@@ -1,6 +1,7 @@
 /* miao.c -- the paper's Newmark sub-cycling (2-12)...(2-25), with its misprints corrected
  *
- * Slow coordinates L take Newmark steps (2-5), (2-6) of H = n h, fast ones S of h.  The common step
+ * There is no equation (2-11) in print: where it would stand, the text parts the coordinates into slow ones L, which
+ * take Newmark steps (2-5), (2-6) of H = n h, and fast ones S, of h.  The common step
  * solves for q''_S1 and q''_Ln together:
  *
  *     M_SS q''_S1 + M_SL ((n-1) q''_L0 + q''_Ln)/n              = Q_S(t+h)              (2-14), (2-17*)

@@ -5,7 +5,8 @@
  * Second order, symmetric.  It keeps quadratic invariants (Cooper 1987), so the energy of a linear
  * system is exact, with work h v . Q.  For a body R1 = R0 cay(h omega) gives both R1 J omega1 =
  * R0 J omega0 and omega . J (omega1 - omega0) = 0: momentum and energy of a free body are exact too
- * (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107, 1993).
+ * (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107, 1993).  Mechanisms that fly freely get the same by va, vb and
+ * settle() of ode2.h.
  *
  * Newton for a with J = M^ + (h/2) C + (h^2/4) K. */
 #include "engine/midpoint.h"
@@ -24,7 +25,7 @@ struct midpoint {
     const struct ode2 *ode;
     struct effort *effort;
     struct instant x; /* the midpoint under trial */
-    double *q, *v, *q1, *dx, *a, *hs;
+    double *q, *v, *q1, *v1, *dx, *a, *hs;
     const double *q0, *v0;
     double *aold;
     double h, hold, hfactor;
@@ -43,6 +44,7 @@ struct midpoint *midpoint_new(struct stepper *s, struct arena *life)
     m->q = TAKE(life, double, o->nq);
     m->q1 = TAKE(life, double, o->nq);
     m->v = TAKE(life, double, o->n);
+    m->v1 = TAKE(life, double, o->n);
     m->dx = TAKE(life, double, o->n);
     m->a = TAKE(life, double, o->n);
     m->aold = TAKE(life, double, o->n);
@@ -55,6 +57,7 @@ static void place(struct midpoint *m, const double *a)
 {
     for (int i = 0; i < m->ode->n; i++) {
         m->v[i] = m->v0[i] + m->h / 2 * a[i];
+        m->v1[i] = m->v0[i] + m->h * a[i];
         m->dx[i] = m->h * m->v[i];
     }
     motion_point(m->ode, m->q, m->q0, m->dx, .5, m->x.t);
@@ -108,10 +111,11 @@ static void accept(struct midpoint *m, struct stepper *s, struct state *x, doubl
     s->last_sweeps += m->newton.count;
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->h * m->w[c];
     place(m, m->a);
+    if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
     copy(m->aold, x->a, n);
     copy(x->a, m->a, n);
     copy(x->q, m->q1, m->ode->nq);
-    for (int i = 0; i < n; i++) x->v[i] += m->h * m->a[i];
+    copy(x->v, m->v1, n);
     x->t = t1;
     m->hold = m->h;
     newton_scale(&m->newton, x->v, x->a, m->h);
@@ -130,6 +134,7 @@ enum status midpoint_advance(struct midpoint *m, struct stepper *s, struct state
     m->v0 = x->v;
     m->x = (struct instant){
         .t = x->t + (t1 - x->t) / 2, .q = m->q, .v = m->v, .qa = x->q, .qb = m->q1, .ta = x->t, .tb = t1};
+    if (m->ode->settle) m->x.va = x->v, m->x.vb = m->v1;
     newton_begin(&m->newton, predict(m, x, fresh));
     if (m->newton.stale || h != m->hfactor) {
         TRY(refresh(m, m->a, why));

@@ -77,6 +77,7 @@ static double kinetic(struct newton *nt, const struct instant *x)
     struct instant with = *x, without = *x;
     with.a = x->v;
     without.a = NULL;
+    with.va = with.vb = without.va = without.vb = NULL; /* a is no longer theirs */
     double sum = 0;
     if (o->ops->resid(o, nt->r, NULL, NULL, &with, ALL, NULL) != OK) return 0;
     sum += dot(nt->r, x->v, o->n);

@@ -50,6 +50,7 @@ int minor_mass(struct minor *m)
     return -1;
 }
 
+/* J and V (S11). */
 int minor_factor(struct minor *m)
 {
     int n = m->n, ns = m->ns;
@@ -254,6 +255,7 @@ static enum status factor_slow(struct response *p, struct decouple *dec, const d
     return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
 }
 
+/* G, T = E + V G^-1 U (S12), factored. */
 enum status response_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why)
 {
     int nl = p->nl, cols = 2 * p->ns;

@@ -6,7 +6,7 @@
  *
  *     J dd_k = - { h (f_k p + c) + h K_SS x + V v },   p = (H/2) K_SL du,   c = C_SL du/2 - W' F e
  *     x += h (v + B dd_k / 2),   v += dd_k,   f_k = (k + 1/2)/n
- *     J = M_SS + (h^2/4) (K_SS + D) B + (h/2) C_SS B,    V = (h^2/2) (K_SS + D) + h C_SS
+ *     J = M_SS + (h^2/4) (K_SS + D) B + (h/2) C_SS B,    V = (h^2/2) (K_SS + D) + h C_SS                    (S11)
  *
  * K, C: slopes of the fast class as P' K P; M_SS = P' M^ P; D = K_SS A and B = 1 + A of the damping of
  * high frequencies.  The slow class stands once, at the average of the ends: its rows change by F e,
@@ -18,7 +18,7 @@
  * s = (p, c).  With e = rho + (H/2) du - W x_n, rho = -W dx_n what the minor steps moved it by on their own,
  *
  *     G du + U s = -(R + H F rho),   G = M_LL + (H^2/4) K_LL + (H/2) C_LL + (H^2/2) F,   U = h K_LS Y + (C_LS - H F W)
- * X E s = V du - (0, W' F rho),    E = 1 - (0, W' F W X),    V = ((H/2) K_SL, C_SL/2 - (H/2) W' F):
+ *     E s = V du - (0, W' F rho),    E = 1 - (0, W' F W X),    V = ((H/2) K_SL, C_SL/2 - (H/2) W' F)        (S12)
  *
  * a system of 2 ns equations (E + V G^-1 U) s = ..., and G as structured as M_LL where slow stiffness and
  * damping are along coordinates. */

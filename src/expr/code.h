@@ -1,36 +1,32 @@
 /* code.h -- the machine behind an expression: private to this folder.
  *
- * A stack of doubles.  Jumps are relative to the next operation, so that a block of code can move. */
+ * A stack of numbers.  Jumps are relative to the next operation, so that a block of code can move.
+ *
+ *     operations.h  the operations: values and derivatives
+ *     value.c       the machine over doubles
+ *     pass.h        the same over numbers that carry derivatives:
+ *     slopes.c      slopes in several directions
+ *     jet.c         first and second derivative in one
+ */
 #ifndef FMDSUB_EXPR_CODE_H
 #define FMDSUB_EXPR_CODE_H
 
 #include <stddef.h>
 
 #include "expr/expr.h"
+#include "expr/operations.h"
 
+#define OP_NAME(op, ...) OP_##op,
+
+/* clang-format off */
 enum op {
     /* one more operand */
     OP_CONST,
     OP_SLOT,
     /* two operands become one */
-    OP_ADD,
-    OP_SUB,
-    OP_MUL,
-    OP_DIV,
-    OP_POW,
-    OP_MOD,
-    OP_MIN,
-    OP_MAX,
-    OP_ATAN2,
-    OP_HYPOT,
-    OP_LT,
-    OP_LE,
-    OP_GT,
-    OP_GE,
-    OP_EQ,
-    OP_NE,
-    OP_AND,
-    OP_OR,
+    PAIRS(OP_NAME)
+    CHOICES(OP_NAME)
+    TRUTHS(OP_NAME)
     /* the same with a constant or a slot as the second operand */
     OP_ADD_CONST,
     OP_SUB_CONST,
@@ -41,32 +37,14 @@ enum op {
     OP_MUL_SLOT,
     OP_DIV_SLOT,
     /* one operand */
-    OP_NEG,
-    OP_NOT,
-    OP_SQUARE,
-    OP_CUBE,
-    OP_SIN,
-    OP_COS,
-    OP_TAN,
-    OP_ASIN,
-    OP_ACOS,
-    OP_ATAN,
-    OP_SINH,
-    OP_COSH,
-    OP_TANH,
-    OP_EXP,
-    OP_LOG,
-    OP_LOG10,
-    OP_SQRT,
-    OP_ABS,
-    OP_SIGN,
-    OP_FLOOR,
-    OP_CEIL,
+    FUNCTIONS(OP_NAME)
+    STEPS(OP_NAME)
     /* flow */
     OP_UNLESS, /* takes one; if it is 0, skips `index` operations */
     OP_SKIP,   /* skips `index` operations */
     OP_END
 };
+/* clang-format on */
 
 struct instruction {
     enum op op;

@@ -60,11 +60,8 @@ double expr_jet(const struct expr *e, double *d, double *dd, const double *slot,
 
 /* The distinct slots read, ascending, at most max of them; returns how many there are. */
 int expr_reads(const struct expr *e, int *slots, int max);
-bool expr_is_constant(const struct expr *e);
 /* Has it no function that may bend or jump: are all its slopes continuous wherever it is finite?  true is sure. */
 bool expr_is_smooth(const struct expr *e);
-/* Operations in the code. */
-int expr_length(const struct expr *e);
 
 /* The functions there are, for messages and the manual; ends with a NULL name. */
 struct expr_function {

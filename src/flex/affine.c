@@ -261,19 +261,6 @@ static void moves(double *u, const struct affine *k, const struct affine_shape *
     add3(u, o->C + 3 * k->n * a, q1, k->n);
 }
 
-void affine_momentum(double *P, double *L, const struct affine *k, const struct affine_shape *o, const double *v,
-                     const double *w, const double *q1)
-{
-    s3_mul(L, o->Jrest, w);
-    add3(L, o->rest, q1, k->n);
-    for (int a = 0; a < k->na; a++) {
-        double u[3];
-        moves(u, k, o, a, v, w, q1);
-        if (a == 0) v3_scale(P, k->root, u);
-        v3_cross_add(L, o->c[a], u);
-    }
-}
-
 /* x'A x. */
 static double square(const double *A, const double *x, int n)
 {
@@ -286,19 +273,20 @@ static double square(const double *A, const double *x, int n)
     return sum;
 }
 
-double affine_kinetic(const struct affine *k, const struct affine_shape *o, const double *v, const double *w,
-                      const double *q1)
+void affine_momentum(double *P, double *L, double *T, const struct affine *k, const struct affine_shape *o,
+                     const double *v, const double *w, const double *q1)
 {
-    double L[3], T = square(k->Me, q1, k->n);
+    double rest[3] = {0, 0, 0}, sum = 0;
     s3_mul(L, o->Jrest, w);
-    T += v3_dot(w, L);
-    v3_set(L, 0, 0, 0);
-    add3(L, o->rest, q1, k->n);
-    T += 2 * v3_dot(w, L);
+    add3(rest, o->rest, q1, k->n);
+    if (T) sum = v3_dot(w, L) + 2 * v3_dot(w, rest) + square(k->Me, q1, k->n);
+    v3_add(L, rest);
     for (int a = 0; a < k->na; a++) {
         double u[3];
         moves(u, k, o, a, v, w, q1);
-        T += v3_dot(u, u);
+        if (a == 0) v3_scale(P, k->root, u);
+        v3_cross_add(L, o->c[a], u);
+        sum += v3_dot(u, u);
     }
-    return .5 * T;
+    if (T) *T = .5 * sum;
 }

@@ -54,10 +54,8 @@ void affine_mass_column(double *M, double *H, double *G, const struct affine *k,
 void affine_inertia(double *F, double *N, double *Q, const struct affine *k, const struct affine_shape *shape,
                     const double *a, const double *w, const double *al, const double *q1, const double *q2);
 
-/* P = dT/dv, L = dT/dw; T [J]. */
-void affine_momentum(double *P, double *L, const struct affine *k, const struct affine_shape *o, const double *v,
-                     const double *w, const double *q1);
-double affine_kinetic(const struct affine *k, const struct affine_shape *o, const double *v, const double *w,
-                      const double *q1);
+/* P = dT/dv, L = dT/dw, T [J], which may be NULL. */
+void affine_momentum(double *P, double *L, double *T, const struct affine *k, const struct affine_shape *o,
+                     const double *v, const double *w, const double *q1);
 
 #endif

@@ -239,12 +239,12 @@ static void carry_velocity(double *v1, double *w1, const struct flex_kernel *k, 
     m3_tmul(w1, o->R, wt);
 }
 
-void flex_momentum(double *P, double *L, const struct flex_kernel *k, const struct flex_shape *shape, const double *v,
-                   const double *w, const double *q1)
+void flex_momentum(double *P, double *L, double *T, const struct flex_kernel *k, const struct flex_shape *shape,
+                   const double *v, const double *w, const double *q1)
 {
     double v1[3], w1[3], p[3], l[3];
     carry_velocity(v1, w1, k, shape, v, w, q1);
-    affine_momentum(p, l, k->in, &shape->in, v1, w1, q1);
+    affine_momentum(p, l, T, k->in, &shape->in, v1, w1, q1);
     m3_mul(P, shape->R, p);
     m3_mul(L, shape->R, l);
     v3_cross_add(L, shape->d, P);
@@ -253,9 +253,9 @@ void flex_momentum(double *P, double *L, const struct flex_kernel *k, const stru
 double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *shape, const double *v, const double *w,
                     const double *q1)
 {
-    double v1[3], w1[3];
-    carry_velocity(v1, w1, k, shape, v, w, q1);
-    return affine_kinetic(k->in, &shape->in, v1, w1, q1);
+    double P[3], L[3], T;
+    flex_momentum(P, L, &T, k, shape, v, w, q1);
+    return T;
 }
 
 double flex_elastic(const struct flex_kernel *k, const double *q)

@@ -50,9 +50,9 @@ void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, 
                   const double *a, const double *w, const double *al, const double *q, const double *q1,
                   const double *q2, bool elastic);
 
-/* Momentum P = dT/dv and angular momentum about the origin L = dT/dw. */
-void flex_momentum(double *P, double *L, const struct flex_kernel *k, const struct flex_shape *shape, const double *v,
-                   const double *w, const double *q1);
+/* Momentum P = dT/dv and angular momentum about the origin L = dT/dw; kinetic energy T, which may be NULL [J]. */
+void flex_momentum(double *P, double *L, double *T, const struct flex_kernel *k, const struct flex_shape *shape,
+                   const double *v, const double *w, const double *q1);
 /* Kinetic energy; elastic energy q'Kq/2 [J]. */
 double flex_kinetic(const struct flex_kernel *k, const struct flex_shape *shape, const double *v, const double *w,
                     const double *q1);

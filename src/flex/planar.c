@@ -161,16 +161,19 @@ void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q
     if (k->D.A) form_add(Q, &k->D, q1, k->n);
 }
 
-static double core_kinetic(const struct flex_planar *k, const struct flex_planar_core *o, const double *v, double w,
-                           const double *q1)
+static void core_momentum(double *P, double *L, double *T, const struct flex_planar *k,
+                          const struct flex_planar_core *o, const double *v, double w, const double *q1)
 {
     const int n = k->n;
-    const double px = k->mass * v[0] - w * o->h[1] + dot(o->Hx, q1, n);
-    const double py = k->mass * v[1] + w * o->h[0] + dot(o->Hy, q1, n);
     const double x = dot(o->E, q1, n) - w * o->tau, y = dot(o->C, q1, n) + w * o->rho;
-    double T = o->rest * w * w + 2 * w * (dot(k->rpsi, q1, n) + dot(o->P, q1, n));
-    for (int j = 0; j < n; j++) T += q1[j] * dot(k->rest + (long)n * j, q1, n);
-    return .5 * (k->m_inv * (px * px + py * py) + k->j_inv * (x * x + y * y) + T);
+    const double rest = dot(k->rpsi, q1, n) + dot(o->P, q1, n);
+    P[0] = k->mass * v[0] - w * o->h[1] + dot(o->Hx, q1, n);
+    P[1] = k->mass * v[1] + w * o->h[0] + dot(o->Hy, q1, n);
+    *L = k->m_inv * (o->h[0] * P[1] - o->h[1] * P[0]) + k->j_inv * (o->rho * y - o->tau * x) + o->rest * w + rest;
+    if (!T) return;
+    double sum = o->rest * w * w + 2 * w * rest;
+    for (int j = 0; j < n; j++) sum += q1[j] * dot(k->rest + (long)n * j, q1, n);
+    *T = .5 * (k->m_inv * (P[0] * P[0] + P[1] * P[1]) + k->j_inv * (x * x + y * y) + sum);
 }
 
 /* --- the mean frame ----------------------------------------------------------------------------- */
@@ -218,13 +221,23 @@ void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_plan
     *N += d[0] * F[1] - d[1] * F[0];
 }
 
+void flex_planar_momentum(double *P, double *L, double *T, const struct flex_planar *k,
+                          const struct flex_planar_shape *o, const double *v, double w, const double *q1)
+{
+    const double t1 = dot(k->mean, q1, k->n);
+    double vi[2], Pi[2];
+    turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
+    core_momentum(Pi, L, T, k, &o->core, vi, w + t1, q1);
+    turn2(P, o->cs, Pi);
+    *L += o->d[0] * P[1] - o->d[1] * P[0];
+}
+
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1)
 {
-    const double t1 = dot(k->mean, q1, k->n);
-    double vi[2];
-    turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
-    return core_kinetic(k, &o->core, vi, w + t1, q1);
+    double P[2], L, T;
+    flex_planar_momentum(P, &L, &T, k, o, v, w, q1);
+    return T;
 }
 
 void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const struct flex_planar_shape *o)

@@ -70,7 +70,10 @@ void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_plan
 /* Q += K q + D q' */
 void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q, const double *q1);
 
-/* T for v of the origin, w, q' [J]. */
+/* For v of the origin, w, q': momentum P = dT/dv [2], angular momentum about the origin L = dT/dw, kinetic energy T,
+ * which may be NULL [J]. */
+void flex_planar_momentum(double *P, double *L, double *T, const struct flex_planar *k,
+                          const struct flex_planar_shape *o, const double *v, double w, const double *q1);
 double flex_planar_kinetic(const struct flex_planar *k, const struct flex_planar_shape *o, const double *v, double w,
                            const double *q1);
 /* M^ of the coordinates [n x n], its lower triangle; U [3 x n] their columns of G, Hx, Hy. */

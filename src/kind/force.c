@@ -2,7 +2,6 @@
 #include "kind/force.h"
 
 #include <math.h>
-#include <string.h>
 
 #define ALONG "N/m or N m/rad"
 #define RATE "N s/m or N m s/rad"
@@ -95,11 +94,4 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 const struct force_kind *force_kind_at(int i)
 {
     return i >= 0 && i < KINDS ? kinds[i] : NULL;
-}
-
-const struct force_kind *force_find(const char *name)
-{
-    for (int i = 0; i < KINDS; i++)
-        if (strcmp(kinds[i]->name, name) == 0) return kinds[i];
-    return NULL;
 }

@@ -55,7 +55,6 @@ struct spring {
 extern const struct force_kind force_spring;
 extern const struct force_kind force_damper; /* the same block, c only */
 
-const struct force_kind *force_find(const char *name);
 const struct force_kind *force_kind_at(int i);
 
 /* What a force acts along, and what a deck may ask for by name. */

@@ -15,9 +15,8 @@ void dense_cholesky_solves(const double *L, double *X, int n, int ld, int m, int
 
 /* P A = L U with partial pivoting; swap [n] rows.  Returns -1, or the column without a pivot. */
 int dense_lu(double *A, int *swap, int n, int ld);
-/* x := A^-1 x;  the same for m right sides. */
+/* x := A^-1 x. */
 void dense_lu_solve(const double *LU, const int *swap, double *x, int n, int ld);
-void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld, int m, int ldx);
 
 /* y [rows] += s A x  and  y [cols] += s A' x,  A [rows x cols]. */
 void dense_gemv(double *y, double s, const double *A, const double *x, int rows, int cols, int ld);

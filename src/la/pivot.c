@@ -74,17 +74,6 @@ int pivot_lu(double *A, int *row, int *col, int m, int n, int ld, const double *
     return k;
 }
 
-double pivot_ratio(const double *LU, int n, int ld)
-{
-    double least = INFINITY, most = 0;
-    for (int k = 0; k < n; k++) {
-        double x = fabs(LU[k + k * ld]);
-        least = fmin(least, x);
-        most = fmax(most, x);
-    }
-    return n == 0 ? 1 : most > 0 ? least / most : 0;
-}
-
 /* A = P'L U Q': y = P x, L, U, x = Q y. */
 void pivot_solve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld)
 {
@@ -96,19 +85,6 @@ void pivot_solve(const double *LU, const int *row, const int *col, double *x, do
         for (int i = 0; i < j; i++) work[i] -= LU[i + j * ld] * work[j];
     }
     for (int j = 0; j < n; j++) x[col[j]] = work[j];
-}
-
-/* A' = Q U' L' P: y = Q'x, U', L', x = P'y. */
-void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld)
-{
-    for (int j = 0; j < n; j++) {
-        double sum = x[col[j]];
-        for (int i = 0; i < j; i++) sum -= LU[i + j * ld] * work[i];
-        work[j] = sum / LU[j + j * ld];
-    }
-    for (int j = n - 1; j >= 0; j--)
-        for (int i = j + 1; i < n; i++) work[j] -= LU[i + j * ld] * work[i];
-    for (int i = 0; i < n; i++) x[row[i]] = work[i];
 }
 
 static int least_of(int a, int b)

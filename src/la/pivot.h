@@ -12,12 +12,8 @@
  * first; NULL: all equal.  Returns the number of pivots: the rank when `most` does not end it. */
 int pivot_lu(double *A, int *row, int *col, int m, int n, int ld, const double *weight, int most, double least);
 
-/* Smallest over largest |pivot| of the leading n x n block; 1 for n = 0. */
-double pivot_ratio(const double *LU, int n, int ld);
-
-/* x := A^-1 x and x := A^-T x for a square A with n pivots; work [n]. */
+/* x := A^-1 x for a square A with n pivots; work [n]. */
 void pivot_solve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld);
-void pivot_tsolve(const double *LU, const int *row, const int *col, double *x, double *work, int n, int ld);
 
 /* L^-1 P A = U by partial pivoting, for a square A with its numbers near the diagonal: none more than band[0] below it,
  * none more than band[1] - band[0] above (row exchanges fill up to band[1]); the rest of A is not looked at.

@@ -15,7 +15,8 @@ void quat_mul(double *o, const double *a, const double *b)
     v3_set(o + 1, x, y, z);
 }
 
-void quat_normal(double *q)
+/* q /= |q|. */
+static void normalise(double *q)
 {
     double f = 1 / sqrt(q[0] * q[0] + v3_dot(q + 1, q + 1));
     q[0] *= f;
@@ -44,12 +45,7 @@ void quat_of_matrix(double *q, const double *R)
                         {R[1] - R[3], R[6] + R[2], R[5] + R[7], square[3]}};
     double sign = sum[k][0] < 0 ? -1 : 1;
     for (int i = 0; i < 4; i++) q[i] = sign * sum[k][i];
-    quat_normal(q);
-}
-
-void quat_rate(double *dq, const double *q, const double *w)
-{
-    quat_mul(dq, q, (double[]){0, w[0] / 2, w[1] / 2, w[2] / 2});
+    normalise(q);
 }
 
 void quat_cay(double *q, const double *phi)
@@ -82,7 +78,7 @@ void quat_move(double *q1, const double *q0, const double *phi, double s)
     double part[4];
     cay_fraction(part, phi, s);
     quat_mul(q1, q0, part);
-    quat_normal(q1);
+    normalise(q1);
 }
 
 /* conj(q0) * q1 = (c, e); phi = 2 e/c. */
@@ -103,25 +99,11 @@ void cay_rate(double *rate, const double *phi, const double *w)
     v3_axpy(rate, v3_dot(phi, w) / 4, phi);
 }
 
-void quat_of_vector(double *q, const double *phi)
-{
-    double angle = v3_norm(phi);
-    q[0] = cos(angle / 2);
-    v3_scale(q + 1, angle > 0 ? sin(angle / 2) / angle : .5, phi);
-}
-
 void vector_of_quat(double *phi, const double *q)
 {
     double sine = v3_norm(q + 1), sign = q[0] < 0 ? -1 : 1;
     double angle = 2 * atan2(sine, fabs(q[0]));
     v3_scale(phi, sign * (sine > 0 ? angle / sine : 2), q + 1);
-}
-
-void matrix_of_vector(double *R, const double *phi)
-{
-    double q[4];
-    quat_of_vector(q, phi);
-    quat_matrix(R, q);
 }
 
 void vector_of_matrix(double *phi, const double *R)
@@ -164,17 +146,5 @@ int matrix_of_axes(double *R, int i, const double *u, int j, const double *v)
     v3_copy(R + 3 * i, e[0]);
     v3_copy(R + 3 * j, e[1]);
     v3_scale(R + 3 * k, even ? 1 : -1, e[2]);
-    return 1;
-}
-
-/* The smallest turn of z onto u is about z x u; straight down it is half a turn about x. */
-int matrix_of_z(double *R, const double *u)
-{
-    double size = v3_norm(u);
-    if (!(size > 0)) return 0;
-    double q[4] = {1 + u[2] / size, -u[1] / size, u[0] / size, 0};
-    if (q[0] * q[0] + v3_dot(q + 1, q + 1) < 1e-24) v3_set(q + 1, 1, 0, 0);
-    quat_normal(q);
-    quat_matrix(R, q);
     return 1;
 }

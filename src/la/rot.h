@@ -18,13 +18,9 @@
 
 /* o = a * b; o may be a or b. */
 void quat_mul(double *o, const double *a, const double *b);
-/* q /= |q|. */
-void quat_normal(double *q);
 void quat_matrix(double *R, const double *q);
 /* Unit quaternion with w >= 0. */
 void quat_of_matrix(double *q, const double *R);
-/* dq = q * (0, w)/2, w in body axes. */
-void quat_rate(double *dq, const double *q, const double *w);
 
 /* ---- increments, body axes ---- */
 
@@ -40,9 +36,7 @@ void cay_rate(double *rate, const double *phi, const double *w);
 
 /* ---- rotation vectors: axis times angle, angle in [0, pi] ---- */
 
-void quat_of_vector(double *q, const double *phi);
 void vector_of_quat(double *phi, const double *q);
-void matrix_of_vector(double *R, const double *phi);
 void vector_of_matrix(double *phi, const double *R);
 /* T [9]: phi' = T w, w in the axes of the turning body; |phi| < 2 pi.  In base axes it is T'. */
 void vector_rate(double *T, const double *phi);
@@ -52,7 +46,5 @@ void vector_rate(double *T, const double *phi);
 /* R with column i along u and column j (not i) in the half plane of u and v, towards v.  0: u is zero or v
  * is parallel to it (to 1e-9); R is then untouched. */
 int matrix_of_axes(double *R, int i, const double *u, int j, const double *v);
-/* R with z along u, x and y as the smallest turn of the world's gives them; 0: u is zero. */
-int matrix_of_z(double *R, const double *u);
 
 #endif

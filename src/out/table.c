@@ -32,13 +32,7 @@ struct table *table_open(const struct table_column *columns, int n, struct arena
 
 static void append(struct table *table, struct cell cell)
 {
-    if (table->used == table->room) {
-        int room = table->room ? 2 * table->room : 16 * table->n;
-        struct cell *wider = TAKE(table->life, struct cell, room);
-        if (table->used) memcpy(wider, table->cells, (size_t)table->used * sizeof *wider);
-        table->cells = wider;
-        table->room = room;
-    }
+    table->cells = arena_more(table->life, table->cells, table->used, &table->room, sizeof *table->cells);
     table->cells[table->used++] = cell;
 }
 

@@ -79,7 +79,8 @@ static int far_end(int *list, int *level, const struct graph *g, int root)
     }
 }
 
-void factor_order(int *node, const struct sparse *A, int nodes)
+/* node [nodes]: new order of the nodes of A (three rows each) that leads to a small band. */
+static void order(int *node, const struct sparse *A, int nodes)
 {
     struct arena *scratch = arena_open();
     struct graph g;
@@ -100,7 +101,7 @@ static int number(int *of, int *place, const struct sparse *A, const bool *held,
 {
     int nodes = A->n / 3, n = 0;
     int *node = TAKE(life, int, nodes);
-    factor_order(node, A, nodes);
+    order(node, A, nodes);
     for (int i = 0; i < A->n; i++) place[i] = -1;
     for (int i = 0; i < nodes; i++)
         for (int k = 3 * node[i]; k < 3 * node[i] + 3; k++)

@@ -14,9 +14,6 @@ struct factor {
     double *x;     /* [n] */
 };
 
-/* node [nodes]: new order of the nodes of A (three rows each) that leads to a small band. */
-void factor_order(int *node, const struct sparse *A, int nodes);
-
 /* A + shift 1 = L L' over the freedoms not held.  *bad: -1, or the freedom whose pivot is not positive, or vanishes
  * (below 1e-13 of the diagonal).  E_LIMIT when the band would take more than 8 GiB. */
 enum status factor_make(struct factor *o, int *bad, const struct sparse *A, const bool *held, double shift,

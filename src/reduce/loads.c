@@ -36,7 +36,8 @@ static void spin_axis(double *e, int k)
         e[pair[k - 3][0]] = e[pair[k - 3][1]] = sqrt(0.5);
 }
 
-void load_density(double *b, int kind, const double *r)
+/* b [3]: load per mass at r from the centre of mass. */
+static void density(double *b, int kind, const double *r)
 {
     double e[3] = {0}, across[3];
     if (kind >= LOAD_SPIN && kind < LOAD_TWIST) {
@@ -58,7 +59,7 @@ void load_forces(double *f, const struct fe *fe, int kind, struct arena *scratch
     for (int i = 0; i < fe->n; i++) {
         double r[3];
         v3_diff(r, fe->x + 3 * i, fe->centre);
-        load_density(b + 3 * i, kind, r);
+        density(b + 3 * i, kind, r);
     }
     sparse_mul(f, &fe->M, b);
 }

@@ -9,8 +9,6 @@ extern const char *const load_names[LOAD_KINDS]; /* "accel-x", ..., "spin-xx", y
 int load_kind(const char *name);                 /* -1: none */
 const char *load_list(void);                     /* all names, for messages */
 
-/* b [3]: load per mass at r from the centre of mass. */
-void load_density(double *b, int kind, const double *r);
 /* f [3 fe->n] = M b [N]. */
 void load_forces(double *f, const struct fe *fe, int kind, struct arena *scratch);
 /* f of 1 N along k at an interface. */

@@ -66,6 +66,10 @@ struct until_keys {
     const struct node *when;
     double latest;
 };
+struct from_keys {
+    const struct node *from;
+    int time; /* 1: keep */
+};
 struct state_keys {
     int version;
     double t;
@@ -87,7 +91,7 @@ struct vector_keys {
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_orient[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_bushing[],
     keys_partition[], keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[],
-    keys_until[], keys_band[];
+    keys_from[], keys_until[], keys_band[];
 
 /* places.c: vectors, points, frames */
 /* A vector of the deck's space; 2-D: o[2] = 0.  what: "'at' of body 'rod'" */

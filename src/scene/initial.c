@@ -105,17 +105,16 @@ static int read_wish(struct builder *b, bool *wish, const struct node *n)
 /* Nothing but how the clock goes on stands beside `from`. */
 static int read_clock(struct builder *b, int *keeps, const struct node *initial)
 {
+    struct from_keys k = {0};
     for (int i = 0; i < initial->count; i++) {
         const struct node *n = initial->item[i];
-        if (strcmp(n->key, "from") == 0) continue;
-        if (strcmp(n->key, "time") == 0) {
-            if (read_word(keeps, n, "zero|keep", &b->reader)) return 1;
-            continue;
-        }
+        if (strcmp(n->key, "from") == 0 || strcmp(n->key, "time") == 0) continue;
         diag_error(b->diags, n, AT_KEY, "E-state", "'from' gives all coordinates: '%.60s' cannot be set beside it",
                    n->key);
         return 1;
     }
+    if (read_keys(&k, keys_from, initial, NULL, "'initial'", &b->reader)) return 1;
+    *keeps = k.time;
     return 0;
 }
 
@@ -134,7 +133,7 @@ static const struct node *first_of_time(const struct scene *scene)
 static void warn_of_clock(struct builder *b, const struct node *initial, const struct node *n, double t)
 {
     const struct node *told = first_of_time(b->scene);
-    if (t == 0 || node_find(initial, "time") || !told) return;
+    if (t == 0 || !node_find(initial, "time")->implied || !told) return;
     diag_warn(b->diags, n, AT_VALUE, "W-time",
               "the state is from t = %.9g s, and the run starts at t = 0: so does '%.60s'", t, told->key);
     diag_hint(b->diags, "'time: keep' goes on from there, 'time: zero' says that this is meant");

@@ -134,8 +134,8 @@ int find_two_bodies(struct builder *b, int *first, int *second, const struct nod
 
 bool may_own_columns(const char *name)
 {
-    static const char *const taken[] = {"ground", "energy", "step"};
-    for (int i = 0; i < 3; i++)
+    static const char *const taken[] = {"ground", "energy", "momentum", "step"};
+    for (int i = 0; i < 4; i++)
         if (strcmp(name, taken[i]) == 0) return false;
     return text_is_name(name);
 }

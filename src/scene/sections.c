@@ -205,6 +205,13 @@ const struct key keys_until[] = {
     KEYS_END,
 };
 
+const struct key keys_from[] = {
+    PARAM_NODE(struct from_keys, from, "from", "file", KEY_REQUIRED, "what --final-state wrote, in the deck's folder"),
+    PARAM_WORD(struct from_keys, time, "time", "zero|keep", 0, "zero",
+               "when the run starts: at 0, or when that one ended"),
+    KEYS_END,
+};
+
 const struct key keys_state[] = {
     PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 1, KEY_REQUIRED, NULL, "version of this form: 1"),
     PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL,
@@ -241,6 +248,7 @@ static const struct section fixed[] = {
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},
     {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},
     {"drives.NAME.value", NULL, "a table in place of an expression", keys_table},
+    {"initial", NULL, "going on from a state", keys_from},
     {"initial.from", NULL, "what the file holds", keys_state},
     {"initial.JOINT.omega", NULL, "angular velocity with its axes", keys_omega},
     {"partition", NULL, "slow and fast coordinates", keys_partition},

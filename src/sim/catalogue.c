@@ -15,14 +15,9 @@ struct listing {
 static void add(struct listing *l, const char *name, const char *unit, const char *brief, struct origin origin)
 {
     struct catalogue *o = l->o;
-    if (o->n == o->room) {
-        int room = o->room ? 2 * o->room : 256;
-        struct column *column = TAKE(l->life, struct column, room);
-        struct origin *origins = TAKE(l->life, struct origin, room);
-        if (o->n) memcpy(column, o->column, (size_t)o->n * sizeof *column);
-        if (o->n) memcpy(origins, o->origin, (size_t)o->n * sizeof *origins);
-        *o = (struct catalogue){o->n, room, column, origins};
-    }
+    int room = o->room;
+    o->column = arena_more(l->life, o->column, o->n, &room, sizeof *o->column);
+    o->origin = arena_more(l->life, o->origin, o->n, &o->room, sizeof *o->origin);
     o->column[o->n] = (struct column){name, unit, brief};
     o->origin[o->n++] = origin;
 }
@@ -203,6 +198,15 @@ static void add_energies(struct listing *l)
         add(l, join(l, "energy", names[k]), "J", briefs[k], (struct origin){FROM_ENERGY, 0, k, -1});
 }
 
+static void add_momenta(struct listing *l)
+{
+    static const char *const p[] = {"x", "y", "z"}, *const L[] = {"lx", "ly", "lz"};
+    add_parts(l, "momentum", p, first_parts, l->plane ? 2 : 3, "N s", "of all bodies", FROM_MOMENTUM, 0);
+    for (int k = l->plane ? 2 : 0; k < 3; k++)
+        add(l, join(l, "momentum", L[k]), "N m s", "angular momentum of all bodies about the world's origin",
+            (struct origin){FROM_MOMENTUM, 0, 3 + k, -1});
+}
+
 static void add_steps(struct listing *l)
 {
     add(l, "step.h", "s", "minor step of the last step", (struct origin){FROM_STEP, 0, STEP_MINOR, -1});
@@ -239,6 +243,7 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
     for (int i = 0; i < m->nforce; i++) add_force(&l, m, &m->force[i], i);
     for (int i = model_first_drive(m); i < m->nloop; i++) add_drive(&l, m, i);
     add_energies(&l);
+    add_momenta(&l);
     add_steps(&l);
 }
 

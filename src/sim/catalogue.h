@@ -33,9 +33,10 @@ enum origin_type {
     FROM_FORCE, /* index: force */
     FROM_ELONGATION,
     FROM_POWER,
-    FROM_DRIVE,  /* index: loop; k: 0 force, 1 power */
-    FROM_ENERGY, /* k: enum energy_column */
-    FROM_STEP    /* k: enum step_column */
+    FROM_DRIVE,    /* index: loop; k: 0 force, 1 power */
+    FROM_ENERGY,   /* k: enum energy_column */
+    FROM_MOMENTUM, /* k: x y z lx ly lz */
+    FROM_STEP      /* k: enum step_column */
 };
 
 enum energy_column {

@@ -120,7 +120,7 @@ static double reaction_part(const struct sim *sim, const struct origin *s)
 
 double record_value(const struct sim *sim, const struct origin *s)
 {
-    double a, b;
+    double a, b, p[6];
     switch (s->type) {
     case FROM_TIME:
         return sim->x.t;
@@ -158,6 +158,9 @@ double record_value(const struct sim *sim, const struct origin *s)
         return force_part(sim, s);
     case FROM_ENERGY:
         return energy(sim, s->k);
+    case FROM_MOMENTUM:
+        system_momentum(sim->system, p, p + 3);
+        return p[s->k];
     case FROM_STEP:
         return step_figure(sim, s->k);
     default:

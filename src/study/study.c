@@ -27,13 +27,7 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
 {
     struct memory *m = sink->self;
     (void)report;
-    if (m->rows == m->room) {
-        int room = m->room ? 2 * m->room : 256;
-        double *more = TAKE(m->life, double, (size_t)room *(size_t)m->n);
-        if (m->rows) memcpy(more, m->x, (size_t)m->rows * (size_t)m->n * sizeof *more);
-        m->x = more;
-        m->room = room;
-    }
+    m->x = arena_more(m->life, m->x, m->rows, &m->room, (size_t)m->n * sizeof *m->x);
     memcpy(m->x + (size_t)m->rows++ * (size_t)m->n, x, (size_t)m->n * sizeof *x);
     return OK;
 }

@@ -123,7 +123,8 @@ static void build_components(struct condense *o, struct arena *life)
 
 static void build_workspace(struct condense *o, struct arena *life)
 {
-    double **of[] = {&o->vt, &o->at, &o->rt, &o->zero, &o->dx, &o->dxs, &o->v, &o->way, &o->aside, &o->mean};
+    double **of[] = {&o->vt, &o->at,  &o->rt, &o->va,  &o->vb,    &o->zero,
+                     &o->dx, &o->dxs, &o->v,  &o->way, &o->aside, &o->mean};
     double **places[] = {&o->q, &o->base, &o->G0_at, &o->qtry, &o->side[0], &o->side[1]};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
@@ -205,6 +206,7 @@ struct condense *condense_build(const struct model *m, const struct sweep_ops *s
                            .chart = &o->chart,
                            .size = size_of,
                            .breaks = tree->breaks || m->ndrive ? &o->breaks : NULL,
+                           .settle = tree->settle ? condense_settle : NULL,
                            .self = o};
     o->life = life;
     o->scratch = arena_open();

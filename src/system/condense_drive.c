@@ -21,6 +21,13 @@ void condense_time(struct condense *o, double t, double ta, double tb)
     loops_over(o->loops, ta, tb);
 }
 
+int condense_jumps(const struct condense *o)
+{
+    for (int l = model_first_drive(o->model); l < o->model->nloop; l++)
+        if (o->loops->cw[o->loops->first[l]] != o->loops->c1[o->loops->first[l]]) return 1;
+    return 0;
+}
+
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why)
 {
     const struct model *m = o->model;

@@ -90,6 +90,7 @@ struct condense {
     /* workspace */
     double *C, *C2;          /* [rows] */
     double *vt, *at, *rt;    /* [nt] */
+    double *va, *vb;         /* [nt] at the ends of an interval */
     double *zero;            /* [nt] */
     double *dx, *dxs, *base; /* [nt], [nt], [nq] */
     double *G0_at;           /* [nq] where G0 holds */
@@ -127,6 +128,8 @@ double component_ratio(const struct condense *o, const struct component *c);
 void component_multipliers(const struct component *c, const double *rt);
 /* Drives as they are at t, by their means over [ta, tb] where that is an interval. */
 void condense_time(struct condense *o, double t, double ta, double tb);
+/* Does the rate of a drive jump in the interval of the last condense_time()? */
+int condense_jumps(const struct condense *o);
 /* E_NUMERIC where a drive or its rate is not finite, as condense_time() has left them. */
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why);
 /* The posture NAN is one that could not be closed: says which loop was lost. */
@@ -136,6 +139,8 @@ enum status condense_lost(const struct condense *o, double t, struct trouble *wh
 void condense_gather(struct condense *o, double *r, double *w, const double *rt);
 /* w += power of the drives, with the multipliers in component->x */
 void component_power(const struct condense *o, const struct component *c, double *w);
+/* As ode2 has it, where the tree has one. */
+void condense_settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x);
 /* E_NUMERIC where a dropped row no longer holds, at the posture looked at. */
 enum status condense_contest(struct condense *o, double t, struct trouble *why);
 /* As ode2_breaks has it. */

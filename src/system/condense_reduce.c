@@ -34,14 +34,37 @@ static enum status in_own_rows(const struct condense *o, enum status status, str
     return status;
 }
 
+/* The velocities of the whole tree at the ends of the interval, if they are asked for. */
+static enum status look_at_ends(struct condense *o, struct instant *whole, const struct instant *x, struct trouble *why)
+{
+    if (!x->va || !o->tree->settle) return OK;
+    TRY(condense_rates(o, o->va, NULL, x->qa, x->va, NULL, x->ta, why));
+    TRY(condense_rates(o, o->vb, NULL, x->qb, x->vb, NULL, x->tb, why));
+    whole->va = o->va;
+    whole->vb = o->vb;
+    return OK;
+}
+
+void condense_settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x)
+{
+    struct condense *o = ode->self;
+    struct instant whole = *x;
+    struct trouble why;
+    if (look_at_ends(o, &whole, x, &why) != OK) return;
+    o->tree->settle(o->tree, q1, o->vb, &whole);
+    for (int i = 0; i < ode->n; i++) v1[i] = o->vb[o->ind[i]];
+}
+
 static enum status resid_there(struct condense *o, double *r, double *w, double *dk, const struct instant *x,
                                unsigned cls, struct trouble *why)
 {
+    struct instant whole = *x;
+    TRY(look_at_ends(o, &whole, x, why));
     condense_time(o, x->t, x->ta, x->tb);
+    whole.jump = condense_jumps(o);
     TRY(condense_driven(o, false, x->t, why));
     TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
     TRY(condense_contest(o, x->t, why));
-    struct instant whole = *x;
     whole.v = o->vt;
     whole.a = o->at;
     TRY(in_own_rows(o, o->tree->ops->resid(o->tree, o->rt, w, dk, &whole, cls, why), why));

@@ -95,7 +95,7 @@ void elastic_momentum(double *p, double *L, struct elastic_body *o, const struct
     gather(o, q, v, NULL);
     m3_tmul(moving, frame->R, frame->v);
     m3_tmul(turning, frame->R, frame->w);
-    flex_momentum(P, H, o->kernel, &o->shape, moving, turning, o->q1);
+    flex_momentum(P, H, NULL, o->kernel, &o->shape, moving, turning, o->q1);
     m3_mul(world, frame->R, P);
     v3_add(p, world);
     v3_cross_add(L, frame->r, world);
@@ -112,7 +112,7 @@ void elastic_centre(struct pose *frame, const struct elastic *o, int body, const
     gather(e, q, v, a);
     m3_tmul(u, frame->R, frame->v);
     m3_tmul(w, frame->R, frame->w);
-    flex_momentum(P, N, e->kernel, &e->shape, u, w, e->q1);
+    flex_momentum(P, N, NULL, e->kernel, &e->shape, u, w, e->q1);
     if (a) {
         m3_tmul(acc, frame->R, frame->a);
         m3_tmul(al, frame->R, frame->al);

@@ -14,9 +14,7 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
-#include "la/rot.h"
 #include "la/vec3.h"
 #include "system/parts.h"
 
@@ -61,8 +59,7 @@ static double change(double k, double kref)
     return size > 0 ? fabs(k - kref) / size : 0;
 }
 
-/* The remainder E of work, of terms of the size `scale`, given to the rotations. */
-static void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x)
+void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x)
 {
     double h = x->tb - x->ta, vv = 0;
     if (fabs(E) <= 64 * DBL_EPSILON * scale) return;
@@ -186,83 +183,6 @@ static void load_body(struct elements *e, struct sweep *s, const struct model_fo
     if (effect) *effect = (struct effect){v3_norm(value), 0, power};
 }
 
-/* --- bushings ----------------------------------------------------------------------------------- *
- *
- * In axes of the marker on a: d = E'(x_b - x_a), its rate d' = E'(v_b - v_a - w_a x (x_b - x_a)), the rotation
- * vector phi of b's marker against a's, phi' = T' W.  With V = (d.k d + phi.kr phi)/2 the power is -V' less
- * damping for
- *
- *     F = -(k d + c d')  on b at x_b, -F on a at the same point;     n = -(T kr phi + cr W) on b, -n on a:
- *
- * one line, so both momenta are kept. */
-
-void bushing_at(struct bush *o, const struct elements *e, const struct sweep *s, const struct model_force *f)
-{
-    const struct bushing *par = f->par;
-    struct pose a, b;
-    double xa[3], va[3], vb[3], d[3], rate[3], turned[3], w[3];
-    e->ops->pose(s, &a, f->a.body);
-    e->ops->pose(s, &b, f->b.body);
-    e->ops->point(s, xa, va, f->a.body, f->a.p);
-    e->ops->point(s, o->at, vb, f->b.body, f->b.p);
-    v3_diff(d, o->at, xa);
-    v3_diff(rate, vb, va);
-    v3_cross(turned, a.w, d);
-    v3_take(rate, turned);
-    v3_diff(w, b.w, a.w);
-    m3_mulm(o->E, a.R, par->Ea);
-    m3_tmul(o->d, o->E, d);
-    m3_tmul(o->rate, o->E, rate);
-    m3_tmul(o->W, o->E, w);
-    if (e->model->space == 2) {
-        v3_set(o->phi, 0, 0, o->E[8] * (b.angle - a.angle));
-        m3_unit(o->T);
-    } else {
-        double Eb[9], R[9];
-        m3_mulm(Eb, b.R, par->Eb);
-        m3_tmulm(R, o->E, Eb);
-        vector_of_matrix(o->phi, R);
-        vector_rate(o->T, o->phi);
-    }
-}
-
-double bushing_stored(const struct bush *o, const struct bushing *par)
-{
-    double V = 0;
-    for (int i = 0; i < 3; i++) V += par->k[i] * o->d[i] * o->d[i] + par->kr[i] * o->phi[i] * o->phi[i];
-    return .5 * V;
-}
-
-static void load_bushing(struct elements *e, struct sweep *s, const struct part_of *p, double *r, double *w,
-                         struct effect *effect, const struct instant *x)
-{
-    const struct model_force *f = &e->model->force[p->force];
-    const struct bushing *par = f->par;
-    struct bush b;
-    double F[3], n[3], turn[3], kept = 0, lost = 0, force[3], back[3];
-    bushing_at(&b, e, s, f);
-    for (int i = 0; i < 3; i++) turn[i] = -par->kr[i] * b.phi[i];
-    m3_mul(n, b.T, turn);
-    for (int i = 0; i < 3; i++) {
-        F[i] = -par->k[i] * b.d[i] - par->c[i] * b.rate[i];
-        kept += -par->k[i] * b.d[i] * b.rate[i] + n[i] * b.W[i];
-        lost -= par->c[i] * b.rate[i] * b.rate[i] + par->cr[i] * b.W[i] * b.W[i];
-        n[i] -= par->cr[i] * b.W[i];
-    }
-    m3_mul(force, b.E, F);
-    v3_scale(back, -1, force);
-    e->ops->push(s, f->b.body, b.at, force);
-    e->ops->push(s, f->a.body, b.at, back);
-    m3_mul(force, b.E, n);
-    v3_scale(back, -1, force);
-    e->ops->twist(s, f->b.body, force);
-    e->ops->twist(s, f->a.body, back);
-    if (x->qa && x->qb)
-        give_to_rotations(r, p, p->end[0] - p->end[1] - kept * (x->tb - x->ta), p->end[0] + p->end[1], x);
-    if (w) w[POWER_DAMPER] += lost;
-    if (effect) *effect = (struct effect){v3_norm(F), v3_norm(b.d), kept + lost};
-}
-
 /* --- all of a class ----------------------------------------------------------------------------- */
 
 void look_at_end(struct elements *e, const struct instant *x, int end, enum rate cls)
@@ -308,7 +228,7 @@ void elements_load(struct elements *e, struct sweep *s, double *r, double *w, do
             load_body(e, s, f, w, seen, x);
             break;
         case FORCE_BUSHING:
-            load_bushing(e, s, p, r, w, seen, x);
+            bushing_load(e, s, p, r, w, seen, x);
             break;
         }
     }
@@ -356,149 +276,7 @@ void elements_stand(struct elements *e, int measure, double x)
     measures_stand(&e->measures, measure, x);
 }
 
-void elements_settle(struct elements *e, const struct sweep *s, double t)
+void elements_turned(struct elements *e, const struct sweep *s, double t)
 {
-    measures_settle(&e->measures, s, t);
-}
-
-/* --- building ----------------------------------------------------------------------------------- */
-
-static bool is_plain(const struct model *m, const struct model_force *f)
-{
-    return f->type == FORCE_LAW && (f->kind == &force_spring || f->kind == &force_damper) &&
-           m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->linear(f->par);
-}
-
-/* Is v[k] a rotation?  Rotations come after displacements, but for a cylindrical joint's. */
-static bool *rotations(const struct model *m, struct arena *life)
-{
-    bool *turns = TAKE(life, bool, m->n);
-    for (int i = 0; i < m->njoint; i++) {
-        const struct model_joint *j = &m->joint[i];
-        int slides = j->type == JOINT_PRISMATIC ? 1
-                     : j->type == JOINT_PLANAR  ? 2
-                     : j->type == JOINT_FREE    ? m->space
-                                                : 0;
-        for (int k = 0; k < j->nv; k++) turns[j->iv[k]] = j->type == JOINT_CYLINDRICAL ? k == 0 : k >= slides;
-    }
-    return turns;
-}
-
-/* Counts in the row how often the velocities on the ways to the two bodies are met; modes is set for those of
- * flexible bodies. */
-static void meet(struct elements *e, bool *modes, int a, int b)
-{
-    const struct model *m = e->model;
-    const int ends[2] = {a, b};
-    for (int end = 0; end < 2; end++)
-        for (int i = ends[end]; i > 0; i = m->body[i].parent) {
-            const struct model_joint *j = &m->joint[m->body[i].joint];
-            const struct model_body *p = &m->body[m->body[i].parent];
-            for (int k = 0; k < j->nv; k++) row_add(&e->row, j->iv[k], 1);
-            for (int k = 0; m->body[i].at_node && k < p->nmode; k++) {
-                row_add(&e->row, p->mode_v[k], 1);
-                modes[p->mode_v[k]] = true;
-            }
-        }
-}
-
-/* Without rotations the elastic coordinates, which bend the points' ways too. */
-static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
-{
-    int *turn = TAKE(life, int, e->model->n);
-    bool *modes = TAKE(life, bool, e->model->n);
-    meet(e, modes, a, b);
-    for (int pass = 0; pass < 2 && !p->nturn; pass++)
-        for (int i = 0; i < e->row.n; i++) {
-            int k = e->row.k[i];
-            if (pass ? modes[k] : turns[k] && e->row.x[k] == 1) turn[p->nturn++] = k;
-        }
-    p->turn = turn;
-    row_clear(&e->row);
-}
-
-static void add_plain(struct elements *e, int force)
-{
-    const struct model_force *f = &e->model->force[force];
-    const struct model_measure *def = &e->model->measure[f->measure];
-    const struct spring *par = f->par;
-    struct plain *p = &e->plain[e->nplain[ALL]++];
-    *p = (struct plain){.iq = def->iq, .iv = def->iv, .force = force, .c = par->c};
-    if (f->kind == &force_damper) return;
-    p->k = par->k, p->rest = par->rest, p->preload = par->preload;
-}
-
-static void add_other(struct elements *e, int force, const bool *turns, struct arena *life)
-{
-    const struct model_force *f = &e->model->force[force];
-    struct part_of *p = &e->other[e->nother[ALL]++];
-    p->force = force;
-    if (f->type == FORCE_LAW) {
-        const struct model_measure *def = &e->model->measure[f->measure];
-        bool straight = def->type == MEASURE_COORDINATE || (def->type == MEASURE_ANGLE && e->model->space == 2);
-        p->linear = f->kind->linear && f->kind->linear(f->par);
-        p->ends = f->kind->stored && def->type != MEASURE_COORDINATE && !(straight && p->linear);
-        if (p->ends) find_rotations(p, e, def->a.body, def->b.body, turns, life);
-    } else if (f->type == FORCE_BUSHING) {
-        p->ends = true;
-        find_rotations(p, e, f->a.body, f->b.body, turns, life);
-    }
-    if (p->ends) e->ends[f->cls] = e->ends[ALL] = true;
-}
-
-static void add_class(struct elements *e, enum rate cls, const bool *turns, struct arena *life)
-{
-    for (int i = 0; i < e->model->nforce; i++) {
-        const struct model_force *f = &e->model->force[i];
-        if (f->cls != cls) continue;
-        if (is_plain(e->model, f))
-            add_plain(e, i);
-        else
-            add_other(e, i, turns, life);
-        if (f->nslot > e->most_slots) e->most_slots = f->nslot;
-    }
-    e->nplain[cls] = e->nplain[ALL];
-    e->nother[cls] = e->nother[ALL];
-}
-
-/* A sweep whose FAST bodies are only those that the elements with ends touch, and their paths. */
-static struct sweep *build_ends(const struct elements *e, struct arena *life)
-{
-    struct model *m = TAKE(life, struct model, 1);
-    struct model_body *body = TAKE(life, struct model_body, e->model->nbody);
-    struct model_force *force = TAKE(life, struct model_force, e->model->nforce);
-    *m = *e->model;
-    m->body = body;
-    m->force = force;
-    m->nforce = 0;
-    memcpy(body, e->model->body, sizeof *body * (size_t)m->nbody);
-    for (int i = 0; i < m->nbody; i++) body[i].fast = false;
-    for (int i = 0; i < e->nother[ALL]; i++) {
-        if (!e->other[i].ends) continue;
-        force[m->nforce] = e->model->force[e->other[i].force];
-        force[m->nforce++].cls = FAST;
-    }
-    return e->ops->build(m, life);
-}
-
-struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)
-{
-    struct elements *e = TAKE(life, struct elements, 1);
-    e->model = m;
-    e->ops = ops;
-    measures_build(&e->measures, m, ops, life);
-    e->plain = TAKE(life, struct plain, m->nforce);
-    e->other = TAKE(life, struct part_of, m->nforce);
-    e->row = row_make(m->n, life);
-    e->column = row_make(m->n, life);
-    const bool *turns = rotations(m, life);
-    e->most_slots = 1;
-    add_class(e, FAST, turns, life);
-    add_class(e, SLOW, turns, life);
-    if (e->ends[ALL]) e->there = build_ends(e, life);
-    e->slot = TAKE(life, double, e->most_slots);
-    e->slope = TAKE(life, double, e->most_slots);
-    e->which = TAKE(life, int, e->most_slots);
-    for (int i = 0; i < e->most_slots; i++) e->which[i] = i + 1;
-    return e;
+    measures_turned(&e->measures, s, t);
 }

@@ -123,7 +123,7 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
     }
 }
 
-void measures_settle(struct measures *o, const struct sweep *s, double t)
+void measures_turned(struct measures *o, const struct sweep *s, double t)
 {
     for (int i = 0; i < o->model->nmeasure; i++) {
         struct action act;

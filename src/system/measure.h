@@ -55,7 +55,7 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
 
 /* Between steps: angles in space stand where they are at the sweep's last motion, at t; their rates tell how many whole
  * turns the step has taken. */
-void measures_settle(struct measures *o, const struct sweep *s, double t);
+void measures_turned(struct measures *o, const struct sweep *s, double t);
 
 /* Angle i in space stands at x [rad], or nearby. */
 void measures_stand(struct measures *o, int i, double x);

@@ -30,6 +30,9 @@ struct instant {
     const double *q;       /* [nq] */
     const double *v, *a;   /* [n]; a NULL: zero */
     const double *qa, *qb; /* [nq] ends of the interval, for discrete gradients; NULL: point law */
+    const double *va, *vb; /* [n] velocities at the ends, where v is their mean and a their difference over tb - ta;
+                            * NULL: not such an interval.  Read where there is a settle(), see there */
+    int jump;              /* velocities of a drive jump between: va and vb are not ends of one smooth motion */
     double ta, tb;         /* [s] times of the ends: drives move by their means over it; equal: as they are at t */
 };
 
@@ -109,7 +112,12 @@ struct ode2 {
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;
     double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
-    void *self;                                  /* the owner's */
+    /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
+     * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
+     * it: at the end of a step settle() moves q1, which is x->qb, there, and v1, x->vb, by what is left of the
+     * residual. */
+    void (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x);
+    void *self; /* the owner's */
 };
 
 #endif

@@ -1,4 +1,10 @@
-/* parts.h -- what the files of the elements share: the elements sorted for the loop. */
+/* parts.h -- what the files of the elements share: the elements sorted for the loop.
+ *
+ *     elements.c        laws, signals, loads; all elements of a class
+ *     bushing.c         bushings
+ *     slopes.c          slopes of all of them
+ *     elements_build.c  how they are sorted
+ */
 #ifndef FMDSUB_SYSTEM_PARTS_H
 #define FMDSUB_SYSTEM_PARTS_H
 
@@ -69,5 +75,11 @@ struct bush {
 };
 void bushing_at(struct bush *o, const struct elements *e, const struct sweep *s, const struct model_force *f);
 double bushing_stored(const struct bush *o, const struct bushing *par);
+/* As elements_load(), of one bushing. */
+void bushing_load(struct elements *e, struct sweep *s, const struct part_of *p, double *r, double *w,
+                  struct effect *effect, const struct instant *x);
+
+/* The remainder E of work, of terms of the size `scale`, given to the rotations. */
+void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x);
 
 #endif

@@ -389,4 +389,6 @@ const struct sweep_ops sweep_planar = {.build = build,
                                        .factor = planar_factor,
                                        .solve = planar_solve,
                                        .energy = energy,
-                                       .reaction = reaction};
+                                       .reaction = reaction,
+                                       .gather = planar_gather,
+                                       .hasten = planar_hasten};

@@ -82,5 +82,7 @@ void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t planar_factor_size(const struct sweep *s);
 int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void planar_solve(const struct sweep *s, const void *F, double *x);
+void planar_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what);
+void planar_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 
 #endif

@@ -363,4 +363,6 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .factor = spatial_factor,
                                         .solve = spatial_solve,
                                         .energy = spatial_energy,
-                                        .reaction = reaction};
+                                        .reaction = reaction,
+                                        .gather = spatial_gather,
+                                        .hasten = spatial_hasten};

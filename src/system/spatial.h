@@ -65,6 +65,7 @@ struct flexible {
     double *q, *q1, *q2; /* [n] at hand; q1, q2 as far as `order` says: 0, 1, 2 derivatives */
     int order;
     double *Q;              /* [n] what the rows of its coordinates need */
+    double *dQ;             /* [n] work of spatial_hasten() */
     double R[9];            /* body axes to world */
     int nnode[4], *node[4]; /* bodies at its nodes by class, as the rosters have them */
 };
@@ -192,5 +193,7 @@ void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
 int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void spatial_solve(const struct sweep *s, const void *F, double *x);
+void spatial_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what);
+void spatial_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 
 #endif

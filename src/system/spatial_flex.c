@@ -28,6 +28,7 @@ static void build_flexible(struct flexible *f, const struct model_body *b, int b
     f->q1 = TAKE(life, double, f->n);
     f->q2 = TAKE(life, double, f->n);
     f->Q = TAKE(life, double, f->n);
+    f->dQ = TAKE(life, double, f->n);
 }
 
 static void build_stand(struct stand *o, const struct flexible *f, const struct link *l, const struct model_joint *j,

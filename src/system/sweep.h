@@ -21,6 +21,22 @@ struct pose {
     double angle;       /* plane: rotation about z since drawn, continuous [rad] */
 };
 
+/* Some bodies as one; world axes. */
+struct bulk {
+    double m, c[3];       /* mass, centre of mass */
+    double p[3], L[3];    /* momentum, angular momentum about the centre */
+    double T;             /* kinetic energy of the motion about the centre: without p.p/(2 m) */
+    double J[6];          /* inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
+    double F[3], N[3], W; /* what their inertia takes: force, moment about the centre, power in the motion about it */
+};
+enum { BULK_MOTION, BULK_INERTIA, BULK_FORCES }; /* as far as T, J, W */
+
+/* A change of their motion: displacement dr and velocity dv of all of them; accelerations a + al x (r - c) + k v,
+ * al + k w, k q', with velocities v against that of the centre. */
+struct change {
+    double dr[3], dv[3], a[3], al[3], k;
+};
+
 struct sweep;
 
 struct sweep_ops {
@@ -66,6 +82,13 @@ struct sweep_ops {
      * on its child, about the joint's point on the child, world axes, [3] each, with the free directions
      * (which carry only elements along the joint's own coordinates) projected out. */
     void (*reaction)(const struct sweep *s, double *f, double *n, int joint);
+
+    /* The n bodies `body` as one, the first of them a tree's root, at the last move() or forward(); forces after
+     * forward() and before anything is pushed. */
+    void (*gather)(struct sweep *s, struct bulk *o, const int *body, int n, int what);
+    /* Changes their motion between forward() and backward(): places, velocities, and for the accelerations what they
+     * need. */
+    void (*hasten)(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
 };
 
 extern const struct sweep_ops sweep_planar, sweep_spatial;

@@ -15,6 +15,7 @@
 #include "system/condense.h"
 #include "system/elastic.h"
 #include "system/elements.h"
+#include "system/floating.h"
 #include "system/moves.h"
 #include "system/sizes.h"
 
@@ -26,6 +27,7 @@ struct system {
     struct elastic elastic; /* flexible bodies */
     bool diagonal;          /* elements_are_diagonal() */
     struct moves moves;
+    struct floating floating; /* what flies freely */
     struct ode2_direct direct;
     struct ode2_breaks breaks;
     struct ode2 ode;        /* of the tree */
@@ -85,12 +87,19 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 {
     struct system *s = system_of(o);
     enum rate rate = (enum rate)cls;
+    struct instant settled;
+    const bool balanced = s->floating.n > 0 && x->va && cls == ALL;
+    if (balanced) {
+        floating_place(&s->floating, &settled, x);
+        x = &settled;
+    }
     for (int i = 0; i < o->n; i++) r[i] = 0;
     if (w)
         for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
     if (dk) *dk = 0;
     s->placed = false;
     s->ops->forward(s->work, x->q, x->v, x->a, rate);
+    if (balanced) floating_balance(&s->floating, s->work, &settled);
     elements_load(s->elements, s->work, r, w, dk, NULL, x, rate);
     if (w && s->elastic.n) w[POWER_DAMPER] -= elastic_lost(&s->elastic, x->v, rate);
     s->ops->backward(s->work, r, rate);
@@ -145,6 +154,11 @@ static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, co
 }
 
 static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
+
+static void settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x)
+{
+    floating_settle(&system_of(o)->floating, q1, v1, x);
+}
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
@@ -203,16 +217,16 @@ static void solve(const struct ode2 *o, const void *F, double *x)
 /* --- turns -------------------------------------------------------------------------------------- */
 
 /* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
-static int settle(struct ode2 *o, double *q, double *v, double t)
+static int count_turns(struct ode2 *o, double *q, double *v, double t)
 {
     struct system *s = system_of(o);
     s->placed = false;
     s->ops->move(s->work, q, v, ALL);
-    elements_settle(s->elements, s->work, t);
+    elements_turned(s->elements, s->work, t);
     return 0;
 }
 
-static const struct ode2_chart turns = {.rechart = settle};
+static const struct ode2_chart turns = {.rechart = count_turns};
 
 /* --- kinks in time ------------------------------------------------------------------------------ */
 
@@ -273,6 +287,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     elastic_build(&s->elastic, m, life);
     if (s->elastic.n) s->M = TAKE(life, double, m->n * m->n);
     moves_build(&s->moves, m, life);
+    floating_build(&s->floating, m, s->ops, life);
     const size_t bytes = s->ops->factor_size(s->work);
     s->factor = arena_take(life, 1, bytes);
     s->d = TAKE(life, double, m->n);
@@ -302,6 +317,7 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .chart = elements_turn(s->elements) ? &turns : NULL,
                            .breaks = isinf(first) ? NULL : &s->breaks,
                            .size = size_of,
+                           .settle = s->floating.n ? settle : NULL,
                            .self = s};
     if (m->nloop) build_loops(s, life);
     return s;

@@ -2,23 +2,25 @@
 . tests/tools/lib.sh
 need_program study
 
-# The chain with stiff leaf joints, plucked: the fast coordinates of `subcycle` at n = 5, 10, 20 are as near to
-# the reference as those of the single rate at the small step, within 1.5 times; slow ones and `miao` beside it.
-"$FMDSUB" study -q --schemes midpoint,subcycle,miao --ratios 5,10,20 --steps 1.0e-4 --repeats 1 \
-    decks/stiff-leaf-chain.yaml >"$work/chain.csv" 2>"$work/err"
-for n in 5 10 20; do
-    awk -F, -v n=$n '
+# The fast error of `subcycle` at n = $3 in table $2 (deck $1) is at most 1.5 times that of the single rate at the small
+# step, and with $4 = slow so is the slow one; `miao` is shown beside it.
+as_near() {
+    awk -F, -v n="$3" -v both="${4:-}" '
         $1 == "midpoint" { fast = $4; slow = $5 }
         $1 == "subcycle" && $2 == n { f = $4; s = $5; state = $12 }
         $1 == "miao" && $2 == n { mf = $4; ms = $5; mstate = $12 }
         END {
             printf "fast error %.3g against %.3g (%.2f), slow %.3g against %.3g; miao fast %.3g, slow %.3g (%s)\n",
                 f, fast, f / fast, s, slow, mf, ms, mstate
-            exit !(fast > 0 && f <= 1.5 * fast && state == "ok")
-        }' "$work/chain.csv" >"$work/line"
-    if [ $? = 0 ]; then ok "stiff-leaf-chain n=$n: $(cat "$work/line")"; else
-        not_ok "stiff-leaf-chain n=$n" "$(cat "$work/line")" "$work/err"; fi
-done
+            exit !(fast > 0 && f <= 1.5 * fast && (both == "" || s <= 1.5 * slow) && state == "ok")
+        }' "$2" >"$work/line"
+    if [ $? = 0 ]; then ok "$1 n=$3: $(cat "$work/line")"; else not_ok "$1 n=$3" "$(cat "$work/line")" "$work/err"; fi
+}
+
+# The chain with stiff leaf joints, plucked.
+"$FMDSUB" study -q --schemes midpoint,subcycle,miao --ratios 5,10,20 --steps 1.0e-4 --repeats 1 \
+    decks/stiff-leaf-chain.yaml >"$work/chain.csv" 2>"$work/err"
+for n in 5 10 20; do as_near stiff-leaf-chain "$work/chain.csv" $n; done
 
 # Two references, by different schemes, agree on every shipped deck that is studied.
 for deck in bar-slider double-pendulum stiff-leaf-chain heavy-top; do
@@ -32,19 +34,7 @@ done
 # anything else.
 "$FMDSUB" study -q --schemes midpoint,subcycle,miao --ratios 5,20 --steps 2.0e-5 --until 0.2 --repeats 1 \
     decks/light-hub.yaml >"$work/hub.csv" 2>"$work/err"
-for n in 5 20; do
-    awk -F, -v n=$n '
-        $1 == "midpoint" { fast = $4; slow = $5 }
-        $1 == "subcycle" && $2 == n { f = $4; s = $5; state = $12 }
-        $1 == "miao" && $2 == n { mf = $4; ms = $5; mstate = $12 }
-        END {
-            printf "fast error %.3g against %.3g (%.2f), slow %.3g against %.3g; miao fast %.3g, slow %.3g (%s)\n",
-                f, fast, f / fast, s, slow, mf, ms, mstate
-            exit !(fast > 0 && f <= 1.5 * fast && s <= 1.5 * slow && state == "ok")
-        }' "$work/hub.csv" >"$work/line"
-    if [ $? = 0 ]; then ok "light-hub n=$n: $(cat "$work/line")"; else
-        not_ok "light-hub n=$n" "$(cat "$work/line")" "$work/err"; fi
-done
+for n in 5 20; do as_near light-hub "$work/hub.csv" $n slow; done
 
 # Simeon's slider-crank to the digits of its references: coordinates to 1e-9 of their largest value, rates and
 # accelerations of the stiff shapes, whose own digits are fewer, to what the tolerance leaves.

@@ -3,6 +3,8 @@
 #define FMDSUB_TESTS_NEAR_H
 
 #include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
 
 /* Largest difference; infinite when one is not a number. */
 static inline double worst(const double *a, const double *b, int n)
@@ -21,5 +23,17 @@ static inline double size(const double *a, int n)
 
 /* Of the size of b, at least 1. */
 #define NEAR(a, b, n, tolerance) assert_true(worst(a, b, n) <= (tolerance)*size(b, n))
+
+/* The same, and says which is not. */
+static inline bool all_near(const double *a, const double *b, int n, double tolerance)
+{
+    const double most = tolerance * size(b, n);
+    for (int i = 0; i < n; i++) {
+        if (fabs(a[i] - b[i]) <= most) continue;
+        fprintf(stderr, "entry %d: %.17g is not %.17g\n", i, a[i], b[i]);
+        return false;
+    }
+    return true;
+}
 
 #endif

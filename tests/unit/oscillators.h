@@ -477,6 +477,14 @@ static inline enum status run_steps(struct run *r, double h, int ratio, int majo
     return OK;
 }
 
+/* Iterated to round-off. */
+static inline struct step_options sharp(void)
+{
+    struct step_options o = step_defaults;
+    o.newton_tolerance = 1e-13;
+    return o;
+}
+
 /* Largest difference of q and v after T = majors ratio h from the solution by Dormand-Prince to 1e-12. */
 static inline double run_error(const char *scheme, const struct ode2 *ode, const struct step_options *options,
                                const double *q, const double *v, double T, int ratio, int majors)
@@ -514,5 +522,27 @@ static const double both_q[2] = {.2, 1}, both_v[2] = {0, .3};
 
 /* The spinning body thrown, its particle plucked. */
 static const double carrier_q[5] = {.05, .8, .6, 0, 0}, carrier_v[4] = {.1, .5, -.4, 2};
+
+/* Observed orders of a single-rate scheme: coupled oscillators, free and damped and driven; two links; a spinning body,
+ * by itself and with its particle. */
+enum { ORDERS = 5 };
+static inline void single_rate_orders(double order[ORDERS], const char *scheme)
+{
+    const struct step_options o = sharp();
+    struct linear pair;
+    struct chain chain;
+    struct carrier top, slide;
+    linear_both(&pair);
+    order[0] = run_order(scheme, &pair.ode, &o, both_q, both_v, 1, 1, 400);
+    memcpy(pair.C[0], (double[]){3, -.2, -.2, .5}, 4 * sizeof(double));
+    pair.f[0] = 5, pair.f[1] = -3, pair.w = 4;
+    order[1] = run_order(scheme, &pair.ode, &o, both_q, both_v, 1, 1, 400);
+    chain_open(&chain, 30, 2, 9.81);
+    order[2] = run_order(scheme, &chain.ode, &o, (double[]){.3, 1}, (double[]){0, .5}, 1, 1, 200);
+    carrier_open(&top, 0);
+    order[3] = run_order(scheme, &top.ode, &o, carrier_q + 1, carrier_v + 1, 1, 1, 200);
+    carrier_open(&slide, 1);
+    order[4] = run_order(scheme, &slide.ode, &o, carrier_q, carrier_v, 1, 1, 200);
+}
 
 #endif

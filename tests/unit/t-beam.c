@@ -8,9 +8,9 @@
 #include <string.h>
 
 #include "la/eigen.h"
-#include "la/rot.h"
 #include "la/vec3.h"
 #include "unit/rods.h"
+#include "unit/turn.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>
@@ -270,7 +270,7 @@ static void test_rigid(void **state)
     c.rotary = 1;
     memcpy(o.a, a, sizeof a);
     memcpy(o.b, b, sizeof b);
-    matrix_of_vector(o.R, axis);
+    turn_matrix(o.R, axis);
     o.nlump = 2;
     o.lump = lump;
     o.stiffening = true;

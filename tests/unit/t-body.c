@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "la/rot.h"
 #include "la/vec3.h"
+#include "unit/turn.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>
@@ -161,7 +161,7 @@ static void seen(double *u, const struct particle *p, const struct particle *zer
 {
     double theta[3] = {0}, R[9], u0[3], d[3];
     for (int j = 0; j < N; j++) v3_axpy(theta, q[j], zero->psi + 3 * j);
-    matrix_of_vector(R, theta);
+    turn_matrix(R, theta);
     moved(u, p, q);
     moved(u0, zero, q);
     v3_sum(d, p->x, u);

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "deck/deck.h" /* before cmocka.h, which has a macro fail */
+#include "unit/told.h"
 
 #include <cmocka.h>
 
@@ -93,14 +94,7 @@ static struct deck *good(const char *text)
 
 static const char *messages(void)
 {
-    char *text;
-    size_t size;
-    FILE *to = open_memstream(&text, &size);
-    diags_print(to, diags, false);
-    fclose(to);
-    const char *copy = arena_copy(arena, text, size);
-    free(text);
-    return copy;
+    return told(diags, arena);
 }
 
 /* The node at a path of keys and list numbers. */

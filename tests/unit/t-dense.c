@@ -79,7 +79,7 @@ static void test_solves(void **state)
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < n; i++) y[i + k * n] = b[(i + 1) % n + k * n];
         assert_int_equal(dense_lu(F.a, swap, n, n), -1);
-        dense_lu_solves(F.a, swap, y, n, n, 3, n);
+        for (int k = 0; k < 3; k++) dense_lu_solve(F.a, swap, y + k * n, n, n);
         for (int i = 0; i < 3 * n; i++) assert_true(fabs(y[i] - x[i]) < 1e-11);
     }
 }

@@ -8,6 +8,8 @@
 
 #include "expr/expr.h"
 #include "system/system.h"
+#include "unit/gauss.h"
+#include "unit/near.h"
 #include "unit/trees.h"
 
 #include <cmocka.h>
@@ -93,15 +95,6 @@ static void added(double *r, struct fixture *f, const struct instant *x)
     for (int i = 0; i < f->n; i++) r[i] -= bare[i];
 }
 
-static void near_all(const double *x, const double *y, int n, double tolerance)
-{
-    double scale = 1;
-    for (int i = 0; i < n; i++) scale = fmax(scale, fabs(y[i]));
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i] - y[i]) <= tolerance * scale))
-            fail_msg("entry %d: %.17g is not %.17g (scale %g)", i, x[i], y[i], scale);
-}
-
 enum { OF_K = 1, OF_C = 2 };
 
 /* K and C against central differences of the elements' r, at t = .3. */
@@ -125,8 +118,8 @@ static void check_slopes(struct fixture *f, unsigned which)
         v[k] = f->v[k] - e, added(down, f, &y);
         for (int i = 0; i < f->n; i++) dC[i + f->n * k] = (up[i] - down[i]) / (2 * e);
     }
-    if (which & OF_K) near_all(K, dK, f->n * f->n, 1e-6);
-    if (which & OF_C) near_all(C, dC, f->n * f->n, 1e-7);
+    if (which & OF_K) assert_true(all_near(K, dK, f->n * f->n, 1e-6));
+    if (which & OF_C) assert_true(all_near(C, dC, f->n * f->n, 1e-7));
 }
 
 /* --- slopes ------------------------------------------------------------------------------------- */
@@ -384,9 +377,9 @@ static void loads_act_where_they_stand(void **state)
             }
             const struct instant at = {.t = .3, .q = f.q, .v = f.v};
             added(r, &f, &at);
-            near_all(r, want, f.n, 1e-12);
+            assert_true(all_near(r, want, f.n, 1e-12));
             f.o->ops->resid(f.o, r, w, NULL, &at, ALL, NULL);
-            near_all(&w[POWER_EXTERNAL], &power, 1, 1e-12);
+            assert_true(all_near(&w[POWER_EXTERNAL], &power, 1, 1e-12));
             assert_true(w[POWER_DAMPER] == 0);
             close_tree(&f);
         }
@@ -470,7 +463,7 @@ static void a_short_interval_is_the_point(void **state)
         const struct instant y = {.t = .3, .q = f.q, .v = f.v};
         added(r, &f, &x);
         added(point, &f, &y);
-        near_all(r, point, f.n, 1e-12);
+        assert_true(all_near(r, point, f.n, 1e-12));
         close_tree(&f);
     }
 }
@@ -499,7 +492,7 @@ static void slope_of_the_difference_quotient(void **state)
             q[k] = f.q[k], qb[k] = 2 * q[k] - qa[k];
             for (int i = 0; i < f.n; i++) dK[i + f.n * k] = (r[1][i] - r[0][i]) / (2 * e);
         }
-        near_all(K, dK, f.n * f.n, 1e-7);
+        assert_true(all_near(K, dK, f.n * f.n, 1e-7));
         close_tree(&f);
     }
 }
@@ -553,31 +546,6 @@ static void points_in_one_place(void **state)
 
 /* --- the midpoint rule ---------------------------------------------------------------------------- */
 
-/* A x = b by elimination with row pivoting; A is overwritten. */
-static void solve_dense(double *A, double *x, int n)
-{
-    for (int k = 0; k < n; k++) {
-        int p = k;
-        for (int i = k; i < n; i++)
-            if (fabs(A[i + n * k]) > fabs(A[p + n * k])) p = i;
-        for (int j = 0; j < n; j++) {
-            double t = A[k + n * j];
-            A[k + n * j] = A[p + n * j], A[p + n * j] = t;
-        }
-        double t = x[k];
-        x[k] = x[p], x[p] = t;
-        for (int i = k + 1; i < n; i++) {
-            double l = A[i + n * k] / A[k + n * k];
-            for (int j = k; j < n; j++) A[i + n * j] -= l * A[k + n * j];
-            x[i] -= l * x[k];
-        }
-    }
-    for (int k = n - 1; k >= 0; k--) {
-        for (int j = k + 1; j < n; j++) x[k] -= A[k + n * j] * x[j];
-        x[k] /= A[k + n * k];
-    }
-}
-
 /* One step: M dv/h + ... = 0 at the middle, q1 = q0 (+) h (v0 + dv/2); Newton until it stands still. */
 static void midpoint(struct fixture *f, double h)
 {
@@ -593,7 +561,7 @@ static void midpoint(struct fixture *f, double h)
         f->o->ops->mass(f->o, M, qm, 0, ALL, NULL);
         f->o->ops->slopes(f->o, K, C, &x, ALL, NULL);
         for (int i = 0; i < n * n; i++) J[i] = M[i] / h + .5 * C[i] + .25 * h * K[i];
-        solve_dense(J, r, n);
+        gauss(J, r, n);
         double most = 0;
         for (int i = 0; i < n; i++) dv[i] -= r[i], most = fmax(most, fabs(r[i]));
         if (most < 1e-14) break;

@@ -290,7 +290,7 @@ static void reference_W(struct reference *p)
                 M[i + (j - ns) * nl] = m;
         }
     assert_int_equal(dense_lu(M, swap, nl, nl), -1);
-    dense_lu_solves(M, swap, p->W, nl, nl, ns, nl);
+    for (int j = 0; j < ns; j++) dense_lu_solve(M, swap, p->W + j * nl, nl, nl);
 }
 
 /* Rows of the step for unknowns z = (du, d_0 ...) from q0, v0; the end state in q1, v1. */

@@ -8,6 +8,7 @@
 #include "sim/load.h"
 #include "sim/sim.h"
 #include "system/condense.h"
+#include "unit/decks.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>
@@ -15,38 +16,6 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-
-struct opened {
-    struct arena *life;
-    struct scene *scene;
-    struct diags *diags;
-    struct sim sim;
-    struct report report;
-    enum status status;
-};
-
-static void open_path(struct opened *o, const char *path, int nset, const char *const *set)
-{
-    const struct deck_options options = {.nset = nset, .set = set};
-    const struct sim_options quiet = {.version = "test"};
-    memset(o, 0, sizeof *o);
-    o->life = arena_open();
-    o->diags = diags_open(o->life);
-    o->status = sim_load(&o->scene, path, &options, o->diags, o->life, &o->report);
-    if (o->status == OK)
-        o->status = sim_open(&o->sim, o->scene, &o->scene->integrate, &quiet, o->diags, o->life, &o->report);
-}
-
-static void open_text(struct opened *o, const char *text)
-{
-    char path[] = "/tmp/t-loops-XXXXXX";
-    int fd = mkstemp(path);
-    assert_true(fd >= 0);
-    assert_int_equal(write(fd, text, strlen(text)), (ssize_t)strlen(text));
-    close(fd);
-    open_path(o, path, 0, NULL);
-    unlink(path);
-}
 
 /* decks/bricard.yaml with pin i marked to close the loop. */
 static void open_bricard(struct opened *o, int i)
@@ -65,11 +34,6 @@ static void open_bricard(struct opened *o, int i)
     assert_non_null(at);
     memcpy(at, "scheme: dopri5,tolerance: 1e-12, until: 1", strlen("scheme: midpoint, step: 1.0e-3, until: 10"));
     open_text(o, deck);
-}
-
-static void shut(struct opened *o)
-{
-    arena_close(o->life);
 }
 
 static void run(struct opened *o)

@@ -9,13 +9,6 @@
 
 #include <cmocka.h>
 
-static struct step_options sharp(void)
-{
-    struct step_options o = step_defaults;
-    o.newton_tolerance = 1e-13;
-    return o;
-}
-
 /* Two coordinates with little separation: the extrapolation (2-16) costs n (w_S h)^2, so order shows
  * only at small steps. */
 static void test_order(void **state)

@@ -126,7 +126,7 @@ static void test_particles(void **state)
         NEAR(F, of_F, 3, 1e-13);
         NEAR(N3, of_N, 3, 1e-13);
         NEAR(Q, of_Q, o.n, 1e-13);
-        flex_momentum(F, N3, o.k, &o.shape, o.v, o.w, o.q1);
+        flex_momentum(F, N3, NULL, o.k, &o.shape, o.v, o.w, o.q1);
         T = flex_kinetic(o.k, &o.shape, o.v, o.w, o.q1);
         particles_carry(of_F, of_N, &of_T, &o);
         NEAR(F, of_F, 3, 1e-13);
@@ -188,7 +188,7 @@ static void store(double *x, struct scene *o)
 {
     double Me[N * N], H[3 * N], G[3 * N];
     for (int j = 0; j < o->n; j++) flex_mass_column(Me + o->n * j, H + 3 * j, G + 3 * j, o->k, &o->shape, j);
-    flex_momentum(x, x + 3, o->k, &o->shape, o->v, o->w, o->q1);
+    flex_momentum(x, x + 3, NULL, o->k, &o->shape, o->v, o->w, o->q1);
     for (int i = 0; i < o->n; i++) {
         x[6 + i] = dot(H + 3 * i, o->v, 3) + dot(G + 3 * i, o->w, 3);
         for (int j = 0; j < o->n; j++) x[6 + i] += Me[i < j ? i + o->n * j : j + o->n * i] * o->q1[j];

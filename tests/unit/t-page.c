@@ -195,28 +195,48 @@ static void test_places(void **state)
     free(text);
 }
 
-/* Every tag with a star in the source, and every number of the paper, is explained. */
+/* A tag at `at`, such as (2-4), (2-16*) or (S3): its length, 0 if there is none. */
+static size_t tag_at(const char *at)
+{
+    size_t letters = strncmp(at, "(2-", 3) == 0 ? 3 : strncmp(at, "(S", 2) == 0 ? 2 : 0;
+    size_t digits = letters ? strspn(at + letters, "0123456789") : 0, len = letters + digits;
+    if (!digits) return 0;
+    len += at[len] == '*';
+    return at[len] == ')' ? len + 1 : 0;
+}
+
+/* Marks the numbers of the paper, and of the scheme subcycle, that text carries. */
+static void collect_tags(bool *print, bool *scheme, const char *text)
+{
+    for (const char *at = strchr(text, '('); at; at = strchr(at + 1, '(')) {
+        int number = tag_at(at) ? atoi(at + (at[1] == 'S' ? 2 : 3)) : 0;
+        if (number > 0 && number < 40) (at[1] == 'S' ? scheme : print)[number] = true;
+    }
+}
+
+/* Every number of the paper and of subcycle is in the source and explained; so is every tag with a star. */
 static void test_equations(void **state)
 {
     char *text = read_text("man/fmdsub-equations.7"), tag[24];
+    bool print[2][40] = {{0}}, scheme[2][40] = {{0}};
     glob_t files;
     (void)state;
-    for (int k = 1; k <= 26; k++) {
-        snprintf(tag, sizeof tag, "(2-%d)", k);
-        char starred[24];
-        snprintf(starred, sizeof starred, "(2-%d*)", k);
-        if (!strstr(text, tag) && !strstr(text, starred)) fail_msg("fmdsub-equations.7 lacks %s", tag);
-    }
+    collect_tags(print[0], scheme[0], text);
     assert_int_equal(glob("src/*/*.[ch]", 0, NULL, &files), 0);
     for (size_t i = 0; i < files.gl_pathc; i++) {
         char *source = read_text(files.gl_pathv[i]);
-        for (const char *at = strstr(source, "(2-"); at; at = strstr(at + 1, "(2-")) {
-            size_t len = strcspn(at, ")") + 1;
-            if (len > 7 || !isdigit((unsigned char)at[3]) || at[len - 2] != '*') continue;
+        collect_tags(print[1], scheme[1], source);
+        for (const char *at = strchr(source, '('); at; at = strchr(at + 1, '(')) {
+            size_t len = tag_at(at);
+            if (len == 0 || len >= sizeof tag || at[len - 2] != '*') continue;
             snprintf(tag, sizeof tag, "%.*s", (int)len, at);
             if (!strstr(text, tag)) fail_msg("%s has %s, fmdsub-equations.7 has not", files.gl_pathv[i], tag);
         }
         free(source);
+    }
+    for (int k = 1; k < 40; k++) {
+        if (print[0][k] != (k <= 26) || print[1][k] != (k <= 26)) fail_msg("(2-%d) in the manual or the source", k);
+        if (scheme[0][k] != (k <= 12) || scheme[1][k] != (k <= 12)) fail_msg("(S%d) in the manual or the source", k);
     }
     globfree(&files);
     free(text);

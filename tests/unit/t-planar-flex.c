@@ -7,21 +7,13 @@
 
 #include "la/dense.h"
 #include "unit/grove.h"
+#include "unit/near.h"
 
 #include <complex.h>
 
 #include <cmocka.h>
 
 enum { ROWS = 3 * 16 * PARTICLES };
-
-static void near_all(const double *x, const double *y, int n, double tolerance)
-{
-    double scale = 1;
-    for (int i = 0; i < n; i++) scale = fmax(scale, fabs(y[i]));
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i] - y[i]) <= tolerance * scale))
-            fail_msg("entry %d: %.17g is not %.17g (scale %g)", i, x[i], y[i], scale);
-}
 
 /* --- an independent formulation: places as complex numbers, one after the other ------------------ */
 
@@ -133,8 +125,8 @@ static void poses_are_the_places(void **state)
         for (int i = 1; i < f.m->nbody; i++) {
             struct pose b;
             sweep_planar.pose(f.s, &b, i);
-            near_all(b.r, (double[]){creal(r[i]), cimag(r[i]), 0}, 3, 1e-13);
-            near_all(b.R, (double[]){cos(turn[i]), sin(turn[i])}, 2, 1e-13);
+            assert_true(all_near(b.r, (double[]){creal(r[i]), cimag(r[i]), 0}, 3, 1e-13));
+            assert_true(all_near(b.R, (double[]){cos(turn[i]), sin(turn[i])}, 2, 1e-13));
         }
         arena_close(f.arena);
     }
@@ -155,7 +147,7 @@ static void mass_is_the_sum_over_particles(void **state)
                 for (int i = 0; i < o.n; i++) X[a + f.n * b] += o.J[a][i] * o.weight[i] * o.J[b][i];
             }
         sweep_planar.mass(f.s, M, f.q, ALL);
-        near_all(M, X, f.n * f.n, 1e-9);
+        assert_true(all_near(M, X, f.n * f.n, 1e-9));
         for (int a = 0; a < f.n; a++)
             for (int b = 0; b < a; b++) assert_true(M[a + f.n * b] == M[b + f.n * a]);
         assert_int_equal(dense_cholesky(M, f.n, f.n), -1);
@@ -182,7 +174,7 @@ static void resid_is_the_sum_over_particles(void **state)
         }
         elastic_rows(x, &f);
         sweep_resid(r, &f, f.a, ALL);
-        near_all(r, x, f.n, 1e-8);
+        assert_true(all_near(r, x, f.n, 1e-8));
         arena_close(f.arena);
     }
 }
@@ -203,7 +195,7 @@ static void energies_are_the_sums(void **state)
         }
         sweep_planar.move(f.s, f.q, f.v, ALL);
         sweep_planar.energy(f.s, &T, &V);
-        near_all((double[]){T, V}, (double[]){T0, V0}, 2, 1e-9);
+        assert_true(all_near((double[]){T, V}, (double[]){T0, V0}, 2, 1e-9));
         arena_close(f.arena);
     }
 }
@@ -235,7 +227,7 @@ static void a_tree_adrift_keeps_its_momenta(void **state)
             size += fabs(Fx) + fabs(Fy);
         }
         for (int c = 0; c < 3; c++) rate[c] /= 1 + size;
-        near_all(rate, zero, 3, 1e-8);
+        assert_true(all_near(rate, zero, 3, 1e-8));
         arena_close(f.arena);
     }
 }
@@ -286,7 +278,7 @@ static void reactions_hold_what_is_behind(void **state)
                 F[0] -= along * axis[0], F[1] -= along * axis[1];
             }
             sweep_planar.reaction(f.s, got, n, j);
-            near_all((double[]){got[0], got[1], n[2]}, F, 3, 1e-7);
+            assert_true(all_near((double[]){got[0], got[1], n[2]}, F, 3, 1e-7));
         }
         arena_close(f.arena);
     }

@@ -6,17 +6,9 @@
 #include <stdint.h>
 
 #include "unit/grove.h"
+#include "unit/near.h"
 
 #include <cmocka.h>
-
-static void near_all(const double *x, const double *y, int n, double tolerance)
-{
-    double scale = 1;
-    for (int i = 0; i < n; i++) scale = fmax(scale, fabs(y[i]));
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i] - y[i]) <= tolerance * scale))
-            fail_msg("entry %d: %.17g is not %.17g (scale %g)", i, x[i], y[i], scale);
-}
 
 /* --- Lagrange ------------------------------------------------------------------------------------- */
 
@@ -51,7 +43,7 @@ static void mass_is_the_polar_form_of_the_energy(void **state)
                 X[a + f.n * b] = .5 * (kinetic(&f, f.q, u) - kinetic(&f, f.q, w));
             }
         sweep_planar.mass(f.s, M, f.q, ALL);
-        near_all(M, X, f.n * f.n, 1e-13);
+        assert_true(all_near(M, X, f.n * f.n, 1e-13));
         arena_close(f.arena);
     }
 }
@@ -80,7 +72,7 @@ static void resid_is_lagrange(void **state)
             x[i] -= (kinetic(&f, up, f.v) - kinetic(&f, down, f.v)) / (2 * e);
             x[i] += (gravity(&f, up) - gravity(&f, down)) / (2 * e);
         }
-        near_all(r, x, n, 1e-7);
+        assert_true(all_near(r, x, n, 1e-7));
         arena_close(f.arena);
     }
 }
@@ -107,7 +99,7 @@ static void power_is_the_rate_of_energy(void **state)
             sweep_planar.energy(f.s, &T, &V);
             rate += c[s] * (T + V) / (12 * e);
         }
-        near_all(&power, &rate, 1, 1e-8);
+        assert_true(all_near(&power, &rate, 1, 1e-8));
         arena_close(f.arena);
     }
 }
@@ -129,7 +121,7 @@ static void resid_is_affine(void **state)
             sweep_planar.mass(f.s, M, f.q, cls);
             for (int i = 0; i < f.n; i++)
                 for (int j = 0; j < f.n; j++) x[i] += M[i + f.n * j] * f.a[j];
-            near_all(r, x, f.n, 1e-12);
+            assert_true(all_near(r, x, f.n, 1e-12));
             sweep_resid(again, &f, f.a, cls);
             assert_memory_equal(r, again, sizeof *r * (size_t)f.n);
             arena_close(f.arena);
@@ -154,8 +146,8 @@ static void classes_add_up(void **state)
             r[0][i] += r[1][i];
         }
         for (int i = 0; i < f.n * f.n; i++) M[0][i] += M[1][i];
-        near_all(r[0], r[2], f.n, 1e-12);
-        near_all(M[0], M[2], f.n * f.n, 1e-12);
+        assert_true(all_near(r[0], r[2], f.n, 1e-12));
+        assert_true(all_near(M[0], M[2], f.n * f.n, 1e-12));
         arena_close(f.arena);
     }
 }
@@ -185,8 +177,8 @@ static void partials_are_differences(void **state)
                 sweep_planar.move(f.s, f.q, f.v, ALL);
                 sweep_planar.point(f.s, x, xv, i, p);
                 sweep_planar.partial(f.s, pv, pw, i, x, k);
-                near_all(pv, d, 3, 1e-8);
-                near_all(pw, (double[]){0, 0, (b[1].angle - b[0].angle) / (2 * e)}, 3, 1e-8);
+                assert_true(all_near(pv, d, 3, 1e-8));
+                assert_true(all_near(pw, (double[]){0, 0, (b[1].angle - b[0].angle) / (2 * e)}, 3, 1e-8));
                 for (int j = sweep_planar.path(f.s, &path, i) - 1; j >= 0; j--) on_path = on_path || path[j] == k;
                 if (!on_path) assert_true(pv[0] == 0 && pv[1] == 0 && pw[2] == 0);
             }
@@ -214,11 +206,11 @@ static void motion_is_the_derivative(void **state)
                 sweep_planar.pose(f.s, &b[s], i);
             }
             for (int c = 0; c < 2; c++) {
-                near_all(&b[1].v[c], (double[]){(b[2].r[c] - b[0].r[c]) / (2 * e)}, 1, 1e-5);
-                near_all(&b[1].a[c], (double[]){(b[2].v[c] - b[0].v[c]) / (2 * e)}, 1, 1e-5);
+                assert_true(all_near(&b[1].v[c], (double[]){(b[2].r[c] - b[0].r[c]) / (2 * e)}, 1, 1e-5));
+                assert_true(all_near(&b[1].a[c], (double[]){(b[2].v[c] - b[0].v[c]) / (2 * e)}, 1, 1e-5));
             }
-            near_all(&b[1].w[2], (double[]){(b[2].angle - b[0].angle) / (2 * e)}, 1, 1e-7);
-            near_all(&b[1].al[2], (double[]){(b[2].w[2] - b[0].w[2]) / (2 * e)}, 1, 1e-7);
+            assert_true(all_near(&b[1].w[2], (double[]){(b[2].angle - b[0].angle) / (2 * e)}, 1, 1e-7));
+            assert_true(all_near(&b[1].al[2], (double[]){(b[2].w[2] - b[0].w[2]) / (2 * e)}, 1, 1e-7));
         }
         arena_close(f.arena);
     }
@@ -243,7 +235,7 @@ static void pushes_do_work(void **state)
                 sweep_planar.partial(f.s, pv, pw, body, x, k);
                 r[k] += pv[0] * force[0] + pv[1] * force[1] + pw[2] * n[2];
             }
-            near_all(r, r0, f.n, 1e-12);
+            assert_true(all_near(r, r0, f.n, 1e-12));
         }
         arena_close(f.arena);
     }
@@ -281,8 +273,8 @@ static void modes_at_rest_are_a_rigid_body(void **state)
             for (int b = 0; b < f.n; b++)
                 if (mode[a] || mode[b]) M[a + f.n * b] = X[a + f.n * b] = 0;
         }
-        near_all(r, x, f.n, 1e-13);
-        near_all(M, X, f.n * f.n, 1e-13);
+        assert_true(all_near(r, x, f.n, 1e-13));
+        assert_true(all_near(M, X, f.n * f.n, 1e-13));
         arena_close(f.arena);
     }
 }
@@ -315,7 +307,7 @@ static void articulated_bodies_solve_the_dense_system(void **state)
             for (int j = 0; j < n; j++)
                 if (!isinf(d[i])) y[i] += cm * M[i + n * j] * x[j];
         }
-        near_all(y, b, n, 1e-10);
+        assert_true(all_near(y, b, n, 1e-10));
         arena_close(f.arena);
     }
 }

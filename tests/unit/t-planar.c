@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "system/sweep.h"
+#include "unit/near.h"
 #include "unit/trees.h"
 
 #include <cmocka.h>
@@ -171,21 +172,6 @@ static double kinetic(const struct model *m, const double *q, const double *v)
 
 /* --- helpers ------------------------------------------------------------------------------------ */
 
-static double largest(const double *x, int n)
-{
-    double most = 0;
-    for (int i = 0; i < n; i++) most = fmax(most, fabs(x[i]));
-    return most;
-}
-
-static void near_all(const double *x, const double *y, int n, double tolerance)
-{
-    double scale = 1 + largest(y, n);
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i] - y[i]) <= tolerance * scale))
-            fail_msg("entry %d: %.17g is not %.17g (scale %g)", i, x[i], y[i], scale);
-}
-
 struct fixture {
     struct arena *arena;
     struct model *m;
@@ -232,16 +218,16 @@ static void positions_are_homogeneous_transforms(void **state)
         for (int i = 0; i < f.m->nbody; i++) {
             double J[3 * MOST], vel[3], acc[3], more[3] = {0, 0, 0};
             sweep_planar.pose(f.s, &b, i);
-            near_all(b.r, o.r[i], 3, 1e-13);
-            near_all(b.R, o.R[i], 9, 1e-13);
+            assert_true(all_near(b.r, o.r[i], 3, 1e-13));
+            assert_true(all_near(b.R, o.R[i], 9, 1e-13));
             assert_true(fabs(b.angle - o.phi[i]) < 1e-13 * 20);
             jacobian(J, &o, f.m, i);
             times(vel, J, f.v, f.m->n);
             times(acc, J, f.a, f.m->n);
             if (i) bias(more, &o, f.m, f.v, i);
             for (int c = 0; c < 3; c++) acc[c] += more[c];
-            near_all((double[]){b.v[0], b.v[1], b.w[2]}, vel, 3, 1e-12);
-            near_all((double[]){b.a[0], b.a[1], b.al[2]}, acc, 3, 1e-12);
+            assert_true(all_near((double[]){b.v[0], b.v[1], b.w[2]}, vel, 3, 1e-12));
+            assert_true(all_near((double[]){b.a[0], b.a[1], b.al[2]}, acc, 3, 1e-12));
         }
         close_tree(&f);
     }
@@ -259,8 +245,8 @@ static void zero_is_the_drawn_position(void **state)
         sweep_planar.move(f.s, f.q, f.v, ALL);
         for (int i = 0; i < f.m->nbody; i++) {
             sweep_planar.pose(f.s, &b, i);
-            near_all(b.r, f.m->body[i].at, 3, 1e-13);
-            near_all(b.R, f.m->body[i].R, 9, 1e-13);
+            assert_true(all_near(b.r, f.m->body[i].at, 3, 1e-13));
+            assert_true(all_near(b.R, f.m->body[i].R, 9, 1e-13));
         }
         close_tree(&f);
     }
@@ -279,7 +265,7 @@ static void mass_is_the_sum_of_jacobians(void **state)
             memset(M, 0xff, sizeof M);
             sweep_planar.mass(f.s, M, f.q, (unsigned)cls);
             explicit_mass(X, f.m, f.q, bears);
-            near_all(M, X, f.m->n * f.m->n, 1e-13);
+            assert_true(all_near(M, X, f.m->n * f.m->n, 1e-13));
             for (int a = 0; a < f.m->n; a++)
                 for (int b = 0; b < a; b++) assert_true(M[a + f.m->n * b] == M[b + f.m->n * a]);
         }
@@ -315,7 +301,7 @@ static void mass_is_the_sum_of_differences(void **state)
                         X[a + n * b] +=
                             (c < 2 ? f.m->body[i].mass : f.m->body[i].inertia[2]) * J[i][c + 3 * a] * J[i][c + 3 * b];
         sweep_planar.mass(f.s, M, f.q, ALL);
-        near_all(M, X, n * n, 1e-8);
+        assert_true(all_near(M, X, n * n, 1e-8));
         close_tree(&f);
     }
 }
@@ -329,7 +315,7 @@ static void resid_is_the_sum_over_bodies(void **state)
         open_tree(&f, 8, seed, seed % 2 ? TREE_CHAIN : 0);
         sweep_resid(r, &f, f.a, ALL);
         explicit_resid(x, f.m, f.q, f.v, f.a);
-        near_all(r, x, f.m->n, 1e-12);
+        assert_true(all_near(r, x, f.m->n, 1e-12));
         close_tree(&f);
     }
 }
@@ -357,7 +343,7 @@ static void resid_is_lagrange(void **state)
             x[i] -= (kinetic(f.m, up, f.v) - kinetic(f.m, down, f.v)) / (2 * e);
             x[i] += (potential(f.m, up) - potential(f.m, down)) / (2 * e);
         }
-        near_all(r, x, n, 1e-7);
+        assert_true(all_near(r, x, n, 1e-7));
         close_tree(&f);
     }
 }
@@ -376,7 +362,7 @@ static void classes_add_up(void **state)
             if (i < f.m->ns) assert_true(slow[i] == 0);
             fast[i] += slow[i];
         }
-        near_all(fast, all, f.m->n, 1e-13);
+        assert_true(all_near(fast, all, f.m->n, 1e-13));
         close_tree(&f);
     }
 }
@@ -399,7 +385,7 @@ static void articulated_bodies_solve_the_dense_system(void **state)
             y[i] = d[i] * x[i];
             for (int j = 0; j < n; j++) y[i] += cm * M[i + n * j] * x[j];
         }
-        near_all(y, b, n, 1e-11);
+        assert_true(all_near(y, b, n, 1e-11));
         close_tree(&f);
     }
 }
@@ -441,8 +427,8 @@ static void partials_are_the_velocity(void **state)
                 on_path += pv[0] != 0 || pv[1] != 0 || pw[2] != 0;
                 for (int c = 0; c < 3; c++) sum[c] += pv[c] * f.v[k], turned[c] += pw[c] * f.v[k];
             }
-            near_all(sum, xv, 3, 1e-13);
-            near_all(turned, b.w, 3, 1e-13);
+            assert_true(all_near(sum, xv, 3, 1e-13));
+            assert_true(all_near(turned, b.w, 3, 1e-13));
             int n = sweep_planar.path(f.s, &path, i);
             assert_int_equal(n, on_path);
             for (int k = 0; k < n; k++) {
@@ -472,7 +458,7 @@ static void pushes_do_work(void **state)
             sweep_planar.partial(f.s, pv, pw, body, x, k);
             r[k] += pv[0] * force[0] + pv[1] * force[1] + pw[2] * n[2];
         }
-        near_all(r, r0, f.m->n, 1e-13);
+        assert_true(all_near(r, r0, f.m->n, 1e-13));
         close_tree(&f);
     }
 }
@@ -486,7 +472,7 @@ static void energies_are_the_sums(void **state)
         open_tree(&f, 8, seed, 0);
         sweep_planar.move(f.s, f.q, f.v, ALL);
         sweep_planar.energy(f.s, &T, &V);
-        near_all((double[]){T, V}, (double[]){kinetic(f.m, f.q, f.v), potential(f.m, f.q)}, 2, 1e-13);
+        assert_true(all_near((double[]){T, V}, (double[]){kinetic(f.m, f.q, f.v), potential(f.m, f.q)}, 2, 1e-13));
         close_tree(&f);
     }
 }
@@ -525,8 +511,8 @@ static void reactions_hold_the_subtree(void **state)
             }
             if (joint->nv > slides) moment = 0;
             sweep_planar.reaction(f.s, got, n, j);
-            near_all((double[]){got[0], got[1], got[2], n[0], n[1], n[2]},
-                     (double[]){force[0], force[1], 0, 0, 0, moment}, 6, 1e-12);
+            assert_true(all_near((double[]){got[0], got[1], got[2], n[0], n[1], n[2]},
+                                 (double[]){force[0], force[1], 0, 0, 0, moment}, 6, 1e-12));
         }
         close_tree(&f);
     }

@@ -12,15 +12,15 @@
 #include <unistd.h>
 
 #include "deck/read.h" /* before cmocka.h, which has a macro fail */
+#include "unit/told.h"
 
 #include <cmocka.h>
 
 struct thing {
     double mass, ratio, angle;
     int count, flag, word;
-    struct key_list at;
     const char *label;
-    const struct node *law, *shape;
+    const struct node *shape;
 };
 
 static const struct key keys[] = {
@@ -30,9 +30,7 @@ static const struct key keys[] = {
     PARAM_INT(struct thing, count, "count", 1, 100, 0, "3", "how many"),
     PARAM_BOOL(struct thing, flag, "flag", 0, "true", "yes or no"),
     PARAM_WORD(struct thing, word, "word", "newmark|midpoint|subcycle", 0, "midpoint", "a choice"),
-    PARAM_LIST(struct thing, at, "at", "m", 2, 3, -10, 10, 0, "point", "where"),
     PARAM_TEXT(struct thing, label, "label", 0, "none", "words"),
-    PARAM_EXPR(struct thing, law, "law", "N", 0, "force over time"),
     PARAM_NODE(struct thing, shape, "shape", "shape", KEY_SPATIAL, "its form"),
     KEYS_END,
 };
@@ -82,30 +80,20 @@ static struct node *value(const char *text)
 
 static const char *messages(void)
 {
-    char *text;
-    size_t size;
-    FILE *to = open_memstream(&text, &size);
-    diags_print(to, rd.diags, false);
-    fclose(to);
-    const char *copy = arena_copy(arena, text, size);
-    free(text);
-    return copy;
+    return told(rd.diags, arena);
 }
 
 static void whole_table(void **state)
 {
     (void)state;
     struct thing x = {0};
-    struct node *n = value("{mass: 2*p, ratio: 0.25, angle: 1, count: p + 2, flag: false, word: subcycle, at: [1, -p], "
-                           "label: \"a b\", law: 3*t, shape: {box: 1}, mine: 7}");
+    struct node *n = value("{mass: 2*p, ratio: 0.25, angle: 1, count: p + 2, flag: false, word: subcycle, "
+                           "label: \"a b\", shape: {box: 1}, mine: 7}");
     rd.space = 0;
     assert_int_equal(read_keys(&x, keys, n, (const char *const[]){"mine", NULL}, "thing 'x'", &rd), 0);
     assert_string_equal(messages(), "");
     assert_true(x.mass == 10 && x.ratio == .25 && x.angle == 1 && x.count == 7 && x.flag == 0 && x.word == 2);
-    assert_true(x.at.n == 2 && x.at.x[0] == 1 && x.at.x[1] == -5);
     assert_string_equal(x.label, "a b");
-    assert_string_equal(x.law->text, "3*t");
-    assert_true(x.law->formula);
     assert_int_equal(x.shape->type, NODE_MAP);
 }
 
@@ -117,7 +105,7 @@ static void defaults(void **state)
     for (int again = 0; again < 2; again++) { /* the second time they are there already */
         assert_int_equal(read_keys(&x, keys, n, NULL, "thing 'x'", &rd), 0);
         assert_true(x.mass == 1 && x.ratio == .5 && x.angle == 77 && x.count == 3 && x.flag == 1 && x.word == 1);
-        assert_true(x.at.n == 0 && x.law == NULL && x.shape == NULL);
+        assert_true(x.shape == NULL);
         assert_string_equal(x.label, "none");
     }
     const struct key other[] = {PARAM_REAL(struct thing, mass, "mass", "kg", 0, 0, 0, NULL, ""), KEYS_END};
@@ -145,7 +133,7 @@ static void refusals(void **state)
         {0, "{mass: 1, mien: 2}", "2:14: error: unknown key 'mien' in thing 'x' [E-unknown-key]",
          "did you mean 'mine'?"},
         {0, "{mass: 1, zzzzzzzz: 2}", "2:14: error: unknown key 'zzzzzzzz' in thing 'x' [E-unknown-key]",
-         "known here: mass, ratio, angle, count, flag, word, at, label, law, shape, mine"},
+         "known here: mass, ratio, angle, count, flag, word, label, shape, mine"},
         {0, "{}", "2:1: error: thing 'x' has no 'mass' [E-missing-key]", "mass: how heavy [kg]"},
         {0, "[1]", "2:4: error: thing 'x': expected a map, found a list [E-type]", NULL},
         {0, "mass:1", "2:4: error: thing 'x': expected a map, found 'mass:1' [E-type]",
@@ -174,14 +162,7 @@ static void refusals(void **state)
         {0, "{mass: 1, word: rk4}", "2:20: error: unknown word 'rk4' for 'word' [E-choice]",
          "known here: newmark, midpoint, subcycle"},
         {0, "{mass: 1, word: [newmark]}", "2:20: error: expected a text, found a list [E-type]", NULL},
-        {0, "{mass: 1, at: [1]}", "2:18: error: expected 2 to 3 numbers, found 1 [E-count]", NULL},
-        {0, "{mass: 1, at: [1, 2, 3, 4]}", "2:18: error: expected 2 to 3 numbers, found 4 [E-count]", NULL},
-        {0, "{mass: 1, at: [1, x]}", "2:22: error: expected a number, found 'x' [E-number]", NULL},
-        {0, "{mass: 1, at: [1, 11]}", "2:22: error: 'at' must be at least -10 and at most 10 m, not 11 [E-range]",
-         NULL},
-        {0, "{mass: 1, at: 3}", "2:18: error: expected a list of numbers, found '3' [E-type]", NULL},
         {0, "{mass: 1, label: }", "2:14: error: expected a text, found nothing [E-type]", NULL},
-        {0, "{mass: 1, law: {a: 1}}", "2:19: error: expected a number or an expression, found a map [E-type]", NULL},
         {3, "{mass: 1, angle: 2}", "2:14: error: 'angle' is for 2-D decks; this one is 3-D [E-dimension]", NULL},
         {2, "{mass: 1, shape: 2}", "2:14: error: 'shape' is for 3-D decks; this one is 2-D [E-dimension]", NULL},
     };
@@ -224,19 +205,6 @@ static void single(void **state)
     assert_int_equal(read_int(&i, value("-2147483647"), NULL, &rd), 0);
     assert_int_equal(i, -INT_MAX);
     assert_int_equal(read_int(&i, value("2147483648"), NULL, &rd), 1);
-    const char **names;
-    assert_int_equal(read_names(&names, &i, value("[a, \"b c\", d.*]"), "columns", &rd), 0);
-    assert_true(i == 3 && !strcmp(names[1], "b c") && !strcmp(names[2], "d.*"));
-    assert_int_equal(read_names(&names, &i, value("one"), "columns", &rd), 0);
-    assert_int_equal(i, 1);
-    assert_int_equal(read_names(&names, &i, value("{a: 1}"), "columns", &rd), 1);
-    assert_non_null(strstr(messages(), "columns: expected a name or a list of names, found a map [E-type]"));
-    assert_int_equal(read_names(&names, &i, value("[a, [b], c]"), "columns", &rd), 1);
-    assert_int_equal(i, 2);
-    struct expr *e;
-    assert_int_equal(read_expr(&e, value("2*p"), NULL, &rd), 0);
-    assert_true(expr_value(e, NULL) == 10);
-    assert_int_equal(read_expr(&e, value("2*q"), NULL, &rd), 1);
     read_unknown(value("rodd"), AT_VALUE, "E-unknown-body", "body", "rodd", (const char *const[]){"ground", "rod"}, 2,
                  &rd);
     assert_non_null(strstr(messages(), ":2:4: error: unknown body 'rodd' [E-unknown-body]\n    2 | x: rodd\n      |    "

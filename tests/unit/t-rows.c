@@ -12,6 +12,7 @@
 #include "sim/load.h"
 #include "sim/sim.h"
 #include "system/loops.h"
+#include "unit/decks.h"
 #include "unit/trees.h"
 
 #include <cmocka.h>
@@ -181,33 +182,6 @@ static void pushing_is_the_transpose(void **state)
 
 /* --- decks ------------------------------------------------------------------------------------------ */
 
-struct opened {
-    struct arena *life;
-    struct scene *scene;
-    struct diags *diags;
-    struct sim sim;
-    struct report report;
-    enum status status;
-};
-
-static void open_text(struct opened *o, const char *text)
-{
-    const struct deck_options options = {0};
-    const struct sim_options quiet = {.version = "test"};
-    char path[] = "/tmp/t-rows-XXXXXX";
-    int fd = mkstemp(path);
-    assert_true(fd >= 0);
-    assert_int_equal(write(fd, text, strlen(text)), (ssize_t)strlen(text));
-    close(fd);
-    memset(o, 0, sizeof *o);
-    o->life = arena_open();
-    o->diags = diags_open(o->life);
-    o->status = sim_load(&o->scene, path, &options, o->diags, o->life, &o->report);
-    if (o->status == OK)
-        o->status = sim_open(&o->sim, o->scene, &o->scene->integrate, &quiet, o->diags, o->life, &o->report);
-    unlink(path);
-}
-
 /* A deck up to its integrate:, then `also`, to be integrated closely to `until`. */
 static void open_closely(struct opened *o, const char *path, const char *also, double until)
 {
@@ -222,11 +196,6 @@ static void open_closely(struct opened *o, const char *path, const char *also, d
              text, also, until);
     open_text(o, deck);
     assert_int_equal(o->status, OK);
-}
-
-static void shut(struct opened *o)
-{
-    arena_close(o->life);
 }
 
 static void see(struct opened *o)

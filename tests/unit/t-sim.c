@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/load.h"
-#include "sim/sim.h"
+#include "unit/decks.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>
@@ -12,26 +11,11 @@
 
 #include <cmocka.h>
 
-struct opened {
-    struct arena *life;
-    struct scene *scene;
-    struct sim sim;
-};
-
 static void open_deck(struct opened *o, const char *path, int nset, const char *const *set, bool general)
 {
-    struct report report = {0};
-    const struct deck_options options = {.nset = nset, .set = set};
-    const struct sim_options quiet = {.version = "test", .general = general};
-    o->life = arena_open();
-    struct diags *diags = diags_open(o->life);
-    enum status status = sim_load(&o->scene, path, &options, diags, o->life, &report);
-    if (status == OK) status = sim_open(&o->sim, o->scene, &o->scene->integrate, &quiet, diags, o->life, &report);
-    if (status != OK) {
-        diags_print(stderr, diags, false);
-        fprintf(stderr, "%s\n", report.text);
-    }
-    assert_int_equal(status, OK);
+    open_as(o, path, nset, set, &(struct sim_options){.version = "test", .general = general});
+    print_wrong(o);
+    assert_int_equal(o->status, OK);
 }
 
 /* After the first step nothing more is taken, in any scheme. */

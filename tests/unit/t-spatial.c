@@ -6,6 +6,7 @@
  * f(x + i e)/e has no difference in it and is exact to round-off (Squire & Trapp 1998). */
 #include "system/sweep.h"
 
+#include "unit/gauss.h"
 #include "unit/near.h"
 #include "unit/transforms.h"
 
@@ -616,33 +617,6 @@ static void test_power(void **state)
     }
 }
 
-/* Gauss with pivoting. */
-static void dense_solve(double *x, const double *A, int n)
-{
-    static double B[MOST * MOST];
-    memcpy(B, A, sizeof *B * (size_t)(n * n));
-    for (int c = 0; c < n; c++) {
-        int p = c;
-        for (int i = c; i < n; i++)
-            if (fabs(B[i + n * c]) > fabs(B[p + n * c])) p = i;
-        for (int j = 0; j < n; j++) {
-            double t = B[c + n * j];
-            B[c + n * j] = B[p + n * j], B[p + n * j] = t;
-        }
-        double t = x[c];
-        x[c] = x[p], x[p] = t;
-        for (int i = c + 1; i < n; i++) {
-            double f = B[i + n * c] / B[c + n * c];
-            for (int j = c; j < n; j++) B[i + n * j] -= f * B[c + n * j];
-            x[i] -= f * x[c];
-        }
-    }
-    for (int c = n - 1; c >= 0; c--) {
-        for (int j = c + 1; j < n; j++) x[c] -= B[c + n * j] * x[j];
-        x[c] /= B[c + n * c];
-    }
-}
-
 static void test_factor(void **state)
 {
     (void)state;
@@ -664,7 +638,7 @@ static void test_factor(void **state)
             ops->mass(o.s, M, o.q, ALL);
             for (int k = 0; k < n * n; k++) M[k] *= cm;
             for (int k = 0; k < n; k++) M[k + n * k] += d[k];
-            dense_solve(y, M, n);
+            gauss(M, y, n);
             NEAR(x, y, n, 1e-11);
         }
         double d[MOST] = {0}, b[MOST], again[MOST]; /* at another state the factor stays what it was */
@@ -746,7 +720,7 @@ static void test_reactions(void **state)
         ops->backward(o.s, r, ALL);
         for (int k = 0; k < m->n; k++) tau[k] = tree_roll(&dice, -2, 2), a[k] = tau[k] - r[k];
         ops->mass(o.s, M, o.q, ALL);
-        dense_solve(a, M, m->n);
+        gauss(M, a, m->n);
         see_bodies(o.body, &o.at, m, o.q, o.v, a);
         ops->forward(o.s, o.q, o.v, a, ALL);
         push_all(&o);

@@ -10,13 +10,6 @@
 
 #include <cmocka.h>
 
-static struct step_options sharp(void)
-{
-    struct step_options o = step_defaults;
-    o.newton_tolerance = 1e-13;
-    return o;
-}
-
 /* The digits are those of an independent prototype of the scheme. */
 static void test_numbers(void **state)
 {

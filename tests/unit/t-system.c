@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "system/system.h"
+#include "unit/near.h"
 #include "unit/trees.h"
 
 #include <cmocka.h>
@@ -25,14 +26,6 @@ static double largest(const double *x, int n)
     double most = 0;
     for (int i = 0; i < n; i++) most = fmax(most, fabs(x[i]));
     return most;
-}
-
-static void near_all(const double *x, const double *y, int n, double tolerance)
-{
-    double scale = 1 + largest(y, n);
-    for (int i = 0; i < n; i++)
-        if (!(fabs(x[i] - y[i]) <= tolerance * scale))
-            fail_msg("entry %d: %.17g is not %.17g (scale %g)", i, x[i], y[i], scale);
 }
 
 static void start(struct fixture *f)
@@ -111,11 +104,11 @@ static void classes_add_up(void **state)
         for (int i = 0; i < f.m->ns; i++) assert_true(slow[i] == 0);
         for (int i = 0; i < n; i++) fast[i] += slow[i];
         for (int i = 0; i < POWER_CHANNELS; i++) wf[i] += ws[i];
-        near_all(fast, all, n, 1e-13);
-        near_all(wf, wa, POWER_CHANNELS, 1e-13);
+        assert_true(all_near(fast, all, n, 1e-13));
+        assert_true(all_near(wf, wa, POWER_CHANNELS, 1e-13));
         for (int c = 0; c < 3; c++) assert_int_equal(f.o->ops->mass(f.o, M[c], f.q, 0, (unsigned)c + 1, NULL), OK);
         for (int i = 0; i < n * n; i++) M[0][i] += M[1][i];
-        near_all(M[0], M[2], n * n, 1e-13);
+        assert_true(all_near(M[0], M[2], n * n, 1e-13));
         close_tree(&f);
     }
 }
@@ -135,7 +128,7 @@ static void resid_is_affine_in_accelerations(void **state)
             f.o->ops->mass(f.o, M, f.q, f.t, cls, NULL);
             for (int i = 0; i < f.m->n; i++)
                 for (int j = 0; j < f.m->n; j++) r0[i] += M[i + f.m->n * j] * f.a[j];
-            near_all(r, r0, f.m->n, 1e-12);
+            assert_true(all_near(r, r0, f.m->n, 1e-12));
         }
         close_tree(&f);
     }
@@ -228,7 +221,7 @@ static void the_structured_factor_is_the_dense_matrix(void **state)
         f.o->direct->solve(f.o, F, x);
         for (int i = 0; i < n; i++)
             for (int j = 0; j < n; j++) y[i] += (cm * M[i + n * j] + cc * C[i + n * j] + ck * K[i + n * j]) * x[j];
-        near_all(y, b, n, 1e-10);
+        assert_true(all_near(y, b, n, 1e-10));
         close_tree(&f);
         /* a spring between points: not this way */
         struct trouble why;
@@ -269,7 +262,7 @@ static void power_is_the_rate_of_energy(void **state)
         assert_true(w[POWER_DAMPER] <= 0 && w[POWER_DRIVE] == 0 && w[POWER_FRICTION] == 0);
         double sum = 0;
         assert_int_equal(system_see(f.s, f.q, f.v, f.t, SEE_ACCELERATION, NULL), OK);
-        near_all(system_accelerations(f.s), a, f.m->n, 0);
+        assert_true(all_near(system_accelerations(f.s), a, f.m->n, 0));
         for (int i = 0; i < f.m->nforce; i++) {
             double force, s, p;
             system_force(f.s, &force, &s, &p, i);
