@@ -2,6 +2,7 @@
 #include "base/text.h"
 
 #include <string.h>
+#include <strings.h>
 
 enum { LONGEST = 63 };
 
@@ -33,7 +34,7 @@ const char *text_nearest(const char *word, const char *const *words, int n)
     const char *nearest = NULL;
     int best = 2 + (int)strlen(word) / 4;
     for (int i = 0; i < n; i++) {
-        int distance = text_distance(word, words[i]);
+        int distance = strcasecmp(word, words[i]) ? text_distance(word, words[i]) : 0;
         if (distance < best) {
             best = distance;
             nearest = words[i];

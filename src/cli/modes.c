@@ -46,8 +46,9 @@ static enum status at_time(struct sim *sim, const struct request *request, struc
     if (!request->at) return OK;
     double t = strtod(request->at, &end);
     if (*end || !(t >= 0) || !isfinite(t)) return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
-    if (t == 0) return OK;
-    double majors = ceil(t / (sim->plan.step * sim->plan.ratio) - 1e-9);
+    if (t == sim->x.t) return OK;
+    if (t < sim->x.t) return fail(report, E_USAGE, "--at %.40s is before the start, t = %g s", request->at, sim->x.t);
+    double majors = ceil((t - sim->origin) / (sim->plan.step * sim->plan.ratio) - 1e-9) - (double)sim->before;
     if (!(majors <= MOST_MAJORS))
         return fail(report, E_LIMIT, "--at %.40s is %.3g major steps away: the limit is %g", request->at, majors,
                     MOST_MAJORS);

@@ -143,12 +143,11 @@ const struct diag_help diag_helps[] = {
     {"E-table", "A table has rows [t, x] with increasing t."},
     /* the scene: start and run */
     {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "
-                "nothing beside 'from' is set."},
+                "nothing beside 'from' is set but 'time'. A run that keeps its time ends later than that."},
     {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
     {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
                     "them, or those above a frequency."},
     {"E-newmark", "Newmark's method is stable for every step if 2 beta >= gamma >= 1/2."},
-    {"E-scheme", "The key belongs to other schemes. `fmdsub list schemes` shows them."},
     {"E-step", "The step is too long or too short for the run."},
     {"E-ratio", "A major step (ratio times step) must fit into the run."},
     {"E-every", "Records fall on the ends of major steps: 'every' is a multiple of ratio times step, or {steps: N}."},
@@ -162,6 +161,20 @@ const struct diag_help diag_helps[] = {
                      "right for small loads only. From the speed named, that of the body held at its inboard joint "
                      "alone, it bends away without bound, which no real beam does; the energy balance does not show "
                      "it. Take 'stiffening: false' out."},
+    {"W-scheme",
+     "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
+     "a deck whose scheme --set has changed are passed over without a word."},
+    {"W-unused", "What the deck gives changes nothing. Take it out, or look for the name that it should have had."},
+    {"W-partition", "Where no coordinate is fast, everything takes the major step, ratio times step. Name the fast "
+                    "coordinates in partition:, or take ratio 1. Where all are fast, as in one loop with a fast "
+                    "coordinate, everything takes the minor step, and a ratio saves nothing."},
+    {"W-time",
+     "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
+     "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},
+    {"W-drive-start",
+     "At t = 0 the drive's value is not that of the drawn position, and the mechanism is moved there before the run. "
+     "Draw it there, say so by 'initial: {joint.coordinate: value}' or 'initial: {assemble: true}', or let the "
+     "drive begin where it is drawn: a distance with its length, a coordinate with 0."},
     {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
                 "smaller ratio would let it be slow."},
     {"W-bending",

@@ -61,6 +61,12 @@ enum status deck_expr(struct expr **out, const struct node *n, const struct expr
 /* The same for a condition, "hub.angle > 1". */
 enum status deck_truth(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
 
+/* Does it stand on the command line, as --set or what is short for it? */
+bool deck_was_set(const struct deck *deck, const struct node *n);
+
+/* When all has been read: parameters of the deck's own text, or of --set, that nothing asked for. */
+void deck_warn_unused(struct deck *deck);
+
 /* The value of a parameter: 0 if there is one. */
 int deck_parameter(double *out, const char *name, const struct deck *deck);
 

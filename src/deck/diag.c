@@ -176,9 +176,18 @@ void diag_foreign(struct diags *d, const char *word)
         }
 }
 
+/* "rest" of "rest_length" */
+static bool is_head(const char *head, const char *word)
+{
+    const size_t len = strlen(head);
+    return len > 2 && !strncmp(word, head, len) && word[len] == '_';
+}
+
 const char *diag_nearest(const char *word, const char *const *words, int n)
 {
     const char *near = text_nearest(word, words, n);
+    for (int i = 0; i < n && !near; i++)
+        if (is_head(word, words[i]) || is_head(words[i], word)) near = words[i];
     return near && !(strlen(word) == 1 && strlen(near) == 1 && strcasecmp(word, near)) ? near : NULL;
 }
 

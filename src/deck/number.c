@@ -52,6 +52,7 @@ int lookup_find(void *self, int *slot, double *value, const char *name, struct e
     struct parameter *p = parameter_find(look->deck, name);
     if (!p) return not_here(look, slot, value, name, error);
     *value = p->value;
+    p->used = true;
     if (p->state == WAITING || p->state == BUSY) look->pending = (int)(p - look->deck->parameter);
     if (p->state == BROKEN) look->broken = true;
     return p->state != KNOWN;
@@ -131,7 +132,13 @@ static enum status tell_numeral(const struct node *n, const struct expr_error *e
     return tell(n);
 }
 
-static enum status tell_error(const struct node *n, const struct expr_error *error, struct deck *deck)
+static bool doubled_star(const char *text, size_t at)
+{
+    return at > 0 && at < strlen(text) && text[at] == '*' && text[at - 1] == '*';
+}
+
+/* state: more than parameters may be read here. */
+static enum status tell_error(const struct node *n, const struct expr_error *error, bool state, struct deck *deck)
 {
     struct diags *d = deck->diags;
     const char *code = error->limit ? "E-limit-expression" : "E-expression";
@@ -140,7 +147,7 @@ static enum status tell_error(const struct node *n, const struct expr_error *err
         return tell(n);
     }
     if (numeral(n->text)) return tell_numeral(n, error, deck);
-    if (text_is_name(n->text) && !expr_is_word(n->text)) {
+    if (text_is_name(n->text) && !expr_is_word(n->text) && !state) {
         diag_error(d, n, AT_VALUE, "E-number", "expected a number, found '%s'", diag_clip(d, n->text));
         diag_hint(d, "%s", error->hint[0] ? error->hint : "no parameter has this name");
         return tell(n);
@@ -151,7 +158,8 @@ static enum status tell_error(const struct node *n, const struct expr_error *err
     at.mark = span.from;
     at.end = span.to;
     diag_error(d, &at, AT_VALUE, code, "%s", error->text);
-    if (error->hint[0]) diag_hint(d, "%s", error->hint);
+    const char *hint = doubled_star(n->text, error->offset) ? "a power is written x^2" : error->hint;
+    if (*hint) diag_hint(d, "%s", hint);
     if (!is_exact(deck, n)) diag_hint(d, "in \"%s\"", diag_clip(d, n->text));
     return tell(n);
 }
@@ -195,7 +203,7 @@ enum evaluated evaluate(double *out, const struct node *n, struct lookup *look)
     if (!bad) return EVALUATED;
     if (look->pending >= 0) return PENDING;
     if (look->broken) return tell(n), TOLD;
-    return tell_error(n, &error, deck), TOLD;
+    return tell_error(n, &error, false, deck), TOLD;
 }
 
 enum status deck_number(double *out, const struct node *n, struct deck *deck)
@@ -223,7 +231,7 @@ static enum status compile(struct expr **out, const struct node *n, const struct
     if ((truth ? expr_parse_truth : expr_parse)(out, n->text, n->len, &(struct expr_names){lookup_find, &look},
                                                 deck->arena, &error)) {
         if (look.broken) return tell(n);
-        return tell_error(n, &error, deck);
+        return tell_error(n, &error, names != NULL, deck);
     }
     ((struct node *)n)->formula = true;
     return OK;

@@ -78,6 +78,18 @@ static void resolve(struct deck *deck, int i, int *stack)
     }
 }
 
+void deck_warn_unused(struct deck *deck)
+{
+    for (int i = 0; i < deck->nparameter; i++) {
+        const struct parameter *p = &deck->parameter[i];
+        if (p->used || (p->node->file != deck->root->file && !deck_was_set(deck, p->node))) continue;
+        diag_warn(deck->diags, p->node, AT_KEY, "W-unused", "parameter '%s' is used nowhere", p->name);
+        const char *near = diag_nearest(p->name, deck->parameter_name, i);
+        if (!near) near = diag_nearest(p->name, deck->parameter_name + i + 1, deck->nparameter - i - 1);
+        if (near) diag_hint(deck->diags, "did you mean '%s'?", near);
+    }
+}
+
 void parameters_evaluate(struct deck *deck)
 {
     struct node *map = node_find(deck->root, "parameters");

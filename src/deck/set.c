@@ -21,6 +21,15 @@ struct set {
     struct setting *item;
 };
 
+/* The name of such sources: this text itself, which no file's name is. */
+static const char SET[] = "--set";
+
+bool deck_was_set(const struct deck *deck, const struct node *n)
+{
+    const struct source *s = diags_source(deck->diags, n->file);
+    return s && s->path == SET;
+}
+
 static struct span path_span(const struct setting *s)
 {
     return (struct span){s->file, {1, 1}, {1, (int)strlen(s->path) + 1}};
@@ -29,7 +38,7 @@ static struct span path_span(const struct setting *s)
 static void parse_setting(struct setting *s, const char *text, struct deck *deck)
 {
     const char *equal = strchr(text, '=');
-    struct source *source = source_of("--set", text, strlen(text), deck->arena);
+    struct source *source = source_of(SET, text, strlen(text), deck->arena);
     size_t flaw;
     *s = (struct setting){.text = text, .done = true, .file = diags_add_source(deck->diags, source)};
     hash_text(deck, text, strlen(text) + 1);

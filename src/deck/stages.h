@@ -51,6 +51,7 @@ struct parameter {
     struct node *node;
     enum parameter_state state;
     double value;
+    bool used; /* something asked for it */
 };
 
 /* May a parameter or loop variable be called so?  Tells at n. */

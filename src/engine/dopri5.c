@@ -3,10 +3,15 @@
  * Coefficients: Dormand & Prince, J. Comput. Appl. Math. 6 (1980).  PI step control, starting step and
  * scales: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.4 and IV.2:
  *
- *     h := h clip(0.9 err^-0.17 err_old^0.04, 0.2, 5),    err = rms of e_i / (atol + rtol |y_i|)
+ *     h := h clip(0.9 err^-0.17 err_old^0.04, 0.2, 5),    err = rms of e_i / (atol Y_i + rtol |y_i|)
+ *
+ * Y_i is what makes atol a share in any units: of a position its usual size L_i (a radian, the mechanism's length), of
+ * a velocity L_i times a hundredth of the fastest |v_j|/L_j so far.
  *
  * Steps end exactly at `to` and at known kinks in time; the step used before such a cut is kept. */
+#include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
 #include "engine/motion.h"
 #include "engine/rk.h"
@@ -30,6 +35,7 @@ static const double e[RK_STAGES] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -1
 struct dopri5 {
     struct rk rk;
     double *q, *v, *a, *q1, *v1; /* the state inside H, and the end under trial */
+    double pace;                 /* largest |v|/L so far [1/s] */
     double *span;                /* [n] displacement since the start, where positions have a move of their own */
     double h, old;               /* next step; error of the last one */
     double work[POWER_CHANNELS];
@@ -49,24 +55,38 @@ static void open(struct stepper *s, struct arena *life)
     s->self = m;
 }
 
+static double usual(const struct stepper *s, int i)
+{
+    return s->ode->size ? s->ode->size(s->ode, i) : 1;
+}
+
 /* Size of position i.  A position that is moved by quasi-displacements has none of its own: what it
- * has travelled, at most 1 (a radian, a metre). */
+ * has travelled, at most its usual size. */
 static double size(const struct stepper *s, const double *q, int i)
 {
     struct dopri5 *m = s->self;
-    return s->ode->move ? fmin(1, fabs(m->span[i])) : fabs(q[i]);
+    return s->ode->move ? fmin(usual(s, i), fabs(m->span[i])) : fabs(q[i]);
 }
 
 static double scale_q(const struct stepper *s, int i)
 {
     struct dopri5 *m = s->self;
-    return s->options.atol + s->options.rtol * fmax(size(s, m->q, i), size(s, m->q1, i));
+    return s->options.atol * usual(s, i) + s->options.rtol * fmax(size(s, m->q, i), size(s, m->q1, i));
 }
 
+/* What all but stands is not judged by its round-off. */
 static double scale_v(const struct stepper *s, int i)
 {
+    static const double PART = .01, SLOWEST = 1e-3; /* [1/s] */
     struct dopri5 *m = s->self;
-    return s->options.atol + s->options.rtol * fmax(fabs(m->v[i]), fabs(m->v1[i]));
+    return s->options.atol * usual(s, i) * fmax(PART * m->pace, SLOWEST) +
+           s->options.rtol * fmax(fabs(m->v[i]), fabs(m->v1[i]));
+}
+
+static void note_pace(struct stepper *s)
+{
+    struct dopri5 *m = s->self;
+    for (int i = 0; i < s->ode->n; i++) m->pace = fmax(m->pace, fabs(m->v[i]) / usual(s, i));
 }
 
 static double error(const struct stepper *s, double h)
@@ -142,6 +162,7 @@ static void take(struct stepper *s, double h)
     copy(m->q, m->q1, s->ode->nq);
     copy(m->v, m->v1, n);
     copy(m->a, m->rk.dv[6], n);
+    note_pace(s);
     copy(m->rk.w[0], m->rk.w[6], POWER_CHANNELS);
     s->effort.minors++;
 }
@@ -163,17 +184,23 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
     return OK;
 }
 
-/* From t to end, landing there; either may be the later one. */
+/* From t to end, landing there; either may be the later one.  Where accelerations jump no step is short enough; a few
+ * of the round-off of t pass it, for what they miss is of that order. */
 static enum status advance(struct stepper *s, struct state *x, double t, double end, struct trouble *why)
 {
+    enum { MOST_PASSED = 4 };
     struct dopri5 *m = s->self;
+    const double least = 16 * DBL_EPSILON * fmax(fabs(t), fabs(end));
+    int passed = 0;
     while (t != end) {
         double left = fabs(end - t), h = m->h, err = 0, way = end > t ? 1 : -1;
         int last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
         if (t + way * h == t) return trouble_set(why, TROUBLE_TOO_SMALL, -1, h, t);
         enum status status = attempt(s, &err, t, way * h, why);
-        if (status != OK || err > 1) {
+        if (h > least && err <= 1) passed = 0;
+        const bool jump = status == OK && err > 1 && h <= least && passed++ < MOST_PASSED;
+        if (status != OK || (err > 1 && !jump)) {
             m->h = h * (status == OK ? fmax(.2, .9 * pow(err, -.2)) : .2);
             s->effort.rejected++;
             continue;
@@ -197,6 +224,7 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     zero(m->work, POWER_CHANNELS);
     if (s->fresh) {
         zero(m->span, s->ode->n);
+        note_pace(s);
         TRY(first_step(s, x->t, fabs(to - x->t), why));
     } else {
         TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, x->t, 0, why));
@@ -253,6 +281,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_dopri5 = {
     .name = "dopri5",
     .brief = "Dormand-Prince 5(4), explicit, steps of its own inside H",
+    .reads = " tolerance ",
     .rates = 1,
     .order = 5,
     .adaptive = 1,

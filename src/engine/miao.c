@@ -354,6 +354,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_miao = {
     .name = "miao",
     .brief = "Newmark sub-cycling (2-12)...(2-25) of Miao, Zhu, Shi & Chen, misprints corrected",
+    .reads = " step ratio beta gamma newton_tolerance ",
     .rates = 2,
     .points = 1,
     .order = 2,

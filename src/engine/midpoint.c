@@ -176,6 +176,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_midpoint = {
     .name = "midpoint",
     .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems",
+    .reads = " step newton_tolerance ",
     .rates = 1,
     .order = 2,
     .quadrature = 1,

@@ -207,6 +207,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_newmark = {
     .name = "newmark",
     .brief = "Newmark's method (2-5)...(2-10), one rate",
+    .reads = " step beta gamma iteration newton_tolerance ",
     .rates = 1,
     .points = 1,
     .order = 2,

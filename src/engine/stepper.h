@@ -42,7 +42,7 @@ struct step_options {
     double rho_infinity;     /* subcycle: 1 none ... 0 most damping of what h does not resolve */
     int symmetric;           /* subcycle: W at the average of both ends, second pass */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
-    double rtol, atol;       /* adaptive schemes: error per step in every coordinate */
+    double rtol, atol;       /* adaptive schemes: error per step in every coordinate; atol in usual sizes */
     int sweeps;              /* most sweeps or iterations per step; 0: the scheme's default */
 };
 
@@ -53,6 +53,7 @@ struct stepper;
 struct stepper_kind {
     const char *name;  /* deck word */
     const char *brief; /* one line for `fmdsub list` and the manual */
+    const char *reads; /* deck words of the options that it knows, " " around each; until is everyone's */
     int rates;         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
     int adaptive;   /* chooses its own steps inside H */

@@ -300,6 +300,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_subcycle = {
     .name = "subcycle",
     .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step",
+    .reads = " step ratio rho_infinity symmetric newton_tolerance ",
     .rates = 2,
     .order = 2,
     .quadrature = 1,

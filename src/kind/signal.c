@@ -64,8 +64,10 @@ void signal_motion(const struct signal *s, double *x, double t)
     x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
 }
 
-/* What the rate gains from ta to tb beyond the mean of its accelerations (Gauss, five points). */
-static double excess(const struct signal *s, double *size, double ta, double tb)
+enum { FINEST = 60 }; /* halvings down to round-off */
+
+/* What the value (k = 0) or the rate (1) gains from ta to tb beyond the mean of its own rate (Gauss, five points). */
+static double excess(const struct signal *s, int k, double *size, double ta, double tb)
 {
     static const double at[5] = {.046910077030668, .230765344947158, .5, .769234655052842, .953089922969332};
     static const double weight[5] = {.118463442528095, .239314335249683, .284444444444444, .239314335249683,
@@ -75,29 +77,36 @@ static double excess(const struct signal *s, double *size, double ta, double tb)
     signal_motion(s, b, tb);
     for (int i = 0; i < 5; i++) {
         signal_motion(s, x, ta + at[i] * (tb - ta));
-        sum += weight[i] * x[2];
-        most = fmax(most, fabs(x[2]));
+        sum += weight[i] * x[k + 1];
+        most = fmax(most, fabs(x[k + 1]));
     }
-    *size = fabs(a[1]) + fabs(b[1]) + (tb - ta) * most;
-    return b[1] - a[1] - (tb - ta) * sum;
+    *size = fabs(a[k]) + fabs(b[k]) + (tb - ta) * most;
+    return b[k] - a[k] - (tb - ta) * sum;
 }
 
-/* Of an expression: the half with the larger excess again and again.  That of a true corner stays, and returns; that of
- * a mere jump of the acceleration halves with the interval: 0. */
-static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
+/* Of an expression: the half with the larger excess again and again; the last excess. */
+static double halve(const struct signal *s, int k, double *ta, double *tb, double here, int halvings)
 {
-    if (expr_is_smooth(s->expr)) return 0;
-    double size, first = excess(s, &size, *ta, *tb), here = first;
-    if (fabs(first) <= 1e-6 * size) return 0;
+    double size;
     for (int i = 0; i < halvings; i++) {
         double mid = *ta + (*tb - *ta) / 2;
         if (mid == *ta || mid == *tb) break;
-        double left = excess(s, &size, *ta, mid), right = excess(s, &size, mid, *tb);
+        double left = excess(s, k, &size, *ta, mid), right = excess(s, k, &size, mid, *tb);
         if (fabs(left) > fabs(right))
             *tb = mid, here = left;
         else
             *ta = mid, here = right;
     }
+    return here;
+}
+
+/* That of a true corner stays, and returns; that of a mere jump of the acceleration halves with the interval: 0. */
+static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
+{
+    if (expr_is_smooth(s->expr)) return 0;
+    double size, first = excess(s, 1, &size, *ta, *tb);
+    if (fabs(first) <= 1e-6 * size) return 0;
+    double here = halve(s, 1, ta, tb, first, halvings);
     return fabs(here) > fabs(first) / 4 ? here : 0;
 }
 
@@ -123,13 +132,45 @@ static double table_corner(const struct signal *s, double ta, double tb)
 
 double signal_corner_time(const struct signal *s, double ta, double tb)
 {
-    enum { PIECES = 16, FINEST = 60 };
+    enum { PIECES = 16 };
     if (!s->expr) return table_corner(s, ta, tb);
     for (int i = 0; i < PIECES; i++) {
         double a = ta + i * ((tb - ta) / PIECES), b = i + 1 < PIECES ? ta + (i + 1) * ((tb - ta) / PIECES) : tb;
         if (narrow(s, &a, &b, FINEST) != 0) return a;
     }
     return INFINITY;
+}
+
+/* Is an excess in [ta, tb] that of round-off, which is beside it, too? */
+static bool is_noise(const struct signal *s, double by, double ta, double tb)
+{
+    double a[3], b[3], size;
+    signal_motion(s, a, ta);
+    signal_motion(s, b, tb);
+    if (fabs(by) <= 64 * DBL_EPSILON * fmax(fabs(ta), fabs(tb)) * fmax(fabs(a[1]), fabs(b[1]))) return true; /* of t */
+    const double left = excess(s, 0, &size, ta - (tb - ta), ta), right = excess(s, 0, &size, tb, tb + (tb - ta));
+    return 16 * fabs(left) > fabs(by) || 16 * fabs(right) > fabs(by);
+}
+
+/* The excess of what merely bends, or moves steeply, still falls with the interval when that is near round-off; a
+ * jump's has come to stay. */
+bool signal_leap(const struct signal *s, double *at, double *before, double *behind, double ta, double tb)
+{
+    enum { LAST = 16 };
+    double x[3], size, first;
+    if (!s->expr || expr_is_smooth(s->expr)) return false;
+    first = excess(s, 0, &size, ta, tb);
+    if (!(fabs(first) > 1e-11 * size)) return false; /* pieces that meet but for round-off */
+    int halvings = (int)fmin(FINEST, log2((tb - ta) / (DBL_EPSILON * fmax(fabs(ta), fabs(tb)))));
+    double early = halve(s, 0, &ta, &tb, first, halvings - LAST), ea = ta, eb = tb;
+    double late = halve(s, 0, &ta, &tb, early, LAST);
+    if (!(fabs(late) > fabs(early) / 4) || is_noise(s, late, ea, eb)) return false;
+    *at = ta;
+    signal_motion(s, x, ta);
+    *before = x[0];
+    signal_motion(s, x, tb);
+    *behind = x[0];
+    return true;
 }
 
 bool signal_reads_time(const struct signal *s)

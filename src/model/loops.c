@@ -60,13 +60,13 @@ static void tie(const struct making *o, int *owner, int *above)
 
 /* Largest local error of a drive over major steps H, H^2/12 times the change of its acceleration (Zienkiewicz & Xie,
  * Earthq. Eng. Struct. Dyn. 20 (1991) 871), from rates, so that corners count; as a share of its travel. */
-static double local_error(const struct signal *c, double H, double until)
+static double local_error(const struct signal *c, double H, double from, double until)
 {
     enum { MOST = 1000 };
-    const double every = fmax(H, (until - H) / MOST);
+    const double every = fmax(H, (until - from - H) / MOST);
     double worst = 0, travel = 0, x[3], first[3];
-    signal_motion(c, first, 0);
-    for (double t = 0; t + H <= until * (1 + 1e-12); t += every) {
+    signal_motion(c, first, from);
+    for (double t = from; t + H <= until * (1 + 1e-12); t += every) {
         double a[3], mid[3], b[3];
         signal_motion(c, a, t);
         signal_motion(c, mid, t + H / 2);
@@ -88,7 +88,7 @@ static void mark_quick_drives(const struct making *o, bool *fast)
     if (p->ratio <= 1 || !(p->step > 0)) return;
     for (int i = 0; i < m->ndrive; i++) {
         const struct model_loop *l = &o->loop[model_first_drive(m) + i];
-        const double error = local_error(l->drive, p->step * p->ratio, p->until);
+        const double error = local_error(l->drive, p->step * p->ratio, o->scene->start, p->until);
         if (fast[l->component] || error <= RESOLVED) continue;
         fast[l->component] = true;
         diag_warn(

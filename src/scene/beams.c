@@ -136,7 +136,7 @@ static int read_probe(struct builder *b, struct flex_probe *p, const struct draf
         return 1;
     }
     if (k.corner >= 0 && corner(b, p, o, k.corner, node_find(n, "corner"), what)) return 1;
-    if (sized(o, p)) return 0;
+    if (o->wrong || sized(o, p)) return 0;
     diag_error(b->diags, n, AT_KEY, "E-section", "%s: stress at '%.60s' needs the section's half sizes", what, n->key);
     diag_hint(b->diags, "give %s in the section", b->scene->space == 2 ? "'y'" : "'y' and 'z'");
     return 1;
@@ -201,19 +201,20 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     b->draft[index] = o;
     o->beam.space = b->scene->space;
     int errors = read_keys(&k, keys_beam_body, n, NULL, what, &b->reader);
-    if (!k.beam || !k.material) return errors;
-    errors += read_axis(b, body, o, &k, what);
-    errors += read_material(b, o, k.material, what);
-    if (errors) return errors; /* sections need G, stresses sections */
+    o->beam.G = NAN; /* sections are read without, too: their own errors are told */
+    if (k.beam) errors += read_axis(b, body, o, &k, what);
+    if (k.material) errors += read_material(b, o, k.material, what);
     errors += read_sections(b, o, &k, n, what);
     if (k.damping) errors += read_damping(b, o, k.damping, what);
     if (k.masses) errors += read_masses(b, o, k.masses, what);
-    if (errors) return errors;
+    o->wrong = errors > 0;
     if (k.stress) errors += read_probes(b, o, k.stress, what);
+    if (errors) return errors;
+    warn_of_beam(b, o, k.material, k.beam, k.section ? k.section : k.sections, what);
     o->modes = node_find(n, "modes");
     o->beam.modes = body->nmode = k.modes;
     o->beam.stiffening = k.stiffening;
     weigh_beam(body, o);
-    if (!errors && k.segments > 1) cut_beam(b, index, k.segments);
-    return errors;
+    if (k.segments > 1) cut_beam(b, index, k.segments);
+    return 0;
 }

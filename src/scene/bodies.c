@@ -139,6 +139,7 @@ static int read_spot(struct builder *b, struct scene_point *p, int body, const s
         return 1;
     }
     if (n->type == NODE_SCALAR && b->scene->body[body].flex) return read_node_name(b, p->at.p, body, n);
+    if (n->type == NODE_SCALAR && body > 0 && is_from_file(b->scene->body[body].node)) return 1; /* nodes not known */
     return read_place(b, p->at.p, n, what);
 }
 
@@ -179,6 +180,10 @@ static int read_rigid(struct builder *b, struct scene_body *body, const struct n
     if (k.orient) errors += read_orientation(b, body->R, k.orient, what);
     if (k.shape) errors += read_shape(b, body, &k, what);
     if (k.inertia) errors += read_inertia(b, body->inertia, k.inertia, what);
+    if (!errors && k.shape && k.inertia && !isnan(k.mass)) {
+        diag_warn(b->diags, k.shape, AT_KEY, "W-unused", "%s: 'mass' and 'inertia' leave nothing for its shape to give",
+                  what);
+    }
     if (!errors && isnan(body->mass)) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s has no 'mass'", what);
         errors++;
@@ -195,10 +200,27 @@ static bool is_beam(const struct node *n)
     return false;
 }
 
+bool is_from_file(const struct node *n)
+{
+    return n->type == NODE_MAP && (node_find(n, "flexible") || node_find(n, "origin"));
+}
+
+/* A beam and a file at once: nothing is read of it. */
+static bool is_both(const struct node *n)
+{
+    return n->type == NODE_MAP && node_find(n, "flexible") && node_find(n, "beam");
+}
+
 static int read_body(struct builder *b, int index, const struct node *n)
 {
     struct scene_body *body = &b->scene->body[index];
-    if (n->type == NODE_MAP && node_find(n, "flexible")) return read_reduced(b, body, n);
+    if (is_both(n)) {
+        diag_error(b->diags, node_find(n, "flexible"), AT_KEY, "E-two-kinds",
+                   "body '%.60s' is a beam, or from a file: expected 'beam' or 'flexible'", n->key);
+        diag_note(b->diags, node_find(n, "beam"), AT_KEY, "this makes it a beam");
+        return 1;
+    }
+    if (is_from_file(n)) return read_reduced(b, body, n);
     if (is_beam(n)) return read_beam(b, body, index, n);
     return read_rigid(b, body, n);
 }
@@ -268,7 +290,7 @@ int read_bodies(struct builder *b, const struct node *n)
     scene->point = TAKE(b->life, struct scene_point, count_points(scene, n));
     if (ground) errors += read_ground(b, ground);
     for (int i = 1; i < scene->nbody; i++) {
-        if (scene->body[i].node->type != NODE_MAP) continue;
+        if (scene->body[i].node->type != NODE_MAP || is_both(scene->body[i].node)) continue;
         const struct node *points = node_find(scene->body[i].node, "points");
         if (scene->body[i].flex) name_nodes(b, i, points);
         errors += read_points(b, i, points, "'points'");

@@ -66,10 +66,14 @@ struct until_keys {
     const struct node *when;
     double latest;
 };
+struct from_keys {
+    const struct node *from;
+    int time; /* 1: keep */
+};
 struct state_keys {
     int version;
     double t;
-    const struct node *state;
+    const struct node *state, *angles;
 };
 struct output_keys {
     const struct node *every, *columns;
@@ -87,7 +91,7 @@ struct vector_keys {
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_orient[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_bushing[],
     keys_partition[], keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[],
-    keys_until[], keys_band[];
+    keys_from[], keys_until[], keys_band[];
 
 /* places.c: vectors, points, frames */
 /* A vector of the deck's space; 2-D: o[2] = 0.  what: "'at' of body 'rod'" */
@@ -137,15 +141,22 @@ void warn_of_angle(struct builder *b, const struct node *n, double angle);
 /* A name, and not one of those that columns of the program's own begin with. */
 bool may_own_columns(const char *name);
 
+/* Has a body a key that only one from a file has?  Its own word may be misspelt. */
+bool is_from_file(const struct node *n);
+
 /* Does the deck name it, but in a way that is wrong and was told? */
 bool known_but_wrong(const struct builder *b, const char *name);
 
 int read_forces(struct builder *b, const struct node *n);
 int read_drives(struct builder *b, const struct node *n);
+/* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */
+void warn_of_drives(struct builder *b);
 /* An expression or table of time alone. */
 int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
 int read_initial(struct builder *b, const struct node *n);
+/* Has the joint a rotation that is no angle? */
+bool turns_freely(const struct builder *b, const struct scene_joint *j);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n);
 int read_output(struct builder *b, const struct node *n);

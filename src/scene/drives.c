@@ -1,4 +1,6 @@
 /* drives.c -- measures that move as functions of time */
+#include <math.h>
+
 #include "scene/build.h"
 
 static int read_drive(struct builder *b, struct scene_drive *o, const struct node *n)
@@ -38,4 +40,37 @@ int read_drives(struct builder *b, const struct node *n)
         }
     }
     return errors;
+}
+
+/* Does `initial:` place the coordinate?  What it says must fit the drive. */
+static bool is_placed(const struct scene *scene, const struct scene_measure *m)
+{
+    for (int i = 0; i < scene->ninitial; i++) {
+        const struct scene_initial *s = &scene->initial[i];
+        if (m->type == MEASURE_COORDINATE && s->type == INITIAL_POSITION && s->joint == m->joint && s->k == m->k)
+            return true;
+    }
+    return false;
+}
+
+void warn_of_drives(struct builder *b)
+{
+    static const double FITS = 1e-6;
+    const struct scene *scene = b->scene;
+    if (scene->from || scene->assemble) return;
+    for (int i = 0; i < scene->ndrive; i++) {
+        const struct scene_drive *d = &scene->drive[i];
+        const struct scene_measure *m = &scene->measure[d->measure];
+        double x[3];
+        signal_motion(&d->value, x, 0);
+        if (!isfinite(x[0]) || fabs(x[0] - m->drawn) <= FITS * (1 + fabs(m->drawn)) || is_placed(scene, m)) continue;
+        diag_warn(b->diags, node_find(d->node, "value"), AT_VALUE, "W-drive-start",
+                  "drive '%.60s' begins at %.9g, but is drawn at %.9g: the run starts with it moved there", d->name,
+                  x[0], m->drawn);
+        if (m->type == MEASURE_COORDINATE)
+            diag_hint(b->diags, "if that is meant, place it by 'initial:' as well");
+        else
+            diag_hint(b->diags, "a %s is counted from zero, not from where it is drawn",
+                      m->type == MEASURE_DISTANCE ? "distance" : "measure");
+    }
 }

@@ -52,6 +52,7 @@ struct draft {
     struct flex_beam beam;
     bool round;               /* sections are circles: corners lie on them */
     bool shear, rotary;       /* as the deck wants them */
+    bool wrong;               /* and that was told: no stress is judged by its sections */
     double length;            /* [m] */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */
@@ -67,6 +68,10 @@ int read_sections(struct builder *b, struct draft *o, const struct beam_body_key
 bool gives_shear(const struct node *n);
 /* Torsion constant of a rectangle with sides a, b [m4]. */
 double rectangle_torsion(double a, double b);
+
+/* plausible.c: a beam that looks like other units */
+void warn_of_beam(struct builder *b, const struct draft *o, const struct node *material, const struct node *beam,
+                  const struct node *section, const char *what);
 
 /* beams.c: a body's beam; fills body and b->draft */
 int read_beam(struct builder *b, struct scene_body *body, int index, const struct node *n);

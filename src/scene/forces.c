@@ -22,6 +22,15 @@ static int same_slot(const struct scene_slot *a, const struct scene_slot *b)
     return a->type == b->type && a->index == b->index && a->k == b->k;
 }
 
+/* "slider.x": a column, but no quantity that expressions read. */
+static bool of_a_body(const struct scene *scene, const char *name)
+{
+    const size_t len = strcspn(name, ".");
+    for (int i = 0; i < scene->nbody && name[len]; i++)
+        if (strlen(scene->body[i].name) == len && memcmp(scene->body[i].name, name, len) == 0) return true;
+    return false;
+}
+
 static int find_name(void *self, int *slot, double *value, const char *name, struct expr_error *error)
 {
     struct slots *s = self;
@@ -38,6 +47,10 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
         else
             snprintf(error->text, sizeof error->text, "unknown name '%.50s': no parameter, coordinate, rate or measure",
                      name);
+        if (!nearest && of_a_body(s->b->scene, name))
+            snprintf(error->hint, sizeof error->hint,
+                     "of bodies and points measures are read: {displacement: [ground, %.40s], axis: ...}",
+                     arena_copy(s->b->life, name, (size_t)(strrchr(name, '.') - name)));
         return 1;
     }
     for (int i = 0; i < s->n; i++)
@@ -170,8 +183,11 @@ static int read_components(struct slots *s, struct scene_force *f, const struct 
     int plane = b->scene->space == 2, want = f->torque && plane ? 1 : b->scene->space;
     if (want == 1) return read_signal(s, &f->value[2], n);
     if (n->type != NODE_LIST || n->count != want) {
+        const char *found = n->type == NODE_LIST     ? arena_print(b->life, "%d", n->count)
+                            : n->type == NODE_SCALAR ? "one"
+                                                     : node_type_name(n);
         diag_error(b->diags, n, AT_VALUE, "E-count", "expected %d expressions, [%s], found %s", want,
-                   plane ? "x, y" : "x, y, z", n->type == NODE_LIST ? "another number of them" : node_type_name(n));
+                   plane ? "x, y" : "x, y, z", found);
         return 1;
     }
     int errors = 0;

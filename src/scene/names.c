@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "scene/build.h"
+#include "scene/flexible.h"
 
 static bool same(const char *name, const char *text, size_t len)
 {
@@ -20,6 +21,18 @@ static bool may_hold_names(const struct node *section)
     return true;
 }
 
+/* Has a body lost what follows its name, for errors of its own?  A flexible body that is not made its modes, and one
+ * from a file its nodes; any body the points that are in the deck and were wrong. */
+static bool lost_with(const struct builder *b, int body, const char *rest)
+{
+    const struct scene_body *o = &b->scene->body[body];
+    const struct node *points = o->node->type == NODE_MAP ? node_find(o->node, "points") : NULL;
+    if (*rest == '.' && points && (points->type != NODE_MAP || node_find(points, rest + 1))) return true;
+    if (o->flex) return false;
+    if (b->draft[body]) return *rest == 0 || strncmp(rest, ".mode", 5) == 0;
+    return is_from_file(o->node);
+}
+
 /* Is the thing whose name leads `name` in the deck, but left out of the scene for errors of its own?  Then enough
  * has been said. */
 bool known_but_wrong(const struct builder *b, const char *name)
@@ -30,10 +43,8 @@ bool known_but_wrong(const struct builder *b, const char *name)
     if (len >= sizeof lead || diags_errors(b->diags) == 0) return false;
     memcpy(lead, name, len);
     lead[len] = 0;
-    for (int i = 1; i < b->scene->nbody; i++) /* its modes are not known */
-        if (same(b->scene->body[i].name, name, len) && strncmp(name + len, ".mode", 5) == 0 && b->draft[i] &&
-            !b->scene->body[i].flex)
-            return true;
+    for (int i = 1; i < b->scene->nbody; i++)
+        if (same(b->scene->body[i].name, name, len) && lost_with(b, i, name + len)) return true;
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
     for (int i = 0; i < root->count; i++)
@@ -41,10 +52,43 @@ bool known_but_wrong(const struct builder *b, const char *name)
     return false;
 }
 
+/* The beam of this name is there in parts only. */
+static bool tell_segments(struct builder *b, const struct node *n, enum diag_at which, const char *code,
+                          const char *name)
+{
+    int first = 0, last = 0;
+    for (int i = 1; i < b->scene->nbody; i++) {
+        if (!b->draft[i] || !b->draft[i]->whole || strcmp(b->draft[i]->whole, name) != 0) continue;
+        if (!first) first = i;
+        last = i;
+    }
+    if (!first) return false;
+    diag_error(b->diags, n, which, code, "beam '%.60s' is cut into segments: expected one of '%.60s' ... '%.60s'", name,
+               b->scene->body[first].name, b->scene->body[last].name);
+    return true;
+}
+
+/* A mode beyond those of its body. */
+static bool tell_modes(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *name)
+{
+    const size_t len = strcspn(name, ".");
+    const char *number = name + len + 5;
+    for (int i = 1; i < b->scene->nbody; i++) {
+        const struct scene_body *o = &b->scene->body[i];
+        if (!o->nmode || !same(o->name, name, len) || strncmp(name + len, ".mode", 5) != 0) continue;
+        const size_t digits = strspn(number, "0123456789");
+        if (!digits || (number[digits] && strcmp(number + digits, "_rate") != 0)) continue;
+        diag_error(b->diags, n, which, code, "'%.60s': body '%.60s' has modes 1 to %d", name, o->name, o->nmode);
+        return true;
+    }
+    return false;
+}
+
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count)
 {
-    if (known_but_wrong(b, name)) return;
+    if (known_but_wrong(b, name) || tell_segments(b, n, which, code, name)) return;
+    if (tell_modes(b, n, which, code, name)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
 }

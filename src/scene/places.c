@@ -136,12 +136,18 @@ int read_orientation(struct builder *b, double *R, const struct node *n, const c
     if (b->scene->space == 2) {
         double angle;
         if (read_number(&angle, n, NULL, &b->reader)) return 1;
+        warn_of_angle(b, n, angle);
         const double about_z[9] = {cos(angle), sin(angle), 0, -sin(angle), cos(angle), 0, 0, 0, 1};
         memcpy(R, about_z, sizeof about_z);
         return 0;
     }
     struct orient_keys k = {.angle = NAN};
     if (read_keys(&k, keys_orient, n, NULL, what, &b->reader)) return 1;
+    if (!!k.quaternion + (k.axis || !isnan(k.angle)) + (k.x || k.z) > 1) {
+        diag_error(b->diags, n, AT_VALUE, "E-two-kinds",
+                   "%s: expected one of 'z' and 'x', 'axis' and 'angle', 'quaternion'", what);
+        return 1;
+    }
     if (k.quaternion) return from_quaternion(b, R, k.quaternion, what);
     if (!k.axis) return from_axes(b, R, &k, n, what);
     double axis[3], q[4];
@@ -150,6 +156,7 @@ int read_orientation(struct builder *b, double *R, const struct node *n, const c
         diag_error(b->diags, n, AT_VALUE, "E-missing-key", "%s: 'axis' needs an 'angle'", what);
         return 1;
     }
+    warn_of_angle(b, node_find(n, "angle"), k.angle);
     q[0] = cos(k.angle / 2);
     for (int i = 0; i < 3; i++) q[i + 1] = sin(k.angle / 2) * axis[i];
     quat_matrix(R, q);

@@ -1,159 +1,8 @@
-/* run.c -- how a scene starts and is run: initial state, fast coordinates, stepping, records */
+/* run.c -- how a scene is run: fast coordinates, stepping, records */
 #include <math.h>
 #include <string.h>
 
-#include "base/text.h"
-#include "la/rot.h"
-#include "la/vec3.h"
 #include "scene/build.h"
-
-/* ---- initial ---- */
-
-static int read_omega(struct builder *b, struct scene_initial *o, const struct node *n)
-{
-    const struct node *vector = n;
-    if (n->type == NODE_MAP) {
-        struct vector_keys k = {0};
-        if (read_keys(&k, keys_omega, n, NULL, "an angular velocity", &b->reader)) return 1;
-        vector = k.value;
-        o->body_axes = k.frame == 1;
-    }
-    o->type = INITIAL_OMEGA;
-    return read_vector(o->x, 3, vector, "an angular velocity", &b->reader);
-}
-
-static int read_rotation(struct builder *b, struct scene_initial *o, const struct node *n)
-{
-    double R[9];
-    o->type = INITIAL_ROTATION;
-    if (read_orientation(b, R, n, "a rotation")) return 1;
-    quat_of_matrix(o->x, R);
-    return 0;
-}
-
-static bool turns_freely(const struct builder *b, const struct scene_joint *j)
-{
-    return j->kind->type == JOINT_SPHERICAL || (j->kind->type == JOINT_FREE && b->scene->space == 3);
-}
-
-/* All words that may follow a joint's name in `initial:`, for near misses. */
-static int initial_names(struct builder *b, const char *const **out)
-{
-    const struct scene *scene = b->scene;
-    int s = scene->space == 3, n = 0;
-    int modes = 0;
-    for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
-    const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2) + 2 * modes);
-    for (int i = 0; i < scene->njoint; i++) {
-        const struct scene_joint *j = &scene->joint[i];
-        for (int k = 0; k < j->kind->nq[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
-        for (int k = 0; k < j->kind->nv[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
-        if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.omega", j->name);
-        if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.rotation", j->name);
-    }
-    for (int i = 1; i < scene->nbody; i++)
-        for (int k = 1; k <= scene->body[i].nmode; k++) {
-            list[n++] = arena_print(b->life, "%s.mode%d", scene->body[i].name, k);
-            list[n++] = arena_print(b->life, "%s.mode%d_rate", scene->body[i].name, k);
-        }
-    *out = list;
-    return n;
-}
-
-static int read_start(struct builder *b, struct scene_initial *o, const struct node *n)
-{
-    const struct scene *scene = b->scene;
-    const char *dot = strchr(n->key, '.');
-    o->node = n;
-    o->joint = dot ? find_joint(scene, n->key, (size_t)(dot - n->key)) : -1;
-    int mode = scene_mode(scene, n->key, &o->body, &o->k);
-    if (mode) {
-        o->joint = -1;
-        o->type = mode == 1 ? INITIAL_POSITION : INITIAL_RATE;
-        return read_number(o->x, n, NULL, &b->reader);
-    }
-    if (dot && o->joint >= 0) {
-        const struct scene_joint *j = &scene->joint[o->joint];
-        if (turns_freely(b, j) && strcmp(dot + 1, "omega") == 0) return read_omega(b, o, n);
-        if (turns_freely(b, j) && strcmp(dot + 1, "rotation") == 0) return read_rotation(b, o, n);
-        int found = scene_coordinate(j, scene->space, dot + 1, &o->k);
-        if (found == 1 && turns_freely(b, j) && dot[1] == 'q') {
-            diag_error(b->diags, n, AT_KEY, "E-initial", "a quaternion is not set by its parts");
-            diag_hint(b->diags, "use '%s.rotation: {axis: [...], angle: ...}'", j->name);
-            return 1;
-        }
-        o->type = found == 1 ? INITIAL_POSITION : INITIAL_RATE;
-        if (found == 1 || found == 2) {
-            if (read_number(o->x, n, NULL, &b->reader)) return 1;
-            if (found == 1 && strncmp(j->kind->qunit[o->k], "rad", 3) == 0) warn_of_angle(b, n, o->x[0]);
-            return 0;
-        }
-    }
-    const char *const *list;
-    int count = initial_names(b, &list);
-    unknown_name(b, n, AT_KEY, "E-unknown-coordinate", "coordinate", n->key, list, count);
-    return 1;
-}
-
-static int read_wish(struct builder *b, bool *wish, const struct node *n)
-{
-    int yes = 0;
-    if (read_bool(&yes, n, &b->reader)) return 1;
-    *wish = yes;
-    return 0;
-}
-
-/* The file that a run left by --final-state; its names are looked up when there are columns. */
-static int read_from(struct builder *b, const struct node *initial, const struct node *n)
-{
-    struct state_keys k = {0};
-    if (initial->count > 1) {
-        const struct node *other = initial->item[initial->item[0] == n];
-        diag_error(b->diags, other, AT_KEY, "E-state", "'from' gives all coordinates: '%.60s' cannot be set beside it",
-                   other->key);
-        return 1;
-    }
-    const struct node *root = deck_yaml(n, b->reader.deck);
-    if (root && !node_find(root, "fmdsub_state")) {
-        diag_error(b->diags, n, AT_VALUE, "E-state", "this file is no final state: it has no 'fmdsub_state'");
-        return 1;
-    }
-    if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return 1;
-    if (read_map(k.state, "'state'", &b->reader)) return 1;
-    b->scene->from = k.state;
-    return 0;
-}
-
-/* `initial: static`, `initial: assemble`: the wish alone. */
-static bool is_wish(struct scene *scene, const struct node *n)
-{
-    if (n->type != NODE_SCALAR) return false;
-    if (strcmp(n->text, "static") == 0) return scene->at_rest = true;
-    if (strcmp(n->text, "assemble") == 0) return scene->assemble = true;
-    return false;
-}
-
-int read_initial(struct builder *b, const struct node *n)
-{
-    int errors = 0;
-    if (!n || is_wish(b->scene, n)) return 0;
-    if (read_map(n, "'initial'", &b->reader)) return 1;
-    if (node_find(n, "from")) return read_from(b, n, node_find(n, "from"));
-    struct scene *scene = b->scene;
-    scene->initial = TAKE(b->life, struct scene_initial, n->count);
-    for (int i = 0; i < n->count; i++) {
-        struct scene_initial start = {0};
-        if (strcmp(n->item[i]->key, "static") == 0)
-            errors += read_wish(b, &scene->at_rest, n->item[i]);
-        else if (strcmp(n->item[i]->key, "assemble") == 0)
-            errors += read_wish(b, &scene->assemble, n->item[i]);
-        else if (read_start(b, &start, n->item[i]))
-            errors++;
-        else
-            scene->initial[scene->ninitial++] = start;
-    }
-    return errors;
-}
 
 /* ---- partition ---- */
 
@@ -165,6 +14,24 @@ static bool choose_modes(const struct scene *scene, struct scene_choice *o, cons
         if (scene->body[i].nmode && strcmp(scene->body[i].name, n->text) == 0) return o->body = i, true;
     if (scene_mode(scene, n->text, &o->body, &k) != 1) return false;
     o->k = k;
+    return true;
+}
+
+/* A rigid body is moved by joints, and has no coordinates of its own. */
+static bool tell_rigid(struct builder *b, const struct node *n)
+{
+    const struct scene *scene = b->scene;
+    int body = 0;
+    for (int i = 1; i < scene->nbody && !body; i++)
+        if (strcmp(scene->body[i].name, n->text) == 0) body = i;
+    if (!body || scene->body[body].nmode || known_but_wrong(b, n->text)) return false;
+    diag_error(b->diags, n, AT_VALUE, "E-unknown-coordinate", "body '%.60s' is rigid: coordinates are those of joints",
+               n->text);
+    for (int i = 0; i < scene->njoint; i++)
+        if (scene->joint[i].first == body || scene->joint[i].second == body) {
+            diag_hint(b->diags, "did you mean joint '%.60s'?", scene->joint[i].name);
+            break;
+        }
     return true;
 }
 
@@ -186,6 +53,7 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
             return 1;
         }
     }
+    if (n->type == NODE_SCALAR && tell_rigid(b, n)) return 1;
     int count = 0;
     for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
     const char **list = TAKE(b->life, const char *, scene->njoint *(1 + JOINT_MAX_Q) + scene->nbody + modes);
@@ -196,7 +64,7 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
             list[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
     }
     for (int i = 1; i < scene->nbody; i++) {
-        if (scene->body[i].nmode) list[count++] = scene->body[i].name;
+        if (scene->body[i].nmode || b->draft[i]) list[count++] = scene->body[i].name;
         for (int k = 1; k <= scene->body[i].nmode; k++)
             list[count++] = arena_print(b->life, "%s.mode%d", scene->body[i].name, k);
     }
@@ -278,21 +146,30 @@ static int check_steps(struct builder *b, const struct integrate *o, const struc
 {
     const struct node *step = node_find(n, "step");
     if (!step) return 0;
-    double count = o->until / o->step;
+    const double span = o->until - b->scene->start, count = span / o->step;
     if (o->until + o->step == o->until) {
         diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s vanishes beside until %g s", o->step, o->until);
         return 1;
     }
-    if (o->step > o->until * (1 + 1e-12)) {
-        diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s is longer than the run, %g s", o->step, o->until);
+    if (o->step > span * (1 + 1e-9)) {
+        diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s is longer than the run, %g s", o->step, span);
         return 1;
     }
-    if (o->ratio > 1 && (double)o->ratio > count * (1 + 1e-12)) {
+    if (o->ratio > 1 && (double)o->ratio > count * (1 + 1e-9)) {
         diag_error(b->diags, node_find(n, "ratio"), AT_VALUE, "E-ratio",
                    "one major step of %d minor ones is longer than the run", o->ratio);
         return 1;
     }
     return 0;
+}
+
+/* A run that goes on from a state's time has an end beyond it. */
+static int check_span(struct builder *b, const struct integrate *o)
+{
+    if (o->until > b->scene->start) return 0;
+    diag_error(b->diags, o->end, AT_VALUE, "E-state",
+               "the run starts at t = %.9g s, where its state was: it cannot end at %.9g s", b->scene->start, o->until);
+    return 1;
 }
 
 static int read_until(struct builder *b, struct integrate *o)
@@ -315,7 +192,7 @@ int read_integrate(struct builder *b, const struct node *n)
         return 1;
     }
     int errors = check_newmark(b, o, n);
-    errors += read_until(b, o) || check_steps(b, o, n);
+    errors += read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
     if (errors) o->until = 0;
     return errors;
 }

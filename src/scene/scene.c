@@ -81,10 +81,12 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
         read_drives(&b, k.drives);
         make_flexible(&b);
         read_initial(&b, k.initial);
+        warn_of_drives(&b);
         read_partition(&b, k.partition);
     }
     if (k.integrate) read_integrate(&b, k.integrate);
     read_output(&b, k.output);
     read_energy(&b, k.energy);
+    if (diags_errors(diags) == 0) deck_warn_unused(deck);
     return diags_status(diags);
 }

@@ -185,9 +185,11 @@ struct scene {
     struct scene_choice *independent;
     int ninitial;
     struct scene_initial *initial;
-    const struct node *from; /* {coordinate or rate: number, ...} of a final state; NULL: none */
-    bool at_rest;            /* start in static equilibrium, found from there */
-    bool assemble;           /* start in the nearest state that loops and drives allow */
+    double start;              /* when it starts [s]: 0, or the time of that state */
+    const struct node *from;   /* {coordinate or rate: number, ...} of a final state; NULL: none */
+    const struct node *angles; /* {measure: angle} of that state; NULL: none */
+    bool at_rest;              /* start in static equilibrium, found from there */
+    bool assemble;             /* start in the nearest state that loops and drives allow */
     struct integrate integrate;
     struct scene_condition when; /* ends the run */
     struct output output;

@@ -20,7 +20,7 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
     PARAM_NODE(struct deck_keys, drives, "drives", "{name: drive}", 0, "coordinates and measures that move as told"),
     PARAM_NODE(struct deck_keys, initial, "initial",
-               "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file}", 0,
+               "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file, time: keep}", 0,
                "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
                "nearest stable equilibrium; assemble: to the nearest state that fits"),
     PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]}", 0, "coordinates that take the minor step"),
@@ -205,11 +205,21 @@ const struct key keys_until[] = {
     KEYS_END,
 };
 
+const struct key keys_from[] = {
+    PARAM_NODE(struct from_keys, from, "from", "file", KEY_REQUIRED, "what --final-state wrote, in the deck's folder"),
+    PARAM_WORD(struct from_keys, time, "time", "zero|keep", 0, "zero",
+               "when the run starts: at 0, or when that one ended"),
+    KEYS_END,
+};
+
 const struct key keys_state[] = {
     PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 1, KEY_REQUIRED, NULL, "version of this form: 1"),
-    PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL, "when it was, for people"),
+    PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL,
+               "when it was; 'time: keep' goes on from there"),
     PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
                "all coordinates and all rates, by their column names"),
+    PARAM_NODE(struct state_keys, angles, "angles", "{measure: number}", 0,
+               "where measured angles in space stand [rad], which a posture gives up to whole turns"),
     KEYS_END,
 };
 
@@ -238,6 +248,7 @@ static const struct section fixed[] = {
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},
     {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},
     {"drives.NAME.value", NULL, "a table in place of an expression", keys_table},
+    {"initial", NULL, "going on from a state", keys_from},
     {"initial.from", NULL, "what the file holds", keys_state},
     {"initial.JOINT.omega", NULL, "angular velocity with its axes", keys_omega},
     {"partition", NULL, "slow and fast coordinates", keys_partition},

@@ -8,6 +8,9 @@
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report);
 enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
 
+/* unread.c: warnings of keys that the scheme does not read */
+void warn_of_unread(const struct sim *sim, struct diags *diags);
+
 /* advance.c: one major step to `to`, halved where it must be */
 enum status advance(struct sim *sim, double h, int ratio, double to);
 
@@ -16,8 +19,9 @@ void warn_of_loops(const struct sim *sim, struct diags *diags);
 const char *sim_loop_kind(const struct sim *sim, int l); /* "constraint" or "drive" */
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
 
-/* state.c: the model's initial state from the file that the deck names */
+/* state.c: the model's initial state from the file that the deck names; how far angles have turned there */
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
+enum status state_turns(struct sim *sim, struct diags *diags);
 
 /* events.c: the end that the deck describes, joints that leave their range */
 enum status events_open(struct sim *sim, struct diags *diags, struct arena *life);
@@ -38,6 +42,10 @@ void spins_note(struct sim *sim);
 bool spins_passed(const struct sim *sim);
 void say_spins(const struct sim *sim, FILE *to);
 
+/* leaps.c: drives that jump in the major step that ends at `to` */
+void leaps_open(struct sim *sim, struct arena *life);
+enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report);
+
 /* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
 double record_value(const struct sim *sim, const struct origin *s);
 enum status record_fill(struct sim *sim);
@@ -53,10 +61,11 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
 /* progress.c: a line on a terminal, rewritten a few times a second */
 struct progress {
     FILE *to;
-    double start, shown; /* [s] */
+    double start, shown; /* on the clock [s] */
+    double from;         /* of the run [s] */
     bool wrote;
 };
-void progress_open(struct progress *p, FILE *to, double now);
+void progress_open(struct progress *p, FILE *to, double now, double t);
 void progress_show(struct progress *p, double now, double t, double until);
 void progress_close(struct progress *p);
 

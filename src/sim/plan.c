@@ -44,7 +44,8 @@ static void prefer_single_rate(struct sim *sim)
 
 static enum status missing_step(struct sim *sim, struct diags *diags)
 {
-    diag_error(diags, sim->plan.node, AT_KEY, "E-missing-key", "scheme %s needs a 'step'", sim->stepper.kind->name);
+    diag_error(diags, sim->plan.node, AT_KEY, "E-missing-key", "scheme %s needs a 'step'", sim->plan.scheme);
+    if (sim->plan.tolerance > 0) diag_hint(diags, "'tolerance' is for schemes that choose their steps, such as dopri5");
     return E_DECK;
 }
 
@@ -58,11 +59,7 @@ static enum status check_tolerance(struct sim *sim, struct diags *diags)
         diag_error(diags, p->node, AT_KEY, "E-missing-key", "scheme %s needs a 'tolerance'", sim->stepper.kind->name);
         return E_DECK;
     }
-    if (adaptive || !at || at->implied) return OK;
-    diag_error(diags, at, AT_KEY, "E-scheme", "scheme %s takes fixed steps: 'tolerance' means nothing to it",
-               sim->stepper.kind->name);
-    diag_hint(diags, "give 'step' and 'ratio', or 'scheme: dopri5'");
-    return E_DECK;
+    return OK;
 }
 
 static enum status plan_every(struct sim *sim, double H, struct diags *diags)
@@ -77,7 +74,7 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
         return OK;
     }
     double steps = out->every / H;
-    sim->every = (long)fmin(fmax(1, round(steps)), (double)sim->majors);
+    sim->every = (long)fmin(fmax(1, round(steps)), (double)(sim->before + sim->majors));
     if (near_whole(steps) && steps > 0.5) return OK;
     double below = floor(steps) * H, above = ceil(steps) * H;
     if (below > 0)
@@ -90,6 +87,21 @@ static enum status plan_every(struct sim *sim, double H, struct diags *diags)
     return E_DECK;
 }
 
+/* On the steps of a run from t = 0, where the start is the end of one of them: then two runs are the same as one. */
+static enum status count_steps(struct sim *sim, double H, struct report *report)
+{
+    const double start = sim->scene->start, until = sim->plan.until, past = start / H;
+    if (!(until / H <= MOST_STEPS && past <= MOST_STEPS))
+        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: the limit is %g", until / H, until, MOST_STEPS);
+    const bool along = near_whole(past);
+    sim->before = along ? lround(past) : 0;
+    sim->origin = along ? 0 : start;
+    const double steps = (until - sim->origin) / H;
+    sim->majors = (near_whole(steps) ? lround(steps) : (long)ceil(steps)) - sim->before;
+    if (sim->majors < 1) sim->majors = 1;
+    return OK;
+}
+
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report)
 {
     struct integrate *p = &sim->plan;
@@ -100,17 +112,13 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
     double H = p->step * p->ratio;
     if (sim->stepper.kind->adaptive) { /* its steps are its own: one call from record to record */
         const struct output *out = &sim->scene->output;
-        H = out->every > 0 ? out->every : p->step > 0 ? H : p->until / 100;
+        H = out->every > 0 ? out->every : p->step > 0 ? H : (p->until - sim->scene->start) / 100;
         p->step = H;
         p->ratio = 1;
     } else if (!(p->step > 0)) {
         return missing_step(sim, diags);
     }
-    double steps = p->until / H;
-    if (!(steps <= MOST_STEPS))
-        return fail(report, E_LIMIT, "%.3g major steps to t = %g s: the limit is %g", steps, p->until, MOST_STEPS);
-    sim->majors = near_whole(steps) ? lround(steps) : (long)ceil(steps);
-    if (sim->majors < 1) sim->majors = 1;
+    TRY(count_steps(sim, H, report));
     return plan_every(sim, H, diags);
 }
 
@@ -129,6 +137,42 @@ static void choose_default(struct sim *sim, struct arena *life)
     sim->chosen = (struct selection){n, index, -1};
 }
 
+/* Does the column's name begin with that of a joint outside of the tree? */
+static bool closes_loop(const struct sim *sim, const char *column)
+{
+    const struct scene *s = sim->scene;
+    const size_t len = strcspn(column, ".");
+    for (int i = 0; i < s->njoint; i++)
+        if (column[len] && strlen(s->joint[i].name) == len && memcmp(s->joint[i].name, column, len) == 0)
+            return sim->model->joint_of[i] < 0;
+    return false;
+}
+
+/* What a name that is a column's up to a dot has to offer. */
+static void hint_columns(const struct sim *sim, const char *pattern, struct diags *diags)
+{
+    enum { SHOWN = 8 };
+    char text[400] = "";
+    const size_t len = strcspn(pattern, ".");
+    int n = 0;
+    for (int i = 0; i < sim->catalogue.n; i++) {
+        const char *name = sim->catalogue.column[i].name;
+        if (strncmp(name, pattern, len) != 0 || name[len] != '.' || n++ >= SHOWN) continue;
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%.40s", n > 1 ? ", " : "", name);
+    }
+    if (n) diag_hint(diags, "known here: %s%s", text, n > SHOWN ? ", ..." : "");
+}
+
+static void hint(const struct sim *sim, const char *pattern, const struct report *told, struct diags *diags)
+{
+    if (closes_loop(sim, pattern))
+        diag_hint(diags,
+                  "this joint closes a loop and has no coordinates; ask for a measure, or choose another for the "
+                  "loop by its 'loop: true'");
+    else if (!strstr(told->text, "did you mean"))
+        hint_columns(sim, pattern, diags);
+}
+
 static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct arena *life)
 {
     const struct output *out = &sim->scene->output;
@@ -141,6 +185,7 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
         if (columns_select(&one, sim->catalogue.column, sim->catalogue.n, &patterns[i], 1, E_DECK, life, &report) == OK)
             continue;
         diag_error(diags, out->pattern[i], AT_VALUE, "E-unknown-column", "%s", report.text);
+        hint(sim, patterns[i], &report, diags);
         status = E_DECK;
     }
     TRY(status);

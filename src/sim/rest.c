@@ -41,7 +41,7 @@ static struct rest open_rest(const struct sim *sim, struct arena *scratch)
 static void displaced(const struct rest *s, double *q1, const double *dx)
 {
     if (s->ode->move)
-        s->ode->move->point(s->ode, q1, s->q, dx, 1, 0);
+        s->ode->move->point(s->ode, q1, s->q, dx, 1, s->t);
     else
         for (int i = 0; i < s->n; i++) q1[i] = s->q[i] + dx[i];
 }

@@ -11,7 +11,7 @@
 
 static struct state new_state(const struct model *m, struct arena *life)
 {
-    return (struct state){0, TAKE(life, double, m->nq), TAKE(life, double, m->n), TAKE(life, double, m->n)};
+    return (struct state){m->t0, TAKE(life, double, m->nq), TAKE(life, double, m->n), TAKE(life, double, m->n)};
 }
 
 static void open_stepper(struct sim *sim, struct arena *life)
@@ -24,7 +24,7 @@ static void open_stepper(struct sim *sim, struct arena *life)
     o.rho_infinity = p->rho_infinity;
     o.symmetric = p->symmetric;
     o.newton_tolerance = p->newton_tolerance;
-    if (p->tolerance > 0) o.rtol = o.atol = p->tolerance;
+    if (sim->stepper.kind->adaptive && p->tolerance > 0) o.rtol = o.atol = p->tolerance;
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), &o, life);
 }
 
@@ -45,15 +45,25 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
                 why.value);
 }
 
-/* Consistent accelerations at t = 0; a massless freedom shows here. */
+static enum status place(struct sim *sim, struct report *report)
+{
+    struct report why = {0};
+    enum status status = system_start(sim->system, sim->x.q, sim->x.v, &why);
+    const bool shifted = sim->scene->from && sim->model->ndrive && sim->scene->start == 0;
+    if (status == OK) return OK;
+    return fail(report, status, "%.900s%s", why.text,
+                shifted ? "; 'time: keep' beside 'from' goes on at the state's own time" : "");
+}
+
+/* Consistent accelerations at the start; a massless freedom shows here. */
 static enum status start(struct sim *sim, struct report *report)
 {
     struct energies e;
     struct trouble why = {0};
-    TRY(system_start(sim->system, sim->x.q, sim->x.v, report));
+    TRY(place(sim, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK) return say_trouble(sim, &why, E_MODEL, report);
-    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, 0);
+    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t);
     ledger_open(&sim->ledger, sim->scene->delta, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
@@ -74,8 +84,11 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(events_open(sim, diags, life));
     bends_open(sim, life);
     spins_open(sim, life);
+    leaps_open(sim, life);
     sim->system = system_build(m, life);
+    TRY(state_turns(sim, diags));
     sim->x = new_state(m, life);
+    warn_of_unread(sim, diags);
     warn_of_loops(sim, diags);
     open_stepper(sim, life);
     return start(sim, report);
@@ -133,12 +146,12 @@ static enum status tell_end(struct sim *sim, struct sink *sink, struct report *r
     return sink->ops->end(sink, &summary, report);
 }
 
-/* The exact time at the end of major step k (from 1): i * h from the whole number of minor steps; the last
- * one ends at `until`. */
+/* The exact time at the end of major step k (from 1): i * h from the whole number of minor steps since t = 0, or since
+ * the start where that is no end of a step; the last one ends at `until`. */
 static double end_of(const struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
-    return k == sim->majors ? p->until : (double)(k * p->ratio) * p->step;
+    return k == sim->majors ? p->until : sim->origin + (double)((sim->before + k) * p->ratio) * p->step;
 }
 
 /* Major step k; the last may be cut: same ratio, a smaller minor step. */
@@ -146,7 +159,8 @@ static enum status major(struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
     double to = end_of(sim, k), h = p->step;
-    if (k == sim->majors && fabs(to - (double)(k * p->ratio) * h) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
+    const double whole = sim->origin + (double)((sim->before + k) * p->ratio) * h;
+    if (k == sim->majors && fabs(to - whole) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
     return advance(sim, h, p->ratio, to);
 }
 
@@ -162,11 +176,12 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
     enum { LOOK_EVERY = 64 };
     for (long k = 1; k <= sim->majors; k++) {
         long charts = system_charts(sim->system);
+        if (sim->nleap) TRY(leaps_look(sim, end_of(sim, k), sink, report));
         enum status status = major(sim, k);
         if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));
         TRY(look(sim, sink, report));
-        bool due = k % sim->every == 0 || k == sim->majors || sim->watch.met;
+        bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(tell_row(sim, sink, report));
         if (due || k % LOOK_EVERY == 0) {
             double now = clock_wall();
@@ -196,7 +211,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct progress progress;
     double wall = clock_wall(), cpu = clock_cpu();
-    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall);
+    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall, sim->x.t);
     say_plan(sim);
     sim_print_assembly(sim, sim->options.say);
     TRY(tell_meta(sim, sink, report));

@@ -60,6 +60,8 @@ struct sim {
     double *row;            /* [chosen.n] */
     unsigned needs;         /* SEE_... */
     long majors, every;     /* major steps in all; between records */
+    long before;            /* major steps from t = 0 to the start, where it is the end of one */
+    double origin;          /* when steps are counted from [s]: 0, or the start */
     struct watch watch;
     double last_h; /* minor step of the last step */
     long rows;
@@ -77,9 +79,16 @@ struct sim {
         int body;                /* of the model: flexible, without geometric stiffening */
         double most, axis[3], t; /* fastest turn of its frame at the end of a step [rad/s], about what, when */
     } * spin;                    /* [nspin] */
-    double cpu;                  /* seconds of stepping, without records */
-    struct trouble trouble;      /* why it stopped */
-    enum status status;          /* how it ended */
+    int nleap;
+    struct leaping {
+        int loop;    /* of the model: a drive that may jump */
+        double x[3]; /* it and its rates at the end of the last step */
+        double most; /* its largest value so far [m] or [rad] */
+        bool told;
+    } * leap;               /* [nleap] */
+    double cpu;             /* seconds of stepping, without records */
+    struct trouble trouble; /* why it stopped */
+    enum status status;     /* how it ended */
 };
 
 /* Builds a run of scene as plan says (the deck's own, or changed by a study).  Deck errors go to diags and give E_DECK;

@@ -2,7 +2,8 @@
  *
  * The file is JSON, which is YAML, too: every coordinate and every rate of the tree by its column name, as the
  * shortest text that reads back to the same double, so that a run goes on where another one ended, bit for bit.
- * Orientations are their quaternions, since turns about axes would not come back exactly. */
+ * Orientations are their quaternions, since turns about axes would not come back exactly; of measured angles in space,
+ * which a posture gives up to whole turns, the file holds where they stand. */
 #include <math.h>
 #include <string.h>
 
@@ -86,6 +87,28 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
     if (diags_status(diags) == OK) check_quaternions(m, q, from, diags);
     m->q0 = q;
     m->v0 = v;
+    m->said_q = memset(TAKE(life, bool, m->nq), true, (size_t)m->nq * sizeof(bool));
+    m->said_v = memset(TAKE(life, bool, m->n), true, (size_t)m->n * sizeof(bool));
+    return diags_status(diags);
+}
+
+static bool counts_turns(const struct model *m, int i)
+{
+    return m->space == 3 && m->measure[i].type == MEASURE_ANGLE && m->measure[i].name;
+}
+
+enum status state_turns(struct sim *sim, struct diags *diags)
+{
+    const struct node *angles = sim->scene->angles;
+    const struct model *m = sim->model;
+    struct reader rd = {diags, (struct deck *)sim->scene->deck, sim->scene->space};
+    for (int i = 0; angles && i < m->nmeasure; i++) {
+        const struct node *n = counts_turns(m, i) ? node_find(angles, m->measure[i].name) : NULL;
+        double x = 0;
+        if (!n) continue;
+        read_number(&x, n, NULL, &rd);
+        system_stand(sim->system, i, x);
+    }
     return diags_status(diags);
 }
 
@@ -105,6 +128,29 @@ static enum status put(struct stream *s, const char *name, double x, const char 
     return stream_end(s, to, report);
 }
 
+static int count_angles(const struct model *m)
+{
+    int n = 0;
+    for (int i = 0; i < m->nmeasure; i++) n += counts_turns(m, i);
+    return n;
+}
+
+static enum status put_angles(const struct sim *sim, struct stream *stream, struct report *report)
+{
+    static const char open[] = "\"angles\": {\n", close[] = "},\n";
+    const struct model *m = sim->model;
+    int left = count_angles(m);
+    if (!left) return OK;
+    TRY(stream_put(stream, open, sizeof open - 1, report));
+    for (int i = 0; i < m->nmeasure; i++) {
+        double x, rate;
+        if (!counts_turns(m, i)) continue;
+        system_measure(sim->system, &x, &rate, i);
+        TRY(put(stream, m->measure[i].name, x, --left ? "," : "", report));
+    }
+    return stream_put(stream, close, sizeof close - 1, report);
+}
+
 enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report)
 {
     static const char head[] = "{\"fmdsub_state\": 1,\n", open[] = "\"state\": {\n", close[] = "}}\n";
@@ -112,10 +158,11 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
     int last = 0;
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i])) last = i;
-    if (sim->model->nloop) /* the rates of what follows */
+    if (sim->model->nloop || count_angles(sim->model)) /* the rates of what follows */
         TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, SEE_MOTION, &sim->trouble));
     TRY(stream_put(stream, head, sizeof head - 1, report));
     TRY(put(stream, "t", sim->x.t, ",", report));
+    TRY(put_angles(sim, stream, report));
     TRY(stream_put(stream, open, sizeof open - 1, report));
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i]))

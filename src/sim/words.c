@@ -10,10 +10,11 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
     const struct model *m = sim->model;
     const struct stepper_kind *kind = sim->stepper.kind;
     int n = 0;
-    if (most < 16) return 0;
+    if (most < 17) return 0;
     facts[n++] = pair_text("scheme", kind->name);
     facts[n++] = pair_number("step", p->step);
     if (!kind->adaptive) facts[n++] = pair_number("ratio", p->ratio);
+    if (sim->scene->start != 0) facts[n++] = pair_number("start", sim->scene->start);
     facts[n++] = pair_number("until", p->until);
     if (kind->adaptive) facts[n++] = pair_number("tolerance", p->tolerance);
     if (strcmp(kind->name, "newmark") == 0 || strcmp(kind->name, "miao") == 0) {
@@ -82,6 +83,13 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     return n;
 }
 
+/* One at the start, those that are due, one at the end. */
+static long records(const struct sim *sim)
+{
+    const long end = sim->before + sim->majors;
+    return 1 + end / sim->every - sim->before / sim->every + (end % sim->every != 0);
+}
+
 void say_plan(const struct sim *sim)
 {
     FILE *to = sim->options.say;
@@ -100,8 +108,9 @@ void say_plan(const struct sim *sim)
         fprintf(to, "%s h = %g s, H = %d h", kind->name, p->step, p->ratio);
     else
         fprintf(to, "%s h = %g s", kind->name, p->step);
-    fprintf(to, ", to t = %g s%s, %ld records of %d columns\n", p->until, sim->watch.slot ? " at the latest" : "",
-            (sim->majors + sim->every - 1) / sim->every + 1, sim->chosen.n);
+    if (sim->scene->start != 0) fprintf(to, ", from t = %g s", sim->scene->start);
+    fprintf(to, "%s to t = %g s%s, %ld records of %d columns\n", sim->scene->start != 0 ? "" : ",", p->until,
+            sim->watch.slot ? " at the latest" : "", records(sim), sim->chosen.n);
 }
 
 void say_end(const struct sim *sim, double wall)

@@ -4,6 +4,7 @@
 
 #include "la/vec3.h"
 #include "system/condense_parts.h"
+#include "system/sizes.h"
 
 /* Rows and coordinates of each component, in order. */
 static void list_parts(struct condense *o, struct arena *life)
@@ -107,35 +108,6 @@ static void build_component(struct condense *o, struct component *c, struct aren
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) of[i]->store = TAKE(life, double, of[i]->size);
 }
 
-/* The farthest that elastic coordinate k moves a node of its body, per unit [m]. */
-static double reach(const struct flex_body *f, int k)
-{
-    double most = 0;
-    for (int i = 0; i < f->nnode; i++) most = fmax(most, v3_norm(f->node[i].phi + 3 * k));
-    return most;
-}
-
-/* A usual change of each coordinate: one radian, or what moves something by the mechanism's length. */
-static void build_sizes(struct condense *o)
-{
-    const struct model *m = o->model;
-    for (int i = 0; i < o->nt; i++) o->size[i] = 1;
-    for (int i = 0; i < m->njoint; i++) {
-        const struct model_joint *j = &m->joint[i];
-        int slides = j->type == JOINT_PRISMATIC || j->type == JOINT_CYLINDRICAL ? 1
-                     : j->type == JOINT_PLANAR                                  ? 2
-                     : j->type == JOINT_FREE                                    ? m->space
-                                                                                : 0;
-        int from = j->type == JOINT_CYLINDRICAL ? 1 : 0;
-        for (int k = from; k < from + slides; k++) o->size[j->iv[k]] = o->loops->length;
-    }
-    for (int i = 1; i < m->nbody; i++)
-        for (int k = 0; k < m->body[i].nmode; k++) {
-            double per_unit = reach(m->body[i].flex, k);
-            if (per_unit > 0) o->size[m->body[i].mode_v[k]] = o->loops->length / per_unit;
-        }
-}
-
 static void build_components(struct condense *o, struct arena *life)
 {
     const struct model *m = o->model;
@@ -150,7 +122,7 @@ static void build_components(struct condense *o, struct arena *life)
     for (int l = 0; l < m->nloop; l++)
         for (int k = 0; k < o->loops->nk[l]; k++) o->owner[o->loops->k[l][k]] = m->loop[l].component;
     for (int i = 0; i < o->moves->nturn; i++) turn[o->moves->turn[i].iv[0]] = i;
-    build_sizes(o);
+    sizes_fill(o->size, m);
     for (int i = 0; i < o->nt; i++) o->per[i] = 1 / o->size[i];
     list_parts(o, life);
     for (int i = 0; i < o->ncomponent; i++) {
@@ -216,6 +188,12 @@ static double next_kink(const struct ode2 *ode, double t)
     return next;
 }
 
+static double size_of(const struct ode2 *ode, int i)
+{
+    const struct condense *o = ode->self;
+    return o->size[o->ind[i]];
+}
+
 struct condense *condense_build(struct tree *tree, const double *q0, const double *v0, struct arena *life)
 {
     struct condense *o = TAKE(life, struct condense, 1);
@@ -235,6 +213,7 @@ struct condense *condense_build(struct tree *tree, const double *q0, const doubl
                            .ops = &condense_ops,
                            .move = &condense_move,
                            .chart = &o->chart,
+                           .size = size_of,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .settle = tree->ode.settle ? condense_settle : NULL,
                            .pointwise = tree->ode.pointwise,

@@ -139,7 +139,7 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
     struct projection p = make(o, scratch);
     int row = 0;
     o->loops->share = 1;
-    loops_when(o->loops, 0);
+    loops_when(o->loops, o->model->t0);
     memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
     memcpy(v, v0, sizeof *v * (size_t)o->nt);
     s->misfit = condense_misfit(o, &s->misfit_row, o->q);

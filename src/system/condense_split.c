@@ -237,6 +237,9 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     struct condense *o = ode->self;
     struct trouble why;
     int changed = 0, wanted = 0;
+    struct ode2 *tree = &o->tree->ode;
+    if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) == OK)
+        tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (!condense_tangent(o, q)) return 0;
     for (int i = 0; i < o->ncomponent; i++) wanted += o->component[i].away = runs_away(o, &o->component[i]);
     if (!wanted) return 0;

@@ -4,6 +4,7 @@
  * as well, or the rank drops at this posture only; the independent coordinates go to where `initial:` puts them; what
  * it says of the others must fit. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "system/condense_parts.h"
@@ -179,7 +180,7 @@ static enum status go_to_start(struct condense *o, const double *q0)
     double most = 0;
     int row;
     o->loops->share = 1;
-    loops_when(o->loops, 0);
+    loops_when(o->loops, o->model->t0);
     if (condense_misfit(o, &row, q0) <= HOLDS) {
         memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
         return OK;
@@ -193,7 +194,7 @@ static enum status go_to_start(struct condense *o, const double *q0)
     if (most == 0) return OK;
     for (int k = 0; k < STEPS; k++) {
         o->loops->share = (k + 1.) / STEPS;
-        loops_when(o->loops, 0);
+        loops_when(o->loops, o->model->t0);
         memset(o->dx, 0, sizeof *o->dx * (size_t)o->nt);
         for (int i = 0; i < o->ode.n; i++) o->dx[o->ind[i]] = way[o->ind[i]] / STEPS;
         int closed = condense_tangent(o, o->q);
@@ -219,20 +220,22 @@ static enum status go_to_start(struct condense *o, const double *q0)
 static enum status agrees(struct condense *o, const double *q0, const double *v0)
 {
     static const double FITS = 1e-6;
+    char drives[60] = "";
     struct trouble why;
     const struct model *m = o->model;
-    if (condense_rates(o, o->vt, NULL, o->q, o->v, NULL, 0, &why) != OK)
+    if (condense_rates(o, o->vt, NULL, o->q, o->v, NULL, o->model->t0, &why) != OK)
         return fail(&o->start.report, E_MODEL, "the loops are singular at the start");
+    if (m->ndrive) snprintf(drives, sizeof drives, " and drives at t = %.9g", m->t0);
     for (int i = 0; i < m->ncoordinate; i++) {
         int iv = m->coordinate[i].iv;
         if (iv < 0 || o->slot[iv] >= 0) continue;
-        if (q0[i] != 0 && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
+        if (m->said_q && m->said_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
             return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
-                        m->coordinate[i].name, q0[i], m->ndrive ? " and drives at t = 0" : "", o->q[i]);
-        if (v0[iv] != 0 && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
+                        m->coordinate[i].name, q0[i], drives, o->q[i]);
+        if (m->said_v && m->said_v[iv] && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
             return fail(&o->start.report, E_MODEL,
                         "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g", m->coordinate[i].name,
-                        v0[iv], m->ndrive ? " and drives at t = 0" : "", o->vt[iv]);
+                        v0[iv], drives, o->vt[iv]);
     }
     return OK;
 }
@@ -274,12 +277,13 @@ static enum status contradiction(struct condense *o)
     condense_misfit(o, &row, o->q);
     double by = dropped_miss(o, &row), rate = 0;
     if (by <= DISAGREE) {
-        condense_rates(o, o->vt, NULL, o->q, o->v, NULL, 0, &why);
+        condense_rates(o, o->vt, NULL, o->q, o->v, NULL, o->model->t0, &why);
         rate = dropped_rate(o, &row);
         if (rate <= DISAGREE) return OK;
     }
-    return fail(&o->start.report, E_MODEL, "%s '%s' contradicts the others at t = 0: by %.3g of the mechanism's size%s",
-                o->model->loop[o->loops->row[row].loop].drive ? "drive" : "constraint", row_name(o, row),
+    return fail(&o->start.report, E_MODEL,
+                "%s '%s' contradicts the others at t = %.9g: by %.3g of the mechanism's size%s",
+                o->model->loop[o->loops->row[row].loop].drive ? "drive" : "constraint", row_name(o, row), o->model->t0,
                 rate > 0 ? rate : by, rate > 0 ? " per second" : "");
 }
 
@@ -290,16 +294,16 @@ static enum status draw_drives(struct condense *o)
     int row;
     struct trouble why;
     if (o->model->ndrive == 0) return OK;
-    loops_when(l, 0);
-    if (condense_driven(o, false, 0, &why) != OK)
-        return fail(&o->start.report, E_MODEL, "drive '%s' or a rate of it is not a number at t = 0",
-                    o->model->loop[why.index].name);
+    loops_when(l, o->model->t0);
+    if (condense_driven(o, false, o->model->t0, &why) != OK)
+        return fail(&o->start.report, E_MODEL, "drive '%s' or a rate of it is not a number at t = %.9g",
+                    o->model->loop[why.index].name, o->model->t0);
     for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
     condense_misfit(o, &row, o->q);
     for (int i = 0; i < l->nrow; i++)
         if (l->row[i].type == ROW_DRIVE) l->drawn[i] = o->C[i];
     l->share = 0;
-    loops_when(l, 0);
+    loops_when(l, o->model->t0);
     return OK;
 }
 

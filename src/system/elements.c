@@ -265,3 +265,18 @@ void elements_measure(const struct elements *e, const struct sweep *s, double *v
     *value = act.s;
     *rate = act.rate;
 }
+
+bool elements_turn(const struct elements *e)
+{
+    return e->measures.turns;
+}
+
+void elements_stand(struct elements *e, int measure, double x)
+{
+    measures_stand(&e->measures, measure, x);
+}
+
+void elements_turned(struct elements *e, const struct sweep *s, double t)
+{
+    measures_turned(&e->measures, s, t);
+}

@@ -51,6 +51,10 @@ void elements_diagonal(struct elements *e, double *d, double cc, double ck, cons
 
 /* Sum of stored energies; after move(ALL). */
 double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v);
+/* Angles in space, known up to whole turns, go on from where they are at s; false: there are none to settle. */
+bool elements_turn(const struct elements *e);
+void elements_turned(struct elements *e, const struct sweep *s, double t);
+void elements_stand(struct elements *e, int measure, double x);
 void elements_measure(const struct elements *e, const struct sweep *s, double *value, double *rate, int measure,
                       const double *q, const double *v);
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "system/loops_parts.h"
+#include "system/sizes.h"
 
 struct equation {
     enum loop_row_type type;
@@ -82,24 +83,6 @@ static int equations_of(struct equation *o, enum joint_type type, int space)
     return n;
 }
 
-/* The largest arm of a joint on a body, or rod; the ground's place in the world does not count. */
-static double length_of(const struct model *m)
-{
-    double most = 0;
-    for (int i = 0; i < m->njoint; i++) {
-        const struct model_joint *j = &m->joint[i];
-        if (j->parent) most = fmax(most, v3_norm(j->a));
-        most = fmax(most, v3_norm(j->b));
-    }
-    for (int i = 0; i < m->nloop; i++) {
-        const struct model_loop *l = &m->loop[i];
-        if (l->first) most = fmax(most, v3_norm(l->a));
-        if (l->second) most = fmax(most, v3_norm(l->b));
-        most = fmax(most, l->length);
-    }
-    return most > 0 ? most : 1;
-}
-
 /* The largest term for coordinates of usual size, 1 rad or a length of the mechanism. */
 static double size_of(const struct loops *o, const struct model_loop *loop)
 {
@@ -169,7 +152,7 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     struct loops *o = TAKE(life, struct loops, 1);
     o->model = m;
     o->ops = ops;
-    o->length = length_of(m);
+    o->length = sizes_length(m);
     o->row = TAKE(life, struct loop_row, LOOP_ROWS * m->nloop);
     o->first = TAKE(life, int, m->nloop + 1);
     o->place = TAKE(life, struct loop_place, m->nloop);

@@ -12,9 +12,15 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
     o->model = m;
     o->ops = ops;
     o->drawn = arena_take(life, (size_t)m->nmeasure, sizeof *o->drawn);
-    for (int i = 0; i < m->nmeasure; i++)
-        if (m->measure[i].type == MEASURE_ANGLE)
-            m3_tmulm(o->drawn[i], m->body[m->measure[i].a.body].R, m->body[m->measure[i].b.body].R);
+    o->stood = TAKE(life, double, m->nmeasure);
+    o->went = TAKE(life, double, m->nmeasure);
+    o->t = m->t0;
+    for (int i = 0; i < m->nmeasure; i++) {
+        o->went[i] = NAN;
+        if (m->measure[i].type != MEASURE_ANGLE) continue;
+        m3_tmulm(o->drawn[i], m->body[m->measure[i].a.body].R, m->body[m->measure[i].b.body].R);
+        o->turns = o->turns || m->space == 3;
+    }
 }
 
 /* x_b - x_a and its rate; the points are the action's. */
@@ -62,8 +68,15 @@ static double twist_angle(double *dir, const double *q, const double *e)
     return 2 * atan2(y, w);
 }
 
+/* x and whole turns, next to `to`. */
+static double nearest(double x, double to)
+{
+    static const double TURN = 6.283185307179586;
+    return x + TURN * round((to - x) / TURN);
+}
+
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
-                  const double *drawn)
+                  const double *drawn, double stood)
 {
     struct pose a, b;
     double w[3];
@@ -79,6 +92,7 @@ static void angle(struct action *o, const struct measures *m, const struct sweep
         m3_mulmt(turn, R, drawn);
         quat_of_matrix(q, turn);
         o->s = twist_angle(dir, q, def->axis);
+        o->s = nearest(o->s, stood);
         m3_mul(o->dir, a.R, dir);
     }
     v3_diff(w, b.w, a.w);
@@ -104,9 +118,29 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
         displacement(o, m, s, def);
         break;
     case MEASURE_ANGLE:
-        angle(o, m, s, def, m->drawn[i]);
+        angle(o, m, s, def, m->drawn[i], m->stood[i]);
         break;
     }
+}
+
+void measures_turned(struct measures *o, const struct sweep *s, double t)
+{
+    for (int i = 0; i < o->model->nmeasure; i++) {
+        struct action act;
+        if (o->model->measure[i].type != MEASURE_ANGLE || o->model->space == 2) continue;
+        measure_at(&act, o, s, i, NULL, NULL);
+        const double before = isnan(o->went[i]) ? act.rate : o->went[i];
+        const double now = nearest(act.s, o->stood[i] + (t - o->t) * (before + act.rate) / 2);
+        if (!isfinite(now)) continue;
+        o->stood[i] = now;
+        o->went[i] = act.rate;
+    }
+    o->t = t;
+}
+
+void measures_stand(struct measures *o, int i, double x)
+{
+    o->stood[i] = x;
 }
 
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f)

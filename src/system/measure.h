@@ -11,7 +11,8 @@
  *                   s = 2 atan2(e.x, w),     dir = (w^2 e + w x cross e + (e.x) x) / (w^2 + (e.x)^2)  in axes of a
  *
  * The last is from (w, x)' = (-W.x, w W + W cross x)/2 with W the relative angular velocity in axes of a.  Two
- * points in one place have no direction: dir is 0 then. */
+ * points in one place have no direction: dir is 0 then.  It is known up to whole turns, and is the one nearest to where
+ * the angle stood at the end of the last step, so that it goes on through half a turn, and a spring winds up. */
 #ifndef FMDSUB_SYSTEM_MEASURE_H
 #define FMDSUB_SYSTEM_MEASURE_H
 
@@ -41,6 +42,10 @@ struct measures {
     const struct model *model;
     const struct sweep_ops *ops;
     double (*drawn)[9]; /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
+    double *stood;      /* [nmeasure] space, angles: at the end of the last step [rad] */
+    double *went;       /* [nmeasure] their rates there [rad/s]; NAN: not known yet */
+    double t;           /* when that was [s] */
+    bool turns;         /* there are such */
 };
 
 void measures_build(struct measures *o, const struct model *m, const struct sweep_ops *ops, struct arena *life);
@@ -48,6 +53,13 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
 /* The measure i at the sweep's last motion; a coordinate's s and rate only. */
 void measure_at(struct action *o, const struct measures *m, const struct sweep *s, int i, const double *q,
                 const double *v);
+
+/* Between steps: angles in space stand where they are at the sweep's last motion, at t; their rates tell how many whole
+ * turns the step has taken. */
+void measures_turned(struct measures *o, const struct sweep *s, double t);
+
+/* Angle i in space stands at x [rad], or nearby. */
+void measures_stand(struct measures *o, int i, double x);
 
 /* Pushes the sweep's bodies with f along the measure (not for coordinates). */
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f);

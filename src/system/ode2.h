@@ -88,8 +88,8 @@ struct ode2_direct {
 
 /* Between accepted major steps only. */
 struct ode2_chart {
-    /* A better chart (partition, rotation base) at q: 1 if it changed, then carry() every velocity-like
-     * vector that is kept. */
+    /* Angles known up to whole turns go on from q.  A better chart (partition, rotation base) there: 1 if it changed,
+     * then carry() every velocity-like vector that is kept. */
     int (*rechart)(struct ode2 *o, double *q, double *v, double t);
     void (*carry)(const struct ode2 *o, double *x);
 };
@@ -114,6 +114,7 @@ struct ode2 {
     const struct ode2_direct *direct;
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;
+    double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
     /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
      * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
      * it: at the end of a step settle() moves q1, which is x->qb, there, and v1, x->vb, by what is left of the

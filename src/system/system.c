@@ -193,6 +193,11 @@ double system_stress(const struct system *s, int body, int stress, enum bent_str
     return bent_stress(&s->model->body[body], stress, part, s->q);
 }
 
+void system_stand(struct system *s, int measure, double x)
+{
+    elements_stand(s->tree.elements, measure, x);
+}
+
 void system_measure(const struct system *s, double *value, double *rate, int measure)
 {
     elements_measure(s->tree.elements, s->view, value, rate, measure, s->q, s->v);

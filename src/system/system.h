@@ -37,6 +37,8 @@ void system_centre(const struct system *s, struct pose *o, int body);
 /* How far a named point of a flexible body is displaced, in the axes of its frame [3]. */
 void system_displacement(const struct system *s, double *d, const struct model_point *p);
 double system_stress(const struct system *s, int body, int stress, enum bent_stress part);
+/* A measured angle in space, known up to whole turns, stands at x [rad]: for the start. */
+void system_stand(struct system *s, int measure, double x);
 void system_measure(const struct system *s, double *value, double *rate, int measure);
 void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop);

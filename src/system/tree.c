@@ -6,6 +6,7 @@
 
 #include "la/dense.h"
 #include "la/wide.h"
+#include "system/sizes.h"
 
 static struct tree *tree_of(const struct ode2 *o)
 {
@@ -217,6 +218,19 @@ static void solve(const struct ode2 *o, const void *F, double *x)
     s->ops->solve(s->sweep, F, x);
 }
 
+/* --- turns -------------------------------------------------------------------------------------- */
+
+/* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
+static int count_turns(struct ode2 *o, double *q, double *v, double t)
+{
+    struct tree *s = tree_of(o);
+    tree_move(s, q, v);
+    elements_turned(s->elements, s->sweep, t);
+    return 0;
+}
+
+static const struct ode2_chart turns = {.rechart = count_turns};
+
 /* --- kinks in time ------------------------------------------------------------------------------ */
 
 static double next_kink(const struct ode2 *o, double t)
@@ -230,6 +244,11 @@ static double next_kink(const struct ode2 *o, double t)
 }
 
 /* --- building ----------------------------------------------------------------------------------- */
+
+static double size_of(const struct ode2 *o, int i)
+{
+    return tree_of(o)->size[i];
+}
 
 void tree_build(struct tree *o, const struct model *m, struct arena *life)
 {
@@ -246,6 +265,8 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
     o->factor = arena_take(life, 1, bytes);
     o->d = TAKE(life, double, m->n);
     o->zero = TAKE(life, double, m->n);
+    o->size = TAKE(life, double, m->n);
+    sizes_fill(o->size, m);
     o->at = TAKE(life, double, m->nq);
     o->suspect = TAKE(life, struct effect, m->nforce);
     o->direct = (struct ode2_direct){
@@ -261,7 +282,9 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &o->direct,
+                           .chart = elements_turn(o->elements) ? &turns : NULL,
                            .breaks = isinf(first) ? NULL : &o->breaks,
+                           .size = size_of,
                            .settle = o->floating.n ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};

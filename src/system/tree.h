@@ -31,6 +31,7 @@ struct tree {
     double *M;              /* [n x n] of flexible bodies */
     void *factor;           /* of M^, for accel() */
     double *d, *zero;       /* [n] */
+    double *size;           /* [n] usual changes of the coordinates */
     struct effect *suspect; /* [nforce] for naming the element that is not finite */
 };
 

@@ -54,6 +54,58 @@ awk -F, 'NR == FNR { for (i = 1; i <= NF; i++) x[i] = $i; n = NF; next }
     { for (i = 2; i < NF; i++) { d = $i - x[i]; if (d < 0) d = -d; if (d > 1e-9) bad = 1 } exit bad || NF != n || n < 40 }' whole halves &&
     ok "two halves are the whole" || not_ok "two halves are the whole" "more than 1e-9 apart" whole halves
 
+# Drives, loads, tables and records that know the time: with 'time: keep' one run, to round-off; rk4, which remembers
+# nothing between its steps, byte for byte but for the energies since the start.  (miao carries accelerations of its own
+# from step to step, which no state holds.)
+cat >clock.yaml <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  crank: {mass: 1, inertia: 0.1, at: [0.5, 0]}
+  rod:   {mass: 1, inertia: 0.1, at: [1.5, 0.5]}
+  bob:   {mass: 1, inertia: 0.1, at: [2, 1]}
+constraints:
+  shaft: {revolute: [ground, crank], at: [0, 0]}
+  elbow: {revolute: [crank, rod], at: [1, 0]}
+  slot:  {prismatic: [rod, bob], at: [2, 1], axis: [0, 1]}
+forces:
+  push:  {force: slot, value: 3*sin(7*t)}
+  hold:  {spring: slot, stiffness: 100}
+  twist: {torque: elbow, value: {table: [[0, 0], [0.7, 2], [1.3, -2], [3, 1]]}}
+drives:
+  motor: {drive: shaft, value: "if(t < 1.2, 0.2*sin(3*t), 0.2*sin(3*t) + (t - 1.2)^2)"}
+partition: {fast: [slot]}
+integrate: {step: 1.0e-3, ratio: 5, until: 2}
+output: {every: 0.05, columns: ["*.angle", "*_rate", slot.displacement, push.force, motor.force, energy.residual]}
+END
+for how in rk4 midpoint newmark subcycle dopri5; do
+    keys="scheme: $how, step: 1.0e-3, newton_tolerance: 1.0e-14, tolerance: 1.0e-12"
+    [ $how = subcycle ] && keys="$keys, ratio: 5"
+    for until in 2 1; do
+        "$FMDSUB" run -q -s "integrate={$keys, until: $until}" --final-state at$until.json clock.yaml >to$until.csv 2>err
+    done
+    "$FMDSUB" run -q -s "integrate={$keys, until: 2}" -s 'initial={from: at1.json, time: keep}' clock.yaml >rest.csv 2>err
+    expect "$how goes on at t = 1: status" 0 $? err
+    awk -F, -v exact=$([ $how = rk4 ] && echo 1 || echo 0) '
+        FNR == 1 { next }
+        NR == FNR { for (i = 1; i < NF; i++) x[$1, i] = $i; next }
+        { rows++; for (i = 1; i < NF; i++) { d = $i - x[$1, i]; if (d < 0) d = -d; if (!(($1, i) in x) || d > 1e-9 || (exact && $i != x[$1, i])) bad = 1 } }
+        END { exit bad || rows != 21 || $1 != 2 }' to2.csv rest.csv && ok "$how goes on at t = 1: one run" ||
+        not_ok "$how goes on at t = 1: one run" "records differ" rest.csv
+done
+# From between two steps, and between two records.
+"$FMDSUB" run -q -s integrate.scheme=rk4 --until 1.00025 --final-state odd.json clock.yaml >out 2>err
+"$FMDSUB" run -q -s integrate.scheme=rk4 --until 1.01 -s integrate.ratio=1 --every 0.001 --columns t -s 'initial={from: odd.json, time: keep}' clock.yaml >out 2>err
+expect "from between two steps" "1.00025 1.00125 1.01 12" "$(awk 'NR == 2 { a = $1 } NR == 3 { b = $1 } END { print a, b, $1, NR }' out)" err
+"$FMDSUB" run -q -s integrate.scheme=rk4 --until 1.02 --final-state odd.json clock.yaml >out 2>err
+"$FMDSUB" run -q -s integrate.scheme=rk4 --until 1.12 --columns t -s 'initial={from: odd.json, time: keep}' clock.yaml >out 2>err
+expect "from between two records" "1.02 1.05 1.1 1.12 " "$(sed 1d out | tr '\n' ' ')" err
+"$FMDSUB" run -q -s 'initial={from: at1.json}' clock.yaml >out 2>err
+expect "the clock begins anew: status" 4 $? err
+grep -q "W-time" err && grep -q "'time: keep' beside 'from' goes on" err && ok "the clock begins anew: told" || not_ok "the clock begins anew: told" "stderr:" err
+"$FMDSUB" run -q -s 'initial={from: at1.json, time: zero}' clock.yaml >out 2>err
+expect "the clock begins anew, as it is meant: nothing of the clock" 0 "$(grep -c W-time err)" err
+
 # A run that stops leaves the last state that was good.
 "$FMDSUB" run -q --final-state stopped.json -s 'forces={f: {torque: pin, value: "sqrt(0.5 - t)"}}' pendulum.yaml >/dev/null 2>err
 expect "stopped: status" 5 $?
@@ -68,7 +120,11 @@ wrong() { # NAME PATTERN SET: exit 3, one error
 }
 wrong "a state of another deck" "unknown coordinate or rate 'u.angle1'" 'initial={from: half.json}'
 echo '{"fmdsub_state": 1, "state": {"pin.angle": 1}}' >gap.json
+echo '{"fmdsub_state": 1, "t": 20, "state": {"pin.angle": 1, "pin.angle_rate": 0}}' >then.json
 wrong "a state with a gap" "the state has no 'pin.angle_rate'" 'initial={from: gap.json}'
+wrong "an end before the start" "the run starts at t = 20 s, where its state was: it cannot end at 10 s" 'initial={from: then.json, time: keep}'
+wrong "no time to keep" "no 't' to go on from" 'initial={from: gap.json, time: keep}'
+wrong "neither kept nor zero" "unknown word 'kept' for 'time'" 'initial={from: then.json, time: kept}'
 wrong "something else" "no final state" 'initial={from: chain.yaml}'
 wrong "no such file" "No such file" 'initial={from: nothing.json}'
 wrong "more beside it" "'pin.angle' cannot be set beside it" 'initial={from: gap.json, pin.angle: 1}'

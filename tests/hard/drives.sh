@@ -51,6 +51,40 @@ for value in 'sqrt(0.3 - t)' '0.1*asin(t/0.3)'; do
     done
 done
 
+# A value that jumps: nothing follows.  The run stops before, whatever the scheme and its step.
+cat >"$work/rail.yaml" <<'END'
+fmdsub: 1
+bodies:
+  car: {mass: 1, at: [0, 0]}
+constraints:
+  rail: {prismatic: [ground, car], axis: [1, 0]}
+drives:
+  slide: {drive: rail, value: "if(t < 0.0105, t, 1)"}
+integrate: {scheme: newmark, step: 1.0e-3, until: 0.02}
+END
+for scheme in midpoint newmark subcycle miao rk4 dopri5; do
+    how="--set integrate.scheme=$scheme"
+    [ $scheme = dopri5 ] && how="$how --set integrate.tolerance=1.0e-8"
+    "$FMDSUB" run -q $how "$work/rail.yaml" >"$work/out" 2>"$work/err"
+    expect "jump, $scheme: status" 5 $? "$work/err"
+    grep -q "stopped at t = 0.01 s: drive 'slide' jumps by 0.99, from 0.0105 to 1, at t = 0.0105 s ($work/rail.yaml:7:31)" "$work/err" &&
+        ok "jump, $scheme: told" || not_ok "jump, $scheme: told" "stderr:" "$work/err"
+    expect "jump, $scheme: records before it, whole" "0.01 4 12" "$(awk -F, 'END { print $1, NF, NR }' "$work/out")"
+done
+# Constants of a few digits: told once, and as an event.  Pieces that meet: nothing.
+for end in 10.5001:2 10.5:0; do
+    "$FMDSUB" run -f ndjson --set "drives.slide.value='if(t < 0.0105, 1000*t, ${end%:*})'" "$work/rail.yaml" >"$work/out" 2>"$work/err"
+    expect "pieces that end at 10.5 and ${end%:*}: status" 0 $? "$work/err"
+    expect "pieces that end at 10.5 and ${end%:*}: told" ${end#*:} \
+        "$(cat "$work/out" "$work/err" | grep -c "drive 'slide' jumps by 0.0001, from 10.5 to 10.5001, at t = 0.0105 s")" "$work/err"
+done
+
+# A drive that begins elsewhere than it is drawn: told, unless the deck says so elsewhere, too.
+for how in "title=x:1" 'initial={rail.displacement: 0.3}:0' 'initial={assemble: true}:0' 'drives.slide.value=0.3*sin(t):0'; do
+    "$FMDSUB" run -q --set 'drives.slide.value=0.3*cos(t)' --set "${how%:*}" "$work/rail.yaml" >"$work/out" 2>"$work/err"
+    expect "begins elsewhere, ${how%:*}: told" ${how##*:} "$(grep -c W-drive-start "$work/err")" "$work/err"
+done
+
 # What balances is a drive's work and gravity's; kinetic energy next to them is none.
 "$FMDSUB" run -q tests/hard/slow-lift.yaml >"$work/out" 2>"$work/err"
 expect "slow lift: status" 0 $? "$work/err"

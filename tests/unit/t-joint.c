@@ -186,6 +186,47 @@ static void corners(void **state)
     arena_close(arena);
 }
 
+/* What a value jumps by in [ta, tb), and where; NAN: it does not. */
+static double leap(double *at, const char *text, double ta, double tb)
+{
+    struct arena *arena = arena_open();
+    const struct signal s = formula(arena, text);
+    double before, behind;
+    const bool any = signal_leap(&s, at, &before, &behind, ta, tb);
+    arena_close(arena);
+    return any ? behind - before : NAN;
+}
+
+/* Jumps of the value are found, also beside corners; corners, steep ramps and pieces that meet are none. */
+static void leaps(void **state)
+{
+    static const struct {
+        const char *text;
+        double ta, tb, at, by;
+    } jumps[] = {{"if(t < 0.35, 0, 1)", .3, .4, .35, 1},
+                 {"if(t < 0.4, 0, 1)", .3, .4, .4, 1},
+                 {"if(t <= 0.3, 2, -1)", .3, .4, .3, -3},
+                 {"mod(t, 0.35)", .3, .4, .35, -.35},
+                 {"if(t < 0.35, 10*t, 3.500001)", .3, .4, .35, 1e-6},
+                 {"if(t < 1000.0005, t, t + 1.0e-4)", 1000, 1000.001, 1000.0005, 1e-4},
+                 {"sign(t)", -1, 2, 0, 2}};
+    static const char *const none[] = {"abs(t - 0.35)",
+                                       "if(t < 0.35, 0, if(t < 0.350001, (t - 0.35)*1.0e+6, 1))",
+                                       "max(0, tanh(1.0e+6*(t - 0.35)))",
+                                       "if(t < 0.35, 3*t, 3.0*(0.35 + (t - 0.35)))",
+                                       "sqrt(abs(t - 0.35))",
+                                       "if(t < 0.35, 0, log(0.3 - t))",
+                                       "sin(20*t)"};
+    double at;
+    (void)state;
+    for (size_t i = 0; i < sizeof jumps / sizeof *jumps; i++) {
+        const double by = leap(&at, jumps[i].text, jumps[i].ta, jumps[i].tb);
+        assert_true(fabs(by - jumps[i].by) < 1e-9 && fabs(at - jumps[i].at) < 1e-9);
+    }
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) assert_true(isnan(leap(&at, none[i], .3, .4)));
+    assert_true(isnan(leap(&at, "if(t < 0.4, 0, 1)", .3, .39)) && isnan(leap(&at, "if(t < 0.3, 0, 1)", .3, .4)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -196,6 +237,7 @@ int main(void)
         cmocka_unit_test(tables_are_linear_between_their_points),
         cmocka_unit_test(expressions_are_signals_too),
         cmocka_unit_test(corners),
+        cmocka_unit_test(leaps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

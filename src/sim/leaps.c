@@ -1,0 +1,96 @@
+/* leaps.c -- drives whose value itself jumps, such as if(t < 1, 0, 0.1).
+ *
+ * A step in position is an infinite speed: over a step h it would run at jump/h, so that what follows depends on h
+ * alone.  The run stops before the step in which that happens.  Where two pieces of an expression all but meet, as with
+ * constants of a few digits, it goes on, and the jump is told. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sim/parts.h"
+
+static const double PATCHED = 1e-3; /* of the largest value so far: a jump that may be meant as none */
+static const double ROUNDED = 1e-9; /* of that, or less than the next in m or rad: round-off of the expression */
+static const double NOTHING = 1e-12;
+
+void leaps_open(struct sim *sim, struct arena *life)
+{
+    const struct model *m = sim->model;
+    sim->leap = TAKE(life, struct leaping, m->ndrive);
+    for (int i = 0; i < m->ndrive; i++) {
+        const struct signal *s = m->loop[model_first_drive(m) + i].drive;
+        struct leaping o = {.loop = model_first_drive(m) + i};
+        if (!s->expr || expr_is_smooth(s->expr)) continue;
+        signal_motion(s, o.x, m->t0);
+        o.most = fabs(o.x[0]);
+        sim->leap[sim->nleap++] = o;
+    }
+}
+
+static double unseen(const struct leaping *o)
+{
+    return fmax(NOTHING, ROUNDED * o->most);
+}
+
+/* Does the value at b stand where its rates since a lead, but for what is not seen (Simpson)?  Then nothing jumps
+ * between.  Goes on to b. */
+static bool follows(struct leaping *o, const struct signal *s, double a, double b)
+{
+    double m[3], x[3];
+    signal_motion(s, m, a + (b - a) / 2);
+    signal_motion(s, x, b);
+    const double gap = x[0] - o->x[0] - (b - a) / 6 * (o->x[1] + 4 * m[1] + x[1]);
+    o->most = fmax(o->most, fabs(x[0]));
+    memcpy(o->x, x, sizeof x);
+    return fabs(gap) <= unseen(o);
+}
+
+/* Where the deck has the drive's value. */
+static const char *place_of(const struct sim *sim, const struct leaping *o, char *text, size_t size)
+{
+    const struct node *n = node_find(sim->scene->drive[o->loop - model_first_drive(sim->model)].node, "value");
+    const struct source *s = diags_source(sim->scene->deck->diags, n->file);
+    snprintf(text, size, "%.200s:%d:%d", s ? s->path : "", n->mark.line, n->mark.col);
+    return text;
+}
+
+static enum status judge(struct sim *sim, struct leaping *o, double at, double before, double behind, struct sink *sink,
+                         struct report *report)
+{
+    const char *name = sim->model->loop[o->loop].name;
+    const double by = fabs(behind - before);
+    char text[200], place[240];
+    o->most = fmax(o->most, fmax(fabs(before), fabs(behind)));
+    if (by <= unseen(o)) return OK;
+    snprintf(text, sizeof text, "drive '%.60s' jumps by %.3g, from %.9g to %.9g, at t = %.9g s", name, by, before,
+             behind, at);
+    if (by > PATCHED * o->most)
+        return fail(
+            report, E_NUMERIC,
+            "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some time",
+            sim->x.t, text, place_of(sim, o, place, sizeof place));
+    if (sim->options.say && !o->told)
+        fprintf(sim->options.say, "warning: %s (%s): its pieces do not quite meet\n", text,
+                place_of(sim, o, place, sizeof place));
+    o->told = true;
+    return sink ? sink->ops->event(sink, sim->x.t, "drive", text, report) : OK;
+}
+
+enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report)
+{
+    enum { OWN_STEPS = 16 };
+    const double from = sim->x.t;
+    const int pieces = sim->stepper.kind->adaptive ? OWN_STEPS : sim->plan.ratio;
+    for (int i = 0; i < sim->nleap; i++) {
+        struct leaping *o = &sim->leap[i];
+        const struct signal *s = sim->model->loop[o->loop].drive;
+        double at, before, behind;
+        for (int k = 0; k < pieces; k++) {
+            const double a = from + k * ((to - from) / pieces),
+                         b = k + 1 < pieces ? from + (k + 1) * ((to - from) / pieces) : to;
+            if (!follows(o, s, a, b) && signal_leap(s, &at, &before, &behind, a, b))
+                TRY(judge(sim, o, at, before, behind, sink, report));
+        }
+    }
+    return OK;
+}

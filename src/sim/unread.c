@@ -1,0 +1,91 @@
+/* unread.c -- keys that are right, but mean nothing to the scheme that runs.
+ *
+ * They are told where the scheme and they are the deck's, or the key is the command line's: a scheme that --set has put
+ * in place of the deck's is there to be compared, and the deck's keys then wait for their own. */
+#include <string.h>
+
+#include "sim/parts.h"
+
+/* Words that say what every scheme does without them. */
+static bool says_nothing(const struct integrate *p, const char *key)
+{
+    if (strcmp(key, "ratio") == 0) return p->ratio == 1;
+    if (strcmp(key, "rho_infinity") == 0) return p->rho_infinity == 1;
+    if (strcmp(key, "symmetric") == 0) return !p->symmetric;
+    return false;
+}
+
+static bool reads(const struct stepper_kind *kind, const char *key)
+{
+    const size_t len = strlen(key);
+    for (const char *at = kind->reads; (at = strstr(at, key)); at += len)
+        if (at[-1] == ' ' && at[len] == ' ') return true;
+    return false;
+}
+
+/* Its records need a step where nothing else says when they are due. */
+static bool paces_records(const struct sim *sim, const char *key)
+{
+    const struct output *out = &sim->scene->output;
+    return sim->stepper.kind->adaptive && !(out->every > 0) && (strcmp(key, "step") == 0 || strcmp(key, "ratio") == 0);
+}
+
+static bool compared(const struct sim *sim, const struct node *key)
+{
+    const struct deck *deck = sim->scene->deck;
+    return deck_was_set(deck, node_find(sim->plan.node, "scheme")) && !deck_was_set(deck, key);
+}
+
+static void tell(const struct sim *sim, const struct node *n, bool (*wanted)(const struct stepper_kind *, const char *),
+                 struct diags *diags)
+{
+    char readers[200] = "";
+    const char *scheme = sim->scene->integrate.scheme;
+    for (int i = 0; stepper_kinds[i]; i++) {
+        const size_t used = strlen(readers);
+        if (wanted(stepper_kinds[i], n->key))
+            snprintf(readers + used, sizeof readers - used, "%s%s", used ? ", " : "", stepper_kinds[i]->name);
+    }
+    diag_warn(diags, n, AT_KEY, "W-scheme", "'%.60s' means nothing to scheme %.60s: it is for %s", n->key, scheme,
+              readers);
+}
+
+static bool has_rates(const struct stepper_kind *kind, const char *key)
+{
+    (void)key;
+    return kind->rates > 1;
+}
+
+/* Two rates, and nothing that takes the small step; coordinates to lead where nothing follows. */
+static void warn_of_partition(const struct sim *sim, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const struct node *leads = node_find(node_find(sim->scene->deck->root, "partition"), "independent");
+    const struct ode2 *ode = system_ode2(sim->system);
+    const bool two = sim->stepper.kind->rates > 1 && p->ratio > 1 && ode->n > 0;
+    if (two && ode->ns == 0)
+        diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
+                  "no coordinate is fast: all of the deck takes steps of %g s", p->step * p->ratio);
+    if (two && ode->ns == ode->n && sim->model->ndrive == 0) /* what is driven may be slow */
+        diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
+                  "all coordinates are fast%s: the ratio saves nothing",
+                  sim->model->nloop ? ", by name or by a loop with one that is" : "");
+    if (leads && sim->model->nloop == 0)
+        diag_warn(diags, leads, AT_KEY, "W-unused", "'independent' means nothing without loops or drives");
+}
+
+void warn_of_unread(const struct sim *sim, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const struct stepper_kind *kind = stepper_find(sim->scene->integrate.scheme);
+    if (sim->options.counting || p->scheme != sim->scene->integrate.scheme || !kind) return;
+    for (int i = 0; i < p->node->count; i++) {
+        const struct node *n = p->node->item[i];
+        if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0) continue;
+        if (reads(kind, n->key) || says_nothing(p, n->key) || paces_records(sim, n->key) || compared(sim, n)) continue;
+        tell(sim, n, reads, diags);
+    }
+    warn_of_partition(sim, diags);
+    const struct node *fast = node_find(node_find(sim->scene->deck->root, "partition"), "fast");
+    if (fast && !has_rates(kind, fast->key) && !compared(sim, fast)) tell(sim, fast, has_rates, diags);
+}
