@@ -147,9 +147,7 @@ static bool are_few(const struct condense *o)
     const double n = o->ode.n, nt = o->nt;
     double matrix = nt * nt;
     for (int i = 0; i < o->ncomponent; i++) matrix += (double)o->component[i].ni * o->component[i].nr * (nt + n) / 2;
-    for (int i = 0; i < o->model->nbody; i++)
-        if (o->model->body[i].nmode) return false;
-    return matrix > COLUMN * (n + 1) * nt;
+    return o->elastic->n == 0 && matrix > COLUMN * (n + 1) * nt;
 }
 
 /* The number of independents is known. */
@@ -184,14 +182,15 @@ static double size_of(const struct ode2 *ode, int i)
 }
 
 struct condense *condense_build(const struct model *m, const struct sweep_ops *sweep, const struct ode2 *tree,
-                                struct elements *elements, const struct moves *moves, const double *q0,
-                                const double *v0, struct arena *life)
+                                struct elements *elements, struct elastic *elastic, const struct moves *moves,
+                                const double *q0, const double *v0, struct arena *life)
 {
     struct condense *o = TAKE(life, struct condense, 1);
     o->model = m;
     o->ops = sweep;
     o->tree = tree;
     o->elements = elements;
+    o->elastic = elastic;
     o->moves = moves;
     o->nt = m->n;
     o->sweep = sweep->build(m, life);
@@ -215,6 +214,7 @@ struct condense *condense_build(const struct model *m, const struct sweep_ops *s
     build_workspace(o, life);
     o->start.status = condense_begin(o, q0, v0);
     build_matrices(o, life);
+    if (o->start.status == OK) o->ode.price = condense_price(o);
     return o;
 }
 

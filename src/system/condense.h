@@ -11,6 +11,7 @@
 #ifndef FMDSUB_SYSTEM_CONDENSE_H
 #define FMDSUB_SYSTEM_CONDENSE_H
 
+#include "system/elastic.h"
 #include "system/elements.h"
 #include "system/loops.h"
 #include "system/moves.h"
@@ -34,8 +35,8 @@ struct condense_start {
 /* q0 [m->nq], v0 [m->n]: the start as the deck has it.  The system that comes out stands still where start->status
  * is not OK. */
 struct condense *condense_build(const struct model *m, const struct sweep_ops *ops, const struct ode2 *tree,
-                                struct elements *elements, const struct moves *moves, const double *q0,
-                                const double *v0, struct arena *life);
+                                struct elements *elements, struct elastic *elastic, const struct moves *moves,
+                                const double *q0, const double *v0, struct arena *life);
 
 const struct condense_start *condense_started(const struct condense *c);
 const double *condense_q(const struct condense *c);         /* [nq] closed start */

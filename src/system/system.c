@@ -245,7 +245,7 @@ static double next_kink(const struct ode2 *o, double t)
 static void build_loops(struct system *s, struct arena *life)
 {
     const struct model *m = s->model;
-    s->loops = condense_build(m, s->ops, &s->ode, s->elements, &s->moves, m->q0, m->v0, life);
+    s->loops = condense_build(m, s->ops, &s->ode, s->elements, &s->elastic, &s->moves, m->q0, m->v0, life);
     const int n = condense_ode2(s->loops)->n;
     if (!s->M) s->M = TAKE(life, double, (size_t)n *(size_t)n);
     s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
@@ -311,6 +311,7 @@ struct system *system_build(const struct model *m, struct arena *life)
                            .ns = m->ns,
                            .nq = m->nq,
                            .near = m->near,
+                           .price = s->elastic.n ? 3 : 2, /* counted in instructions */
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &s->direct,
