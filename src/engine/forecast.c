@@ -6,9 +6,8 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-static const double FADE = .9;    /* weight of the step before */
-static const double PROVED = .1;  /* of the squares left, where miss is believed */
-static const double VAGUE = 1e-6; /* of c = (1, 0) against the past */
+static const double FADE = .9;   /* weight of the step before */
+static const double PROVED = .1; /* of the squares left, where miss is believed */
 
 void forecast_open(struct forecast *f, const struct decouple *dec, struct arena *life)
 {
@@ -42,31 +41,6 @@ void forecast_forget(struct forecast *f, const struct decouple *dec, const doubl
     zero(f->with, f->ns);
     zero(f->without, f->ns);
     f->kept = 0;
-}
-
-static void learn(struct fit *o, double delta)
-{
-    double a = o->last, b = o->before;
-    o->s11 = FADE * o->s11 + a * a;
-    o->s12 = FADE * o->s12 + a * b;
-    o->s22 = FADE * o->s22 + b * b;
-    o->s01 = FADE * o->s01 + delta * a;
-    o->s02 = FADE * o->s02 + delta * b;
-    o->before = a;
-    o->last = delta;
-}
-
-/* The next one.  What the past does not determine is c = (1, 0).  Where the past was round-off the quotients
- * are noise: no forecast is larger than three times what was seen. */
-static double next(const struct fit *o)
-{
-    static const double growth = 3;
-    double most = growth * fmax(fabs(o->last), fabs(o->before));
-    double e = VAGUE * (o->s11 + o->s22), a = o->s11 + e, b = o->s12, c = o->s22 + e, x = o->s01 + e, y = o->s02;
-    double det = a * c - b * b;
-    if (!(det > 0)) return o->last;
-    double fitted = ((c * x - b * y) * o->last + (a * y - b * x) * o->before) / det;
-    return fmax(-most, fmin(most, fitted));
 }
 
 /* The driving by the slow coordinates: y and w - w_last constant, w H f_k as a ramp. */
@@ -105,7 +79,7 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     int n = p->n, ns = p->ns;
     double h = p->h, s = (p->H + f->H) / (f->H + f->Hbefore);
     start_force(f);
-    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * next(&f->fit[i]));
+    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * fit_next(&f->fit[i]));
     zero(f->c, ns);
     zero(f->g, ns);
     dense_gemv(f->c, -h, p->Mss, f->as, ns, ns, ns);
@@ -127,7 +101,7 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     response_run(p, d, f->c, f->g, f->x, f->v, f->s, 0);
     mean_of(f->mean, d, ns, p->ratio);
     for (int i = 0; i < ns; i++) {
-        double miss = f->said[i] = next(&f->miss[i]);
+        double miss = f->said[i] = fit_next(&f->miss[i]);
         if (f->with[i] > PROVED * f->without[i]) continue;
         for (int k = 0; k < p->ratio; k++) d[i + (long)k * ns] += miss;
     }
@@ -245,14 +219,14 @@ void forecast_keep(struct forecast *f, const struct response *p, const struct fo
         double miss = f->c[i] - f->mean[i], left = miss - f->said[i];
         f->with[i] = FADE * f->with[i] + left * left;
         f->without[i] = FADE * f->without[i] + miss * miss;
-        learn(&f->miss[i], miss);
+        fit_learn(&f->miss[i], miss);
     }
     double *before = f->aybefore, per = 1 / x->H;
     f->aybefore = f->ay;
     f->ay = before;
     for (int i = 0; i < f->nl; i++) {
         f->ay[i] = per * x->du[i];
-        learn(&f->fit[i], f->ay[i] - f->aybefore[i]);
+        fit_learn(&f->fit[i], f->ay[i] - f->aybefore[i]);
     }
     for (int i = 0; i < f->ml; i++) {
         f->w[i] = x->w[i];

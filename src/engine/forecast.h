@@ -1,12 +1,7 @@
 /* forecast.h -- where a step of subcycle begins its iteration, from the steps before it.
  *
- * du/H: its differences delta from step to step follow
- *
- *     delta_n = c1 delta_n-1 + c2 delta_n-2
- *
- * fitted to each coordinate's past by least squares, older steps fading: what the fast vibration puts into du is
- * sampled once a major step and looks like any frequency; such a recursion goes through it as well as
- * through a smooth motion, c = (2, -1).
+ * du/H: each coordinate's differences from step to step go on by the recursion of fit.h: what the fast vibration puts
+ * into du is sampled once a major step.
  *
  * d_k: linear minor steps under a force,
  *
@@ -21,13 +16,8 @@
 #define FMDSUB_ENGINE_FORECAST_H
 
 #include "base/arena.h"
+#include "engine/fit.h"
 #include "engine/response.h"
-
-/* Normal equations of c1, c2: sums of products of delta_n, delta_n-1, delta_n-2. */
-struct fit {
-    double s11, s12, s22, s01, s02;
-    double last, before; /* the last two delta */
-};
 
 struct forecast {
     int ns, nl, ml;

@@ -13,7 +13,9 @@ void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort
     m->J = TAKE(life, double, (size_t)n *(size_t)n);
     m->K = TAKE(life, double, (size_t)n *(size_t)n);
     m->C = TAKE(life, double, (size_t)n *(size_t)n);
+    m->spare = TAKE(life, double, (size_t)n *(size_t)n);
     m->swap = TAKE(life, int, n);
+    m->live = TAKE(life, struct live, n);
     m->structured = n > SMALL && ode->direct && ode->direct->factor && ode->direct->solve;
     if (m->structured) m->F = arena_take(life, 1, ode->direct->factor_size);
 }
@@ -38,22 +40,39 @@ void solve_dense(const double *J, const int *swap, enum matrix_form form, double
         dense_lu_solve(J, swap, x, n, n);
 }
 
+/* Which columns of K and C are not zero, and where. */
+static void find_live(struct matrix *m)
+{
+    int n = m->ode->n;
+    m->nlive = 0;
+    for (int j = 0; j < n; j++) {
+        const double *K = m->K + j * n, *C = m->C + j * n;
+        int from = 0, to = n;
+        while (from < n && K[from] == 0 && C[from] == 0) from++;
+        while (to > from && K[to - 1] == 0 && C[to - 1] == 0) to--;
+        if (from < to) m->live[m->nlive++] = (struct live){j, from, to};
+    }
+}
+
 static enum status factor_full(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why)
 {
     const struct ode2 *o = m->ode;
     int n = o->n;
     TRY(o->ops->slopes(o, m->K, m->C, x, ALL, why));
+    if (o->ops->turning) TRY(o->ops->turning(o, m->K, m->C, x, ALL, why));
     TRY(o->ops->mass(o, m->J, x->q, x->t, ALL, why));
     m->effort->slow++;
     m->effort->fast++;
+    find_live(m);
     for (int i = 0; i < n * n; i++) m->J[i] += cc * m->C[i] + ck * m->K[i];
-    int pivot = factor_dense(m->J, m->swap, m->K, &m->form, n);
+    int pivot = factor_dense(m->J, m->swap, m->spare, &m->form, n);
     return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, x->t);
 }
 
 enum status matrix_factor(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why)
 {
     m->effort->factors++;
+    m->nlive = 0;
     if (m->structured) {
         m->form = MATRIX_DIRECT;
         if (m->ode->direct->factor(m->ode, m->F, 1, cc, ck, x, why) == OK) return OK;
@@ -68,4 +87,18 @@ void matrix_solve(const struct matrix *m, double *x)
         m->ode->direct->solve(m->ode, m->F, x);
     else
         solve_dense(m->J, m->swap, m->form, x, m->ode->n);
+}
+
+int matrix_drift(const struct matrix *m, double *x, double h, const double *v, const double *a)
+{
+    int n = m->ode->n;
+    zero(x, n);
+    for (int k = 0; k < m->nlive; k++) {
+        const struct live *l = &m->live[k];
+        const double *K = m->K + l->column * n, *C = m->C + l->column * n;
+        const double sv = h * v[l->column], sa = h * a[l->column];
+        for (int i = l->from; i < l->to; i++) x[i] += sv * K[i] + sa * C[i];
+    }
+    if (m->nlive) matrix_solve(m, x);
+    return m->nlive;
 }

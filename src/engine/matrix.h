@@ -7,13 +7,20 @@
 
 enum matrix_form { MATRIX_NONE, MATRIX_CHOLESKY, MATRIX_LU, MATRIX_DIRECT };
 
+struct live {
+    int column, from, to;
+};
+
 struct matrix {
     const struct ode2 *ode;
     struct effort *effort;
     enum matrix_form form;
     int structured;    /* the owner's solver works here */
-    double *J, *K, *C; /* [n x n] */
+    double *J, *K, *C; /* [n x n]; K and C as they are in J, but for a structured one */
+    double *spare;     /* [n x n] */
     int *swap;         /* [n] */
+    int nlive;         /* columns of K and C that are not zero, as far as known, and their rows that are not */
+    struct live *live; /* [n] */
     void *F;           /* the owner's factor */
 };
 
@@ -22,6 +29,8 @@ void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort
 enum status matrix_factor(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why);
 /* x := J^-1 x. */
 void matrix_solve(const struct matrix *m, double *x);
+/* x := J^-1 h (K v + C a), what a changes by in a step h of velocity v under constant forces; 0: that is nothing. */
+int matrix_drift(const struct matrix *m, double *x, double h, const double *v, const double *a);
 
 /* Factors any J [n x n] in place: Cholesky where it is symmetric and positive, LU else; spare [n x n].
  * Returns -1 or the column without a pivot. */

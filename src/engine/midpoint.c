@@ -16,19 +16,20 @@
 #include "engine/matrix.h"
 #include "engine/motion.h"
 #include "engine/newton.h"
+#include "engine/predict.h"
 #include "engine/single.h"
 
 struct midpoint {
     struct newton newton;
     struct matrix J;
+    struct predict predict;
     struct single keep;
     const struct ode2 *ode;
     struct effort *effort;
     struct instant x; /* the midpoint under trial */
     double *q, *v, *q1, *v1, *dx, *a, *hs;
     const double *q0, *v0;
-    double *aold;
-    double h, hold, hfactor;
+    double h, hfactor;
     double w[POWER_CHANNELS];
 };
 
@@ -40,6 +41,7 @@ struct midpoint *midpoint_new(struct stepper *s, struct arena *life)
     m->effort = &s->effort;
     newton_open(&m->newton, o, &s->effort, &s->options, life);
     matrix_open(&m->J, o, &s->effort, life);
+    predict_open(&m->predict, o->n, life);
     single_open(&m->keep, o, life);
     m->q = TAKE(life, double, o->nq);
     m->q1 = TAKE(life, double, o->nq);
@@ -47,7 +49,6 @@ struct midpoint *midpoint_new(struct stepper *s, struct arena *life)
     m->v1 = TAKE(life, double, o->n);
     m->dx = TAKE(life, double, o->n);
     m->a = TAKE(life, double, o->n);
-    m->aold = TAKE(life, double, o->n);
     m->hs = TAKE(life, double, o->n);
     return m;
 }
@@ -89,17 +90,13 @@ static void solve(void *self, double *dz)
     matrix_solve(&((struct midpoint *)self)->J, dz);
 }
 
-/* a from the two last steps; returns the step's local error h/12 |da| as a velocity, in scales. */
+/* Returns the step's local error, in scales; negative: unknown. */
 static double predict(struct midpoint *m, const struct state *x, int fresh)
 {
-    double local = 0, s = fresh ? 0 : m->h / m->hold;
-    for (int i = 0; i < m->ode->n; i++) {
-        double da = s * (x->a[i] - m->aold[i]);
-        m->a[i] = x->a[i] + da;
-        m->hs[i] = m->h;
-        local = fmax(local, fabs(m->h / 12 * da) * m->newton.per[i]);
-    }
-    return fresh ? -1 : local;
+    for (int i = 0; i < m->ode->n; i++) m->hs[i] = m->h;
+    if (fresh) predict_forget(&m->predict);
+    predict_make(&m->predict, m->a, m->h == m->hfactor ? &m->J : NULL, m->h, x->v, x->a, 0);
+    return fresh ? -1 : predict_error(&m->predict, m->h, m->newton.per);
 }
 
 static void accept(struct midpoint *m, struct stepper *s, struct state *x, double t1)
@@ -113,12 +110,11 @@ static void accept(struct midpoint *m, struct stepper *s, struct state *x, doubl
     place(m, m->a);
     if (!m->x.qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
-    copy(m->aold, x->a, n);
+    predict_keep(&m->predict, m->a, x->a, m->h, m->newton.per);
     copy(x->a, m->a, n);
     copy(x->q, m->q1, m->ode->nq);
     copy(x->v, m->v1, n);
     x->t = t1;
-    m->hold = m->h;
     newton_scale(&m->newton, x->v, x->a, m->h);
 }
 
@@ -142,11 +138,11 @@ enum status midpoint_advance(struct midpoint *m, struct stepper *s, struct state
                             .tb = t1};
     if (m->ode->settle) m->x.va = x->v, m->x.vb = m->v1;
     newton_begin(&m->newton, predict(m, x, fresh));
+    struct equations eq = {m, &m->x, resid, refresh, solve};
     if (m->newton.stale || h != m->hfactor) {
         TRY(refresh(m, m->a, why));
         newton_refreshed(&m->newton);
     }
-    struct equations eq = {m, &m->x, resid, refresh, solve};
     enum status status = newton_solve(&m->newton, m->a, &eq, m->hs, m->ode->n, why);
     if (status != OK) {
         m->newton.stale = 1;

@@ -15,11 +15,13 @@
 #include "engine/matrix.h"
 #include "engine/motion.h"
 #include "engine/newton.h"
+#include "engine/predict.h"
 #include "engine/single.h"
 
 struct newmark {
     struct newton newton;
     struct matrix J;
+    struct predict predict;
     struct single keep;
     const struct ode2 *ode;
     struct effort *effort;
@@ -29,8 +31,7 @@ struct newmark {
     struct instant x; /* the end under trial */
     double *q, *v, *dx, *a, *hs;
     const double *q0, *v0, *a0;
-    double *aold;
-    double h, hold, hfactor;
+    double h, hfactor;
     double w0[POWER_CHANNELS], w[POWER_CHANNELS]; /* power at the start and at the end */
 };
 
@@ -47,12 +48,12 @@ static void open(struct stepper *s, struct arena *life)
     newton_open(&m->newton, o, &s->effort, &s->options, life);
     if (m->fixed_point && s->options.sweeps <= 0) m->newton.limit = 50;
     matrix_open(&m->J, o, &s->effort, life);
+    predict_open(&m->predict, o->n, life);
     single_open(&m->keep, o, life);
     m->q = TAKE(life, double, o->nq);
     m->v = TAKE(life, double, o->n);
     m->dx = TAKE(life, double, o->n);
     m->a = TAKE(life, double, o->n);
-    m->aold = TAKE(life, double, o->n);
     m->hs = TAKE(life, double, o->n);
     s->self = m;
 }
@@ -118,18 +119,15 @@ static void no_solve(void *self, double *dz)
     (void)self, (void)dz;
 }
 
-/* a1 from the two last steps; (2-10*) for the fixed point.  Returns the step's local error
- * h/12 |a1 - a0| as a velocity, in scales (Zienkiewicz & Xie 1991, beta = 1/4). */
+/* a1 from the steps before; (2-10*) for the fixed point.  Returns the step's local error, in scales; negative:
+ * unknown. */
 static double predict(struct newmark *m, const struct state *x, int fresh)
 {
-    double local = 0, s = fresh ? 0 : m->h / m->hold;
-    for (int i = 0; i < m->ode->n; i++) {
-        double da = s * (x->a[i] - m->aold[i]);
-        m->a[i] = m->fixed_point ? x->a[i] : x->a[i] + da;
-        m->hs[i] = m->h;
-        local = fmax(local, fabs(m->h / 12 * da) * m->newton.per[i]);
-    }
-    return fresh ? -1 : local;
+    for (int i = 0; i < m->ode->n; i++) m->hs[i] = m->h;
+    if (fresh) predict_forget(&m->predict);
+    predict_make(&m->predict, m->a, m->h == m->hfactor ? &m->J : NULL, m->h, x->v, x->a, m->h / 2);
+    if (m->fixed_point) copy(m->a, x->a, m->ode->n);
+    return fresh ? -1 : predict_error(&m->predict, m->h, m->newton.per);
 }
 
 static void accept(struct newmark *m, struct stepper *s, struct state *x, double t1)
@@ -141,12 +139,11 @@ static void accept(struct newmark *m, struct stepper *s, struct state *x, double
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->h / 2 * (m->w0[c] + m->w[c]);
     copy(m->w0, m->w, POWER_CHANNELS);
     place(m, m->a);
-    copy(m->aold, x->a, n);
+    predict_keep(&m->predict, m->a, x->a, m->h, m->newton.per);
     copy(x->a, m->a, n);
     copy(x->q, m->q, m->ode->nq);
     copy(x->v, m->v, n);
     x->t = t1;
-    m->hold = m->h;
     newton_scale(&m->newton, x->v, x->a, m->h);
 }
 

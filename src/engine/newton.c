@@ -9,11 +9,16 @@
 /* Round-off stop: no further decrease while tiny, relative and in SI units; with a matrix of this very
  * iterate (so that a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
 static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
-static const double POWERED = 1e2;    /* tolerances the last correction may have where power is integrated */
+static const double ROUGH = 1e-9;     /* corrections above show what a matrix is worth */
 static const double LATER = .1;       /* of the least contraction that is believed, after two iterations */
+static const double AT_ONCE = .03;    /* of the tolerance, after one iteration: its contraction is hearsay */
+static const double POWERED = 1e2;    /* tolerances the last correction may have where power is integrated */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
 static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
-enum { LIMIT = 30, ENERGY_LIFE = 16, MOST_REFRESHED = 4 };
+static const double FAR = 1e4;        /* times the energy that is known: too far to look at it anew */
+static const double SLUGGISH = .3;    /* contraction that asks for a new matrix */
+static const double PRICE = 2;        /* of one, in evaluations, where its owner does not know */
+enum { LIMIT = 30, ENERGY_LIFE = 32, MOST_REFRESHED = 4 };
 
 void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effort, const struct step_options *options,
                  struct arena *life)
@@ -33,6 +38,9 @@ void newton_forget(struct newton *nt)
     zero(nt->scale, nt->ode->n);
     nt->top = nt->energy = 0;
     nt->age = ENERGY_LIFE;
+    contraction_forget(&nt->contraction);
+    renewal_forget(&nt->renewal, nt->ode->price > 0 ? nt->ode->price : PRICE);
+    nt->count = nt->refreshed = 0;
     nt->theta = 1;
     nt->stale = 1;
 }
@@ -52,8 +60,21 @@ void newton_scale(struct newton *nt, const double *v, const double *a, double H)
     for (int i = 0; i < nt->ode->n; i++) nt->per[i] = 1 / fmax(nt->scale[i], fmax(AT_REST * nt->top, DBL_MIN));
 }
 
+/* What the last step has shown; nothing bad where it has come down to round-off. */
+static void look_back(struct newton *nt)
+{
+    if (nt->count == 0 || nt->pairs) return;
+    const int norm = nt->first_square > 0 && nt->square > 0;
+    const double fall = norm ? sqrt(nt->first_square / nt->square) : nt->first / fmax(nt->last, DBL_MIN);
+    double need = renewal_need(nt->first, nt->tol, fmin(fall, 1 / DBL_EPSILON), nt->count);
+    if (nt->rounding && nt->renewal.need > 0) need = fmin(need, nt->renewal.need);
+    if (renewal_due(&nt->renewal, need, nt->refreshed > 0)) nt->stale = 1;
+}
+
 void newton_begin(struct newton *nt, double local)
 {
+    look_back(nt);
+    contraction_begin(&nt->contraction);
     nt->tol = nt->tolerance;
     if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : fmin(1e-8, fmax(1e-13, 1e-3 * local));
     nt->theta = sqrt(nt->theta) * sqrt(sqrt(nt->theta)); /* a theta not measured anew grows towards 1 */
@@ -66,8 +87,9 @@ void newton_refreshed(struct newton *nt)
     nt->fresh = 2;
     nt->refreshed++;
     nt->bad = 0;
-    nt->theta = 1;
     nt->stale = 0;
+    nt->theta = 1;
+    contraction_renewed(&nt->contraction);
 }
 
 /* v . M v at x as v . (r(a = v) - r(a = 0)). */
@@ -94,12 +116,13 @@ void newton_energy(struct newton *nt, const struct instant *x)
 
 static int small_energy(struct newton *nt, double square, const struct instant *x)
 {
-    int due = nt->age >= ENERGY_LIFE ? 2 : 0;
-    nt->effort->slow += due;
-    nt->effort->fast += due;
-    newton_energy(nt, x);
-    double part = BY_ENERGY * nt->tol;
-    return fabs(square) <= part * part * nt->energy;
+    const double part = BY_ENERGY * nt->tol, least = fabs(square) / (part * part);
+    if (nt->age >= (least <= FAR * nt->energy ? 1 : 4) * ENERGY_LIFE) {
+        nt->effort->slow += 2;
+        nt->effort->fast += 2;
+        newton_energy(nt, x);
+    }
+    return least <= nt->energy;
 }
 
 static enum verdict later_iterate(struct newton *nt, double err, double small, double square, double theta,
@@ -110,28 +133,58 @@ static enum verdict later_iterate(struct newton *nt, double err, double small, d
         nt->remain = 1;
         return CONVERGED;
     }
-    if (theta > .3 && nt->fresh <= 0 && nt->refreshed < MOST_REFRESHED) return REFRESH;
+    if (theta > SLUGGISH && nt->fresh <= 0 && nt->refreshed < MOST_REFRESHED) return REFRESH;
     nt->bad += theta > .9;
     return nt->bad >= 2 ? FAILED : CONTINUE;
+}
+
+/* Of pairs: theta as far as it is believed. */
+static double believed(const struct newton *nt, double theta, double err)
+{
+    theta = fmax(theta, nt->count > 2 ? LATER * nt->trust : nt->trust);
+    return nt->count > 2 ? fmax(theta, sqrt(err / nt->last2)) : theta;
+}
+
+/* theta of the iteration, but no larger than in the norm of energy: corrections of coordinates that others move while
+ * they rest themselves come late, however good the matrix is. */
+static double rate_of(const struct newton *nt, double err, double square)
+{
+    if (nt->pairs) return nt->count > 2 ? sqrt(err / nt->last2) : fmax(nt->trust, err / nt->last);
+    double theta = err / nt->last;
+    return square > 0 && nt->square > 0 ? fmin(theta, sqrt(square / nt->square)) : theta;
+}
+
+/* The contraction to expect next. */
+static double expected(struct newton *nt, double err)
+{
+    int first = nt->count == 1;
+    double theta = first ? nt->theta : err / nt->last;
+    if (!nt->pairs) return contraction_after(&nt->contraction, first ? 1 : theta);
+    theta = believed(nt, theta, err);
+    if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
+    return theta;
 }
 
 enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x)
 {
     int first = nt->count++ == 0;
-    double theta = first ? nt->theta : err / nt->last;
+    nt->rounding = err <= TINY || small <= TINY_SI;
     nt->effort->sweeps++;
     nt->fresh--;
     if (!(err <= DBL_MAX)) return FAILED;
-    theta = fmax(theta, nt->count > 2 ? LATER * nt->trust : nt->trust);
-    double rate = nt->pairs && nt->count > 2 ? sqrt(err / nt->last2) : theta;
-    if (nt->pairs) theta = fmax(theta, rate);
+    double theta = expected(nt, err), rate = first ? 1 : rate_of(nt, err, square);
+    double tol = first && !nt->pairs ? AT_ONCE * nt->tol : nt->tol;
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
-    int done = err == 0 || (nt->remain * err <= nt->tol && (!nt->powered || err <= POWERED * nt->tol));
+    int done = err == 0 || (nt->remain * err <= tol && (!nt->powered || err <= POWERED * nt->tol));
     if (err == 0) nt->remain = 0;
-    if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
-    if (!first && rate > .3 && nt->last > 1e-9) nt->stale = 1;
+    if (first) {
+        nt->first = err;
+        nt->first_square = fmax(0, square);
+    }
+    if (!first && rate > SLUGGISH && nt->last > ROUGH && !nt->rounding) nt->stale = 1;
     nt->last2 = nt->last;
     nt->last = err;
+    nt->square = square;
     if (done) return CONVERGED;
     enum verdict v = first ? CONTINUE : later_iterate(nt, err, small, square, rate, x);
     return v == CONTINUE && nt->count >= nt->limit ? FAILED : v;

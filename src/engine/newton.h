@@ -1,9 +1,9 @@
 /* newton.h -- the simplified Newton iteration of all implicit schemes, and when it may stop.
  *
- * The matrix is kept over iterations and steps until the contraction theta = |dz_k| / |dz_k-1| is
- * above 0.3.  An iterate is accepted when the rest of the geometric series, theta/(1-theta) |dz|, is
- * below the tolerance; theta of the last step serves for the first iteration (Hairer & Wanner, Solving
- * Ordinary Differential Equations II, IV.8, (8.10)).
+ * The matrix is kept over iterations and steps until another pays (renewal.h), or until the contraction
+ * theta = |dz_k| / |dz_k-1| is above 0.3, and in the norm of energy, too, where that is one.  An iterate is accepted
+ * when the rest of the geometric series, theta/(1-theta) |dz|, is below the tolerance (Hairer & Wanner, Solving
+ * Ordinary Differential Equations II, IV.8, (8.10)), with the theta that is to be expected next (contraction.h).
  *
  * Corrections are measured as velocities against the running maximum of |v_i| and |H a_i| of each
  * coordinate.  A coordinate at rest has no such scale; there the energy of the correction,
@@ -12,6 +12,8 @@
 #define FMDSUB_ENGINE_NEWTON_H
 
 #include "base/arena.h"
+#include "engine/contraction.h"
+#include "engine/renewal.h"
 #include "engine/stepper.h"
 
 enum verdict { CONVERGED, CONTINUE, REFRESH, FAILED };
@@ -26,19 +28,23 @@ struct newton {
     double top;          /* largest scale */
     double energy;       /* running maximum of v . M v */
     int age;             /* steps since energy was looked at */
-    double theta;        /* contraction to expect of the first iteration; 1: unknown */
-    double trust;        /* least contraction that is believed: a large part of the error may vanish at once and
-                          * leave a small one that converges slowly, which shows from the third iteration on */
-    int pairs;           /* errors go round two blocks of unknowns: contraction is measured over two iterations */
-    int stale;           /* a fresh matrix is due at the next step */
+    struct contraction contraction;
+    struct renewal renewal;
+    int pairs;    /* errors go round two blocks of unknowns: contraction is measured over two iterations, */
+    double theta; /* that to expect of the first one is the last step's, */
+    double trust; /* and this is the least that is believed: a large part of the error may vanish at once and leave a
+                   * small one that converges slowly, which shows from the third iteration on */
+    int stale;    /* a fresh matrix is due at the next step */
 
     /* of the iteration under way */
-    double tol, last, last2, remain; /* remain: what is left of the last residual, as a factor */
-    int count;                       /* iterations done */
-    int fresh;                       /* > 0: the matrix belongs to this or the last iterate */
+    double tol, first, last, last2, remain; /* remain: what is left of the last residual, as a factor */
+    double first_square, square;            /* energy of the first and of the last correction */
+    int count;                              /* iterations done */
+    int fresh;                              /* > 0: the matrix belongs to this or the last iterate */
     int bad, refreshed;
-    int powered; /* some power flows: its quadrature wants the last correction small too */
-    int worst;   /* row of the largest correction */
+    int rounding; /* the last correction is of the size of round-off */
+    int powered;  /* some power flows: its quadrature wants the last correction small too */
+    int worst;    /* row of the largest correction */
 };
 
 /* What is solved: r(z) = 0, z and dz accelerations. */

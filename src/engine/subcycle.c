@@ -81,8 +81,8 @@ static void open(struct stepper *s, struct arena *life)
     c->plain = midpoint_new(s, life);
     newton_open(&c->newton, o, &s->effort, &s->options, life);
     if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
-    c->newton.trust = .1;
     c->newton.pairs = 1;
+    c->newton.trust = .1;
     decouple_open(&c->dec, o, &s->effort, life);
     response_open(&c->resp, &c->dec, life);
     minor_open(&c->here, &c->resp, life);

@@ -1,4 +1,4 @@
-/* motion.c -- see affine.h
+/* affine.c -- see affine.h
  *
  * All that is linear in q stands in one table, base + change q with a column for each coordinate: the slopes of the
  * c_a, dJ^/dq and G^; so a shape costs one product.  In the same way `fast` holds what is multiplied by q': twice
@@ -13,25 +13,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "flex/affine_parts.h"
 #include "la/dense.h"
 #include "la/eigen.h"
-#include "la/vec3.h"
 
 static const double THIN = 1e-12; /* of the largest principal moment: no extension */
-
-struct affine {
-    const struct flex_body *body;
-    int n, na;            /* coordinates, vectors c_a */
-    double root;          /* of the mass */
-    double weight[4][3];  /* c_a = int p (x . weight_a) dm, a > 0 */
-    double c[4][3], J[6]; /* undeformed; J^ = rot */
-    int rows, fixed;      /* rows of base, and of these the first that do not change: without s */
-    double *base;         /* [rows]: dc_a/dq [3 x n] each, dJ^/dq [6 x n], G^ [3 x n] of the undeformed body */
-    double *change;       /* [rows - fixed, by n] its rate with q */
-    int nfast;            /* 3 n, with s and xs more */
-    double *fast;         /* [nfast by n]: 2 Y, d2c_a/dq2 */
-    double *Me;           /* [n x n] M^ */
-};
 
 /* --- tables ------------------------------------------------------------------------------------- */
 
@@ -138,21 +124,8 @@ void affine_take(struct affine_shape *o, const struct affine *k, struct arena *l
     double *all = TAKE(life, double, k->rows);
     *o = (struct affine_shape){.C = all, .dJ = all + k->rows - 9 * k->n, .rest = all + k->rows - 3 * k->n};
     o->work = TAKE(life, double, k->nfast);
+    o->later = TAKE(life, double, k->nfast);
     memcpy(all, k->base, sizeof *all * (size_t)k->rows);
-}
-
-/* o [m] += A x, A [m x n] of so few rows that they stay in registers. */
-static inline void add3(double *o, const double *A, const double *x, int n)
-{
-    for (int j = 0; j < n; j++) v3_axpy(o, x[j], A + 3 * j);
-}
-
-static inline void add6(double *o, const double *A, const double *x, int n)
-{
-    double sum[6] = {0};
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < 6; i++) sum[i] += x[j] * A[6 * j + i];
-    for (int i = 0; i < 6; i++) o[i] += sum[i];
 }
 
 void affine_at(struct affine_shape *o, const struct affine *k, const double *q)
@@ -196,17 +169,8 @@ static void particle(double *F, double *N, double *Q, const struct affine *k, co
 {
     const int n = k->n;
     const double *c = o->c[a], *C = o->C + 3 * n * a;
-    double g[3] = {0, 0, 0}, v[3] = {0, 0, 0}, x[3];
-    if (a == 0) v3_axpy(g, k->root, a0);
-    v3_cross_add(g, al, c);
-    v3_cross(x, w, c);
-    if (q1) {
-        add3(v, C, q1, n);
-        v3_axpy(x, 2, v);
-    }
-    v3_cross_add(g, w, x);
-    if (q1 && !k->fixed) add3(g, o->work + 3 * n * (a + 1), q1, n);
-    if (q2) add3(g, C, q2, n);
+    double g[3];
+    affine_vector(g, k, o, a, a0, w, al, q1, q2);
     if (a == 0) v3_scale(F, k->root, g);
     v3_cross_add(N, c, g);
     for (int j = 0; j < n; j++) Q[j] += v3_dot(C + 3 * j, g);

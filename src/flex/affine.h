@@ -42,7 +42,7 @@ struct affine_shape {
     double *C;             /* [3 x n] each: dc_a/dq */
     double *dJ;            /* [6 x n] dJ^/dq */
     double *rest;          /* [3 x n] G^ */
-    double *work;
+    double *work, *later;  /* [nfast] */
 };
 void affine_take(struct affine_shape *o, const struct affine *k, struct arena *life);
 void affine_at(struct affine_shape *o, const struct affine *k, const double *q);
@@ -53,6 +53,15 @@ void affine_mass_column(double *M, double *H, double *G, const struct affine *k,
 /* F [3], N [3], Q [n] (written); each of q1 = q', q2 = q'' may be NULL: zero. */
 void affine_inertia(double *F, double *N, double *Q, const struct affine *k, const struct affine_shape *shape,
                     const double *a, const double *w, const double *al, const double *q1, const double *q2);
+
+/* K = dQ/dq, C = dQ/dq' [n x n] += at fixed a, w, al, q'', and dm/dq, dm/dq' [3 x n] (written) of the moment
+ * m = N - p x F about the point p. */
+void affine_slopes(double *K, double *C, double *mK, double *mC, const struct affine *k,
+                   const struct affine_shape *shape, const double *p, const double *a, const double *w,
+                   const double *al, const double *q1, const double *q2);
+/* What Q [n] and m [3] (written) change by along da, dw, dal; after affine_slopes() at the same w, q1. */
+void affine_along(double *Q, double *m, const struct affine *k, const struct affine_shape *shape, const double *p,
+                  const double *da, const double *dw, const double *dal, const double *w, const double *q1);
 
 /* P = dT/dv, L = dT/dw, T [J], which may be NULL. */
 void affine_momentum(double *P, double *L, double *T, const struct affine *k, const struct affine_shape *o,

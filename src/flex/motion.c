@@ -4,20 +4,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "flex/motion_parts.h"
 #include "la/dense.h"
 #include "la/eigen.h"
-#include "la/vec3.h"
 
 enum { SERIES = 12 };             /* terms, for turns up to pi */
 static const double THIN = 1e-12; /* of the largest moment of inertia: no turn about that axis */
-
-struct flex_kernel {
-    const struct flex_body *body;
-    int n;
-    double pivot[3];       /* the reference node */
-    struct flex_node mean; /* psi: Theta */
-    struct affine *in;
-};
 
 /* --- the mean frame ----------------------------------------------------------------------------- */
 
@@ -61,25 +53,18 @@ struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *l
 void flex_shape_take(struct flex_shape *o, const struct flex_kernel *k, struct arena *life)
 {
     *o = (struct flex_shape){.dw = TAKE(life, double, 3 * k->n), .lever = TAKE(life, double, 3 * k->n)};
+    o->work = TAKE(life, double, 7 * k->n);
     affine_take(&o->in, k->in, life);
-}
-
-/* o [m] += A x, A [m x n] of so few rows that they stay in registers. */
-static inline void add3(double *o, const double *A, const double *x, int n)
-{
-    for (int j = 0; j < n; j++) v3_axpy(o, x[j], A + 3 * j);
 }
 
 /* The turn by theta = Theta q: R = exp(theta x), wt = T theta'.  With s = theta.theta, a = (1 - cos)/s and
  * b = (1 - sin/sqrt(s))/s as power series,
  *
  *     R = 1 + (1 - s b) theta x + a theta x theta x,    T = 1 + a theta x + b theta x theta x. */
-static void turn_mean(struct flex_shape *o, const struct flex_kernel *k, const double *q)
+void flex_turn(struct flex_shape *o, const double *pivot)
 {
-    double *t = o->theta, s, term = .5;
-    v3_set(t, 0, 0, 0);
-    add3(t, k->mean.psi, q, k->n);
-    s = v3_dot(t, t);
+    const double *t = o->theta, s = v3_dot(t, t);
+    double term = .5;
     o->a = o->b = o->a1 = o->b1 = 0;
     for (int i = 0; i < SERIES; i++) { /* term = s^i / (2 i + 2)!, of alternating sign; its slope by s takes i/s */
         o->a += term;
@@ -97,15 +82,27 @@ static void turn_mean(struct flex_shape *o, const struct flex_kernel *k, const d
         v3_axpy(o->R + 3 * i, 1 - s * o->b, x);
         v3_axpy(o->R + 3 * i, o->a, y);
     }
-    for (int j = 0; j < k->n; j++) {
-        const double *psi = k->mean.psi + 3 * j;
-        double x[3], y[3], *dw = o->dw + 3 * j;
-        v3_cross(x, t, psi);
-        v3_cross(y, t, x);
-        v3_copy(dw, psi);
-        v3_axpy(dw, o->a, x);
-        v3_axpy(dw, o->b, y);
-    }
+    m3_mul(o->y, o->R, pivot);
+    v3_scale(o->y, -1, o->y);
+    v3_sum(o->d, pivot, o->y);
+}
+
+void flex_turned(double *y, const struct flex_shape *o, const double *x)
+{
+    double u[3], v[3];
+    v3_cross(u, o->theta, x);
+    v3_cross(v, o->theta, u);
+    v3_copy(y, x);
+    v3_axpy(y, o->a, u);
+    v3_axpy(y, o->b, v);
+}
+
+static void turn_mean(struct flex_shape *o, const struct flex_kernel *k, const double *q)
+{
+    v3_set(o->theta, 0, 0, 0);
+    add3(o->theta, k->mean.psi, q, k->n);
+    flex_turn(o, k->pivot);
+    for (int j = 0; j < k->n; j++) flex_turned(o->dw + 3 * j, o, k->mean.psi + 3 * j);
 }
 
 /* T' theta'. */
@@ -139,9 +136,6 @@ void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const doub
     double h[3];
     affine_at(&o->in, k->in, q);
     turn_mean(o, k, q);
-    m3_mul(o->y, o->R, k->pivot);
-    v3_scale(o->y, -1, o->y);
-    v3_sum(o->d, k->pivot, o->y);
     m3_mul(h, o->R, o->in.h);
     v3_copy(o->h, h);
     v3_axpy(o->h, k->body->mass, o->d);
@@ -151,17 +145,13 @@ void flex_shape_at(struct flex_shape *o, const struct flex_kernel *k, const doub
 
 /* --- inertia ------------------------------------------------------------------------------------ */
 
-/* The motion of the mean frame: a, w, al from those of the frame, in its own axes. */
-static void carry(double *a1, double *w1, double *al1, const struct flex_kernel *k, const struct flex_shape *o,
-                  const double *a, const double *w, const double *al, const double *q1, const double *q2)
+void flex_carry(double *a1, double *w1, double *al1, const struct flex_shape *o, const double *a, const double *w,
+                const double *al, const double *t1, const double *t2)
 {
-    double wt[3] = {0, 0, 0}, at[3] = {0, 0, 0}, t1[3] = {0, 0, 0}, x[3], acc[3], spin[3];
-    if (q1) {
-        add3(wt, o->dw, q1, k->n);
-        add3(t1, k->mean.psi, q1, k->n);
-        turn_rate(at, o, t1);
-    }
-    if (q2) add3(at, o->dw, q2, k->n);
+    double wt[3], at[3], x[3], acc[3], spin[3];
+    flex_turned(wt, o, t1);
+    flex_turned(at, o, t2);
+    turn_rate(at, o, t1);
     v3_copy(acc, a);
     v3_cross_add(acc, al, o->d);
     v3_cross_add(acc, at, o->y);
@@ -184,8 +174,10 @@ void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, 
                   const double *q2, bool elastic)
 {
     const int n = k->n;
-    double a1[3], w1[3], al1[3], f[3], moment[3];
-    carry(a1, w1, al1, k, shape, a, w, al, q1, q2);
+    double a1[3], w1[3], al1[3], f[3], moment[3], t1[3] = {0, 0, 0}, t2[3] = {0, 0, 0};
+    if (q1) add3(t1, k->mean.psi, q1, n);
+    if (q2) add3(t2, k->mean.psi, q2, n);
+    flex_carry(a1, w1, al1, shape, a, w, al, t1, t2);
     affine_inertia(f, moment, Q, k->in, &shape->in, a1, w1, al1, q1, q2);
     m3_mul(F, shape->R, f);
     m3_mul(N, shape->R, moment);

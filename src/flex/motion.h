@@ -28,12 +28,13 @@ struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *l
 
 /* What depends on q alone. */
 struct flex_shape {
-    double h[3];    /* first moment */
-    double J[6];    /* inertia about the origin: xx yy zz xy xz yz */
-    double R[9], c; /* mean frame to frame, by column; 1/(1 + theta.theta/4) */
+    double h[3]; /* first moment */
+    double J[6]; /* inertia about the origin: xx yy zz xy xz yz */
+    double R[9]; /* mean frame to frame, by column */
     double theta[3], d[3], y[3];
     double a, b, a1, b1;    /* of the turn, and slopes by theta.theta */
     double *dw;             /* [3 x n] */
+    double *work;           /* [7 n] of flex_slopes() */
     double *lever;          /* [3 x n] of flex_mass_column(), columns so far */
     struct affine_shape in; /* in the mean frame */
 };
@@ -49,6 +50,11 @@ void flex_mass_column(double *M, double *H, double *G, const struct flex_kernel 
 void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *shape,
                   const double *a, const double *w, const double *al, const double *q, const double *q1,
                   const double *q2, bool elastic);
+
+/* K = dQ/dq, C = dQ/dq' [n x n] += at fixed a, w, al and q'', without stiffness and damping: what turning about does to
+ * the coordinates, unsymmetric.  After flex_shape_at(q). */
+void flex_slopes(double *K, double *C, const struct flex_kernel *k, const struct flex_shape *shape, const double *a,
+                 const double *w, const double *al, const double *q1, const double *q2);
 
 /* Momentum P = dT/dv and angular momentum about the origin L = dT/dw; kinetic energy T, which may be NULL [J]. */
 void flex_momentum(double *P, double *L, double *T, const struct flex_kernel *k, const struct flex_shape *shape,

@@ -158,9 +158,7 @@ static bool are_few(const struct condense *o)
     const double n = o->ode.n, nt = o->nt;
     double matrix = nt * nt;
     for (int i = 0; i < o->ncomponent; i++) matrix += (double)o->component[i].ni * o->component[i].nr * (nt + n) / 2;
-    for (int i = 0; i < o->model->nbody; i++)
-        if (o->model->body[i].nmode) return false;
-    return matrix > COLUMN * (n + 1) * nt;
+    return o->elastic->n == 0 && matrix > COLUMN * (n + 1) * nt;
 }
 
 /* The number of independents is known. */
@@ -203,6 +201,7 @@ struct condense *condense_build(struct tree *tree, const double *q0, const doubl
     o->sweep = tree->sweep;
     o->elements = tree->elements;
     o->moves = &tree->moves;
+    o->elastic = &tree->elastic;
     o->nt = m->n;
     o->loops = loops_build(m, o->ops, life);
     o->seen = loops_build(m, o->ops, life);
@@ -225,6 +224,7 @@ struct condense *condense_build(struct tree *tree, const double *q0, const doubl
     build_workspace(o, life);
     o->start.status = condense_begin(o, q0, v0);
     build_matrices(o, life);
+    if (o->start.status == OK) o->ode.price = condense_price(o);
     return o;
 }
 

@@ -115,6 +115,7 @@ struct condense {
     double *still, *Tx;      /* [nt] */
     double *Ty;              /* [2][n] */
     struct elements *elements;
+    struct elastic *elastic;
     double *qtry, *way;           /* [nq], [nt] */
     double *side[2];              /* [nq] postures beside a singular one */
     double *aside, *mean;         /* [nt] */
@@ -230,7 +231,9 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
 /* o->q, v [nt]: the deck's q0, v0 with the least change in the mass metric that lets C = 0 and C' = 0 hold at t = 0. */
 enum status condense_assemble(struct condense *o, double *v, const double *q0, const double *v0);
 
-extern const struct ode2_ops condense_ops;   /* condense_reduce.c */
+extern const struct ode2_ops condense_ops; /* condense_reduce.c */
+/* ode2.price at the start. */
+double condense_price(struct condense *o);
 extern const struct ode2_move condense_move; /* condense_close.c */
 
 #endif

@@ -292,4 +292,54 @@ static enum status slopes(const struct ode2 *ode, double *K, double *C, const st
     return OK;
 }
 
-const struct ode2_ops condense_ops = {.resid = resid, .mass = mass, .slopes = slopes};
+/* Does the frame of a body move as drives say, whatever the independents do, and not its coordinates? */
+static bool is_driven(const struct condense *o, const struct elastic_body *b)
+{
+    const int *path, n = o->ops->path(o->sweep, &path, b->number);
+    for (int k = 0; k < b->model->nmode; k++)
+        if (o->slot[b->model->mode_v[k]] < 0) return false;
+    for (int k = 0; k < n; k++) {
+        if (o->slot[path[k]] >= 0) return false;
+        const struct component *c = &o->component[o->owner[path[k]]];
+        const double *g = c->G + c->place[o->column[path[k]]];
+        for (int j = 0; j < c->ni; j++)
+            if (g[(size_t)j * (size_t)c->nr] != 0) return false;
+    }
+    return true;
+}
+
+/* Counted in instructions. */
+double condense_price(struct condense *o)
+{
+    struct trouble why;
+    double price = 1;
+    if (o->elastic->n == 0 || prepare_T(o, o->q, 0, &why) != OK) return price;
+    for (int i = 0; i < o->elastic->n; i++)
+        if (is_driven(o, &o->elastic->body[i])) price = 3;
+    return price;
+}
+
+/* Bodies whose frames the independents move, too, are left out: where a frame can give way to its coordinates, what
+ * holds for a frame that moves as given is far from true.  G is that of slopes(). */
+static enum status turning(const struct ode2 *ode, double *K, double *C, const struct instant *x, unsigned cls,
+                           struct trouble *why)
+{
+    struct condense *o = ode->self;
+    const struct instant whole = {.q = x->q, .v = o->vt, .a = o->at};
+    bool moving = false;
+    for (int i = 0; i < o->elastic->n; i++) {
+        struct elastic_body *b = &o->elastic->body[i];
+        struct pose frame;
+        if (!elastic_in_class(b, (enum rate)cls) || !is_driven(o, b)) continue;
+        if (!moving) {
+            TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
+            o->ops->forward(o->sweep, x->q, o->vt, o->at, cls);
+            moving = true;
+        }
+        o->ops->pose(o->sweep, &frame, b->number);
+        elastic_turning(b, K, C, ode->n, o->slot, &frame, o->model->gravity, &whole);
+    }
+    return OK;
+}
+
+const struct ode2_ops condense_ops = {.resid = resid, .mass = mass, .slopes = slopes, .turning = turning};

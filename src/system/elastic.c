@@ -1,6 +1,8 @@
 /* elastic.c -- see elastic.h */
 #include "system/elastic.h"
 
+#include <string.h>
+
 #include "la/vec3.h"
 #include "system/ode2.h"
 
@@ -19,6 +21,8 @@ void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
         e->q1 = TAKE(life, double, b->nmode);
         e->q2 = TAKE(life, double, b->nmode);
         e->Q = TAKE(life, double, b->nmode);
+        e->K = TAKE(life, double, b->nmode * b->nmode);
+        e->C = TAKE(life, double, b->nmode * b->nmode);
     }
 }
 
@@ -85,6 +89,33 @@ static void gather(struct elastic_body *o, const double *q, const double *v, con
         if (a) o->q2[i] = a[b->mode_v[i]];
     }
     flex_shape_at(&o->shape, o->kernel, o->q);
+}
+
+bool elastic_in_class(const struct elastic_body *o, enum rate cls)
+{
+    return in_class(o->model, cls);
+}
+
+void elastic_turning(struct elastic_body *o, double *K, double *C, int n, const int *slot, const struct pose *frame,
+                     const double *gravity, const struct instant *x)
+{
+    const struct model_body *b = o->model;
+    const size_t bytes = sizeof *o->K * (size_t)(b->nmode * b->nmode);
+    double up[3], a[3], w[3], al[3];
+    gather(o, x->q, x->v, x->a);
+    v3_diff(up, frame->a, gravity);
+    m3_tmul(a, frame->R, up);
+    m3_tmul(w, frame->R, frame->w);
+    m3_tmul(al, frame->R, frame->al);
+    memset(o->K, 0, bytes);
+    memset(o->C, 0, bytes);
+    flex_slopes(o->K, o->C, o->kernel, &o->shape, a, w, al, o->q1, o->q2);
+    for (int j = 0; j < b->nmode; j++)
+        for (int i = 0; i < b->nmode; i++) {
+            const int at = slot[b->mode_v[i]] + n * slot[b->mode_v[j]];
+            K[at] += o->K[i + b->nmode * j];
+            C[at] += o->C[i + b->nmode * j];
+        }
 }
 
 /* In the frame P and H about its origin; about the world's H + r x P. */

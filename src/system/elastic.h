@@ -21,6 +21,7 @@ struct elastic_body {
     struct flex_kernel *kernel;
     struct flex_shape shape;
     double *q, *q1, *q2, *Q; /* [nmode] at hand */
+    double *K, *C;           /* [nmode x nmode] */
 };
 
 void elastic_build(struct elastic *o, const struct model *m, struct arena *life);
@@ -31,6 +32,11 @@ double elastic_stored(const struct elastic *o, const double *q);
 double elastic_lost(const struct elastic *o, const double *v, enum rate cls);
 /* K and C [n x n] += those of a class; either may be NULL. */
 void elastic_slopes(const struct elastic *o, double *K, double *C, int n, enum rate cls);
+bool elastic_in_class(const struct elastic_body *o, enum rate cls);
+/* K and C [n x n] += what the inertia of one body takes more, by its coordinates and their rates, while its frame moves
+ * as given: unsymmetric.  slot [of the model's velocities]: their places in K; x with a. */
+void elastic_turning(struct elastic_body *o, double *K, double *C, int n, const int *slot, const struct pose *frame,
+                     const double *gravity, const struct instant *x);
 
 /* p += momentum, L += angular momentum about the world's origin of a body whose frame moves so. */
 void elastic_momentum(double *p, double *L, struct elastic_body *o, const struct pose *frame, const double *q,

@@ -49,6 +49,10 @@ struct ode2_ops {
      * potentials and dampers.  Either may be NULL. */
     enum status (*slopes)(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
                           struct trouble *why);
+    /* K and C += what slopes() leaves out: how the inertia of parts that bend changes while they turn.  Unsymmetric,
+     * may be approximate: for iteration matrices only.  x with a; right after slopes() there.  Optional. */
+    enum status (*turning)(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
+                           struct trouble *why);
 };
 
 /* Positions moved by quasi-displacements.  NULL: q1 = q0 + s dx, nq = n. */
@@ -105,10 +109,11 @@ struct ode2_breaks {
 };
 
 struct ode2 {
-    int n;    /* independent velocities */
-    int ns;   /* of these fast, the first ns */
-    int nq;   /* positions, >= n */
-    int near; /* resid(FAST) depends on, and has rows in, the first `near` velocities only; 0: not known */
+    int n;        /* independent velocities */
+    int ns;       /* of these fast, the first ns */
+    int nq;       /* positions, >= n */
+    double price; /* of mass(), slopes(), turning() and a dense factor, in evaluations of resid(ALL); 0: not known */
+    int near;     /* resid(FAST) depends on, and has rows in, the first `near` velocities only; 0: not known */
     const struct ode2_ops *ops;   /* required */
     const struct ode2_move *move; /* the rest optional */
     const struct ode2_direct *direct;

@@ -279,6 +279,7 @@ void tree_build(struct tree *o, const struct model *m, struct arena *life)
                            .ns = m->ns,
                            .nq = m->nq,
                            .near = m->near,
+                           .price = o->elastic.n ? 3 : 2, /* counted in instructions */
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &o->direct,

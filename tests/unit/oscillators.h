@@ -141,7 +141,7 @@ static inline enum status linear_slopes(const struct ode2 *o, double *K, double 
 
 static inline void linear_open(struct linear *s, int n, int ns)
 {
-    static const struct ode2_ops ops = {linear_resid, linear_mass, linear_slopes};
+    static const struct ode2_ops ops = {.resid = linear_resid, .mass = linear_mass, .slopes = linear_slopes};
     memset(s, 0, sizeof *s);
     s->ode = (struct ode2){.n = n, .ns = ns, .nq = n, .ops = &ops, .self = s};
 }
@@ -234,7 +234,7 @@ static inline enum status chain_slopes(const struct ode2 *o, double *K, double *
 /* Uniform rods of mass and length 1. */
 static inline void chain_open(struct chain *s, double k_outer, double k_inner, double g)
 {
-    static const struct ode2_ops ops = {chain_resid, chain_mass, chain_slopes};
+    static const struct ode2_ops ops = {.resid = chain_resid, .mass = chain_mass, .slopes = chain_slopes};
     *s = (struct chain){.l1 = 1, .j1 = 1. / 3, .md1 = .5, .m2 = 1, .j2 = 1. / 3, .d2 = .5, .g = g};
     s->k[0] = k_outer;
     s->k[1] = k_inner;
@@ -417,7 +417,7 @@ static inline enum status carrier_slopes(const struct ode2 *o, double *K, double
 
 static inline void carrier_open(struct carrier *s, int slider)
 {
-    static const struct ode2_ops ops = {carrier_resid, carrier_mass, carrier_slopes};
+    static const struct ode2_ops ops = {.resid = carrier_resid, .mass = carrier_mass, .slopes = carrier_slopes};
     static const struct ode2_move move = {.point = carrier_point, .diff = carrier_diff, .rate = carrier_rate};
     *s = (struct carrier){.J = {2, 3, 1.5}, .md = {.1, 0, .8}, .m = .5, .at = {.7, .2, .3}, .k = 200, .g = 9.81};
     s->ode = (struct ode2){.n = 3 + slider, .ns = slider, .nq = 4 + slider, .ops = &ops, .move = &move, .self = s};

@@ -142,7 +142,7 @@ static double late_next(const struct ode2 *o, double t)
 static void test_breaks(void **state)
 {
     (void)state;
-    static const struct ode2_ops ops = {late_resid, linear_mass, linear_slopes};
+    static const struct ode2_ops ops = {.resid = late_resid, .mass = linear_mass, .slopes = linear_slopes};
     static const struct ode2_breaks breaks = {.next = late_next};
     long rejected[2];
     for (int told = 0; told < 2; told++) {
@@ -177,7 +177,7 @@ static enum status pole_resid(const struct ode2 *o, double *r, double *w, double
 static void test_pole(void **state)
 {
     (void)state;
-    static const struct ode2_ops ops = {pole_resid, linear_mass, linear_slopes};
+    static const struct ode2_ops ops = {.resid = pole_resid, .mass = linear_mass, .slopes = linear_slopes};
     struct linear s;
     struct run r;
     double q = 1, v = -1;

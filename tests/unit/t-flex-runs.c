@@ -123,6 +123,69 @@ static void test_long(void **state)
     }
 }
 
+/* --- what turning does ---------------------------------------------------------------------------- */
+
+enum { MODES = 16 };
+
+/* dr/dq and dr/dv by central differences at x, whose q and v are the caller's. */
+static void differences(double *K, double *C, const struct ode2 *o, const struct instant *x, double *q, double *v)
+{
+    static const double step = 1e-6;
+    double r[2][MODES];
+    for (int j = 0; j < o->n; j++)
+        for (int which = 0; which < 2; which++) {
+            double e[MODES] = {0}, there[MODES + 8], fast[MODES];
+            e[j] = 1;
+            for (int way = 0; way < 2; way++) {
+                struct instant y = *x;
+                const double by = way ? -step : step;
+                o->move->point(o, there, q, e, which ? 0 : by, x->t);
+                for (int i = 0; i < o->n; i++) fast[i] = v[i] + (which ? by * e[i] : 0);
+                y.q = there;
+                y.v = fast;
+                assert_int_equal(o->ops->resid(o, r[way], NULL, NULL, &y, ALL, NULL), OK);
+            }
+            for (int i = 0; i < o->n; i++) (which ? C : K)[i + o->n * j] = (r[0][i] - r[1][i]) / (2 * step);
+        }
+}
+
+static double off(const double *A, const double *B, int n)
+{
+    double worst = 0;
+    for (int i = 0; i < n * n; i++) worst = fmax(worst, fabs(A[i] - B[i]));
+    return worst;
+}
+
+/* slopes() and turning() are all there is, where a drive turns the frame; in the plane the kernel of the step loop and
+ * that of turning() take second-order displacements a little differently. */
+static void test_turning(void **state)
+{
+    (void)state;
+    for (int space = 2; space <= 3; space++) {
+        struct opened o;
+        char text[3000];
+        double K[MODES * MODES], C[MODES * MODES], dK[MODES * MODES], dC[MODES * MODES], bare[2], a[MODES];
+        snprintf(text, sizeof text, space == 2 ? arm2 : arm3, "true");
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%sintegrate: {step: 1.0e-3, until: 0.4}\n",
+                 spinning[space == 2 ? 1 : 4].rest);
+        open_deck(&o, text);
+        run(&o);
+        const struct ode2 *ode = system_ode2(o.sim.system);
+        const struct instant x = {.t = .4, .q = o.sim.x.q, .v = o.sim.x.v, .a = a, .ta = .4, .tb = .4};
+        assert_true(ode->n > 2 && ode->n <= MODES);
+        for (int i = 0; i < ode->n; i++) a[i] = 3 * sin(7 * i + 1);
+        differences(dK, dC, ode, &x, o.sim.x.q, o.sim.x.v);
+        assert_int_equal(ode->ops->slopes(ode, K, C, &x, ALL, NULL), OK);
+        bare[0] = off(K, dK, ode->n), bare[1] = off(C, dC, ode->n);
+        assert_int_equal(ode->ops->turning(ode, K, C, &x, ALL, NULL), OK);
+        const double share = space == 2 ? .02 : 1e-4;
+        if (!(off(K, dK, ode->n) < share * bare[0]) || !(off(C, dC, ode->n) < share * bare[1]))
+            fail_msg("%d dimensions: K off by %g, without turning %g; C by %g, %g", space, off(K, dK, ode->n), bare[0],
+                     off(C, dC, ode->n), bare[1]);
+        arena_close(o.life);
+    }
+}
+
 /* --- orders --------------------------------------------------------------------------------------- */
 
 static const char bars[] = "gravity: [0, -9.81]\n"
@@ -558,10 +621,10 @@ static void test_reactions(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orders),     cmocka_unit_test(test_energy),
-                                       cmocka_unit_test(test_long),       cmocka_unit_test(test_flying),
-                                       cmocka_unit_test(test_free_modes), cmocka_unit_test(test_rigid),
-                                       cmocka_unit_test(test_held),       cmocka_unit_test(test_halves),
-                                       cmocka_unit_test(test_linkages),   cmocka_unit_test(test_reactions)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_orders),   cmocka_unit_test(test_energy),   cmocka_unit_test(test_turning),
+        cmocka_unit_test(test_long),     cmocka_unit_test(test_flying),   cmocka_unit_test(test_free_modes),
+        cmocka_unit_test(test_rigid),    cmocka_unit_test(test_held),     cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_linkages), cmocka_unit_test(test_reactions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -255,6 +255,44 @@ static void test_lagrange(void **state)
     }
 }
 
+/* Column j of dQ/dx by central differences, x one of o's own q, q1. */
+static void difference(double *slope, struct scene *o, double *x)
+{
+    const double step = 1e-5, at = *x;
+    double up[N], down[N], F[3], N3[3];
+    *x = at + step;
+    inertia(F, N3, up, o, false);
+    *x = at - step;
+    inertia(F, N3, down, o, false);
+    *x = at;
+    for (int i = 0; i < o->n; i++) slope[i] = (up[i] - down[i]) / (2 * step);
+}
+
+/* What the coordinates' forces change by, with the turning frame given. */
+static void test_slopes(void **state)
+{
+    (void)state;
+    static const unsigned kinds[] = {0, CLOUD_ROTARY, CLOUD_S, CLOUD_S | CLOUD_ROTARY | CLOUD_DAMPED};
+    double all = 0;
+    for (unsigned seed = 0; seed < SEEDS; seed++) {
+        struct scene o;
+        double K[N * N] = {0}, C[N * N] = {0}, dK[N * N], dC[N * N];
+        open_scene(&o, seed, kinds[seed % 4]);
+        const int n = o.n;
+        for (int j = 0; j < n; j++) {
+            difference(dK + n * j, &o, &o.q[j]);
+            difference(dC + n * j, &o, &o.q1[j]);
+        }
+        flex_shape_at(&o.shape, o.k, o.q);
+        flex_slopes(K, C, o.k, &o.shape, o.a, o.w, o.al, o.q1, o.q2);
+        NEAR(K, dK, n * n, 1e-8);
+        NEAR(C, dC, n * n, 1e-8);
+        for (int i = 0; i < n * n; i++) all += fabs(K[i]) + fabs(C[i]);
+        arena_close(o.arena);
+    }
+    assert_true(all > 1000);
+}
+
 /* M [6 + n] by column from unit accelerations, less what is there without. */
 static void matrix(double *M, struct scene *o)
 {
@@ -408,7 +446,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_particles), cmocka_unit_test(test_orders),   cmocka_unit_test(test_lagrange),
         cmocka_unit_test(test_matrix),    cmocka_unit_test(test_positive), cmocka_unit_test(test_nothing),
-        cmocka_unit_test(test_places),    cmocka_unit_test(test_cayley),
+        cmocka_unit_test(test_places),    cmocka_unit_test(test_cayley),   cmocka_unit_test(test_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -264,7 +264,7 @@ static enum status rope_accel(const struct ode2 *o, double *a, double *w, const 
 static void test_direct(void **state)
 {
     (void)state;
-    static const struct ode2_ops ops = {rope_resid, rope_mass, rope_slopes};
+    static const struct ode2_ops ops = {.resid = rope_resid, .mass = rope_mass, .slopes = rope_slopes};
     static const struct ode2_direct direct = {
         .accel = rope_accel, .factor_size = LONG * LONG * sizeof(double), .factor = rope_factor, .solve = rope_solve};
     const char *schemes[] = {"newmark", "midpoint", "rk4"};
@@ -318,7 +318,7 @@ static enum status wall(const struct ode2 *o, double *r, double *w, double *dk, 
 static void test_failure(void **state)
 {
     (void)state;
-    static const struct ode2_ops ops = {wall, chain_mass, chain_slopes};
+    static const struct ode2_ops ops = {.resid = wall, .mass = chain_mass, .slopes = chain_slopes};
     for (int k = 0; stepper_kinds[k]; k++) {
         struct chain chain;
         struct run r;

@@ -448,7 +448,7 @@ static double slider_energy(const struct slider *s, const double *q, const doubl
 /* Largest energy over the first, or -1 when a step fails. */
 static double stop_run(double h, int n, int gradient, long *factors)
 {
-    static const struct ode2_ops ops = {slider_resid, slider_mass, slider_slopes};
+    static const struct ode2_ops ops = {.resid = slider_resid, .mass = slider_mass, .slopes = slider_slopes};
     struct slider s = {.k = 1000, .stop = 1e6, .at = .05, .m = 5, .J = 8. / 3, .gradient = gradient, .slope = 1000};
     struct run r;
     double most = 0;
@@ -471,7 +471,7 @@ static double stop_run(double h, int n, int gradient, long *factors)
 static void test_tolerance(void **state)
 {
     (void)state;
-    static const struct ode2_ops ops = {slider_resid, slider_mass, slider_slopes};
+    static const struct ode2_ops ops = {.resid = slider_resid, .mass = slider_mass, .slopes = slider_slopes};
     struct run r[2];
     for (int k = 0; k < 2; k++) {
         struct slider s = {.k = 1000, .stop = 0, .at = 10, .m = 5, .J = 8. / 3, .slope = 1000};

@@ -1,0 +1,65 @@
+/* contraction.c -- see contraction.h */
+#include "engine/contraction.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double FADE = .8;    /* a step */
+static const double GROWTH = .05; /* a step, of what is not seen but for the first place */
+static const double LEAVES = .5;  /* any matrix that is kept, at most */
+static const double LEAST = 1e-6; /* that is believed */
+
+void contraction_forget(struct contraction *o)
+{
+    *o = (struct contraction){.at = 0};
+}
+
+static void learn_place(struct prospect *o, double seen, int first)
+{
+    double x = o->ahead;
+    if (seen > 0)
+        o->ahead = o->known = fmax(seen, FADE * o->known);
+    else
+        o->ahead = first ? sqrt(x) * sqrt(sqrt(x)) : x + GROWTH * x * (1 - x);
+}
+
+/* What this step has shown. */
+static void learn(struct contraction *o)
+{
+    for (int i = 0; i < CONTRACTION_PLACES; i++) {
+        learn_place(o->fresh ? &o->anew[i] : &o->old[i], o->seen[i], i == 0);
+        o->seen[i] = 0;
+    }
+    if (o->fresh) memcpy(o->old, o->anew, sizeof o->old);
+}
+
+void contraction_begin(struct contraction *o)
+{
+    if (o->at > 0) learn(o);
+    o->at = o->fresh = 0;
+}
+
+void contraction_renewed(struct contraction *o)
+{
+    if (o->at > 0) learn(o);
+    memcpy(o->old, o->anew, sizeof o->old);
+    o->at = 0;
+    o->fresh = 1;
+}
+
+/* Quotients may go to and fro: of three corrections the larger one of two is to be expected again. */
+double contraction_after(struct contraction *o, double theta)
+{
+    const int k = o->at++;
+    const double ahead = k < CONTRACTION_PLACES ? o->old[k].ahead : 0, now = fmin(1, fmax(theta, LEAST));
+    const double before = o->theta;
+    double worse = 1;
+    if (k == 0) return ahead > 0 ? fmin(LEAVES, ahead) : LEAVES;
+    if (k <= CONTRACTION_PLACES) {
+        const struct prospect *said = &o->old[k - 1];
+        o->seen[k - 1] = now;
+        if (said->known > 0) worse = fmax(1, now / said->known);
+    }
+    o->theta = now;
+    return k > 1 ? fmax(now, before) : fmin(1, fmax(now, worse * ahead));
+}

@@ -1,0 +1,91 @@
+/* predict.c -- see predict.h */
+#include "engine/predict.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "engine/motion.h"
+
+static const double FADE = .8;   /* weight of the misses before */
+static const double WORTH = 1.5; /* square of what the drift must make the worst miss smaller by */
+enum { TRIED = 8, REST = 32 };   /* steps until that is judged; and it is not asked for, then */
+
+void predict_open(struct predict *p, int n, struct arena *life)
+{
+    *p = (struct predict){.n = n};
+    p->course = TAKE(life, struct course, n);
+    p->drift = TAKE(life, double, n);
+    p->v = TAKE(life, double, n);
+}
+
+void predict_forget(struct predict *p)
+{
+    memset(p->course, 0, sizeof *p->course * (size_t)p->n);
+    p->h = 0;
+    p->seen = p->rest = 0;
+}
+
+/* The drift, unless it rests: after that the past of g is a past no more. */
+static int ask(struct predict *p, const struct matrix *J, double h, const double *a0)
+{
+    if (p->rest > 0) {
+        if (--p->rest > 0) return 0;
+        for (int i = 0; i < p->n; i++) {
+            p->course[i].model = (struct fit){0};
+            p->course[i].miss_model = p->course[i].miss_plain = 0;
+        }
+    }
+    return J && matrix_drift(J, p->drift, h, p->v, a0);
+}
+
+void predict_make(struct predict *p, double *a1, const struct matrix *J, double h, const double *v0, const double *a0,
+                  double ahead)
+{
+    double s = p->h > 0 ? h / p->h : 0;
+    for (int i = 0; i < p->n; i++) p->v[i] = v0[i] + ahead * a0[i];
+    p->modelled = ask(p, J, h, a0);
+    for (int i = 0; i < p->n; i++) {
+        struct course *c = &p->course[i];
+        double da = c->said_plain = s * fit_next(&c->plain);
+        if (p->modelled) {
+            c->said_model = s * fit_next(&c->model) - p->drift[i];
+            if (c->miss_model < c->miss_plain) da = c->said_model;
+        }
+        a1[i] = a0[i] + da;
+    }
+}
+
+double predict_error(const struct predict *p, double h, const double *per)
+{
+    double worst = 0, s = p->h > 0 ? h / p->h : 0;
+    for (int i = 0; i < p->n; i++) {
+        double e = fabs(p->course[i].plain.last) * per[i];
+        if (e > worst) worst = e;
+    }
+    return fabs(h / 12 * s) * worst;
+}
+
+static double faded(double sum, double miss)
+{
+    return FADE * sum + miss * miss;
+}
+
+void predict_keep(struct predict *p, const double *a1, const double *a0, double h, const double *per)
+{
+    double plain = 0, best = 0;
+    for (int i = 0; i < p->n; i++) {
+        struct course *c = &p->course[i];
+        double da = a1[i] - a0[i], unit = per[i] * per[i];
+        fit_learn(&c->plain, da);
+        if (!p->modelled) continue;
+        fit_learn(&c->model, da + p->drift[i]);
+        c->miss_plain = faded(c->miss_plain, da - c->said_plain);
+        c->miss_model = faded(c->miss_model, da - c->said_model);
+        double miss = c->miss_model < c->miss_plain ? c->miss_model : c->miss_plain;
+        if (unit * c->miss_plain > plain) plain = unit * c->miss_plain;
+        if (unit * miss > best) best = unit * miss;
+    }
+    p->h = h;
+    p->seen = p->modelled ? p->seen + 1 : 0;
+    if (p->seen >= TRIED && plain < WORTH * best) p->rest = REST;
+}

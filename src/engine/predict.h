@@ -1,0 +1,46 @@
+/* predict.h -- where a step of a single-rate scheme begins its iteration, from the steps before it.
+ *
+ * The linear part of r, differentiated along the motion, is M a' + C a + K v = phi', phi the forces that it does not
+ * know.  For one step of a scheme with the iteration matrix J this is, exactly,
+ *
+ *     J (a1 - a0) = dphi - h (K v + C a0),
+ *
+ * v the velocity with which q would move over the step if a stayed: vibration under constant forces is foreseen
+ * whatever its frequency is.  What is left, g = J^-1 dphi, goes on from step to step by the recursion of fit.h.  Where
+ * J knows little (rotation stiffens, say, or M^ changes fast) the recursion for a1 - a0 itself may foresee more: each
+ * coordinate takes the one that has been closer, older steps fading.  Where that saves little, J is not asked for some
+ * time. */
+#ifndef FMDSUB_ENGINE_PREDICT_H
+#define FMDSUB_ENGINE_PREDICT_H
+
+#include "base/arena.h"
+#include "engine/fit.h"
+#include "engine/matrix.h"
+
+struct course {
+    struct fit plain, model;       /* of a1 - a0, of g */
+    double said_plain, said_model; /* a1 - a0 as foreseen */
+    double miss_plain, miss_model; /* squares of what was missed, older ones fading */
+};
+
+struct predict {
+    int n;
+    struct course *course; /* [n] */
+    double *drift, *v;     /* [n] J^-1 h (K v + C a0) */
+    int modelled;          /* drift is known */
+    int seen, rest;        /* steps it has been in a row; steps that it will not be asked for */
+    double h;              /* of the step before */
+};
+
+void predict_open(struct predict *p, int n, struct arena *life);
+void predict_forget(struct predict *p);
+/* a1 [n] for a step h from v0, a0; J is that of this h, or NULL; `ahead`: v = v0 + ahead a0. */
+void predict_make(struct predict *p, double *a1, const struct matrix *J, double h, const double *v0, const double *a0,
+                  double ahead);
+/* h/12 times what a changes by if it goes on changing as in the step before: the local error of second-order schemes as
+ * a velocity, the largest in units 1/per [n] (Zienkiewicz & Xie, Earthq. Eng. Struct. Dyn. 20 (1991) 871). */
+double predict_error(const struct predict *p, double h, const double *per);
+/* The step has been found; corrections are measured in units 1/per [n]. */
+void predict_keep(struct predict *p, const double *a1, const double *a0, double h, const double *per);
+
+#endif

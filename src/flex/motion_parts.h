@@ -1,0 +1,24 @@
+/* motion_parts.h -- what motion.c and motion_slopes.c share. */
+#ifndef FMDSUB_FLEX_MOTION_PARTS_H
+#define FMDSUB_FLEX_MOTION_PARTS_H
+
+#include "flex/affine_parts.h"
+#include "flex/motion.h"
+
+struct flex_kernel {
+    const struct flex_body *body;
+    int n;
+    double pivot[3];       /* the reference node */
+    struct flex_node mean; /* psi: Theta */
+    struct affine *in;
+};
+
+/* The turn by o->theta: R, a, b and their slopes, y, d. */
+void flex_turn(struct flex_shape *o, const double *pivot);
+/* y = T x */
+void flex_turned(double *y, const struct flex_shape *o, const double *x);
+/* The motion of the mean frame: a, w, al from those of the frame, in its own axes; t1 = Theta q', t2 = Theta q''. */
+void flex_carry(double *a1, double *w1, double *al1, const struct flex_shape *o, const double *a, const double *w,
+                const double *al, const double *t1, const double *t2);
+
+#endif
