@@ -333,7 +333,7 @@ static enum status turning(const struct ode2 *ode, double *K, double *C, const s
         if (!elastic_in_class(b, (enum rate)cls) || !is_driven(o, b)) continue;
         if (!moving) {
             TRY(condense_motion(o, o->vt, o->at, x->q, x->v, x->a, x->t, why));
-            o->ops->forward(o->sweep, x->q, o->vt, o->at, cls);
+            o->ops->speed_up(o->sweep, o->vt, o->at, ALL);
             moving = true;
         }
         o->ops->pose(o->sweep, &frame, b->number);
