@@ -17,8 +17,10 @@
  * The new integrals follow term by term from the old ones, with int x dm = 0 and P' = -P. */
 #include "flex/body.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "la/eigen.h"
 #include "la/vec3.h"
 
 static void take_node(struct flex_node *o, int n, bool stiffening, struct arena *life)
@@ -59,25 +61,85 @@ static void add_outer(double *O, double s, const double *a, const double *b)
     for (int j = 0; j < 3; j++) v3_axpy(O + 3 * j, s * b[j], a);
 }
 
-void flex_body_add(struct flex_body *o, const double *x, double m, const double *I, const double *phi,
-                   const double *psi, const double *S)
+/* The part of rotary inertia I that particles around the centre can have, as P = int d d' dm = tr I/2 - I; I keeps
+ * the excess where one principal moment is above the sum of the others. */
+static void spread(double *P, double *I)
 {
-    int n = o->n;
-    o->mass += m;
-    add_outer(o->xx, m, x, x);
-    for (int a = 0; a < 9; a++) o->rot[a] += I[a];
+    double X[9], A[9], lambda[3];
+    memcpy(A, I, sizeof A);
+    eigen_symmetric(lambda, X, A, 3);
+    const double excess = fmax(lambda[2] - lambda[1] - lambda[0], 0);
+    const double half = (lambda[0] + lambda[1] + lambda[2] - excess) / 2;
+    memset(I, 0, 9 * sizeof *I);
+    memset(P, 0, 9 * sizeof *P);
+    add_outer(I, excess, X + 6, X + 6);
+    for (int a = 0; a < 3; a++) add_outer(P, half - lambda[a] + (a == 2 ? excess : 0), X + 3 * a, X + 3 * a);
+}
+
+/* A small body turned to second order is particles at d around its centre that are displaced, against it, by
+ *
+ *     theta x d + 1/2 q_i q_j L_ij d,   L_ij = (theta_i theta_j' + theta_j theta_i')/2 - theta_i.theta_j + [T_ij]x;
+ *
+ * of their integrals those of products of two d stay. */
+static void add_spread(struct flex_body *o, const double *P, const double *psi, const double *T)
+{
+    const int n = o->n;
+    for (int a = 0; a < 9; a++) o->xx[a] += P[a];
     for (int j = 0; j < n; j++) {
-        const double *fj = phi + 3 * j;
-        double h[3];
-        m3_mul(h, I, psi + 3 * j);
-        v3_axpy(o->f + 3 * j, m, fj);
-        add_outer(o->xf + 9 * j, m, x, fj);
-        v3_add(o->rpsi + 3 * j, h);
+        const double *pj = psi + 3 * j;
+        double Y[9]; /* int d (theta_j x d)' dm = P [theta_j]x' */
+        const double turn[9] = {0, pj[2], -pj[1], -pj[2], 0, pj[0], pj[1], -pj[0], 0};
+        m3_mulmt(Y, P, turn);
+        for (int a = 0; a < 9; a++) o->xf[a + 9 * j] += Y[a];
         for (int i = 0; i < n; i++) {
-            add_outer(o->ff + 9 * (i + n * j), m, phi + 3 * i, fj);
-            o->ppsi[i + n * j] += v3_dot(psi + 3 * i, h);
+            const double *pi = psi + 3 * i, *t = T + 3 * (i + n * j);
+            double *ff = o->ff + 9 * (i + n * j), *xs = o->xs + 9 * (i + n * j);
+            for (int c = 0; c < 3; c++) v3_cross_add(ff + 3 * c, pi, Y + 3 * c);
+            for (int c = 0; c < 3; c++) { /* row c of L */
+                double row[3], x[3];
+                v3_scale(row, .5 * pi[c], pj);
+                v3_axpy(row, .5 * pj[c], pi);
+                row[c] -= v3_dot(pi, pj);
+                row[(c + 1) % 3] -= t[(c + 2) % 3];
+                row[(c + 2) % 3] += t[(c + 1) % 3];
+                m3_mul(x, P, row);
+                v3_add(xs + 3 * c, x);
+            }
         }
     }
+}
+
+static void add_constant(struct flex_body *o, const double *I, const double *psi)
+{
+    const int n = o->n;
+    for (int a = 0; a < 9; a++) o->rot[a] += I[a];
+    for (int j = 0; j < n; j++) {
+        double h[3];
+        m3_mul(h, I, psi + 3 * j);
+        v3_add(o->rpsi + 3 * j, h);
+        for (int i = 0; i < n; i++) o->ppsi[i + n * j] += v3_dot(psi + 3 * i, h);
+    }
+}
+
+void flex_body_add(struct flex_body *o, const double *x, double m, const double *spin, const double *phi,
+                   const double *psi, const double *S, const double *T)
+{
+    const int n = o->n;
+    double P[9], I[9];
+    memcpy(I, spin, sizeof I);
+    o->mass += m;
+    add_outer(o->xx, m, x, x);
+    for (int j = 0; j < n; j++) {
+        const double *fj = phi + 3 * j;
+        v3_axpy(o->f + 3 * j, m, fj);
+        add_outer(o->xf + 9 * j, m, x, fj);
+        for (int i = 0; i < n; i++) add_outer(o->ff + 9 * (i + n * j), m, phi + 3 * i, fj);
+    }
+    if (T && o->s) {
+        spread(P, I);
+        add_spread(o, P, psi, T);
+    }
+    add_constant(o, I, psi);
     if (!S || !o->s) return;
     for (int k = 0; k < n * n; k++) {
         v3_axpy(o->s + 3 * k, m, S + 3 * k);

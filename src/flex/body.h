@@ -64,9 +64,12 @@ struct flex_body {
 struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening, struct arena *life);
 
 /* Adds to all integrals the mass m at x (from the centre of mass) with rotary inertia `spin` [9], where the fields are
- * phi, psi [3 x n], S [3 x n x n] (NULL: zero). */
+ * phi, psi [3 x n], S [3 x n x n] (NULL: zero).  With T [3 x n x n] in a body with s the small body turns by
+ * 1 + [theta]x + [theta]x^2/2 + [1/2 q'Tq]x, theta = psi q, and its inertia with it: it is a cloud of particles then,
+ * with nothing in rot, rpsi and ppsi but what exceeds a cloud's inertia (one principal moment the sum of the others).
+ * T NULL: its inertia keeps the axes of the frame. */
 void flex_body_add(struct flex_body *o, const double *x, double m, const double *spin, const double *phi,
-                   const double *psi, const double *S);
+                   const double *psi, const double *S, const double *T);
 
 /* The same body with the frame at another node: the same coordinates, every field less the rigid motion of that node,
  *     phi' = phi - phi_0 - psi_0 x (x - x_0),  psi' = psi - psi_0,

@@ -57,7 +57,7 @@ static inline void open_deck(struct opened *o, const char *text)
 }
 
 /* The column's value now. */
-static double value(struct opened *o, const char *name)
+static inline double value(struct opened *o, const char *name)
 {
     struct trouble why;
     const struct catalogue *c = &o->sim.catalogue;
@@ -70,7 +70,7 @@ static double value(struct opened *o, const char *name)
     return 0;
 }
 
-static void run(struct opened *o)
+static inline void run(struct opened *o)
 {
     enum status status = sim_run(&o->sim, NULL, &o->report);
     if (status != OK) fail_msg("%s", o->report.text);

@@ -67,7 +67,7 @@ static struct flex_body *gather(const struct particle *p, bool stiffening, struc
         memcpy(o->node[k].phi, p[k].phi, sizeof p[k].phi);
         memcpy(o->node[k].psi, p[k].psi, sizeof p[k].psi);
         if (stiffening) memcpy(o->node[k].S, p[k].S, sizeof p[k].S);
-        flex_body_add(o, p[k].x, p[k].m, p[k].I, p[k].phi, p[k].psi, stiffening ? p[k].S : NULL);
+        flex_body_add(o, p[k].x, p[k].m, p[k].I, p[k].phi, p[k].psi, stiffening ? p[k].S : NULL, NULL);
     }
     for (int i = 0; i < N * N; i++) o->K[i] = i, o->D[i] = -i;
     return o;
@@ -120,6 +120,61 @@ static void check_integrals(const struct flex_body *o, const struct particle *p,
                 if (o->s) near(o->s[a + 3 * (i + N * j)], s[a], tolerance);
             }
         }
+}
+
+static void same(const double *a, const double *b, int n)
+{
+    for (int k = 0; k < n; k++) near(a[k], b[k], 2e-12);
+}
+
+/* A small body that turns to second order, as six particles around its centre. */
+static void test_turning(void **state)
+{
+    uint64_t dice = 5;
+    (void)state;
+    for (int round = 0; round < 20; round++) {
+        struct arena *life = arena_open();
+        struct flex_body *a = flex_body_take(N, 1, 0, true, life), *b = flex_body_take(N, 1, 0, true, life);
+        struct particle p, T;
+        double P[3], Q[9], I[9] = {0}, zero[9] = {0};
+        draw(&p, &dice);
+        draw(&T, &dice);
+        for (int e = 0; e < 3; e++) P[e] = 1 + roll(&dice);
+        if (round % 3 == 0) P[round % 9 / 3] = 0; /* a disk: its polar moment is the sum of both others */
+        turn_matrix(Q, p.psi);
+        for (int e = 0; e < 3; e++)
+            for (int k = 0; k < 9; k++) I[k] += P[e] * ((k % 4 == 0) - Q[3 * e + k % 3] * Q[3 * e + k / 3]);
+        flex_body_add(a, p.x, p.m, I, p.phi, p.psi, p.S, T.S);
+        for (int e = 0; e < 6; e++) {
+            struct particle c = p;
+            double d[3], size = sqrt(3 * P[e % 3] / p.m);
+            v3_scale(d, e < 3 ? size : -size, Q + 3 * (e % 3));
+            c.m = p.m / 6;
+            v3_add(c.x, d);
+            for (int j = 0; j < N; j++) v3_cross_add(c.phi + 3 * j, p.psi + 3 * j, d);
+            for (int k = 0; k < N * N; k++) {
+                const double *pi = p.psi + 3 * (k % N), *pj = p.psi + 3 * (k / N);
+                double x[3];
+                for (int side = 0; side < 2; side++) {
+                    v3_cross(x, side ? pi : pj, d);
+                    v3_scale(x, .5, x);
+                    v3_cross_add(c.S + 3 * k, side ? pj : pi, x);
+                }
+                v3_cross_add(c.S + 3 * k, T.S + 3 * k, d);
+            }
+            flex_body_add(b, c.x, c.m, zero, c.phi, c.psi, c.S, NULL);
+        }
+        same(a->xx, b->xx, 9);
+        same(a->f, b->f, 3 * N);
+        same(a->xf, b->xf, 9 * N);
+        same(a->ff, b->ff, 9 * N * N);
+        same(a->s, b->s, 3 * N * N);
+        same(a->xs, b->xs, 9 * N * N);
+        same(a->rot, zero, 9);
+        same(a->rpsi, zero, 3 * N);
+        same(a->ppsi, zero, N * N);
+        arena_close(life);
+    }
 }
 
 static void test_integrals(void **state)
@@ -223,11 +278,6 @@ static void test_refer(void **state)
     arena_close(life);
 }
 
-static void same(const double *a, const double *b, int n)
-{
-    for (int k = 0; k < n; k++) near(a[k], b[k], 2e-12);
-}
-
 /* To another node and back. */
 static void test_back(void **state)
 {
@@ -261,6 +311,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_integrals),
+        cmocka_unit_test(test_turning),
         cmocka_unit_test(test_refer),
         cmocka_unit_test(test_back),
     };
