@@ -306,26 +306,38 @@ static void fill(struct flex_body *o, const struct work *w, struct arena *scratc
 
 /* ---- stresses ---- */
 
-/* xx = E (u' - y rz' + z ry') at the point of the section. */
-static enum status stress(struct flex_stress *o, const struct work *w, const struct flex_probe *probe, double *W,
+/* xx = N/A + My z/Iy - Mz y/Iz, xy and xz of section_shear(), all in the section's axes and the shear turned back. */
+static void stress_by(struct flex_stress *o, int j, const struct flex_section *c, const double *T, const double *Q,
+                      double y, double z)
+{
+    const double co = cos(c->twist), si = sin(c->twist);
+    const double V[2] = {co * Q[1] + si * Q[2], co * Q[2] - si * Q[1]};
+    const double M[2] = {co * Q[4] + si * Q[5], co * Q[5] - si * Q[4]};
+    const double xy = T[0] * V[0] + T[2] * V[1] + T[4] * Q[3], xz = T[1] * V[0] + T[3] * V[1] + T[5] * Q[3];
+    double *tensor = o->tensor + 6 * j;
+    o->axial[j] = Q[0] / c->A;
+    o->bending[j] = (z != 0 ? M[0] * z / c->Iy : 0) - M[1] * y / c->Iz;
+    tensor[0] = o->axial[j] + o->bending[j];
+    tensor[3] = co * xy - si * xz;
+    tensor[4] = si * xy + co * xz;
+}
+
+static enum status stress(struct flex_stress *o, const struct work *w, const struct flex_probe *probe, double *Q,
                           struct report *report)
 {
     struct flex_section c;
-    double E = w->beam->E;
+    const double nu = w->beam->E / (2 * w->beam->G) - 1;
+    double T[6];
     rod_section(&c, w->beam, probe->station);
     if ((probe->y != 0 && !(c.y > 0)) || (probe->z != 0 && w->beam->space == 3 && !(c.z > 0)))
         return fail(report, E_MODEL, "the stress point '%s' needs a section whose outline is known",
                     probe->name ? probe->name : "");
-    rod_strains(W, &w->rod, probe->station, w->Phi, w->n);
-    double py = probe->y * c.y, pz = probe->z * c.z;
-    double y = cos(c.twist) * py - sin(c.twist) * pz, z = sin(c.twist) * py + cos(c.twist) * pz;
+    const double y = probe->y * c.y, z = w->beam->space == 3 ? probe->z * c.z : 0;
+    section_shear(T, &c, y, z, isfinite(nu) ? nu : 0);
+    rod_forces(Q, &w->rod, probe->station, w->Phi, w->n);
     o->name = probe->name;
-    for (int j = 0; j < w->n; j++) {
-        const double *f = W + 12 * j;
-        o->axial[j] = E * f[ROD_GAMMA];
-        o->bending[j] = E * (z * f[ROD_KAPPA + 1] - y * f[ROD_KAPPA + 2]);
-        o->tensor[6 * j] = o->axial[j] + o->bending[j];
-    }
+    o->shear = c.shape != SHAPE_NUMBERS;
+    for (int j = 0; j < w->n; j++) stress_by(o, j, &c, T, Q + 6 * j, y, z);
     return OK;
 }
 
@@ -354,8 +366,8 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
     o->reference = 0;
     stiffness(o, beam, w->lambda);
     fill(o, w, scratch);
-    double *W = TAKE(scratch, double, 12 * w->n);
-    for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], W, report));
+    double *Q = TAKE(scratch, double, 6 * w->n);
+    for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], Q, report));
     *out = o;
     return OK;
 }

@@ -41,7 +41,7 @@ struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening,
     o->stress = TAKE(life, struct flex_stress, nstress);
     for (int k = 0; k < nstress; k++)
         o->stress[k] =
-            (struct flex_stress){NULL, TAKE(life, double, 6 * n), TAKE(life, double, n), TAKE(life, double, n)};
+            (struct flex_stress){NULL, TAKE(life, double, 6 * n), TAKE(life, double, n), TAKE(life, double, n), false};
     o->f = TAKE(life, double, 3 * n);
     o->xf = TAKE(life, double, 9 * n);
     o->ff = TAKE(life, double, 9 * n * n);

@@ -35,6 +35,7 @@ struct flex_stress {
     double *tensor;  /* [6 x n] [Pa] by coordinate */
     double *axial;   /* [n], NULL: not told apart */
     double *bending; /* [n] */
+    bool shear;      /* a beam's: xy and xz are known */
 };
 
 struct flex_body {
