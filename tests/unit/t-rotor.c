@@ -82,9 +82,9 @@ static void check_disk(double W, double Ip)
 
 static void test_disk(void **state)
 {
-    static const double speed[] = {0, 25, 50, 80}, polar[] = {0.02, 0.03, 0.04};
+    static const double speed[] = {0, 25, 50, 80, 100, 300}, polar[] = {0.02, 0.03, 0.04};
     (void)state;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 6; i++)
         for (int j = 0; j < 3; j++) check_disk(speed[i], polar[j]);
 }
 
