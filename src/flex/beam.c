@@ -262,6 +262,7 @@ static void at_node(struct flex_body *o, const struct work *w, const struct marc
         memcpy(c->phi, phi, (size_t)(3 * n) * sizeof *phi);
         memcpy(c->psi, psi, (size_t)(3 * n) * sizeof *psi);
         if (o->s) memcpy(c->S, S, (size_t)(3 * n * n) * sizeof *S);
+        if (o->s) memcpy(c->T, T, (size_t)(3 * n * n) * sizeof *T);
     }
     for (int k = 0; k < w->beam->nlump; k++) {
         if (rod_node(&w->rod, w->beam->lump[k].station) != node) continue;

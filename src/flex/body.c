@@ -1,18 +1,22 @@
 /* body.c -- see body.h
  *
- * The change of frame: node 0 stands at x0 + u0 and is turned by R0 = cay(theta), theta = psi_0 q.  Seen from the
- * frame that moves with it, a particle stands where
+ * The change of frame: node 0 stands at x0 + u0 and is turned by R0 = cay(theta + tau), theta = psi_0 q, tau =
+ * q'T_0q/2. Seen from the frame that moves with it, a particle stands where
  *
  *     x + u' = x0 + R0' (x + u - x0 - u0),     d = x - x0,
  *
- * and with R0' = 1 - [theta]x + [theta]x^2 / 2 + ..., to second order in q,
+ * and with R0' = 1 - [theta]x + [theta]x^2 / 2 - [tau]x + ..., to second order in q,
  *
- *     u' = u - u0 - theta x d - theta x (phi q - phi_0 q) + theta x (theta x d) / 2.
+ *     u' = u - u0 - theta x d - theta x (phi q - phi_0 q) + theta x (theta x d) / 2 - tau x d.
  *
  * Its linear part is affine in x: phi_j' = phi_j + b_j - P_j x with P_j = [psi_0j]x, b_j = P_j x0 - phi_0j.  Its
  * quadratic part gives, symmetrised,
  *
- *     S_ij' = S_ij - S_0ij - P_i (phi_j - phi_0j) - P_j (phi_i - phi_0i) + (P_i P_j + P_j P_i) d / 2.
+ *     S_ij' = S_ij - S_0ij - P_i (phi_j - phi_0j) - P_j (phi_i - phi_0i) + (P_i P_j + P_j P_i) d / 2 - [T_0ij]x d.
+ *
+ * A node's own turn R is R0' R there: with psi' = psi - psi_0 and cay(a)' cay(b) = cay(b - a - a x b / 2 + ...)
+ *
+ *     T_ij' = T_ij - T_0ij - (psi_0i x psi_j + psi_0j x psi_i) / 2.
  *
  * The new integrals follow term by term from the old ones, with int x dm = 0 and P' = -P. */
 #include "flex/body.h"
@@ -28,6 +32,7 @@ static void take_node(struct flex_node *o, int n, bool stiffening, struct arena 
     o->phi = TAKE(life, double, 3 * n);
     o->psi = TAKE(life, double, 3 * n);
     o->S = stiffening ? TAKE(life, double, 3 * n * n) : NULL;
+    o->T = stiffening ? TAKE(life, double, 3 * n * n) : NULL;
 }
 
 struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening, struct arena *life)
@@ -158,14 +163,14 @@ void flex_mass(double *Me, const struct flex_body *o)
 /* The rigid motion taken out, by coordinate. */
 struct rigid {
     double x0[3];
-    const double *phi, *psi, *S; /* of the new reference; S NULL: zero */
-    double *b;                   /* [3 x n] */
-    double *P;                   /* [9 x n] */
+    const double *phi, *psi, *S, *T; /* of the new reference; S, T NULL: zero */
+    double *b;                       /* [3 x n] */
+    double *P;                       /* [9 x n] */
 };
 
 static struct rigid rigid_of(const struct flex_node *o, int n, struct arena *life)
 {
-    struct rigid r = {{o->x[0], o->x[1], o->x[2]}, o->phi, o->psi, o->S, TAKE(life, double, 3 * n), NULL};
+    struct rigid r = {{o->x[0], o->x[1], o->x[2]}, o->phi, o->psi, o->S, o->T, TAKE(life, double, 3 * n), NULL};
     r.P = TAKE(life, double, 9 * n);
     for (int j = 0; j < n; j++) {
         const double *p = o->psi + 3 * j;
@@ -178,7 +183,7 @@ static struct rigid rigid_of(const struct flex_node *o, int n, struct arena *lif
 }
 
 /* S += the quadratic part of the rigid motion at d = x - x0 where the field less that of node 0 is phi. */
-static void add_turn(double *S, const struct rigid *r, int i, int j, const double *d, const double *fi,
+static void add_turn(double *S, const struct rigid *r, int n, int i, int j, const double *d, const double *fi,
                      const double *fj)
 {
     const double *pi = r->psi + 3 * i, *pj = r->psi + 3 * j;
@@ -191,6 +196,22 @@ static void add_turn(double *S, const struct rigid *r, int i, int j, const doubl
     v3_scale(b, 0.5, b);
     v3_cross_add(S, pi, a);
     v3_cross_add(S, pj, b);
+    if (!r->T) return;
+    v3_cross(a, r->T + 3 * (i + n * j), d);
+    v3_take(S, a);
+}
+
+static void refer_turn(struct flex_node *o, const struct flex_node *old, const struct rigid *r, int n)
+{
+    for (int k = 0; o->T && k < n * n; k++) {
+        const int i = k % n, j = k / n;
+        double *T = o->T + 3 * k, x[3];
+        if (old->T) v3_copy(T, old->T + 3 * k);
+        if (r->T) v3_take(T, r->T + 3 * k);
+        v3_cross(x, r->psi + 3 * i, old->psi + 3 * j);
+        v3_cross_add(x, r->psi + 3 * j, old->psi + 3 * i);
+        v3_axpy(T, -.5, x);
+    }
 }
 
 static void refer_node(struct flex_node *o, const struct flex_node *old, const struct rigid *r, int n)
@@ -204,8 +225,9 @@ static void refer_node(struct flex_node *o, const struct flex_node *old, const s
         double *S = o->S + 3 * k;
         if (old->S) v3_copy(S, old->S + 3 * k);
         if (r->S) v3_take(S, r->S + 3 * k);
-        add_turn(S, r, k % n, k / n, d, phi + 3 * (k % n), phi + 3 * (k / n));
+        add_turn(S, r, n, k % n, k / n, d, phi + 3 * (k % n), phi + 3 * (k / n));
     }
+    refer_turn(o, old, r, n);
     for (int j = 0; j < n; j++) {
         double turn[3];
         v3_cross(turn, r->psi + 3 * j, d);
@@ -250,7 +272,7 @@ static void refer_pair(struct flex_body *o, const struct flex_body *old, const s
 }
 
 /* s_ij' = s - m S_0 - P_i (f_j - m phi_0j) - P_j (f_i - m phi_0i) - m (P_i P_j + P_j P_i) x0 / 2,
- * xs_ij' = xs + xf_j P_i + xf_i P_j + xx (P_j P_i + P_i P_j) / 2. */
+ * xs_ij' = xs + xf_j P_i + xf_i P_j + xx (P_j P_i + P_i P_j) / 2 + xx [T_0]x; s_ij' + m [T_0]x x0. */
 static void refer_second(struct flex_body *o, const struct flex_body *old, const struct rigid *r, int i, int j)
 {
     int n = o->n, k = i + n * j;
@@ -262,7 +284,7 @@ static void refer_second(struct flex_body *o, const struct flex_body *old, const
     v3_axpy(fj, -old->mass, r->phi + 3 * j);
     v3_copy(s, old->s + 3 * k);
     if (r->S) v3_axpy(s, -old->mass, r->S + 3 * k);
-    add_turn(s, r, i, j, d, fi, fj);
+    add_turn(s, r, n, i, j, d, fi, fj);
     memcpy(xs, old->xs + 9 * k, sizeof X);
     for (int side = 0; side < 2; side++) {
         int p = side ? i : j, q = side ? j : i;
@@ -271,6 +293,10 @@ static void refer_second(struct flex_body *o, const struct flex_body *old, const
         m3_mulm(Y, X, r->P + 9 * q);
         for (int a = 0; a < 9; a++) xs[a] += Y[a];
     }
+    if (!r->T) return;
+    const double *t = r->T + 3 * k, turn[9] = {0, t[2], -t[1], -t[2], 0, t[0], t[1], -t[0], 0};
+    m3_mulm(X, old->xx, turn);
+    for (int a = 0; a < 9; a++) xs[a] += X[a];
 }
 
 static bool moves(const struct flex_node *o, int n)

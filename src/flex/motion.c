@@ -270,7 +270,8 @@ double flex_elastic(const struct flex_kernel *k, const double *q)
 
 void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct arena *life)
 {
-    *o = (struct flex_place){.dx = TAKE(life, double, 3 * k->n), .dw = TAKE(life, double, 3 * k->n)};
+    *o = (struct flex_place){
+        .dx = TAKE(life, double, 3 * k->n), .dw = TAKE(life, double, 3 * k->n), .turn = TAKE(life, double, 3 * k->n)};
 }
 
 /* x + phi q + q S q/2 and its slopes phi + S q. */
@@ -285,12 +286,16 @@ static void shift(struct flex_place *o, const struct flex_node *node, const doub
     v3_axpy(o->x, .5, u);
 }
 
-/* R = cay(theta), theta = psi q; in frame axes w = c (theta' + theta x theta'/2), c = 1/(1 + theta.theta/4).  R's
- * column i is e_i + c (theta x e_i + theta x (theta x e_i)/2). */
+/* R = cay(theta), theta = psi q + q'Tq/2; in frame axes w = c (theta' + theta x theta'/2), c = 1/(1 + theta.theta/4).
+ * R's column i is e_i + c (theta x e_i + theta x (theta x e_i)/2). */
 static double turn(struct flex_place *o, double *theta, const struct flex_node *node, const double *q, int n)
 {
     v3_set(theta, 0, 0, 0);
+    memcpy(o->turn, node->psi, sizeof *o->turn * 3 * (size_t)n);
+    if (node->T) dense_gemv(o->turn, 1, node->T, q, 3 * n, n, 3 * n);
     add3(theta, node->psi, q, n);
+    add3(theta, o->turn, q, n);
+    v3_scale(theta, .5, theta);
     const double c = 1 / (1 + .25 * v3_dot(theta, theta));
     for (int i = 0; i < 3; i++) {
         const double e[3] = {i == 0, i == 1, i == 2};
@@ -304,8 +309,8 @@ static double turn(struct flex_place *o, double *theta, const struct flex_node *
     }
     for (int j = 0; j < n; j++) {
         double half[3], *dw = o->dw + 3 * j;
-        v3_scale(half, .5, node->psi + 3 * j);
-        v3_copy(dw, node->psi + 3 * j);
+        v3_scale(half, .5, o->turn + 3 * j);
+        v3_copy(dw, o->turn + 3 * j);
         v3_cross_add(dw, theta, half);
         v3_scale(dw, c, dw);
     }
@@ -317,7 +322,7 @@ void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, 
 {
     const int n = k->n;
     const struct flex_node *at = &k->body->node[node];
-    double theta[3], theta1[3] = {0};
+    double theta[3], theta1[3] = {0}, theta2[3] = {0}, half[3];
     shift(o, at, q, n);
     const double c = turn(o, theta, at, q, n);
     if (!q1) return;
@@ -330,7 +335,13 @@ void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, 
     add3(o->a, o->dx, q2, n);
     for (int j = 0; at->S && j < n; j++)
         for (int i = 0; i < n; i++) v3_axpy(o->a, q1[i] * q1[j], at->S + 3 * (i + n * j));
-    add3(theta1, at->psi, q1, n); /* (theta' + theta x theta'/2)' has no theta' x theta' */
+    add3(theta1, o->turn, q1, n); /* (theta' + theta x theta'/2)' has no theta' x theta' */
     v3_scale(o->al, -.5 * c * v3_dot(theta, theta1), o->w);
     add3(o->al, o->dw, q2, n);
+    if (!at->T) return;
+    for (int j = 0; j < n; j++) /* of theta'' what q'' does not bring: q'Tq' */
+        for (int i = 0; i < n; i++) v3_axpy(theta2, q1[i] * q1[j], at->T + 3 * (i + n * j));
+    v3_axpy(o->al, c, theta2);
+    v3_cross(half, theta, theta2);
+    v3_axpy(o->al, .5 * c, half);
 }

@@ -63,8 +63,9 @@ struct flex_place {
     double x[3], R[9]; /* where it stands; node axes (parallel to the frame's when undeformed) to frame, by column */
     double v[3], w[3]; /* velocity and angular velocity against the frame, frame axes */
     double a[3], al[3];
-    double *dx; /* [3 x n] dv/dq' = phi + S q */
-    double *dw; /* [3 x n] dw/dq' */
+    double *dx;   /* [3 x n] dv/dq' = phi + S q */
+    double *dw;   /* [3 x n] dw/dq' */
+    double *turn; /* [3 x n] psi + T q */
 };
 void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct arena *life);
 void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q, const double *q1,

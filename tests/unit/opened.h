@@ -76,7 +76,7 @@ static inline void run(struct opened *o)
     if (status != OK) fail_msg("%s", o->report.text);
 }
 
-static void near(double x, double want, double within)
+static inline void near(double x, double want, double within)
 {
     if (fabs(x - want) <= within) return;
     fail_msg("%.17g, should be %.17g within %g", x, want, within);
