@@ -270,8 +270,18 @@ double flex_elastic(const struct flex_kernel *k, const double *q)
 
 void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct arena *life)
 {
-    *o = (struct flex_place){
-        .dx = TAKE(life, double, 3 * k->n), .dw = TAKE(life, double, 3 * k->n), .turn = TAKE(life, double, 3 * k->n)};
+    *o = (struct flex_place){.dx = TAKE(life, double, 3 * k->n),
+                             .dw = TAKE(life, double, 3 * k->n),
+                             .turn = TAKE(life, double, 3 * k->n),
+                             .work = TAKE(life, double, 3 * k->n)};
+}
+
+/* o += q1' A q1. */
+static void add_square(double *o, const double *A, const double *q1, int n, double *work)
+{
+    memset(work, 0, sizeof *work * 3 * (size_t)n);
+    dense_gemv(work, 1, A, q1, 3 * n, n, 3 * n);
+    add3(o, work, q1, n);
 }
 
 /* x + phi q + q S q/2 and its slopes phi + S q. */
@@ -333,14 +343,12 @@ void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, 
     if (!q2) return;
     v3_set(o->a, 0, 0, 0);
     add3(o->a, o->dx, q2, n);
-    for (int j = 0; at->S && j < n; j++)
-        for (int i = 0; i < n; i++) v3_axpy(o->a, q1[i] * q1[j], at->S + 3 * (i + n * j));
+    if (at->S) add_square(o->a, at->S, q1, n, o->work);
     add3(theta1, o->turn, q1, n); /* (theta' + theta x theta'/2)' has no theta' x theta' */
     v3_scale(o->al, -.5 * c * v3_dot(theta, theta1), o->w);
     add3(o->al, o->dw, q2, n);
     if (!at->T) return;
-    for (int j = 0; j < n; j++) /* of theta'' what q'' does not bring: q'Tq' */
-        for (int i = 0; i < n; i++) v3_axpy(theta2, q1[i] * q1[j], at->T + 3 * (i + n * j));
+    add_square(theta2, at->T, q1, n, o->work); /* of theta'' what q'' does not bring */
     v3_axpy(o->al, c, theta2);
     v3_cross(half, theta, theta2);
     v3_axpy(o->al, .5 * c, half);
