@@ -88,6 +88,47 @@ static void test_disk(void **state)
         for (int j = 0; j < 3; j++) check_disk(speed[i], polar[j]);
 }
 
+/* ---- a disk amid a shaft ----
+ *
+ * Between a universal joint, which turns it, and a ball joint, translation and tilt go apart:
+ *
+ *     w^2 = 48 EI/(m L^3),   12 EI/L - Id w^2 + Ip W w = 0. */
+
+static void check_amid(double W)
+{
+    const double Id = 0.03, Ip = 0.055;
+    const double side = sqrt(48 * EI / 8), half = Ip * W / (2 * Id), turn = sqrt(half * half + 12 * EI / Id);
+    const double whirl[] = {side, -side, half + turn, half - turn};
+    char text[1000];
+    struct opened o;
+    struct modes modes;
+    snprintf(text, sizeof text,
+             "bodies:\n"
+             "  hub: {mass: 1, inertia: [0.01, 0.01, 0.01], at: [0, 0, 0]}\n"
+             "  shaft:\n"
+             "    beam: {from: [0, 0, 0], to: [1, 0, 0], elements: 8}\n"
+             "    section: {circle: 0.01}\n"
+             "    material: {E: 2.1e+11, nu: 0.3, density: 0.5}\n"
+             "    modes: 8\n"
+             "    masses: {disk: {station: 0.5, mass: 8, inertia: [0.055, 0.03, 0.03]}}\n"
+             "constraints:\n"
+             "  turn: {revolute: [ground, hub], at: [0, 0, 0], axis: [1, 0, 0]}\n"
+             "  left: {universal: [hub, shaft], at: [0, 0, 0], axis: [0, 1, 0], axis2: [0, 0, 1]}\n"
+             "  right: {spherical: [ground, shaft], at: [1, 0, 0], loop: true}\n"
+             "drives: {spin: {drive: turn.angle, value: %g*t}}\n"
+             "integrate: {scheme: midpoint, step: 1.0e-4, until: 0.01}\n",
+             W);
+    find_modes(&modes, &o, text);
+    for (int i = 0; i < 4; i++) near(nearest(&modes, fabs(whirl[i] - W)), 0, 2e-4);
+    arena_close(o.life);
+}
+
+static void test_amid(void **state)
+{
+    (void)state;
+    for (double W = 0; W < 300; W += 70) check_amid(W);
+}
+
 /* ---- the propeller moment ----
  *
  * Uniform sections that twist by theta(x) on a blade turning about z: 2 T = rho int (Iy + Iz) theta'^2 + W^2 (Iz cos^2
@@ -128,6 +169,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_disk),
+        cmocka_unit_test(test_amid),
         cmocka_unit_test(test_propeller),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
