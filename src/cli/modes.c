@@ -58,6 +58,16 @@ static enum status at_time(struct sim *sim, const struct request *request, struc
     return status == E_VERDICT ? OK : status;
 }
 
+static void warn_of_growth(const struct modes *modes)
+{
+    static const double little = 1e-6;
+    bool flutter = false;
+    for (int i = 0; i < modes->n; i++) flutter = flutter || modes->mode[i].damping < -little;
+    if (modes->n && modes->mode[0].omega < -little * fabs(modes->mode[modes->n - 1].omega))
+        fputs("negative frequencies are growth rates: this posture is no stable equilibrium\n", stderr);
+    if (flutter) fputs("negative damping is growing vibration: this posture is no stable equilibrium\n", stderr);
+}
+
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
@@ -71,9 +81,6 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     TRY(status);
     TRY(at_time(&sim, request, report));
     TRY(modes_find(&modes, &sim, life, report));
-    if (!request->quiet && modes.n && modes.mode[0].omega < -1e-6 * fabs(modes.mode[modes.n - 1].omega))
-        fprintf(stderr, "negative frequencies are growth rates: this posture is no stable equilibrium%s\n",
-                modes.gyroscopic_left_out ? " without the gyroscopic terms of driven rotation, which are left out"
-                                          : "");
+    if (!request->quiet) warn_of_growth(&modes);
     return table_print(mode_table(&sim, &modes, life), !isatty(STDOUT_FILENO), stdout, report);
 }

@@ -5,10 +5,12 @@
  * energy is exactly q'Kq/2.  Then, with Lambda = 1 + [theta]x + Lambda_2 and the linear fields r, theta, Gamma, kappa,
  *
  *     dLambda_2/ds = [theta]x [kappa]x,     dr_2/ds = Lambda_2 e_x + theta x Gamma,
- *     Lambda_2 e_x = int theta x (kappa x e_x) ds = -e_x theta_t.theta_t / 2 + int theta_x kappa_t ds  (t: y and z),
+ *     Lambda_2 = [theta]x^2/2 + [tau]x,     tau = int theta x kappa ds / 2,
  *
- * from zero at the reference.  The first term is the shortening by bending, -e_x/2 int (v'^2 + w'^2) ds; the others go
- * with torsion and with stretch, and make the result the same whichever node is the reference.  1/2 q'Sq = r_2. */
+ * from zero at the reference.  Lambda_2 e_x holds the shortening by bending, -e_x/2 int (v'^2 + w'^2) ds; the others go
+ * with torsion and with stretch, and make the result the same whichever node is the reference.  1/2 q'Sq = r_2.  In
+ * space the inertia of sections and lumps turns with Lambda: a disk on a shaft has its gyroscopic moments, a blade's
+ * sections the propeller moment. */
 #include "flex/beam.h"
 
 #include <math.h>
@@ -140,30 +142,42 @@ static void stiffness(struct flex_body *o, const struct flex_beam *beam, const d
 
 struct march {
     int n;
-    double *I, *S;            /* [3 x n x n] Lambda_2 e_x and r_2 of pairs at the node reached, beam axes */
+    double *T, *S;            /* [3 x n x n] tau and r_2 of pairs at the node reached, beam axes */
     double *W[ROD_GAUSS];     /* [12 x n] fields at the points of an element */
     double *slope[ROD_GAUSS]; /* [3 x n x n] integrands */
-    double *inner[ROD_GAUSS]; /* [3 x n x n] Lambda_2 e_x, then r_2 */
+    double *turn[ROD_GAUSS];  /* [3 x n x n] tau */
+    double *shift[ROD_GAUSS]; /* [3 x n x n] r_2 */
 };
 
 static void march_take(struct march *o, int n, bool second, struct arena *scratch)
 {
     int size = second ? 3 * n * n : 0;
-    *o = (struct march){.n = n, .I = TAKE(scratch, double, size), .S = TAKE(scratch, double, size)};
+    *o = (struct march){.n = n, .T = TAKE(scratch, double, size), .S = TAKE(scratch, double, size)};
     for (int g = 0; g < ROD_GAUSS; g++) {
         o->W[g] = TAKE(scratch, double, 12 * n);
         o->slope[g] = TAKE(scratch, double, size);
-        o->inner[g] = TAKE(scratch, double, size);
+        o->turn[g] = TAKE(scratch, double, size);
+        o->shift[g] = TAKE(scratch, double, size);
     }
 }
 
-/* d/ds of the pair's Lambda_2 e_x: theta x (kappa x e_x), both orders. */
-static void bend_slope(double *o, const double *a, const double *b)
+/* d tau/ds of the pair: (theta x kappa)/2, both orders. */
+static void turn_slope(double *o, const double *a, const double *b)
 {
-    const double *ta = a + ROD_THETA, *tb = b + ROD_THETA, *ka = a + ROD_KAPPA, *kb = b + ROD_KAPPA;
-    o[0] = -(ta[1] * kb[1] + ta[2] * kb[2]) - (tb[1] * ka[1] + tb[2] * ka[2]);
-    o[1] = ta[0] * kb[1] + tb[0] * ka[1];
-    o[2] = ta[0] * kb[2] + tb[0] * ka[2];
+    v3_cross(o, a + ROD_THETA, b + ROD_KAPPA);
+    v3_cross_add(o, b + ROD_THETA, a + ROD_KAPPA);
+    v3_scale(o, .5, o);
+}
+
+/* dr_2/ds of the pair: Lambda_2 e_x + theta x Gamma, both orders. */
+static void shift_slope(double *o, const double *tau, const double *a, const double *b)
+{
+    const double *ta = a + ROD_THETA, *tb = b + ROD_THETA;
+    v3_cross(o, ta, b + ROD_GAMMA);
+    v3_cross_add(o, tb, a + ROD_GAMMA);
+    o[0] -= ta[1] * tb[1] + ta[2] * tb[2];
+    o[1] += (ta[0] * tb[1] + ta[1] * tb[0]) / 2 + tau[2];
+    o[2] += (ta[0] * tb[2] + ta[2] * tb[0]) / 2 - tau[1];
 }
 
 /* end [size] and at[g]: running integrals of f[g] over an element of length h from start, forward from its left end
@@ -182,22 +196,16 @@ static void run(double *end, double **at, double **f, int size, double h, bool b
     }
 }
 
-/* inner[g] := S of the element's points. */
 static void march_element(struct march *o, double h, bool back)
 {
     int n = o->n;
     for (int g = 0; g < ROD_GAUSS; g++)
-        for (int k = 0; k < n * n; k++) bend_slope(o->slope[g] + 3 * k, o->W[g] + 12 * (k % n), o->W[g] + 12 * (k / n));
-    run(o->I, o->inner, o->slope, 3 * n * n, h, back);
+        for (int k = 0; k < n * n; k++) turn_slope(o->slope[g] + 3 * k, o->W[g] + 12 * (k % n), o->W[g] + 12 * (k / n));
+    run(o->T, o->turn, o->slope, 3 * n * n, h, back);
     for (int g = 0; g < ROD_GAUSS; g++)
-        for (int k = 0; k < n * n; k++) {
-            const double *a = o->W[g] + 12 * (k % n), *b = o->W[g] + 12 * (k / n);
-            double *c = o->slope[g] + 3 * k;
-            v3_copy(c, o->inner[g] + 3 * k);
-            v3_cross_add(c, a + ROD_THETA, b + ROD_GAMMA);
-            v3_cross_add(c, b + ROD_THETA, a + ROD_GAMMA);
-        }
-    run(o->S, o->inner, o->slope, 3 * n * n, h, back);
+        for (int k = 0; k < n * n; k++)
+            shift_slope(o->slope[g] + 3 * k, o->turn[g] + 3 * k, o->W[g] + 12 * (k % n), o->W[g] + 12 * (k / n));
+    run(o->S, o->shift, o->slope, 3 * n * n, h, back);
 }
 
 /* ---- integrals and nodes ---- */
@@ -224,11 +232,12 @@ static void add_element(struct flex_body *o, const struct work *w, struct march 
         const struct rod_point *p = &w->rod.point[ROD_GAUSS * element + g];
         double x[3], I[9], *psi = phi + 3 * w->n;
         linear(phi, psi, m->W[g], w);
-        if (o->s) to_body(m->inner[g], w->axes, w->n * w->n);
+        if (o->s) to_body(m->turn[g], w->axes, w->n * w->n);
+        if (o->s) to_body(m->shift[g], w->axes, w->n * w->n);
         turn_tensor(I, w->axes, p->I);
         for (int a = 0; a < 9; a++) I[a] *= p->ds;
         place_at(x, w, p->s);
-        flex_body_add(o, x, p->m * p->ds, I, phi, psi, o->s ? m->inner[g] : NULL);
+        flex_body_add(o, x, p->m * p->ds, I, phi, psi, o->s ? m->shift[g] : NULL, o->s ? m->turn[g] : NULL);
     }
 }
 
@@ -237,13 +246,14 @@ static void at_node(struct flex_body *o, const struct work *w, const struct marc
                     double *phi)
 {
     int n = w->n;
-    double x[3], I[9], *psi = phi + 3 * n, *S = psi + 3 * n, *W = m->W[0];
+    double x[3], I[9], *psi = phi + 3 * n, *S = psi + 3 * n, *T = S + 3 * n * n, *W = m->W[0];
     rod_at_node(W, &w->rod, node, w->Phi, n);
     linear(phi, psi, W, w);
     place_at(x, w, w->rod.s[node]);
     if (o->s) {
         memcpy(S, m->S, (size_t)(3 * n * n) * sizeof *S);
-        to_body(S, w->axes, n * n);
+        memcpy(T, m->T, (size_t)(3 * n * n) * sizeof *T);
+        to_body(S, w->axes, 2 * n * n);
     }
     for (int k = 0; k < o->nnode; k++) {
         struct flex_node *c = &o->node[k];
@@ -252,11 +262,12 @@ static void at_node(struct flex_body *o, const struct work *w, const struct marc
         memcpy(c->phi, phi, (size_t)(3 * n) * sizeof *phi);
         memcpy(c->psi, psi, (size_t)(3 * n) * sizeof *psi);
         if (o->s) memcpy(c->S, S, (size_t)(3 * n * n) * sizeof *S);
+        if (o->s) memcpy(c->T, T, (size_t)(3 * n * n) * sizeof *T);
     }
     for (int k = 0; k < w->beam->nlump; k++) {
         if (rod_node(&w->rod, w->beam->lump[k].station) != node) continue;
         turn_tensor(I, w->axes, w->inertia + 9 * k);
-        flex_body_add(o, x, w->beam->lump[k].mass, I, phi, psi, o->s ? S : NULL);
+        flex_body_add(o, x, w->beam->lump[k].mass, I, phi, psi, o->s ? S : NULL, o->s ? T : NULL);
     }
 }
 
@@ -267,7 +278,7 @@ static void fill_side(struct flex_body *o, const struct work *w, struct march *m
     const struct rod *rod = &w->rod;
     int n = w->n, step = back ? -1 : 1, stop = back ? 0 : rod->nnode - 1;
     size_t bytes = o->s ? (size_t)(3 * n * n) * sizeof(double) : 0;
-    memset(m->I, 0, bytes);
+    memset(m->T, 0, bytes);
     memset(m->S, 0, bytes);
     for (int node = w->reference; node != stop; node += step) {
         int e = back ? node - 1 : node;
@@ -282,7 +293,7 @@ static void fill(struct flex_body *o, const struct work *w, struct arena *scratc
 {
     const struct flex_beam *beam = w->beam;
     int n = w->n, *mesh = TAKE(scratch, int, o->nnode), k = 0;
-    double *phi = TAKE(scratch, double, 6 * n + 3 * n * n);
+    double *phi = TAKE(scratch, double, 6 * n + 6 * n * n);
     struct march m;
     for (int i = 0; i < beam->ninterface; i++) mesh[k++] = rod_node(&w->rod, beam->interface[i]);
     for (int i = 0; i < beam->npoint; i++) mesh[k++] = rod_node(&w->rod, beam->point[i]);
@@ -296,26 +307,38 @@ static void fill(struct flex_body *o, const struct work *w, struct arena *scratc
 
 /* ---- stresses ---- */
 
-/* xx = E (u' - y rz' + z ry') at the point of the section. */
-static enum status stress(struct flex_stress *o, const struct work *w, const struct flex_probe *probe, double *W,
+/* xx = N/A + My z/Iy - Mz y/Iz, xy and xz of section_shear(), all in the section's axes and the shear turned back. */
+static void stress_by(struct flex_stress *o, int j, const struct flex_section *c, const double *T, const double *Q,
+                      double y, double z)
+{
+    const double co = cos(c->twist), si = sin(c->twist);
+    const double V[2] = {co * Q[1] + si * Q[2], co * Q[2] - si * Q[1]};
+    const double M[2] = {co * Q[4] + si * Q[5], co * Q[5] - si * Q[4]};
+    const double xy = T[0] * V[0] + T[2] * V[1] + T[4] * Q[3], xz = T[1] * V[0] + T[3] * V[1] + T[5] * Q[3];
+    double *tensor = o->tensor + 6 * j;
+    o->axial[j] = Q[0] / c->A;
+    o->bending[j] = (z != 0 ? M[0] * z / c->Iy : 0) - M[1] * y / c->Iz;
+    tensor[0] = o->axial[j] + o->bending[j];
+    tensor[3] = co * xy - si * xz;
+    tensor[4] = si * xy + co * xz;
+}
+
+static enum status stress(struct flex_stress *o, const struct work *w, const struct flex_probe *probe, double *Q,
                           struct report *report)
 {
     struct flex_section c;
-    double E = w->beam->E;
+    const double nu = w->beam->E / (2 * w->beam->G) - 1;
+    double T[6];
     rod_section(&c, w->beam, probe->station);
     if ((probe->y != 0 && !(c.y > 0)) || (probe->z != 0 && w->beam->space == 3 && !(c.z > 0)))
         return fail(report, E_MODEL, "the stress point '%s' needs a section whose outline is known",
                     probe->name ? probe->name : "");
-    rod_strains(W, &w->rod, probe->station, w->Phi, w->n);
-    double py = probe->y * c.y, pz = probe->z * c.z;
-    double y = cos(c.twist) * py - sin(c.twist) * pz, z = sin(c.twist) * py + cos(c.twist) * pz;
+    const double y = probe->y * c.y, z = w->beam->space == 3 ? probe->z * c.z : 0;
+    section_shear(T, &c, y, z, isfinite(nu) ? nu : 0);
+    rod_forces(Q, &w->rod, probe->station, w->Phi, w->n);
     o->name = probe->name;
-    for (int j = 0; j < w->n; j++) {
-        const double *f = W + 12 * j;
-        o->axial[j] = E * f[ROD_GAMMA];
-        o->bending[j] = E * (z * f[ROD_KAPPA + 1] - y * f[ROD_KAPPA + 2]);
-        o->tensor[6 * j] = o->axial[j] + o->bending[j];
-    }
+    o->shear = c.shape != SHAPE_NUMBERS;
+    for (int j = 0; j < w->n; j++) stress_by(o, j, &c, T, Q + 6 * j, y, z);
     return OK;
 }
 
@@ -344,8 +367,8 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
     o->reference = 0;
     stiffness(o, beam, w->lambda);
     fill(o, w, scratch);
-    double *W = TAKE(scratch, double, 12 * w->n);
-    for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], W, report));
+    double *Q = TAKE(scratch, double, 6 * w->n);
+    for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], Q, report));
     *out = o;
     return OK;
 }

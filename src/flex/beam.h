@@ -3,8 +3,8 @@
  * The beam runs straight from a to b.  Nodes stand at its ends and at every interface, point, lump and section
  * station; between them equal elements, none longer than length / `elements`.  Elements bend (Euler-Bernoulli, or
  * Timoshenko where shear factors are given), stretch and twist by their own statics and have consistent mass: see
- * rod.h.  Beam axes: x along it, y and z across; body axes are where the deck puts them.  All numbers of a section vary
- * linearly between the stations given (two at one station: a jump) and stay what they are beyond the first and last.
+ * rod.h.  Beam axes: x along it, y and z across; body axes are where the deck puts them.  Between the stations
+ * given sections change as section_between() has it (two at one station: a jump), beyond the first and last they stay.
  *
  * Modes: constraint modes of every interface node but the first, then the `modes` lowest modes with all interface nodes
  * clamped (Craig & Bampton, AIAA J. 6 (1968) 1313), then one diagonalisation of the whole: coordinates are modes with
@@ -15,18 +15,7 @@
 
 #include "base/status.h"
 #include "flex/body.h"
-
-/* A cross-section at a station; y, z beam axes before twist. */
-struct flex_section {
-    double station; /* 0 ... 1 along the beam */
-    double A;       /* area [m2] */
-    double Iy, Iz;  /* int z2, int y2 dA [m4] */
-    double J;       /* torsion constant [m4]; Iy, J, kz, z do not count in the plane */
-    double ky, kz;  /* shear area over area, for forces along y, z; 0: no shear deformation */
-    double twist;   /* of the section's axes about x [rad] */
-    double rotary;  /* 1: rotary inertia rho I of bending counts, 0: it does not; that of torsion always does */
-    double y, z;    /* half sizes: where the corners are, for stresses [m]; 0: not known */
-};
+#include "flex/section.h"
 
 struct flex_lump {
     double station, mass;
@@ -63,9 +52,10 @@ struct flex_beam {
 
 /* Nodes of the result: interfaces in order, then points in order, then both ends; the reference is node 0, the first
  * interface.  Interfaces at one station share its constraint modes.  at [3]: world place of the undeformed centre of
- * mass.  Stresses are xx alone, E times the strain by stretch and bending at the section's point, exact for static
- * loads at nodes; shear stresses are left zero.  Fails (E_MODEL) where there are more modes than freedoms, a matrix is
- * not positive, or a stress point lies in a section of unknown outline. */
+ * mass.  Stresses are xx by stretch and bending and, in sections of a known shape, xy and xz by torsion and transverse
+ * forces, at the section's point in beam axes; exact for static loads at nodes as far as section_shear() is.  Fails
+ * (E_MODEL) where there are more modes than freedoms, a matrix is not positive, or a stress point lies in a section of
+ * unknown outline. */
 enum status flex_beam_make(struct flex_body **out, double *at, const struct flex_beam *o, struct arena *life,
                            struct report *report);
 

@@ -5,9 +5,9 @@
  *     x + u,   u = Phi q + 1/2 q' S q                                                          [m]
  *
  * (second-order kinematics: S is the shortening that comes with bending; it carries all of the geometric
- * stiffness), and a node's small body turns by the Cayley map of theta = Psi q.  The frame is that of the reference
- * node, which does not move in it: Phi = Psi = S = 0 there.  Its axes are the body's, its origin the undeformed
- * centre of mass, so that the integral of x is zero.
+ * stiffness), and a node's small body turns by the Cayley map of theta = Psi q + 1/2 q' T q.  The frame is that of the
+ * reference node, which does not move in it: Phi = Psi = S = T = 0 there.  Its axes are the body's, its origin the
+ * undeformed centre of mass, so that the integral of x is zero.
  *
  * All inertia terms come from one kinetic energy T(v, w, q, q'); the integrals below are all it needs (the standard
  * input data of Wallrapp, Mech. Struct. Mach. 22 (1994) 441, in another order).  dm runs over the body; integrals
@@ -26,6 +26,7 @@ struct flex_node {
     double *phi;      /* [3 x n] displacement by coordinate */
     double *psi;      /* [3 x n] rotation [rad] */
     double *S;        /* [3 x n x n], S[a + 3 (i + n j)], symmetric in i and j; NULL: zero */
+    double *T;        /* [3 x n x n] rotation of second order, likewise */
 };
 
 /* A stress at a named point, linear in the coordinates: six rows xx yy zz xy xz yz of the tensor in the axes that
@@ -35,6 +36,7 @@ struct flex_stress {
     double *tensor;  /* [6 x n] [Pa] by coordinate */
     double *axial;   /* [n], NULL: not told apart */
     double *bending; /* [n] */
+    bool shear;      /* a beam's: xy and xz are known */
 };
 
 struct flex_body {
@@ -64,15 +66,17 @@ struct flex_body {
 struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening, struct arena *life);
 
 /* Adds to all integrals the mass m at x (from the centre of mass) with rotary inertia `spin` [9], where the fields are
- * phi, psi [3 x n], S [3 x n x n] (NULL: zero). */
+ * phi, psi [3 x n], S [3 x n x n] (NULL: zero).  With T [3 x n x n] in a body with s the small body turns by
+ * 1 + [theta]x + [theta]x^2/2 + [1/2 q'Tq]x, theta = psi q, and its inertia with it: it is a cloud of particles then,
+ * with nothing in rot, rpsi and ppsi but what exceeds a cloud's inertia (one principal moment the sum of the others).
+ * T NULL: its inertia keeps the axes of the frame. */
 void flex_body_add(struct flex_body *o, const double *x, double m, const double *spin, const double *phi,
-                   const double *psi, const double *S);
+                   const double *psi, const double *S, const double *T);
 
 /* The same body with the frame at another node: the same coordinates, every field less the rigid motion of that node,
  *     phi' = phi - phi_0 - psi_0 x (x - x_0),  psi' = psi - psi_0,
- * and S' to second order in the same way.  Stiffness, damping and stresses do not change; hertz is gone where the
- * node moves, since the coordinates are no modes of the body so held.  (A node's turn is linear in q: a turn of second
- * order, which bending about two axes has, is in neither frame.) */
+ * and S', T' to second order in the same way.  Stiffness, damping and stresses do not change; hertz is gone where the
+ * node moves, since the coordinates are no modes of the body so held. */
 struct flex_body *flex_refer(const struct flex_body *o, int node, struct arena *life);
 
 /* Mass matrix of the coordinates with the frame at rest, q = 0: Me = tr ff + ppsi [n x n]. */

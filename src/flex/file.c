@@ -109,7 +109,8 @@ static enum status read_node(struct flex_node *o, int n, const cJSON *item, cons
     TRY(numbers(o->x, 3, item, "x", p));
     TRY(numbers(o->phi, 3 * n, item, "phi", p));
     TRY(numbers(o->psi, 3 * n, item, "psi", p));
-    return optional(&o->S, 3 * n * n, item, "S", p, life);
+    TRY(optional(&o->S, 3 * n * n, item, "S", p, life));
+    return optional(&o->T, 3 * n * n, item, "T", p, life);
 }
 
 static enum status read_stress(struct flex_stress *o, int n, const cJSON *item, const struct place *p,
@@ -230,7 +231,8 @@ static enum status check(const struct flex_body *o, const struct place *p, struc
     TRY(check_pairs(o, p));
     flex_mass(Me, o);
     if (dense_cholesky(Me, o->n, o->n) >= 0) return bad(p, "ff", "gives a mass matrix that is not positive");
-    if (reference->S && !all_zero(reference->S, 3 * o->n * o->n))
+    if ((reference->S && !all_zero(reference->S, 3 * o->n * o->n)) ||
+        (reference->T && !all_zero(reference->T, 3 * o->n * o->n)))
         return bad(p, "reference", "the reference node should not move");
     if (!all_zero(reference->phi, 3 * o->n) || !all_zero(reference->psi, 3 * o->n))
         return bad(p, "reference", "the reference node should not move");

@@ -82,6 +82,7 @@ static void put_node(struct writer *w, const struct flex_node *o, int n)
     put_array(w, ",\n   ", "phi", o->phi, 3 * n);
     put_array(w, ",\n   ", "psi", o->psi, 3 * n);
     put_array(w, ",\n   ", "S", o->S, 3 * n * n);
+    put_array(w, ",\n   ", "T", o->T, 3 * n * n);
     put(w, "}");
 }
 

@@ -262,7 +262,18 @@ double flex_elastic(const struct flex_kernel *k, const double *q)
 
 void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct arena *life)
 {
-    *o = (struct flex_place){.dx = TAKE(life, double, 3 * k->n), .dw = TAKE(life, double, 3 * k->n)};
+    *o = (struct flex_place){.dx = TAKE(life, double, 3 * k->n),
+                             .dw = TAKE(life, double, 3 * k->n),
+                             .turn = TAKE(life, double, 3 * k->n),
+                             .work = TAKE(life, double, 3 * k->n)};
+}
+
+/* o += q1' A q1. */
+static void add_square(double *o, const double *A, const double *q1, int n, double *work)
+{
+    memset(work, 0, sizeof *work * 3 * (size_t)n);
+    dense_gemv(work, 1, A, q1, 3 * n, n, 3 * n);
+    add3(o, work, q1, n);
 }
 
 /* x + phi q + q S q/2 and its slopes phi + S q. */
@@ -277,13 +288,17 @@ static void shift(struct flex_place *o, const struct flex_node *node, const doub
     v3_axpy(o->x, .5, u);
 }
 
-/* R = cay(theta), theta = psi q; in frame axes w = c (theta' + theta x theta'/2), c = 1/(1 + theta.theta/4).  R's
- * column i is e_i + c (theta x e_i + theta x (theta x e_i)/2). */
+/* R = cay(theta), theta = psi q + q'Tq/2; in frame axes w = c (theta' + theta x theta'/2), c = 1/(1 + theta.theta/4).
+ * R's column i is e_i + c (theta x e_i + theta x (theta x e_i)/2). */
 static void turn(struct flex_place *o, const struct flex_node *node, const double *q, int n)
 {
     double *theta = o->theta;
     v3_set(theta, 0, 0, 0);
+    memcpy(o->turn, node->psi, sizeof *o->turn * 3 * (size_t)n);
+    if (node->T) dense_gemv(o->turn, 1, node->T, q, 3 * n, n, 3 * n);
     add3(theta, node->psi, q, n);
+    add3(theta, o->turn, q, n);
+    v3_scale(theta, .5, theta);
     const double c = o->c = 1 / (1 + .25 * v3_dot(theta, theta));
     for (int i = 0; i < 3; i++) {
         const double e[3] = {i == 0, i == 1, i == 2};
@@ -297,8 +312,8 @@ static void turn(struct flex_place *o, const struct flex_node *node, const doubl
     }
     for (int j = 0; j < n; j++) {
         double half[3], *dw = o->dw + 3 * j;
-        v3_scale(half, .5, node->psi + 3 * j);
-        v3_copy(dw, node->psi + 3 * j);
+        v3_scale(half, .5, o->turn + 3 * j);
+        v3_copy(dw, o->turn + 3 * j);
         v3_cross_add(dw, theta, half);
         v3_scale(dw, c, dw);
     }
@@ -317,16 +332,20 @@ void flex_place_move(struct flex_place *o, const struct flex_kernel *k, int node
 {
     const int n = k->n;
     const struct flex_node *at = &k->body->node[node];
-    double theta1[3] = {0};
+    double theta1[3] = {0}, theta2[3] = {0}, half[3];
     v3_set(o->v, 0, 0, 0);
     v3_set(o->w, 0, 0, 0);
     v3_set(o->bias, 0, 0, 0);
     add3(o->v, o->dx, q1, n);
     add3(o->w, o->dw, q1, n);
-    for (int j = 0; at->S && j < n; j++)
-        for (int i = 0; i < n; i++) v3_axpy(o->bias, q1[i] * q1[j], at->S + 3 * (i + n * j));
-    add3(theta1, at->psi, q1, n);
+    if (at->S) add_square(o->bias, at->S, q1, n, o->work);
+    add3(theta1, o->turn, q1, n); /* (theta' + theta x theta'/2)' has no theta' x theta' */
     v3_scale(o->turning, -.5 * o->c * v3_dot(o->theta, theta1), o->w);
+    if (!at->T) return;
+    add_square(theta2, at->T, q1, n, o->work); /* of theta'' what q'' does not bring */
+    v3_axpy(o->turning, o->c, theta2);
+    v3_cross(half, o->theta, theta2);
+    v3_axpy(o->turning, .5 * o->c, half);
 }
 
 void flex_place_speed_up(struct flex_place *o, const struct flex_kernel *k, const double *q2)

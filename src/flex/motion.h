@@ -73,6 +73,8 @@ struct flex_place {
     double bias[3], turning[3]; /* of a and al: what q' alone makes */
     double *dx;                 /* [3 x n] dv/dq' = phi + S q */
     double *dw;                 /* [3 x n] dw/dq' */
+    double *turn;               /* [3 x n] psi + T q */
+    double *work;               /* [3 x n] */
 };
 void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct arena *life);
 void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q);

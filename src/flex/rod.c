@@ -86,11 +86,7 @@ void rod_section(struct flex_section *o, const struct flex_beam *beam, double st
     if (k + 1 == beam->nsection || station <= a[k].station) return;
     a += k;
     b = a + 1;
-    double t = (station - a->station) / (b->station - a->station);
-#define MIX(x) o->x = (1 - t) * a->x + t * b->x
-    MIX(A), MIX(Iy), MIX(Iz), MIX(J), MIX(ky), MIX(kz), MIX(twist), MIX(rotary), MIX(y), MIX(z);
-#undef MIX
-    o->station = station;
+    section_between(o, a, b, (station - a->station) / (b->station - a->station));
 }
 
 /* T [2 x 2] in a matrix of ld rows: the tensor diag(p, q) across the beam, turned by the angle about x. */
@@ -371,31 +367,32 @@ static int neighbour(const struct rod *o, int element, double s)
     return -1;
 }
 
-/* Force along the beam in an element. */
-static double pull(const struct rod *o, int element, const double *phi)
+/* Row of force and moment at the right end of an element. */
+static double load(const struct rod *o, int element, int row, const double *phi)
 {
     double sum = 0;
     for (int k = 0; k < 12; k++) {
         int a = freedom(o, element, k);
-        if (a >= 0) sum += o->G[72 * element + 6 * k] * phi[a];
+        if (a >= 0) sum += o->G[72 * element + 6 * k + row] * phi[a];
     }
     return sum;
 }
 
-/* The pull of an element is its mean; from middle to middle it is taken as linear. */
-void rod_strains(double *W, const struct rod *o, double station, const double *Phi, int n)
+/* Forces and torque of an element are its means; from middle to middle they are taken as linear. */
+void rod_forces(double *Q, const struct rod *o, double station, const double *Phi, int n)
 {
-    double S[36], N[12 * 12] = {0}, s = station * o->length;
+    double s = station * o->length, share = 0;
     int e = 0, size = o->nnode * o->per;
     while (e < o->nnode - 2 && o->s[e + 1] <= s + SAME * o->length) e++;
-    strain_by_load(S, o->beam, station, o->s[e + 1] - s);
-    strains(N, S, o->G + 72 * e);
-    apply(W, N, o, e, Phi, n);
-    int other = neighbour(o, e, s);
-    if (other < 0) return;
-    double share = (s - middle(o, e)) / (middle(o, other) - middle(o, e));
+    const int other = neighbour(o, e, s);
+    const double arm = o->s[e + 1] - s;
+    if (other >= 0) share = (s - middle(o, e)) / (middle(o, other) - middle(o, e));
     for (int j = 0; j < n; j++) {
         const double *phi = Phi + (long)size * j;
-        W[ROD_GAMMA + 12 * j] += S[0] * share * (pull(o, other, phi) - pull(o, e, phi));
+        double *q = Q + 6 * j;
+        for (int i = 0; i < 6; i++) q[i] = load(o, e, i, phi);
+        q[4] -= arm * q[2];
+        q[5] += arm * q[1];
+        for (int i = 0; other >= 0 && i < 4; i++) q[i] += share * (load(o, other, i, phi) - q[i]);
     }
 }

@@ -56,10 +56,11 @@ void rod_section(struct flex_section *o, const struct flex_beam *beam, double st
 void rod_matrices(struct band *K, struct band *M, const struct rod *o, const double *inertia, struct arena *life);
 
 /* For n columns Phi [freedoms x n] of the mesh: W [12 x n], the fields at a Gauss point; displacement and rotation at
- * a node (the strains, which may jump there, are left zero); strains alone at a station, those of the element that
- * begins at or before, stretch by the pull that is linear between the middles of elements no load comes between. */
+ * a node (the strains, which may jump there, are left zero). */
 void rod_at_point(double *W, const struct rod *o, int point, const double *Phi, int n);
 void rod_at_node(double *W, const struct rod *o, int node, const double *Phi, int n);
-void rod_strains(double *W, const struct rod *o, double station, const double *Phi, int n);
+/* Q [6 x n], force and moment in the section at a station, on the side of x: those of the element that begins at or
+ * before; force and torque linear between the middles of elements no load comes between. */
+void rod_forces(double *Q, const struct rod *o, double station, const double *Phi, int n);
 
 #endif

@@ -46,8 +46,14 @@ static void joint_turn(double *J, const struct model_joint *j, const double *q)
 /* How a node's small body stands in the frame. */
 static void node_turn(double *T, const struct model_body *parent, int node, const double *q)
 {
+    const struct flex_node *at = &parent->flex->node[node];
+    const int n = parent->nmode;
     double theta[3] = {0, 0, 0}, turn[4];
-    for (int k = 0; k < parent->nmode; k++) v3_axpy(theta, q[parent->mode_q[k]], parent->flex->node[node].psi + 3 * k);
+    for (int k = 0; k < n; k++) {
+        v3_axpy(theta, q[parent->mode_q[k]], at->psi + 3 * k);
+        for (int i = 0; at->T && i < n; i++)
+            v3_axpy(theta, .5 * q[parent->mode_q[k]] * q[parent->mode_q[i]], at->T + 3 * (i + n * k));
+    }
     quat_cay(turn, theta);
     quat_matrix(T, turn);
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "la/eigen.h"
+#include "probe/swing.h"
 
 struct linear {
     const struct ode2 *ode;
@@ -12,6 +13,7 @@ struct linear {
     double t;
     int n;
     double *M, *K, *C; /* [n x n] */
+    double *N;         /* [n x n] circulatory: the antisymmetric part of dr/dq */
     double *G;         /* [n x n] gyroscopic: the antisymmetric part of dr/dv */
 };
 
@@ -23,50 +25,84 @@ static void displaced(const struct linear *l, double *q1, const double *dx)
         for (int i = 0; i < l->n; i++) q1[i] = l->q[i] + dx[i];
 }
 
-/* K by central differences of r at rest, made symmetric. */
-static enum status stiffness(struct linear *l, struct arena *life, struct trouble *why)
+/* r at rest, displaced by dx.  Of rotations it goes with turns from there and is moved back to slopes by dx: with
+ * dx' = (1 + [dx]x/2) v it is (1 + [dx]x/2) r, so that N is nothing where there is a potential. */
+static enum status displaced_resid(double *r, const struct linear *l, double *q1, const double *dx, const double *zero,
+                                   double *work, struct trouble *why)
 {
-    static const double step = 1e-5; /* [m], [rad] */
-    int n = l->n;
-    double *q1 = TAKE(life, double, l->ode->nq), *dx = TAKE(life, double, n), *zero = TAKE(life, double, n);
-    double *up = TAKE(life, double, n), *down = TAKE(life, double, n);
     struct instant x = {.t = l->t, .q = q1, .v = zero, .ta = l->t, .tb = l->t};
-    for (int j = 0; j < n; j++) {
-        dx[j] = step;
-        displaced(l, q1, dx);
-        TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, ALL, why));
-        dx[j] = -step;
-        displaced(l, q1, dx);
-        TRY(l->ode->ops->resid(l->ode, down, NULL, NULL, &x, ALL, why));
-        dx[j] = 0;
-        for (int i = 0; i < n; i++) l->K[i + j * n] = (up[i] - down[i]) / (2 * step);
-    }
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < j; i++) l->K[i + j * n] = l->K[j + i * n] = (l->K[i + j * n] + l->K[j + i * n]) / 2;
+    displaced(l, q1, dx);
+    TRY(l->ode->ops->resid(l->ode, r, NULL, NULL, &x, ALL, why));
+    if (!l->ode->move) return OK;
+    memcpy(work, r, sizeof *work * (size_t)l->n);
+    l->ode->move->rate(l->ode, r, q1, l->q, dx, work, l->t);
     return OK;
 }
 
-/* G by central differences, exact since r is quadratic in v but for friction. */
-static enum status gyroscopic(struct linear *l, struct arena *life, struct trouble *why)
+/* K and N by central differences, exact for cubic r: the stretch of a beam held at both ends is one.  Unit mass of a
+ * quick mode of a light beam moves far, so that quick coordinates take small steps. */
+static enum status stiffness(struct linear *l, struct arena *life, struct trouble *why)
+{
+    static const double step = 1e-5, quick = 1e3; /* [m], [rad]; [rad/s] */
+    static const double at[4] = {-2, -1, 1, 2}, weight[4] = {1. / 12, -2. / 3, 2. / 3, -1. / 12};
+    int n = l->n;
+    double *q1 = TAKE(life, double, l->ode->nq), *dx = TAKE(life, double, n), *zero = TAKE(life, double, n);
+    double *r = TAKE(life, double, n), *work = TAKE(life, double, n);
+    for (int j = 0; j < n; j++) {
+        double *K = l->K + (long)n * j;
+        const double h = step / (1 + sqrt(fabs(K[j]) / l->M[j + (long)n * j]) / quick);
+        memset(K, 0, (size_t)n * sizeof *K);
+        for (int k = 0; k < 4; k++) {
+            dx[j] = at[k] * h;
+            TRY(displaced_resid(r, l, q1, dx, zero, work, why));
+            for (int i = 0; i < n; i++) K[i] += weight[k] / h * r[i];
+        }
+        dx[j] = 0;
+    }
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < j; i++) {
+            const double upper = l->K[i + j * n], lower = l->K[j + i * n];
+            l->K[i + j * n] = l->K[j + i * n] = (upper + lower) / 2;
+            l->N[i + j * n] = (upper - lower) / 2;
+            l->N[j + i * n] = -l->N[i + j * n];
+        }
+    return OK;
+}
+
+/* G at a time by central differences, exact since r is quadratic in v but for friction. */
+static enum status gyroscopic(double *G, const struct linear *l, double t, struct arena *life, struct trouble *why)
 {
     static const double step = 1e-2; /* [m/s], [rad/s] */
     int n = l->n;
     double *v = TAKE(life, double, n), *up = TAKE(life, double, n), *down = TAKE(life, double, n);
-    struct instant x = {.t = l->t, .q = l->q, .v = v, .ta = l->t, .tb = l->t};
+    struct instant x = {.t = t, .q = l->q, .v = v, .ta = t, .tb = t};
     for (int j = 0; j < n; j++) {
         v[j] = step;
         TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, ALL, why));
         v[j] = -step;
         TRY(l->ode->ops->resid(l->ode, down, NULL, NULL, &x, ALL, why));
         v[j] = 0;
-        for (int i = 0; i < n; i++) l->G[i + j * n] = (up[i] - down[i]) / (2 * step);
+        for (int i = 0; i < n; i++) G[i + j * n] = (up[i] - down[i]) / (2 * step);
     }
     for (int j = 0; j < n; j++)
         for (int i = 0; i <= j; i++) {
-            double g = (l->G[i + j * n] - l->G[j + i * n]) / 2;
-            l->G[i + j * n] = g;
-            l->G[j + i * n] = -g;
+            double g = (G[i + j * n] - G[j + i * n]) / 2;
+            G[i + j * n] = g;
+            G[j + i * n] = -g;
         }
+    return OK;
+}
+
+/* N less G'/2. */
+static enum status steady(struct linear *l, struct arena *life, struct trouble *why)
+{
+    static const double later = 1e-6; /* [s] */
+    const int nn = l->n * l->n;
+    double *G = TAKE(life, double, nn), most = 0;
+    for (int k = 0; k < nn; k++) most = fmax(most, fabs(l->G[k]));
+    if (most == 0) return OK;
+    TRY(gyroscopic(G, l, l->t + later, life, why));
+    for (int k = 0; k < nn; k++) l->N[k] -= (G[k] - l->G[k]) / (2 * later);
     return OK;
 }
 
@@ -78,11 +114,13 @@ static enum status linearise(struct linear *l, struct arena *life, struct troubl
     l->K = TAKE(life, double, n *n);
     l->C = TAKE(life, double, n *n);
     l->G = TAKE(life, double, n *n);
+    l->N = TAKE(life, double, n *n);
     struct instant x = {.t = l->t, .q = l->q, .v = zero, .ta = l->t, .tb = l->t};
     TRY(l->ode->ops->mass(l->ode, l->M, l->q, l->t, ALL, why));
     TRY(l->ode->ops->slopes(l->ode, l->K, l->C, &x, ALL, why));
     TRY(stiffness(l, life, why));
-    return gyroscopic(l, life, why);
+    TRY(gyroscopic(l->G, l, l->t, life, why));
+    return steady(l, life, why);
 }
 
 /* Local frequencies: one coordinate moves, the others recoil, w_i^2 = |(M^-1 K)_ii|. */
@@ -156,21 +194,37 @@ static void times(double *y, const double *A, const double *x, int rows, int col
         for (int i = 0; i < rows; i++) y[i] += A[i + j * stride] * x[j];
 }
 
-/* g = X'G X [n x n], and whether it counts; work [n]. */
-static bool turned(double *g, const struct linear *l, const double *X, double top, double *work)
+/* o = X'A X [n x n]; work [n]. */
+static void in_modes(double *o, const double *A, const double *X, int n, double *work)
 {
-    static const double counts = 1e-9; /* of the highest frequency */
-    int n = l->n;
-    double most = 0;
     for (int j = 0; j < n; j++) {
-        times(work, l->G, X + j * n, n, n, n);
+        times(work, A, X + j * n, n, n, n);
         for (int i = 0; i < n; i++) {
-            g[i + j * n] = 0;
-            for (int k = 0; k < n; k++) g[i + j * n] += X[k + i * n] * work[k];
-            most = fmax(most, fabs(g[i + j * n]));
+            o[i + j * n] = 0;
+            for (int k = 0; k < n; k++) o[i + j * n] += X[k + i * n] * work[k];
         }
     }
+}
+
+/* Do gyroscopic terms count? */
+static bool turned(const double *g, double top, int n)
+{
+    static const double counts = 1e-9; /* of the highest frequency */
+    double most = 0;
+    for (int k = 0; k < n * n; k++) most = fmax(most, fabs(g[k]));
     return most > counts * top;
+}
+
+/* Do circulatory ones?  They are known to the errors of differences. */
+static bool circulated(const double *c, const double *lambda, int n)
+{
+    static const double counts = 1e-3, noise = 1e-8;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < j; i++) {
+            const double a = fabs(lambda[i]), b = fabs(lambda[j]);
+            if (fabs(c[i + j * n]) > counts * sqrt(a * b) + noise * fmax(a, b)) return true;
+        }
+    return false;
 }
 
 /* S [2n x 2n] */
@@ -220,6 +274,28 @@ static void describe_gyroscopic(struct modes *o, const struct linear *l, const d
     }
 }
 
+/* ---- the same with all ----
+ *
+ * In the modes X again, p'' + X'(G + C) X p' + X'(K + N) X p = 0; g and c have the parts of G and N. */
+static bool describe_all(struct modes *o, const struct linear *l, const double *X, const double *lambda, double *g,
+                         double *c, struct arena *life)
+{
+    const int n = l->n;
+    double *x = TAKE(life, double, 2 * n), *damping = TAKE(life, double, n *n);
+    struct swing *swing = TAKE(life, struct swing, n);
+    in_modes(damping, l->C, X, n, x);
+    for (int k = 0; k < n * n; k++) g[k] += damping[k];
+    for (int j = 0; j < n; j++) c[j + n * j] += lambda[j];
+    if (!swing_find(swing, c, g, n, life)) return false;
+    for (int j = 0; j < n; j++) {
+        o->mode[j] = (struct mode){.omega = swing[j].omega, .damping = swing[j].damping};
+        times(x, X, swing[j].p, n, n, n);
+        times(x + n, X, swing[j].p + n, n, n, n);
+        shares(&o->mode[j], l, x, 2);
+    }
+    return true;
+}
+
 enum status modes_find(struct modes *o, const struct sim *sim, struct arena *life, struct report *report)
 {
     const struct ode2 *ode = sim->stepper.ode;
@@ -237,10 +313,15 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));
     o->n = n;
     o->mode = TAKE(life, struct mode, n);
-    double *g = TAKE(life, double, n *n), top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[n - 1])));
-    bool turns = turned(g, &l, X, top, TAKE(life, double, n));
-    o->gyroscopic_left_out = turns && lambda[0] < -1e-9 * top * top;
-    if (turns && !o->gyroscopic_left_out)
+    double *g = TAKE(life, double, n *n), *c = TAKE(life, double, n *n), *work = TAKE(life, double, n);
+    const double top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[n - 1])));
+    in_modes(g, l.G, X, n, work);
+    in_modes(c, l.N, X, n, work);
+    const bool turns = turned(g, top, n), unstable = lambda[0] < -1e-9 * top * top;
+    if (circulated(c, lambda, n) || (turns && unstable)) {
+        if (!describe_all(o, &l, X, lambda, g, c, life))
+            return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);
+    } else if (turns)
         describe_gyroscopic(o, &l, X, lambda, g, life);
     else
         for (int j = 0; j < n; j++) describe(&o->mode[j], &l, lambda[j], X + j * n);

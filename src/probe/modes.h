@@ -1,10 +1,14 @@
 /* modes.h -- frequencies of small motions about a posture, and what they ask of the steps.
  *
- * The condensed system (2-4) linearised about the posture at rest while drives move on: M^ x'' + G x' + K x = 0, K =
- * dr/dq by central differences of r(q, 0, 0, t), so that gravity, preloads and centrifugal loads are in it, G the
- * antisymmetric part of dr/dv, the Coriolis forces of driven rotation.  Where K is not positive G is left out, and
- * `gyroscopic_left_out` says so: rotation may stabilise what looks unstable then.  The damping of a mode is to first
- * order, x'Cx / (2 omega) with C of the elements. */
+ * The condensed system (2-4) linearised about the posture at rest while drives move on: M^ x'' + (G + C) x' + (K + N) x
+ * = 0, K and N the symmetric and antisymmetric parts of dr/dq by central differences of r(q, 0, 0, t), so that gravity,
+ * preloads and centrifugal loads are in it, G the antisymmetric part of dr/dv, the Coriolis forces of driven rotation,
+ * C of the elements.  N is of loads without a potential: those that follow a body, or read other coordinates than they
+ * act on.  The part G'/2 that drives bring by their acceleration is left out of it: with it, what a slow change of the
+ * frequencies keeps, seems to grow.
+ *
+ * Where N is nothing and K positive (or G nothing) the damping of a mode is to first order, x'Cx / (2 omega). Elsewhere
+ * the eigenvalues s of the whole are found: omega = |s|, damping -re s/|s|, which is negative where the mode grows. */
 #ifndef FMDSUB_PROBE_MODES_H
 #define FMDSUB_PROBE_MODES_H
 
@@ -13,7 +17,7 @@
 
 struct mode {
     double omega;   /* [rad/s]; negative: the posture is unstable, a growth rate */
-    double damping; /* share of critical */
+    double damping; /* share of critical; negative: growing vibration */
     int top[3];     /* coordinates that share its energy most, -1: none */
     double share[3];
     double fast; /* share of the fast coordinates */
@@ -24,7 +28,6 @@ struct modes {
     struct mode *mode;          /* [n], ascending */
     double slow_top, fast_top;  /* local frequency of the quickest slow and fast coordinate [rad/s] */
     int slow_worst, fast_worst; /* which; -1: none */
-    bool gyroscopic_left_out;
 };
 
 enum { MODES_MOST = 300 };

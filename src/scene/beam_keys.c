@@ -7,7 +7,9 @@ const struct key keys_beam_body[] = {
     PARAM_NODE(struct beam_body_keys, beam, "beam", "map", KEY_REQUIRED, "its axis and how it is divided"),
     PARAM_NODE(struct beam_body_keys, section, "section", "map", 0, "cross-section, the same all along"),
     PARAM_NODE(struct beam_body_keys, sections, "sections", "[{station: s, ...}, ...]", 0,
-               "cross-sections from station 0 to 1: areas and moments are linear between them, and so is the twist"),
+               "cross-sections from station 0 to 1: two of one shape change by their sizes, others by area and "
+               "moments, linear "
+               "between them, and so is the twist"),
     PARAM_NODE(struct beam_body_keys, material, "material", "name or map", KEY_REQUIRED,
                "steel, stainless, aluminium, titanium, magnesium, brass, or its constants"),
     PARAM_INT(struct beam_body_keys, modes, "modes", 1, 200, 0, "6",

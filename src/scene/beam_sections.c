@@ -1,17 +1,8 @@
-/* beam_sections.c -- cross-sections and materials of beams.
- *
- * Torsion constant of a rectangle: Saint-Venant's series (Timoshenko & Goodier, Theory of Elasticity, art. 109);
- * shear coefficients: Cowper, J. Appl. Mech. 33 (1966) 335, with m the ratio of the radii:
- *
- *     rectangle   10 (1 + nu) / (12 + 11 nu)
- *     circle       6 (1 + nu) / (7 + 6 nu)
- *     tube         6 (1 + nu) (1 + m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12 nu) m^2) */
+/* beam_sections.c -- cross-sections and materials of beams. */
 #include <math.h>
 #include <string.h>
 
 #include "scene/flexible.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Room-temperature values of common grades: E [Pa], nu, density [kg/m3]. */
 static const struct {
@@ -57,14 +48,6 @@ int read_material(struct builder *b, struct draft *o, const struct node *n, cons
     return 1;
 }
 
-/* a b^3/3 (1 - 192/pi^5 b/a sum tanh(n pi a/(2 b))/n^5), n odd, a >= b */
-double rectangle_torsion(double a, double b)
-{
-    double sum = 0, most = fmax(a, b), least = fmin(a, b);
-    for (int n = 39; n > 0; n -= 2) sum += tanh(n * pi * most / (2 * least)) / pow(n, 5);
-    return most * pow(least, 3) * (1 - 192 / pow(pi, 5) * least / most * sum) / 3;
-}
-
 static double nu_of(const struct draft *o)
 {
     double nu = o->beam.E / (2 * o->beam.G) - 1;
@@ -88,14 +71,7 @@ static int rectangle(struct builder *b, struct flex_section *s, const struct dra
     double a[2], nu = nu_of(o);
     if (sizes(b, a, 2, n, what)) return 1;
     bool plane = b->scene->space == 2;
-    double y = plane ? a[1] : a[0], z = plane ? a[0] : a[1];
-    s->A = y * z;
-    s->Iz = z * pow(y, 3) / 12;
-    s->Iy = y * pow(z, 3) / 12;
-    s->J = rectangle_torsion(y, z);
-    s->ky = s->kz = 10 * (1 + nu) / (12 + 11 * nu);
-    s->y = y / 2;
-    s->z = z / 2;
+    section_rectangle(s, plane ? a[1] : a[0], plane ? a[0] : a[1], nu);
     return 0;
 }
 
@@ -107,12 +83,7 @@ static int annulus(struct builder *b, struct flex_section *s, const struct draft
         diag_error(b->diags, n, AT_VALUE, "E-range", "%s: the inner radius is not smaller than the outer", what);
         return 1;
     }
-    double nu = nu_of(o), m2 = a[1] * a[1] / (a[0] * a[0]), round = (1 + m2) * (1 + m2);
-    s->A = pi * (a[0] * a[0] - a[1] * a[1]);
-    s->Iy = s->Iz = pi * (pow(a[0], 4) - pow(a[1], 4)) / 4;
-    s->J = 2 * s->Iy;
-    s->ky = s->kz = 6 * (1 + nu) * round / ((7 + 6 * nu) * round + (20 + 12 * nu) * m2);
-    s->y = s->z = a[0];
+    section_round(s, a[0], a[1], nu_of(o));
     return 0;
 }
 

@@ -160,9 +160,11 @@ void weigh_beam(struct scene_body *body, struct draft *o)
     double mass = 0, moment = 0;
     for (int i = 0; i + 1 < beam->nsection; i++) {
         const struct flex_section *s = &beam->section[i];
-        double d = s[1].station - s[0].station, mean = (s[0].A + s[1].A) / 2;
-        mass += d * mean;
-        moment += d * (s[0].station * mean + d * (s[0].A + 2 * s[1].A) / 6);
+        const double d = s[1].station - s[0].station;
+        struct flex_section middle;
+        section_between(&middle, s, s + 1, 0.5);
+        mass += d * (s[0].A + 4 * middle.A + s[1].A) / 6;
+        moment += d * (s[0].station * s[0].A + 4 * middle.station * middle.A + s[1].station * s[1].A) / 6;
     }
     if (beam->nsection == 1) {
         mass = beam->section->A;

@@ -66,8 +66,6 @@ int read_sections(struct builder *b, struct draft *o, const struct beam_body_key
                   const char *what);
 /* Does a section of these give shear factors?  Then they count. */
 bool gives_shear(const struct node *n);
-/* Torsion constant of a rectangle with sides a, b [m4]. */
-double rectangle_torsion(double a, double b);
 
 /* plausible.c: a beam that looks like other units */
 void warn_of_beam(struct builder *b, const struct draft *o, const struct node *material, const struct node *beam,

@@ -41,13 +41,8 @@ static struct flex_section section_at(const struct flex_beam *beam, double stati
     int i = 0;
     while (i + 2 < beam->nsection && beam->section[i + 1].station < station) i++;
     const struct flex_section *s = &beam->section[i];
-    struct flex_section o = *s;
-    if (beam->nsection == 1) return o;
-    double part = (station - s[0].station) / (s[1].station - s[0].station);
-    double *const to[] = {&o.A, &o.Iy, &o.Iz, &o.J, &o.ky, &o.kz, &o.twist, &o.y, &o.z};
-    const double *const x[] = {&s->A, &s->Iy, &s->Iz, &s->J, &s->ky, &s->kz, &s->twist, &s->y, &s->z};
-    const double *const y[] = {&s[1].A, &s[1].Iy, &s[1].Iz, &s[1].J, &s[1].ky, &s[1].kz, &s[1].twist, &s[1].y, &s[1].z};
-    for (int k = 0; k < 9; k++) *to[k] = between(*x[k], *y[k], part);
+    struct flex_section o;
+    section_between(&o, s, s + 1, (station - s[0].station) / (s[1].station - s[0].station));
     return o;
 }
 

@@ -112,13 +112,16 @@ static void add_body(struct listing *l, const struct model_body *b, int i)
 static void add_stress(struct listing *l, const struct flex_stress *s, const char *name, int i, int k)
 {
     static const char *const part[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
-    if (s->axial)
+    const bool beam = s->axial && s->bending;
+    if (beam) {
         add(l, join(l, name, "axial"), "Pa", "normal stress from stretch", (struct origin){FROM_AXIAL, i, k, -1});
-    if (s->bending)
         add(l, join(l, name, "bending"), "Pa", "normal stress from bending", (struct origin){FROM_BENDING, i, k, -1});
-    for (int c = 0; !s->axial && !s->bending && c < 6; c++)
+    }
+    for (int c = 0; c < 6; c++) {
+        if (beam && (!s->shear || (c != 3 && (c != 4 || l->plane)))) continue;
         add(l, join(l, name, part[c]), "Pa", c < 3 ? "normal stress, body axes" : "shear stress, body axes",
             (struct origin){FROM_TENSOR, i, 6 * k + c, -1});
+    }
     add(l, join(l, name, "von_mises"), "Pa", "equivalent stress", (struct origin){FROM_VON_MISES, i, k, -1});
 }
 

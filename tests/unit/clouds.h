@@ -8,7 +8,7 @@
 #include "flex/body.h"
 #include "unit/trees.h"
 
-enum cloud_flag { CLOUD_S = 1, CLOUD_ROTARY = 2, CLOUD_DAMPED = 4 };
+enum cloud_flag { CLOUD_S = 1, CLOUD_ROTARY = 2, CLOUD_DAMPED = 4, CLOUD_T = 8 };
 enum { CLOUD_PARTICLES = 30, CLOUD_SOLIDS = 4, CLOUD_NODES = 5, CLOUD_MOST = 8 };
 
 struct particle {
@@ -101,6 +101,7 @@ static inline void cloud_body(struct cloud *o, struct tree_dice *d, unsigned fla
         node->psi = TAKE(arena, double, 3 * n);
         cloud_field(node->phi, d, 3 * n, 1);
         cloud_field(node->psi, d, 3 * n, 1);
+        if (flags & CLOUD_T) cloud_curvature(node->T = TAKE(arena, double, 3 * nn), d, n);
         if (!(flags & CLOUD_S)) continue;
         node->S = TAKE(arena, double, 3 * nn);
         cloud_curvature(node->S, d, n);

@@ -92,10 +92,10 @@ static void test_sections(void **state)
                  cases[i].section);
         open_deck(&o, text, "");
         sum_section(sum, cases[i].y, cases[i].z, cases[i].outer, cases[i].inner);
-        /* as rotary inertia of the whole: rho L (Iy + Iz), rho L Iy, rho L Iz on the diagonal */
+        /* as particles of the whole: int y2 dm = rho L Iz, int z2 dm = rho L Iy */
         const struct flex_body *f = o.scene->body[1].flex;
         double rho_L = 7850 * 2;
-        s = (struct flex_section){.A = f->mass / rho_L, .Iy = f->rot[4] / rho_L, .Iz = f->rot[8] / rho_L};
+        s = (struct flex_section){.A = f->mass / rho_L, .Iy = f->xx[8] / rho_L, .Iz = f->xx[4] / rho_L};
         assert_true(fabs(s.A / sum[0] - 1) < 2e-3);
         assert_true(fabs(s.Iy / sum[1] - 1) < 2e-3);
         assert_true(fabs(s.Iz / sum[2] - 1) < 2e-3);

@@ -22,7 +22,7 @@
 enum { N = 3, COUNT = 12 };
 
 struct particle {
-    double m, x[3], I[9], phi[3 * N], psi[3 * N], S[3 * N * N];
+    double m, x[3], I[9], phi[3 * N], psi[3 * N], S[3 * N * N], T[3 * N * N];
 };
 
 static double roll(uint64_t *state)
@@ -41,7 +41,10 @@ static void draw(struct particle *o, uint64_t *dice)
     for (int a = 0; a < 3 * N; a++) o->phi[a] = roll(dice), o->psi[a] = roll(dice);
     for (int j = 0; j < N; j++)
         for (int i = 0; i <= j; i++)
-            for (int a = 0; a < 3; a++) o->S[a + 3 * (i + N * j)] = o->S[a + 3 * (j + N * i)] = roll(dice);
+            for (int a = 0; a < 3; a++) {
+                o->S[a + 3 * (i + N * j)] = o->S[a + 3 * (j + N * i)] = roll(dice);
+                o->T[a + 3 * (i + N * j)] = o->T[a + 3 * (j + N * i)] = roll(dice);
+            }
 }
 
 /* The centre of mass at the origin; particle 0 is the reference: its fields are zero. */
@@ -57,6 +60,7 @@ static void cloud(struct particle *o, uint64_t *dice)
     memset(o[0].phi, 0, sizeof o[0].phi);
     memset(o[0].psi, 0, sizeof o[0].psi);
     memset(o[0].S, 0, sizeof o[0].S);
+    memset(o[0].T, 0, sizeof o[0].T);
 }
 
 static struct flex_body *gather(const struct particle *p, bool stiffening, struct arena *life)
@@ -67,7 +71,8 @@ static struct flex_body *gather(const struct particle *p, bool stiffening, struc
         memcpy(o->node[k].phi, p[k].phi, sizeof p[k].phi);
         memcpy(o->node[k].psi, p[k].psi, sizeof p[k].psi);
         if (stiffening) memcpy(o->node[k].S, p[k].S, sizeof p[k].S);
-        flex_body_add(o, p[k].x, p[k].m, p[k].I, p[k].phi, p[k].psi, stiffening ? p[k].S : NULL);
+        if (stiffening) memcpy(o->node[k].T, p[k].T, sizeof p[k].T);
+        flex_body_add(o, p[k].x, p[k].m, p[k].I, p[k].phi, p[k].psi, stiffening ? p[k].S : NULL, NULL);
     }
     for (int i = 0; i < N * N; i++) o->K[i] = i, o->D[i] = -i;
     return o;
@@ -122,6 +127,60 @@ static void check_integrals(const struct flex_body *o, const struct particle *p,
         }
 }
 
+static void same(const double *a, const double *b, int n)
+{
+    for (int k = 0; k < n; k++) near(a[k], b[k], 2e-12);
+}
+
+/* A small body that turns to second order, as six particles around its centre. */
+static void test_turning(void **state)
+{
+    uint64_t dice = 5;
+    (void)state;
+    for (int round = 0; round < 20; round++) {
+        struct arena *life = arena_open();
+        struct flex_body *a = flex_body_take(N, 1, 0, true, life), *b = flex_body_take(N, 1, 0, true, life);
+        struct particle p;
+        double P[3], Q[9], I[9] = {0}, zero[9] = {0};
+        draw(&p, &dice);
+        for (int e = 0; e < 3; e++) P[e] = 1 + roll(&dice);
+        if (round % 3 == 0) P[round % 9 / 3] = 0; /* a disk: its polar moment is the sum of both others */
+        turn_matrix(Q, p.psi);
+        for (int e = 0; e < 3; e++)
+            for (int k = 0; k < 9; k++) I[k] += P[e] * ((k % 4 == 0) - Q[3 * e + k % 3] * Q[3 * e + k / 3]);
+        flex_body_add(a, p.x, p.m, I, p.phi, p.psi, p.S, p.T);
+        for (int e = 0; e < 6; e++) {
+            struct particle c = p;
+            double d[3], size = sqrt(3 * P[e % 3] / p.m);
+            v3_scale(d, e < 3 ? size : -size, Q + 3 * (e % 3));
+            c.m = p.m / 6;
+            v3_add(c.x, d);
+            for (int j = 0; j < N; j++) v3_cross_add(c.phi + 3 * j, p.psi + 3 * j, d);
+            for (int k = 0; k < N * N; k++) {
+                const double *pi = p.psi + 3 * (k % N), *pj = p.psi + 3 * (k / N);
+                double x[3];
+                for (int side = 0; side < 2; side++) {
+                    v3_cross(x, side ? pi : pj, d);
+                    v3_scale(x, .5, x);
+                    v3_cross_add(c.S + 3 * k, side ? pj : pi, x);
+                }
+                v3_cross_add(c.S + 3 * k, p.T + 3 * k, d);
+            }
+            flex_body_add(b, c.x, c.m, zero, c.phi, c.psi, c.S, NULL);
+        }
+        same(a->xx, b->xx, 9);
+        same(a->f, b->f, 3 * N);
+        same(a->xf, b->xf, 9 * N);
+        same(a->ff, b->ff, 9 * N * N);
+        same(a->s, b->s, 3 * N * N);
+        same(a->xs, b->xs, 9 * N * N);
+        same(a->rot, zero, 9);
+        same(a->rpsi, zero, 3 * N);
+        same(a->ppsi, zero, N * N);
+        arena_close(life);
+    }
+}
+
 static void test_integrals(void **state)
 {
     struct arena *life = arena_open();
@@ -156,12 +215,32 @@ static void moved(double *u, const struct particle *p, const double *q)
     }
 }
 
+/* How the small body is turned, to second order: psi q + 1/2 q' T q. */
+static void turned(double *R, const struct particle *p, const double *q)
+{
+    double theta[3] = {0};
+    for (int j = 0; j < N; j++) {
+        v3_axpy(theta, q[j], p->psi + 3 * j);
+        for (int i = 0; i < N; i++) v3_axpy(theta, q[i] * q[j] / 2, p->T + 3 * (i + N * j));
+    }
+    turn_matrix(R, theta);
+}
+
+/* The axis of its turn, of the length of its sine, seen from the frame that moves with particle 0's. */
+static void turn_seen(double *axis, const struct particle *p, const struct particle *zero, const double *q)
+{
+    double A[9], B[9], R[9];
+    turned(A, zero, q);
+    turned(B, p, q);
+    m3_tmulm(R, A, B);
+    v3_set(axis, (R[5] - R[7]) / 2, (R[6] - R[2]) / 2, (R[1] - R[3]) / 2);
+}
+
 /* The displacement seen from the frame that moves with particle 0's small body, to all orders. */
 static void seen(double *u, const struct particle *p, const struct particle *zero, const double *q)
 {
-    double theta[3] = {0}, R[9], u0[3], d[3];
-    for (int j = 0; j < N; j++) v3_axpy(theta, q[j], zero->psi + 3 * j);
-    turn_matrix(R, theta);
+    double R[9], u0[3], d[3];
+    turned(R, zero, q);
     moved(u, p, q);
     moved(u0, zero, q);
     v3_sum(d, p->x, u);
@@ -186,14 +265,17 @@ static void refer_particle(struct particle *o, const struct particle *p, const s
         for (int a = 0; a < 3; a++) o->phi[a + 3 * j] = (up[a] - down[a]) / (2 * h);
         v3_diff(o->psi + 3 * j, p->psi + 3 * j, zero->psi + 3 * j);
         for (int i = 0; i < N; i++) {
-            double sum[3] = {0};
+            double sum[3] = {0}, turn[3] = {0};
             for (int k = 0; k < 4; k++) {
                 double both[N] = {0}, u[3];
                 both[i] += k & 1 ? -h : h;
                 both[j] += k & 2 ? -h : h;
                 seen(u, p, zero, both);
                 v3_axpy(sum, (k == 0 || k == 3 ? 1 : -1) / (4 * h * h), u);
+                turn_seen(u, p, zero, both);
+                v3_axpy(turn, (k == 0 || k == 3 ? 1 : -1) / (4 * h * h), u);
             }
+            v3_copy(o->T + 3 * (i + N * j), turn);
             v3_copy(o->S + 3 * (i + N * j), sum);
         }
     }
@@ -215,17 +297,13 @@ static void test_refer(void **state)
     for (int k = 0; k < COUNT; k++)
         for (int a = 0; a < 3 * N * N; a++) {
             near(o->node[k].S[a], other[k].S[a], tolerance);
+            near(o->node[k].T[a], other[k].T[a], tolerance);
             if (a < 3 * N) near(o->node[k].phi[a], other[k].phi[a], tolerance);
             if (a < 3 * N) near(o->node[k].psi[a], other[k].psi[a], 1e-15);
-            if (k == 4) assert_true(o->node[k].S[a] == 0);
+            if (k == 4) assert_true(o->node[k].S[a] == 0 && o->node[k].T[a] == 0);
         }
     for (int k = 0; k < N * N; k++) assert_true(o->K[k] == k && o->D[k] == -k);
     arena_close(life);
-}
-
-static void same(const double *a, const double *b, int n)
-{
-    for (int k = 0; k < n; k++) near(a[k], b[k], 2e-12);
 }
 
 /* To another node and back. */
@@ -252,6 +330,7 @@ static void test_back(void **state)
             same(a->node[k].phi, b->node[k].phi, 3 * N);
             same(a->node[k].psi, b->node[k].psi, 3 * N);
             if (stiffening) same(a->node[k].S, b->node[k].S, 3 * N * N);
+            if (stiffening) same(a->node[k].T, b->node[k].T, 3 * N * N);
         }
     }
     arena_close(life);
@@ -261,6 +340,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_integrals),
+        cmocka_unit_test(test_turning),
         cmocka_unit_test(test_refer),
         cmocka_unit_test(test_back),
     };

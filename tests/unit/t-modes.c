@@ -1,6 +1,7 @@
 /* t-modes.c -- frequencies of small motions against closed forms. */
 #include "probe/modes.h"
 
+#include <complex.h>
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -140,19 +141,95 @@ static void test_gyroscopic(void **state)
         near(o.modes.mode[i].damping, decay / sqrt(w2), 1e-6);
         near(o.modes.mode[i].share[0] + o.modes.mode[i].share[1], 1, 1e-9);
     }
-    assert_false(o.modes.gyroscopic_left_out);
     arena_close(o.life);
 }
 
-/* Faster than the weaker spring can hold it: without gyroscopic terms unstable, and it says so. */
-static void test_left_out(void **state)
+/* Faster than the springs can hold: the roots of
+ *
+ *     (k1 + a s^2)(k2 + c s + m s^2) + 4 W^2 m^2 s^2 = 0,
+ *
+ * with one spring too weak a growth, with both gyroscopic forces hold the bob, and the damper drives it out. */
+static void test_fast_disk(void **state)
 {
+    static const double speed[] = {12, 20}, a = 5, m = 3, c = 0.4;
     (void)state;
+    for (int k = 0; k < 2; k++) {
+        const double W = speed[k], k1 = 500 - a * W * W, k2 = 700 - m * W * W;
+        char set[40];
+        struct opened o;
+        snprintf(set, sizeof set, "parameters.W=%g", W);
+        on_disk(&o, set);
+        assert_int_equal(o.modes.n, 2);
+        for (int i = 0; i < 2; i++) {
+            const double w = o.modes.mode[i].omega, z = o.modes.mode[i].damping;
+            const double complex s = w < 0 ? -w : w * (-z + I * sqrt(1 - z * z));
+            const double complex p = k1 + a * s * s, q = k2 + c * s + m * s * s, turn = 4 * W * W * m * m * s * s;
+            assert_true(cabs(p * q + turn) < 1e-6 * (cabs(p * q) + cabs(turn)));
+        }
+        if (k == 0)
+            assert_true(o.modes.mode[0].omega < 0);
+        else
+            assert_true(o.modes.mode[0].omega > 0 && o.modes.mode[0].damping < 0);
+        arena_close(o.life);
+    }
+}
+
+/* Beck's column, clamped, with a force p EI/L^2 along its tip, Q. Appl. Math. 5 (1952): with frequencies w in units of
+ * sqrt(EI/(rho A L^4)) and a, b = sqrt(sqrt(p^2/4 + w^2) +- p/2),
+ *
+ *     p^2 + 2 w^2 + p w sin a sinh b + 2 w^2 cos a cosh b = 0,
+ *
+ * two of which meet at p = 20.05. */
+static double beck(double p, double w)
+{
+    const double root = sqrt(p * p / 4 + w * w), a = sqrt(root + p / 2), b = sqrt(root - p / 2);
+    return p * p + 2 * w * w + p * w * sin(a) * sinh(b) + 2 * w * w * cos(a) * cosh(b);
+}
+
+static void column(struct opened *o, double p)
+{
+    static const char deck[] = "fmdsub: 1\n"
+                               "parameters: {p: 0, EI: 350}\n"
+                               "bodies:\n"
+                               "  column:\n"
+                               "    beam: {from: [0, 0], to: [0, 1], elements: 16, rotary: false}\n"
+                               "    section: {rectangle: [0.02, 0.01]}\n"
+                               "    material: {E: 2.1e+11, nu: 0.3, density: 7850}\n"
+                               "    modes: 10\n"
+                               "    points: {tip: {station: 1, static: true}}\n"
+                               "constraints: {clamp: {fixed: [ground, column], at: [0, 0]}}\n"
+                               "forces: {push: {force: column.tip, value: [-p*EI, 0], frame: body}}\n"
+                               "integrate: {scheme: midpoint, step: 1.0e-4, until: 1}\n";
+    char path[] = "/tmp/t-modes-XXXXXX.yaml", set[40];
+    const char *const sets[] = {set};
+    int file = mkstemps(path, 5);
+    assert_true(file >= 0);
+    assert_int_equal(write(file, deck, sizeof deck - 1), sizeof deck - 1);
+    close(file);
+    snprintf(set, sizeof set, "parameters.p=%g", p);
+    find(o, path, 1, sets);
+    unlink(path);
+}
+
+static void test_follower(void **state)
+{
+    static const double load[] = {1, 5, 10, 15, 19};
+    const double unit = sqrt(350 / (7850 * 2e-4));
     struct opened o;
-    on_disk(&o, "parameters.W=12");
-    near(o.modes.mode[0].omega, -sqrt(144 - 500. / 5), 1e-6);
-    near(o.modes.mode[1].omega, sqrt(700. / 3 - 144), 1e-6);
-    assert_true(o.modes.gyroscopic_left_out);
+    (void)state;
+    for (int k = 0; k < 5; k++) {
+        column(&o, load[k]);
+        for (int i = 0; i < 2; i++) {
+            const double w = o.modes.mode[i].omega / unit;
+            assert_true(beck(load[k], w * (1 - 2e-4)) * beck(load[k], w * (1 + 2e-4)) < 0);
+            assert_true(o.modes.mode[i].damping == 0);
+        }
+        arena_close(o.life);
+    }
+    column(&o, 20.5);
+    near(o.modes.mode[0].omega, o.modes.mode[1].omega, 1e-9);
+    near(o.modes.mode[0].damping, -o.modes.mode[1].damping, 1e-9);
+    assert_true(o.modes.mode[0].damping < -0.05);
     arena_close(o.life);
 }
 
@@ -160,7 +237,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_slider),     cmocka_unit_test(test_double_pendulum), cmocka_unit_test(test_upright),
-        cmocka_unit_test(test_suggestion), cmocka_unit_test(test_gyroscopic),      cmocka_unit_test(test_left_out),
+        cmocka_unit_test(test_suggestion), cmocka_unit_test(test_gyroscopic),      cmocka_unit_test(test_fast_disk),
+        cmocka_unit_test(test_follower),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

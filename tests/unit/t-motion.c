@@ -380,7 +380,7 @@ static void test_places(void **state)
         struct scene o, there;
         struct flex_place p, at;
         double x[4][3 + 9 + 6], rate[18], W[9], w[3], dx[3], dw[3];
-        open_scene(&o, seed, seed % 3 ? CLOUD_S : 0);
+        open_scene(&o, seed, (seed % 3 ? CLOUD_S : 0) | (seed % 2 ? CLOUD_T : 0));
         flex_place_take(&p, o.k, o.arena);
         flex_place_take(&at, o.k, o.arena);
         flex_place_at(&p, o.k, 2, o.q);
