@@ -10,15 +10,14 @@
  * iterate (so that a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
 static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
 static const double ROUGH = 1e-9;     /* corrections above show what a matrix is worth */
+static const double LATER = .1;       /* of the least contraction that is believed, after two iterations */
 static const double AT_ONCE = .03;    /* of the tolerance, after one iteration: its contraction is hearsay */
 static const double POWERED = 1e2;    /* tolerances the last correction may have where power is integrated */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
 static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
 static const double FAR = 1e4;        /* times the energy that is known: too far to look at it anew */
 static const double SLUGGISH = .3;    /* contraction that asks for a new matrix */
-static const double TIGHTEST = 1e-13, LOOSEST = 1e-8, UNKNOWN = 1e-10; /* tolerance of a step by its local error */
-static const double OF_LOCAL = 1e-3;
-static const double PRICE = 2; /* of one, in evaluations, where its owner does not know */
+static const double PRICE = 2;        /* of one, in evaluations, where its owner does not know */
 enum { LIMIT = 30, ENERGY_LIFE = 32, MOST_REFRESHED = 4 };
 
 void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effort, const struct step_options *options,
@@ -26,7 +25,6 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
 {
     int n = ode->n;
     *nt = (struct newton){.ode = ode, .effort = effort, .tolerance = options->newton_tolerance};
-    nt->steps = 1;
     nt->limit = options->sweeps > 0 ? options->sweeps : LIMIT;
     nt->scale = TAKE(life, double, n);
     nt->per = TAKE(life, double, n);
@@ -43,6 +41,7 @@ void newton_forget(struct newton *nt)
     contraction_forget(&nt->contraction);
     renewal_forget(&nt->renewal, nt->ode->price > 0 ? nt->ode->price : PRICE);
     nt->count = nt->refreshed = 0;
+    nt->theta = 1;
     nt->stale = 1;
 }
 
@@ -77,7 +76,8 @@ void newton_begin(struct newton *nt, double local)
     look_back(nt);
     contraction_begin(&nt->contraction);
     nt->tol = nt->tolerance;
-    if (nt->tol <= 0) nt->tol = local < 0 ? UNKNOWN : fmin(LOOSEST * nt->steps, fmax(TIGHTEST, OF_LOCAL * local));
+    if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : fmin(1e-8, fmax(1e-13, 1e-3 * local));
+    nt->theta = sqrt(nt->theta) * sqrt(sqrt(nt->theta)); /* a theta not measured anew grows towards 1 */
     nt->count = nt->bad = nt->refreshed = nt->fresh = nt->powered = 0;
     nt->age++;
 }
@@ -88,6 +88,7 @@ void newton_refreshed(struct newton *nt)
     nt->refreshed++;
     nt->bad = 0;
     nt->stale = 0;
+    nt->theta = 1;
     contraction_renewed(&nt->contraction);
 }
 
@@ -137,13 +138,31 @@ static enum verdict later_iterate(struct newton *nt, double err, double small, d
     return nt->bad >= 2 ? FAILED : CONTINUE;
 }
 
+/* Of pairs: theta as far as it is believed. */
+static double believed(const struct newton *nt, double theta, double err)
+{
+    theta = fmax(theta, nt->count > 2 ? LATER * nt->trust : nt->trust);
+    return nt->count > 2 ? fmax(theta, sqrt(err / nt->last2)) : theta;
+}
+
 /* theta of the iteration, but no larger than in the norm of energy: corrections of coordinates that others move while
  * they rest themselves come late, however good the matrix is. */
 static double rate_of(const struct newton *nt, double err, double square)
 {
+    if (nt->pairs) return nt->count > 2 ? sqrt(err / nt->last2) : fmax(nt->trust, err / nt->last);
     double theta = err / nt->last;
-    if (nt->pairs) return nt->count > 2 ? sqrt(err / nt->last2) : theta;
     return square > 0 && nt->square > 0 ? fmin(theta, sqrt(square / nt->square)) : theta;
+}
+
+/* The contraction to expect next. */
+static double expected(struct newton *nt, double err)
+{
+    int first = nt->count == 1;
+    double theta = first ? nt->theta : err / nt->last;
+    if (!nt->pairs) return contraction_after(&nt->contraction, first ? 1 : theta);
+    theta = believed(nt, theta, err);
+    if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
+    return theta;
 }
 
 enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x)
@@ -153,10 +172,10 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     nt->effort->sweeps++;
     nt->fresh--;
     if (!(err <= DBL_MAX)) return FAILED;
-    double theta = contraction_after(&nt->contraction, first ? 1 : err / nt->last);
-    double rate = first ? 1 : rate_of(nt, err, square), tol = first ? AT_ONCE * nt->tol : nt->tol;
+    double theta = expected(nt, err), rate = first ? 1 : rate_of(nt, err, square);
+    double tol = first && !nt->pairs ? AT_ONCE * nt->tol : nt->tol;
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
-    int done = err == 0 || (nt->remain * err <= tol && (!nt->powered || err <= POWERED * nt->tol / nt->steps));
+    int done = err == 0 || (nt->remain * err <= tol && (!nt->powered || err <= POWERED * nt->tol));
     if (err == 0) nt->remain = 0;
     if (first) {
         nt->first = err;

@@ -30,9 +30,11 @@ struct newton {
     int age;             /* steps since energy was looked at */
     struct contraction contraction;
     struct renewal renewal;
-    int steps; /* small steps that one is worth: it may leave what they would leave together */
-    int pairs; /* errors go round two blocks of unknowns: what a matrix is worth shows over two iterations */
-    int stale; /* a fresh matrix is due at the next step */
+    int pairs;    /* errors go round two blocks of unknowns: contraction is measured over two iterations, */
+    double theta; /* that to expect of the first one is the last step's, */
+    double trust; /* and this is the least that is believed: a large part of the error may vanish at once and leave a
+                   * small one that converges slowly, which shows from the third iteration on */
+    int stale;    /* a fresh matrix is due at the next step */
 
     /* of the iteration under way */
     double tol, first, last, last2, remain; /* remain: what is left of the last residual, as a factor */

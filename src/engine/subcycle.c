@@ -82,6 +82,7 @@ static void open(struct stepper *s, struct arena *life)
     newton_open(&c->newton, o, &s->effort, &s->options, life);
     if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
     c->newton.pairs = 1;
+    c->newton.trust = .1;
     decouple_open(&c->dec, o, &s->effort, life);
     response_open(&c->resp, &c->dec, life);
     minor_open(&c->here, &c->resp, life);
@@ -170,7 +171,6 @@ static void energy_scale(struct subcycle *c)
 
 static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
 {
-    c->newton.steps = c->ratio;
     newton_begin(&c->newton, c->last_local);
     energy_scale(c);
     int changed = c->resp.h != c->h || c->resp.H != c->H || c->resp.ratio != c->ratio;

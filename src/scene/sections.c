@@ -166,7 +166,7 @@ const struct key keys_integrate[] = {
     PARAM_BOOL(struct integrate, symmetric, "symmetric", 0, "false",
                "subcycle: decoupling at the average of both ends, a second pass"),
     PARAM_REAL(struct integrate, newton_tolerance, "newton_tolerance", NULL, 0, 1, 0, "0",
-               "relative; 0: a thousandth of the step's own error, at most 1e-8 a minor step"),
+               "relative; 0: a thousandth of the step's own error"),
     PARAM_REAL(struct integrate, tolerance, "tolerance", NULL, 0, 0.1, KEY_ABOVE, NULL,
                "dopri5: relative error of every step"),
     KEYS_END,
