@@ -114,6 +114,8 @@ struct affine *affine_build(const struct flex_body *o, struct arena *life)
     undeformed(k);
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) fill_pair(k, i, j);
+    sift_build(&k->by_q, k->change, k->base + k->fixed, k->rows - k->fixed, n, life);
+    sift_build(&k->by_q1, k->fast, NULL, k->nfast, n, life);
     return k;
 }
 
@@ -130,10 +132,9 @@ void affine_take(struct affine_shape *o, const struct affine *k, struct arena *l
 
 void affine_at(struct affine_shape *o, const struct affine *k, const double *q)
 {
-    const int n = k->n, m = k->rows - k->fixed;
+    const int n = k->n;
     double J[6] = {0};
-    memcpy(o->C + k->fixed, k->base + k->fixed, sizeof *o->C * (size_t)m);
-    dense_gemv(o->C + k->fixed, 1, k->change, q, m, n, m);
+    sift_at(o->C + k->fixed, &k->by_q, q);
     add6(J, o->dJ, q, n);
     for (int i = 0; i < 6; i++) o->J[i] = o->Jrest[i] = k->J[i] + .5 * J[i];
     for (int a = 0; a < k->na; a++) {
@@ -205,11 +206,7 @@ static void rest(double *N, double *Q, const struct affine *k, const struct affi
 void affine_inertia(double *F, double *N, double *Q, const struct affine *k, const struct affine_shape *shape,
                     const double *a, const double *w, const double *al, const double *q1, const double *q2)
 {
-    const int n = k->n;
-    if (q1) {
-        memset(shape->work, 0, sizeof *shape->work * (size_t)k->nfast);
-        dense_gemv(shape->work, 1, k->fast, q1, k->nfast, n, k->nfast);
-    }
+    if (q1) sift_times(shape->work, &k->by_q1, q1);
     rest(N, Q, k, shape, w, al, q1, q2);
     for (int i = 0; i < k->na; i++) particle(F, N, Q, k, shape, i, a, w, al, q1, q2);
 }

@@ -3,20 +3,22 @@
 #define FMDSUB_FLEX_AFFINE_PARTS_H
 
 #include "flex/affine.h"
+#include "la/sift.h"
 #include "la/vec3.h"
 
 struct affine {
     const struct flex_body *body;
-    int n, na;            /* coordinates, vectors c_a */
-    double root;          /* of the mass */
-    double weight[4][3];  /* c_a = int p (x . weight_a) dm, a > 0 */
-    double c[4][3], J[6]; /* undeformed; J^ = rot */
-    int rows, fixed;      /* rows of base, and of these the first that do not change: without s */
-    double *base;         /* [rows]: dc_a/dq [3 x n] each, dJ^/dq [6 x n], G^ [3 x n] of the undeformed body */
-    double *change;       /* [rows - fixed, by n] its rate with q */
-    int nfast;            /* 3 n, with s and xs more */
-    double *fast;         /* [nfast by n]: 2 Y, d2c_a/dq2 */
-    double *Me;           /* [n x n] M^ */
+    int n, na;               /* coordinates, vectors c_a */
+    double root;             /* of the mass */
+    double weight[4][3];     /* c_a = int p (x . weight_a) dm, a > 0 */
+    double c[4][3], J[6];    /* undeformed; J^ = rot */
+    int rows, fixed;         /* rows of base, and of these the first that do not change: without s */
+    double *base;            /* [rows]: dc_a/dq [3 x n] each, dJ^/dq [6 x n], G^ [3 x n] of the undeformed body */
+    double *change;          /* [rows - fixed, by n] its rate with q */
+    int nfast;               /* 3 n, with s and xs more */
+    double *fast;            /* [nfast by n]: 2 Y, d2c_a/dq2 */
+    double *Me;              /* [n x n] M^ */
+    struct sift by_q, by_q1; /* change, fast */
 };
 
 /* o [m] += A x, A [m x n] of so few rows that they stay in registers. */

@@ -90,12 +90,9 @@ void affine_slopes(double *K, double *C, double *mK, double *mC, const struct af
                    const struct affine_shape *shape, const double *p, const double *a, const double *w,
                    const double *al, const double *q1, const double *q2)
 {
-    const size_t bytes = sizeof *shape->work * (size_t)k->nfast;
     double arm[3], g[3];
-    memset(shape->work, 0, bytes);
-    memset(shape->later, 0, bytes);
-    dense_gemv(shape->work, 1, k->fast, q1, k->nfast, k->n, k->nfast);
-    dense_gemv(shape->later, 1, k->fast, q2, k->nfast, k->n, k->nfast);
+    sift_times(shape->work, &k->by_q1, q1);
+    sift_times(shape->later, &k->by_q1, q2);
     memset(mK, 0, sizeof *mK * 3 * (size_t)k->n);
     memset(mC, 0, sizeof *mC * 3 * (size_t)k->n);
     for (int i = 0; i < k->na; i++) {

@@ -31,6 +31,16 @@ static void mean_turn(double *psi, const struct flex_body *o, const double *x0)
     }
 }
 
+static void second_order(struct flex_kernel *k, struct arena *life)
+{
+    const struct flex_body *o = k->body;
+    k->node = TAKE(life, struct second, o->nnode);
+    for (int i = 0; i < o->nnode; i++) {
+        if (o->node[i].S) sift_build(&k->node[i].S, o->node[i].S, o->node[i].phi, 3 * o->n, o->n, life);
+        if (o->node[i].T) sift_build(&k->node[i].T, o->node[i].T, o->node[i].psi, 3 * o->n, o->n, life);
+    }
+}
+
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life)
 {
     struct flex_kernel *k = TAKE(life, struct flex_kernel, 1);
@@ -47,6 +57,7 @@ struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *l
         o = flex_refer(&single, 0, life);
     }
     k->in = affine_build(o, life);
+    second_order(k, life);
     return k;
 }
 
@@ -269,19 +280,20 @@ void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct a
 }
 
 /* o += q1' A q1. */
-static void add_square(double *o, const double *A, const double *q1, int n, double *work)
+static void add_square(double *o, const struct sift *A, const double *q1, int n, double *work)
 {
+    if (sift_empty(A)) return;
     memset(work, 0, sizeof *work * 3 * (size_t)n);
-    dense_gemv(work, 1, A, q1, 3 * n, n, 3 * n);
+    sift_times(work, A, q1);
     add3(o, work, q1, n);
 }
 
 /* x + phi q + q S q/2 and its slopes phi + S q. */
-static void shift(struct flex_place *o, const struct flex_node *node, const double *q, int n)
+static void shift(struct flex_place *o, const struct flex_node *node, const struct sift *S, const double *q, int n)
 {
     double u[3] = {0};
     memcpy(o->dx, node->phi, sizeof *o->dx * 3 * (size_t)n);
-    if (node->S) dense_gemv(o->dx, 1, node->S, q, 3 * n, n, 3 * n);
+    sift_at(o->dx, S, q);
     add3(u, node->phi, q, n);
     add3(u, o->dx, q, n);
     v3_copy(o->x, node->x);
@@ -290,12 +302,12 @@ static void shift(struct flex_place *o, const struct flex_node *node, const doub
 
 /* R = cay(theta), theta = psi q + q'Tq/2; in frame axes w = c (theta' + theta x theta'/2), c = 1/(1 + theta.theta/4).
  * R's column i is e_i + c (theta x e_i + theta x (theta x e_i)/2). */
-static void turn(struct flex_place *o, const struct flex_node *node, const double *q, int n)
+static void turn(struct flex_place *o, const struct flex_node *node, const struct sift *T, const double *q, int n)
 {
     double *theta = o->theta;
     v3_set(theta, 0, 0, 0);
     memcpy(o->turn, node->psi, sizeof *o->turn * 3 * (size_t)n);
-    if (node->T) dense_gemv(o->turn, 1, node->T, q, 3 * n, n, 3 * n);
+    sift_at(o->turn, T, q);
     add3(theta, node->psi, q, n);
     add3(theta, o->turn, q, n);
     v3_scale(theta, .5, theta);
@@ -322,8 +334,8 @@ static void turn(struct flex_place *o, const struct flex_node *node, const doubl
 void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q)
 {
     const struct flex_node *at = &k->body->node[node];
-    shift(o, at, q, k->n);
-    turn(o, at, q, k->n);
+    shift(o, at, &k->node[node].S, q, k->n);
+    turn(o, at, &k->node[node].T, q, k->n);
 }
 
 /* The bias of accelerations is what they are with q'' = 0: v' = q'S q', and (theta' + theta x theta'/2)' has no
@@ -331,18 +343,18 @@ void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, 
 void flex_place_move(struct flex_place *o, const struct flex_kernel *k, int node, const double *q1)
 {
     const int n = k->n;
-    const struct flex_node *at = &k->body->node[node];
+    const struct second *at = &k->node[node];
     double theta1[3] = {0}, theta2[3] = {0}, half[3];
     v3_set(o->v, 0, 0, 0);
     v3_set(o->w, 0, 0, 0);
     v3_set(o->bias, 0, 0, 0);
     add3(o->v, o->dx, q1, n);
     add3(o->w, o->dw, q1, n);
-    if (at->S) add_square(o->bias, at->S, q1, n, o->work);
+    add_square(o->bias, &at->S, q1, n, o->work);
     add3(theta1, o->turn, q1, n); /* (theta' + theta x theta'/2)' has no theta' x theta' */
     v3_scale(o->turning, -.5 * o->c * v3_dot(o->theta, theta1), o->w);
-    if (!at->T) return;
-    add_square(theta2, at->T, q1, n, o->work); /* of theta'' what q'' does not bring */
+    if (sift_empty(&at->T)) return;
+    add_square(theta2, &at->T, q1, n, o->work); /* of theta'' what q'' does not bring */
     v3_axpy(o->turning, o->c, theta2);
     v3_cross(half, o->theta, theta2);
     v3_axpy(o->turning, .5 * o->c, half);

@@ -5,12 +5,18 @@
 #include "flex/affine_parts.h"
 #include "flex/motion.h"
 
+/* The second-order tables of a node. */
+struct second {
+    struct sift S, T;
+};
+
 struct flex_kernel {
     const struct flex_body *body;
     int n;
     double pivot[3];       /* the reference node */
     struct flex_node mean; /* psi: Theta */
     struct affine *in;
+    struct second *node; /* [nnode] */
 };
 
 /* The turn by o->theta: R, a, b and their slopes, y, d. */

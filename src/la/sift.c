@@ -1,0 +1,156 @@
+/* sift.c -- see sift.h */
+#include "la/sift.h"
+
+#include <string.h>
+
+#include "la/dense.h"
+#include "la/wide.h"
+
+enum { MOST = 16 }; /* groups */
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+/* Rows while groups are being made: the row that each group began with, and the group of each row. */
+struct sorting {
+    const double *A;
+    int rows, cols, ngroup, first[MOST], wide[MOST];
+    int *of;   /* [rows] -1: a row of zeros */
+    int *full; /* [rows] entries that are not zero */
+};
+
+static int fits(const struct sorting *s, int row, int into)
+{
+    for (int j = 0; j < s->cols; j++) {
+        const double *c = s->A + (long)j * s->rows;
+        if (c[row] != 0 && c[into] == 0) return 0;
+    }
+    return 1;
+}
+
+/* The group of fewest columns that has all of the row and not much else; a new one; -1: there are too many. */
+static int group_of(struct sorting *s, int row)
+{
+    const int n = s->full[row];
+    int best = -1;
+    for (int g = 0; g < s->ngroup; g++) {
+        if (s->wide[g] - n > 1 + n / 2 || (best >= 0 && s->wide[g] >= s->wide[best])) continue;
+        if (fits(s, row, s->first[g])) best = g;
+    }
+    if (best >= 0 || s->ngroup == MOST) return best;
+    s->first[s->ngroup] = row;
+    s->wide[s->ngroup] = n;
+    return s->ngroup++;
+}
+
+/* Rows of many entries first.  Returns the size of all groups; too much where there are too many. */
+static long sort_rows(struct sorting *s)
+{
+    long size = 0;
+    for (int i = 0; i < s->rows; i++) {
+        s->of[i] = -1;
+        for (int j = 0; j < s->cols; j++) s->full[i] += s->A[i + (long)j * s->rows] != 0;
+    }
+    for (int n = s->cols; n > 0; n--)
+        for (int i = 0; i < s->rows; i++) {
+            if (s->full[i] != n) continue;
+            s->of[i] = group_of(s, i);
+            if (s->of[i] < 0) return (long)s->rows * s->cols;
+            size += s->wide[s->of[i]];
+        }
+    return size;
+}
+
+static void take_group(struct sift_group *o, const struct sorting *s, const double *base, int g, struct arena *life)
+{
+    int n = 0, k = 0, last = 0;
+    for (int i = 0; i < s->rows; i++) n += s->of[i] == g;
+    o->blocks = (n + SIFT_BLOCK - 1) / SIFT_BLOCK;
+    o->ncol = s->wide[g];
+    o->row = TAKE(life, int, o->blocks *SIFT_BLOCK);
+    o->col = TAKE(life, int, o->ncol);
+    o->A = TAKE(life, double, (long)o->blocks * o->ncol * SIFT_BLOCK);
+    for (int i = 0; i < s->rows; i++)
+        if (s->of[i] == g) o->row[k++] = last = i;
+    while (k < o->blocks * SIFT_BLOCK) o->row[k++] = last;
+    n = 0;
+    for (int j = 0; j < s->cols; j++)
+        if (s->A[s->first[g] + (long)j * s->rows] != 0) o->col[n++] = j;
+    o->base = base ? TAKE(life, double, o->blocks *SIFT_BLOCK) : NULL;
+    for (int i = 0; base && i < o->blocks * SIFT_BLOCK; i++) o->base[i] = base[o->row[i]];
+    double *A = o->A;
+    for (int b = 0; b < o->blocks; b++)
+        for (int c = 0; c < o->ncol; c++)
+            for (k = 0; k < SIFT_BLOCK; k++) *A++ = s->A[o->row[b * SIFT_BLOCK + k] + (long)o->col[c] * s->rows];
+}
+
+void sift_build(struct sift *o, const double *A, const double *base, int rows, int cols, struct arena *life)
+{
+    struct sorting s = {A, rows, cols, .of = TAKE(life, int, rows), .full = TAKE(life, int, rows)};
+    *o = (struct sift){rows, cols, .dense = A, .base = base};
+    if (2 * sort_rows(&s) > (long)rows * cols) return;
+    o->dense = NULL;
+    o->ngroup = s.ngroup;
+    o->group = TAKE(life, struct sift_group, s.ngroup);
+    for (int g = 0; g < s.ngroup; g++) take_group(&o->group[g], &s, base, g, life);
+}
+
+/* --- product ------------------------------------------------------------------------------------ */
+
+/* Written out: as a loop it takes as long as the product. */
+INTO static inline void spread(double *restrict y, const double *restrict s, const int *restrict row)
+{
+    y[row[0]] = s[0];
+    y[row[1]] = s[1];
+    y[row[2]] = s[2];
+    y[row[3]] = s[3];
+    y[row[4]] = s[4];
+    y[row[5]] = s[5];
+    y[row[6]] = s[6];
+    y[row[7]] = s[7];
+}
+
+INTO static inline void block(double *restrict y, const double *restrict A, const double *restrict base,
+                              const int *restrict row, const int *restrict col, int ncol, const double *restrict x)
+{
+    double s[SIFT_BLOCK];
+    for (int k = 0; k < SIFT_BLOCK; k++) s[k] = base[k];
+    for (int c = 0; c < ncol; c++) {
+        const double f = x[col[c]];
+        for (int k = 0; k < SIFT_BLOCK; k++) s[k] += A[SIFT_BLOCK * c + k] * f;
+    }
+    spread(y, s, row);
+}
+
+/* A base of zeros has no stride. */
+WIDE static void groups(double *restrict y, const struct sift *o, const double *restrict x, int based)
+{
+    static const double none[SIFT_BLOCK];
+    const int stride = based ? SIFT_BLOCK : 0;
+    for (int g = 0; g < o->ngroup; g++) {
+        const struct sift_group *at = &o->group[g];
+        const double *base = based ? at->base : none;
+        const long size = (long)at->ncol * SIFT_BLOCK;
+        for (int b = 0; b < at->blocks; b++)
+            block(y, at->A + size * b, base + stride * b, at->row + SIFT_BLOCK * b, at->col, at->ncol, x);
+    }
+}
+
+void sift_at(double *restrict y, const struct sift *o, const double *restrict x)
+{
+    if (!o->dense) {
+        groups(y, o, x, 1);
+        return;
+    }
+    memcpy(y, o->base, sizeof *y * (size_t)o->rows);
+    dense_gemv(y, 1, o->dense, x, o->rows, o->cols, o->rows);
+}
+
+void sift_times(double *restrict y, const struct sift *o, const double *restrict x)
+{
+    if (!o->dense) {
+        groups(y, o, x, 0);
+        return;
+    }
+    memset(y, 0, sizeof *y * (size_t)o->rows);
+    dense_gemv(y, 1, o->dense, x, o->rows, o->cols, o->rows);
+}
