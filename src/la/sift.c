@@ -1,20 +1,17 @@
 /* sift.c -- see sift.h */
 #include "la/sift.h"
 
-#include <string.h>
-
-#include "la/dense.h"
 #include "la/wide.h"
 
-enum { MOST = 16 }; /* groups */
+enum { MOST = 16, SPREAD = 3 }; /* groups; what a block takes besides its product, in columns */
 
 /* --- building ----------------------------------------------------------------------------------- */
 
-/* Rows while groups are being made: the row that each group began with, and the group of each row. */
+/* While groups are being made; each has all places of the row that it began with (-1: every place). */
 struct sorting {
     const double *A;
-    int rows, cols, ngroup, first[MOST], wide[MOST];
-    int *of;   /* [rows] -1: a row of zeros */
+    int rows, cols, ngroup, first[MOST], wide[MOST], many[MOST];
+    int *of;   /* [rows] group; -1: a row of zeros */
     int *full; /* [rows] entries that are not zero */
 };
 
@@ -42,10 +39,16 @@ static int group_of(struct sorting *s, int row)
     return s->ngroup++;
 }
 
-/* Rows of many entries first.  Returns the size of all groups; too much where there are too many. */
+/* What a group costs, in columns of a block. */
+static long cost(int rows, int cols)
+{
+    return (long)((rows + SIFT_BLOCK - 1) / SIFT_BLOCK) * (SPREAD + cols);
+}
+
+/* Rows of many entries first.  Returns what all groups cost; -1: there would be too many. */
 static long sort_rows(struct sorting *s)
 {
-    long size = 0;
+    long sum = 0;
     for (int i = 0; i < s->rows; i++) {
         s->of[i] = -1;
         for (int j = 0; j < s->cols; j++) s->full[i] += s->A[i + (long)j * s->rows] != 0;
@@ -54,17 +57,27 @@ static long sort_rows(struct sorting *s)
         for (int i = 0; i < s->rows; i++) {
             if (s->full[i] != n) continue;
             s->of[i] = group_of(s, i);
-            if (s->of[i] < 0) return (long)s->rows * s->cols;
-            size += s->wide[s->of[i]];
+            if (s->of[i] < 0) return -1;
+            s->many[s->of[i]]++;
         }
-    return size;
+    for (int g = 0; g < s->ngroup; g++) sum += cost(s->many[g], s->wide[g]);
+    return sum;
+}
+
+/* All rows with all columns. */
+static void all_in_one(struct sorting *s)
+{
+    s->ngroup = 1;
+    s->first[0] = -1;
+    s->wide[0] = s->cols;
+    s->many[0] = s->rows;
+    for (int i = 0; i < s->rows; i++) s->of[i] = 0;
 }
 
 static void take_group(struct sift_group *o, const struct sorting *s, const double *base, int g, struct arena *life)
 {
     int n = 0, k = 0, last = 0;
-    for (int i = 0; i < s->rows; i++) n += s->of[i] == g;
-    o->blocks = (n + SIFT_BLOCK - 1) / SIFT_BLOCK;
+    o->blocks = (s->many[g] + SIFT_BLOCK - 1) / SIFT_BLOCK;
     o->ncol = s->wide[g];
     o->row = TAKE(life, int, o->blocks *SIFT_BLOCK);
     o->col = TAKE(life, int, o->ncol);
@@ -74,7 +87,7 @@ static void take_group(struct sift_group *o, const struct sorting *s, const doub
     while (k < o->blocks * SIFT_BLOCK) o->row[k++] = last;
     n = 0;
     for (int j = 0; j < s->cols; j++)
-        if (s->A[s->first[g] + (long)j * s->rows] != 0) o->col[n++] = j;
+        if (s->first[g] < 0 || s->A[s->first[g] + (long)j * s->rows] != 0) o->col[n++] = j;
     o->base = base ? TAKE(life, double, o->blocks *SIFT_BLOCK) : NULL;
     for (int i = 0; base && i < o->blocks * SIFT_BLOCK; i++) o->base[i] = base[o->row[i]];
     double *A = o->A;
@@ -86,9 +99,8 @@ static void take_group(struct sift_group *o, const struct sorting *s, const doub
 void sift_build(struct sift *o, const double *A, const double *base, int rows, int cols, struct arena *life)
 {
     struct sorting s = {A, rows, cols, .of = TAKE(life, int, rows), .full = TAKE(life, int, rows)};
-    *o = (struct sift){rows, cols, .dense = A, .base = base};
-    if (2 * sort_rows(&s) > (long)rows * cols) return;
-    o->dense = NULL;
+    const long sorted = sort_rows(&s);
+    if (sorted < 0 || sorted > cost(rows, cols)) all_in_one(&s);
     o->ngroup = s.ngroup;
     o->group = TAKE(life, struct sift_group, s.ngroup);
     for (int g = 0; g < s.ngroup; g++) take_group(&o->group[g], &s, base, g, life);
@@ -137,20 +149,10 @@ WIDE static void groups(double *restrict y, const struct sift *o, const double *
 
 void sift_at(double *restrict y, const struct sift *o, const double *restrict x)
 {
-    if (!o->dense) {
-        groups(y, o, x, 1);
-        return;
-    }
-    memcpy(y, o->base, sizeof *y * (size_t)o->rows);
-    dense_gemv(y, 1, o->dense, x, o->rows, o->cols, o->rows);
+    groups(y, o, x, 1);
 }
 
 void sift_times(double *restrict y, const struct sift *o, const double *restrict x)
 {
-    if (!o->dense) {
-        groups(y, o, x, 0);
-        return;
-    }
-    memset(y, 0, sizeof *y * (size_t)o->rows);
-    dense_gemv(y, 1, o->dense, x, o->rows, o->cols, o->rows);
+    groups(y, o, x, 0);
 }

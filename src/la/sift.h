@@ -1,8 +1,9 @@
-/* sift.h -- y = base + A x for a matrix A that is zero in most places and stays as it is.
+/* sift.h -- y = base + A x for a matrix A that stays as it is and may be zero in most places.
  *
  * Rows with the same places (or nearly) stand together as a dense group of the columns that they have; rows of zeros
  * are left out.  The tables of a beam are so: bending in one plane, bending in the other, stretch and torsion have
- * entries with each other where symmetry lets them.  Sums run in the order of dense_gemv(). */
+ * entries with each other where symmetry lets them.  A matrix that is full is one group.  Sums run in the order of
+ * dense_gemv(). */
 #ifndef FMDSUB_LA_SIFT_H
 #define FMDSUB_LA_SIFT_H
 
@@ -17,14 +18,11 @@ struct sift_group {
 };
 
 struct sift {
-    int rows, cols;
     int ngroup; /* 0: A is zero */
     struct sift_group *group;
-    const double *dense; /* A itself where sifting would save little; else NULL */
-    const double *base;
 };
 
-/* Of A [rows x cols] by column and base [rows] (NULL: sift_at() is not asked), which have to outlive o. */
+/* Of A [rows x cols] by column and base [rows] (NULL: sift_at() is not asked). */
 void sift_build(struct sift *o, const double *A, const double *base, int rows, int cols, struct arena *life);
 /* y [rows] = base + A x, but in rows of zeros, where y is as it was: to be base from the start. */
 void sift_at(double *restrict y, const struct sift *o, const double *restrict x);
@@ -33,7 +31,7 @@ void sift_times(double *restrict y, const struct sift *o, const double *restrict
 
 static inline int sift_empty(const struct sift *o)
 {
-    return o->ngroup == 0 && !o->dense;
+    return o->ngroup == 0;
 }
 
 #endif
