@@ -32,6 +32,7 @@ struct newmark {
     double *q, *v, *dx, *a, *hs;
     const double *q0, *v0, *a0;
     double h, hfactor;
+    int placed;                                   /* q, v are those of m->a: the matrix was made there */
     double w0[POWER_CHANNELS], w[POWER_CHANNELS]; /* power at the start and at the end */
 };
 
@@ -78,7 +79,8 @@ static void place(struct newmark *m, const double *a1)
 static enum status resid(void *self, double *r, double *dk, const double *a, struct trouble *why)
 {
     struct newmark *m = self;
-    place(m, a);
+    if (!m->placed) place(m, a);
+    m->placed = 0;
     m->effort->slow++;
     m->effort->fast++;
     return m->ode->ops->resid(m->ode, r, m->w, dk, &m->x, ALL, why);
@@ -165,11 +167,13 @@ static enum status iterate(struct newmark *m, struct trouble *why)
     struct equations eq = m->fixed_point ? by_fixed_point : by_newton;
     eq.self = m;
     eq.x = &m->x;
+    m->placed = 0;
     if (m->fixed_point) {
         m->newton.refreshed = 1 << 20; /* there is no matrix to blame */
     } else if (m->newton.stale || m->h != m->hfactor) {
         TRY(refresh(m, m->a, why));
         newton_refreshed(&m->newton);
+        m->placed = 1;
     }
     return newton_solve(&m->newton, m->a, &eq, m->hs, m->ode->n, why);
 }

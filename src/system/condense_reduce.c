@@ -123,30 +123,55 @@ static enum status resid(const struct ode2 *ode, double *r, double *w, double *d
 
 /* --- with the tree's own matrices ------------------------------------------------------------------ */
 
-/* X [nt x nt] := T' X T in place, its independent rows and columns; then moved together into Y [n x n]. */
+static inline void add_times(double *restrict y, double g, const double *restrict x, size_t n)
+{
+    for (size_t i = 0; i < n; i++) y[i] += g * x[i];
+}
+
+static bool all_zero(const double *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (x[i] != 0) return false;
+    return true;
+}
+
+/* X := X T, its independent columns.  Stiffness and damping have dependent columns that are zero. */
+static void times_T(const struct component *c, double *X, size_t nt)
+{
+    for (int r = 0; r < c->nr; r++) {
+        const double *from = X + nt * (size_t)c->k[c->dep[r]];
+        if (all_zero(from, nt)) continue;
+        for (int j = 0; j < c->ni; j++) {
+            const double g = c->G[r + (size_t)j * (size_t)c->nr];
+            if (g != 0) add_times(X + nt * (size_t)c->k[c->ind[j]], g, from, nt);
+        }
+    }
+}
+
+/* z [nt] := T' z, its independent numbers. */
+static void through_T(struct component *c, double *z)
+{
+    const int nr = c->nr;
+    for (int r = 0; r < nr; r++) c->x[r] = z[c->k[c->dep[r]]];
+    if (all_zero(c->x, (size_t)nr)) return;
+    for (int j = 0; j < c->ni; j++) {
+        const double *g = c->G + (size_t)j * (size_t)nr;
+        double sum = z[c->k[c->ind[j]]];
+        for (int r = 0; r < nr; r++) sum += g[r] * c->x[r];
+        z[c->k[c->ind[j]]] = sum;
+    }
+}
+
+/* Y [n x n] := T' X T, which takes X [nt x nt] to pieces. */
 static void congruence(struct condense *o, double *Y, double *X)
 {
     const size_t nt = (size_t)o->nt, n = (size_t)o->ode.n;
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int j = 0; j < c->ni; j++)
-            for (int r = 0; r < c->nr; r++) {
-                double g = c->G[r + (size_t)j * (size_t)c->nr];
-                double *to = X + nt * (size_t)c->k[c->ind[j]], *from = X + nt * (size_t)c->k[c->dep[r]];
-                for (size_t k = 0; g != 0 && k < nt; k++) to[k] += g * from[k];
-            }
+    for (int i = 0; i < o->ncomponent; i++) times_T(&o->component[i], X, nt);
+    for (size_t j = 0; j < n; j++) {
+        double *z = X + nt * (size_t)o->ind[j];
+        for (int i = 0; i < o->ncomponent; i++) through_T(&o->component[i], z);
+        for (size_t i = 0; i < n; i++) Y[i + n * j] = z[o->ind[i]];
     }
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int j = 0; j < c->ni; j++)
-            for (int r = 0; r < c->nr; r++) {
-                double g = c->G[r + (size_t)j * (size_t)c->nr];
-                double *to = X + c->k[c->ind[j]], *from = X + c->k[c->dep[r]];
-                for (size_t k = 0; g != 0 && k < n; k++) to[nt * (size_t)o->ind[k]] += g * from[nt * (size_t)o->ind[k]];
-            }
-    }
-    for (size_t j = 0; j < n; j++)
-        for (size_t i = 0; i < n; i++) Y[i + n * j] = X[(size_t)o->ind[i] + nt * (size_t)o->ind[j]];
 }
 
 static enum status prepare_T(struct condense *o, const double *q, double t, struct trouble *why)

@@ -6,6 +6,16 @@
 #include "la/vec3.h"
 #include "system/ode2.h"
 
+/* How far from the diagonal a matrix has numbers: 0 for the stiffness of modes. */
+static int band_of(const double *A, int n)
+{
+    int band = 0;
+    for (int j = 0; A && j < n; j++)
+        for (int i = j + 1; i < n; i++)
+            if ((A[i + n * j] != 0 || A[j + n * i] != 0) && i - j > band) band = i - j;
+    return band;
+}
+
 void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
 {
     *o = (struct elastic){.body = TAKE(life, struct elastic_body, m->nbody)};
@@ -17,6 +27,8 @@ void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
         e->number = i;
         e->kernel = flex_kernel_build(b->flex, life);
         flex_shape_take(&e->shape, e->kernel, life);
+        e->band_K = band_of(b->flex->K, b->nmode);
+        e->band_D = band_of(b->flex->D, b->nmode);
         e->q = TAKE(life, double, b->nmode);
         e->q1 = TAKE(life, double, b->nmode);
         e->q2 = TAKE(life, double, b->nmode);
@@ -32,12 +44,13 @@ static bool in_class(const struct model_body *b, enum rate cls)
 }
 
 /* x'A x of a body's coordinates, which stand at `at` in x. */
-static double square(const double *A, const double *x, const int *at, int n)
+static double square(const double *A, const double *x, const int *at, int n, int band)
 {
     double sum = 0;
     for (int j = 0; j < n; j++) {
-        double Ax = 0;
-        for (int i = 0; i < n; i++) Ax += A[i + n * j] * x[at[i]];
+        const int to = j + band < n ? j + band : n - 1;
+        double Ax = A[j + n * j] * x[at[j]];
+        for (int i = j + 1; i <= to; i++) Ax += (A[i + n * j] + A[j + n * i]) * x[at[i]];
         sum += Ax * x[at[j]];
     }
     return sum;
@@ -48,7 +61,7 @@ double elastic_stored(const struct elastic *o, const double *q)
     double V = 0;
     for (int i = 0; i < o->n; i++) {
         const struct model_body *b = o->body[i].model;
-        V += .5 * square(b->flex->K, q, b->mode_q, b->nmode);
+        V += .5 * square(b->flex->K, q, b->mode_q, b->nmode, o->body[i].band_K);
     }
     return V;
 }
@@ -58,7 +71,7 @@ double elastic_lost(const struct elastic *o, const double *v, enum rate cls)
     double lost = 0;
     for (int i = 0; i < o->n; i++) {
         const struct model_body *b = o->body[i].model;
-        if (b->flex->D && in_class(b, cls)) lost += square(b->flex->D, v, b->mode_v, b->nmode);
+        if (b->flex->D && in_class(b, cls)) lost += square(b->flex->D, v, b->mode_v, b->nmode, o->body[i].band_D);
     }
     return lost;
 }

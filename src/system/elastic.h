@@ -22,6 +22,7 @@ struct elastic_body {
     struct flex_shape shape;
     double *q, *q1, *q2, *Q; /* [nmode] at hand */
     double *K, *C;           /* [nmode x nmode] */
+    int band_K, band_D;      /* how far from the diagonal stiffness and damping have numbers */
 };
 
 void elastic_build(struct elastic *o, const struct model *m, struct arena *life);
