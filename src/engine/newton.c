@@ -199,7 +199,7 @@ static enum verdict correct(struct newton *nt, double *z, const double *h, int m
         z[i] -= nt->dz[i];
         sum += dv;
         square += h[i] * nt->r[i] * h[i] * nt->dz[i];
-        small = fmax(small, dv);
+        if (dv > small) small = dv;
         if (e > err) {
             err = e;
             nt->worst = i;

@@ -291,6 +291,20 @@ void pivot_rows_solve(const double *LU, const int *swap, const int *band, double
     }
 }
 
+void pivot_rows_solves(const double *LU, const int *swap, const int *band, double *X, int n, int ld, int m)
+{
+    switch (whole(band, n)) {
+    case 2:
+        for (int k = 0; k < m; k++) few_solve(LU, swap, X + (long)k * 2, 2, ld);
+        break;
+    case 3:
+        for (int k = 0; k < m; k++) few_solve(LU, swap, X + (long)k * 3, 3, ld);
+        break;
+    default:
+        for (int k = 0; k < m; k++) rows_solve(LU, swap, band, X + (long)k * n, n, ld);
+    }
+}
+
 void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
 {
     switch (whole(band, n)) {

@@ -22,6 +22,8 @@ void pivot_solve(const double *LU, const int *row, const int *col, double *x, do
  * store [n (ld + 1)]. */
 int pivot_rows(double *A, int *swap, const int *band, int n, int ld);
 void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld);
+/* The same for the m columns of X [n x m]. */
+void pivot_rows_solves(const double *LU, const int *swap, const int *band, double *X, int n, int ld, int m);
 void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld);
 
 #endif

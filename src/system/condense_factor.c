@@ -68,7 +68,7 @@ void component_G(const struct component *c, double *G)
     for (int r = 0; r < c->nr; r++)
         for (const struct entry *x = c->of_ind + c->from[r]; x < c->of_ind + c->from[r + 1]; x++)
             G[r + x->at * c->nr] = -c->F[x->e];
-    for (int j = 0; j < c->ni; j++) component_solve(c, G + (size_t)j * (size_t)c->nr);
+    pivot_rows_solves(c->A, c->prow, c->band, G, c->nr, c->ld, c->ni);
 }
 
 double component_ratio(const struct condense *o, const struct component *c)
