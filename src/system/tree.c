@@ -65,9 +65,17 @@ static enum status not_finite(struct tree *s, const double *r, const struct inst
 /* n numbers, `stride` apart; four sums, so that they need not wait for each other. */
 static bool all_finite(const double *r, int n, int stride)
 {
-    double sum[4] = {0, 0, 0, 0};
-    for (size_t i = 0; i < (size_t)n; i++) sum[i & 3] += r[i * (size_t)stride] * 0;
-    return sum[0] + sum[1] + sum[2] + sum[3] == 0;
+    const double *r1 = r + stride, *r2 = r1 + stride, *r3 = r2 + stride;
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    int i = 0;
+    for (size_t at = 0; i + 4 <= n; i += 4, at += 4 * (size_t)stride) {
+        s0 += r[at] * 0;
+        s1 += r1[at] * 0;
+        s2 += r2[at] * 0;
+        s3 += r3[at] * 0;
+    }
+    for (; i < n; i++) s0 += r[(size_t)i * (size_t)stride] * 0;
+    return s0 + s1 + s2 + s3 == 0;
 }
 
 /* Written into both of its callers: chains of a few bodies would feel the call. */
