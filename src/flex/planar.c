@@ -295,10 +295,14 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
     o->angle = angle;
 }
 
-void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1)
+void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, const double *q1)
+{
+    three_sums(o->v, &o->w, o->dx, o->dy, o->dw, q1, k->n);
+}
+
+void flex_planar_place_bias(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1)
 {
     const struct node *d = &k->node[node];
-    three_sums(o->v, &o->w, o->dx, o->dy, o->dw, q1, k->n);
     o->bias[0] = o->bias[1] = 0;
     if (d->S.rows == 0) return;
     double *S = o->work + d->d.size;

@@ -59,7 +59,7 @@ int dense_cholesky(double *A, int n, int ld)
     return n <= NARROW ? cholesky(A, n, ld) : cholesky_wide(A, n, ld);
 }
 
-/* x := L^-1 x, x := L'^-1 x of a block on the diagonal, n <= 4. */
+/* x := L^-1 x of a block on the diagonal, n <= 4. */
 static inline void forth(const double *c, double *x, int n, int ld)
 {
     const double *c1 = c + ld, *c2 = c1 + ld, *c3 = c2 + ld;
@@ -69,41 +69,6 @@ static inline void forth(const double *c, double *x, int n, int ld)
     if (n > 3) x[3] = (((x[3] - c[3] * x[0]) - c1[3] * x[1]) - c2[3] * x[2]) / c3[3];
 }
 
-static inline void back(const double *c, double *x, int n, int ld)
-{
-    const double *c1 = c + ld, *c2 = c1 + ld, *c3 = c2 + ld;
-    double x0 = x[0], x1 = n > 1 ? x[1] : 0, x2 = n > 2 ? x[2] : 0;
-    if (n > 3) {
-        const double x3 = x[3] /= c3[3];
-        x2 -= c2[3] * x3, x1 -= c1[3] * x3, x0 -= c[3] * x3;
-    }
-    if (n > 2) {
-        x[2] = x2 /= c2[2];
-        x1 -= c1[2] * x2, x0 -= c[2] * x2;
-    }
-    if (n > 1) {
-        x[1] = x1 /= c1[1];
-        x0 -= c[1] * x1;
-    }
-    x[0] = x0 / c[0];
-}
-
-/* f [4] -= A'x,  A of n rows. */
-static inline void subtract_products(double *restrict f, const double *restrict A, const double *restrict x, int n,
-                                     int ld)
-{
-    const double *a1 = A + ld, *a2 = a1 + ld, *a3 = a2 + ld;
-    double f0 = f[0], f1 = f[1], f2 = f[2], f3 = f[3];
-    for (int i = 0; i < n; i++) {
-        f0 -= A[i] * x[i];
-        f1 -= a1[i] * x[i];
-        f2 -= a2[i] * x[i];
-        f3 -= a3[i] * x[i];
-    }
-    f[0] = f0, f[1] = f1, f[2] = f2, f[3] = f3;
-}
-
-/* Four columns at a time. */
 void dense_cholesky_solve(const double *restrict L, double *restrict x, int n, int ld)
 {
     int j = 0;
@@ -112,13 +77,12 @@ void dense_cholesky_solve(const double *restrict L, double *restrict x, int n, i
         forth(c, x + j, 4, ld);
         subtract_columns(x + j + 4, c + 4, x + j, n - j - 4, 4, ld, 1);
     }
-    if (n == 0) return;
-    forth(L + (long)j * (ld + 1), x + j, n - j, ld);
-    back(L + (long)j * (ld + 1), x + j, n - j, ld);
-    for (j -= 4; j >= 0; j -= 4) {
-        const double *c = L + (long)j * (ld + 1);
-        subtract_products(x + j, c + 4, x + j + 4, n - j - 4, ld);
-        back(c, x + j, 4, ld);
+    if (j < n) forth(L + (long)j * (ld + 1), x + j, n - j, ld);
+    for (j = n - 1; j >= 0; j--) {
+        const double *c = L + (long)j * ld;
+        double sum = x[j];
+        for (int i = j + 1; i < n; i++) sum -= c[i] * x[i];
+        x[j] = sum / c[j];
     }
 }
 

@@ -166,6 +166,10 @@ static void through_T(struct component *c, double *z)
 static void congruence(struct condense *o, double *Y, double *X)
 {
     const size_t nt = (size_t)o->nt, n = (size_t)o->ode.n;
+    if (all_zero(X, nt * nt)) { /* there is no damper */
+        memset(Y, 0, sizeof *Y * n * n);
+        return;
+    }
     for (int i = 0; i < o->ncomponent; i++) times_T(&o->component[i], X, nt);
     for (size_t j = 0; j < n; j++) {
         double *z = X + nt * (size_t)o->ind[j];

@@ -48,9 +48,9 @@ static double square(const double *A, const double *x, const int *at, int n, int
 {
     double sum = 0;
     for (int j = 0; j < n; j++) {
-        const int to = j + band < n ? j + band : n - 1;
-        double Ax = A[j + n * j] * x[at[j]];
-        for (int i = j + 1; i <= to; i++) Ax += (A[i + n * j] + A[j + n * i]) * x[at[i]];
+        const int from = j > band ? j - band : 0, to = j + band < n ? j + band : n - 1;
+        double Ax = 0;
+        for (int i = from; i <= to; i++) Ax += A[i + n * j] * x[at[i]];
         sum += Ax * x[at[j]];
     }
     return sum;

@@ -79,7 +79,8 @@ void planar_stand_move(struct part *x, struct stand *o, const struct part *p)
 {
     const struct bend *b = o->of;
     double u[2];
-    flex_planar_place_move(&o->place, b->kernel, o->node, b->v);
+    flex_planar_place_move(&o->place, b->kernel, b->v);
+    o->biased = false;
     turn2(u, b->cs, o->place.v);
     x->w = p->w + o->place.w;
     x->v[0] = p->v[0] - p->w * x->arm[1] + u[0];
@@ -91,6 +92,8 @@ void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p
     const struct bend *b = o->of;
     const double ww = p->w * p->w, w2 = 2 * p->w;
     double u[2];
+    if (!o->biased) flex_planar_place_bias(&o->place, b->kernel, o->node, b->v);
+    o->biased = true;
     flex_planar_place_speed_up(&o->place, b->kernel, b->a);
     turn2(u, b->cs, o->place.v);
     turn2(x->a, b->cs, o->place.a);

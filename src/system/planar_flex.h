@@ -26,6 +26,7 @@ struct stand {
     struct flex_planar_place place;
     double cs[2]; /* cos, sin of its angle against the frame */
     long change;  /* of the modes that place is for */
+    bool biased;  /* place.bias is that of their rates */
     size_t at;    /* its place in a factor */
 };
 

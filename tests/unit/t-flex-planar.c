@@ -300,7 +300,8 @@ static void nodes_move_like_particles(void **state)
                 for (int c = 0; c < 2; c++) p.S[c + 2 * k] = node->S[c + 3 * k];
             flex_planar_place_take(&o, f.k, i, f.arena);
             flex_planar_place_at(&o, f.k, i, f.q);
-            flex_planar_place_move(&o, f.k, i, f.q1);
+            flex_planar_place_move(&o, f.k, f.q1);
+            flex_planar_place_bias(&o, f.k, i, f.q1);
             flex_planar_place_speed_up(&o, f.k, f.q2);
             relative(u, u1, u2, &p, &f);
             for (int c = 0; c < 2; c++) {
