@@ -30,6 +30,7 @@ struct midpoint {
     double *q, *v, *q1, *v1, *dx, *a, *hs;
     const double *q0, *v0;
     double h, hfactor;
+    int placed; /* q, v are those of m->a: the matrix was made there */
     double w[POWER_CHANNELS];
 };
 
@@ -53,14 +54,20 @@ struct midpoint *midpoint_new(struct stepper *s, struct arena *life)
     return m;
 }
 
-/* The midpoint that belongs to the mean acceleration a, and the end where it is looked at. */
-static void place(struct midpoint *m, const double *a)
+/* Velocities that belong to the mean acceleration a, and the way of the step. */
+static void go(struct midpoint *m, const double *a)
 {
     for (int i = 0; i < m->ode->n; i++) {
         m->v[i] = m->v0[i] + m->h / 2 * a[i];
         m->v1[i] = m->v0[i] + m->h * a[i];
         m->dx[i] = m->h * m->v[i];
     }
+}
+
+/* The midpoint that belongs to a, and the end where it is looked at. */
+static void place(struct midpoint *m, const double *a)
+{
+    go(m, a);
     motion_point(m->ode, m->q, m->q0, m->dx, .5, m->x.t);
     if (m->x.qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     m->x.a = a;
@@ -69,7 +76,8 @@ static void place(struct midpoint *m, const double *a)
 static enum status resid(void *self, double *r, double *dk, const double *a, struct trouble *why)
 {
     struct midpoint *m = self;
-    place(m, a);
+    if (!m->placed) place(m, a);
+    m->placed = 0;
     m->effort->slow++;
     m->effort->fast++;
     enum status status = m->ode->ops->resid(m->ode, r, m->w, dk, &m->x, ALL, why);
@@ -107,8 +115,8 @@ static void accept(struct midpoint *m, struct stepper *s, struct state *x, doubl
     s->left += fabs(m->h * push) * fmin(1, m->newton.remain);
     s->last_sweeps += m->newton.count;
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->h * m->w[c];
-    place(m, m->a);
-    if (!m->x.qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
+    go(m, m->a);
+    motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
     predict_keep(&m->predict, m->a, x->a, m->h, m->newton.per);
     copy(x->a, m->a, n);
@@ -139,9 +147,11 @@ enum status midpoint_advance(struct midpoint *m, struct stepper *s, struct state
     if (m->ode->settle) m->x.va = x->v, m->x.vb = m->v1;
     newton_begin(&m->newton, predict(m, x, fresh));
     struct equations eq = {m, &m->x, resid, refresh, solve};
+    m->placed = 0;
     if (m->newton.stale || h != m->hfactor) {
         TRY(refresh(m, m->a, why));
         newton_refreshed(&m->newton);
+        m->placed = 1;
     }
     enum status status = newton_solve(&m->newton, m->a, &eq, m->hs, m->ode->n, why);
     if (status != OK) {

@@ -74,6 +74,7 @@ static void solutions(void **state)
     for (int trial = 0; trial < 500; trial++) {
         int n = 1 + tree_pick(&d, MOST), row[MOST], col[MOST], swap[MOST], band[2] = {n, 2 * n};
         double A[MOST * MOST], LU[MOST * MOST], rows[MOST * MOST], x[MOST], b[MOST], work[MOST];
+        double many[3 * MOST];
         random_matrix(A, &d, n, n, trial % 2 ? .6 : 0);
         for (int i = 0; i < n; i++) A[i + n * ((i + trial) % n)] += 3;
         for (int i = 0; trial % 5 == 4 && i < n; i++) /* a band */
@@ -91,6 +92,11 @@ static void solutions(void **state)
         product(b, A, x, n, false);
         pivot_rows_solve(rows, swap, band, b, n, n);
         near_all(b, x, n);
+        for (int k = 0; k < 3; k++) product(many + k * n, A, x, n, false);
+        for (int i = 0; i < n; i++) many[n + i] *= 2;
+        pivot_rows_solves(rows, swap, band, many, n, n, 3);
+        for (int i = 0; i < n; i++) many[n + i] /= 2;
+        for (int k = 0; k < 3; k++) near_all(many + k * n, x, n);
         product(b, A, x, n, true);
         pivot_rows_tsolve(rows, swap, band, b, n, n);
         near_all(b, x, n);
