@@ -4,10 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-static const double FADE = .8;    /* a step */
-static const double GROWTH = .05; /* a step, of what is not seen but for the first place */
-static const double LEAVES = .5;  /* any matrix that is kept, at most */
-static const double LEAST = 1e-6; /* that is believed */
+static const double FADE = .8;      /* a step */
+static const double GROWTH = .05;   /* a step, of what is not seen but for the first place */
+static const double LEAVES = .5;    /* any matrix that is kept, at most */
+static const double LEAST = 1e-6;   /* that is believed, */
+static const double HEARSAY = 3e-4; /* before this step has shown any */
+static const double SURPRISE = .1;  /* of what was foreseen: too good, the slow part is still to come */
 
 void contraction_forget(struct contraction *o)
 {
@@ -51,14 +53,15 @@ void contraction_renewed(struct contraction *o)
 double contraction_after(struct contraction *o, double theta)
 {
     const int k = o->at++;
-    const double ahead = k < CONTRACTION_PLACES ? o->old[k].ahead : 0, now = fmin(1, fmax(theta, LEAST));
-    const double before = o->theta;
-    double worse = 1;
-    if (k == 0) return ahead > 0 ? fmin(LEAVES, ahead) : LEAVES;
+    const double now = fmin(1, fmax(theta, LEAST)), before = o->theta;
+    double ahead = k < CONTRACTION_PLACES ? o->old[k].ahead : 0, worse = 1;
+    if (k == 0) return ahead > 0 ? fmin(LEAVES, fmax(HEARSAY, ahead)) : LEAVES;
     if (k <= CONTRACTION_PLACES) {
         const struct prospect *said = &o->old[k - 1];
         o->seen[k - 1] = now;
         if (said->known > 0) worse = fmax(1, now / said->known);
+        if (now < SURPRISE * said->known) ahead = fmax(ahead, said->known);
+        if (ahead == 0) ahead = sqrt(now);
     }
     o->theta = now;
     return k > 1 ? fmax(now, before) : fmin(1, fmax(now, worse * ahead));

@@ -4,8 +4,10 @@
  * that converges slowly, and errors may go round between blocks of unknowns.  So what is left after an iteration is
  * not told by the last quotient theta_k = |dz_k| / |dz_k-1|, but by theta_k+1.  After the first two iterations the
  * largest stands for it that the steps before have shown at the same place, older ones fading; and that much more as
- * this step has come out worse than foreseen so far.  What has not been seen for some steps is trusted less and less.
- * A new matrix has what new matrices had before. */
+ * this step has come out worse than foreseen so far; or, where it has come out far better, what was foreseen: the slow
+ * part of the error is still there.  What has not been seen for some steps is trusted less and less, and what was never
+ * seen is the root of what is seen.  A new matrix has what new matrices had before: that may be long ago, and have been
+ * at rest, so that before a step has shown a quotient itself none below 3e-4 is believed. */
 #ifndef FMDSUB_ENGINE_CONTRACTION_H
 #define FMDSUB_ENGINE_CONTRACTION_H
 
