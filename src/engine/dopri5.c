@@ -234,21 +234,28 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     return OK;
 }
 
-/* Where drives have corners in [t, end): the impulse of one at t, and the slopes behind it; *end then is where the next
- * one is. */
-static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
+/* The impulse of a corner in [*t, behind), and the slopes behind it. */
+static enum status take_impulse(struct stepper *s, double *t, double behind, struct trouble *why)
 {
     struct dopri5 *m = s->self;
     const struct ode2 *o = s->ode;
+    if (!o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, behind)) return OK;
+    *t = behind;
+    TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
+    copy(m->a, m->rk.dv[0], o->n);
+    return OK;
+}
+
+/* Where drives have corners in [t, end): the impulse of one at t; *end then is where the next one is.  What begins
+ * round-off before the end is a corner of the next interval, where its rates at the end are still those before it. */
+static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
+{
+    const struct ode2 *o = s->ode;
     if (!o->breaks || !o->breaks->jump) return OK;
-    const double behind = motion_behind(*t, *end);
-    if (behind >= *end) return OK; /* the next interval begins at the same corner */
+    const double behind = motion_behind(*t, *end), beyond = motion_behind(*end, INFINITY);
+    if (behind >= *end) return o->breaks->corner(o, *end, beyond) <= beyond ? OK : take_impulse(s, t, *end, why);
     double first = o->breaks->corner(o, *t, *end);
-    if (first <= behind && o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, behind)) {
-        *t = behind;
-        TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
-        copy(m->a, m->rk.dv[0], o->n);
-    }
+    if (first <= behind) TRY(take_impulse(s, t, behind, why));
     if (first <= behind) first = o->breaks->corner(o, behind, *end);
     *end = fmin(*end, first);
     return OK;

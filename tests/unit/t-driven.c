@@ -57,11 +57,15 @@ static void test_corner(void **state)
     static const double T = .5, V = 1;
     struct ride r;
     char value[100];
-    for (int way = 0; way < 4; way++) {
-        const bool inside = way % 2, words = way > 1; /* the value as a table, as an expression */
-        double tc = inside ? .1037 : .1, rate = -mass * arm * cos(start) * V / J;
-        snprintf(value, sizeof value, words ? "\"if(t <= %g, 0, t - %g)\"" : "{table: [[0, 0], [%g, 0], [%g, 1]]}", tc,
-                 words ? tc : 1 + tc);
+    for (int way = 0; way < 6; way++) {
+        const bool words = way > 1, before = way > 3; /* the value as a table, as an expression, new at the corner */
+        const bool inside = way % 2 || before;        /* in the step that ends there, by round-off */
+        double tc = way % 2 ? .1037 : .1, rate = -mass * arm * cos(start) * V / J;
+        snprintf(value, sizeof value,
+                 before  ? "\"if(t < %g, 0, t - %g)\""
+                 : words ? "\"if(t <= %g, 0, t - %g)\""
+                         : "{table: [[0, 0], [%g, 0], [%g, 1]]}",
+                 tc, words ? tc : 1 + tc);
         for (int i = 0; i < SCHEMES; i++) {
             const char *s = schemes[i];
             bool means = strcmp(s, "midpoint") == 0 || strcmp(s, "subcycle") == 0, exact = strcmp(s, "dopri5") == 0;
