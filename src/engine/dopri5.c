@@ -246,14 +246,14 @@ static enum status take_impulse(struct stepper *s, double *t, double behind, str
     return OK;
 }
 
-/* Where drives have corners in [t, end): the impulse of one at t; *end then is where the next one is.  What begins
- * round-off before the end is a corner of the next interval, where its rates at the end are still those before it. */
+/* Where drives have corners in [t, end): the impulse of one at t; *end then is where the next one is.  Round-off before
+ * the end it is what jumps up to the end itself: the next interval begins with the rates there. */
 static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
     if (!o->breaks || !o->breaks->jump) return OK;
-    const double behind = motion_behind(*t, *end), beyond = motion_behind(*end, INFINITY);
-    if (behind >= *end) return o->breaks->corner(o, *end, beyond) <= beyond ? OK : take_impulse(s, t, *end, why);
+    const double behind = motion_behind(*t, *end);
+    if (behind >= *end) return take_impulse(s, t, *end, why);
     double first = o->breaks->corner(o, *t, *end);
     if (first <= behind) TRY(take_impulse(s, t, behind, why));
     if (first <= behind) first = o->breaks->corner(o, behind, *end);

@@ -84,15 +84,18 @@ static double excess(const struct signal *s, int k, double *size, double ta, dou
     return b[k] - a[k] - (tb - ta) * sum;
 }
 
-/* Of an expression: the half with the larger excess again and again; the last excess. */
+/* Of an expression: the part with the larger excess again and again; the last excess.  Where a rate has a value of its
+ * own at the corner, like that of abs(t), both parts may hold some of it.  The time is then that of the first part,
+ * down to round-off; else there are no cuts in the middle, where corners often are, nor within round-off. */
 static double halve(const struct signal *s, int k, double *ta, double *tb, double here, int halvings)
 {
+    const bool whole = k == 1 && halvings < FINEST;
     double size;
     for (int i = 0; i < halvings; i++) {
-        double mid = *ta + (*tb - *ta) / 2;
-        if (mid == *ta || mid == *tb) break;
+        double mid = *ta + (*tb - *ta) * (whole ? .48 : .5);
+        if (mid == *ta || mid == *tb || (whole && *tb - *ta <= 64 * DBL_EPSILON * fabs(*tb))) break;
         double left = excess(s, k, &size, *ta, mid), right = excess(s, k, &size, mid, *tb);
-        if (fabs(left) > fabs(right))
+        if ((k == 1 ? 2 : 1) * fabs(left) > fabs(right))
             *tb = mid, here = left;
         else
             *ta = mid, here = right;
