@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "flex/planar_parts.h"
+#include "la/vec2.h"
 #include "la/wide.h"
 
 /* --- products ----------------------------------------------------------------------------------- */
@@ -186,26 +187,14 @@ static void core_momentum(double *P, double *L, double *T, const struct flex_pla
 
 /* --- the mean frame ----------------------------------------------------------------------------- */
 
-static inline void turn2(double *y, const double *cs, const double *x)
-{
-    y[0] = cs[0] * x[0] - cs[1] * x[1];
-    y[1] = cs[1] * x[0] + cs[0] * x[1];
-}
-
-static inline void turn_back(double *y, const double *cs, const double *x)
-{
-    y[0] = cs[0] * x[0] + cs[1] * x[1];
-    y[1] = cs[0] * x[1] - cs[1] * x[0];
-}
-
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
 {
     struct flex_planar_core *c = &o->core;
     double h[2];
     core_at(c, k, q);
     sincos(dot(k->mean, q, k->n), &o->cs[1], &o->cs[0]);
-    turn2(o->y, o->cs, (double[]){-k->pivot[0], -k->pivot[1]});
-    turn2(h, o->cs, c->h);
+    v2_turn(o->y, o->cs, (double[]){-k->pivot[0], -k->pivot[1]});
+    v2_turn(h, o->cs, c->h);
     for (int i = 0; i < 2; i++) {
         o->d[i] = k->pivot[i] + o->y[i];
         o->h[i] = h[i] + k->mass * o->d[i];
@@ -221,9 +210,9 @@ void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_plan
     const double am[2] = {a[0] - al * d[1] - ww * d[0] - t2 * y[1] - cent * y[0],
                           a[1] + al * d[0] - ww * d[1] + t2 * y[0] - cent * y[1]};
     double ai[2], Fi[2];
-    turn_back(ai, o->cs, am);
+    v2_turn_back(ai, o->cs, am);
     core_inertia(Fi, N, Q, k, &o->core, ai, w + t1, al + t2, q1, q2);
-    turn2(F, o->cs, Fi);
+    v2_turn(F, o->cs, Fi);
     const double moment = *N + y[0] * F[1] - y[1] * F[0];
     for (int i = 0; i < k->n; i++) Q[i] += k->mean[i] * moment;
     *N += d[0] * F[1] - d[1] * F[0];
@@ -234,9 +223,9 @@ void flex_planar_momentum(double *P, double *L, double *T, const struct flex_pla
 {
     const double t1 = dot(k->mean, q1, k->n);
     double vi[2], Pi[2];
-    turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
+    v2_turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
     core_momentum(Pi, L, T, k, &o->core, vi, w + t1, q1);
-    turn2(P, o->cs, Pi);
+    v2_turn(P, o->cs, Pi);
     *L += o->d[0] * P[1] - o->d[1] * P[0];
 }
 
@@ -259,7 +248,7 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
         const double G =
             k->rpsi[j] + c->P[j] + (h[0] * y - h[1] * x) + k->j_inv * (c->rho * c->C[j] - c->tau * c->E[j]);
         double H[2], *u = U + 3 * j;
-        turn2(H, o->cs, (double[]){c->Hx[j] - t * (h[1] - k->mass * p[1]), c->Hy[j] + t * (h[0] - k->mass * p[0])});
+        v2_turn(H, o->cs, (double[]){c->Hx[j] - t * (h[1] - k->mass * p[1]), c->Hy[j] + t * (h[0] - k->mass * p[0])});
         u[0] = G - (p[0] * c->Hy[j] - p[1] * c->Hx[j]); /* about the pivot, without the turn */
         u[1] = H[0];
         u[2] = H[1];

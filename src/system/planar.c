@@ -211,12 +211,12 @@ TWICE void bring_up(double *r, const struct part *x, struct part *p, const struc
 {
     switch (l->type) {
     case GLIDE:
-        r[l->iv[2]] += l->turn * (x->N + planar_cross(x->c_b, x->F));
+        r[l->iv[2]] += l->turn * (x->N + v2_cross(x->c_b, x->F));
         r[l->iv[1]] += x->e[1][0] * x->F[0] + x->e[1][1] * x->F[1];
         r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
         break;
     case TURN:
-        r[l->iv[0]] += l->turn * (x->N + planar_cross(x->c_b, x->F));
+        r[l->iv[0]] += l->turn * (x->N + v2_cross(x->c_b, x->F));
         break;
     case SLIDE:
         r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
@@ -226,7 +226,7 @@ TWICE void bring_up(double *r, const struct part *x, struct part *p, const struc
     }
     p->F[0] += x->F[0];
     p->F[1] += x->F[1];
-    p->N += x->N + planar_cross(x->arm, x->F);
+    p->N += x->N + v2_cross(x->arm, x->F);
 }
 
 TWICE void backward(struct sweep *s, double *r, const struct roster *o, bool flexible)

@@ -7,6 +7,7 @@
 #ifndef FMDSUB_SYSTEM_PLANAR_H
 #define FMDSUB_SYSTEM_PLANAR_H
 
+#include "la/vec2.h"
 #include "system/routes.h"
 #include "system/sweep.h"
 
@@ -68,11 +69,6 @@ static inline void planar_turn(double *y, double c, double s, const double *x)
 {
     y[0] = c * x[0] - s * x[1];
     y[1] = s * x[0] + c * x[1];
-}
-
-static inline double planar_cross(const double *x, const double *y)
-{
-    return x[0] * y[1] - x[1] * y[0];
 }
 
 /* Is the k-th velocity of l its rotation? */

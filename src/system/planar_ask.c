@@ -90,7 +90,7 @@ static inline void joint_row(double *g, const struct part *p, const struct link 
     const double at[2] = {x[0] - (p->r[0] - p->c_b[0]), x[1] - (p->r[1] - p->c_b[1])};
     switch (l->type) {
     case TURN:
-        g[0] = l->turn * (planar_cross(at, f) + n);
+        g[0] = l->turn * (v2_cross(at, f) + n);
         break;
     case SLIDE:
         g[0] = along(p->e[0], f);
@@ -98,7 +98,7 @@ static inline void joint_row(double *g, const struct part *p, const struct link 
     case GLIDE:
         g[0] = along(p->e[0], f);
         g[1] = along(p->e[1], f);
-        g[2] = l->turn * (planar_cross(at, f) + n);
+        g[2] = l->turn * (v2_cross(at, f) + n);
         break;
     case HELD:
         break;
@@ -153,7 +153,7 @@ void planar_reaction(const struct sweep *s, double *f, double *n, int joint)
     if (type == GLIDE) return;
     f[0] = x->F[0];
     f[1] = x->F[1];
-    if (type != TURN) n[2] = x->N + planar_cross(x->c_b, x->F);
+    if (type != TURN) n[2] = x->N + v2_cross(x->c_b, x->F);
     if (type != SLIDE) return;
     double along = x->e[0][0] * f[0] + x->e[0][1] * f[1];
     f[0] -= along * x->e[0][0];

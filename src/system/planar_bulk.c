@@ -11,28 +11,6 @@
  * without stiffness and damping.  Gravity, which is in the accelerations, has no moment about the centre. */
 #include "system/planar_flex.h"
 
-static inline void turn2(double *y, const double *cs, const double *x)
-{
-    y[0] = cs[0] * x[0] - cs[1] * x[1];
-    y[1] = cs[1] * x[0] + cs[0] * x[1];
-}
-
-static inline void turn_back(double *y, const double *cs, const double *x)
-{
-    y[0] = cs[0] * x[0] + cs[1] * x[1];
-    y[1] = cs[0] * x[1] - cs[1] * x[0];
-}
-
-static inline double dot2(const double *x, const double *y)
-{
-    return x[0] * y[0] + x[1] * y[1];
-}
-
-static inline double cross2(const double *x, const double *y)
-{
-    return x[0] * y[1] - x[1] * y[0];
-}
-
 /* The sums; S, P, F in the plane. */
 struct sums {
     double m, S[2], P[2], L, J, T, F[2], N, W;
@@ -42,17 +20,17 @@ static inline void add_flexible(struct sums *o, struct bend *b, double m, const 
 {
     double ub[2], pb[2], p[2], h[2], L, T;
     planar_flex_shape(b);
-    turn_back(ub, b->cs, u);
+    v2_turn_back(ub, b->cs, u);
     flex_planar_momentum(pb, &L, &T, b->kernel, &b->shape, ub, w, b->v);
-    turn2(p, b->cs, pb);
+    v2_turn(p, b->cs, pb);
     planar_flex_first_moment(h, b);
     o->m += m;
     for (int k = 0; k < 2; k++) {
         o->S[k] += m * d[k] + h[k];
         o->P[k] += p[k];
     }
-    o->L += L + cross2(d, p);
-    o->J += b->shape.J + m * dot2(d, d) + 2 * dot2(d, h);
+    o->L += L + v2_cross(d, p);
+    o->J += b->shape.J + m * v2_dot(d, d) + 2 * v2_dot(d, h);
     o->T += T;
 }
 
@@ -63,9 +41,9 @@ static inline void add_rigid(struct sums *o, const struct link *l, const double 
         o->S[k] += l->mass * d[k];
         o->P[k] += l->mass * u[k];
     }
-    o->L += l->inertia * w + l->mass * cross2(d, u);
-    o->J += l->inertia + l->mass * dot2(d, d);
-    o->T += .5 * (l->inertia * w * w + l->mass * dot2(u, u));
+    o->L += l->inertia * w + l->mass * v2_cross(d, u);
+    o->J += l->inertia + l->mass * v2_dot(d, d);
+    o->T += .5 * (l->inertia * w * w + l->mass * v2_dot(u, u));
 }
 
 /* Power of the modes' rows, without that of stiffness and damping. */
@@ -82,8 +60,8 @@ static inline void add_forces(struct sums *o, const struct part *x, const double
 {
     o->F[0] += x->F[0];
     o->F[1] += x->F[1];
-    o->N += x->N + cross2(d, x->F);
-    o->W += dot2(u, x->F) + x->w * x->N;
+    o->N += x->N + v2_cross(d, x->F);
+    o->W += v2_dot(u, x->F) + x->w * x->N;
 }
 
 void planar_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what)
@@ -108,21 +86,21 @@ void planar_gather(struct sweep *s, struct bulk *o, const int *body, int n, int 
     *o = (struct bulk){.m = y.m,
                        .c = {root->r[0] + c[0], root->r[1] + c[1]},
                        .p = {y.m * root->v[0] + y.P[0], y.m * root->v[1] + y.P[1]},
-                       .L = {0, 0, y.L - cross2(c, y.P)},
-                       .T = y.T - .5 * dot2(v, y.P),
-                       .J = {1, 1, y.J - dot2(c, y.S)},
+                       .L = {0, 0, y.L - v2_cross(c, y.P)},
+                       .T = y.T - .5 * v2_dot(v, y.P),
+                       .J = {1, 1, y.J - v2_dot(c, y.S)},
                        .F = {y.F[0] + y.m * g[0], y.F[1] + y.m * g[1]},
-                       .N = {0, 0, y.N - cross2(c, y.F)},
-                       .W = y.W - dot2(v, y.F)};
+                       .N = {0, 0, y.N - v2_cross(c, y.F)},
+                       .W = y.W - v2_dot(v, y.F)};
 }
 
 static void hasten_flexible(struct part *x, struct bend *b, const double *zero, const double *a, double al, double k)
 {
     double ab[2], Fb[2], F[2], N;
-    turn_back(ab, b->cs, a);
+    v2_turn_back(ab, b->cs, a);
     for (int i = 0; i < b->n; i++) b->a[i] = k * b->v[i];
     flex_planar_inertia(Fb, &N, b->U, b->kernel, &b->shape, ab, 0, al, zero, b->a);
-    turn2(F, b->cs, Fb);
+    v2_turn(F, b->cs, Fb);
     x->F[0] += F[0];
     x->F[1] += F[1];
     x->N += N;

@@ -17,18 +17,6 @@
 
 #include "system/planar_flex.h"
 
-static inline void turn2(double *y, const double *cs, const double *x)
-{
-    y[0] = cs[0] * x[0] - cs[1] * x[1];
-    y[1] = cs[1] * x[0] + cs[0] * x[1];
-}
-
-static inline void turn_back(double *y, const double *cs, const double *x)
-{
-    y[0] = cs[0] * x[0] + cs[1] * x[1];
-    y[1] = cs[0] * x[1] - cs[1] * x[0];
-}
-
 static void gather(double *x, const int *i, const double *from, int n)
 {
     for (int k = 0; k < n; k++) x[k] = from[i[k]];
@@ -40,7 +28,7 @@ static void gather(double *x, const int *i, const double *from, int n)
 void planar_bend_place(struct bend *b, const struct part *x, const double *q)
 {
     bool moved = b->change == 0;
-    turn2(b->cs, (double[]){x->c, x->s}, b->drawn);
+    v2_turn(b->cs, (double[]){x->c, x->s}, b->drawn);
     for (int k = 0; k < b->n; k++) {
         moved |= !(q[b->iq[k]] == b->q[k]); /* always for NAN */
         b->q[k] = q[b->iq[k]];
@@ -67,7 +55,7 @@ void planar_stand_place(struct part *x, struct stand *o, const struct part *p)
         sincos(d->angle, &o->cs[1], &o->cs[0]);
         o->change = b->change;
     }
-    turn2(x->arm, b->cs, d->x);
+    v2_turn(x->arm, b->cs, d->x);
     x->c_b[0] = x->c_b[1] = 0;
     x->phi = p->phi + d->angle;
     x->c = p->c * o->cs[0] - p->s * o->cs[1];
@@ -81,7 +69,7 @@ void planar_stand_move(struct part *x, struct stand *o, const struct part *p)
     double u[2];
     flex_planar_place_move(&o->place, b->kernel, b->v);
     o->biased = false;
-    turn2(u, b->cs, o->place.v);
+    v2_turn(u, b->cs, o->place.v);
     x->w = p->w + o->place.w;
     x->v[0] = p->v[0] - p->w * x->arm[1] + u[0];
     x->v[1] = p->v[1] + p->w * x->arm[0] + u[1];
@@ -95,8 +83,8 @@ void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p
     if (!o->biased) flex_planar_place_bias(&o->place, b->kernel, o->node, b->v);
     o->biased = true;
     flex_planar_place_speed_up(&o->place, b->kernel, b->a);
-    turn2(u, b->cs, o->place.v);
-    turn2(x->a, b->cs, o->place.a);
+    v2_turn(u, b->cs, o->place.v);
+    v2_turn(x->a, b->cs, o->place.a);
     x->al = p->al + o->place.al;
     x->a[0] += p->a[0] - p->al * x->arm[1] - ww * x->arm[0] - w2 * u[1];
     x->a[1] += p->a[1] + p->al * x->arm[0] - ww * x->arm[1] + w2 * u[0];
@@ -113,7 +101,7 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
     const struct stand *node = s->stand[body];
     const struct part *at = &s->part[body];
     if (!node) return;
-    turn2(xv, node->of->cs, (double[]){node->place.dx[mode], node->place.dy[mode]});
+    v2_turn(xv, node->of->cs, (double[]){node->place.dx[mode], node->place.dy[mode]});
     w[2] = node->place.dw[mode];
     xv[0] -= w[2] * (x[1] - at->r[1]);
     xv[1] += w[2] * (x[0] - at->r[0]);
@@ -123,9 +111,9 @@ void planar_stand_row(double *restrict g, const struct stand *o, const struct pa
                       const double *f, double n)
 {
     const double *restrict dx = o->place.dx, *restrict dy = o->place.dy, *restrict dw = o->place.dw;
-    const double arm[2] = {x[0] - at->r[0], x[1] - at->r[1]}, moment = n + planar_cross(arm, f);
+    const double arm[2] = {x[0] - at->r[0], x[1] - at->r[1]}, moment = n + v2_cross(arm, f);
     double F[2];
-    turn_back(F, o->of->cs, f);
+    v2_turn_back(F, o->of->cs, f);
     for (int k = 0; k < o->of->n; k++) g[k] = dx[k] * F[0] + dy[k] * F[1] + dw[k] * moment;
 }
 
@@ -137,7 +125,7 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
         if (!b) continue;
         const struct part *x = &s->part[i];
         double v[2], h[2], m = s->model->body[i].mass;
-        turn_back(v, b->cs, x->v);
+        v2_turn_back(v, b->cs, x->v);
         planar_flex_shape(b);
         planar_flex_first_moment(h, b);
         *kinetic += flex_planar_kinetic(b->kernel, &b->shape, v, x->w, b->v);
@@ -153,20 +141,20 @@ void planar_bend_load(struct part *x, struct bend *b, bool bears)
     x->N = 0;
     if (bears) {
         planar_flex_shape(b);
-        turn_back(a, b->cs, x->a);
+        v2_turn_back(a, b->cs, x->a);
         flex_planar_inertia(F, &x->N, b->Q, b->kernel, &b->shape, a, x->w, x->al, b->v, b->a);
         flex_planar_elastic(b->Q, b->kernel, b->q, b->v);
     } else {
         memset(b->Q, 0, sizeof *b->Q * (size_t)b->n);
     }
-    turn2(x->F, b->cs, F);
+    v2_turn(x->F, b->cs, F);
 }
 
 /* The modes' rows of force F and moment N at the node, both in the world. */
 void planar_stand_bring_up(struct stand *o, const struct part *x)
 {
     double f[2], *Q = o->of->Q;
-    turn_back(f, o->of->cs, x->F);
+    v2_turn_back(f, o->of->cs, x->F);
     for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * x->N;
 }
 
