@@ -16,6 +16,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "la/vec3.h"
 #include "system/planar_flex.h"
 
 struct pivot {
@@ -113,11 +114,6 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
     return s->bend ? factor(s, F, cm, d, true) : factor(s, F, cm, d, false);
 }
 
-static inline double dot3(const double *x, const double *y)
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
 {
     double(*arm)[2] = arms(F);
@@ -131,7 +127,7 @@ TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
         if (flexible) planar_flex_forces(s, modes(s, F), here, x, i);
         for (int k = 0; k < l->nv; k++) {
             const struct pivot *o = &pivot[k];
-            double e = (x[l->iv[k]] - dot3(o->s, here)) * o->inverse;
+            double e = (x[l->iv[k]] - v3_dot(o->s, here)) * o->inverse;
             x[l->iv[k]] = e;
             for (int c = 0; c < 3; c++) here[c] += o->U[c] * e;
         }
@@ -146,7 +142,7 @@ TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
         double V[3] = {up[0], up[1] - arm[i][1] * up[0], up[2] + arm[i][0] * up[0]};
         for (int k = l->nv - 1; k >= 0; k--) {
             const struct pivot *o = &pivot[k];
-            double here = x[l->iv[k]] -= o->inverse * dot3(o->U, V);
+            double here = x[l->iv[k]] -= o->inverse * v3_dot(o->U, V);
             for (int c = 0; c < 3; c++) V[c] += o->s[c] * here;
         }
         if (flexible) planar_flex_twist(s, modes(s, F), V, x, i);

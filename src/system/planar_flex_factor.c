@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "la/dense.h"
+#include "la/vec3.h"
 #include "system/planar_flex.h"
 
 void planar_flex_start(struct sweep *s, double cm, const double *d)
@@ -84,17 +85,12 @@ int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d)
     return s->bend[body] ? eliminate(F, x->I, s->bend[body], d) : 1;
 }
 
-static inline double dot3(const double *x, const double *y)
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 /* The modes' right sides stand in x until their body's turn comes. */
 void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body)
 {
     const struct stand *o = s->stand[body];
     const struct bend *b = s->bend[body];
-    for (int k = 0; o && k < o->of->n; k++) x[o->of->iv[k]] -= dot3(F + o->at + 3 * k, p);
+    for (int k = 0; o && k < o->of->n; k++) x[o->of->iv[k]] -= v3_dot(F + o->at + 3 * k, p);
     if (!b) return;
     const int n = b->n;
     const double *L = F + b->at, *Z = L + n * n;

@@ -10,6 +10,7 @@
  * as B'f. */
 #include <string.h>
 
+#include "la/vec3.h"
 #include "system/planar_flex.h"
 
 /* Inertia of the bent bodies about their frames' origins. */
@@ -34,11 +35,6 @@ static inline void wrench(double *f, const struct part *x, const double *u)
     f[2] = x->cm * u[2] + u[0] * x->cs[0];
 }
 
-static inline double dot3(const double *x, const double *y)
-{
-    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 static inline void put(double *M, int n, int i, int j, double x)
 {
     M[i + (size_t)n * j] = x;
@@ -55,11 +51,11 @@ static void rise(double *M, const struct sweep *s, double *f, int body, int col)
         const struct stand *o = s->stand[i];
         for (int k = 0; k < l->nv; k++) {
             planar_unit(u, x, l, k);
-            put(M, s->n, l->iv[k], col, dot3(u, f));
+            put(M, s->n, l->iv[k], col, v3_dot(u, f));
         }
         for (int k = 0; o && k < o->of->n; k++) {
             planar_stand_unit(u, o, k);
-            put(M, s->n, o->of->iv[k], col, dot3(u, f));
+            put(M, s->n, o->of->iv[k], col, v3_dot(u, f));
         }
         f[0] += x->arm[0] * f[2] - x->arm[1] * f[1];
     }
@@ -86,7 +82,7 @@ void planar_flex_couple(const struct stand *o, const double *I, const double *ar
         f[2] = I[2] * u[0] + I[4] * u[1] + I[5] * u[2];
         for (int i = k; i < b->n; i++) {
             planar_stand_unit(u, o, i);
-            b->M[i + b->n * k] += dot3(u, f);
+            b->M[i + b->n * k] += v3_dot(u, f);
         }
         U[0] += f[0] + arm[0] * f[2] - arm[1] * f[1];
         U[1] += f[1];
