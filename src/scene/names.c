@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "scene/build.h"
-#include "scene/flexible.h"
+#include "scene_flex/flexible.h"
 
 static bool same(const char *name, const char *text, size_t len)
 {

@@ -5,7 +5,7 @@
 
 #include "la/vec3.h"
 #include "scene/build.h"
-#include "scene/flexible.h"
+#include "scene_flex/flexible.h"
 
 static const double MOST_GRAVITY = 300, LEAST_DENSITY = 1, MOST_DENSITY = 25000, TURN = 6.283185307179586;
 static const double LEAST_SPEED = 20, MOST_SPEED = 20000, MOST_LENGTH = 1000;

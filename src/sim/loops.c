@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "loop/condense.h"
 #include "sim/parts.h"
-#include "system/condense.h"
 
 /* Where the deck has the joint that closes loop l, or the drive. */
 static const struct node *node_of(const struct sim *sim, int l)

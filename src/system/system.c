@@ -9,8 +9,8 @@
 
 #include "la/dense.h"
 #include "la/vec3.h"
-#include "system/condense.h"
-#include "system/tree.h"
+#include "loop/condense.h"
+#include "open/tree.h"
 
 struct system {
     const struct model *model;

@@ -4,9 +4,9 @@
 
 #include "base/arena.h"
 #include "model/model.h"
-#include "system/bent.h"
+#include "open/bent.h"
 #include "system/ode2.h"
-#include "system/sweep.h"
+#include "tree/sweep.h"
 
 struct system;
 

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 
 #include "expr/expr.h"
-#include "system/condense.h"
+#include "loop/condense.h"
 #include "system/system.h"
 #include "unit/trees.h"
 

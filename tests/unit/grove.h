@@ -5,7 +5,7 @@
 
 #include <assert.h>
 
-#include "system/sweep.h"
+#include "tree/sweep.h"
 #include "unit/particles.h"
 
 enum grove_flag { GROVE_FAST = 1, GROVE_STIFFENING = 2, GROVE_ADRIFT = 4, GROVE_CHAIN = 8 };

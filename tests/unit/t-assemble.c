@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "system/condense.h"
+#include "loop/condense.h"
 #include "unit/rides.h"
 
 #include <cmocka.h>

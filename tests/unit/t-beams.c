@@ -13,7 +13,7 @@
 
 #include "la/vec3.h"
 #include "model/build.h"
-#include "scene/flexible.h"
+#include "scene_flex/flexible.h"
 #include "sim/load.h"
 
 #include <cmocka.h>

@@ -6,8 +6,8 @@
  * bodies.  With displacements linear in q this is exact; with curved ones and rotary inertia M, r and the energy
  * are held against each other. */
 #include "flex/motion.h"
-#include "system/sweep.h"
 #include "system/system.h"
+#include "tree/sweep.h"
 
 #include "unit/bent.h"
 #include "unit/near.h"

@@ -15,7 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "system/condense.h"
+#include "loop/condense.h"
 #include "system/system.h"
 #include "unit/trees.h"
 

@@ -5,9 +5,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "loop/condense.h"
 #include "sim/load.h"
 #include "sim/sim.h"
-#include "system/condense.h"
 #include "unit/decks.h"
 
 /* the harness has a macro of that name */

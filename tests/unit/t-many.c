@@ -7,9 +7,9 @@
 #include <unistd.h>
 
 #include "la/dense.h"
+#include "loop/condense_parts.h"
 #include "sim/load.h"
 #include "sim/sim.h"
-#include "system/condense_parts.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>

@@ -1,5 +1,5 @@
 /* t-moves.c -- positions moved by quasi-displacements over whole models */
-#include "system/moves.h"
+#include "tree/moves.h"
 
 #include "la/rot.h"
 #include "unit/trees.h"

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "system/sweep.h"
+#include "tree/sweep.h"
 #include "unit/opened.h"
 #include "unit/trees.h"
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "system/sweep.h"
+#include "tree/sweep.h"
 #include "unit/near.h"
 #include "unit/trees.h"
 

@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "la/vec3.h"
+#include "loop/loops.h"
 #include "sim/load.h"
 #include "sim/sim.h"
-#include "system/loops.h"
 #include "unit/decks.h"
 #include "unit/trees.h"
 

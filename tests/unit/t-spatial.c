@@ -4,7 +4,7 @@
  * off the transforms and checked by complex steps of them; accelerations are complex steps of J(q) u along the
  * motion; M = sum J' diag(m, I_w) J and r = sum J' (what each body needs by Newton and Euler).  A complex step
  * f(x + i e)/e has no difference in it and is exact to round-off (Squire & Trapp 1998). */
-#include "system/sweep.h"
+#include "tree/sweep.h"
 
 #include "unit/gauss.h"
 #include "unit/near.h"

@@ -1,0 +1,61 @@
+/* elements.h -- forces on a tree: loads, powers, slopes, stored energy; the same in the plane and in space.
+ *
+ * A sweep gives the motion and takes the forces; the elements know nothing of the recursion.  All functions
+ * with a sweep read its last motion. */
+#ifndef FMDSUB_FORCE_ELEMENTS_H
+#define FMDSUB_FORCE_ELEMENTS_H
+
+#include "base/arena.h"
+#include "model/model.h"
+#include "system/ode2.h"
+#include "tree/sweep.h"
+
+struct elements;
+
+/* What one element does at an instant. */
+struct effect {
+    double force;      /* along the measure; size of a load, of a bushing's force [N] or [N m] */
+    double elongation; /* the measure; a bushing's displacement; a load: 0 */
+    double power;      /* on the mechanism [W] */
+};
+
+struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
+
+/* After forward() of the class: pushes the sweep's bodies, r -= what acts along coordinates, w += powers, dk = max
+ * (w, dk may be NULL).  effect [nforce] is filled for the class if not NULL. */
+void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
+                   const struct instant *x, enum rate cls);
+
+/* Does none of them ask for the ends of the interval? */
+bool elements_are_pointwise(const struct elements *e);
+
+/* K += dr/dq, C += dr/dv, by column, either may be NULL; after move(). */
+void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x, enum rate cls);
+
+/* Rows y [n] of other coordinates in place of those of the tree. */
+struct row;
+struct reduction {
+    int n;
+    void *self;
+    void (*row)(void *self, double *y, const struct row *row);
+    double *y, *z; /* [n] work */
+};
+
+/* The same into K, C [n x n] of these coordinates. */
+void elements_slopes_reduced(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x,
+                             enum rate cls, const struct reduction *to);
+
+/* Is all that slopes() gives on the diagonals, whatever the state?  Then they are cheap: d += cc C + ck K. */
+bool elements_are_diagonal(const struct elements *e);
+void elements_diagonal(struct elements *e, double *d, double cc, double ck, const struct instant *x);
+
+/* Sum of stored energies; after move(ALL). */
+double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v);
+/* Angles in space, known up to whole turns, go on from where they are at s; false: there are none to settle. */
+bool elements_turn(const struct elements *e);
+void elements_turned(struct elements *e, const struct sweep *s, double t);
+void elements_stand(struct elements *e, int measure, double x);
+void elements_measure(const struct elements *e, const struct sweep *s, double *value, double *rate, int measure,
+                      const double *q, const double *v);
+
+#endif

@@ -1,0 +1,153 @@
+/* elements_build.c -- the elements sorted for the loop: by class, plain ones apart, and which rotations change what. */
+#include <string.h>
+
+#include "force/parts.h"
+
+static bool is_plain(const struct model *m, const struct model_force *f)
+{
+    return f->type == FORCE_LAW && (f->kind == &force_spring || f->kind == &force_damper) &&
+           m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->linear(f->par);
+}
+
+/* Is v[k] a rotation?  Rotations come after displacements, but for a cylindrical joint's. */
+static bool *rotations(const struct model *m, struct arena *life)
+{
+    bool *turns = TAKE(life, bool, m->n);
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        int slides = j->type == JOINT_PRISMATIC ? 1
+                     : j->type == JOINT_PLANAR  ? 2
+                     : j->type == JOINT_FREE    ? m->space
+                                                : 0;
+        for (int k = 0; k < j->nv; k++) turns[j->iv[k]] = j->type == JOINT_CYLINDRICAL ? k == 0 : k >= slides;
+    }
+    return turns;
+}
+
+/* Counts in the row how often the velocities on the ways to the two bodies are met; modes is set for those of
+ * flexible bodies. */
+static void meet(struct elements *e, bool *modes, int a, int b)
+{
+    const struct model *m = e->model;
+    const int ends[2] = {a, b};
+    for (int end = 0; end < 2; end++)
+        for (int i = ends[end]; i > 0; i = m->body[i].parent) {
+            const struct model_joint *j = &m->joint[m->body[i].joint];
+            const struct model_body *p = &m->body[m->body[i].parent];
+            for (int k = 0; k < j->nv; k++) row_add(&e->row, j->iv[k], 1);
+            for (int k = 0; m->body[i].at_node && k < p->nmode; k++) {
+                row_add(&e->row, p->mode_v[k], 1);
+                modes[p->mode_v[k]] = true;
+            }
+        }
+}
+
+/* Without rotations the elastic coordinates, which bend the points' ways too. */
+static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
+{
+    int *turn = TAKE(life, int, e->model->n);
+    bool *modes = TAKE(life, bool, e->model->n);
+    meet(e, modes, a, b);
+    for (int pass = 0; pass < 2 && !p->nturn; pass++)
+        for (int i = 0; i < e->row.n; i++) {
+            int k = e->row.k[i];
+            if (pass ? modes[k] : turns[k] && e->row.x[k] == 1) turn[p->nturn++] = k;
+        }
+    p->turn = turn;
+    row_clear(&e->row);
+}
+
+static void add_plain(struct elements *e, int force)
+{
+    const struct model_force *f = &e->model->force[force];
+    const struct model_measure *def = &e->model->measure[f->measure];
+    const struct spring *par = f->par;
+    struct plain *p = &e->plain[e->nplain[ALL]++];
+    *p = (struct plain){.iq = def->iq, .iv = def->iv, .force = force, .c = par->c};
+    if (f->kind == &force_damper) return;
+    p->k = par->k, p->rest = par->rest, p->preload = par->preload;
+}
+
+static void add_other(struct elements *e, int force, const bool *turns, struct arena *life)
+{
+    const struct model_force *f = &e->model->force[force];
+    struct part_of *p = &e->other[e->nother[ALL]++];
+    p->force = force;
+    if (f->type == FORCE_LAW) {
+        const struct model_measure *def = &e->model->measure[f->measure];
+        bool straight = def->type == MEASURE_COORDINATE || (def->type == MEASURE_ANGLE && e->model->space == 2);
+        p->linear = f->kind->linear && f->kind->linear(f->par);
+        p->ends = f->kind->stored && def->type != MEASURE_COORDINATE && !(straight && p->linear);
+        if (p->ends) find_rotations(p, e, def->a.body, def->b.body, turns, life);
+    } else if (f->type == FORCE_BUSHING) {
+        p->ends = true;
+        find_rotations(p, e, f->a.body, f->b.body, turns, life);
+    }
+    if (p->ends) e->ends[f->cls] = e->ends[ALL] = true;
+}
+
+static void add_class(struct elements *e, enum rate cls, const bool *turns, struct arena *life)
+{
+    for (int i = 0; i < e->model->nforce; i++) {
+        const struct model_force *f = &e->model->force[i];
+        if (f->cls != cls) continue;
+        if (is_plain(e->model, f))
+            add_plain(e, i);
+        else
+            add_other(e, i, turns, life);
+        if (f->nslot > e->most_slots) e->most_slots = f->nslot;
+    }
+    e->nplain[cls] = e->nplain[ALL];
+    e->nother[cls] = e->nother[ALL];
+}
+
+/* A sweep whose FAST bodies are only those that the elements with ends touch, and their paths. */
+static struct sweep *build_ends(const struct elements *e, struct arena *life)
+{
+    struct model *m = TAKE(life, struct model, 1);
+    struct model_body *body = TAKE(life, struct model_body, e->model->nbody);
+    struct model_force *force = TAKE(life, struct model_force, e->model->nforce);
+    *m = *e->model;
+    m->body = body;
+    m->force = force;
+    m->nforce = 0;
+    memcpy(body, e->model->body, sizeof *body * (size_t)m->nbody);
+    for (int i = 0; i < m->nbody; i++) body[i].fast = false;
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        if (!e->other[i].ends) continue;
+        force[m->nforce] = e->model->force[e->other[i].force];
+        force[m->nforce++].cls = FAST;
+    }
+    return e->ops->build(m, STEPPED, life);
+}
+
+struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)
+{
+    struct elements *e = TAKE(life, struct elements, 1);
+    e->model = m;
+    e->ops = ops;
+    measures_build(&e->measures, m, ops, life);
+    e->plain = TAKE(life, struct plain, m->nforce);
+    e->other = TAKE(life, struct part_of, m->nforce);
+    e->row = row_make(m->n, life);
+    e->column = row_make(m->n, life);
+    const bool *turns = rotations(m, life);
+    e->most_slots = 1;
+    add_class(e, FAST, turns, life);
+    add_class(e, SLOW, turns, life);
+    if (e->ends[ALL]) e->there = build_ends(e, life);
+    e->slot = TAKE(life, double, e->most_slots);
+    e->slope = TAKE(life, double, e->most_slots);
+    e->which = TAKE(life, int, e->most_slots);
+    for (int i = 0; i < e->most_slots; i++) e->which[i] = i + 1;
+    return e;
+}
+
+bool elements_are_pointwise(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct model_force *f = &e->model->force[e->other[i].force];
+        if (f->type == FORCE_BUSHING || (f->type == FORCE_LAW && f->kind->stored)) return false;
+    }
+    return true;
+}

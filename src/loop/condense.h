@@ -1,0 +1,63 @@
+/* condense.h -- a tree with loops as a system of independent coordinates.
+ *
+ *     M a + C_q' lambda = Q,   C(q) = 0                                       (2-1), (2-2)
+ *     v_d = G v_i,  a_d = G a_i + C_qd^-1 gacc,  G = -C_qd^-1 C_qi
+ *     r = r_i + G' r_d,  lambda = -C_qd^-T r_d,  M^ = T' M T,  T = [1; G]     (2-4)
+ *
+ * (Wehage & Haug, J. Mech. Design 104 (1982) 247): the augmented system (2-3) by elimination.
+ * r_t = M a - Q is the tree's own residual, which this takes from the tree's ode2.  Positions q are those of
+ * the whole tree; v and a are of the independent coordinates only, fast ones first.  Nothing is kept of trial
+ * states. */
+#ifndef FMDSUB_LOOP_CONDENSE_H
+#define FMDSUB_LOOP_CONDENSE_H
+
+#include "loop/loops.h"
+#include "open/tree.h"
+
+struct condense;
+
+/* How it went at the start. */
+struct condense_start {
+    enum status status;
+    struct report report;
+    double misfit;  /* largest |C| as drawn and started */
+    int misfit_row; /* of which row */
+    int redundant;  /* rows that say nothing new */
+    double moved;   /* largest change of a coordinate that closed the loops [m] or [rad] */
+    int moved_at;   /* place in v */
+    double changed; /* by assembly: largest change of a rate */
+    int changed_at;
+};
+
+/* q0 [nq], v0 [n] of the tree: the start as the deck has it.  The system that comes out stands still where
+ * start->status is not OK. */
+struct condense *condense_build(struct tree *tree, const double *q0, const double *v0, struct arena *life);
+
+const struct condense_start *condense_started(const struct condense *c);
+const double *condense_q(const struct condense *c);         /* [nq] closed start */
+const double *condense_v(const struct condense *c);         /* [n] independent */
+const struct ode2 *condense_ode2(const struct condense *c); /* lives as long */
+
+/* Velocities, accelerations (a NULL: not wanted) of the whole tree [m->n], of the independent v, a at a closed q. */
+enum status condense_rates(struct condense *c, double *vt, double *at, const double *q, const double *v,
+                           const double *a, double t, struct trouble *why);
+/* lambda [rows] for the tree's residual rt at the state of the last condense_rates(); dropped rows: 0.  After one with
+ * accelerations the tree's sweep moves so. */
+void condense_lambda(struct condense *c, double *lambda, const double *rt);
+
+/* The multipliers as forces on the bodies of a sweep that stands where they were found; what joint `loop` exerts. */
+void condense_push(struct condense *c, struct sweep *s, const double *q, double t, const double *lambda);
+/* Of a drive, after condense_push(): its force along its measure, its power. */
+void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda);
+void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda);
+
+const struct loops *condense_loops(const struct condense *c);
+double condense_worst(struct condense *c, const double *q, double t); /* max |C| */
+int condense_place(const struct condense *c, int i);                  /* place in the tree's v of independent i */
+/* Whose reactions no dynamics can tell, because rows are redundant: unique [nloop], unique_joint [njoint]. */
+void condense_mark(struct condense *c, bool *unique, bool *unique_joint);
+bool condense_dropped(const struct condense *c, int row);
+double condense_ratio(struct condense *c);      /* least pivot ratio of C_qd at the start */
+long condense_charts(const struct condense *c); /* partitions chosen since the start */
+
+#endif

@@ -1,0 +1,103 @@
+/* loops.h -- the joints that close loops, ties and drives as equations between coordinates, C(q, t) = 0 (2-2).
+ *
+ * Rows are dimensionless: lengths over `length`, a length of the mechanism.  All but loops_build read or feed a
+ * sweep at its last motion. */
+#ifndef FMDSUB_LOOP_LOOPS_H
+#define FMDSUB_LOOP_LOOPS_H
+
+#include "base/arena.h"
+#include "force/measure.h"
+#include "model/model.h"
+#include "tree/sweep.h"
+
+/* What one equation says of the second body's axes and point against the first's. */
+enum loop_row_type {
+    ROW_ALONG, /* the second's point has not moved along axis i of the first */
+    ROW_LEAN,  /* axis i of the first and axis j of the second stay at right angles */
+    ROW_TURN,  /* plane: both bodies have turned alike */
+    ROW_SPAN,  /* the second's point keeps its distance from the first's */
+    ROW_SUM,   /* coordinates times factors sum to 0 */
+    ROW_DRIVE  /* a measure stands where its drive has it: s(q) = c(t) */
+};
+
+enum { LOOP_ROWS = 6 }; /* of one loop at most */
+
+struct loop_row {
+    int loop;
+    enum loop_row_type type;
+    int i, j;
+};
+
+/* Where a loop's two bodies stand. */
+struct loop_place {
+    struct pose A, B;
+    double d[3], x[3]; /* from the first's point to the second's; the second's point, world */
+    double seen[3];    /* ROW_ALONG, which stand first: the point's acceleration as the first body sees it */
+    double sum;        /* ROW_SUM: of the coordinates */
+};
+
+/* The axes that a row speaks of, in the world: of the first body; of the second (ROW_LEAN). */
+struct loop_axes {
+    double e[3], g[3];
+};
+
+/* The coordinates on a loop's ways to its first and its second body, from the body where they part.  If that is
+ * flexible and they go on from two of its nodes, both begin with its modes. */
+struct loop_ways {
+    int from, n[2]; /* of path(): what both share; what follows */
+    int same;       /* modes with which both begin */
+};
+
+/* Where a drive is at time t, its rate and acceleration. */
+struct moved {
+    double t, x[3];
+};
+enum { MOVED = 4 };
+
+struct loops {
+    const struct model *model;
+    const struct sweep_ops *ops;
+    double length; /* [m] */
+    int nrow;
+    struct loop_row *row;     /* [nrow], loop by loop */
+    int *first;               /* [nloop + 1] first row of each loop */
+    struct loop_place *place; /* [nloop] */
+    struct loop_axes *axes;   /* [nrow] */
+    int *nk, **k;             /* [nloop] coordinates tied: places in v */
+    struct loop_ways *ways;   /* [nloop] */
+    double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
+    double *scale;            /* [nloop] what the terms of a sum are divided by [m] or [rad] */
+    struct measures measures;
+    struct row grad;      /* of a driven measure; its work */
+    struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
+    double *c, *c1, *c2;  /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
+    double aside;         /* added to c, while a posture beside the one of drives is looked for */
+    double *cw;           /* [nrow] the rate that their force works with */
+    struct moved *moved;  /* [ndrive x MOVED] drives at the times last asked for */
+    double *drawn, share; /* [nrow] of drives: their measure as drawn; how far they have gone from there to c(t) */
+};
+
+struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
+
+/* Drives as they are at t; over [ta, tb], if that is longer than nothing, by their mean rate and acceleration. */
+void loops_when(struct loops *o, double t);
+void loops_over(struct loops *o, double ta, double tb);
+/* c1 := by how much the rates of drives jump at corners in [ta, tb); 0: nowhere. */
+int loops_corners(struct loops *o, double ta, double tb);
+/* Looks at the bodies where they stand: first of all, after each place(). */
+void loops_look(struct loops *o, const struct sweep *s, const double *q);
+void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
+void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
+/* C'' [nrow], after speed_up(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
+ * + C_tt. */
+void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a);
+void loops_push(const struct loops *o, struct sweep *s, const double *lambda); /* applies -C_q' lambda */
+/* Force of the drive along its measure [N] or [N m], and its power [W]. */
+void loops_drive(const struct loops *o, double *force, double *power, int l, const double *lambda);
+/* Force and moment about its point that loop joint l exerts on the deck's second body, world axes [3]; of a sum: 0. */
+void loops_reaction(const struct loops *o, double *f, double *n, int l, const double *lambda);
+/* A rod's force, positive when it drives its points apart [N]; of gears and racks the generalized force on their last
+ * coordinate [N] or [N m]; of other loop joints 0. */
+double loops_force(const struct loops *o, int l, const double *lambda);
+
+#endif

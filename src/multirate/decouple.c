@@ -1,0 +1,216 @@
+/* decouple.c -- see decouple.h */
+#include "multirate/decouple.h"
+
+#include <math.h>
+
+#include "engine/motion.h"
+#include "la/dense.h"
+
+enum { SMALL = 12 }; /* up to here dense is no slower than any structure */
+
+void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life)
+{
+    const struct ode2_direct *direct = ode->direct;
+    int n = ode->n, ns = ode->ns, nl = n - ns;
+    *p = (struct decouple){.ode = ode, .effort = effort, .n = n, .ns = ns, .nl = nl};
+    p->ml = ode->near > 0 ? ode->near - ns : nl;
+    p->structured = n > SMALL && direct && direct->stiffen && direct->solve;
+    p->M = TAKE(life, double, (size_t)n *(size_t)n);
+    p->L = TAKE(life, double, (size_t)nl *(size_t)nl);
+    p->W = TAKE(life, double, (size_t)nl *(size_t)ns);
+    p->Mss = TAKE(life, double, (size_t)ns *(size_t)ns);
+    p->MsW = TAKE(life, double, (size_t)p->ml *(size_t)ns);
+    p->WMW = TAKE(life, double, (size_t)ns *(size_t)ns);
+    p->Z = TAKE(life, double, (size_t)ns *(size_t)ns);
+    p->row = TAKE(life, double, ns);
+    p->none = TAKE(life, double, n);
+    p->z = TAKE(life, double, n);
+    p->r = TAKE(life, double, n);
+    p->a = TAKE(life, double, n);
+    if (p->structured) p->F = arena_take(life, 1, direct->factor_size);
+}
+
+void decouple_dense(struct decouple *p)
+{
+    p->structured = 0;
+}
+
+static int last_row(const double *W, int nl, int ns)
+{
+    int reach = 0;
+    for (int j = 0; j < ns; j++)
+        for (int i = nl; i > reach; i--)
+            if (W[i - 1 + (long)j * nl] != 0) reach = i;
+    return reach;
+}
+
+/* Mss := Z^-1, Z [ns x ns] lost. */
+static int invert(struct decouple *p)
+{
+    int ns = p->ns;
+    int pivot = dense_cholesky(p->Z, ns, ns);
+    if (pivot >= 0) return pivot;
+    zero(p->Mss, ns * ns);
+    for (int i = 0; i < ns; i++) p->Mss[i * (ns + 1)] = 1;
+    dense_cholesky_solves(p->Z, p->Mss, ns, ns, ns, ns);
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < j; i++) p->Mss[j + i * ns] = p->Mss[i + j * ns];
+    return -1;
+}
+
+static enum status by_structure(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    const struct ode2_direct *direct = p->ode->direct;
+    int ns = p->ns, nl = p->nl;
+    TRY(direct->stiffen(p->ode, p->F, p->none, x->q, x->t, why));
+    for (int j = 0; j < ns; j++) {
+        zero(p->z, p->n);
+        p->z[j] = 1;
+        direct->solve(p->ode, p->F, p->z);
+        copy(p->Z + j * ns, p->z, ns);
+        copy(p->W + (long)j * nl, p->z + ns, nl);
+    }
+    int pivot = invert(p);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, x->t);
+    p->reach = last_row(p->W, nl, ns);
+    for (int i = 0; i < p->reach; i++) { /* W = -Z_LS Mss by rows */
+        for (int j = 0; j < ns; j++) p->row[j] = -p->W[i + (long)j * nl];
+        for (int j = 0; j < ns; j++) p->W[i + (long)j * nl] = dot(p->row, p->Mss + j * ns, ns);
+    }
+    return OK;
+}
+
+static enum status by_matrix(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    int n = p->n, ns = p->ns, nl = p->nl;
+    TRY(p->ode->ops->mass(p->ode, p->M, x->q, x->t, ALL, why));
+    dense_copy(p->Mss, p->M, ns, ns, ns, n);
+    dense_copy(p->W, p->M + ns, nl, ns, nl, n);
+    p->reach = last_row(p->W, nl, ns);
+    if (!p->reach) return OK;
+    dense_copy(p->L, p->M + ns + ns * n, nl, nl, nl, n);
+    int pivot = dense_cholesky(p->L, nl, nl);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, ns + pivot, 0, x->t);
+    dense_cholesky_solves(p->L, p->W, nl, nl, ns, nl);
+    dense_gemtm(p->Mss, -1, p->M + ns, p->W, ns, nl, ns, ns, n, nl);
+    p->reach = last_row(p->W, nl, ns);
+    return OK;
+}
+
+/* A power of two that makes inertial forces as large as the forces r that they are told from by a difference. */
+static double as_large(const struct decouple *p, const double *r, int m)
+{
+    double force = 0, mass = INFINITY;
+    for (int i = 0; i < m; i++) force = fmax(force, fabs(r[i]));
+    for (int i = 0; i < p->ns; i++) mass = fmin(mass, p->Mss[i * (p->ns + 1)]);
+    return force > mass && force / mass < 0x1p900 ? ldexp(1, ilogb(force / mass) + 1) : 1;
+}
+
+/* What the fast bodies' rows r say more than p->r at the acceleration s p->a (p->z: their difference over s). */
+static enum status inertia(struct decouple *p, struct instant *with, double s, struct trouble *why)
+{
+    p->effort->fast++;
+    with->a = p->a;
+    TRY(p->ode->ops->resid(p->ode, p->z, NULL, NULL, with, FAST, why));
+    for (int i = 0; i < p->ns + p->ml; i++) p->z[i] = (p->z[i] - p->r[i]) / s;
+    return OK;
+}
+
+/* (M_f P_S)_L by its columns: one question for each fast coordinate. */
+static enum status by_columns(struct decouple *p, struct instant *with, double s, int rows, struct trouble *why)
+{
+    int ns = p->ns, ml = p->ml;
+    for (int j = 0; j < ns; j++) {
+        zero(p->a, ns + ml);
+        p->a[j] = s;
+        for (int i = 0; i < rows; i++) p->a[ns + i] = -s * p->W[i + (long)j * p->nl];
+        TRY(inertia(p, with, s, why));
+        copy(p->MsW + j * ml, p->z + ns, ml);
+    }
+    return OK;
+}
+
+/* The same by its rows, M_LS - M_LL W of the fast bodies, for M_f is symmetric: one question for each slow one. */
+static enum status by_rows(struct decouple *p, struct instant *with, double s, int rows, struct trouble *why)
+{
+    int ns = p->ns, ml = p->ml;
+    for (int i = 0; i < ml; i++) {
+        zero(p->a, ns + ml);
+        p->a[ns + i] = s;
+        TRY(inertia(p, with, s, why));
+        for (int j = 0; j < ns; j++) p->MsW[i + j * ml] = p->z[j] - dot(p->z + ns, p->W + (long)j * p->nl, rows);
+    }
+    return OK;
+}
+
+/* MsW and W' M_s W from the fast bodies. */
+static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
+    struct instant with = *x;
+    with.a = NULL;
+    p->effort->fast++;
+    TRY(p->ode->ops->resid(p->ode, p->r, NULL, NULL, &with, FAST, why));
+    double s = as_large(p, p->r, ns + ml);
+    TRY(ns <= ml ? by_columns(p, &with, s, rows, why) : by_rows(p, &with, s, rows, why));
+    zero(p->WMW, ns * ns);
+    dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < j; i++)
+            p->WMW[i + j * ns] = p->WMW[j + i * ns] = (p->WMW[i + j * ns] + p->WMW[j + i * ns]) / 2;
+    return OK;
+}
+
+enum status decouple_at(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    p->effort->slow++;
+    p->effort->fast++;
+    if (p->structured && by_structure(p, x, why) != OK) decouple_dense(p);
+    if (!p->structured) TRY(by_matrix(p, x, why));
+    return p->reach ? slow_share(p, x, why) : OK;
+}
+
+void decouple_recoil(const struct decouple *p, double *y, double s, const double *x)
+{
+    if (p->reach) dense_gemv(y, s, p->W, x, p->reach, p->ns, p->nl);
+}
+
+void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m)
+{
+    int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    const double *W = p->W;
+    double *slow = out + ns;
+    if (out != x) copy(out, x, ns);
+    for (int i = 0; i < rows; i++) slow[i] = y[i] - W[i] * out[0];
+    for (int j = 1; j < ns; j++)
+        for (int i = 0; i < rows; i++) slow[i] -= W[i + (long)j * p->nl] * out[j];
+    if (rows < m) copy(slow + rows, y + rows, m - rows);
+}
+
+void decouple_fast(const struct decouple *p, double *rs, const double *r, int m)
+{
+    int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    for (int j = 0; j < ns; j++) {
+        const double *W = p->W + (long)j * p->nl;
+        double sum = 0;
+        for (int i = 0; i < rows; i++) sum += W[i] * r[ns + i];
+        rs[j] = r[j] - sum;
+    }
+}
+
+void decouple_slopes(const struct decouple *p, double *K, int m)
+{
+    int n = p->n, ns = p->ns, rows = p->reach < m ? p->reach : m;
+    if (!rows) return;
+    dense_gemm(K, -1, K + ns * n, p->W, ns + m, rows, ns, n, n, p->nl);
+    dense_gemtm(K, -1, p->W, K + ns, ns, rows, ns + m, n, p->nl, n);
+}
+
+void decouple_slow(struct decouple *p, double *x)
+{
+    zero(p->z, p->ns);
+    copy(p->z + p->ns, x, p->nl);
+    p->ode->direct->solve(p->ode, p->F, p->z);
+    copy(x, p->z + p->ns, p->nl);
+    decouple_recoil(p, x, 1, p->z);
+}

@@ -1,0 +1,65 @@
+/* decouple.h -- slow and fast coordinates without common inertia.
+ *
+ *     W = M_LL^-1 M_LS,   P = [1 -W; 0 1] (slow first),   v = P (u, v_S)                                    (S1)
+ *
+ * makes P' M^ P = diag(M_LL, M~_SS), M~_SS = M_SS - M_SL W: the fast part sits on its free, recoiling base.  In
+ * memory S = [0,ns) comes first.
+ *
+ * Where the owner factors M^ by structure, W comes from its inverse Z, of which the columns of S are
+ * solved for:
+ *
+ *     M~_SS = Z_SS^-1,   W = -Z_LS Z_SS^-1,   M_LL^-1 b = z_L + W z_S with z = M^^-1 (0, b),
+ *
+ * all in O(n); else M^ is formed and M_LL factored.  W is zero behind `reach`: what hangs on the ground by
+ * itself does not recoil.
+ *
+ * The slow bodies' part of the inertia of x is what M~_SS holds more than the fast bodies bring: with P_S the
+ * columns of S, M_f P_S = (r_fast(a = P_S) - r_fast(a = 0)), of which (M^ P_S)_L = 0 leaves
+ *
+ *     M_s W = (M_f P_S)_L,   W' M_s W,
+ *
+ * so that no slow body is asked.  The rows are told one by one where there are fewer slow coordinates than fast ones,
+ * by (M_f P_S)_L = (M_f)_LS - (M_f)_LL W and the symmetry of M_f. */
+#ifndef FMDSUB_MULTIRATE_DECOUPLE_H
+#define FMDSUB_MULTIRATE_DECOUPLE_H
+
+#include "base/arena.h"
+#include "engine/stepper.h"
+
+struct decouple {
+    const struct ode2 *ode;
+    struct effort *effort;
+    int n, ns, nl;
+    int ml;            /* slow coordinates that fast bodies and elements know */
+    int structured;    /* M^ is factored by its owner; M and L are not used */
+    int reach;         /* rows of W from here on are zero; 0: no common inertia */
+    double *W;         /* [nl x ns] */
+    double *Mss;       /* [ns x ns] M~_SS */
+    double *MsW;       /* [ml x ns] */
+    double *WMW;       /* [ns x ns] W' M_s W */
+    double *M;         /* [n x n] */
+    double *L;         /* [nl x nl] Cholesky factor of M_LL */
+    void *F;           /* the owner's factor of M^ */
+    double *none;      /* [n] zeros */
+    double *z, *r, *a; /* [n] */
+    double *row, *Z;   /* [ns], [ns x ns] */
+};
+
+void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life);
+/* Everything at x (q, v, t). */
+enum status decouple_at(struct decouple *p, const struct instant *x, struct trouble *why);
+/* From now on by the formed M^. */
+void decouple_dense(struct decouple *p);
+
+/* y [nl] += s W x. */
+void decouple_recoil(const struct decouple *p, double *y, double s, const double *x);
+/* out [ns + m] = P (y, x), the first m slow coordinates; x = out is allowed. */
+void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m);
+/* rs [ns] := the fast rows of P' r, where r has its first m slow rows. */
+void decouple_fast(const struct decouple *p, double *rs, const double *r, int m);
+/* K [n x n] := P' K P, where K has its first m slow rows and columns. */
+void decouple_slopes(const struct decouple *p, double *K, int m);
+/* x [nl] := M_LL^-1 x; structured only. */
+void decouple_slow(struct decouple *p, double *x);
+
+#endif

@@ -1,0 +1,238 @@
+/* forecast.c -- see forecast.h */
+#include "multirate/forecast.h"
+
+#include <math.h>
+
+#include "engine/motion.h"
+#include "la/dense.h"
+
+static const double FADE = .9;   /* weight of the step before */
+static const double PROVED = .1; /* of the squares left, where miss is believed */
+
+void forecast_open(struct forecast *f, const struct decouple *dec, struct arena *life)
+{
+    *f = (struct forecast){.ns = dec->ns, .nl = dec->nl, .ml = dec->ml};
+    double **fast[] = {&f->as,  &f->dx,   &f->vs,   &f->trend, &f->mean, &f->said, &f->with, &f->without,
+                       &f->phi, &f->phi1, &f->phi2, &f->c,     &f->g,    &f->x,    &f->v,    &f->s};
+    double **known[] = {&f->y, &f->w, &f->dy, &f->dw};
+    for (int i = 0; i < 16; i++) *fast[i] = TAKE(life, double, f->ns);
+    for (int i = 0; i < 4; i++) *known[i] = TAKE(life, double, f->ml);
+    f->fit = TAKE(life, struct fit, f->nl);
+    f->miss = TAKE(life, struct fit, f->ns);
+    f->ay = TAKE(life, double, f->nl);
+    f->aybefore = TAKE(life, double, f->nl);
+}
+
+void forecast_forget(struct forecast *f, const struct decouple *dec, const double *a0, const double *v0,
+                     const double *u0, double H)
+{
+    copy(f->as, a0, f->ns);
+    copy(f->vs, v0, f->ns);
+    zero(f->dx, f->ns);
+    zero(f->trend, f->ns);
+    copy(f->ay, a0 + f->ns, f->nl);
+    decouple_recoil(dec, f->ay, 1, a0);
+    copy(f->aybefore, f->ay, f->nl);
+    zero(f->y, f->ml);
+    copy(f->w, u0, f->ml);
+    f->H = f->Hbefore = H;
+    for (int i = 0; i < f->nl; i++) f->fit[i] = (struct fit){0};
+    for (int i = 0; i < f->ns; i++) f->miss[i] = (struct fit){0};
+    zero(f->with, f->ns);
+    zero(f->without, f->ns);
+    f->kept = 0;
+}
+
+/* The driving by the slow coordinates: y and w - w_last constant, w H f_k as a ramp. */
+static void slow_driving(struct forecast *f, const struct response *p, const double *w)
+{
+    int n = p->n, ns = p->ns, ml = p->ml;
+    const double *KSL = p->one.K + (long)ns * n, *CSL = p->one.C + (long)ns * n;
+    dense_gemv(f->c, p->h, KSL, f->y, ns, ml, n);
+    dense_gemv(f->c, p->h, CSL, f->dw, ns, ml, n);
+    dense_gemv(f->g, p->h * p->H, KSL, w, ns, ml, n);
+}
+
+static void mean_of(double *mean, const double *d, int ns, int ratio)
+{
+    for (int i = 0; i < ns; i++) {
+        double sum = 0;
+        for (int k = 0; k < ratio; k++) sum += d[i + (long)k * ns];
+        mean[i] = sum / ratio;
+    }
+}
+
+/* What a step that failed has left of phi is worth nothing. */
+static void start_force(struct forecast *f)
+{
+    if (!f->kept) {
+        zero(f->phi1, f->ns);
+        zero(f->phi2, f->ns);
+        f->differences = 0;
+    }
+    f->kept = 0;
+}
+
+void forecast_make(struct forecast *f, const struct response *p, double *du, double *d, const double *u0,
+                   const double *v0)
+{
+    int n = p->n, ns = p->ns;
+    double h = p->h, s = (p->H + f->H) / (f->H + f->Hbefore);
+    start_force(f);
+    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * fit_next(&f->fit[i]));
+    zero(f->c, ns);
+    zero(f->g, ns);
+    dense_gemv(f->c, -h, p->Mss, f->as, ns, ns, ns);
+    dense_gemv(f->c, -h, p->one.C, f->vs, ns, ns, n);
+    dense_gemv(f->c, -h / 2, p->D, f->dx, ns, ns, ns);
+    if (p->drives) {
+        for (int i = 0; i < f->ml; i++) {
+            f->dy[i] = u0[i] + du[i] / 2;
+            f->dw[i] = f->dy[i] - f->w[i];
+        }
+        slow_driving(f, p, f->dy);
+    }
+    for (int i = 0; i < ns; i++) {
+        f->x[i] = f->dx[i] / 2;
+        f->c[i] -= h * f->trend[i] * h / 2;
+        f->g[i] -= h * f->trend[i] * p->H;
+    }
+    copy(f->v, v0, ns);
+    response_run(p, d, f->c, f->g, f->x, f->v, f->s, 0);
+    mean_of(f->mean, d, ns, p->ratio);
+    for (int i = 0; i < ns; i++) {
+        double miss = f->said[i] = fit_next(&f->miss[i]);
+        if (f->with[i] > PROVED * f->without[i]) continue;
+        for (int k = 0; k < p->ratio; k++) d[i + (long)k * ns] += miss;
+    }
+}
+
+/* c := what the slow coordinates do to the fast rows in minor step k. */
+static void driving_at(struct forecast *f, const struct response *p, const double *w, int k)
+{
+    int n = p->n, ns = p->ns, ml = p->ml;
+    zero(f->c, ns);
+    if (!p->drives) return;
+    for (int i = 0; i < ml; i++) f->dy[i] = (k + .5) * p->h * w[i];
+    dense_gemv(f->c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
+    dense_gemv(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
+}
+
+/* J d_k = h { phi - K_SL y_k+1/2 - C_SL w - K_SS x_k } - V v_k. */
+void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
+                    const double *w, int k)
+{
+    const struct minor *m = &p->one;
+    int ns = p->ns;
+    if (k == 0) return;
+    driving_at(f, p, w, k);
+    for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
+    dense_gemv(d, -p->h, m->K, x, ns, ns, p->n);
+    dense_gemv(d, -1, m->V, v, ns, ns, ns);
+    minor_solve(m, d);
+}
+
+/* f->g := phi of d_k by the same equation. */
+static void force_of(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
+                     const double *w, int k)
+{
+    const struct minor *m = &p->one;
+    int ns = p->ns;
+    double per = 1 / p->h;
+    driving_at(f, p, w, k);
+    copy(f->g, f->c, ns);
+    dense_gemv(f->g, 1, m->K, x, ns, ns, p->n);
+    dense_gemv(f->g, per, m->V, v, ns, ns, ns);
+    dense_gemv(f->g, per, m->S, d, ns, ns, ns);
+    dense_gemv(f->g, per, p->Mss, d, ns, ns, ns);
+}
+
+/* At the first minor step phi jumps, and its differences go on. */
+void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
+                    const double *w, const double *rest, int k)
+{
+    int ns = p->ns, known = k > 0 && rest;
+    double per = 1 / p->h;
+    if (!known) force_of(f, p, d, x, v, w, k);
+    for (int i = 0; i < ns; i++) {
+        double guess = f->phi1[i] + f->phi2[i], phi = known ? f->phi[i] + guess - per * rest[i] : f->g[i];
+        double step = k > 0 ? phi - f->phi[i] : guess;
+        if (k > 0) f->phi2[i] = f->differences > 0 ? step - f->phi1[i] : 0;
+        f->phi1[i] = step;
+        f->phi[i] = phi;
+    }
+    f->differences += k > 0;
+}
+
+double forecast_error(const struct forecast *f, const struct found *x, const double *per)
+{
+    double worst = 0;
+    for (int i = 0; i < f->ns; i++) {
+        double sum = 0, before = x->h * f->as[i];
+        for (int k = 0; k < x->ratio; k++) {
+            double d = x->d[i + (long)k * f->ns];
+            sum += fabs(d - before);
+            before = d;
+        }
+        worst = fmax(worst, sum / 12 * per[i]);
+    }
+    for (int i = 0; i < f->nl; i++) worst = fmax(worst, fabs(x->du[i] - x->H * f->ay[i]) / 12 * per[f->ns + i]);
+    return worst;
+}
+
+/* M as + K_SS x + K_SL y + C v has changed over the major step, between its last minor step and the one
+ * before it. */
+static void find_trend(struct forecast *f, const struct response *p, const struct found *x, const double *d)
+{
+    int n = p->n, ns = p->ns, ml = p->ml;
+    for (int i = 0; i < ns; i++) {
+        f->c[i] = d[i] / x->h - f->as[i];
+        f->x[i] = x->xn[i] - x->dx[i] / 2 + f->dx[i] / 2;
+        f->v[i] = x->dx[i] / x->h - f->vs[i];
+    }
+    zero(f->g, ns);
+    dense_gemv(f->g, 1, p->Mss, f->c, ns, ns, ns);
+    dense_gemv(f->g, 1, p->one.K, f->x, ns, ns, n);
+    dense_gemv(f->g, 1, p->one.C, f->v, ns, ns, n);
+    if (p->drives) {
+        for (int i = 0; i < ml; i++) {
+            f->dy[i] = (x->H - x->h / 2) * x->w[i] + f->y[i];
+            f->dw[i] = x->w[i] - f->w[i];
+        }
+        dense_gemv(f->g, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
+        dense_gemv(f->g, 1, p->one.C + (long)ns * n, f->dw, ns, ml, n);
+    }
+    for (int i = 0; i < ns; i++) f->trend[i] = f->g[i] / x->H;
+}
+
+void forecast_keep(struct forecast *f, const struct response *p, const struct found *x)
+{
+    const double *d = x->d + (long)(x->ratio - 1) * f->ns;
+    find_trend(f, p, x, d);
+    for (int i = 0; i < f->ns; i++) {
+        f->as[i] = d[i] / x->h;
+        f->dx[i] = x->dx[i];
+        f->vs[i] = x->dx[i] / x->h;
+    }
+    mean_of(f->c, x->d, f->ns, x->ratio);
+    for (int i = 0; i < f->ns; i++) {
+        double miss = f->c[i] - f->mean[i], left = miss - f->said[i];
+        f->with[i] = FADE * f->with[i] + left * left;
+        f->without[i] = FADE * f->without[i] + miss * miss;
+        fit_learn(&f->miss[i], miss);
+    }
+    double *before = f->aybefore, per = 1 / x->H;
+    f->aybefore = f->ay;
+    f->ay = before;
+    for (int i = 0; i < f->nl; i++) {
+        f->ay[i] = per * x->du[i];
+        fit_learn(&f->fit[i], f->ay[i] - f->aybefore[i]);
+    }
+    for (int i = 0; i < f->ml; i++) {
+        f->w[i] = x->w[i];
+        f->y[i] = x->h / 2 * x->w[i];
+    }
+    f->Hbefore = f->H;
+    f->H = x->H;
+    f->kept = 1;
+}

@@ -1,0 +1,309 @@
+/* subcycle.c -- energy-consistent, inertially decoupled sub-cycling
+ *
+ * Slow coordinates L take major steps H = n h, fast ones S minor steps h.  With W and P of decouple.h
+ * from M^ at the start of the step, q = q0 (+) P (y, x), the unknowns are du and d_k = dv_S,k, k = 0..n-1:
+ *
+ *     base      W = M_LL^-1 M_LS,   v = P (u, v_S),   u0 = v_L + W v_S                                      (S1)
+ *     slow      w = u0 + du/2,   y moves by h w in each minor step                                          (S2)
+ *     fast      dx_k = h (v_S,k + B d_k/2),   v_S,k+1 = v_S,k + d_k                                         (S3)
+ *     point     q_k+1/2 = q_k (+) P (h w, dx_k) / 2,   v_k = P (w, dx_k / h),   a_k = P (du/n, d_k) / h     (S4)
+ *     slow bodies, once per sweep, at the average of the two ends and the mean acceleration:
+ *               r_s = H r_slow(qbar, vbar, P (du, sum d) / H),  qbar = q_0 (+) (q_n (-) q_0)/2,
+ *               vbar = (q_n (-) q_0)/H                                                                      (S5)
+ *     minor     r_k = P' { h r_fast(q_k+1/2, v_k, a_k) + r_s / n },
+ *               r_k,S += W' M_s W (d_k - sum d / n) + h D dx_k / 2                                          (S6)
+ *     damping   A = alpha (M~_SS + X)^-1 X,  X = (h^2/4) K~_SS,  D = K~_SS A,  B = 1 + A,
+ *               alpha = (1 - rho)/(1 + rho)                                                                 (S7)
+ *     equations r_k,S = 0 for all k,   R = sum r_k,L = 0                                                    (S8)
+ *     end       q1 = q_n,   v1 = P (u0 + du, v_S,n)                                                         (S9)
+ *
+ * For constant symmetric M^ > 0, K >= 0, C >= 0: multiply R by w and r_k,S by dx_k/h and add.  Forces
+ * are constant over segments and taken at their midpoints, so potentials give V1 - V0 (slow ones over
+ * the whole step); w is the mean of u and, without common inertia, the inertia of S gives the change
+ * of its energy; dampers take h v'C v.  Hence
+ *
+ *     E1 - E0 = - sum (d' M~_SS A d + dx' D dx)/2 - h v'C v <= 0                                            (S10)
+ *
+ * for any partition, any n, any h.  The slow bodies' inertia M_s is in r_s by its mean over the step; how
+ * the minor steps differ from the mean adds up to nothing in the slow rows, and in the fast ones is W' M_s W
+ * (d_k - sum d / n), with M_s of the start.  For constant M_s this is the same as M_s P (du/n, d_k) in every
+ * minor step; else the difference is of third order.  Velocities other than P (w, dx/h) in dampers or gyroscopic
+ * forces, or slow bodies at the mean of the minor midpoints, break the identity and the stability with it.
+ *
+ * Where M^ depends on q the identity is no longer exact.  W at the average of both ends
+ * (`symmetric`) makes the step symmetric in time, and the energy error does not drift.
+ *
+ * One Newton iteration for the whole major step: each sweep corrects every d_k once, with J (S11), and the slow
+ * unknown through the linearized answer of the minor steps (S12), both of response.h. */
+#include "engine/stepper.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "engine/midpoint.h"
+#include "la/dense.h"
+#include "multirate/subcycle_parts.h"
+
+enum { ROOM = 64, PASSES = 2, SWEEPS = 16 };
+
+static void room_for(struct subcycle *c, int ratio, struct arena *life)
+{
+    if (ratio <= c->room) return;
+    c->room = ratio < ROOM ? ROOM : ratio;
+    c->d = TAKE(life, double, (size_t)c->ns *(size_t)c->room);
+    c->dbefore = TAKE(life, double, (size_t)c->ns *(size_t)c->room);
+}
+
+static void take_vectors(struct subcycle *c, struct arena *life)
+{
+    double **slow[] = {&c->du, &c->u0, &c->w, &c->pull, &c->R, &c->slow, &c->Du};
+    double **fast[] = {&c->vs, &c->dx, &c->xn,   &c->xbefore, &c->dsum, &c->dmean, &c->esum, &c->es,
+                       &c->cs, &c->c,  &c->rest, &c->g,       &c->s1,   &c->s2,    &c->s3};
+    double **place[] = {&c->q, &c->qmid, &c->qend, &c->qn, &c->qbar};
+    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum};
+    for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
+    for (size_t i = 0; i < sizeof fast / sizeof *fast; i++) *fast[i] = TAKE(life, double, c->ns);
+    for (size_t i = 0; i < sizeof place / sizeof *place; i++) *place[i] = TAKE(life, double, c->ode->nq);
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) *whole[i] = TAKE(life, double, c->n);
+}
+
+static void open(struct stepper *s, struct arena *life)
+{
+    const struct ode2 *o = s->ode;
+    struct subcycle *c = TAKE(life, struct subcycle, 1);
+    s->self = c;
+    c->ode = o;
+    c->effort = &s->effort;
+    c->n = o->n;
+    c->ns = o->ns;
+    c->nl = o->n - o->ns;
+    c->alpha = (1 - s->options.rho_infinity) / (1 + s->options.rho_infinity);
+    c->plain = midpoint_new(s, life);
+    newton_open(&c->newton, o, &s->effort, &s->options, life);
+    if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
+    c->newton.pairs = 1;
+    c->newton.trust = .1;
+    decouple_open(&c->dec, o, &s->effort, life);
+    response_open(&c->resp, &c->dec, life);
+    minor_open(&c->here, &c->resp, life);
+    forecast_open(&c->forecast, &c->dec, life);
+    c->near = o->move ? c->nl : c->dec.ml;
+    take_vectors(c, life);
+    room_for(c, ROOM, life);
+}
+
+/* ---- the iteration ----------------------------------------------------------------------------- */
+
+static enum verdict judge(struct subcycle *c)
+{
+    double err = 0, small = 0, sum = 0;
+    zero(c->sum, c->ns);
+    for (int i = 0; i < c->nl; i++) c->sum[c->ns + i] = fabs(c->Du[i]);
+    for (int k = 0; k < c->ratio; k++) {
+        const double *d = c->d + (long)k * c->ns, *before = c->dbefore + (long)k * c->ns;
+        for (int i = 0; i < c->ns; i++) c->sum[i] += fabs(d[i] - before[i]);
+    }
+    for (int i = 0; i < c->n; i++) {
+        double e = c->sum[i] * c->newton.per[i];
+        sum += c->sum[i];
+        if (c->sum[i] > small) small = c->sum[i];
+        if (e > err) {
+            err = e;
+            c->newton.worst = i;
+        }
+    }
+    struct instant start = {.t = c->t0, .q = c->q0, .v = c->v0, .ta = c->t0, .tb = c->t0};
+    return newton_judge(&c->newton, isfinite(sum) ? err : NAN, small, c->square, &start);
+}
+
+static enum status sweep(struct subcycle *c, enum verdict *verdict, struct trouble *why)
+{
+    zero(c->work, POWER_CHANNELS);
+    c->push = c->square = 0;
+    memcpy(c->dbefore, c->d, (size_t)c->ns * (size_t)c->ratio * sizeof *c->d);
+    subcycle_compose(c);
+    TRY(subcycle_slow_bodies(c, why));
+    TRY(subcycle_fast_rows(c, why));
+    subcycle_slow_rows(c);
+    *verdict = judge(c);
+    return OK;
+}
+
+/* Sweeps from du, d_k as they are until they stand. */
+static enum status solve(struct subcycle *c, struct trouble *why)
+{
+    for (;;) {
+        enum verdict verdict;
+        TRY(sweep(c, &verdict, why));
+        if (verdict == CONVERGED) return OK;
+        if (verdict == REFRESH) TRY(subcycle_refresh(c, why));
+        if (verdict == FAILED)
+            return trouble_set(why, TROUBLE_DIVERGED, c->newton.worst, c->newton.last / c->newton.tol, c->t0);
+    }
+}
+
+/* The step once more with W at the average of the ends it has found. */
+static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
+{
+    subcycle_compose(c);
+    const double mid = subcycle_middle(c);
+    decouple_recoil(&c->dec, c->du, -1, c->dsum);
+    TRY(subcycle_decouple(c, c->qbar, mid, why));
+    decouple_recoil(&c->dec, c->du, 1, c->dsum);
+    TRY(subcycle_renew(c, why));
+    c->newton.count = 0;
+    return solve(c, why);
+}
+
+/* The energy scale of the iteration, twice the kinetic energy: by M^ where it is there. */
+static void energy_scale(struct subcycle *c)
+{
+    struct newton *nt = &c->newton;
+    if (c->dec.structured) {
+        newton_energy(nt, &c->centre);
+        return;
+    }
+    zero(c->r, c->n);
+    dense_gemv(c->r, 1, c->dec.M, c->v0, c->n, c->n, c->n);
+    nt->energy = fmax(nt->energy, dot(c->r, c->v0, c->n));
+    nt->age = 0;
+}
+
+static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
+{
+    newton_begin(&c->newton, c->last_local);
+    energy_scale(c);
+    int changed = c->resp.h != c->h || c->resp.H != c->H || c->resp.ratio != c->ratio;
+    if (c->newton.stale || c->local || changed)
+        TRY(subcycle_refresh(c, why));
+    else
+        TRY(subcycle_renew(c, why));
+    forecast_make(&c->forecast, &c->resp, c->du, c->d, c->u0, c->v0);
+    c->guessed = 1;
+    TRY(solve(c, why));
+    for (int pass = 1; pass < passes; pass++) TRY(symmetric_pass(c, why));
+    return OK;
+}
+
+/* ---- the step ---------------------------------------------------------------------------------- */
+
+static void forget(struct subcycle *c)
+{
+    newton_forget(&c->newton);
+    newton_scale(&c->newton, c->v0, c->a0, c->H);
+    forecast_forget(&c->forecast, &c->dec, c->a0, c->v0, c->u0, c->H);
+    c->last_local = -1;
+}
+
+/* Energy taken by the damping: sum of (d' M~_SS A d + dx' D dx)/2 (S10). */
+static double damped(struct subcycle *c)
+{
+    int ns = c->ns;
+    double sum = 0;
+    if (c->alpha <= 0) return 0;
+    copy(c->vs, c->v0, ns);
+    for (int k = 0; k < c->ratio; k++) {
+        const double *d = c->d + (long)k * ns;
+        subcycle_fast_velocity(c, d);
+        for (int i = 0; i < ns; i++) c->dx[i] = c->h * c->v[i];
+        zero(c->s1, ns);
+        zero(c->s2, ns);
+        zero(c->s3, ns);
+        dense_gemv(c->s1, 1, c->resp.A, d, ns, ns, ns);
+        dense_gemv(c->s2, 1, c->dec.Mss, d, ns, ns, ns);
+        dense_gemv(c->s3, 1, c->resp.D, c->dx, ns, ns, ns);
+        sum += dot(c->s1, c->s2, ns) + dot(c->s3, c->dx, ns);
+        for (int i = 0; i < ns; i++) c->vs[i] += d[i];
+    }
+    return sum / 2;
+}
+
+/* After compose: c->v stands at the last minor step. */
+static void remember(struct subcycle *c)
+{
+    for (int i = 0; i < c->ns; i++) c->dx[i] = c->h * c->v[i];
+    const struct found x = {c->h, c->H, c->ratio, c->d, c->du, c->w, c->dx, c->xn};
+    c->last_local = forecast_error(&c->forecast, &x, c->newton.per);
+    forecast_keep(&c->forecast, &c->resp, &x);
+}
+
+/* Momenta of what flies freely, where nothing but gravity acts on it, are as they were. */
+static void settle(struct subcycle *c, const struct state *x)
+{
+    const struct instant whole = {
+        .t = c->t1, .q = c->qn, .v = c->v, .qa = x->q, .qb = c->qn, .va = x->v, .vb = c->v, .ta = c->t0, .tb = c->t1};
+    if (c->ode->settle) c->ode->settle(c->ode, c->qn, c->v, &whole);
+}
+
+static void accept(struct subcycle *c, struct stepper *s, struct state *x)
+{
+    int n = c->n;
+    double per = 1 / c->H;
+    s->lost = damped(c);
+    s->left = fabs(c->push) * fmin(1, c->newton.remain);
+    copy(s->work, c->work, POWER_CHANNELS);
+    subcycle_compose(c);
+    remember(c);
+    for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
+    decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
+    for (int i = 0; i < n; i++) x->a[i] = per * (c->v[i] - x->v[i]);
+    settle(c, x);
+    copy(x->v, c->v, n);
+    copy(x->q, c->qn, c->ode->nq);
+    x->t = c->t1;
+    newton_scale(&c->newton, x->v, x->a, c->H);
+    s->effort.minors += c->ratio;
+}
+
+static void begin(struct subcycle *c, const struct state *x, double h, int ratio, double to)
+{
+    c->h = h;
+    c->H = h * ratio;
+    c->ratio = ratio;
+    c->t0 = x->t;
+    c->t1 = to;
+    c->q0 = x->q;
+    c->v0 = x->v;
+    c->a0 = x->a;
+}
+
+static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    struct subcycle *c = s->self;
+    long before = s->effort.sweeps;
+    if (c->ns == 0) {
+        TRY(midpoint_advance(c->plain, s, x, h * ratio, to, why));
+        s->effort.minors++;
+        return OK;
+    }
+    room_for(c, ratio, s->life);
+    begin(c, x, h, ratio, to);
+    TRY(subcycle_decouple(c, x->q, x->t, why));
+    if (s->fresh) forget(c);
+    int passes = s->options.symmetric ? PASSES : 1;
+    enum status status = attempt(c, passes, why);
+    if (status != OK && c->newton.refreshed == 0) { /* with old factors: once more with fresh ones */
+        c->newton.stale = 1;
+        status = subcycle_decouple(c, x->q, x->t, why);
+        if (status == OK) status = attempt(c, passes, why);
+    }
+    s->last_sweeps = (int)(s->effort.sweeps - before);
+    if (status != OK) {
+        c->newton.stale = 1;
+        return status;
+    }
+    accept(c, s, x);
+    s->fresh = 0;
+    return OK;
+}
+
+const struct stepper_kind step_subcycle = {
+    .name = "subcycle",
+    .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step",
+    .reads = " step ratio rho_infinity symmetric newton_tolerance ",
+    .rates = 2,
+    .order = 2,
+    .quadrature = 1,
+    .open = open,
+    .step = step,
+};

@@ -1,0 +1,110 @@
+/* subcycle_fast.c -- the minor steps of a sweep, and the correction of d_k in each: r_k,S = 0 (S6), (S8).
+ *
+ * A sweep corrects every d_k once, with the frozen J (S11).  A minor step whose slopes have changed gets its own J and
+ * iterates by itself. */
+#include <math.h>
+
+#include "la/dense.h"
+#include "multirate/subcycle_parts.h"
+
+enum { INNER = 12 };
+
+/* es: the fast rows (S6) of minor step k at its trial point; c->r its fast bodies' share. */
+static enum status minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
+                              struct trouble *why)
+{
+    int ns = c->ns;
+    double per = 1 / c->h;
+    subcycle_velocity(c, d);
+    subcycle_point(c, c->qmid, c->q, .5, x->t);
+    subcycle_point(c, c->qend, c->q, 1, x->tb);
+    for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
+    decouple_out(&c->dec, c->a, c->pull, c->a, c->near);
+    TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
+    c->effort->fast++;
+    decouple_fast(&c->dec, c->es, c->r, c->dec.ml);
+    for (int i = 0; i < ns; i++) c->es[i] = c->h * c->es[i] + c->cs[i];
+    if (c->dec.reach)
+        for (int j = 0; j < ns; j++)
+            for (int i = 0; i < ns; i++) c->es[i] += c->dec.WMW[i + j * ns] * (d[j] - c->dmean[j]);
+    if (c->alpha > 0) dense_gemv(c->es, c->h * c->h / 2, c->resp.D, c->v, ns, ns, ns);
+    return OK;
+}
+
+/* Largest correction of a minor step, as the newton iteration will see it over the major step. */
+static double minor_error(const struct subcycle *c)
+{
+    double err = 0;
+    for (int i = 0; i < c->ns; i++) err = fmax(err, fabs(c->es[i]) * c->newton.per[i] * c->ratio);
+    return err;
+}
+
+/* d_k corrected: once, or where its slopes have changed until it stands by itself (or has had its turn:
+ * the next sweep comes back to it). */
+static enum status minor(struct subcycle *c, double *d, double *power, struct instant *x, struct trouble *why)
+{
+    double enough = fmax(.1 * c->newton.tol, 1e-13), before = INFINITY;
+    for (int inner = 0, alone = 0, slow = 0; inner < INNER; inner++) {
+        double dk = 0;
+        TRY(minor_rows(c, d, power, &dk, x, why));
+        if (dk > STALE_SLOPE || slow) {
+            TRY(subcycle_refresh_here(c, x, why));
+            alone = 1;
+        }
+        copy(c->rest, c->es, c->ns);
+        minor_solve(c->local ? &c->here : &c->resp.one, c->es);
+        c->square += dot(c->rest, c->es, c->ns);
+        for (int i = 0; i < c->ns; i++) d[i] -= c->es[i];
+        double err = alone ? minor_error(c) : 0;
+        if (err <= enough || (err > .5 * before && err < 1e-7)) break;
+        slow = err > .1 * before;
+        before = err;
+    }
+    return OK;
+}
+
+static void minor_sums(struct subcycle *c, const double *d)
+{
+    for (int i = 0; i < c->dec.ml; i++) c->R[i] += c->h * c->r[c->ns + i];
+    for (int i = 0; i < c->ns; i++) {
+        c->dsum[i] -= d[i] + c->es[i]; /* as it was when the rows were taken */
+        c->esum[i] += c->es[i];
+        c->push += c->rest[i] * c->v[i];
+    }
+}
+
+static void begin(struct subcycle *c)
+{
+    copy(c->q, c->q0, c->ode->nq);
+    copy(c->vs, c->v0, c->ns);
+    copy(c->xbefore, c->xn, c->ns);
+    zero(c->R, c->dec.ml);
+    zero(c->xn, c->ns);
+    zero(c->esum, c->ns);
+}
+
+enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
+{
+    struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->qend};
+    struct forecast *f = &c->forecast;
+    begin(c);
+    for (int k = 0; k < c->ratio; k++) {
+        double *d = c->d + (long)k * c->ns, power[POWER_CHANNELS];
+        x.ta = c->t0 + k * c->h;
+        x.tb = subcycle_minor_end(c, k);
+        x.t = x.ta + (x.tb - x.ta) / 2;
+        if (c->guessed) {
+            forecast_minor(f, &c->resp, d, c->xn, c->vs, c->w, k);
+            copy(c->dbefore + (long)k * c->ns, d, c->ns);
+        }
+        TRY(minor(c, d, power, &x, why));
+        if (c->guessed) forecast_force(f, &c->resp, d, c->xn, c->vs, c->w, c->local ? NULL : c->rest, k);
+        subcycle_book(c, c->h, power);
+        minor_sums(c, d);
+        subcycle_velocity(c, d);
+        subcycle_point(c, c->q, c->q, 1, x.tb);
+        subcycle_advance(c, d);
+    }
+    c->guessed = 0;
+    return OK;
+}

@@ -1,0 +1,119 @@
+/* subcycle_matrix.c -- what a major step forms at its start: W and u0 (S1), the damping A, D (S7), J of the minor
+ * steps (S11), and the slow rows' matrix (S12).
+ *
+ * Slopes and J stay from step to step while the iteration contracts; W and the masses follow every step, and what hangs
+ * on them. */
+#include "la/dense.h"
+#include "multirate/subcycle_parts.h"
+
+static enum status singular(const struct subcycle *c, int pivot, struct trouble *why)
+{
+    return trouble_set(why, TROUBLE_SINGULAR, pivot, 0, c->t0);
+}
+
+/* (S7) A = alpha (M~_SS + X)^-1 X and D = K~_SS A, both symmetrized: what the minor step does not resolve is damped. */
+static enum status damping(struct subcycle *c, struct trouble *why)
+{
+    struct response *p = &c->resp;
+    const double *K = p->one.K;
+    double s = c->h * c->h / 8, *MX = p->dd; /* X = (h^2/4) K~, symmetrized */
+    int n = c->n, ns = c->ns;
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < ns; i++) {
+            p->A[i + j * ns] = s * (K[i + j * n] + K[j + i * n]);
+            MX[i + j * ns] = p->Mss[i + j * ns] + p->A[i + j * ns];
+        }
+    int pivot = dense_cholesky(MX, ns, ns);
+    if (pivot >= 0) return singular(c, pivot, why);
+    dense_cholesky_solves(MX, p->A, ns, ns, ns, ns);
+    for (int i = 0; i < ns * ns; i++) p->A[i] *= c->alpha;
+    zero(p->D, ns * ns);
+    dense_gemm(p->D, .5, K, p->A, ns, ns, ns, ns, n, ns);
+    dense_gemtm(p->D, .5, K, p->A, ns, ns, ns, ns, n, ns);
+    return OK;
+}
+
+enum status subcycle_decouple(struct subcycle *c, const double *q, double t, struct trouble *why)
+{
+    c->centre = (struct instant){.t = t, .q = q, .v = c->v0, .ta = t, .tb = t};
+    TRY(decouple_at(&c->dec, &c->centre, why));
+    copy(c->u0, c->v0 + c->ns, c->nl);
+    decouple_recoil(&c->dec, c->u0, 1, c->v0);
+    return OK;
+}
+
+/* The slow rows' matrix (S12); where the structure does not allow it, with M^ formed from now on. */
+static enum status slow_matrix(struct subcycle *c, struct trouble *why)
+{
+    enum status status = response_slow(&c->resp, &c->dec, c->centre.q, c->centre.t, why);
+    if (status == OK || !c->dec.structured) return status;
+    decouple_dense(&c->dec);
+    TRY(subcycle_decouple(c, c->centre.q, c->centre.t, why));
+    response_masses(&c->resp, &c->dec);
+    return response_slow(&c->resp, &c->dec, c->centre.q, c->centre.t, why);
+}
+
+/* F = K_s/2 + C_s/H of the slow class, slow rows and columns. */
+static void slow_force(struct subcycle *c, const double *K, const double *C)
+{
+    int n = c->n, ns = c->ns, nl = c->nl;
+    for (int j = 0; j < nl; j++)
+        for (int i = 0; i < nl; i++) {
+            long at = (ns + i) + (long)(ns + j) * n;
+            c->resp.F[i + j * nl] = K[at] / 2 + C[at] / c->H;
+        }
+}
+
+/* K~ and C~ of the fast class at x: P' K P, P' C P. */
+static enum status fast_slopes(struct subcycle *c, struct minor *m, const struct instant *x, struct trouble *why)
+{
+    TRY(c->ode->ops->slopes(c->ode, m->K, m->C, x, FAST, why));
+    decouple_slopes(&c->dec, m->K, c->dec.ml);
+    decouple_slopes(&c->dec, m->C, c->dec.ml);
+    return OK;
+}
+
+enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
+{
+    struct response *p = &c->resp;
+    struct minor *m = &p->one;
+    struct instant x = {.t = c->t0, .q = c->q0, .v = c->v0, .a = c->a0, .ta = c->t0, .tb = c->t0};
+    c->effort->factors++;
+    m->h = p->h = c->here.h = c->h;
+    p->H = c->H;
+    p->ratio = c->ratio;
+    TRY(c->ode->ops->slopes(c->ode, m->K, m->C, &x, SLOW, why));
+    slow_force(c, m->K, m->C);
+    TRY(fast_slopes(c, m, &x, why));
+    response_masses(p, &c->dec);
+    if (c->alpha > 0) TRY(damping(c, why));
+    int pivot = minor_factor(m);
+    if (pivot >= 0) return singular(c, pivot, why);
+    response_freeze(p, &c->dec);
+    TRY(slow_matrix(c, why));
+    c->local = 0;
+    newton_refreshed(&c->newton);
+    c->newton.fresh = 1 << 20; /* no better matrix to be had in this step */
+    return OK;
+}
+
+enum status subcycle_renew(struct subcycle *c, struct trouble *why)
+{
+    if (response_masses(&c->resp, &c->dec)) {
+        c->effort->factors++;
+        int pivot = minor_mass(&c->resp.one);
+        if (pivot >= 0) return singular(c, pivot, why);
+        TRY(slow_matrix(c, why));
+    }
+    return c->alpha > 0 ? damping(c, why) : OK;
+}
+
+enum status subcycle_refresh_here(struct subcycle *c, const struct instant *x, struct trouble *why)
+{
+    c->effort->factors++;
+    TRY(fast_slopes(c, &c->here, x, why));
+    int pivot = minor_factor(&c->here);
+    if (pivot >= 0) return singular(c, pivot, why);
+    c->local = 1;
+    return OK;
+}

@@ -1,0 +1,117 @@
+/* subcycle_parts.h -- what the files of sub-cycling share; the scheme and its equations are in subcycle.c.
+ *
+ *     subcycle.c         a major step: opened, iterated, accepted
+ *     subcycle_matrix.c  what is formed at its start: W and u0 (S1), damping (S7), J (S11), the slow rows' matrix (S12)
+ *     subcycle_point.c   where the unknowns lead: velocities and positions of minor steps (S2)-(S4), the end (S9)
+ *     subcycle_fast.c    the minor steps of a sweep: r_k (S6), d_k corrected
+ *     subcycle_slow.c    slow bodies (S5), slow rows R (S8), du corrected and all d_k with it
+ *     decouple.h         W and P (S1)
+ *     response.h         the minor steps' linearized answer to the slow unknown (S11), (S12)
+ *     forecast.h         where the iteration begins
+ */
+#ifndef FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
+#define FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
+
+#include "engine/motion.h"
+#include "engine/newton.h"
+#include "multirate/decouple.h"
+#include "multirate/forecast.h"
+#include "multirate/response.h"
+
+static const double STALE_SLOPE = .2; /* relative change of a slope that asks for a fresh factor */
+
+struct subcycle {
+    const struct ode2 *ode;
+    struct effort *effort;
+    struct midpoint *plain; /* without fast coordinates */
+    struct newton newton;
+    struct decouple dec;
+    struct response resp; /* frozen */
+    struct minor here;    /* J of a minor step whose slopes have changed */
+    int local;            /* it is in use */
+    struct forecast forecast;
+    int guessed;       /* d_k are the forecast's */
+    double last_local; /* local error of the last step; negative: unknown */
+    int n, ns, nl;
+    int near;     /* slow coordinates that the minor steps move */
+    double alpha; /* (S7) */
+
+    /* of the major step under way */
+    int ratio;
+    double h, H, t0, t1;
+    const double *q0, *v0, *a0;
+    struct instant centre; /* where W stands */
+
+    /* unknowns, from sweep to sweep */
+    int room;                    /* minor steps that d has room for */
+    double *d, *dbefore;         /* [ns x ratio] d_k; before the sweep */
+    double *du, *u0, *w;         /* [nl] */
+    double *vs, *xn, *xbefore;   /* [ns] v_S,k and x_k on the way, at its end v_S,n and x_n; x_n before the sweep */
+    double *q, *qmid, *qend;     /* [nq] q_k, q_k+1/2, q_k+1 of the minor step under way */
+    double *qn;                  /* [nq] q_n */
+    double *v, *a;               /* [n] v_k, a_k; near slow rows */
+    double *qbar, *vbar, *abar;  /* [nq], [n], [n] where the slow bodies are asked */
+    double *pull;                /* [near] du/H */
+    double *slow;                /* [nl] slow rows of r_s */
+    double *cs;                  /* [ns] what r_s brings to the fast rows of every minor step */
+    double *dsum, *dmean, *esum; /* [ns] sum of d_k when the slow bodies were asked, less those found since; its mean;
+                                  * sum of corrections */
+    double *r;                   /* [n] of the last evaluation */
+    double *es, *rest;           /* [ns] r_k,S, then the correction of d_k; r_k,S */
+    double *R, *Du;              /* [nl] slow rows, the correction of du */
+    double *c, *g;               /* [ns] what it means for the fast rows: constant, linear in k */
+    double *dq;                  /* [n] displacement */
+    double *sum;                 /* [n] size of the corrections of a sweep */
+    double *dx;                  /* [ns] dx_k */
+    double *s1, *s2, *s3;        /* [ns] scratch */
+    double work[POWER_CHANNELS]; /* of the sweep */
+    double push, square;         /* power of what is left, energy of the correction */
+};
+
+/* --- matrices ----------------------------------------------------------------------------------- */
+
+/* W, P and u0 at q (S1). */
+enum status subcycle_decouple(struct subcycle *c, const double *q, double t, struct trouble *why);
+/* All matrices at the start of the step. */
+enum status subcycle_refresh(struct subcycle *c, struct trouble *why);
+/* The same for the masses as they are now, with slopes and their answers as they were frozen. */
+enum status subcycle_renew(struct subcycle *c, struct trouble *why);
+/* J at x, for a minor step whose slopes are no longer the frozen ones. */
+enum status subcycle_refresh_here(struct subcycle *c, const struct instant *x, struct trouble *why);
+
+/* --- where du and d_k lead ---------------------------------------------------------------------- */
+
+/* v_k,S = dx_k/h of d_k from v_S (S3). */
+void subcycle_fast_velocity(struct subcycle *c, const double *d);
+/* v_k = P (w, dx_k/h) (S4), as far as the minor steps move. */
+void subcycle_velocity(struct subcycle *c, const double *d);
+/* x1 = x0 (+) s h v_k, at time t, as far as the minor steps move. */
+void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, double t);
+/* x_n, v_S after d_k at v_k (S3). */
+void subcycle_advance(struct subcycle *c, const double *d);
+/* When minor step k ends. */
+double subcycle_minor_end(const struct subcycle *c, int k);
+/* w, x_n, v_S at the end, q_n, and the sum of the d_k. */
+void subcycle_compose(struct subcycle *c);
+/* dq = q_n (-) q_0, qbar half-way; its time. */
+double subcycle_middle(struct subcycle *c);
+
+/* --- a sweep ------------------------------------------------------------------------------------ */
+
+/* r_s at du and d_k as they are composed (S5). */
+enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why);
+/* All minor steps: every d_k corrected (S6); R: what the fast bodies bring to the slow rows. */
+enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why);
+/* R complete (S8); du corrected by it (S12), and all d_k with it. */
+void subcycle_slow_rows(struct subcycle *c);
+
+/* Work by channel of the power w over `time`. */
+static inline void subcycle_book(struct subcycle *c, double time, const double *w)
+{
+    for (int i = 0; i < POWER_CHANNELS; i++) {
+        c->work[i] += time * w[i];
+        c->newton.powered |= w[i] != 0;
+    }
+}
+
+#endif

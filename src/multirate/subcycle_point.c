@@ -1,0 +1,79 @@
+/* subcycle_point.c -- where du and d_k lead: the points of the minor steps (S2)-(S4), and the end of the major one
+ * (S9).
+ *
+ * The minor steps move only what fast bodies and elements know of the slow coordinates, the first `near`; the
+ * others follow at the end (all of them where positions have a move of their own). */
+#include "la/dense.h"
+#include "multirate/subcycle_parts.h"
+
+void subcycle_fast_velocity(struct subcycle *c, const double *d)
+{
+    for (int i = 0; i < c->ns; i++) c->v[i] = c->vs[i] + d[i] / 2;
+    if (c->alpha > 0) dense_gemv(c->v, .5, c->resp.A, d, c->ns, c->ns, c->ns);
+}
+
+void subcycle_velocity(struct subcycle *c, const double *d)
+{
+    subcycle_fast_velocity(c, d);
+    decouple_out(&c->dec, c->v, c->w, c->v, c->near);
+}
+
+void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, double t)
+{
+    int m = c->ns + c->near;
+    if (c->ode->move) {
+        for (int i = 0; i < m; i++) c->dq[i] = c->h * c->v[i];
+        c->ode->move->point(c->ode, x1, x0, c->dq, s, t);
+    } else {
+        for (int i = 0; i < m; i++) x1[i] = x0[i] + s * c->h * c->v[i];
+    }
+}
+
+void subcycle_advance(struct subcycle *c, const double *d)
+{
+    for (int i = 0; i < c->ns; i++) {
+        c->xn[i] += c->h * c->v[i];
+        c->vs[i] += d[i];
+    }
+}
+
+double subcycle_minor_end(const struct subcycle *c, int k)
+{
+    return k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
+}
+
+/* q_n = q_0 + P (H w, x_n). */
+static void straight_end(struct subcycle *c)
+{
+    for (int i = 0; i < c->ns; i++) c->qn[i] = c->q0[i] + c->xn[i];
+    for (int i = 0; i < c->nl; i++) c->qn[c->ns + i] = c->H * c->w[i];
+    decouple_recoil(&c->dec, c->qn + c->ns, -1, c->xn);
+    for (int i = c->ns; i < c->n; i++) c->qn[i] += c->q0[i];
+}
+
+void subcycle_compose(struct subcycle *c)
+{
+    for (int i = 0; i < c->nl; i++) c->w[i] = c->u0[i] + c->du[i] / 2;
+    copy(c->vs, c->v0, c->ns);
+    zero(c->xn, c->ns);
+    zero(c->dsum, c->ns);
+    if (c->ode->move) copy(c->qn, c->q0, c->ode->nq);
+    for (int k = 0; k < c->ratio; k++) {
+        const double *d = c->d + (long)k * c->ns;
+        subcycle_fast_velocity(c, d);
+        subcycle_advance(c, d);
+        for (int i = 0; i < c->ns; i++) c->dsum[i] += d[i];
+        if (!c->ode->move) continue;
+        decouple_out(&c->dec, c->v, c->w, c->v, c->near);
+        subcycle_point(c, c->qn, c->qn, 1, subcycle_minor_end(c, k));
+    }
+    if (!c->ode->move) straight_end(c);
+}
+
+double subcycle_middle(struct subcycle *c)
+{
+    const double mid = c->t0 + (c->t1 - c->t0) / 2;
+    motion_diff(c->ode, c->dq, c->qn, c->q0);
+    motion_point(c->ode, c->qbar, c->q0, c->dq, .5, mid);
+    return mid;
+}

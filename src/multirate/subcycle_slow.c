@@ -1,0 +1,70 @@
+/* subcycle_slow.c -- slow bodies, once a sweep (S5); the slow rows R = 0 (S8) and the correction of du, which takes
+ * all d_k along by their linearized answer (S11), (S12). */
+#include <math.h>
+
+#include "la/dense.h"
+#include "multirate/subcycle_parts.h"
+
+/* qbar, vbar, abar of (S5), from q_n, and their time. */
+static double slow_place(struct subcycle *c)
+{
+    double per = 1 / c->H, mid = subcycle_middle(c);
+    decouple_out(&c->dec, c->abar, c->du, c->dsum, c->nl);
+    for (int i = 0; i < c->n; i++) {
+        c->vbar[i] = per * c->dq[i];
+        c->abar[i] *= per;
+    }
+    return mid;
+}
+
+enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why)
+{
+    int ns = c->ns, nl = c->nl;
+    double power[POWER_CHANNELS], dk = 0, per = 1 / c->H, mid = slow_place(c);
+    struct instant x = {
+        .t = mid, .q = c->qbar, .v = c->vbar, .a = c->abar, .qa = c->q0, .qb = c->qn, .ta = c->t0, .tb = c->t1};
+    TRY(c->ode->ops->resid(c->ode, c->r, power, &dk, &x, SLOW, why));
+    c->effort->slow++;
+    if (dk > STALE_SLOPE) c->newton.stale = 1;
+    subcycle_book(c, c->H, power);
+    for (int i = 0; i < nl; i++) c->slow[i] = c->H * c->r[ns + i];
+    for (int i = 0; i < c->near; i++) c->pull[i] = per * c->du[i];
+    for (int i = 0; i < ns; i++) c->dmean[i] = c->dsum[i] / c->ratio;
+    zero(c->cs, ns);
+    if (c->dec.reach) dense_gemtv(c->cs, -1. / c->ratio, c->dec.W, c->slow, c->dec.reach, ns, nl);
+    return OK;
+}
+
+/* R complete: slow bodies over the whole step; their inertia where d_k has moved on since they were asked
+ * (dsum holds the difference); the last corrections of the minor steps. */
+static void complete(struct subcycle *c)
+{
+    int ns = c->ns, nl = c->nl, ml = c->dec.ml;
+    for (int i = ml; i < nl; i++) c->R[i] = 0;
+    if (c->dec.reach) dense_gemv(c->R, 1, c->dec.MsW, c->dsum, ml, ns, ml);
+    for (int i = 0; i < nl; i++) {
+        c->R[i] += c->slow[i];
+        c->push += c->R[i] * c->w[i];
+    }
+    if (c->resp.drives) dense_gemv(c->R, -1, c->resp.Q, c->esum, ml, ns, ml);
+}
+
+/* du corrected, and all d_k with it. */
+static void correct(struct subcycle *c)
+{
+    int ns = c->ns, nl = c->nl;
+    for (int i = 0; i < ns; i++) c->s1[i] = c->xn[i] - c->xbefore[i];
+    response_correct(&c->resp, &c->dec, c->Du, c->c, c->g, c->R, c->s1);
+    c->square += fabs(dot(c->R, c->Du, nl));
+    for (int i = 0; i < nl; i++) c->du[i] += c->Du[i];
+    if (!c->resp.drives) return;
+    zero(c->s1, ns);
+    zero(c->s2, ns);
+    response_run(&c->resp, c->d, c->c, c->g, c->s1, c->s2, c->s3, 1);
+}
+
+void subcycle_slow_rows(struct subcycle *c)
+{
+    complete(c);
+    correct(c);
+}

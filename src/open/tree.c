@@ -1,0 +1,300 @@
+/* tree.c -- see tree.h */
+#include "open/tree.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "la/dense.h"
+#include "la/wide.h"
+#include "tree/sizes.h"
+
+static struct tree *tree_of(const struct ode2 *o)
+{
+    return o->self;
+}
+
+/* --- where the bodies stand --------------------------------------------------------------------- */
+
+static bool stands_at(const struct tree *s, const double *q)
+{
+    return s->stands && memcmp(s->at, q, sizeof *q * (size_t)s->model->nq) == 0;
+}
+
+static void note_place(struct tree *s, const double *q)
+{
+    memcpy(s->at, q, sizeof *q * (size_t)s->model->nq);
+    s->stands = true;
+}
+
+void tree_place(struct tree *s, const double *q)
+{
+    if (stands_at(s, q)) return;
+    s->ops->place(s->sweep, q, ALL);
+    note_place(s, q);
+}
+
+void tree_move(struct tree *s, const double *q, const double *v)
+{
+    const bool there = stands_at(s, q);
+    s->ops->move(s->sweep, there ? NULL : q, v, ALL);
+    if (!there) note_place(s, q);
+}
+
+/* --- r, M, slopes ------------------------------------------------------------------------------- */
+
+/* Names the element, if one is to blame, else the row. */
+static enum status not_finite(struct tree *s, const double *r, const struct instant *x, enum rate cls,
+                              struct trouble *why)
+{
+    const struct model *m = s->model;
+    memset(s->suspect, 0, sizeof *s->suspect * (size_t)m->nforce);
+    s->stands = false;
+    s->ops->forward(s->sweep, x->q, x->v, x->a, cls);
+    elements_load(s->elements, s->sweep, s->d, NULL, NULL, s->suspect, x, cls);
+    for (int i = 0; i < m->nforce; i++) {
+        if (isfinite(s->suspect[i].force)) continue;
+        trouble_set(why, TROUBLE_LAW, i, s->suspect[i].force, x->t);
+        if (why) why->kind = (int)m->force[i].type;
+        return E_NUMERIC;
+    }
+    int row = 0;
+    while (row < m->n - 1 && isfinite(r[row])) row++;
+    return trouble_set(why, TROUBLE_NOT_FINITE, row, r[row], x->t);
+}
+
+/* n numbers, `stride` apart; four sums, so that they need not wait for each other. */
+static bool all_finite(const double *r, int n, int stride)
+{
+    const double *r1 = r + stride, *r2 = r1 + stride, *r3 = r2 + stride;
+    double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+    int i = 0;
+    for (size_t at = 0; i + 4 <= n; i += 4, at += 4 * (size_t)stride) {
+        s0 += r[at] * 0;
+        s1 += r1[at] * 0;
+        s2 += r2[at] * 0;
+        s3 += r3[at] * 0;
+    }
+    for (; i < n; i++) s0 += r[(size_t)i * (size_t)stride] * 0;
+    return s0 + s1 + s2 + s3 == 0;
+}
+
+/* Written into both of its callers: chains of a few bodies would feel the call. */
+INTO static inline enum status residual(struct tree *o, double *r, double *w, double *dk, const struct instant *x,
+                                        enum rate cls, bool moved, struct trouble *why)
+{
+    const int n = o->model->n;
+    const bool balanced = o->floating.n > 0 && x->va && cls == ALL;
+    struct instant settled;
+    if (balanced) {
+        floating_place(&o->floating, &settled, x);
+        x = &settled;
+    }
+    for (int i = 0; i < n; i++) r[i] = 0;
+    if (w)
+        for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
+    if (dk) *dk = 0;
+    if (!moved || balanced) o->stands = false;
+    o->ops->forward(o->sweep, moved ? NULL : x->q, x->v, x->a, cls);
+    if (balanced) floating_balance(&o->floating, o->sweep, &settled);
+    elements_load(o->elements, o->sweep, r, w, dk, NULL, x, cls);
+    if (w && o->elastic.n) w[POWER_DAMPER] -= elastic_lost(&o->elastic, x->v, cls);
+    o->ops->backward(o->sweep, r, cls);
+    return all_finite(r, n, 1) ? OK : not_finite(o, r, x, cls, why);
+}
+
+enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
+                       struct trouble *why)
+{
+    return residual(o, r, w, dk, x, cls, true, why);
+}
+
+static enum status resid(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
+                         struct trouble *why)
+{
+    return residual(tree_of(o), r, w, dk, x, (enum rate)cls, false, why);
+}
+
+static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
+{
+    struct tree *s = tree_of(o);
+    const bool there = stands_at(s, q);
+    s->stands = there;
+    s->ops->mass(s->sweep, M, there ? NULL : q, cls);
+    /* all that enters M enters its diagonal */
+    return all_finite(M, o->n, o->n + 1) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
+}
+
+static enum status slopes(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
+                          struct trouble *why)
+{
+    struct tree *s = tree_of(o);
+    const size_t nn = (size_t)o->n * (size_t)o->n;
+    if (K) memset(K, 0, nn * sizeof *K);
+    if (C) memset(C, 0, nn * sizeof *C);
+    if (!s->diagonal) {
+        const bool there = stands_at(s, x->q);
+        s->stands = there;
+        s->ops->move(s->sweep, there ? NULL : x->q, x->v, cls);
+    }
+    elements_slopes(s->elements, s->sweep, K, C, x, (enum rate)cls);
+    elastic_slopes(&s->elastic, K, C, o->n, (enum rate)cls);
+    if ((K && !all_finite(K, o->n * o->n, 1)) || (C && !all_finite(C, o->n * o->n, 1)))
+        return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
+    return OK;
+}
+
+static const struct ode2_ops ops = {.resid = resid, .mass = mass, .slopes = slopes};
+
+/* --- positions ---------------------------------------------------------------------------------- */
+
+static void move_point(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t)
+{
+    (void)t;
+    moves_point(&tree_of(o)->moves, q1, q0, dx, s);
+}
+
+static void move_diff(const struct ode2 *o, double *dx, const double *q1, const double *q0)
+{
+    moves_diff(&tree_of(o)->moves, dx, q1, q0);
+}
+
+static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
+                      const double *v, double t)
+{
+    (void)q1, (void)q0, (void)t;
+    moves_rate(&tree_of(o)->moves, dxrate, dx, v);
+}
+
+static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
+
+static void settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x)
+{
+    floating_settle(&tree_of(o)->floating, q1, v1, x);
+}
+
+/* --- articulated bodies ------------------------------------------------------------------------- */
+
+/* x := M^-1 x where the last sweep has stood. */
+static enum status solve_mass(struct tree *s, double *x, const double *q, double t, struct trouble *why)
+{
+    const int n = s->model->n;
+    if (s->ops->factor(s->sweep, s->factor, 1, s->zero, NULL)) {
+        s->ops->solve(s->sweep, s->factor, x);
+        return OK;
+    }
+    if (!s->elastic.n) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
+    TRY(mass(&s->ode, s->M, q, t, ALL, why));
+    int pivot = dense_cholesky(s->M, n, n);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
+    dense_cholesky_solve(s->M, x, n, n);
+    return OK;
+}
+
+static enum status accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
+                         struct trouble *why)
+{
+    struct tree *s = tree_of(o);
+    const struct instant x = {.t = t, .q = q, .v = v};
+    TRY(resid(o, a, w, NULL, &x, ALL, why));
+    TRY(solve_mass(s, a, q, t, why));
+    for (int i = 0; i < o->n; i++) a[i] = -a[i];
+    return OK;
+}
+
+static enum status factor(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
+                          struct trouble *why)
+{
+    struct tree *s = tree_of(o);
+    if (!s->diagonal || s->elastic.n) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+    memset(s->d, 0, sizeof *s->d * (size_t)o->n);
+    elements_diagonal(s->elements, s->d, cc, ck, x);
+    s->stands = false;
+    return s->ops->factor(s->sweep, F, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+}
+
+static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t,
+                           struct trouble *why)
+{
+    struct tree *s = tree_of(o);
+    s->stands = stands_at(s, q);
+    return s->ops->factor(s->sweep, F, 1, d, s->stands ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
+}
+
+static void solve(const struct ode2 *o, const void *F, double *x)
+{
+    struct tree *s = tree_of(o);
+    s->ops->solve(s->sweep, F, x);
+}
+
+/* --- turns -------------------------------------------------------------------------------------- */
+
+/* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
+static int count_turns(struct ode2 *o, double *q, double *v, double t)
+{
+    struct tree *s = tree_of(o);
+    tree_move(s, q, v);
+    elements_turned(s->elements, s->sweep, t);
+    return 0;
+}
+
+static const struct ode2_chart turns = {.rechart = count_turns};
+
+/* --- kinks in time ------------------------------------------------------------------------------ */
+
+static double next_kink(const struct ode2 *o, double t)
+{
+    const struct model *m = tree_of(o)->model;
+    double next = INFINITY;
+    for (int i = 0; i < m->nforce; i++)
+        if (m->force[i].type == FORCE_VALUE || m->force[i].type == FORCE_LOAD)
+            for (int k = 0; k < 3; k++) next = fmin(next, signal_next(&m->force[i].value[k], t));
+    return next;
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+static double size_of(const struct ode2 *o, int i)
+{
+    return tree_of(o)->size[i];
+}
+
+void tree_build(struct tree *o, const struct model *m, struct arena *life)
+{
+    o->model = m;
+    o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
+    o->sweep = o->ops->build(m, STEPPED, life);
+    o->elements = elements_build(m, o->ops, life);
+    o->diagonal = elements_are_diagonal(o->elements);
+    elastic_build(&o->elastic, m, life);
+    if (o->elastic.n) o->M = TAKE(life, double, m->n * m->n);
+    moves_build(&o->moves, m, life);
+    floating_build(&o->floating, m, o->ops, life);
+    const size_t bytes = o->ops->factor_size(o->sweep);
+    o->factor = arena_take(life, 1, bytes);
+    o->d = TAKE(life, double, m->n);
+    o->zero = TAKE(life, double, m->n);
+    o->size = TAKE(life, double, m->n);
+    sizes_fill(o->size, m);
+    o->at = TAKE(life, double, m->nq);
+    o->suspect = TAKE(life, struct effect, m->nforce);
+    o->direct = (struct ode2_direct){
+        .accel = accel, .factor_size = bytes, .factor = factor, .stiffen = stiffen, .solve = solve};
+    bool plain = o->moves.nturn == 0 && o->moves.nfirst == m->n && m->nq == m->n;
+    o->breaks = (struct ode2_breaks){.next = next_kink};
+    o->ode.self = o;
+    const double first = next_kink(&o->ode, -INFINITY);
+    o->ode = (struct ode2){.n = m->n,
+                           .ns = m->ns,
+                           .nq = m->nq,
+                           .near = m->near,
+                           .price = o->elastic.n ? 3 : 2, /* counted in instructions */
+                           .ops = &ops,
+                           .move = plain ? NULL : &move,
+                           .direct = &o->direct,
+                           .chart = elements_turn(o->elements) ? &turns : NULL,
+                           .breaks = isinf(first) ? NULL : &o->breaks,
+                           .size = size_of,
+                           .settle = o->floating.n ? settle : NULL,
+                           .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
+                           .self = o};
+}

@@ -1,0 +1,48 @@
+/* tree.h -- a tree of bodies as mechanics: the equations of motion (2-4) by inverse dynamics.
+ *
+ *     r(q, v, a, t) = M^ a - Q^                                              (2-4)
+ *
+ * is one sweep outwards, the elements, one sweep inwards; M^ comes from composite bodies, a from r(a = 0) by
+ * articulated bodies, or by M^ where these do not go (flexible bodies in space).  All works in one sweep; others, who
+ * close loops over the tree, share it, so that what depends on positions alone is found once for each of them. */
+#ifndef FMDSUB_OPEN_TREE_H
+#define FMDSUB_OPEN_TREE_H
+
+#include "force/elements.h"
+#include "open/elastic.h"
+#include "open/floating.h"
+#include "tree/moves.h"
+#include "tree/sweep.h"
+
+struct tree {
+    const struct model *model;
+    const struct sweep_ops *ops;
+    struct sweep *sweep;
+    double *at;  /* [nq] where all of its bodies stand, */
+    bool stands; /* if they do */
+    struct elements *elements;
+    bool diagonal;          /* elements_are_diagonal() */
+    struct elastic elastic; /* flexible bodies */
+    struct moves moves;
+    struct floating floating; /* what flies freely */
+    struct ode2 ode;          /* of the tree */
+    struct ode2_direct direct;
+    struct ode2_breaks breaks;
+    double *M;              /* [n x n] of flexible bodies */
+    void *factor;           /* of M^, for accel() */
+    double *d, *zero;       /* [n] */
+    double *size;           /* [n] usual changes of the coordinates */
+    struct effect *suspect; /* [nforce] for naming the element that is not finite */
+};
+
+void tree_build(struct tree *o, const struct model *m, struct arena *life);
+
+/* All bodies at q, unless they stand there; then moving with v. */
+void tree_place(struct tree *o, const double *q);
+void tree_move(struct tree *o, const double *q, const double *v);
+
+/* resid() of the ode, where tree_move() has been with x->q and x->v. */
+enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
+                       struct trouble *why);
+
+#endif

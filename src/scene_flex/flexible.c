@@ -1,0 +1,199 @@
+/* flexible.c -- flexible bodies made, once every place is known where something takes hold of them.
+ *
+ * A place on a beam belongs to the section at its foot point on the axis, which carries it rigidly.  Sections with
+ * joints are interfaces, and so are points where the deck wants it; those with other points, measures and forces are
+ * further nodes. */
+#include <math.h>
+#include <string.h>
+
+#include "la/vec3.h"
+#include "scene_flex/flexible.h"
+
+static const double SAME = 1e-9;  /* stations that are one */
+static const double FAR = 0.1;    /* from the axis, in lengths: more is told */
+static const double CLOSE = 1e-3; /* from a node, in sizes of the body: more is told */
+
+struct stations {
+    int n, room;
+    double *at;
+};
+
+static bool holds(const struct stations *o, double s)
+{
+    for (int i = 0; i < o->n; i++)
+        if (fabs(o->at[i] - s) <= SAME) return true;
+    return false;
+}
+
+static void take_station(struct stations *o, double s, struct arena *life)
+{
+    if (holds(o, s)) return;
+    if (o->n == o->room) {
+        double *more = TAKE(life, double, o->room ? 2 * o->room : 8);
+        if (o->n) memcpy(more, o->at, (size_t)o->n * sizeof *more);
+        o->room = o->room ? 2 * o->room : 8;
+        o->at = more;
+    }
+    o->at[o->n++] = s;
+}
+
+/* One body while its nodes are collected. */
+struct collecting {
+    struct builder *b;
+    int body;
+    struct stations interfaces, points;
+};
+
+/* The same of a body from a file: its nodes are what they are. */
+static void look_at_node(struct collecting *c, const double *world, const struct node *at)
+{
+    const struct scene_body *body = &c->b->scene->body[c->body];
+    double offset[3], size = 0;
+    int node = scene_node(offset, body, world);
+    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
+    if (v3_norm(offset) <= CLOSE * size) return;
+    const char *name = body->flex->node[node].name;
+    diag_warn(c->b->diags, at, AT_KEY, "W-offset",
+              "a place %.3g m from the nearest node of '%s', %s: it carries it rigidly", v3_norm(offset), body->name,
+              name ? name : "which has no name");
+}
+
+/* The station whose section carries a world place; the ends are snapped to. */
+static double foot(struct collecting *c, const double *world, const struct node *at)
+{
+    const struct draft *o = c->b->draft[c->body];
+    double d[3];
+    v3_diff(d, world, o->beam.a);
+    double s = fmin(1, fmax(0, v3_dot(d, o->beam.R) / o->length));
+    if (s < SAME) s = 0;
+    if (s > 1 - SAME) s = 1;
+    v3_axpy(d, -s * o->length, o->beam.R);
+    if (v3_norm(d) > FAR * o->length) {
+        diag_warn(c->b->diags, at, AT_KEY, "W-offset",
+                  "a place %.3g m from the axis of beam '%s': the section at station %.3g carries it rigidly",
+                  v3_norm(d), c->b->scene->body[c->body].name, s);
+    }
+    return s;
+}
+
+static void take_place(struct collecting *c, struct stations *to, const double *world, const struct node *at)
+{
+    if (c->b->draft[c->body])
+        take_station(to, foot(c, world, at), c->b->life);
+    else
+        look_at_node(c, world, at);
+}
+
+static void take_marker(struct collecting *c, struct stations *to, const struct marker *m, const struct node *at)
+{
+    double world[3];
+    if (m->body != c->body) return;
+    marker_drawn(world, c->b->scene, m);
+    take_place(c, to, world, at);
+}
+
+static void collect(struct collecting *c)
+{
+    const struct scene *s = c->b->scene;
+    for (int i = 0; i < s->njoint; i++) {
+        const struct scene_joint *j = &s->joint[i];
+        if (j->nterm) continue;
+        if (j->first == c->body) take_place(c, &c->interfaces, j->from, j->node);
+        if (j->second == c->body) take_place(c, &c->interfaces, j->at, j->node);
+    }
+    for (int i = 0; i < s->npoint; i++)
+        if (!s->point[i].statics) take_marker(c, &c->points, &s->point[i].at, s->body[c->body].node);
+    for (int i = 0; i < s->nmeasure; i++) {
+        if (s->measure[i].type == MEASURE_COORDINATE) continue;
+        take_marker(c, &c->points, &s->measure[i].a, s->measure[i].node);
+        take_marker(c, &c->points, &s->measure[i].b, s->measure[i].node);
+    }
+    for (int i = 0; i < s->nforce; i++) {
+        const struct scene_force *f = &s->force[i];
+        if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) take_marker(c, &c->points, &f->b, f->node);
+        if (f->type == FORCE_BUSHING) take_marker(c, &c->points, &f->a, f->node);
+    }
+    if (c->interfaces.n == 0 && c->b->draft[c->body])
+        take_station(&c->interfaces, c->b->draft[c->body]->centre, c->b->life);
+    for (int i = 0; i < s->npoint; i++) /* behind the reference */
+        if (s->point[i].statics) take_marker(c, &c->interfaces, &s->point[i].at, s->body[c->body].node);
+}
+
+/* Further nodes are not interfaces at the same time. */
+static void only_points(struct collecting *c)
+{
+    int n = 0;
+    for (int i = 0; i < c->points.n; i++)
+        if (!holds(&c->interfaces, c->points.at[i])) c->points.at[n++] = c->points.at[i];
+    c->points.n = n;
+}
+
+/* Mass and inertia of the undeformed body about its centre, body axes. */
+static void weigh(struct scene_body *body)
+{
+    const double *A = body->flex->xx, *r = body->flex->rot, trace = A[0] + A[4] + A[8];
+    const int at[6] = {0, 4, 8, 3, 6, 7};
+    body->mass = body->flex->mass;
+    for (int i = 0; i < 6; i++) body->inertia[i] = (i < 3 ? trace : 0) - A[at[i]] + r[at[i]];
+}
+
+static int make(struct builder *b, int index)
+{
+    struct scene_body *body = &b->scene->body[index];
+    struct draft *o = b->draft[index];
+    struct collecting c = {.b = b, .body = index};
+    struct flex_body *flex;
+    struct report report = {0};
+    collect(&c);
+    only_points(&c);
+    o->beam.ninterface = c.interfaces.n;
+    o->beam.interface = c.interfaces.at;
+    o->beam.npoint = c.points.n;
+    o->beam.point = c.points.at;
+    if (flex_beam_make(&flex, body->origin, &o->beam, b->life, &report) != OK) {
+        diag_error(b->diags, o->modes, AT_VALUE, "E-beam", "body '%s': %s", body->name, report.text);
+        return 1;
+    }
+    body->flex = flex;
+    body->nmode = flex->n;
+    weigh(body);
+    return 0;
+}
+
+int make_flexible(struct builder *b)
+{
+    const struct node *failed = NULL; /* one segment is enough */
+    int errors = 0;
+    if (diags_errors(b->diags)) return 0; /* half a deck would make other bodies */
+    for (int i = 1; i < b->scene->nbody; i++) {
+        struct collecting c = {.b = b, .body = i};
+        if (b->draft[i] && b->scene->body[i].node != failed) {
+            if (!make(b, i)) continue;
+            failed = b->scene->body[i].node;
+            errors++;
+        } else if (b->scene->body[i].flex) {
+            collect(&c);
+            weigh(&b->scene->body[i]);
+        }
+    }
+    return errors;
+}
+
+int scene_node(double *offset, const struct scene_body *body, const double *world)
+{
+    double d[3], x[3], least = INFINITY, size = 0;
+    int node = 0;
+    v3_diff(d, world, body->origin);
+    m3_tmul(x, body->R, d);
+    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
+    for (int i = 0; i < body->flex->nnode; i++) {
+        double away[3];
+        v3_diff(away, x, body->flex->node[i].x);
+        double distance = v3_norm(away);
+        if (distance >= least - SAME * size) continue; /* of two in one place the first */
+        least = distance;
+        node = i;
+        v3_copy(offset, away);
+    }
+    return node;
+}

@@ -1,0 +1,166 @@
+/* joints.c -- the deck's constraints: kinds of joints, bodies, where they stand, their axes */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "la/vec3.h"
+#include "scene_flex/flexible.h"
+
+/* Is it a key of any kind? */
+static bool is_key(const char *word)
+{
+    for (int i = 0; joint_kind_at(i); i++)
+        for (const struct key *k = joint_kind_at(i)->keys; k->name; k++)
+            if (strcmp(k->name, word) == 0) return true;
+    return false;
+}
+
+static void say_no_kind(struct builder *b, const struct node *map)
+{
+    const char *names[JOINT_WORDS], *all = "";
+    int n = 0;
+    for (; joint_kind_at(n); n++) {
+        names[n] = joint_kind_at(n)->name;
+        all = arena_print(b->life, "%s%s%s", all, n ? ", " : "", names[n]);
+    }
+    for (int i = 0; i < map->count; i++) {
+        const struct node *member = map->item[i];
+        if (is_key(member->key)) continue;
+        unknown_name(b, member, AT_KEY, "E-unknown-joint", "kind of joint", member->key, names, n);
+        return;
+    }
+    diag_error(b->diags, map, AT_KEY, "E-missing-key", "constraint '%s' has no kind", map->key);
+    diag_hint(b->diags, "expected one of: %s", all);
+}
+
+/* The member of map that names a kind of joint; NULL, and an error, if there is not exactly one. */
+static const struct joint_kind *joint_word(struct builder *b, const struct node *map, const struct node **word)
+{
+    const struct joint_kind *kind = NULL;
+    *word = NULL;
+    for (int i = 0; i < map->count; i++) {
+        const struct joint_kind *here = joint_find(map->item[i]->key);
+        if (!here) continue;
+        if (kind) {
+            diag_error(b->diags, map->item[i], AT_KEY, "E-two-kinds", "constraint '%s' is '%s' already", map->key,
+                       kind->name);
+            return NULL;
+        }
+        kind = here;
+        *word = map->item[i];
+    }
+    if (kind) return kind;
+    say_no_kind(b, map);
+    return NULL;
+}
+
+/* Joint axes by kind: see kind/joint.h. */
+static int joint_axes(struct builder *b, struct scene_joint *j, const struct joint_keys *k, const char *what)
+{
+    static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    double z[3], x[3];
+    memcpy(j->E, identity, sizeof identity);
+    if (j->kind->type == JOINT_UNIVERSAL) {
+        double *E = j->E;
+        if (read_direction(b, E, k->axis, what) | read_direction(b, E + 3, k->axis2, what)) return 1;
+        double lean = v3_dot(E, E + 3);
+        if (fabs(lean) > 1e-6) {
+            diag_error(b->diags, k->axis2, AT_VALUE, "E-axes", "%s: 'axis' and 'axis2' are not at right angles", what);
+            return 1;
+        }
+        v3_axpy(E + 3, -lean, E);
+        v3_scale(E + 3, 1 / v3_norm(E + 3), E + 3);
+        v3_cross(E + 6, E, E + 3);
+        return 0;
+    }
+    if (!k->axis) return 0;
+    if (read_direction(b, z, k->axis, what)) return 1;
+    if (k->axis2 && read_direction(b, x, k->axis2, what)) return 1;
+    frame_about(j->E, z, k->axis2 ? x : NULL);
+    if (b->scene->space == 2) { /* x in the plane, y out of it */
+        const double across[3] = {-z[1], z[0], 0};
+        frame_about(j->E, z, across);
+    }
+    return 0;
+}
+
+static int read_range(struct builder *b, struct scene_joint *j, const struct node *n, const char *what)
+{
+    if (read_vector(j->range, 2, n, what, &b->reader)) return 1;
+    j->ranged = true;
+    if (j->range[0] < j->range[1]) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-range", "%s: 'range' goes from %g to %g; the lower end comes first", what,
+               j->range[0], j->range[1]);
+    return 1;
+}
+
+/* What gears and racks tie is read when all joints are known. */
+static int read_factor(struct builder *b, struct scene_joint *j, const struct joint_keys *k, const struct node *n,
+                       const char *what)
+{
+    const char *word = j->kind->type == JOINT_GEAR ? "ratio" : "radius";
+    j->factor = j->kind->type == JOINT_GEAR ? k->ratio : k->radius;
+    if (j->factor != 0) return 0;
+    diag_error(b->diags, node_find(n, word), AT_VALUE, "E-range", "%s: '%s' is 0: the second coordinate could not move",
+               what, word);
+    return 1;
+}
+
+static int read_joint(struct builder *b, struct scene_joint *j, const struct node *n)
+{
+    struct joint_keys k = {.length = NAN};
+    const struct node *word;
+    j->name = n->key;
+    j->node = n;
+    char what[100];
+    snprintf(what, sizeof what, "constraint '%.60s'", n->key);
+    if (read_map(n, what, &b->reader)) return 1;
+    const struct joint_kind *found = joint_word(b, n, &word);
+    if (!found) return 1;
+    j->kind = joint_kind(found->type, b->scene->space == 3);
+    if (!j->kind) {
+        diag_error(b->diags, word, AT_KEY, "E-dimension", "a %s joint needs a 3-D deck", found->name);
+        return 1;
+    }
+    const char *also[] = {found->name, NULL};
+    int errors = read_keys(&k, j->kind->keys, n, also, what, &b->reader);
+    if (found->type == JOINT_DISTANCE) return read_rod(b, j, word, k.length, what) + errors;
+    if (found->type == JOINT_GEAR || found->type == JOINT_RACK) return errors ? errors : read_factor(b, j, &k, n, what);
+    if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
+    if (errors) return errors;
+    j->loop = k.loop;
+    j->own = k.frame == 1;
+    if (k.range && read_range(b, j, k.range, what)) return 1;
+    struct marker at = {j->second, {0}};
+    if (!k.at && (b->draft[j->second] || b->scene->body[j->second].flex) && found->type != JOINT_FREE) {
+        diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s on the flexible body '%s' has no 'at'", what,
+                   b->scene->body[j->second].name);
+        return 1;
+    }
+    if (k.at && read_point(b, &at, k.at, what)) return 1;
+    marker_drawn(j->at, b->scene, &at);
+    v3_copy(j->from, j->at);
+    return joint_axes(b, j, &k, what);
+}
+
+int read_joints(struct builder *b, const struct node *n)
+{
+    int errors = 0, count = n ? n->count : 0;
+    struct scene *scene = b->scene;
+    if (n && read_map(n, "'constraints'", &b->reader)) return 1;
+    scene->joint = TAKE(b->life, struct scene_joint, count + scene->nbody);
+    for (int i = 0; i < count; i++) {
+        struct scene_joint joint = {0};
+        if (!may_own_columns(n->item[i]->key)) {
+            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a joint", n->item[i]->key);
+            diag_hint(b->diags, "names are letters, digits and '_', a letter first; ground, energy and step are taken");
+            errors++;
+        } else if (read_joint(b, &joint, n->item[i])) {
+            errors++;
+        } else {
+            scene->joint[scene->njoint++] = joint;
+        }
+    }
+    join_segments(b);
+    return errors + read_ties(b);
+}

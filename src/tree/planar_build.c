@@ -1,0 +1,88 @@
+/* planar_build.c -- what the planar recursion knows before it sees a state */
+#include <math.h>
+#include <string.h>
+
+#include "tree/planar_flex.h"
+
+static void build_link(struct link *l, const struct link *parent, const struct model_joint *j,
+                       const struct model_body *body)
+{
+    static const enum planar_type types[JOINT_TYPES] = {[JOINT_FIXED] = HELD,
+                                                        [JOINT_REVOLUTE] = TURN,
+                                                        [JOINT_PRISMATIC] = SLIDE,
+                                                        [JOINT_PLANAR] = GLIDE,
+                                                        [JOINT_FREE] = GLIDE};
+    l->parent = j->parent;
+    l->type = types[j->type];
+    l->nv = j->nv;
+    for (int k = 0; k < j->nv; k++) l->iq[k] = j->iq[k], l->iv[k] = j->iv[k];
+    l->mass = body->mass;
+    l->inertia = body->inertia[2];
+    l->turn = j->Ea[8] < 0 ? -1 : 1;
+    /* drawn orientation: the parent's, then Ea Eb' */
+    double c = 0, s = 0, turned[2];
+    for (int k = 0; k < 3; k++) c += j->Ea[3 * k] * j->Eb[3 * k], s += j->Ea[3 * k + 1] * j->Eb[3 * k];
+    double size = hypot(c, s);
+    planar_turn(turned, c / size, s / size, parent->drawn);
+    memcpy(l->drawn, turned, sizeof turned);
+    planar_turn(l->a, parent->drawn[0], parent->drawn[1], j->a);
+    planar_turn(l->b, l->drawn[0], l->drawn[1], j->b);
+    planar_turn(l->e[0], parent->drawn[0], parent->drawn[1], l->type == SLIDE ? j->Ea + 6 : j->Ea);
+    planar_turn(l->e[1], parent->drawn[0], parent->drawn[1], j->Ea + 3);
+}
+
+static void build_ground(struct sweep *s, const struct model *m)
+{
+    const struct model_body *ground = &m->body[0];
+    struct part *x = &s->part[0];
+    s->link[0].drawn[0] = ground->R[0];
+    s->link[0].drawn[1] = ground->R[1];
+    x->c = 1;
+    for (int i = 0; i < 2; i++) {
+        x->r[i] = ground->at[i];
+        x->a[i] = -m->gravity[i];
+    }
+}
+
+static struct sweep *build(const struct model *m, enum purpose purpose, struct arena *life)
+{
+    struct sweep *s = TAKE(life, struct sweep, 1);
+    s->model = m;
+    s->nbody = m->nbody;
+    s->n = m->n;
+    rosters_build(&s->rosters, m, purpose, life);
+    s->link = TAKE(life, struct link, m->nbody);
+    s->part = TAKE(life, struct part, m->nbody);
+    s->bias = arena_take(life, (size_t)m->nbody, sizeof *s->bias);
+    s->zero = TAKE(life, double, m->n);
+    build_ground(s, m);
+    for (int i = 1; i < m->nbody; i++) {
+        const struct model_joint *j = &m->joint[m->body[i].joint];
+        build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
+    }
+    routes_build(&s->routes, m, life);
+    planar_flex_build(s, life);
+    return s;
+}
+
+const struct sweep_ops sweep_planar = {.build = build,
+                                       .place = planar_place,
+                                       .move = planar_move,
+                                       .speed_up = planar_speed_up,
+                                       .forward = planar_forward,
+                                       .point = planar_point,
+                                       .pose = planar_pose,
+                                       .push = planar_push,
+                                       .twist = planar_twist,
+                                       .backward = planar_backward,
+                                       .mass = planar_mass,
+                                       .partial = planar_partial,
+                                       .row = planar_row,
+                                       .path = planar_path,
+                                       .factor_size = planar_factor_size,
+                                       .factor = planar_factor,
+                                       .solve = planar_solve,
+                                       .energy = planar_energy,
+                                       .reaction = planar_reaction,
+                                       .gather = planar_gather,
+                                       .hasten = planar_hasten};

@@ -1,0 +1,160 @@
+/* planar_factor.c -- (cm M^ + diag(d)) x = b in the plane by articulated bodies, O(N).
+ *
+ * I is the inertia (ww wx wy xx xy yy) with which a body resists its parent's twist (w, vx, vy of its centre)
+ * when the joints beyond it are free.  Each unit velocity s of a joint is eliminated in turn, displacements first,
+ *
+ *     U = I s,   D = s.U + d,   I := I - U U'/D,
+ *
+ * and the rest is carried to the parent's centre.  The same steps on the right side, with the bias p, and back:
+ *
+ *     e = b - s.p,   p := p + U e/D;      x = (e - U.V)/D,   V := V + s x.
+ *
+ * A coordinate with d = INFINITY is held: 1/D = 0, and I, p and V pass it as they are.  A flexible body's modes are
+ * eliminated all together before its joint.
+ *
+ * Featherstone, Int. J. Robotics Res. 2 (1983) 13. */
+#include <float.h>
+#include <math.h>
+
+#include "la/vec3.h"
+#include "tree/planar_flex.h"
+
+struct pivot {
+    double s[3], U[3], inverse;
+};
+
+/* F: the arms of all bodies, then the pivots by body and place in its joint (as many again as there are modes are
+ * not used), then what the modes need. */
+static double (*arms(const void *F))[2]
+{
+    return (double(*)[2])F;
+}
+
+static struct pivot *pivots(const struct sweep *s, const void *F)
+{
+    return (struct pivot *)(arms(F) + s->nbody);
+}
+
+static double *modes(const struct sweep *s, const void *F)
+{
+    return (double *)(pivots(s, F) + s->n);
+}
+
+size_t planar_factor_size(const struct sweep *s)
+{
+    return sizeof(double[2]) * (size_t)s->nbody + sizeof(struct pivot) * (size_t)s->n + sizeof(double) * s->for_modes;
+}
+
+/* 1 when the coordinate is held or the pivot stands out of the round-off of the terms it is a sum of. */
+static inline int eliminate(struct pivot *o, double *I, double d)
+{
+    const double *u = o->s;
+    double *U = o->U;
+    U[0] = I[0] * u[0] + I[1] * u[1] + I[2] * u[2];
+    U[1] = I[1] * u[0] + I[3] * u[1] + I[4] * u[2];
+    U[2] = I[2] * u[0] + I[4] * u[1] + I[5] * u[2];
+    o->inverse = 0;
+    if (d == INFINITY) return 1;
+    double x[3] = {u[0] * U[0], u[1] * U[1], u[2] * U[2]};
+    double D = x[0] + x[1] + x[2] + d;
+    if (!(D > 8 * DBL_EPSILON * (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) + fabs(d)))) return 0;
+    double i = o->inverse = 1 / D, U0 = i * U[0], U1 = i * U[1];
+    I[0] -= U0 * U[0];
+    I[1] -= U0 * U[1];
+    I[2] -= U0 * U[2];
+    I[3] -= U1 * U[1];
+    I[4] -= U1 * U[2];
+    I[5] -= i * U[2] * U[2];
+    return 1;
+}
+
+/* I about the parent's centre: the twist there is (w, v - w J arm). */
+static inline void carry(double *to, const double *I, const double *arm)
+{
+    double tx = -arm[1], ty = arm[0];
+    double w = I[0] + I[1] * tx + I[2] * ty, x = I[1] + I[3] * tx + I[4] * ty, y = I[2] + I[4] * tx + I[5] * ty;
+    to[0] += w + tx * x + ty * y;
+    to[1] += x;
+    to[2] += y;
+    to[3] += I[3];
+    to[4] += I[4];
+    to[5] += I[5];
+}
+
+TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flexible)
+{
+    double(*arm)[2] = arms(F);
+    struct pivot *pivot = pivots(s, F) + s->n;
+    for (int i = 1; i < s->nbody; i++) {
+        double *I = s->part[i].I;
+        I[0] = cm * s->link[i].inertia;
+        I[3] = I[5] = cm * s->link[i].mass;
+        I[1] = I[2] = I[4] = 0;
+    }
+    if (flexible) planar_flex_start(s, cm, d);
+    for (int i = s->nbody - 1; i > 0; i--) {
+        const struct link *l = &s->link[i];
+        struct part *x = &s->part[i];
+        pivot -= l->nv;
+        if (flexible && !planar_flex_eliminate(s, modes(s, F), i, d)) return 0;
+        for (int k = 0; k < l->nv; k++) {
+            planar_unit(pivot[k].s, x, l, k);
+            if (!eliminate(&pivot[k], x->I, d[l->iv[k]])) return 0;
+        }
+        arm[i][0] = x->arm[0];
+        arm[i][1] = x->arm[1];
+        if (l->parent) carry(s->part[l->parent].I, x->I, x->arm);
+    }
+    return 1;
+}
+
+int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q)
+{
+    if (q) planar_place(s, q, ALL);
+    return s->bend ? factor(s, F, cm, d, true) : factor(s, F, cm, d, false);
+}
+
+TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
+{
+    double(*arm)[2] = arms(F);
+    const struct pivot *pivot = pivots(s, F) + s->n;
+    double(*p)[3] = s->bias;
+    for (int i = 0; i < s->nbody; i++) p[i][0] = p[i][1] = p[i][2] = 0;
+    for (int i = s->nbody - 1; i > 0; i--) {
+        const struct link *l = &s->link[i];
+        double *here = p[i], *up = p[l->parent];
+        pivot -= l->nv;
+        if (flexible) planar_flex_forces(s, modes(s, F), here, x, i);
+        for (int k = 0; k < l->nv; k++) {
+            const struct pivot *o = &pivot[k];
+            double e = (x[l->iv[k]] - v3_dot(o->s, here)) * o->inverse;
+            x[l->iv[k]] = e;
+            for (int c = 0; c < 3; c++) here[c] += o->U[c] * e;
+        }
+        up[0] += here[0] - arm[i][1] * here[1] + arm[i][0] * here[2];
+        up[1] += here[1];
+        up[2] += here[2];
+    }
+    p[0][0] = p[0][1] = p[0][2] = 0; /* from here on twists */
+    for (int i = 1; i < s->nbody; i++) {
+        const struct link *l = &s->link[i];
+        const double *up = p[l->parent];
+        double V[3] = {up[0], up[1] - arm[i][1] * up[0], up[2] + arm[i][0] * up[0]};
+        for (int k = l->nv - 1; k >= 0; k--) {
+            const struct pivot *o = &pivot[k];
+            double here = x[l->iv[k]] -= o->inverse * v3_dot(o->U, V);
+            for (int c = 0; c < 3; c++) V[c] += o->s[c] * here;
+        }
+        if (flexible) planar_flex_twist(s, modes(s, F), V, x, i);
+        for (int c = 0; c < 3; c++) p[i][c] = V[c];
+        pivot += l->nv;
+    }
+}
+
+void planar_solve(const struct sweep *s, const void *F, double *x)
+{
+    if (s->bend)
+        solve(s, F, x, true);
+    else
+        solve(s, F, x, false);
+}

@@ -1,0 +1,107 @@
+/* planar_flex.h -- what the planar recursion does otherwise where there are flexible bodies. */
+#ifndef FMDSUB_TREE_PLANAR_FLEX_H
+#define FMDSUB_TREE_PLANAR_FLEX_H
+
+#include "flex/planar.h"
+#include "tree/planar.h"
+
+/* A flexible body: its frame is a part like all others, whose link has no mass; this is the rest. */
+struct bend {
+    const struct flex_planar *kernel;
+    struct flex_planar_shape shape;
+    int n;
+    const int *iq, *iv;     /* [n] places of its modes */
+    double *q, *v, *a, *Q;  /* [n] gathered; the modes' rows */
+    double drawn[2], cs[2]; /* cos, sin of its axes drawn and now */
+    double *U, *M;          /* [3 x n], [n x n] its columns of M^, frame and modes; M its lower triangle */
+    size_t at;              /* its place in a factor */
+    /* What was worked out for these q is good until they change: loops are closed by joints, modes stand still. */
+    long change, shaped; /* count of changes; that of the shape */
+};
+
+/* A body at a node of `of`. */
+struct stand {
+    struct bend *of;
+    int node;
+    struct flex_planar_place place;
+    double cs[2]; /* cos, sin of its angle against the frame */
+    long change;  /* of the modes that place is for */
+    bool biased;  /* place.bias is that of their rates */
+    size_t at;    /* its place in a factor */
+};
+
+/* Leaves bend and stand NULL in a model without flexible bodies; none of the others is then called. */
+void planar_flex_build(struct sweep *s, struct arena *life);
+
+static inline struct bend *planar_bend(const struct sweep *s, int body)
+{
+    return s->bend ? s->bend[body] : NULL;
+}
+
+static inline struct stand *planar_stand(const struct sweep *s, int body)
+{
+    return s->stand ? s->stand[body] : NULL;
+}
+
+/* The three passes of motion for what is not in x, the frame; then its inertia into x and the modes' Q, which go to
+ * the rows of r. */
+void planar_bend_place(struct bend *b, const struct part *x, const double *q);
+void planar_bend_move(struct bend *b, const double *v);
+void planar_bend_speed_up(struct bend *b, const double *a);
+void planar_bend_load(struct part *x, struct bend *b, bool bears);
+void planar_bend_bring_up(double *r, const struct bend *b);
+
+/* The three passes for x at its node of p; its force and moment to the modes' Q. */
+void planar_stand_place(struct part *x, struct stand *o, const struct part *p);
+void planar_stand_move(struct part *x, struct stand *o, const struct part *p);
+void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p);
+void planar_stand_bring_up(struct stand *o, const struct part *x);
+/* row() of the modes that move x, which stands there. */
+void planar_stand_row(double *g, const struct stand *o, const struct part *at, const double *x, const double *f,
+                      double n);
+
+/* partial() of a mode; energies of the flexible bodies are added. */
+void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity);
+
+/* Composite bodies: what the flexible ones are by themselves; then all columns of M^. */
+void planar_flex_compose(struct sweep *s, const struct roster *o);
+void planar_flex_columns(double *M, struct sweep *s, const struct roster *o);
+
+/* U and M of the body alone; what is added by that which hangs on the node with inertia I (ww wx wy xx xy yy). */
+void planar_flex_own(struct bend *b);
+void planar_flex_couple(const struct stand *o, const double *I, const double *arm);
+
+/* Articulated bodies: I, U, M of the bodies alone; the modes of a body eliminated (0: no pivot), or their part in
+ * what hangs on a node added to the body there; then the same with forces p inwards and twists V outwards.  F is
+ * [for_modes]. */
+void planar_flex_start(struct sweep *s, double cm, const double *d);
+int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d);
+void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body);
+void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body);
+
+/* What depends on q alone, once for each q, where it is wanted. */
+static inline void planar_flex_shape(struct bend *b)
+{
+    if (b->shaped == b->change) return;
+    flex_planar_shape_at(&b->shape, b->kernel, b->q);
+    b->shaped = b->change;
+}
+
+/* First moment in the world. */
+static inline void planar_flex_first_moment(double *h, const struct bend *b)
+{
+    h[0] = b->cs[0] * b->shape.h[0] - b->cs[1] * b->shape.h[1];
+    h[1] = b->cs[1] * b->shape.h[0] + b->cs[0] * b->shape.h[1];
+}
+
+/* The twist of a body at a node by the k-th mode there. */
+static inline void planar_stand_unit(double *u, const struct stand *o, int k)
+{
+    const double *cs = o->of->cs, dx = o->place.dx[k], dy = o->place.dy[k];
+    u[0] = o->place.dw[k];
+    u[1] = cs[0] * dx - cs[1] * dy;
+    u[2] = cs[1] * dx + cs[0] * dy;
+}
+
+#endif

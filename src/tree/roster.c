@@ -1,0 +1,75 @@
+/* roster.c -- which bodies move when a class is evaluated; see sweep.h.
+ *
+ * The ground is on no list.  A slow body has only slow bodies on its path, so SLOW needs no others.
+ * FAST needs the motion of every body that a fast element touches or reads, and of all bodies
+ * on the path from there to the ground. */
+#include <string.h>
+
+#include "tree/sweep.h"
+
+static void read_measure(bool *moves, const struct model *m, int i)
+{
+    const struct model_measure *s = &m->measure[i];
+    if (s->type == MEASURE_COORDINATE) return;
+    moves[s->a.body] = moves[s->b.body] = true;
+}
+
+static void read_force(bool *moves, const struct model *m, const struct model_force *f)
+{
+    if (f->type == FORCE_LAW || f->type == FORCE_VALUE) read_measure(moves, m, f->measure);
+    if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) moves[f->b.body] = true;
+    if (f->type == FORCE_BUSHING) moves[f->a.body] = true;
+    for (int i = 0; i < f->nslot; i++)
+        if (f->slot[i].type == SLOT_MEASURE || f->slot[i].type == SLOT_MEASURE_RATE)
+            read_measure(moves, m, f->slot[i].index);
+}
+
+static void list(struct roster *o, const bool *moves, const bool *bears, int nbody, struct arena *life)
+{
+    int *body = TAKE(life, int, nbody);
+    char *with_mass = TAKE(life, char, nbody);
+    for (int i = 1; i < nbody; i++) {
+        if (!moves[i] && !bears[i]) continue;
+        body[o->n] = i;
+        with_mass[o->n++] = bears[i];
+    }
+    o->body = body;
+    o->bears = with_mass;
+}
+
+/* What motion, forces and loops need: all bodies but nodes where nothing happens. */
+static void find_wanted(bool *wanted, const struct model *m)
+{
+    for (int i = 0; i < m->nforce; i++) read_force(wanted, m, &m->force[i]);
+    for (int i = 0; i < m->nloop; i++) {
+        const struct model_loop *l = &m->loop[i];
+        if (l->nterm == 0) wanted[l->first] = wanted[l->second] = true;
+        if (l->drive) read_measure(wanted, m, l->measure);
+    }
+    for (int i = m->nbody - 1; i > 0; i--) {
+        if (!m->body[i].at_node) wanted[i] = true;
+        if (wanted[i]) wanted[m->body[i].parent] = true;
+    }
+}
+
+void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, struct arena *life)
+{
+    bool *fast = TAKE(life, bool, m->nbody), *slow = TAKE(life, bool, m->nbody), *all = TAKE(life, bool, m->nbody);
+    bool *moves = TAKE(life, bool, m->nbody), *none = TAKE(life, bool, m->nbody);
+    memset(o, 0, sizeof *o);
+    if (purpose == STEPPED)
+        find_wanted(all, m);
+    else
+        memset(all, true, sizeof *all * (size_t)m->nbody);
+    for (int i = 1; i < m->nbody; i++) {
+        fast[i] = moves[i] = all[i] && m->body[i].fast;
+        slow[i] = all[i] && !m->body[i].fast;
+    }
+    for (int i = 0; i < m->nforce; i++)
+        if (m->force[i].cls & FAST) read_force(moves, m, &m->force[i]);
+    for (int i = m->nbody - 1; i > 0; i--)
+        if (moves[i]) moves[m->body[i].parent] = true;
+    list(&o->of[FAST], moves, fast, m->nbody, life);
+    list(&o->of[SLOW], none, slow, m->nbody, life);
+    list(&o->of[ALL], none, all, m->nbody, life);
+}

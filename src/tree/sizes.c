@@ -1,0 +1,90 @@
+/* sizes.c -- see sizes.h */
+#include "tree/sizes.h"
+
+#include <math.h>
+
+#include "la/vec3.h"
+
+static double longest_arm(const struct model *m)
+{
+    double most = 0;
+    for (int i = 0; i < m->njoint; i++) {
+        const struct model_joint *j = &m->joint[i];
+        if (j->parent) most = fmax(most, v3_norm(j->a));
+        most = fmax(most, v3_norm(j->b));
+    }
+    for (int i = 0; i < m->nloop; i++) {
+        const struct model_loop *l = &m->loop[i];
+        if (l->first) most = fmax(most, v3_norm(l->a));
+        if (l->second) most = fmax(most, v3_norm(l->b));
+        most = fmax(most, l->length);
+    }
+    return most;
+}
+
+/* Which rates of a joint are along lengths: count of them, from *first on. */
+static int slides_of(int *first, const struct model_joint *j, int space)
+{
+    *first = j->type == JOINT_CYLINDRICAL ? 1 : 0;
+    return j->type == JOINT_PRISMATIC || j->type == JOINT_CYLINDRICAL ? 1
+           : j->type == JOINT_PLANAR                                  ? 2
+           : j->type == JOINT_FREE                                    ? space
+                                                                      : 0;
+}
+
+/* Bodies from the first one, nodes of flexible ones from their reference. */
+static double drawn_apart(const struct model *m)
+{
+    double most = 0, d[3];
+    for (int i = 1; i < m->nbody; i++) {
+        const struct flex_body *f = m->body[i].flex;
+        v3_diff(d, m->body[i].at, m->body[1].at);
+        most = fmax(most, v3_norm(d));
+        for (int k = 0; f && k < f->nnode; k++) {
+            v3_diff(d, f->node[k].x, f->node[f->reference].x);
+            most = fmax(most, v3_norm(d));
+        }
+    }
+    return most;
+}
+
+static double displaced(const struct model *m)
+{
+    double most = 0;
+    for (int i = 0; i < m->njoint && m->q0; i++) {
+        int first, n = slides_of(&first, &m->joint[i], m->space);
+        for (int k = first; k < first + n; k++) most = fmax(most, fabs(m->q0[m->joint[i].iq[k]]));
+    }
+    return most;
+}
+
+double sizes_length(const struct model *m)
+{
+    double length = longest_arm(m);
+    if (!(length > 0)) length = drawn_apart(m);
+    if (!(length > 0)) length = displaced(m);
+    return length > 0 ? length : 1;
+}
+
+/* The farthest that elastic coordinate k moves a node of its body, per unit [m]. */
+static double reach(const struct flex_body *f, int k)
+{
+    double most = 0;
+    for (int i = 0; i < f->nnode; i++) most = fmax(most, v3_norm(f->node[i].phi + 3 * k));
+    return most;
+}
+
+void sizes_fill(double *size, const struct model *m)
+{
+    const double length = sizes_length(m);
+    for (int i = 0; i < m->n; i++) size[i] = 1;
+    for (int i = 0; i < m->njoint; i++) {
+        int first, n = slides_of(&first, &m->joint[i], m->space);
+        for (int k = first; k < first + n; k++) size[m->joint[i].iv[k]] = length;
+    }
+    for (int i = 1; i < m->nbody; i++)
+        for (int k = 0; k < m->body[i].nmode; k++) {
+            double per_unit = reach(m->body[i].flex, k);
+            if (per_unit > 0) size[m->body[i].mode_v[k]] = length / per_unit;
+        }
+}

@@ -1,0 +1,14 @@
+/* sizes.h -- a usual change of every coordinate: one radian, or what moves something by the mechanism's length. */
+#ifndef FMDSUB_TREE_SIZES_H
+#define FMDSUB_TREE_SIZES_H
+
+#include "model/model.h"
+
+/* A length of the mechanism [m]: the largest arm of a joint on a body, or rod; the ground's place in the world does not
+ * count.  Without any, how far bodies stand from each other, or what the start displaces; 1 where nothing tells. */
+double sizes_length(const struct model *m);
+
+/* size [m->n] */
+void sizes_fill(double *size, const struct model *m);
+
+#endif

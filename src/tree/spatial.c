@@ -1,0 +1,394 @@
+/* spatial.c -- recursive Newton-Euler in space: motion outwards, forces inwards; see sweep.h.
+ *
+ * With rho from the parent's centre to the joint's point B on the child (displacements e_k q_k included), c from B
+ * to the child's centre, and the joint's own motion w_r = sum e_k u_k over rotations, d' = sum e_k u_k over
+ * displacements:
+ *
+ *     r  = r_p + rho + c
+ *     w  = w_p + w_r                     v = v_p + w_p x rho + d' + w x c
+ *     al = al_p + al_r + w_p x w_r       a = a_p + al_p x rho + w_p x (w_p x rho) + 2 w_p x d' + sum e_k u_k'
+ *                                            + al x c + w x (w x c)
+ *
+ * al_r is the rate of w_r as the parent sees it: sum e_k u_k', in a universal joint with (e_1 u_1) x (e_2 u_2)
+ * for the second axis, which the first rotation turns; axes fixed in the child (spherical, free) are turned by
+ * w_r itself and add w_r x w_r = 0.
+ *
+ *     F = m a - f + sum over children,   N = I al + w x I w - n + sum (N_j + arm_j x F_j)
+ *     row of a displacement: e_k . F,    of a rotation: e_k . (N + c x F)
+ *
+ * Flexible bodies, and the bodies that stand at their nodes, have steps of their own in spatial_flex.c.
+ *
+ * Luh, Walker & Paul, J. Dyn. Syst. Meas. Control 102 (1980) 69. */
+#include "tree/spatial.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+
+/* --- positions ---------------------------------------------------------------------------------- */
+
+/* R = E turned about its z by the angle. */
+static inline void turn_z(double *restrict R, const double *restrict E, double angle)
+{
+    double s, c;
+    sincos(angle, &s, &c);
+    for (int i = 0; i < 3; i++) {
+        R[i] = c * E[i] + s * E[3 + i];
+        R[3 + i] = c * E[3 + i] - s * E[i];
+        R[6 + i] = E[6 + i];
+    }
+}
+
+/* R = E turned about its x, then about the new y. */
+static inline void turn_xy(double *restrict R, const double *restrict E, double x, double y)
+{
+    double sx, cx, sy, cy;
+    sincos(x, &sx, &cx);
+    sincos(y, &sy, &cy);
+    for (int i = 0; i < 3; i++) {
+        double z = cx * E[6 + i] - sx * E[3 + i];
+        R[3 + i] = cx * E[3 + i] + sx * E[6 + i];
+        R[i] = cy * E[i] - sy * z;
+        R[6 + i] = sy * E[i] + cy * z;
+    }
+}
+
+static inline void turn_quaternion(double *R, const double *E, const double *q, const int *iq)
+{
+    double Q[9];
+    quat_matrix(Q, (double[]){q[iq[0]], q[iq[1]], q[iq[2]], q[iq[3]]});
+    m3_mulm(R, E, Q);
+}
+
+/* Inner frame of x hanging on p, its axes and the displacement in rho, which starts from the joint's point on p. */
+static inline void turn(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                        const double *restrict q)
+{
+    double product[9];
+    const double *E = p->R;
+    if (!l->straight) {
+        m3_mulm(product, p->R, l->Ea);
+        E = product;
+    }
+    switch (l->type) {
+    case JOINT_REVOLUTE:
+        turn_z(x->R, E, q[l->iq[0]]);
+        break;
+    case JOINT_PRISMATIC:
+        memcpy(x->R, E, sizeof x->R);
+        v3_axpy(x->rho, q[l->iq[0]], x->R + 6);
+        break;
+    case JOINT_CYLINDRICAL:
+        turn_z(x->R, E, q[l->iq[0]]);
+        v3_axpy(x->rho, q[l->iq[1]], x->R + 6);
+        break;
+    case JOINT_UNIVERSAL:
+        memcpy(x->E, E, sizeof x->E);
+        turn_xy(x->R, E, q[l->iq[0]], q[l->iq[1]]);
+        break;
+    case JOINT_SPHERICAL:
+        turn_quaternion(x->R, E, q, l->iq);
+        break;
+    case JOINT_PLANAR:
+        memcpy(x->E, E, sizeof x->E);
+        turn_z(x->R, E, q[l->iq[2]]);
+        for (int k = 0; k < 2; k++) v3_axpy(x->rho, q[l->iq[k]], x->E + 3 * k);
+        break;
+    case JOINT_FREE:
+        turn_quaternion(x->R, E, q, l->iq + 3);
+        m3_mulm(x->E, p->R, l->Et);
+        for (int k = 0; k < 3; k++) v3_axpy(x->rho, q[l->iq[k]], x->E + 3 * k);
+        break;
+    default:
+        memcpy(x->R, E, sizeof x->R);
+    }
+}
+
+static inline void place(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                         const double *restrict q)
+{
+    double b[3];
+    m3_mul(x->rho, p->R, l->a);
+    turn(x, p, l, q);
+    m3_mul(b, x->R, l->b);
+    v3_scale(x->c, -1, b);
+    v3_diff(x->arm, x->rho, b);
+    v3_sum(x->r, p->r, x->arm);
+}
+
+/* A loop of its own: right after their stores the loads of R in pairs would wait (12 ns a body of 65). */
+void spatial_place(struct sweep *s, const double *q, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = false;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        if (stand)
+            spatial_stand_place(x, stand, p);
+        else
+            place(x, p, l, q);
+        if (flexible) spatial_flex_place(flexible, x, l, q);
+    }
+}
+
+/* --- velocities and accelerations --------------------------------------------------------------- */
+
+/* A joint's own motion as its parent sees it, in world axes, and what both passes of a body need. */
+struct motion {
+    double wr[3], dv[3]; /* angular velocity; velocity of the displacement */
+    double v_rho[3];     /* w_p x rho */
+    double v_c[3];       /* w x c */
+};
+
+static inline bool slides(enum joint_type type)
+{
+    return type == JOINT_PRISMATIC || type == JOINT_CYLINDRICAL || type == JOINT_PLANAR || type == JOINT_FREE;
+}
+
+static inline void combine(double *o, const double *E, const double *u, const int *iv, int n)
+{
+    v3_scale(o, u[iv[0]], E);
+    for (int k = 1; k < n; k++) v3_axpy(o, u[iv[k]], E + 3 * k);
+}
+
+/* Sums over the joint's unit velocities: rotations into w, displacements into d (written where slides()). */
+static inline void joint_sums(double *restrict w, double *restrict d, const struct part *restrict x,
+                              const struct link *restrict l, const double *restrict u)
+{
+    switch (l->type) {
+    case JOINT_REVOLUTE:
+        v3_scale(w, u[l->iv[0]], x->R + 6);
+        break;
+    case JOINT_PRISMATIC:
+        v3_set(w, 0, 0, 0);
+        v3_scale(d, u[l->iv[0]], x->R + 6);
+        break;
+    case JOINT_CYLINDRICAL:
+        v3_scale(w, u[l->iv[0]], x->R + 6);
+        v3_scale(d, u[l->iv[1]], x->R + 6);
+        break;
+    case JOINT_UNIVERSAL:
+        v3_scale(w, u[l->iv[0]], x->E);
+        v3_axpy(w, u[l->iv[1]], x->R + 3);
+        break;
+    case JOINT_SPHERICAL:
+        combine(w, x->R, u, l->iv, 3);
+        break;
+    case JOINT_PLANAR:
+        v3_scale(w, u[l->iv[2]], x->R + 6);
+        combine(d, x->E, u, l->iv, 2);
+        break;
+    case JOINT_FREE:
+        combine(w, x->R, u, l->iv + 3, 3);
+        combine(d, x->E, u, l->iv, 3);
+        break;
+    default:
+        v3_set(w, 0, 0, 0);
+    }
+}
+
+static inline void turn_on(struct part *restrict x, struct motion *restrict o, const struct part *restrict p,
+                           const struct link *restrict l, const double *restrict v)
+{
+    joint_sums(o->wr, o->dv, x, l, v);
+    v3_sum(x->w, p->w, o->wr);
+    v3_cross(o->v_rho, p->w, x->rho);
+    v3_cross(o->v_c, x->w, x->c);
+}
+
+static inline void move_on(struct part *restrict x, const struct motion *restrict o, const struct part *restrict p,
+                           const struct link *restrict l)
+{
+    for (int i = 0; i < 3; i++) x->v[i] = p->v[i] + o->v_rho[i] + o->v_c[i];
+    if (slides(l->type)) v3_add(x->v, o->dv);
+}
+
+/* (e_1 u_1) x (e_2 u_2). */
+static inline void universal_bias(double *al, const struct part *x, const struct link *l, const double *v)
+{
+    double both[3];
+    v3_cross(both, x->E, x->R + 3);
+    v3_axpy(al, v[l->iv[0]] * v[l->iv[1]], both);
+}
+
+static inline void speed_up(struct part *restrict x, const struct motion *restrict o, const struct part *restrict p,
+                            const struct link *restrict l, const double *restrict v, const double *restrict a)
+{
+    double al[3], da[3];
+    joint_sums(al, da, x, l, a);
+    if (l->type == JOINT_UNIVERSAL) universal_bias(al, x, l, v);
+    v3_cross_add(al, p->w, o->wr);
+    v3_sum(x->al, p->al, al);
+    v3_copy(x->a, p->a);
+    v3_cross_add(x->a, p->al, x->rho);
+    v3_cross_add(x->a, p->w, o->v_rho);
+    v3_cross_add(x->a, x->al, x->c);
+    v3_cross_add(x->a, x->w, o->v_c);
+    if (slides(l->type)) {
+        double coriolis[3];
+        v3_cross(coriolis, p->w, o->dv);
+        v3_axpy(x->a, 2, coriolis);
+        v3_add(x->a, da);
+    }
+}
+
+static void move(struct sweep *s, const double *q, const double *v, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = false;
+    if (q) spatial_place(s, q, cls);
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        struct motion joint;
+        if (stand) {
+            spatial_stand_move(x, stand, p);
+        } else {
+            turn_on(x, &joint, p, l, v);
+            move_on(x, &joint, p, l);
+        }
+        if (flexible) spatial_flex_move(flexible, v);
+    }
+}
+
+static void accelerate(struct sweep *s, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = true;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        struct motion joint;
+        if (stand) {
+            spatial_stand_speed_up(x, stand, p);
+        } else {
+            turn_on(x, &joint, p, l, v);
+            speed_up(x, &joint, p, l, v, a);
+        }
+        if (flexible) spatial_flex_speed_up(flexible, a);
+    }
+}
+
+/* F = m a, N = I al + w x I w, the latter in the inner frame, where I stands still. */
+static inline void bring_up(struct part *restrict x, const struct link *restrict l)
+{
+    double w[3], al[3], L[3], N[3];
+    m3_tmul(w, x->R, x->w);
+    m3_tmul(al, x->R, x->al);
+    s3_mul(L, l->inertia, w);
+    s3_mul(N, l->inertia, al);
+    v3_cross_add(N, w, L);
+    m3_mul(x->N, x->R, N);
+    v3_scale(x->F, l->mass, x->a);
+}
+
+static inline void stay_light(struct part *x, struct flexible *f)
+{
+    v3_set(x->F, 0, 0, 0);
+    v3_set(x->N, 0, 0, 0);
+    if (f) memset(f->Q, 0, sizeof *f->Q * (size_t)f->n);
+}
+
+static inline void load(struct sweep *s, int body, bool bears)
+{
+    struct part *x = &s->part[body];
+    struct flexible *flexible = spatial_flexible(s, body);
+    if (!bears || spatial_stand(s, body))
+        stay_light(x, flexible);
+    else if (flexible)
+        spatial_flex_bring_up(x, flexible);
+    else
+        bring_up(x, &s->link[body]);
+}
+
+/* The last two passes and the loads at once, where every body is rigid. */
+static void at_once(struct sweep *s, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    s->accelerated = true;
+    for (int i = 0; i < o->n; i++) {
+        const struct link *l = &s->link[o->body[i]];
+        struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        struct motion joint;
+        turn_on(x, &joint, p, l, v);
+        move_on(x, &joint, p, l);
+        speed_up(x, &joint, p, l, v, a);
+        if (o->bears[i])
+            bring_up(x, l);
+        else
+            stay_light(x, NULL);
+    }
+}
+
+static void forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    if (!a) a = s->zero;
+    v3_set(s->part[0].F, 0, 0, 0);
+    v3_set(s->part[0].N, 0, 0, 0);
+    if (q && !s->nflexible) {
+        spatial_place(s, q, cls);
+        at_once(s, v, a, cls);
+        return;
+    }
+    if (q) move(s, q, v, cls);
+    accelerate(s, v, a, cls);
+    for (int i = 0; i < o->n; i++) load(s, o->body[i], o->bears[i]);
+}
+
+/* --- forces inwards ---------------------------------------------------------------------------- */
+
+static inline void rows(double *restrict r, const struct part *restrict x, const struct link *restrict l)
+{
+    double n[3];
+    spatial_moment(n, x);
+    for (int k = 0; k < l->nv; k++) r[l->iv[k]] += v3_dot(spatial_axis(x, l, k), spatial_turns(l, k) ? n : x->F);
+}
+
+static void backward(struct sweep *s, double *r, unsigned cls)
+{
+    const struct roster *o = &s->rosters.of[cls];
+    for (int i = o->n - 1; i >= 0; i--) {
+        const struct link *l = &s->link[o->body[i]];
+        const struct part *x = &s->part[o->body[i]];
+        struct part *p = &s->part[l->parent];
+        struct stand *stand = spatial_stand(s, o->body[i]);
+        const struct flexible *flexible = spatial_flexible(s, o->body[i]);
+        if (stand) spatial_stand_load(stand, x);
+        if (flexible) spatial_flex_rows(r, flexible);
+        rows(r, x, l);
+        v3_add(p->F, x->F);
+        v3_add(p->N, x->N);
+        v3_cross_add(p->N, x->arm, x->F);
+    }
+}
+
+const struct sweep_ops sweep_spatial = {.build = spatial_build,
+                                        .place = spatial_place,
+                                        .move = move,
+                                        .speed_up = accelerate,
+                                        .forward = forward,
+                                        .point = spatial_point,
+                                        .pose = spatial_pose,
+                                        .push = spatial_push,
+                                        .twist = spatial_twist,
+                                        .backward = backward,
+                                        .mass = spatial_mass,
+                                        .partial = spatial_partial,
+                                        .row = spatial_row,
+                                        .path = spatial_path,
+                                        .factor_size = spatial_factor_size,
+                                        .factor = spatial_factor,
+                                        .solve = spatial_solve,
+                                        .energy = spatial_energy,
+                                        .reaction = spatial_reaction,
+                                        .gather = spatial_gather,
+                                        .hasten = spatial_hasten};
