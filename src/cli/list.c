@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "cli/cli.h"
 #include "cli/page.h"
+#include "multirate/schemes.h"
 #include "sim/sim.h"
 
 static void print_range(const struct key *k)

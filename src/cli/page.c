@@ -1,5 +1,6 @@
 /* page.c -- the tables of the program as mdoc: keys, coordinates, functions, schemes, messages; see page.h */
 #include "cli/page.h"
+#include "multirate/schemes.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* study.c -- fmdsub study: schemes x ratios x steps on one deck, as a table or as CSV */
 #include "study/study.h"
+#include "multirate/schemes.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* stepper.c -- the schemes by name, and what all of them share; see stepper.h */
+/* stepper.c -- what all schemes share; see stepper.h */
 #include "engine/stepper.h"
 
 #include <math.h>
@@ -9,21 +9,8 @@
 #include "engine/motion.h"
 #include "engine/single.h"
 
-extern const struct stepper_kind step_subcycle, step_newmark, step_midpoint, step_miao, step_rk4, step_dopri5;
-
-const struct stepper_kind *const stepper_kinds[] = {
-    &step_subcycle, &step_newmark, &step_midpoint, &step_miao, &step_rk4, &step_dopri5, NULL,
-};
-
 const struct step_options step_defaults = {
     .beta = .25, .gamma = .5, .iteration = ITERATION_NEWTON, .rho_infinity = 1, .rtol = 1e-6, .atol = 1e-9};
-
-const struct stepper_kind *stepper_find(const char *name)
-{
-    for (int i = 0; stepper_kinds[i]; i++)
-        if (strcmp(stepper_kinds[i]->name, name) == 0) return stepper_kinds[i];
-    return NULL;
-}
 
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, const struct ode2 *ode,
                   const struct step_options *options, struct arena *life)

@@ -86,10 +86,6 @@ struct stepper {
     void *self; /* the scheme's memory */
 };
 
-/* All kinds, NULL at the end, in the order `fmdsub list` shows. */
-extern const struct stepper_kind *const stepper_kinds[];
-const struct stepper_kind *stepper_find(const char *name);
-
 /* Opens s on ode with options; the memory is life's. */
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, const struct ode2 *ode,
                   const struct step_options *options, struct arena *life);

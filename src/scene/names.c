@@ -4,18 +4,22 @@
 
 #include "base/text.h"
 #include "scene/build.h"
-#include "scene_flex/flexible.h"
 
 static bool same(const char *name, const char *text, size_t len)
 {
     return name && strlen(name) == len && memcmp(name, text, len) == 0;
 }
 
+bool is_from_file(const struct node *n)
+{
+    return n->type == NODE_MAP && (node_find(n, "flexible") || node_find(n, "origin"));
+}
+
 /* Can the section hold joints or measures?  One of a name that is not known may be meant to. */
-static bool may_hold_names(const struct node *section)
+static bool may_hold_names(const struct key *sections, const struct node *section)
 {
     if (section->type != NODE_MAP) return false;
-    for (const struct key *k = keys_deck; k->name; k++)
+    for (const struct key *k = sections; k->name; k++)
         if (strcmp(section->key, k->name) == 0)
             return strcmp(k->name, "constraints") == 0 || strcmp(k->name, "measures") == 0;
     return true;
@@ -48,7 +52,7 @@ bool known_but_wrong(const struct builder *b, const char *name)
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
     for (int i = 0; i < root->count; i++)
-        if (may_hold_names(root->item[i]) && node_find(root->item[i], lead)) return true;
+        if (may_hold_names(b->sections, root->item[i]) && node_find(root->item[i], lead)) return true;
     return false;
 }
 
@@ -58,7 +62,8 @@ static bool tell_segments(struct builder *b, const struct node *n, enum diag_at 
 {
     int first = 0, last = 0;
     for (int i = 1; i < b->scene->nbody; i++) {
-        if (!b->draft[i] || !b->draft[i]->whole || strcmp(b->draft[i]->whole, name) != 0) continue;
+        const char *whole = b->scene->body[i].whole;
+        if (!whole || strcmp(whole, name) != 0) continue;
         if (!first) first = i;
         last = i;
     }

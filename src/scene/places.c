@@ -6,6 +6,17 @@
 #include "la/vec3.h"
 #include "scene/build.h"
 
+static const double SAME_PLACE = 1e-9; /* of a body's size: nodes that stand in one place */
+
+const struct key keys_orient[] = {
+    PARAM_NODE(struct orient_keys, z, "z", "vector", 0, "the body's z axis, world"),
+    PARAM_NODE(struct orient_keys, x, "x", "vector", 0, "the body's x axis; made square to z"),
+    PARAM_NODE(struct orient_keys, axis, "axis", "vector", 0, "axis of a turn from the world's axes"),
+    PARAM_REAL(struct orient_keys, angle, "angle", "rad", -INFINITY, INFINITY, 0, NULL, "angle of that turn"),
+    PARAM_NODE(struct orient_keys, quaternion, "quaternion", "[w, x, y, z]", 0, "unit quaternion, body to world"),
+    KEYS_END,
+};
+
 int read_place(struct builder *b, double *o, const struct node *n, const char *what)
 {
     int space = b->scene->space;
@@ -161,4 +172,23 @@ int read_orientation(struct builder *b, double *R, const struct node *n, const c
     for (int i = 0; i < 3; i++) q[i + 1] = sin(k.angle / 2) * axis[i];
     quat_matrix(R, q);
     return 0;
+}
+
+int scene_node(double *offset, const struct scene_body *body, const double *world)
+{
+    double d[3], x[3], least = INFINITY, size = 0;
+    int node = 0;
+    v3_diff(d, world, body->origin);
+    m3_tmul(x, body->R, d);
+    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
+    for (int i = 0; i < body->flex->nnode; i++) {
+        double away[3];
+        v3_diff(away, x, body->flex->node[i].x);
+        double distance = v3_norm(away);
+        if (distance >= least - SAME_PLACE * size) continue; /* of two in one place the first */
+        least = distance;
+        node = i;
+        v3_copy(offset, away);
+    }
+    return node;
 }

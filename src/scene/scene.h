@@ -22,6 +22,7 @@ struct marker {
 struct scene_body {
     const char *name;
     const struct node *node;
+    const char *whole; /* a part of a beam cut into segments: its name in the deck; NULL: not cut */
     double mass;
     double inertia[6];            /* xx yy zz xy xz yz about the centre of mass, body axes [kg m2] */
     double at[3];                 /* centre of mass when drawn, world [m] */
@@ -209,9 +210,6 @@ int scene_mode(const struct scene *scene, const char *name, int *body, int *k);
 /* The node of a flexible body on which a place of its drawn state stands: the nearest.  offset: from there, body axes.
  */
 int scene_node(double *offset, const struct scene_body *body, const double *world);
-
-/* Is it true when its slots have these values? */
-bool scene_met(const struct scene_condition *o, const double *slot);
 
 /* The key tables by section, for `fmdsub list`, `fmdsub schema` and the manual. */
 struct section {

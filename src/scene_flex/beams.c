@@ -201,6 +201,7 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     char what[100];
     snprintf(what, sizeof what, "body '%.60s'", n->key);
     b->draft[index] = o;
+    o->to = 1;
     o->beam.space = b->scene->space;
     int errors = read_keys(&k, keys_beam_body, n, NULL, what, &b->reader);
     o->beam.G = NAN; /* sections are read without, too: their own errors are told */

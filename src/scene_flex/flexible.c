@@ -178,22 +178,3 @@ int make_flexible(struct builder *b)
     }
     return errors;
 }
-
-int scene_node(double *offset, const struct scene_body *body, const double *world)
-{
-    double d[3], x[3], least = INFINITY, size = 0;
-    int node = 0;
-    v3_diff(d, world, body->origin);
-    m3_tmul(x, body->R, d);
-    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
-    for (int i = 0; i < body->flex->nnode; i++) {
-        double away[3];
-        v3_diff(away, x, body->flex->node[i].x);
-        double distance = v3_norm(away);
-        if (distance >= least - SAME * size) continue; /* of two in one place the first */
-        least = distance;
-        node = i;
-        v3_copy(offset, away);
-    }
-    return node;
-}

@@ -1,4 +1,4 @@
-/* flexible.h -- flexible bodies while a deck is read; private to scene/.
+/* flexible.h -- flexible bodies while a deck is read; private to the readers.
  *
  * A beam's keys are read with the bodies, but it is made only when all joints, measures and forces are known: every
  * place where one of them takes hold becomes a node. */
@@ -56,8 +56,7 @@ struct draft {
     double length;            /* [m] */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */
-    const char *whole;        /* of a beam cut into segments: its name in the deck; NULL: not cut */
-    double from, to;          /* its part, in stations of the whole */
+    double from, to;          /* of a beam cut into segments its part, in stations of the whole; else 0, 1 */
 };
 
 /* beam_sections.c: cross-sections and materials; 0 if all was well */
@@ -80,9 +79,6 @@ int read_station(struct builder *b, struct scene_point *o, int body, const struc
 int read_reduced(struct builder *b, struct scene_body *body, const struct node *n);
 int read_node_name(struct builder *b, double *p, int body, const struct node *n);
 void name_nodes(struct builder *b, int body, const struct node *points);
-
-/* bodies.c: a tensor [6] about the centre of mass; a number in the plane */
-int read_inertia(struct builder *b, double *J, const struct node *n, const char *what);
 
 /* Mass and centre of mass of a beam that is not made. */
 void weigh_beam(struct scene_body *body, struct draft *o);

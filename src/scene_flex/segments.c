@@ -17,14 +17,14 @@ static bool owns(const struct draft *o, double station)
 
 double station_in(const struct draft *o, double station)
 {
-    return o->whole ? (station - o->from) / (o->to - o->from) : station;
+    return (station - o->from) / (o->to - o->from);
 }
 
 bool holds_point(const struct builder *b, int body, const struct node *n)
 {
     const struct draft *o = b->draft[body];
     double station;
-    if (!o || !o->whole) return true;
+    if (!o || !b->scene->body[body].whole) return true;
     const struct node *at = n->type == NODE_MAP ? node_find(n, "station") : NULL;
     if (!at || at->told || deck_number(&station, at, b->reader.deck) != OK || !(station >= 0 && station <= 1))
         return o->from == 0; /* the first tells what is wrong with it */
@@ -85,7 +85,6 @@ static void cut_one(struct builder *b, int index, const struct draft *whole, con
     struct scene_body *body = &b->scene->body[index];
     struct draft *o = TAKE(b->life, struct draft, 1);
     *o = *whole;
-    o->whole = name;
     o->from = (double)k / n;
     o->to = k + 1 == n ? 1 : (double)(k + 1) / n;
     for (int i = 0; i < 3; i++) {
@@ -96,6 +95,7 @@ static void cut_one(struct builder *b, int index, const struct draft *whole, con
     o->beam.elements = (whole->beam.elements + n - 1) / n;
     cut_sections(o, &whole->beam, b->life);
     cut_places(o, &whole->beam, b->life);
+    body->whole = name;
     body->name = arena_print(b->life, "%s%d", name, k + 1);
     b->draft[index] = o;
     weigh_beam(body, o);
@@ -131,11 +131,11 @@ void join_segments(struct builder *b)
     struct scene *scene = b->scene;
     for (int i = 1; i < scene->nbody; i++) {
         const struct draft *o = b->draft[i];
-        if (!o || !o->whole || o->from == 0) continue;
+        if (!scene->body[i].whole || o->from == 0) continue;
         struct scene_joint *j = &scene->joint[scene->njoint++];
         const double *at = o->beam.a;
         *j = (struct scene_joint){.node = scene->body[i].node, .first = i - 1, .second = i};
-        j->name = arena_print(b->life, "%s_%d", o->whole, (int)lround(o->from / (o->to - o->from)));
+        j->name = arena_print(b->life, "%s_%d", scene->body[i].whole, (int)lround(o->from / (o->to - o->from)));
         j->kind = joint_kind(JOINT_FIXED, scene->space == 3);
         v3_copy(j->at, at);
         v3_copy(j->from, at);

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "scene_flex/flexible.h"
+#include "scene_read/parts.h"
 
 static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 static const double pi = 3.14159265358979323846;
@@ -96,45 +97,11 @@ static int read_shape(struct builder *b, struct scene_body *body, const struct b
     return 0;
 }
 
-/* Half the trace minus the tensor is the integral of x x' dm: it must not be negative, which is the rule that
- * no principal moment exceeds the sum of the other two.  Leading minors, with room for round-off. */
-static bool inertia_possible(const double *J)
-{
-    double half = (J[0] + J[1] + J[2]) / 2, slack = 1e-12 * half;
-    double a = half - J[0] + slack, d = half - J[1] + slack, f = half - J[2] + slack, bb = -J[3], c = -J[4], e = -J[5];
-    double minor = a * d - bb * bb, minor2 = a * f - c * c, minor3 = d * f - e * e;
-    double det = a * (d * f - e * e) - bb * (bb * f - c * e) + c * (bb * e - c * d);
-    double tiny = 1e-12 * half * half;
-    return a >= 0 && d >= 0 && f >= 0 && minor >= -tiny && minor2 >= -tiny && minor3 >= -tiny && det >= -tiny * half;
-}
-
-int read_inertia(struct builder *b, double *J, const struct node *n, const char *what)
-{
-    for (int i = 0; i < 6; i++) J[i] = 0;
-    if (b->scene->space == 2) {
-        if (read_number(&J[2], n, NULL, &b->reader)) return 1;
-        if (J[2] >= 0) return 0;
-        diag_error(b->diags, n, AT_VALUE, "E-range", "%s: inertia %g is negative", what, J[2]);
-        return 1;
-    }
-    int six = n->type == NODE_LIST && n->count == 6;
-    if (n->type == NODE_LIST && n->count != 3 && !six) {
-        diag_error(b->diags, n, AT_VALUE, "E-count",
-                   "%s: expected [xx, yy, zz] or [xx, yy, zz, xy, xz, yz], found %d numbers", what, n->count);
-        return 1;
-    }
-    if (read_vector(J, six ? 6 : 3, n, what, &b->reader)) return 1;
-    if (inertia_possible(J)) return 0;
-    diag_error(b->diags, n, AT_VALUE, "E-inertia", "%s: no body has this inertia", what);
-    diag_hint(b->diags, "no principal moment may be negative or exceed the sum of the other two");
-    return 1;
-}
-
 /* A place on a body: a vector, on a beam a station, of a body from a file the name of a node. */
 static int read_spot(struct builder *b, struct scene_point *p, int body, const struct node *n, const char *what)
 {
     if (n->type == NODE_MAP && b->draft[body]) return read_station(b, p, body, n, what);
-    if (b->draft[body] && b->draft[body]->whole) {
+    if (b->scene->body[body].whole) {
         diag_error(b->diags, n, AT_VALUE, "E-type", "%s of a beam in segments are at stations, {station: s}", what);
         return 1;
     }
@@ -157,7 +124,7 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
             continue;
         }
         if (!holds_point(b, body, n->item[i])) continue;
-        const char *owner = b->draft[body] && b->draft[body]->whole ? b->draft[body]->whole : scene->body[body].name;
+        const char *owner = scene->body[body].whole ? scene->body[body].whole : scene->body[body].name;
         p->name = arena_print(b->life, "%s.%s", owner, n->item[i]->key);
         p->at.body = body;
         if (read_spot(b, p, body, n->item[i], what))
@@ -198,11 +165,6 @@ static bool is_beam(const struct node *n)
     for (int i = 0; n->type == NODE_MAP && i < 5; i++)
         if (node_find(n, keys[i])) return true;
     return false;
-}
-
-bool is_from_file(const struct node *n)
-{
-    return n->type == NODE_MAP && (node_find(n, "flexible") || node_find(n, "origin"));
 }
 
 /* A beam and a file at once: nothing is read of it. */
@@ -250,7 +212,7 @@ static int refuse_same_names(struct builder *b)
     for (int i = 1; i < scene->nbody; i++)
         for (int k = 1; k < i; k++) {
             if (strcmp(scene->body[i].name, scene->body[k].name) != 0) continue;
-            const struct node *at = b->draft[i] && b->draft[i]->whole ? scene->body[i].node : scene->body[k].node;
+            const struct node *at = scene->body[i].whole ? scene->body[i].node : scene->body[k].node;
             diag_error(b->diags, at, AT_KEY, "E-duplicate-name", "a segment of '%s' has the name of body '%s'", at->key,
                        scene->body[i].name);
             return 1;

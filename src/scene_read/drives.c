@@ -1,7 +1,7 @@
 /* drives.c -- measures that move as functions of time */
 #include <math.h>
 
-#include "scene/build.h"
+#include "scene_read/parts.h"
 
 static int read_drive(struct builder *b, struct scene_drive *o, const struct node *n)
 {

@@ -6,7 +6,7 @@
 #include "expr/expr.h"
 #include "la/rot.h"
 #include "la/vec3.h"
-#include "scene/build.h"
+#include "scene_read/parts.h"
 
 enum { MOST_SLOTS = 64 };
 
@@ -83,11 +83,6 @@ int read_condition(struct builder *b, struct scene_condition *o, const struct no
     memcpy(slot, s.slot, (size_t)s.n * sizeof *slot);
     *o = (struct scene_condition){n, expr, s.n, slot};
     return 0;
-}
-
-bool scene_met(const struct scene_condition *o, const double *slot)
-{
-    return expr_value(o->expr, slot) != 0;
 }
 
 static int table_times(struct builder *b, const struct node *n, const struct signal *o)

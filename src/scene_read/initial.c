@@ -3,7 +3,7 @@
 
 #include "base/text.h"
 #include "la/rot.h"
-#include "scene/build.h"
+#include "scene_read/parts.h"
 
 static int read_omega(struct builder *b, struct scene_initial *o, const struct node *n)
 {

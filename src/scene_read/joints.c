@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "la/vec3.h"
 #include "scene_flex/flexible.h"
+#include "scene_read/parts.h"
 
 /* Is it a key of any kind? */
 static bool is_key(const char *word)

@@ -6,7 +6,7 @@
 #include "expr/expr.h"
 #include "la/rot.h"
 #include "la/vec3.h"
-#include "scene/build.h"
+#include "scene_read/parts.h"
 
 int measure_add(struct builder *b, const struct scene_measure *m)
 {

@@ -1,9 +1,10 @@
-/* scene.c -- reads a deck's sections in order; see scene.h */
+/* read.c -- reads a deck's sections in order; see scene.h */
 #include "scene/scene.h"
 
 #include <string.h>
 
 #include "scene_flex/flexible.h"
+#include "scene_read/parts.h"
 
 /* The first list of two or three numbers in a subtree, in the deck's order. */
 static const struct node *first_vector(const struct node *n)
@@ -65,7 +66,8 @@ static int read_energy(struct builder *b, const struct node *n)
 enum status scene_read(struct scene **out, struct deck *deck, struct diags *diags, struct arena *life)
 {
     struct scene *scene = TAKE(life, struct scene, 1);
-    struct builder b = {.scene = scene, .diags = diags, .reader = {diags, deck, 0}, .life = life};
+    struct builder b = {
+        .scene = scene, .diags = diags, .reader = {diags, deck, 0}, .sections = keys_deck, .life = life};
     struct deck_keys k = {.space = -1};
     scene->deck = deck;
     *out = scene;

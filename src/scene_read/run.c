@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/build.h"
+#include "scene_read/parts.h"
 
 /* ---- partition ---- */
 

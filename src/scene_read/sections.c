@@ -3,6 +3,7 @@
 
 #include "kind/joint.h"
 #include "scene_flex/flexible.h"
+#include "scene_read/parts.h"
 
 const struct key keys_deck[] = {
     PARAM_INT(struct deck_keys, version, "fmdsub", 1, 1, KEY_REQUIRED, NULL, "version of the deck's grammar: 1"),
@@ -57,15 +58,6 @@ const struct key keys_shape[] = {
     PARAM_NODE(struct shape_keys, tube, "tube", "[outer radius, inner radius, length] [m]", 0,
                "along the body's z axis"),
     PARAM_REAL(struct shape_keys, density, "density", "kg/m3", 0, INFINITY, KEY_ABOVE, NULL, "gives the mass"),
-    KEYS_END,
-};
-
-const struct key keys_orient[] = {
-    PARAM_NODE(struct orient_keys, z, "z", "vector", 0, "the body's z axis, world"),
-    PARAM_NODE(struct orient_keys, x, "x", "vector", 0, "the body's x axis; made square to z"),
-    PARAM_NODE(struct orient_keys, axis, "axis", "vector", 0, "axis of a turn from the world's axes"),
-    PARAM_REAL(struct orient_keys, angle, "angle", "rad", -INFINITY, INFINITY, 0, NULL, "angle of that turn"),
-    PARAM_NODE(struct orient_keys, quaternion, "quaternion", "[w, x, y, z]", 0, "unit quaternion, body to world"),
     KEYS_END,
 };
 

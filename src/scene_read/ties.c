@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "la/vec3.h"
-#include "scene/build.h"
+#include "scene_read/parts.h"
 
 int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, double length, const char *what)
 {

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "expr/expr.h"
 #include "sim/parts.h"
 
 static const struct origin *find(const struct sim *sim, const char *name)
@@ -109,7 +110,7 @@ static enum status look_at_condition(struct sim *sim, struct sink *sink, struct 
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
     for (int i = 0; i < when->nslot; i++) w->value[i] = record_value(sim, &w->slot[i]);
-    bool is = scene_met(when, w->value), turned = is && !w->was;
+    bool is = expr_value(when->expr, w->value) != 0, turned = is && !w->was;
     w->was = is;
     bool start = sim->stepper.effort.majors == 0;
     if (start && is && sim->options.say)

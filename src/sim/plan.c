@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "multirate/schemes.h"
 #include "sim/parts.h"
 
 static const double MOST_STEPS = 1e12, MOST_BYTES = 1e12;

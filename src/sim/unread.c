@@ -4,6 +4,7 @@
  * in place of the deck's is there to be compared, and the deck's keys then wait for their own. */
 #include <string.h>
 
+#include "multirate/schemes.h"
 #include "sim/parts.h"
 
 /* Words that say what every scheme does without them. */

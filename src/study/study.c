@@ -1,5 +1,6 @@
 /* study.c -- see study.h */
 #include "study/study.h"
+#include "multirate/schemes.h"
 
 #include <math.h>
 #include <string.h>

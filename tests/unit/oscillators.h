@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "engine/stepper.h"
+#include "multirate/schemes.h"
 
 /* ---- random numbers: splitmix64, the same on all machines */
 

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "la/dense.h"
+#include "multirate/schemes.h"
 #include "unit/oscillators.h"
 
 #include <cmocka.h>

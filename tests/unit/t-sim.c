@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "multirate/schemes.h"
 #include "unit/decks.h"
 
 /* the harness has a macro of that name */

@@ -10,6 +10,7 @@
 #include "engine/stepper.h"
 #include "la/dense.h"
 #include "model/build.h"
+#include "multirate/schemes.h"
 #include "sim/load.h"
 #include "system/system.h"
 #include "unit/trees.h"

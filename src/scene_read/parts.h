@@ -1,0 +1,113 @@
+/* parts.h -- the readers of a deck's sections, and their key tables; private to scene_read/. */
+#ifndef FMDSUB_SCENE_READ_PARTS_H
+#define FMDSUB_SCENE_READ_PARTS_H
+
+#include "scene/build.h"
+
+/* sections.c: the tables */
+struct deck_keys {
+    int version;
+    const char *title;
+    int units, space;
+    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *drives, *initial,
+        *partition, *integrate, *output, *energy;
+};
+struct body_keys {
+    double mass;
+    const struct node *inertia, *at, *orient, *points, *shape;
+};
+struct ground_keys {
+    const struct node *points;
+};
+struct shape_keys {
+    const struct node *box, *cylinder, *rod, *sphere, *tube;
+    double density;
+};
+struct measure_keys {
+    const struct node *points, *axis;
+};
+struct value_keys { /* force, torque */
+    const struct node *on, *value;
+    int frame;
+};
+struct drive_keys {
+    const struct node *drive, *value;
+};
+struct table_keys {
+    const struct node *table;
+    const char *file;
+};
+struct bushing_keys {
+    const struct node *bodies, *at, *axis, *stiffness, *rotation, *damping, *rotation_damping;
+};
+struct partition_keys {
+    const struct node *fast, *independent;
+};
+struct band_keys {
+    const struct node *modes;
+    double above;
+};
+struct until_keys {
+    const struct node *when;
+    double latest;
+};
+struct from_keys {
+    const struct node *from;
+    int time; /* 1: keep */
+};
+struct state_keys {
+    int version;
+    double t;
+    const struct node *state, *angles;
+};
+struct output_keys {
+    const struct node *every, *columns;
+};
+struct every_keys {
+    int steps;
+};
+struct energy_keys {
+    double delta;
+};
+struct vector_keys {
+    const struct node *value;
+    int frame;
+};
+extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_distance[], keys_displacement[],
+    keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_bushing[], keys_partition[],
+    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[],
+    keys_band[];
+
+/* the parts, in the order they are read; each returns the number of errors it reported */
+int read_space(struct builder *b, const struct deck_keys *k);
+int read_bodies(struct builder *b, const struct node *n);
+int read_joints(struct builder *b, const struct node *n);
+int read_measures(struct builder *b, const struct node *n);
+/* ties.c: the two points of a rod; when all joints are known, what gears and racks tie */
+int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, double length, const char *what);
+int read_ties(struct builder *b);
+/* measures.c: a plain coordinate by name, "hub.angle", or by that of its joint if it has one only; 0, or 1 and an error
+ */
+int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what);
+int read_forces(struct builder *b, const struct node *n);
+int read_drives(struct builder *b, const struct node *n);
+/* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */
+void warn_of_drives(struct builder *b);
+/* An expression or table of time alone. */
+int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
+int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
+int read_initial(struct builder *b, const struct node *n);
+/* Has the joint a rotation that is no angle? */
+bool turns_freely(const struct builder *b, const struct scene_joint *j);
+int read_partition(struct builder *b, const struct node *n);
+int read_integrate(struct builder *b, const struct node *n);
+int read_output(struct builder *b, const struct node *n);
+
+/* The value of a measure in the drawn position. */
+double measure_drawn(const struct scene *scene, const struct scene_measure *m);
+/* What a force acts along: a joint, coordinate, measure by name, or [point, point]; -1 after an error. */
+int measure_of(struct builder *b, const struct node *n, const char *what);
+/* Adds a measure to the scene; its number. */
+int measure_add(struct builder *b, const struct scene_measure *m);
+
+#endif
