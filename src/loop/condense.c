@@ -192,7 +192,7 @@ static double size_of(const struct ode2 *ode, int i)
     return o->size[o->ind[i]];
 }
 
-struct condense *condense_build(struct tree *tree, const double *q0, const double *v0, struct arena *life)
+struct condense *condense_build(struct open_tree *tree, const double *q0, const double *v0, struct arena *life)
 {
     struct condense *o = TAKE(life, struct condense, 1);
     const struct model *m = o->model = tree->model;

@@ -12,7 +12,7 @@
 #define FMDSUB_LOOP_CONDENSE_H
 
 #include "loop/loops.h"
-#include "open/tree.h"
+#include "open/open.h"
 
 struct condense;
 
@@ -31,7 +31,7 @@ struct condense_start {
 
 /* q0 [nq], v0 [n] of the tree: the start as the deck has it.  The system that comes out stands still where
  * start->status is not OK. */
-struct condense *condense_build(struct tree *tree, const double *q0, const double *v0, struct arena *life);
+struct condense *condense_build(struct open_tree *tree, const double *q0, const double *v0, struct arena *life);
 
 const struct condense_start *condense_started(const struct condense *c);
 const double *condense_q(const struct condense *c);         /* [nq] closed start */

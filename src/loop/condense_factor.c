@@ -92,7 +92,7 @@ double condense_least_ratio(const struct condense *o)
 void condense_see(struct condense *o, const double *q)
 {
     const size_t bytes = sizeof *q * (size_t)o->model->nq;
-    tree_place(o->tree, q);
+    open_place(o->tree, q);
     if (memcmp(q, o->seen_at, bytes) == 0) return;
     o->factored_at[0] = NAN;
     loops_look(o->loops, o->sweep, q);
@@ -110,7 +110,7 @@ enum status condense_factor(struct condense *o, const double *q, double t, struc
 {
     const size_t bytes = sizeof *q * (size_t)o->model->nq;
     if (memcmp(q, o->factored_at, bytes) == 0) {
-        tree_place(o->tree, q);
+        open_place(o->tree, q);
         return OK;
     }
     condense_look(o, q);
@@ -162,7 +162,7 @@ enum status condense_motion(struct condense *o, double *vt, double *at, const do
         condense_spread(o, at, a);
     else
         memset(at, 0, sizeof *at * (size_t)o->nt);
-    tree_move(o->tree, q, vt);
+    open_move(o->tree, q, vt);
     o->ops->speed_up(o->sweep, vt, at, ALL);
     accelerate(o, at);
     return OK;

@@ -79,7 +79,7 @@ struct component {
 };
 
 struct condense {
-    struct tree *tree; /* of it, as they are used often: */
+    struct open_tree *tree; /* of it, as they are used often: */
     const struct model *model;
     const struct sweep_ops *ops;
     const struct moves *moves;

@@ -69,7 +69,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     TRY(condense_contest(o, x->t, why));
     whole.v = o->vt;
     whole.a = o->at;
-    TRY(in_own_rows(o, tree_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, why), why));
+    TRY(in_own_rows(o, open_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, why), why));
     condense_gather(o, r, w, o->rt);
     for (int i = 0; i < o->ode.n; i++)
         if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);
@@ -197,7 +197,7 @@ static void symmetric(double *M, int n)
 void condense_still(struct condense *o, const double *q, unsigned cls)
 {
     memset(o->still, 0, sizeof *o->still * (size_t)o->nt);
-    tree_move(o->tree, q, o->zero);
+    open_move(o->tree, q, o->zero);
     o->ops->forward(o->sweep, NULL, o->zero, NULL, cls);
     o->ops->backward(o->sweep, o->still, cls);
 }
@@ -262,7 +262,7 @@ static enum status slopes_by_rows(struct condense *o, double *K, double *C, cons
     const struct reduction to = {o->ode.n, o, reduce_row, o->Ty, o->Ty + o->ode.n};
     if (K) memset(K, 0, sizeof *K * nn);
     if (C) memset(C, 0, sizeof *C * nn);
-    tree_move(o->tree, x->q, x->v);
+    open_move(o->tree, x->q, x->v);
     elements_slopes_reduced(o->elements, o->sweep, K, C, x, (enum rate)cls, &to);
     for (size_t i = 0; i < nn; i++)
         if ((K && !isfinite(K[i])) || (C && !isfinite(C[i])))

@@ -24,7 +24,7 @@ static void null_vector(struct condense *o, struct component *c, int r, double *
 static void joint_forces(struct condense *o, double (*f)[6], const double *lambda)
 {
     memset(o->rt, 0, sizeof *o->rt * (size_t)o->nt);
-    tree_move(o->tree, o->q, o->zero);
+    open_move(o->tree, o->q, o->zero);
     o->ops->forward(o->sweep, NULL, o->zero, NULL, ALL);
     condense_see(o, o->q);
     if (lambda) loops_push(o->loops, o->sweep, lambda);

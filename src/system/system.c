@@ -10,12 +10,12 @@
 #include "la/dense.h"
 #include "la/vec3.h"
 #include "loop/condense.h"
-#include "open/tree.h"
+#include "open/open.h"
 
 struct system {
     const struct model *model;
     const struct sweep_ops *ops;
-    struct tree tree;
+    struct open_tree tree;
     struct condense *loops; /* of the tree with its loops; NULL: none */
     struct sweep *view;
     double *M;      /* [n x n] M^ with loops */
@@ -49,7 +49,7 @@ static enum status loops_accel(struct system *s, const double *q, const double *
     dense_cholesky_solve(s->M, s->r, o->n, o->n);
     for (int i = 0; i < o->n; i++) s->r[i] = -s->r[i];
     TRY(condense_rates(s->loops, s->v, s->a, q, v, s->r, t, why));
-    TRY(tree_resid(&s->tree, s->r, NULL, NULL, &x, ALL, why));
+    TRY(open_resid(&s->tree, s->r, NULL, NULL, &x, ALL, why));
     condense_lambda(s->loops, s->lambda, s->r);
     return OK;
 }
@@ -60,7 +60,7 @@ struct system *system_build(const struct model *m, struct arena *life)
 {
     struct system *s = TAKE(life, struct system, 1);
     s->model = m;
-    tree_build(&s->tree, m, life);
+    open_build(&s->tree, m, life);
     s->ops = s->tree.ops;
     s->view = s->ops->build(m, SEEN, life);
     s->q = TAKE(life, double, m->nq);
@@ -246,7 +246,7 @@ void system_energy_at(struct system *s, struct energies *e, const double *q, con
         condense_rates(s->loops, s->v, NULL, q, v, NULL, t, &why);
         v = s->v;
     }
-    tree_move(&s->tree, q, v);
+    open_move(&s->tree, q, v);
     see_energies(s, e, s->tree.sweep, q, v);
 }
 

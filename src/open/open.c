@@ -1,5 +1,5 @@
-/* tree.c -- see tree.h */
-#include "open/tree.h"
+/* open.c -- see tree.h */
+#include "open/open.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,32 +8,32 @@
 #include "la/wide.h"
 #include "tree/sizes.h"
 
-static struct tree *tree_of(const struct ode2 *o)
+static struct open_tree *tree_of(const struct ode2 *o)
 {
     return o->self;
 }
 
 /* --- where the bodies stand --------------------------------------------------------------------- */
 
-static bool stands_at(const struct tree *s, const double *q)
+static bool stands_at(const struct open_tree *s, const double *q)
 {
     return s->stands && memcmp(s->at, q, sizeof *q * (size_t)s->model->nq) == 0;
 }
 
-static void note_place(struct tree *s, const double *q)
+static void note_place(struct open_tree *s, const double *q)
 {
     memcpy(s->at, q, sizeof *q * (size_t)s->model->nq);
     s->stands = true;
 }
 
-void tree_place(struct tree *s, const double *q)
+void open_place(struct open_tree *s, const double *q)
 {
     if (stands_at(s, q)) return;
     s->ops->place(s->sweep, q, ALL);
     note_place(s, q);
 }
 
-void tree_move(struct tree *s, const double *q, const double *v)
+void open_move(struct open_tree *s, const double *q, const double *v)
 {
     const bool there = stands_at(s, q);
     s->ops->move(s->sweep, there ? NULL : q, v, ALL);
@@ -43,7 +43,7 @@ void tree_move(struct tree *s, const double *q, const double *v)
 /* --- r, M, slopes ------------------------------------------------------------------------------- */
 
 /* Names the element, if one is to blame, else the row. */
-static enum status not_finite(struct tree *s, const double *r, const struct instant *x, enum rate cls,
+static enum status not_finite(struct open_tree *s, const double *r, const struct instant *x, enum rate cls,
                               struct trouble *why)
 {
     const struct model *m = s->model;
@@ -79,7 +79,7 @@ static bool all_finite(const double *r, int n, int stride)
 }
 
 /* Written into both of its callers: chains of a few bodies would feel the call. */
-INTO static inline enum status residual(struct tree *o, double *r, double *w, double *dk, const struct instant *x,
+INTO static inline enum status residual(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x,
                                         enum rate cls, bool moved, struct trouble *why)
 {
     const int n = o->model->n;
@@ -102,7 +102,7 @@ INTO static inline enum status residual(struct tree *o, double *r, double *w, do
     return all_finite(r, n, 1) ? OK : not_finite(o, r, x, cls, why);
 }
 
-enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
+enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
                        struct trouble *why)
 {
     return residual(o, r, w, dk, x, cls, true, why);
@@ -116,7 +116,7 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 
 static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
 {
-    struct tree *s = tree_of(o);
+    struct open_tree *s = tree_of(o);
     const bool there = stands_at(s, q);
     s->stands = there;
     s->ops->mass(s->sweep, M, there ? NULL : q, cls);
@@ -127,7 +127,7 @@ static enum status mass(const struct ode2 *o, double *M, const double *q, double
 static enum status slopes(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,
                           struct trouble *why)
 {
-    struct tree *s = tree_of(o);
+    struct open_tree *s = tree_of(o);
     const size_t nn = (size_t)o->n * (size_t)o->n;
     if (K) memset(K, 0, nn * sizeof *K);
     if (C) memset(C, 0, nn * sizeof *C);
@@ -175,7 +175,7 @@ static void settle(const struct ode2 *o, double *q1, double *v1, const struct in
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
 /* x := M^-1 x where the last sweep has stood. */
-static enum status solve_mass(struct tree *s, double *x, const double *q, double t, struct trouble *why)
+static enum status solve_mass(struct open_tree *s, double *x, const double *q, double t, struct trouble *why)
 {
     const int n = s->model->n;
     if (s->ops->factor(s->sweep, s->factor, 1, s->zero, NULL)) {
@@ -193,7 +193,7 @@ static enum status solve_mass(struct tree *s, double *x, const double *q, double
 static enum status accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
                          struct trouble *why)
 {
-    struct tree *s = tree_of(o);
+    struct open_tree *s = tree_of(o);
     const struct instant x = {.t = t, .q = q, .v = v};
     TRY(resid(o, a, w, NULL, &x, ALL, why));
     TRY(solve_mass(s, a, q, t, why));
@@ -204,7 +204,7 @@ static enum status accel(const struct ode2 *o, double *a, double *w, const doubl
 static enum status factor(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
                           struct trouble *why)
 {
-    struct tree *s = tree_of(o);
+    struct open_tree *s = tree_of(o);
     if (!s->diagonal || s->elastic.n) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
     memset(s->d, 0, sizeof *s->d * (size_t)o->n);
     elements_diagonal(s->elements, s->d, cc, ck, x);
@@ -215,14 +215,14 @@ static enum status factor(const struct ode2 *o, void *F, double cm, double cc, d
 static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t,
                            struct trouble *why)
 {
-    struct tree *s = tree_of(o);
+    struct open_tree *s = tree_of(o);
     s->stands = stands_at(s, q);
     return s->ops->factor(s->sweep, F, 1, d, s->stands ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
 }
 
 static void solve(const struct ode2 *o, const void *F, double *x)
 {
-    struct tree *s = tree_of(o);
+    struct open_tree *s = tree_of(o);
     s->ops->solve(s->sweep, F, x);
 }
 
@@ -231,8 +231,8 @@ static void solve(const struct ode2 *o, const void *F, double *x)
 /* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
 static int count_turns(struct ode2 *o, double *q, double *v, double t)
 {
-    struct tree *s = tree_of(o);
-    tree_move(s, q, v);
+    struct open_tree *s = tree_of(o);
+    open_move(s, q, v);
     elements_turned(s->elements, s->sweep, t);
     return 0;
 }
@@ -258,7 +258,7 @@ static double size_of(const struct ode2 *o, int i)
     return tree_of(o)->size[i];
 }
 
-void tree_build(struct tree *o, const struct model *m, struct arena *life)
+void open_build(struct open_tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
     o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;

@@ -1,12 +1,12 @@
-/* tree.h -- a tree of bodies as mechanics: the equations of motion (2-4) by inverse dynamics.
+/* open.h -- a tree of bodies as mechanics: the equations of motion (2-4) by inverse dynamics.
  *
  *     r(q, v, a, t) = M^ a - Q^                                              (2-4)
  *
  * is one sweep outwards, the elements, one sweep inwards; M^ comes from composite bodies, a from r(a = 0) by
  * articulated bodies, or by M^ where these do not go (flexible bodies in space).  All works in one sweep; others, who
  * close loops over the tree, share it, so that what depends on positions alone is found once for each of them. */
-#ifndef FMDSUB_OPEN_TREE_H
-#define FMDSUB_OPEN_TREE_H
+#ifndef FMDSUB_OPEN_OPEN_H
+#define FMDSUB_OPEN_OPEN_H
 
 #include "force/elements.h"
 #include "open/elastic.h"
@@ -14,7 +14,7 @@
 #include "tree/moves.h"
 #include "tree/sweep.h"
 
-struct tree {
+struct open_tree {
     const struct model *model;
     const struct sweep_ops *ops;
     struct sweep *sweep;
@@ -35,14 +35,14 @@ struct tree {
     struct effect *suspect; /* [nforce] for naming the element that is not finite */
 };
 
-void tree_build(struct tree *o, const struct model *m, struct arena *life);
+void open_build(struct open_tree *o, const struct model *m, struct arena *life);
 
 /* All bodies at q, unless they stand there; then moving with v. */
-void tree_place(struct tree *o, const double *q);
-void tree_move(struct tree *o, const double *q, const double *v);
+void open_place(struct open_tree *o, const double *q);
+void open_move(struct open_tree *o, const double *q, const double *v);
 
-/* resid() of the ode, where tree_move() has been with x->q and x->v. */
-enum status tree_resid(struct tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
+/* resid() of the ode, where open_move() has been with x->q and x->v. */
+enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
                        struct trouble *why);
 
 #endif
