@@ -1,20 +1,28 @@
 # fmdsub -- simulation of flexible multibody systems by Newmark sub-cycling
 #
-#   make              the programs, build/fmdsub and, with LAPACK and ARPACK, build/fmdsub-reduce
-#   make demo         installs what is missing, builds, shows the bar-slider at 1:1, 5:1 and 10:1
-#   make test         installs what is missing, builds, runs every test (the same as make check)
-#
-# Variables: CC, OPT (optimisation), CFLAGS (added last), BUILD (folder), PREFIX, DESTDIR,
-# NO_INSTALL=1 (deps only says what is missing), V=1 (test runner names every test).
+# `make help` prints targets and variables: the lines that begin with two hashes, under the headings of this file.
+
+# ---- variables -------------------------------------------------------------------------------
+
+## CC            the compiler (gcc)
 ifeq ($(origin CC),default)
 CC        = gcc
 endif
+## BUILD         folder of all that is made (build)
 BUILD    ?= build
+## OPT           optimisation of the programs and benches; tests are compiled with -O1
 OPT      ?= -O2 -ftree-vectorize $(if $(findstring clang,$(CC)),,-fvect-cost-model=dynamic)
 WARN      = -Wall -Wextra -Wpedantic -Wshadow
+## CFLAGS        flags of the compiler, added last
 CFLAGS   ?=
+## LDFLAGS       flags of the linker
 LDFLAGS  ?=
+## PREFIX        where install puts things (/usr/local); DESTDIR goes before it
 PREFIX   ?= /usr/local
+## U             names of the unit tests to run: make unit U=newton, make unit U="newton newmark"
+## D             decks to run, those whose names contain one of the words: make decks D=chain
+## V             V=1 shows commands and names every test
+## NO_INSTALL    NO_INSTALL=1: deps only says what is missing
 # The same bits everywhere: no contraction to fused multiply-add, never fast-math.
 EXACT     = -ffp-contract=off -fno-math-errno
 ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(CFLAGS)
@@ -31,7 +39,13 @@ FOUND    := $(if $(HAVE),$(REDUCER))
 OBJECTS  := $(SOURCES:src/%.c=$(BUILD)/obj/%.o)
 LIBRARY   = $(BUILD)/libfmdsub.a
 PROGRAM   = $(BUILD)/fmdsub
-UNITS    := $(patsubst tests/unit/t-%.c,$(BUILD)/unit/t-%,$(sort $(wildcard tests/unit/t-*.c)))
+UNITS    := $(patsubst tests/unit/t-%.c,%,$(sort $(wildcard tests/unit/t-*.c)))
+ifdef U
+comma    := ,
+near      = $(shell printf '%s\n' $(UNITS) | grep -e '$(1)' -e "^$$(echo '$(1)' | cut -c 1-2)")
+UNITS    := $(foreach u,$(patsubst t-%,%,$(subst $(comma), ,$(U))),$(or $(filter $(u),$(UNITS)),$(error no unit test '$(u)'; near it: $(call near,$(u)))))
+endif
+UNITS    := $(UNITS:%=$(BUILD)/unit/t-%)
 REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
 TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
@@ -40,12 +54,15 @@ EXAMPLES := $(sort $(wildcard decks/*.*))
 AIRSCREW := $(sort $(wildcard decks/airscrew/*))
 FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/reduce/*.c tests/tools/*.c tests/bench/*.c))
 ASAN      = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-RUN       = BUILD=$(BUILD) V=$(V) tests/run
+RUN       = BUILD=$(BUILD) UNITS="$(notdir $(UNITS))" D="$(D)" V=$(V) tests/run
 
 # Commands are shown with V=1.
 Q         = $(if $(V),,@)
 say       = $(if $(V),,@echo "  $(1)  $(@:$(BUILD)/%=%)")
 
+# ---- programs --------------------------------------------------------------------------------
+
+## all           build/fmdsub and, with LAPACK and ARPACK, build/fmdsub-reduce
 all: $(PROGRAM) $(FOUND)
 
 $(BUILD)/obj/%.o: src/%.c
@@ -72,15 +89,25 @@ $(REDUCER): $(BUILD)/obj/reduce/main.o $(BUILD)/libreduce.a $(LIBRARY)
 	$(call say,LD)
 	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(FORTRAN) $(LDLIBS)
 
-$(BUILD)/reduce/%: tests/reduce/%.c $(BUILD)/libreduce.a $(LIBRARY)
-	@mkdir -p $(@D)
-	$(call say,LD)
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests $(LDFLAGS) -o $@ $< $(BUILD)/libreduce.a $(LIBRARY) -lcmocka $(FORTRAN) $(LDLIBS)
+# Tests need no speed.
+$(UNITS:=.o) $(REDUNITS:=.o): OPT = -O1
 
-$(BUILD)/unit/%: tests/unit/%.c $(LIBRARY)
+$(BUILD)/%.o: tests/%.c
 	@mkdir -p $(@D)
+	$(call say,CC)
+	$(Q)$(CC) $(ALL_CFLAGS) -Itests -c -o $@ $<
+
+$(UNITS): %: %.o $(LIBRARY)
 	$(call say,LD)
-	$(Q)$(CC) $(ALL_CFLAGS) -Itests $(LDFLAGS) -o $@ $< $(LIBRARY) -lcmocka $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< $(LIBRARY) -lcmocka $(LDLIBS)
+
+$(REDUNITS): %: %.o $(BUILD)/libreduce.a $(LIBRARY)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< $(BUILD)/libreduce.a $(LIBRARY) -lcmocka $(FORTRAN) $(LDLIBS)
+
+$(BENCHES): %: %.o $(LIBRARY)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< $(LIBRARY) $(LDLIBS)
 
 # Helpers of the tests stand alone: they share no code with what they judge.
 $(BUILD)/tools/%: tests/tools/%.c
@@ -94,78 +121,96 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 	$(call say,LD)
 	$(Q)$(CC) $(ALL_CFLAGS) -shared -fPIC -o $@ $< -ldl
 
-$(BUILD)/bench/%: tests/bench/%.c $(LIBRARY)
-	@mkdir -p $(@D)
-	$(call say,LD)
-	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< $(LIBRARY) $(LDLIBS)
-
 # ---- tests -----------------------------------------------------------------------------------
 
+## test          installs what is missing, builds, runs every test (the same as check)
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
 	@$(RUN) unit decks bad faults man order study airscrew hard reduce
 
+## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(BENCHES)
 
+## unit          unit tests; U=newton runs one
 unit: $(UNITS)
 	@$(RUN) unit
 
+## decks         decks against golden records and reference solutions; D=chain runs some
+## bad           wrong decks: what is said of them
+## faults        arguments, files, signals, limits
+## man-examples  what the manual shows, run
+## order         orders of the schemes
+## study         what the study finds
+## airscrew      the numbers of decks/airscrew/README
+## hard          cases that break simulators
+## reduce        fmdsub-reduce
 decks bad faults man-examples order study airscrew hard reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
+## order-tight   orders down to 1e-8 instead of 1e-6: minutes
+order-tight: $(PROGRAM) $(TOOLS)
+	@TIGHT=1 $(RUN) order
+
+## asan          unit, decks and bad under the sanitizers
 asan:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/asan OPT=-O1 CFLAGS="$(CFLAGS) $(ASAN)" all tests-built
 	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) tests/run unit decks bad
 
-# Golden records: shows what would change, column by column; WRITE=1 then rewrites them.
+## golden        what would change in the golden records, column by column; WRITE=1 rewrites them
 golden: $(PROGRAM) $(TOOLS)
 	@BUILD=$(BUILD) WRITE=$(WRITE) sh tests/tools/golden.sh
 
+## bench         CPU times of a step
 bench: $(PROGRAM) $(TOOLS) $(BENCHES)
 	@BUILD=$(BUILD) sh tests/bench/run.sh
 
 # ---- the look of the code --------------------------------------------------------------------
 
+## layers        includes that point the wrong way
 layers:
 	@sh tests/tools/layers.sh
 
+## eqs           where each equation stands
 eqs:
 	@sh tests/tools/eqs.sh
 
+## format        clang-format on every source
 format:
 	clang-format --style=file:.ci/clang-format -i $(FORMATTED)
 
+## format-check  says what format would change
 format-check:
 	@if command -v clang-format >/dev/null; then \
 	    clang-format --style=file:.ci/clang-format --dry-run -Werror $(FORMATTED); \
 	else echo "format-check: skipped, clang-format is not installed"; fi
 
+## lint          layers, format-check, cppcheck and clang-tidy
 lint: layers format-check
 	@CC="$(CC)" sh .ci/lint
 
+## man           the manual pages through mandoc's lint
 man:
 	@if command -v mandoc >/dev/null; then mandoc -T lint -W warning $(PAGES) && echo "man: $(words $(PAGES)) pages clean"; \
 	else echo "man: skipped, mandoc is not installed"; fi
 
 # ---- set-up ----------------------------------------------------------------------------------
 
+## deps          installs what the build needs; deps-test: and the tests
 deps:
 	@NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run
 
 deps-test:
 	@NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run test
 
-# Orders down to 1e-8 instead of 1e-6: minutes.
-order-tight: $(PROGRAM) $(TOOLS)
-	@TIGHT=1 $(RUN) order
-
+## demo          installs what is missing, builds, shows the bar-slider at 1:1, 5:1 and 10:1
 demo: deps
 	@$(MAKE) --no-print-directory -j2 all tools
 	@BUILD=$(BUILD) sh tests/tools/demo.sh
 
 tools: $(TOOLS)
 
+## install       programs, manual and decks to PREFIX; uninstall takes them away
 install: $(PROGRAM) $(FOUND)
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks/airscrew
 	install -m 755 $(PROGRAM) $(FOUND) $(DESTDIR)$(PREFIX)/bin
@@ -180,9 +225,15 @@ uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/share/doc/fmdsub
 	for page in $(PAGES); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$${page##*/}; done
 
+## clean         removes the build folder
 clean:
 	rm -rf $(BUILD)
 
+## help          this list
+help:
+	@awk '/^# -+ .* -+$$/ { gsub(/^# -+ | -+$$/, ""); heading = $$0; next } \
+	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
+
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
 .PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench layers eqs format format-check lint man \
-        deps deps-test demo tools tests-built install uninstall clean
+        help deps deps-test demo tools tests-built install uninstall clean
