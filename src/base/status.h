@@ -8,7 +8,16 @@
 #ifndef FMDSUB_BASE_STATUS_H
 #define FMDSUB_BASE_STATUS_H
 
-enum status {
+/* A call that drops its status is told by the compiler, through pointers, too. */
+#if defined(__clang__)
+#define NOT_DROPPED __attribute__((warn_unused_result))
+#elif defined(__GNUC__) && __GNUC__ >= 11
+#define NOT_DROPPED [[nodiscard]]
+#else
+#define NOT_DROPPED
+#endif
+
+__extension__ enum NOT_DROPPED status {
     OK = 0,
     E_VERDICT = 1, /* the run is whole, its verdict negative */
     E_USAGE = 2,   /* command line */

@@ -194,7 +194,7 @@ enum evaluated evaluate(double *out, const struct node *n, struct lookup *look)
     look->broken = false;
     *out = 0;
     if (n->told) return TOLD;
-    if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0) return tell_type(n, "a number", deck), TOLD;
+    if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0) return (void)tell_type(n, "a number", deck), TOLD;
     if (plain(out, n)) return EVALUATED;
     struct arena_mark mark = arena_mark(deck->scratch);
     int bad = expr_parse(&e, n->text, n->len, &(struct expr_names){lookup_find, look}, deck->scratch, &error);
@@ -202,8 +202,8 @@ enum evaluated evaluate(double *out, const struct node *n, struct lookup *look)
     arena_rewind(deck->scratch, mark);
     if (!bad) return EVALUATED;
     if (look->pending >= 0) return PENDING;
-    if (look->broken) return tell(n), TOLD;
-    return tell_error(n, &error, false, deck), TOLD;
+    if (look->broken) return (void)tell(n), TOLD;
+    return (void)tell_error(n, &error, false, deck), TOLD;
 }
 
 enum status deck_number(double *out, const struct node *n, struct deck *deck)

@@ -50,8 +50,8 @@ static void tell_circle(struct deck *deck, const int *stack, int from, int n)
 
 static void settle(struct deck *deck, struct parameter *p, enum evaluated how)
 {
-    p->state = how == EVALUATED ? KNOWN : BROKEN;
-    if (how == EVALUATED) deck_number(&p->value, p->node, deck); /* keeps it for print, warns */
+    bool known = how == EVALUATED && deck_number(&p->value, p->node, deck) == OK; /* keeps it for print, warns */
+    p->state = known ? KNOWN : BROKEN;
 }
 
 /* Evaluates parameter i and all it needs; stack [nparameter]. */

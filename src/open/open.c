@@ -53,9 +53,9 @@ static enum status not_finite(struct open_tree *s, const double *r, const struct
     elements_load(s->elements, s->sweep, s->d, NULL, NULL, s->suspect, x, cls);
     for (int i = 0; i < m->nforce; i++) {
         if (isfinite(s->suspect[i].force)) continue;
-        trouble_set(why, TROUBLE_LAW, i, s->suspect[i].force, x->t);
+        enum status status = trouble_set(why, TROUBLE_LAW, i, s->suspect[i].force, x->t);
         if (why) why->kind = (int)m->force[i].type;
-        return E_NUMERIC;
+        return status;
     }
     int row = 0;
     while (row < m->n - 1 && isfinite(r[row])) row++;

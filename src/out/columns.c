@@ -47,12 +47,10 @@ static enum status no_match(const char *pattern, const struct column *all, int n
     struct arena_mark mark = arena_mark(life);
     bool wild = strpbrk(pattern, "*?") != NULL;
     const char *nearest = wild ? near_pattern(pattern, all, n, life) : near_name(pattern, all, n, life);
-    if (nearest)
-        fail(report, blame, "no column matches '%s'; did you mean '%s'?", pattern, nearest);
-    else
-        fail(report, blame, "no column matches '%s'", pattern);
+    enum status status = nearest ? fail(report, blame, "no column matches '%s'; did you mean '%s'?", pattern, nearest)
+                                 : fail(report, blame, "no column matches '%s'", pattern);
     arena_rewind(life, mark);
-    return blame;
+    return status;
 }
 
 enum status columns_select(struct selection *to, const struct column *all, int n, const char *const *patterns,

@@ -197,10 +197,10 @@ static bool closes(int fd)
 enum status stream_close(struct stream *s, bool whole, struct report *report)
 {
     if (s->fd < 0) return s->status;
-    stream_flush(s, report);
-    if (s->status == OK && s->part && fsync(s->fd) != 0) broken(s, errno, 0, report);
-    if (s->status == OK && !closes(s->fd)) broken(s, errno, 0, report);
-    if (s->part && s->written == 0 && !(whole && s->status == OK)) {
+    enum status status = stream_flush(s, report);
+    if (status == OK && s->part && fsync(s->fd) != 0) status = broken(s, errno, 0, report);
+    if (status == OK && !closes(s->fd)) status = broken(s, errno, 0, report);
+    if (s->part && s->written == 0 && !(whole && status == OK)) {
         unlink(s->part);
         s->part = NULL;
     }

@@ -10,8 +10,7 @@ enum { MOST_ENTRIES = 500000000 };
 static enum status take(struct triplets *o, int room, struct text *text, struct arena *scratch)
 {
     if (room > MOST_ENTRIES) {
-        fail(text->report, E_LIMIT, "%s: more than %d entries", text->path, MOST_ENTRIES);
-        return E_LIMIT;
+        return fail(text->report, E_LIMIT, "%s: more than %d entries", text->path, MOST_ENTRIES);
     }
     o->room = room;
     o->i = TAKE(scratch, int, room);

@@ -93,9 +93,8 @@ static enum status named(const char **name, char **rest, int code, struct arena 
     const char *equal = strchr(optarg, '=');
     *name = equal ? arena_copy(life, optarg, (size_t)(equal - optarg)) : NULL;
     if (!equal || !equal[1] || !text_is_name(*name)) {
-        fail(report, E_USAGE, "--%s expects NAME=..., a name of letters, digits and '_', not '%.60s'",
-             option_name(code), optarg);
-        return E_USAGE;
+        return fail(report, E_USAGE, "--%s expects NAME=..., a name of letters, digits and '_', not '%.60s'",
+                    option_name(code), optarg);
     }
     *rest = arena_copy(life, equal + 1, strlen(equal + 1));
     return OK;

@@ -9,17 +9,19 @@
 
 enum { MOST_HALVINGS = 10 };
 
-static void push(struct sim *sim, double h, int ratio)
+/* Books the step that was just accepted.  A state whose energy cannot be told ends the run: it is no step to halve. */
+static enum status push(struct sim *sim, double h, int ratio)
 {
     struct energies e;
     const struct stepper *s = &sim->stepper;
-    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t);
+    TRY(system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &sim->trouble));
     ledger_push(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity, s->work, s->lost, s->left);
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
     turns_note(sim, h, ratio);
     bends_note(sim);
     spins_note(sim);
+    return OK;
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);
@@ -27,7 +29,7 @@ static enum status halve(struct sim *sim, double h, int ratio, double to, int de
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
-    if (status == OK) push(sim, h, ratio);
+    if (status == OK) return push(sim, h, ratio);
     if (status == E_NUMERIC && depth < MOST_HALVINGS) return halve(sim, h, ratio, to, depth);
     return status;
 }

@@ -62,8 +62,9 @@ static enum status start(struct sim *sim, struct report *report)
     struct trouble why = {0};
     TRY(place(sim, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
-    if (stepper_start(&sim->stepper, &sim->x, &why) != OK) return say_trouble(sim, &why, E_MODEL, report);
-    system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t);
+    if (stepper_start(&sim->stepper, &sim->x, &why) != OK ||
+        system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
+        return say_trouble(sim, &why, E_MODEL, report);
     ledger_open(&sim->ledger, sim->scene->delta, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;

@@ -239,15 +239,16 @@ void system_energies(const struct system *s, struct energies *e)
     *e = s->energies;
 }
 
-void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t)
+enum status system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t,
+                             struct trouble *why)
 {
-    struct trouble why;
     if (s->loops) {
-        condense_rates(s->loops, s->v, NULL, q, v, NULL, t, &why);
+        TRY(condense_rates(s->loops, s->v, NULL, q, v, NULL, t, why));
         v = s->v;
     }
     open_move(&s->tree, q, v);
     see_energies(s, e, s->tree.sweep, q, v);
+    return OK;
 }
 
 void system_frame_spin(const struct system *s, double *w, int body)

@@ -56,8 +56,9 @@ double system_constraint_worst(const struct system *s);
 int system_place(const struct system *s, int i);
 long system_charts(const struct system *s); /* partitions chosen since the start */
 
-/* Energies alone, cheaply, for the ledger. */
-void system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t);
+/* Energies alone, cheaply, for the ledger.  E_NUMERIC with *why: rates that fit the loops cannot be found there. */
+enum status system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t,
+                             struct trouble *why);
 
 /* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
 void system_frame_spin(const struct system *s, double *w, int body);

@@ -245,7 +245,7 @@ static inline void chain_open(struct chain *s, double k_outer, double k_inner, d
 static inline double chain_energy(const struct chain *s, const double *q, const double *v)
 {
     double M[4];
-    chain_mass(&s->ode, M, q, 0, ALL, NULL);
+    (void)chain_mass(&s->ode, M, q, 0, ALL, NULL); /* never fails */
     return quadratic(M, v, 2) / 2 + (s->k[0] * q[0] * q[0] + s->k[1] * q[1] * q[1]) / 2 -
            s->g * ((s->md1 + s->m2 * s->l1) * cos(q[1]) + s->m2 * s->d2 * cos(q[0] + q[1]));
 }
@@ -428,7 +428,7 @@ static inline double carrier_energy(const struct carrier *s, const double *q, co
 {
     double M[16], up[3], y = 0, E;
     int f = s->ode.ns;
-    carrier_mass(&s->ode, M, q, 0, ALL, NULL);
+    (void)carrier_mass(&s->ode, M, q, 0, ALL, NULL); /* never fails */
     upward(up, q + f);
     for (int i = 0; i < 3; i++) y += s->md[i] * up[i] + (f ? s->m * s->at[i] * up[i] : 0);
     E = quadratic(M, v, s->ode.n) / 2;

@@ -231,7 +231,7 @@ static void test_decades(void **state)
         struct run r;
         draw(&s, &dice, n, ns, k % 2 ? SLOW_BODIES : CONSERVATIVE, 0, 1e12);
         for (int i = 0; i < n; i++) q[i] = dice_range(&dice, -1, 1) / TOP, v[i] = dice_range(&dice, -1, 1);
-        run_open(&r, "subcycle", &s.ode, &o, q, v);
+        assert_int_equal(run_open(&r, "subcycle", &s.ode, &o, q, v), OK);
         double E0 = linear_energy(&s, q, v), qs = length(q, n), vs = length(v, n);
         for (int i = 0; i < majors; i++) {
             assert_int_equal(run_steps(&r, h, ratio, 1), OK);

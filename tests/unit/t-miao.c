@@ -54,8 +54,8 @@ static void test_newmark(void **state)
     for (int k = 0; k < 2; k++) {
         const struct ode2 *ode = k ? &slide.ode : &chain.ode;
         const double *q = k ? carrier_q : both_q, *v = k ? carrier_v : both_v;
-        run_open(&a, "miao", ode, &o, q, v);
-        run_open(&b, "newmark", ode, &o, q, v);
+        assert_int_equal(run_open(&a, "miao", ode, &o, q, v), OK);
+        assert_int_equal(run_open(&b, "newmark", ode, &o, q, v), OK);
         assert_int_equal(run_steps(&a, .01, 1, 100), OK);
         assert_int_equal(run_steps(&b, .01, 1, 100), OK);
         for (int i = 0; i < ode->nq; i++) assert_true(fabs(a.q[i] - b.q[i]) < 1e-12);
@@ -97,7 +97,7 @@ static void test_written_out(void **state)
     struct linear s;
     struct run r;
     linear_both(&s);
-    run_open(&r, "miao", &s.ode, &o, both_q, both_v);
+    assert_int_equal(run_open(&r, "miao", &s.ode, &o, both_q, both_v), OK);
     double q[2] = {both_q[0], both_q[1]}, v[2] = {both_v[0], both_v[1]}, a[2] = {r.a[0], r.a[1]};
     for (int k = 0; k < 10; k++) {
         assert_int_equal(run_steps(&r, .004, 4, 1), OK);
@@ -117,7 +117,7 @@ static void test_unstable(void **state)
         struct linear s;
         struct run r;
         linear_pair(&s, (double[]){1, .7, .7, 1}, (double[]){.25, 0, 0, .0025}, NULL);
-        run_open(&r, schemes[k], &s.ode, &step_defaults, both_q, both_v);
+        assert_int_equal(run_open(&r, schemes[k], &s.ode, &step_defaults, both_q, both_v), OK);
         double E0 = linear_energy(&s, r.q, r.v);
         enum status status = run_steps(&r, 1, 5, 400);
         double growth = linear_energy(&s, r.q, r.v) / E0;

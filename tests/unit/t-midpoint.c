@@ -29,7 +29,7 @@ static void test_formula(void **state)
     linear_open(&s, 1, 0);
     s.M[0][0] = 1;
     s.K[0][0] = w2;
-    run_open(&r, "midpoint", &s.ode, &o, &q, &v);
+    assert_int_equal(run_open(&r, "midpoint", &s.ode, &o, &q, &v), OK);
     assert_int_equal(run_steps(&r, h, 1, 1), OK);
     assert_true(fabs(r.q[0] - ((1 - x) * q + h * v) / (1 + x)) < 1e-15);
     assert_true(fabs(r.v[0] - ((1 - x) * v - h * w2 * q) / (1 + x)) < 1e-14);
@@ -46,7 +46,7 @@ static void test_free_body(void **state)
     double q[4] = {1, 0, 0, 0}, v[3] = {.1, 6, .2}, L0[3], L[3], Ju[3];
     carrier_open(&body, 0);
     body.g = 0;
-    run_open(&r, "midpoint", &body.ode, &o, q, v);
+    assert_int_equal(run_open(&r, "midpoint", &body.ode, &o, q, v), OK);
     for (int i = 0; i < 3; i++) L0[i] = body.J[i] * v[i];
     double E0 = carrier_energy(&body, r.q, r.v);
     for (int k = 0; k < 500; k++) {
@@ -82,7 +82,7 @@ static void test_ledger(void **state)
             s.f[i] = dice_range(&dice, -100, 100);
         }
         s.w = 3;
-        run_open(&r, "midpoint", &s.ode, &o, q, v);
+        assert_int_equal(run_open(&r, "midpoint", &s.ode, &o, q, v), OK);
         double E0 = linear_energy(&s, q, v);
         assert_int_equal(run_steps(&r, .1, 3, 20), OK);
         double gap = linear_energy(&s, r.q, r.v) - E0 - r.work[POWER_DAMPER] - r.work[POWER_EXTERNAL];
@@ -102,7 +102,7 @@ static void test_own_tolerance(void **state)
     linear_both(&s);
     memcpy(s.C[0], (double[]){3, -.2, -.2, .5}, 4 * sizeof(double));
     s.f[0] = 5, s.w = 4;
-    run_open(&r, "midpoint", &s.ode, &step_defaults, both_q, both_v);
+    assert_int_equal(run_open(&r, "midpoint", &s.ode, &step_defaults, both_q, both_v), OK);
     double E0 = linear_energy(&s, r.q, r.v);
     assert_int_equal(run_steps(&r, .01, 1, 500), OK);
     double gap = linear_energy(&s, r.q, r.v) - E0 - r.work[POWER_DAMPER] - r.work[POWER_EXTERNAL];

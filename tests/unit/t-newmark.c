@@ -32,7 +32,7 @@ static void test_formula(void **state)
     struct step_options o = sharp();
     o.beta = beta, o.gamma = gamma;
     struct run r;
-    run_open(&r, "newmark", &s.ode, &o, &q, &v);
+    assert_int_equal(run_open(&r, "newmark", &s.ode, &o, &q, &v), OK);
     double a = -w2 * q;
     for (int k = 0; k < 5; k++) {
         double star = q + h * v + h * h * (.5 - beta) * a, a1 = -w2 * star / (1 + beta * w2 * h * h);
@@ -54,8 +54,8 @@ static void test_midpoint(void **state)
     struct run a, b;
     struct step_options o = sharp();
     linear_both(&s);
-    run_open(&a, "newmark", &s.ode, &o, both_q, both_v);
-    run_open(&b, "midpoint", &s.ode, &o, both_q, both_v);
+    assert_int_equal(run_open(&a, "newmark", &s.ode, &o, both_q, both_v), OK);
+    assert_int_equal(run_open(&b, "midpoint", &s.ode, &o, both_q, both_v), OK);
     assert_int_equal(run_steps(&a, .02, 5, 40), OK);
     assert_int_equal(run_steps(&b, .02, 5, 40), OK);
     for (int i = 0; i < 2; i++) assert_true(fabs(a.q[i] - b.q[i]) < 1e-11 && fabs(a.v[i] - b.v[i]) < 1e-10);
@@ -76,7 +76,7 @@ static void test_fixed_point(void **state)
             struct step_options o = step_defaults;
             struct run r;
             o.iteration = newton ? ITERATION_NEWTON : ITERATION_FIXED_POINT;
-            run_open(&r, "newmark", &s.ode, &o, &q, &v);
+            assert_int_equal(run_open(&r, "newmark", &s.ode, &o, &q, &v), OK);
             enum status status = run_steps(&r, large ? 2.05 : 1, 1, 20);
             assert_int_equal(status, large && !newton ? E_NUMERIC : OK);
             if (status != OK) {
@@ -96,7 +96,7 @@ static void test_effort(void **state)
     struct chain chain;
     struct run r;
     chain_open(&chain, 5, 1, 9.81);
-    run_open(&r, "newmark", &chain.ode, &step_defaults, (double[]){.3, 1}, (double[]){0, .5});
+    assert_int_equal(run_open(&r, "newmark", &chain.ode, &step_defaults, (double[]){.3, 1}, (double[]){0, .5}), OK);
     struct effort e = r.stepper.effort;
     assert_int_equal(run_steps(&r, 1e-3, 1, 2000), OK);
     double each = (double)(r.stepper.effort.fast - e.fast) / 2000;
@@ -117,7 +117,7 @@ static void test_rest(void **state)
         struct run r;
         double q[2] = {0, 0}, v[2] = {0, 0}; /* hanging straight down */
         chain_open(&chain, 1e5, 2e4, 9.81);
-        run_open(&r, schemes[k], &chain.ode, &step_defaults, q, v);
+        assert_int_equal(run_open(&r, schemes[k], &chain.ode, &step_defaults, q, v), OK);
         assert_int_equal(run_steps(&r, 1e-3, 4, 100), OK);
         assert_true(r.stepper.last_sweeps <= 8);
         run_close(&r);
@@ -128,7 +128,7 @@ static void test_rest(void **state)
         for (int i = 0; i < 3; i++) s.M[0][4 * i] = 1, s.K[0][4 * i] = 1e5 * (i + 1);
         s.f[0] = s.f[1] = load; /* held by the springs: cancels but for round-off */
         double qs[3] = {load / 1e5, load / 2e5, k % 2 ? .1 : 0}, vs[3] = {0, 0, 0};
-        run_open(&r, schemes[k], &s.ode, &step_defaults, qs, vs);
+        assert_int_equal(run_open(&r, schemes[k], &s.ode, &step_defaults, qs, vs), OK);
         assert_int_equal(run_steps(&r, 1e-3, 4, 100), OK);
         assert_true(fabs(r.q[0] - qs[0]) < 1e-14 && fabs(r.q[1] - qs[1]) < 1e-14);
         assert_true(r.stepper.effort.factors <= 3);
@@ -148,7 +148,7 @@ static void test_work(void **state)
         linear_both(&s);
         memcpy(s.C[0], (double[]){3, -.2, -.2, .5}, 4 * sizeof(double));
         s.f[0] = 5, s.w = 4;
-        run_open(&r, "newmark", &s.ode, &step_defaults, both_q, both_v);
+        assert_int_equal(run_open(&r, "newmark", &s.ode, &step_defaults, both_q, both_v), OK);
         double E0 = linear_energy(&s, r.q, r.v);
         assert_int_equal(run_steps(&r, fine ? .0025 : .005, 1, fine ? 400 : 200), OK);
         gap[fine] = linear_energy(&s, r.q, r.v) - E0 - r.work[POWER_DAMPER] - r.work[POWER_EXTERNAL];
@@ -168,7 +168,7 @@ static void test_backwards(void **state)
         struct run r;
         struct step_options o = sharp();
         carrier_open(&top, 1);
-        run_open(&r, schemes[k], &top.ode, &o, carrier_q, carrier_v);
+        assert_int_equal(run_open(&r, schemes[k], &top.ode, &o, carrier_q, carrier_v), OK);
         assert_int_equal(run_steps(&r, .01, 1, 50), OK);
         assert_int_equal(run_steps(&r, -.01, 1, 50), OK);
         for (int i = 0; i < 5; i++) assert_true(fabs(r.q[i] - carrier_q[i]) < 1e-10);
@@ -299,7 +299,8 @@ static void test_memory(void **state)
         struct chain chain;
         struct run r;
         chain_open(&chain, 50, 2, 9.81);
-        run_open(&r, stepper_kinds[k]->name, &chain.ode, &step_defaults, (double[]){.3, 1}, (double[]){0, .5});
+        assert_int_equal(
+            run_open(&r, stepper_kinds[k]->name, &chain.ode, &step_defaults, (double[]){.3, 1}, (double[]){0, .5}), OK);
         size_t used = arena_used(r.life);
         assert_int_equal(run_steps(&r, .002, 10, 1), OK);
         assert_int_equal(run_steps(&r, .001, 20, 50), OK);
@@ -327,7 +328,7 @@ static void test_failure(void **state)
         if (stepper_kinds[k]->adaptive) continue;
         chain_open(&chain, 50, 2, 9.81);
         chain.ode.ops = &ops;
-        run_open(&r, stepper_kinds[k]->name, &chain.ode, &step_defaults, q, v);
+        assert_int_equal(run_open(&r, stepper_kinds[k]->name, &chain.ode, &step_defaults, q, v), OK);
         memcpy(v, r.a, sizeof v);
         assert_int_equal(run_steps(&r, .01, 20, 1), E_NUMERIC);
         assert_int_equal(r.why.code, TROUBLE_LAW);
@@ -350,7 +351,9 @@ static void test_bits(void **state)
         struct chain chain;
         chain_open(&chain, 300, 2, 9.81);
         for (int i = 0; i < 2; i++) {
-            run_open(&r[i], stepper_kinds[k]->name, &chain.ode, &step_defaults, (double[]){.3, 1}, (double[]){0, .5});
+            assert_int_equal(run_open(&r[i], stepper_kinds[k]->name, &chain.ode, &step_defaults, (double[]){.3, 1},
+                                      (double[]){0, .5}),
+                             OK);
             assert_int_equal(run_steps(&r[i], .002, 5, 20), OK);
         }
         assert_memory_equal(r[0].q, r[1].q, 2 * sizeof(double));

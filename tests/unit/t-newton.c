@@ -199,7 +199,7 @@ static void test_vibration(void **state)
             q[i] = dice_range(&dice, -.1, .1), v[i] = dice_range(&dice, -1, 1);
             s.f[i] = dice_range(&dice, -100, 100);
         }
-        run_open(&r, scheme[k % 2], &s.ode, &step_defaults, q, v);
+        assert_int_equal(run_open(&r, scheme[k % 2], &s.ode, &step_defaults, q, v), OK);
         assert_int_equal(run_steps(&r, .1, 1, 12), OK);
         long before = r.stepper.effort.sweeps, factors = r.stepper.effort.factors;
         assert_int_equal(run_steps(&r, .1, 1, 50), OK);
@@ -210,7 +210,7 @@ static void test_vibration(void **state)
         struct step_options sharp = step_defaults;
         sharp.newton_tolerance = 1e-13;
         memcpy(q, r.q, sizeof q), memcpy(v, r.v, sizeof v), memcpy(a, r.a, sizeof a);
-        run_open(&one, scheme[k % 2], &s.ode, &sharp, q, v);
+        assert_int_equal(run_open(&one, scheme[k % 2], &s.ode, &sharp, q, v), OK);
         if (k % 2) memcpy(one.a, a, sizeof a);
         assert_int_equal(run_steps(&one, .1, 1, 1), OK);
         assert_int_equal(run_steps(&r, .1, 1, 1), OK);

@@ -57,7 +57,7 @@ static void test_numbers(void **state)
         o.rho_infinity = want[k].rho;
         linear_both(&s);
         if (want[k].damped) memcpy(s.C[0], (double[]){3, -.2, -.2, .5}, 4 * sizeof(double));
-        run_open(&r, "subcycle", &s.ode, &o, both_q, both_v);
+        assert_int_equal(run_open(&r, "subcycle", &s.ode, &o, both_q, both_v), OK);
         double E0 = linear_energy(&s, r.q, r.v);
         for (int part = 0; part < 2; part++) {
             const double *x = part ? want[k].forty : want[k].one;
@@ -135,8 +135,8 @@ static void test_one(void **state)
     for (int k = 0; k < 3; k++) {
         struct run a, b;
         const double *q = k == 2 ? carrier_q : both_q, *v = k == 2 ? carrier_v : both_v;
-        run_open(&a, "subcycle", odes[k], &o, q, v);
-        run_open(&b, "midpoint", odes[k], &o, q, v);
+        assert_int_equal(run_open(&a, "subcycle", odes[k], &o, q, v), OK);
+        assert_int_equal(run_open(&b, "midpoint", odes[k], &o, q, v), OK);
         for (int i = 0; i < 50; i++) {
             assert_int_equal(run_steps(&a, .01, 1, 1), OK);
             assert_int_equal(run_steps(&b, .01, 1, 1), OK);
@@ -158,8 +158,8 @@ static void test_degenerate(void **state)
         linear_both(&s);
         s.f[0] = 5, s.w = 4;
         s.ode.ns = fast ? 2 : 0;
-        run_open(&a, "subcycle", &s.ode, &o, both_q, both_v);
-        run_open(&b, "midpoint", &s.ode, &o, both_q, both_v);
+        assert_int_equal(run_open(&a, "subcycle", &s.ode, &o, both_q, both_v), OK);
+        assert_int_equal(run_open(&b, "midpoint", &s.ode, &o, both_q, both_v), OK);
         assert_int_equal(run_steps(&a, .01, 5, 40), OK);
         assert_int_equal(run_steps(&b, fast ? .01 : .05, fast ? 5 : 1, 40), OK);
         same(&a, &b, 1e-11);
@@ -192,7 +192,7 @@ static void test_sweeps(void **state)
         if (k % 2) memcpy(s.C[1], s.M[1], sizeof s.C[1]), memcpy(s.C[0], s.M[0], sizeof s.C[0]);
         for (int i = 0; i < n; i++) q[i] = dice_range(&dice, -1, 1), v[i] = dice_range(&dice, -1, 1);
         o.newton_tolerance = 1e-9;
-        run_open(&r, "subcycle", &s.ode, &o, q, v);
+        assert_int_equal(run_open(&r, "subcycle", &s.ode, &o, q, v), OK);
         memset(s.calls, 0, sizeof s.calls);
         struct effort before = r.stepper.effort;
         for (int i = 0; i < 20; i++) {
@@ -222,8 +222,8 @@ static void test_after_failure(void **state)
     struct run a, b;
     struct step_options o = sharp();
     linear_both(&s);
-    run_open(&a, "subcycle", &s.ode, &o, both_q, both_v);
-    run_open(&b, "subcycle", &s.ode, &o, both_q, both_v);
+    assert_int_equal(run_open(&a, "subcycle", &s.ode, &o, both_q, both_v), OK);
+    assert_int_equal(run_open(&b, "subcycle", &s.ode, &o, both_q, both_v), OK);
     assert_int_equal(run_steps(&a, .01, 5, 10), OK);
     assert_int_equal(run_steps(&b, .01, 5, 10), OK);
     s.f[0] = NAN;
@@ -244,7 +244,7 @@ static void test_effort(void **state)
     struct chain chain;
     struct run r;
     chain_open(&chain, 5000, 0, 9.81);
-    run_open(&r, "subcycle", &chain.ode, &step_defaults, (double[]){.02, 1.2}, (double[]){0, 0});
+    assert_int_equal(run_open(&r, "subcycle", &chain.ode, &step_defaults, (double[]){.02, 1.2}, (double[]){0, 0}), OK);
     assert_int_equal(run_steps(&r, .001, 10, 500), OK);
     double sweeps = r.stepper.effort.sweeps / 500.;
     if (sweeps > 3.5) print_error("%g sweeps, %ld factors\n", sweeps, r.stepper.effort.factors);
@@ -266,7 +266,7 @@ static void test_ledger(void **state)
         memcpy(s.C[0], (double[]){.3, -.2, -.2, .5}, 4 * sizeof(double));
         s.M[1][3] = 1, s.K[1][3] = 14, s.C[1][3] = 1;
         s.f[0] = 5, s.f[1] = 2, s.w = 4;
-        run_open(&r, "subcycle", &s.ode, &o, both_q, both_v);
+        assert_int_equal(run_open(&r, "subcycle", &s.ode, &o, both_q, both_v), OK);
         double E0 = linear_energy(&s, r.q, r.v);
         assert_int_equal(run_steps(&r, .02, 6, 100), OK);
         double gap = linear_energy(&s, r.q, r.v) - E0 - r.work[POWER_DAMPER] - r.work[POWER_EXTERNAL] + r.lost;
@@ -293,7 +293,7 @@ static void test_damping(void **state)
         double q[2] = {1, 0}, v[2] = {0, 0}, h = k == 2 ? 1e5 : k ? .05 : .1;
         o.rho_infinity = .6;
         linear_pair(&s, (double[]){1, 0, 0, 1}, (double[]){1, 0, 0, 1}, NULL);
-        run_open(&r, "subcycle", &s.ode, &o, q, v);
+        assert_int_equal(run_open(&r, "subcycle", &s.ode, &o, q, v), OK);
         assert_int_equal(run_steps(&r, h, 10, 1), OK);
         if (k == 2)
             assert_true(fabs(sqrt(2 * linear_energy(&s, r.q, r.v)) / pow(.6, 10) - 1) < 1e-4);
@@ -313,7 +313,7 @@ static void drift(double *tenths, int symmetric, int majors)
     struct step_options o = step_defaults;
     o.symmetric = symmetric;
     chain_open(&chain, 2000, 0, 9.81);
-    run_open(&r, "subcycle", &chain.ode, &o, (double[]){.02, 1.2}, (double[]){0, 0});
+    assert_int_equal(run_open(&r, "subcycle", &chain.ode, &o, (double[]){.02, 1.2}, (double[]){0, 0}), OK);
     double E0 = chain_energy(&chain, r.q, r.v),
            scale = chain_energy(&chain, (double[]){0, M_PI}, r.v) - chain_energy(&chain, (double[]){0, 0}, r.v);
     for (int k = 0; k < 10; k++) {
@@ -354,7 +354,7 @@ static void test_reversal(void **state)
         struct step_options o = sharp();
         o.symmetric = symmetric;
         chain_open(&chain, 300, 2, 9.81);
-        run_open(&r, "subcycle", &chain.ode, &o, (double[]){.1, 1}, (double[]){0, .5});
+        assert_int_equal(run_open(&r, "subcycle", &chain.ode, &o, (double[]){.1, 1}, (double[]){0, .5}), OK);
         assert_int_equal(run_steps(&r, .005, 5, 20), OK);
         assert_int_equal(stepper_start(&r.stepper, &r.x, NULL), OK);
         assert_int_equal(run_steps(&r, -.005, 5, 20), OK);
@@ -453,7 +453,7 @@ static double stop_run(double h, int n, int gradient, long *factors)
     struct run r;
     double most = 0;
     s.ode = (struct ode2){.n = 2, .ns = 1, .nq = 2, .ops = &ops, .self = &s};
-    run_open(&r, "subcycle", &s.ode, &step_defaults, (double[]){-.1, 0}, (double[]){0, .5});
+    assert_int_equal(run_open(&r, "subcycle", &s.ode, &step_defaults, (double[]){-.1, 0}, (double[]){0, .5}), OK);
     double E0 = slider_energy(&s, r.q, r.v);
     for (int k = 0; k < 1000 && most >= 0; k++) {
         if (run_steps(&r, h, n, 1) != OK)
@@ -477,7 +477,7 @@ static void test_tolerance(void **state)
         struct slider s = {.k = 1000, .stop = 0, .at = 10, .m = 5, .J = 8. / 3, .slope = 1000};
         struct step_options o = k ? sharp() : step_defaults;
         s.ode = (struct ode2){.n = 2, .ns = 1, .nq = 2, .ops = &ops, .self = &s};
-        run_open(&r[k], "subcycle", &s.ode, &o, (double[]){.1, 0}, (double[]){0, 12});
+        assert_int_equal(run_open(&r[k], "subcycle", &s.ode, &o, (double[]){.1, 0}, (double[]){0, 12}), OK);
         assert_int_equal(run_steps(&r[k], 1e-3, 5, 400), OK);
         run_close(&r[k]);
     }

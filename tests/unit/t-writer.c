@@ -129,19 +129,19 @@ static void full_buffers_leave_and_ticks_send_the_rest(void **state)
     const char *path = in_folder("ticks");
     assert_int_equal(stream_create(&stream, path, life, &report), OK);
     stream.write = planned_write;
-    put_record(0);
+    assert_int_equal(put_record(0), OK);
     assert_int_equal(plan.calls, 0);
-    stream_tick(&stream, 1000.0, &report); /* the first is sent at once */
+    assert_int_equal(stream_tick(&stream, 1000.0, &report), OK); /* the first is sent at once */
     assert_int_equal(plan.calls, 1);
-    put_record(1);
-    stream_tick(&stream, 1000.19, &report);
+    assert_int_equal(put_record(1), OK);
+    assert_int_equal(stream_tick(&stream, 1000.19, &report), OK);
     assert_int_equal(plan.calls, 1);
-    stream_tick(&stream, 1000.21, &report);
+    assert_int_equal(stream_tick(&stream, 1000.21, &report), OK);
     assert_int_equal(plan.calls, 2);
-    stream_tick(&stream, 1001, &report); /* nothing waits */
+    assert_int_equal(stream_tick(&stream, 1001, &report), OK); /* nothing waits */
     assert_int_equal(plan.calls, 2);
-    put_record(2);
-    stream_tick(&stream, 1001.01, &report); /* and nothing was sent for long */
+    assert_int_equal(put_record(2), OK);
+    assert_int_equal(stream_tick(&stream, 1001.01, &report), OK); /* and nothing was sent for long */
     assert_int_equal(plan.calls, 3);
     assert_int_equal(put_records(20000), OK);
     assert_in_range(plan.largest, STREAM_FULL, STREAM_FULL + 127);
@@ -160,7 +160,7 @@ static void long_records_pass(void **state)
     memset(text, 'x', n);
     text[n - 1] = '\n';
     assert_int_equal(stream_create(&stream, path, life, &report), OK);
-    put_record(1);
+    assert_int_equal(put_record(1), OK);
     assert_int_equal(stream_put(&stream, text, n, &report), OK);
     assert_int_equal(stream_put(&stream, text + n - 5, 5, &report), OK);
     assert_int_equal(stream_close(&stream, true, &report), OK);
@@ -345,7 +345,7 @@ static void a_file_has_its_name_when_it_is_whole(void **state)
     chmod(path, 0600);
     write_text(part, "a leftover, longer than what comes");
     assert_int_equal(stream_create(&stream, path, life, &report), OK);
-    put_record(0);
+    assert_int_equal(put_record(0), OK);
     assert_int_equal(stream_flush(&stream, &report), OK);
     assert_string_equal(text_of(path), "old");
     assert_string_equal(text_of(part), "0 \n");
@@ -364,7 +364,7 @@ static void a_stopped_run_leaves_the_old_file(void **state)
     const char *path = in_folder("stopped");
     write_text(path, "old");
     assert_int_equal(stream_create(&stream, path, life, &report), OK);
-    put_record(1);
+    assert_int_equal(put_record(1), OK);
     assert_int_equal(stream_close(&stream, false, &report), OK);
     assert_string_equal(text_of(path), "old");
     assert_string_equal(stream_kept(&stream), in_folder("stopped.part"));
@@ -382,7 +382,7 @@ static void links_are_followed(void **state)
     write_text(in_folder("real"), "old");
     assert_int_equal(symlink("real", in_folder("link")), 0);
     assert_int_equal(stream_create(&stream, in_folder("link"), life, &report), OK);
-    put_record(0);
+    assert_int_equal(put_record(0), OK);
     assert_int_equal(stream_close(&stream, true, &report), OK);
     assert_string_equal(text_of(in_folder("real")), "0 \n");
     struct stat st;
@@ -402,7 +402,7 @@ static void devices_are_written_directly(void **state)
     assert_int_equal(stream_close(&stream, true, &report), OK);
     assert_false(exists("/dev/null.part"));
     assert_int_equal(stream_create(&stream, "/dev/full", life, &report), OK);
-    put_record(1);
+    assert_int_equal(put_record(1), OK);
     assert_int_equal(stream_close(&stream, true, &report), E_FILE);
     assert_null(stream_kept(&stream));
 }
@@ -434,7 +434,7 @@ static void two_runs_cannot_write_one_file(void **state)
     const char *path = in_folder("both");
     struct stream other;
     assert_int_equal(stream_create(&stream, path, life, &report), OK);
-    put_record(0);
+    assert_int_equal(put_record(0), OK);
     assert_int_equal(stream_create(&other, path, life, &report), E_FILE);
     assert_string_equal(report.text,
                         arena_print(life, "cannot write '%s': another process is writing '%s.part'", path, path));
@@ -453,7 +453,7 @@ static void data_never_takes_the_place_of_a_standard_stream(void **state)
     close(0);
     assert_int_equal(stream_create(&stream, in_folder("above"), life, &report), OK);
     bool above = stream.fd > 2;
-    stream_close(&stream, false, &report);
+    assert_int_equal(stream_close(&stream, false, &report), OK);
     if (input >= 0) {
         dup2(input, 0);
         close(input);
@@ -583,7 +583,7 @@ static void ndjson_refuses_a_column_called_type(void **state)
     assert_int_equal(sink.ops->meta(&sink, &meta, &report), E_DECK);
     assert_non_null(strstr(report.text, "'type'"));
     assert_int_equal(sink.ops->row(&sink, rows[0], &report), E_DECK);
-    stream_close(&stream, false, &report);
+    assert_int_equal(stream_close(&stream, false, &report), E_DECK);
 }
 
 /* Many columns, the longest numbers there are: within what was reserved, and nothing is taken from
@@ -625,11 +625,11 @@ static void ticks_send_rows(void **state)
         const char *path = in_folder("row");
         assert_int_equal(stream_create(&stream, path, life, &report), OK);
         struct sink sink = f->open(&stream, life);
-        sink.ops->meta(&sink, &meta, &report);
-        sink.ops->row(&sink, rows[0], &report);
+        assert_int_equal(sink.ops->meta(&sink, &meta, &report), OK);
+        assert_int_equal(sink.ops->row(&sink, rows[0], &report), OK);
         assert_int_equal(sink.ops->tick(&sink, 5, &report), OK);
         assert_non_null(strstr(text_of(in_folder("row.part")), "0.30000000000000004"));
-        stream_close(&stream, false, &report);
+        assert_int_equal(stream_close(&stream, false, &report), OK);
     }
 }
 
@@ -655,7 +655,7 @@ static void writers_pass_on_what_the_stream_says(void **state)
         assert_int_equal(sink.ops->event(&sink, 0, "stop", "words", &report), E_FILE);
         assert_int_equal(sink.ops->tick(&sink, 2, &report), E_FILE);
         assert_int_equal(sink.ops->end(&sink, &(struct run_summary){0}, &report), E_FILE);
-        stream_close(&stream, false, &report);
+        assert_int_equal(stream_close(&stream, false, &report), E_FILE);
     }
 }
 
