@@ -21,9 +21,13 @@
  *
  * Forces are d'Alembert's of the particles, and of the rest those of the Boltzmann-Hamel equations F = P' + w x P,
  * N = L' + w x L + v x P with P = dT/dv, L = dT/dw, Q = (dT/dq')' - dT/dq.  With a = v' + w x v the true acceleration
- * of the origin in frame axes (gravity in it as upward acceleration) g_a = [sqrt(m) a] + w' x c_a + w x (w x c_a) + 2 w
- * x c_a' + c_a''      (a: of c_0 alone) F = sqrt(m) g_0 N = sum c_a x g_a + J^ w' + w x J^ w + J^' w + G^ q'' + w x G^
- * q' Q = sum dc_a/dq . g_a + G^T w' + M^ q'' + 2 w . (int phi^_k x phi^_j dm) q_k' - 1/2 w . dJ^/dq w
+ * of the origin in frame axes (gravity in it as upward acceleration)
+ *
+ *     g_a = [sqrt(m) a] + w' x c_a + w x (w x c_a) + 2 w x c_a' + c_a''      (a: of c_0 alone)
+ *     F   = sqrt(m) g_0
+ *     N   = sum c_a x g_a + J^ w' + w x J^ w + J^' w + G^ q'' + w x G^ q'
+ *     Q   = sum dc_a/dq . g_a + G^T w' + M^ q'' + 2 w . (int phi^_k x phi^_j dm) q_k' - 1/2 w . dJ^/dq w
+ *
  * Affine in (a, w', q''), with a symmetric matrix; T' = v.F + w.N + q'.Q.  N is about the origin. */
 #ifndef FMDSUB_FLEX_AFFINE_H
 #define FMDSUB_FLEX_AFFINE_H

@@ -8,8 +8,11 @@
  * With y from the node to the origin of the mean frame, d from origin to origin, wt and dw the turn's angular velocity
  * and its slopes by q', F, N and Q are those of the mean frame and
  *
- *     a := a + w' x d + w x (w x d) + 2 w x (wt x y) + wt' x y + wt x (wt x y),    w := w + wt,   w' := w' + wt' + w x
- * wt Q := Q + dw.(N + y x F) + K q + D q',    N := N + d x F.
+ *     a  := a + w' x d + w x (w x d) + 2 w x (wt x y) + wt' x y + wt x (wt x y)
+ *     w  := w + wt
+ *     w' := w' + wt' + w x wt
+ *     Q  := Q + dw.(N + y x F) + K q + D q'
+ *     N  := N + d x F
  *
  * a = v' + w x v is the true acceleration of the origin in frame axes (gravity in it as upward acceleration).  All is
  * affine in (a, w', q''), with a symmetric positive matrix; energy is kept exactly: (T + q'Kq/2)' = v.F + w.N + q'.Q

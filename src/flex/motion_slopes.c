@@ -10,8 +10,8 @@
  * and what is in a bracket here is found for each of the three directions by central differences: exact for t1, in
  * which the motion is quadratic, and to round-off and the square of the step for theta,
  *
- *     dQ/dq_j = dQ_in/dq_j + Theta_j . [dQ_in/d(a1, w1, al1) d(a1, w1, al1)/dtheta] + Theta . (T dm/dq_j + [dT/dtheta
- * m]). */
+ *     dQ/dq_j = dQ_in/dq_j + Theta_j . [dQ_in/d(a1, w1, al1) d(a1, w1, al1)/dtheta]
+ *               + Theta . (T dm/dq_j + [dT/dtheta m]). */
 #include <string.h>
 
 #include "flex/motion_parts.h"

@@ -8,8 +8,9 @@
  *    lines, s (s_b^2 - s_a^2)/2 = (x_b - x_a) . (change of x_b - x_a) s, the work is exact so, and the
  *    force stays on the line of the points, which keeps both momenta;
  *  - what is left is of third order and made by rotations: a remainder E of work goes to the rotations u_k that
- *    change the measure, Q_k += E u_k / (h u.u); where only flexible bodies change it, to their coordinates.  Gonzalez,
- * J. Nonlinear Sci. 6 (1996) 449, with this choice of the direction dq. */
+ *    change the measure, Q_k += E u_k / (h u.u); where only flexible bodies change it, to their coordinates.
+ *
+ * Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with this choice of the direction dq. */
 #include "force/elements.h"
 
 #include <float.h>

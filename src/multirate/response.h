@@ -17,8 +17,11 @@
  * The minor steps answer to a ramp p and a constant c alone: x_n = X s, the sum of midpoints is Y s,
  * s = (p, c).  With e = rho + (H/2) du - W x_n, rho = -W dx_n what the minor steps moved it by on their own,
  *
- *     G du + U s = -(R + H F rho),   G = M_LL + (H^2/4) K_LL + (H/2) C_LL + (H^2/2) F,   U = h K_LS Y + (C_LS - H F W)
- *     E s = V du - (0, W' F rho),    E = 1 - (0, W' F W X),    V = ((H/2) K_SL, C_SL/2 - (H/2) W' F)        (S12)
+ *     G du + U s = -(R + H F rho)
+ *     E s = V du - (0, W' F rho)                                                                            (S12)
+ *
+ *     G = M_LL + (H^2/4) K_LL + (H/2) C_LL + (H^2/2) F,   U = h K_LS Y + (C_LS - H F W) X,
+ *     E = 1 - (0, W' F W X),                              V = ((H/2) K_SL, C_SL/2 - (H/2) W' F),
  *
  * a system of 2 ns equations (E + V G^-1 U) s = ..., and G as structured as M_LL where slow stiffness and
  * damping are along coordinates. */

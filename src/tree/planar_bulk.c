@@ -3,9 +3,13 @@
  * About the root's frame o, with d = r - o and u = v - v_o, so that little is lost where the bodies are far from the
  * world's origin or fast:
  *
- *     S = sum m d + h,   P = sum m u,   L = sum (d x m u + I w),   J = sum (I + m d.d + 2 d.h),   2 T = sum (m u.u + I
- * w w) F = sum F,   N = sum (d x F + N),   W = sum (u.F + w N + q'.Q) centre c = o + S/m,   momentum m v_o + P;   about
- * the centre L - S x P/m,   J - S.S/m,   2 T - P.P/m, N - S x F/m,   W - P.F/m
+ *     S = sum m d + h,   P = sum m u,   L = sum (d x m u + I w),   J = sum (I + m d.d + 2 d.h)
+ *     2 T = sum (m u.u + I w w)
+ *     F = sum F,   N = sum (d x F + N),   W = sum (u.F + w N + q'.Q)
+ *
+ * the centre is c = o + S/m, the momentum m v_o + P, and about the centre
+ *
+ *     L - S x P/m,   J - S.S/m,   2 T - P.P/m,   N - S x F/m,   W - P.F/m.
  *
  * h is the first moment of a flexible body about its frame; it has its P, L, I and T from its own kinetic energy, and Q
  * without stiffness and damping.  Gravity, which is in the accelerations, has no moment about the centre. */
