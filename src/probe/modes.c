@@ -39,18 +39,24 @@ static enum status displaced_resid(double *r, const struct linear *l, double *q1
     return OK;
 }
 
-/* K and N by central differences, exact for cubic r: the stretch of a beam held at both ends is one.  Unit mass of a
- * quick mode of a light beam moves far, so that quick coordinates take small steps. */
+/* A usual change of coordinate i. */
+static double usual(const struct linear *l, int i)
+{
+    return l->ode->size ? l->ode->size(l->ode, i) : 1;
+}
+
+/* K and N by central differences, exact for cubic r: the stretch of a beam held at both ends is one.  Steps are in
+ * usual changes of the coordinates: a mode of a light beam, which has unit mass, moves far per unit. */
 static enum status stiffness(struct linear *l, struct arena *life, struct trouble *why)
 {
-    static const double step = 1e-5, quick = 1e3; /* [m], [rad]; [rad/s] */
+    static const double step = 1e-5; /* of a usual change */
     static const double at[4] = {-2, -1, 1, 2}, weight[4] = {1. / 12, -2. / 3, 2. / 3, -1. / 12};
     int n = l->n;
     double *q1 = TAKE(life, double, l->ode->nq), *dx = TAKE(life, double, n), *zero = TAKE(life, double, n);
     double *r = TAKE(life, double, n), *work = TAKE(life, double, n);
     for (int j = 0; j < n; j++) {
         double *K = l->K + (long)n * j;
-        const double h = step / (1 + sqrt(fabs(K[j]) / l->M[j + (long)n * j]) / quick);
+        const double h = step * usual(l, j);
         memset(K, 0, (size_t)n * sizeof *K);
         for (int k = 0; k < 4; k++) {
             dx[j] = at[k] * h;
@@ -72,11 +78,12 @@ static enum status stiffness(struct linear *l, struct arena *life, struct troubl
 /* G at a time by central differences, exact since r is quadratic in v but for friction. */
 static enum status gyroscopic(double *G, const struct linear *l, double t, struct arena *life, struct trouble *why)
 {
-    static const double step = 1e-2; /* [m/s], [rad/s] */
+    static const double rate = 1e-2; /* usual changes a second */
     int n = l->n;
     double *v = TAKE(life, double, n), *up = TAKE(life, double, n), *down = TAKE(life, double, n);
     struct instant x = {.t = t, .q = l->q, .v = v, .ta = t, .tb = t};
     for (int j = 0; j < n; j++) {
+        const double step = rate * usual(l, j);
         v[j] = step;
         TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, ALL, why));
         v[j] = -step;
@@ -207,19 +214,20 @@ static void in_modes(double *o, const double *A, const double *X, int n, double 
 }
 
 /* Do gyroscopic terms count? */
-static bool turned(const double *g, double top, int n)
+static bool turned(const double *g, double top, int count, int n)
 {
     static const double counts = 1e-9; /* of the highest frequency */
     double most = 0;
-    for (int k = 0; k < n * n; k++) most = fmax(most, fabs(g[k]));
+    for (int j = 0; j < count; j++)
+        for (int i = 0; i < count; i++) most = fmax(most, fabs(g[i + j * n]));
     return most > counts * top;
 }
 
 /* Do circulatory ones?  They are known to the errors of differences. */
-static bool circulated(const double *c, const double *lambda, int n)
+static bool circulated(const double *c, const double *lambda, int count, int n)
 {
     static const double counts = 1e-3, noise = 1e-8;
-    for (int j = 0; j < n; j++)
+    for (int j = 0; j < count; j++)
         for (int i = 0; i < j; i++) {
             const double a = fabs(lambda[i]), b = fabs(lambda[j]);
             if (fabs(c[i + j * n]) > counts * sqrt(a * b) + noise * fmax(a, b)) return true;
@@ -227,73 +235,155 @@ static bool circulated(const double *c, const double *lambda, int n)
     return false;
 }
 
-/* S [2n x 2n] */
-static void antisymmetric(double *S, const double *g, const double *lambda, int n)
+/* S [2n x 2n]; g [n x n], its columns `stride` apart */
+static void antisymmetric(double *S, const double *g, const double *lambda, int n, int stride)
 {
     int m = 2 * n;
     for (int j = 0; j < n; j++) {
         double root = sqrt(fmax(lambda[j], 0));
-        for (int i = 0; i < n; i++) S[i + j * m] = g[i + j * n];
+        for (int i = 0; i < n; i++) S[i + j * m] = g[i + j * stride];
         S[j + (n + j) * m] = root;
         S[n + j + j * m] = -root;
     }
 }
 
-/* One mode from a [2n], unit: velocities x' = X p' of both parts, of which half the squares decay by damping. */
+/* One mode of a group of `count` from a [2 count], unit: velocities x' = X p' of both parts, of which half the squares
+ * decay by damping; work [2 (n + count)]. */
 static void describe_turned(struct mode *o, const struct linear *l, const double *X, const double *S, double omega,
-                            const double *a, double *work)
+                            const double *a, int count, double *work)
 {
-    int n = l->n;
-    double *b = work, *v = work + 2 * n;
-    times(b, S, a, 2 * n, 2 * n, 2 * n);
-    for (int i = 0; i < 2 * n; i++) b[i] /= omega;
-    times(v, X, a, n, n, n);
-    times(v + n, X, b, n, n, n);
+    const int n = l->n, m = 2 * count;
+    double *b = work, *v = work + m;
+    times(b, S, a, m, m, m);
+    for (int i = 0; i < m; i++) b[i] /= omega;
+    times(v, X, a, n, count, n);
+    times(v + n, X, b, n, count, n);
     *o = (struct mode){.omega = omega};
     o->damping = (form(l->C, v, n) + form(l->C, v + n, n)) / (2 * omega);
     shares(o, l, v, 2);
 }
 
-static void describe_gyroscopic(struct modes *o, const struct linear *l, const double *X, const double *lambda,
-                                const double *g, struct arena *life)
+/* `count` modes; X, lambda and g [n x n] from the first of them on. */
+static void gyroscopic_group(struct mode *o, const struct linear *l, const double *X, const double *lambda,
+                             const double *g, int count, struct arena *life)
 {
-    int n = l->n, m = 2 * n;
+    const int n = l->n, m = 2 * count;
     double *S = TAKE(life, double, m *m), *A = TAKE(life, double, m *m), *Y = TAKE(life, double, m *m);
-    double *square = TAKE(life, double, m), *work = TAKE(life, double, 2 * m);
-    antisymmetric(S, g, lambda, n);
+    double *square = TAKE(life, double, m), *work = TAKE(life, double, 2 * (n + m));
+    antisymmetric(S, g, lambda, count, n);
     for (int j = 0; j < m; j++)
         for (int i = 0; i < m; i++)
             for (int k = 0; k < m; k++) A[i + j * m] += S[k + i * m] * S[k + j * m];
     eigen_symmetric(square, Y, A, m);
-    for (int j = 0; j < n; j++) {
+    for (int j = 0; j < count; j++) {
         double omega = sqrt(fmax(square[2 * j], 0));
         if (omega > 1e-6 * sqrt(square[m - 1]))
-            describe_turned(&o->mode[j], l, X, S, omega, Y + 2 * j * m, work);
+            describe_turned(&o[j], l, X, S, omega, Y + 2 * j * m, count, work);
         else
-            describe(&o->mode[j], l, 0, X + j * n);
+            describe(&o[j], l, 0, X + j * n);
     }
 }
 
 /* ---- the same with all ----
  *
  * In the modes X again, p'' + X'(G + C) X p' + X'(K + N) X p = 0; g and c have the parts of G and N. */
-static bool describe_all(struct modes *o, const struct linear *l, const double *X, const double *lambda, double *g,
-                         double *c, struct arena *life)
+static bool whole_group(struct mode *o, const struct linear *l, const double *X, const double *g, const double *c,
+                        int count, struct arena *life)
 {
     const int n = l->n;
-    double *x = TAKE(life, double, 2 * n), *damping = TAKE(life, double, n *n);
-    struct swing *swing = TAKE(life, struct swing, n);
-    in_modes(damping, l->C, X, n, x);
-    for (int k = 0; k < n * n; k++) g[k] += damping[k];
-    for (int j = 0; j < n; j++) c[j + n * j] += lambda[j];
-    if (!swing_find(swing, c, g, n, life)) return false;
-    for (int j = 0; j < n; j++) {
-        o->mode[j] = (struct mode){.omega = swing[j].omega, .damping = swing[j].damping};
-        times(x, X, swing[j].p, n, n, n);
-        times(x + n, X, swing[j].p + n, n, n, n);
-        shares(&o->mode[j], l, x, 2);
+    double *x = TAKE(life, double, 2 * n), *G = TAKE(life, double, count *count), *K = TAKE(life, double, count *count);
+    struct swing *swing = TAKE(life, struct swing, count);
+    for (int j = 0; j < count; j++)
+        for (int i = 0; i < count; i++) {
+            G[i + j * count] = g[i + j * n];
+            K[i + j * count] = c[i + j * n];
+        }
+    if (!swing_find(swing, K, G, count, life)) return false;
+    for (int j = 0; j < count; j++) {
+        o[j] = (struct mode){.omega = swing[j].omega, .damping = swing[j].damping};
+        times(x, X, swing[j].p, n, count, n);
+        times(x + n, X, swing[j].p + count, n, count, n);
+        shares(&o[j], l, x, 2);
     }
     return true;
+}
+
+/* ---- groups of frequencies far apart ---- */
+
+/* What is needed of them all: G, N and C in the modes X of (K, M), [n x n] each. */
+struct spectrum {
+    const double *X, *lambda; /* [n x n], [n] ascending */
+    double *g, *c, *d;
+    double top; /* largest |lambda| */
+};
+
+/* Where the group of modes that begins at `from` ends.  What modes j far above do to a slower mode i is of the order
+ * of (g_ij / omega_j)^2 and c_ij^2 / (lambda_i lambda_j): nothing, beside the digits that solving both at once costs
+ * where a beam is all but massless.  lambda ascends. */
+static int group_end(const double *g, const double *c, const double *lambda, int from, int n)
+{
+    static const double apart = 1e-5, noise = 1e-10;
+    int end = from + 1;
+    for (int i = from; i < end; i++)
+        for (int j = n - 1; j >= end; j--) {
+            const double top = fmax(lambda[j], 0), both = sqrt(fmax(lambda[i], 0) * top);
+            const bool turns = fmax(fabs(g[i + j * n]), fabs(g[j + i * n])) > apart * sqrt(top);
+            const double push = fmax(fabs(c[i + j * n]), fabs(c[j + i * n]));
+            if (turns || push > apart * both + noise * top) end = j + 1;
+        }
+    return end;
+}
+
+/* Is there a mode that stiffness alone does not hold?  Round-off is that of the group and of the whole. */
+static bool unstable(const double *lambda, int count, double top)
+{
+    const double most = fmax(fabs(lambda[0]), fabs(lambda[count - 1]));
+    return lambda[0] < -(1e-9 * most + 1e-15 * top);
+}
+
+/* `count` modes from `from` on.  False: no convergence. */
+static bool describe_group(struct mode *o, const struct linear *l, const struct spectrum *s, int from, int count,
+                           struct arena *life)
+{
+    const int n = l->n;
+    const double *X = s->X + from * n, *lambda = s->lambda + from;
+    double *g = s->g + from * (n + 1), *c = s->c + from * (n + 1), *d = s->d + from * (n + 1);
+    const double top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[count - 1])));
+    const bool turns = turned(g, top, count, n);
+    if (circulated(c, lambda, count, n) || (turns && unstable(lambda, count, s->top))) {
+        for (int j = 0; j < count; j++) {
+            for (int i = 0; i < count; i++) g[i + j * n] += d[i + j * n];
+            c[j + n * j] += lambda[j];
+        }
+        return whole_group(o, l, X, g, c, count, life);
+    }
+    if (turns)
+        gyroscopic_group(o, l, X, lambda, g, count, life);
+    else
+        for (int j = 0; j < count; j++) describe(&o[j], l, lambda[j], X + j * n);
+    return true;
+}
+
+static bool describe_all(struct modes *o, const struct linear *l, const double *X, const double *lambda,
+                         struct arena *life)
+{
+    const int n = l->n;
+    double *work = TAKE(life, double, n);
+    struct spectrum s = {X,
+                         lambda,
+                         TAKE(life, double, n *n),
+                         TAKE(life, double, n *n),
+                         TAKE(life, double, n *n),
+                         fmax(fabs(lambda[0]), fabs(lambda[n - 1]))};
+    in_modes(s.g, l->G, X, n, work);
+    in_modes(s.c, l->N, X, n, work);
+    in_modes(s.d, l->C, X, n, work);
+    bool found = true;
+    for (int a = 0, b; found && a < n; a = b) {
+        b = group_end(s.g, s.c, lambda, a, n);
+        found = describe_group(o->mode + a, l, &s, a, b - a, life);
+    }
+    return found;
 }
 
 enum status modes_find(struct modes *o, const struct sim *sim, struct arena *life, struct report *report)
@@ -313,18 +403,8 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));
     o->n = n;
     o->mode = TAKE(life, struct mode, n);
-    double *g = TAKE(life, double, n *n), *c = TAKE(life, double, n *n), *work = TAKE(life, double, n);
-    const double top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[n - 1])));
-    in_modes(g, l.G, X, n, work);
-    in_modes(c, l.N, X, n, work);
-    const bool turns = turned(g, top, n), unstable = lambda[0] < -1e-9 * top * top;
-    if (circulated(c, lambda, n) || (turns && unstable)) {
-        if (!describe_all(o, &l, X, lambda, g, c, life))
-            return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);
-    } else if (turns)
-        describe_gyroscopic(o, &l, X, lambda, g, life);
-    else
-        for (int j = 0; j < n; j++) describe(&o->mode[j], &l, lambda[j], X + j * n);
+    if (!describe_all(o, &l, X, lambda, life))
+        return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);
     local(o, &l, X, lambda);
     return OK;
 }

@@ -66,12 +66,16 @@ double sizes_length(const struct model *m)
     return length > 0 ? length : 1;
 }
 
-/* The farthest that elastic coordinate k moves a node of its body, per unit [m]. */
-static double reach(const struct flex_body *f, int k)
+/* The farthest that elastic coordinate k moves a node of its body, per unit, in lengths; where it only turns them, as
+ * torsion does, in rad. */
+static double reach(const struct flex_body *f, int k, double length)
 {
-    double most = 0;
-    for (int i = 0; i < f->nnode; i++) most = fmax(most, v3_norm(f->node[i].phi + 3 * k));
-    return most;
+    double most = 0, turn = 0;
+    for (int i = 0; i < f->nnode; i++) {
+        most = fmax(most, v3_norm(f->node[i].phi + 3 * k));
+        turn = fmax(turn, v3_norm(f->node[i].psi + 3 * k));
+    }
+    return most > 0 ? most / length : turn;
 }
 
 void sizes_fill(double *size, const struct model *m)
@@ -84,7 +88,7 @@ void sizes_fill(double *size, const struct model *m)
     }
     for (int i = 1; i < m->nbody; i++)
         for (int k = 0; k < m->body[i].nmode; k++) {
-            double per_unit = reach(m->body[i].flex, k);
-            if (per_unit > 0) size[m->body[i].mode_v[k]] = length / per_unit;
+            double per_unit = reach(m->body[i].flex, k, length);
+            if (per_unit > 0) size[m->body[i].mode_v[k]] = 1 / per_unit;
         }
 }

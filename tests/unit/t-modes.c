@@ -233,12 +233,65 @@ static void test_follower(void **state)
     arena_close(o.life);
 }
 
+/* A disc on the end of a shaft of next to no mass that a drive turns at W; seen from the shaft w appears as W - w:
+ *
+ *     (k11 - m w^2)(k22 - It w^2 + Ip W w) = k12^2,   k = EI/L^3 [12, -6 L; -6 L, 4 L^2],   torsion GJ/(L Ip).
+ *
+ * The frequencies of the shaft itself lie five to eight decades higher. */
+static double whirl(double w)
+{
+    const double EI = 210e9 * 3.14159265358979323846 * 1e-8 / 4, W = 600;
+    return ((12 * EI - w * w) * (4 * EI - 0.01 * w * w + 0.02 * W * w) - 36 * EI * EI) / (EI * EI);
+}
+
+static void test_massless_shaft(void **state)
+{
+    static const char *const density[] = {"parameters.rho=1.0e-3", "parameters.rho=1.0e-6", "parameters.rho=1.0e-9"};
+    static const char deck[] = "fmdsub: 1\n"
+                               "parameters: {rho: 1}\n"
+                               "bodies:\n"
+                               "  shaft:\n"
+                               "    beam: {from: [0, 0, 0], to: [1, 0, 0], elements: 8, shear: false}\n"
+                               "    section: {circle: 0.01}\n"
+                               "    material: {E: 210.0e+9, nu: 0.3, density: rho}\n"
+                               "    modes: 4\n"
+                               "    points: {tip: {station: 1, static: true}}\n"
+                               "  disc: {mass: 1, inertia: [0.02, 0.01, 0.01], at: [1, 0, 0]}\n"
+                               "constraints:\n"
+                               "  root: {revolute: [ground, shaft], at: [0, 0, 0], axis: [1, 0, 0]}\n"
+                               "  hold: {fixed: [shaft, disc], at: [1, 0, 0]}\n"
+                               "drives: {spin: {drive: root.angle, value: \"600*t\"}}\n"
+                               "integrate: {scheme: newmark, step: 1.0e-4, until: 0.1}\n";
+    (void)state;
+    char path[] = "/tmp/t-modes-XXXXXX.yaml";
+    int file = mkstemps(path, 5);
+    assert_true(file >= 0);
+    assert_int_equal(write(file, deck, sizeof deck - 1), sizeof deck - 1);
+    close(file);
+    for (int k = 0; k < 3; k++) {
+        struct opened o;
+        find(&o, path, 1, density + k);
+        assert_int_equal(o.modes.n, 10);
+        near(o.modes.mode[0].omega, sqrt(210e9 / 2.6 * 3.14159265358979323846 * 1e-8 / 2 / 0.02), 1e-5);
+        for (int i = 1; i < 5; i++) {
+            const double w = o.modes.mode[i].omega, off = 1e-5;
+            const bool slow = whirl(600 - w * (1 - off)) * whirl(600 - w * (1 + off)) < 0;
+            assert_true(slow || whirl(600 + w * (1 - off)) * whirl(600 + w * (1 + off)) < 0);
+            assert_true(fabs(o.modes.mode[i].damping) < 1e-9);
+            if (i > 1) assert_true(w > 1.02 * o.modes.mode[i - 1].omega);
+        }
+        assert_true(o.modes.mode[6].omega > 1e6);
+        arena_close(o.life);
+    }
+    unlink(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_slider),     cmocka_unit_test(test_double_pendulum), cmocka_unit_test(test_upright),
         cmocka_unit_test(test_suggestion), cmocka_unit_test(test_gyroscopic),      cmocka_unit_test(test_fast_disk),
-        cmocka_unit_test(test_follower),
+        cmocka_unit_test(test_follower),   cmocka_unit_test(test_massless_shaft),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
