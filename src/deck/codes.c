@@ -180,6 +180,10 @@ const struct diag_help diag_helps[] = {
     {"W-bending",
      "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
      "followed by several: give the beam 'segments', or more of them."},
+    {"W-modes",
+     "Two modes of a beam have one frequency, as those of a round shaft in its two planes, and 'modes' cuts between "
+     "them: with one of the two the beam bends differently in the two planes, and what whirls, whirls wrongly. "
+     "Take one mode more or one less."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     {NULL, NULL},

@@ -58,6 +58,9 @@ struct flex_body {
     double *xs;    /* [9 x n x n]     int x S_ij' dm */
     double *K;     /* [n x n] stiffness; symmetric >= 0 [N/m] */
     double *D;     /* [n x n] damping; NULL: none */
+    double
+        edge[2]; /* of the modes with all joints clamped the highest frequency that is kept and the lowest that is left
+                     * out [Hz]; 0, 0: not known */
     double *hertz; /* [n] frequencies with the reference node clamped, by coordinate, where coordinates are modes;
                     * NULL: they are not */
 };

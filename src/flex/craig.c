@@ -46,12 +46,14 @@ static void hold(bool *held, struct band *K, struct band *M, const struct craig 
         }
 }
 
-/* Puts a mode among those found, ascending; the highest falls out. */
-static void keep(double *lambda, double *Phi, int *n, int most, int size, double l, const double *x)
+/* Puts a mode among those found, ascending; the highest falls out, and *next is the lowest that did. */
+static void keep(double *lambda, double *Phi, double *next, int *n, int most, int size, double l, const double *x)
 {
     int k = *n;
-    if (k == most && (most == 0 || l >= lambda[most - 1])) return;
-    if (k == most) k--;
+    const bool full = k == most, fits = !full || (most > 0 && l < lambda[most - 1]);
+    if (full) *next = fmin(*next, fits ? lambda[most - 1] : l);
+    if (!fits) return;
+    if (full) k--;
     for (; k > 0 && lambda[k - 1] > l; k--) {
         lambda[k] = lambda[k - 1];
         memcpy(Phi + (long)k * size, Phi + (long)(k - 1) * size, (size_t)size * sizeof *Phi);
@@ -61,15 +63,17 @@ static void keep(double *lambda, double *Phi, int *n, int most, int size, double
     if (*n < most) ++*n;
 }
 
-/* Phi [size x modes]: the lowest modes with all interfaces clamped, family by family. */
-static enum status fixed_modes(double *Phi, const struct craig *o, const struct band *L, const struct band *M,
-                               const bool *held, struct arena *scratch, struct report *report)
+/* Phi [size x modes]: the lowest modes with all interfaces clamped, family by family; edge: the highest of these, the
+ * lowest left out of all that were found. */
+static enum status fixed_modes(double *Phi, double *edge, const struct craig *o, const struct band *L,
+                               const struct band *M, const bool *held, struct arena *scratch, struct report *report)
 {
     int size = M->n, family[MOST_PER], n = 0;
     double *l = TAKE(scratch, double, o->modes), *X = TAKE(scratch, double, o->modes *size);
     double *lambda = TAKE(scratch, double, o->modes);
     bool *use = TAKE(scratch, bool, size);
     families(family, o);
+    edge[1] = INFINITY;
     for (int k = 0; k < o->per; k++) {
         int count = 0;
         for (int i = 0; i < size; i++) count += use[i] = !held[i] && family[i % o->per] == k;
@@ -80,8 +84,9 @@ static enum status fixed_modes(double *Phi, const struct craig *o, const struct 
         arena_rewind(scratch, mark);
         if (done == -1) return fail(report, E_MODEL, "the mass matrix of the beam is not positive");
         if (done < 0) return fail(report, E_MODEL, "the modes of the beam do not converge");
-        for (int j = 0; j < count; j++) keep(lambda, Phi, &n, o->modes, size, l[j], X + (long)j * size);
+        for (int j = 0; j < count; j++) keep(lambda, Phi, edge + 1, &n, o->modes, size, l[j], X + (long)j * size);
     }
+    edge[0] = n ? lambda[n - 1] : 0;
     return OK;
 }
 
@@ -142,7 +147,7 @@ static enum status diagonal(double *lambda, double *Phi, const struct craig *o, 
     return OK;
 }
 
-enum status craig_reduce(double *lambda, double *Phi, const struct craig *o, struct arena *scratch,
+enum status craig_reduce(double *lambda, double *Phi, double *edge, const struct craig *o, struct arena *scratch,
                          struct report *report)
 {
     int size = o->K->n, inner = size - o->per * o->ninterface;
@@ -153,7 +158,7 @@ enum status craig_reduce(double *lambda, double *Phi, const struct craig *o, str
                     o->modes, inner);
     hold(held, &L, &M, o);
     if (band_cholesky(&L) >= 0) return fail(report, E_MODEL, "the stiffness matrix of the beam is not positive");
-    TRY(fixed_modes(Phi, o, &L, &M, held, scratch, report));
+    TRY(fixed_modes(Phi, edge, o, &L, &M, held, scratch, report));
     constraint_modes(Phi + (long)o->modes * size, o, &L, held);
     return diagonal(lambda, Phi, o, scratch, report);
 }

@@ -19,9 +19,11 @@ struct craig {
 /* Coordinates of the result. */
 int craig_count(const struct craig *o);
 
-/* lambda [n] ascending, Phi [freedoms x n]: Phi' M Phi = 1, Phi' K Phi = diag(lambda).  E_MODEL: more modes than
+/* lambda [n] ascending, Phi [freedoms x n]: Phi' M Phi = 1, Phi' K Phi = diag(lambda).  edge [2]: of the modes with all
+ * interfaces clamped the highest lambda that is kept (none: 0) and the lowest that is left out (none: infinity); of
+ * families that nothing couples each is looked at as far as the number of modes.  E_MODEL: more modes than
  * freedoms, or a matrix is not positive. */
-enum status craig_reduce(double *lambda, double *Phi, const struct craig *o, struct arena *scratch,
+enum status craig_reduce(double *lambda, double *Phi, double *edge, const struct craig *o, struct arena *scratch,
                          struct report *report);
 
 #endif

@@ -137,6 +137,18 @@ static void weigh(struct scene_body *body)
     for (int i = 0; i < 6; i++) body->inertia[i] = (i < 3 ? trace : 0) - A[at[i]] + r[at[i]];
 }
 
+/* Of two modes of one frequency, as a round shaft has them, one alone bends in one plane only. */
+static void warn_of_halved_pair(struct builder *b, const struct scene_body *body, const struct node *modes)
+{
+    static const double same = 1e-6;
+    const double *edge = body->flex->edge;
+    if (!modes || !(edge[0] > 0) || !(edge[1] - edge[0] <= same * edge[0])) return;
+    diag_warn(b->diags, modes, AT_VALUE, "W-modes", "body '%s': of two modes of %.4g Hz one is left out", body->name,
+              edge[0]);
+    diag_hint(b->diags, "they are a pair: take both, %d modes, or neither, %d",
+              b->draft[body - b->scene->body]->beam.modes + 1, b->draft[body - b->scene->body]->beam.modes - 1);
+}
+
 static int make(struct builder *b, int index)
 {
     struct scene_body *body = &b->scene->body[index];
@@ -157,6 +169,7 @@ static int make(struct builder *b, int index)
     body->flex = flex;
     body->nmode = flex->n;
     weigh(body);
+    warn_of_halved_pair(b, body, o->modes);
     return 0;
 }
 

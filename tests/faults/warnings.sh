@@ -63,3 +63,10 @@ integrate: {scheme: subcycle, step: 1.0e-3, ratio: 10, until: 0.1}'
 silent "a drive that the slow step resolves" "$driven"
 warned "a drive that it does not" "$driven" "^deck.yaml:7:10: warning: drive 'turn' turns too quickly .* \[W-drive\]" 'drives.turn.value=0.1*sin(300*t)'
 silent "one rate, and no warning of two" "$driven" 'drives.turn.value=0.01*sin(50*t)' 'integrate.ratio=1'
+shaft='fmdsub: 1
+bodies:
+  shaft: {beam: {from: [0, 0, 0], to: [1, 0, 0]}, section: {circle: 0.01}, material: steel, modes: 4}
+constraints: {root: {fixed: [ground, shaft], at: [0, 0, 0]}}
+integrate: {scheme: midpoint, step: 1.0e-4, until: 1.0e-3}'
+silent "whole pairs of a round shaft's modes" "$shaft"
+warned "half a pair" "$shaft" "body 'shaft': of two modes of [0-9.]* Hz one is left out \[W-modes\]" 'bodies.shaft.modes=3'
