@@ -165,6 +165,22 @@ golden: $(PROGRAM) $(TOOLS)
 bench: $(PROGRAM) $(TOOLS) $(BENCHES)
 	@BUILD=$(BUILD) sh tests/bench/run.sh
 
+# ---- against another program -----------------------------------------------------------------
+
+## REF           the other program
+## REV           or the commit to build it from: make same REV=HEAD~3
+ifdef REV
+REF      := $(BUILD)/same/$(shell git rev-parse $(REV))/build/fmdsub
+$(REF):
+	@mkdir -p $(@D)
+	@git archive $(REV) | tar -x -C $(@D)/..
+	@$(MAKE) --no-print-directory -C $(@D)/.. BUILD=build REV= build/fmdsub
+endif
+
+## same          whether both say the same of every deck under every scheme, byte for byte; D=chain of some
+same: $(PROGRAM) $(REF)
+	@BUILD=$(BUILD) D="$(D)" sh tests/tools/same.sh $(REF)
+
 # ---- the look of the code --------------------------------------------------------------------
 
 ## layers        includes that point the wrong way
@@ -235,5 +251,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench layers eqs format format-check lint man \
+.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same layers eqs format format-check lint man \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -43,6 +43,15 @@ same() {
     else not_ok "$1" "bytes differ" "$work/cmp"; fi
 }
 
+# wanted NAME: whether it contains one of the words of D, if there are any.
+D=${D:-}
+wanted() {
+    for word in $(echo "$D" | tr , ' '); do
+        case $1 in *$word*) return 0 ;; esac
+    done
+    [ -z "$D" ]
+}
+
 # One failure instead of hundreds where the program is not there.
 need_program() {
     [ -x "$FMDSUB" ] && [ -x "$COMPARE" ] && return

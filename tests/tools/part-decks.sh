@@ -1,8 +1,7 @@
 # part-decks.sh -- every shipped deck and every deck of tests/decks: checked, run, compared with its golden
 # record (NAME.csv, tolerances NAME.tol) and, where NAME.ref gives options of `compare --reference`, with
-# the reference solution of the same name.  D: only those whose names contain one of its words.
+# the reference solution of the same name. Of these, those that D names.
 . tests/tools/lib.sh
-D=${D:-}
 need_program decks
 
 compare_golden() { # NAME RUN
@@ -23,13 +22,6 @@ compare_reference() { # NAME RUN
     shift 2
     if "$COMPARE" --reference --all $map "$@" "tests/refdata/$name.csv" "$run" >"$work/cmp" 2>&1; then ok "$name reference"
     else not_ok "$name reference" "too far from tests/refdata/$name.csv" "$work/cmp"; fi
-}
-
-wanted() { # NAME
-    for word in $(echo "$D" | tr , ' '); do
-        case $1 in *$word*) return 0 ;; esac
-    done
-    [ -z "$D" ]
 }
 
 for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
