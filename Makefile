@@ -181,6 +181,10 @@ endif
 same: $(PROGRAM) $(REF)
 	@BUILD=$(BUILD) D="$(D)" sh tests/tools/same.sh $(REF)
 
+## counts        instructions of a step of both, by callgrind; fails above LIMIT=1.02
+counts: $(PROGRAM) $(REF)
+	@BUILD=$(BUILD) LIMIT=$(LIMIT) sh tests/tools/counts.sh $(REF)
+
 # ---- the look of the code --------------------------------------------------------------------
 
 ## layers        includes that point the wrong way
@@ -251,5 +255,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same layers eqs format format-check lint man \
+.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man \
         help deps deps-test demo tools tests-built install uninstall clean
