@@ -187,6 +187,7 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     o->nword = argc - optind;
     o->word = argv + optind;
     if (o->output && !*o->output) return fail(report, E_USAGE, "--output needs the name of a file");
+    if (o->stats && !*o->stats) return fail(report, E_USAGE, "--stats= needs the name of a file");
     if (o->final_state && !*o->final_state) return fail(report, E_USAGE, "--final-state needs the name of a file");
     TRY(check_word("format", o->format, "csv|ndjson|json", report));
     TRY(check_word("progress", o->progress, "auto|always|never", report));

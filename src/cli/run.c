@@ -5,6 +5,7 @@
 
 #include "cli/cli.h"
 #include "out/number.h"
+#include "out/targets.h"
 #include "sim/sim.h"
 
 static bool shows_progress(const struct request *request)
@@ -79,6 +80,19 @@ static enum status write_state(struct sim *sim, const struct request *request, s
     return status != OK ? status : closed;
 }
 
+/* Records, state and counts go to three files, and none is the deck's. */
+static enum status check_targets(const struct request *request, const struct scene *scene, struct arena *life,
+                                 struct report *report)
+{
+    const struct target target[] = {
+        {"standard output", request->output ? NULL : "/dev/stdout", false},
+        {"--output", request->output, true},
+        {"--final-state", request->final_state, true},
+        {"--stats", request->stats, false},
+    };
+    return targets_check(target, sizeof target / sizeof *target, &scene->deck->read, life, report);
+}
+
 static enum status strict_verdict(const struct sim *sim, const struct diags *diags, struct report *report)
 {
     if (diags_warnings(diags))
@@ -99,6 +113,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
         .progress = shows_progress(request) ? PROGRESS_ALWAYS : PROGRESS_NEVER,
     };
     enum status status = cli_load(&scene, &diags, request, life, report);
+    if (status == OK) status = check_targets(request, scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     if (diags) diags_print(stderr, diags, cli_color(request));
     TRY(status);

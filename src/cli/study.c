@@ -10,6 +10,7 @@
 #include "cli/cli.h"
 #include "out/columns.h"
 #include "out/stream.h"
+#include "out/targets.h"
 
 enum { MOST_CHOICES = 64 };
 
@@ -104,6 +105,8 @@ enum status verb_study(const struct request *request, struct arena *life, struct
                               .ratio = choices.ratio,
                               .step = choices.step};
     enum status status = cli_load(&scene, &diags, request, life, report);
+    const struct target table_file = {"--output", request->output, true};
+    if (status == OK) status = targets_check(&table_file, 1, &scene->deck->read, life, report);
     if (status == OK) status = choose_schemes(&o, &choices, scene, request, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, scene, request, life, report);
     if (status == OK) status = study_run(&table, scene, &o, diags, life, report);

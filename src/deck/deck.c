@@ -35,12 +35,22 @@ static struct deck *open_deck(const char *path, const struct deck_options *optio
                               struct arena *arena)
 {
     struct deck *deck = TAKE(arena, struct deck, 1);
-    *deck = (struct deck){.arena = arena, .diags = diags, .pool = {.arena = arena}, .hash = 14695981039346656037u};
+    *deck = (struct deck){.arena = arena,
+                          .diags = diags,
+                          .pool = {.arena = arena},
+                          .read = {.arena = arena},
+                          .hash = 14695981039346656037u};
     deck->max_bytes = options && options->max_bytes ? options->max_bytes : DECK_BYTES;
     deck->scratch = arena_open();
     arena_defer(arena, close_scratch, deck->scratch);
     set_names(deck, path);
     return deck;
+}
+
+enum status deck_read(struct source **out, int fd, const char *path, struct deck *deck, struct report *report)
+{
+    files_add(&deck->read, fd);
+    return source_read(out, fd, path, deck->max_bytes, deck->arena, report);
 }
 
 static enum status read_file(struct source **out, struct stat *self, const char *path, struct deck *deck,
@@ -51,7 +61,7 @@ static enum status read_file(struct source **out, struct stat *self, const char 
     if (fd < 0 && errno == EINTR && stop) return stop_status(); /* a named pipe that nobody writes */
     if (fd < 0) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
     if (fstat(fd, self)) *self = (struct stat){0};
-    enum status status = source_read(out, fd, deck->path, deck->max_bytes, deck->arena, report);
+    enum status status = deck_read(out, fd, deck->path, deck, report);
     if (!stdin_) close(fd);
     return status;
 }
@@ -121,7 +131,7 @@ struct source *source_beside(const struct node *file, struct deck *deck)
     int fd = deck_open_file(file, deck);
     if (fd < 0) return NULL;
     const char *path = arena_print(deck->arena, "%s%s", strcmp(deck->folder, ".") ? deck->folder : "", file->text);
-    enum status status = source_read(&s, fd, path, deck->max_bytes, deck->arena, &report);
+    enum status status = deck_read(&s, fd, path, deck, &report);
     close(fd);
     if (status == OK) return s;
     diag_error(deck->diags, file, AT_VALUE, status == E_LIMIT ? "E-limit-file" : "E-path", "%s", report.text);

@@ -11,6 +11,7 @@
 #include <stdio.h>
 
 #include "base/arena.h"
+#include "base/files.h"
 #include "base/status.h"
 #include "deck/diag.h"
 #include "deck/node.h"
@@ -35,6 +36,7 @@ struct deck {
     const char *path;   /* as given; "<stdin>" */
     const char *name;   /* file name without .yaml: names the run */
     const char *folder; /* of files the deck names */
+    struct files read;  /* the deck and all files that it names */
     uint64_t hash;      /* FNV-1a of all texts that made the deck: files, --set */
     size_t max_bytes;
 

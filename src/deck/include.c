@@ -95,7 +95,7 @@ static struct node *read_part(int fd, const struct node *n, const char *path, co
 {
     struct source *s;
     struct report report = {0};
-    enum status status = source_read(&s, fd, path, deck->max_bytes, deck->arena, &report);
+    enum status status = deck_read(&s, fd, path, deck, &report);
     if (status != OK) {
         diag_error(deck->diags, n, AT_VALUE, status == E_LIMIT ? "E-limit-file" : "E-include", "%s", report.text);
         return NULL;

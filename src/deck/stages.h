@@ -13,6 +13,9 @@ void include_all(struct deck *deck, const struct stat *self);
 /* Checks a text and makes its tree; NULL: told. */
 struct node *deck_parse(struct deck *deck, const struct source *s, const char *what);
 
+/* All of an open file, which joins deck->read. */
+enum status deck_read(struct source **out, int fd, const char *path, struct deck *deck, struct report *report);
+
 /* Opens a file named by a node, inside the deck's folder; -1: told. */
 int deck_open_file(const struct node *n, struct deck *deck);
 /* The same as a source; NULL: told. */

@@ -75,15 +75,29 @@ static int open_part(const char *part)
     }
 }
 
-enum status stream_create(struct stream *s, const char *path, struct arena *life, struct report *report)
+/* Where the file really is, through links. */
+static const char *target_of(const char *path, struct arena *life)
 {
     char real[PATH_MAX];
+    const char *target = realpath(path, real) ? real : path;
+    return arena_copy(life, target, strlen(target));
+}
+
+const char *stream_part(const char *path, struct arena *life)
+{
+    struct stat st;
+    bool plain = stat(path, &st) != 0 || S_ISREG(st.st_mode);
+    return plain ? arena_print(life, "%s.part", target_of(path, life)) : NULL;
+}
+
+enum status stream_create(struct stream *s, const char *path, struct arena *life, struct report *report)
+{
     struct stat st = {0};
-    bool there = stat(path, &st) == 0, plain = !there || S_ISREG(st.st_mode);
+    bool there = stat(path, &st) == 0;
     start(s, -1, path, st.st_mode, life);
-    const char *target = there && realpath(path, real) ? real : path;
-    s->target = arena_copy(life, target, strlen(target));
-    if (plain) s->part = arena_print(life, "%s.part", target);
+    s->target = target_of(path, life);
+    s->part = stream_part(path, life);
+    bool plain = s->part != NULL;
 
     bool allowed = !there || access(path, W_OK) == 0; /* a rename would not ask */
     if (allowed) s->fd = plain ? open_part(s->part) : open_above_2(path, 0);

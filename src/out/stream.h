@@ -49,6 +49,9 @@ enum status stream_open(struct stream *s, int fd, const char *name, struct arena
  * directly.  E_FILE also when another process is writing path.part. */
 enum status stream_create(struct stream *s, const char *path, struct arena *life, struct report *report);
 
+/* The part file of `path`; NULL: that is written directly. */
+const char *stream_part(const char *path, struct arena *life);
+
 /* Makes room for records of up to `most` bytes: none of those allocates then. */
 void stream_reserve(struct stream *s, size_t most);
 

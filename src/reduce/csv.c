@@ -92,8 +92,9 @@ enum status mesh_read_csv(struct mesh *o, const char *path, struct arena *life, 
     struct text text;
     enum column of[COLUMNS];
     int n;
-    *o = (struct mesh){.path = path};
+    *o = (struct mesh){.path = path, .read = {.arena = life}};
     TRY(text_open(&text, path, life, report));
+    files_add_path(&o->read, path);
     TRY(read_heading(of, &n, &text));
     o->rows = TAKE(life, int, 3 * (size_t)text.lines);
     for (char *line; (line = text_line(&text));)

@@ -150,17 +150,38 @@ enum status fe_read(struct fe *o, const struct fe_source *from, struct arena *li
     TRY(from->job ? read_calculix(o, from, life, report) : read_market(o, from, life, report));
     const char *K = from->job ? arena_print(life, "%s.sti", from->job) : from->K;
     const char *M = from->job ? arena_print(life, "%s.mas", from->job) : from->M;
+    o->read = o->mesh.read;
+    files_add_path(&o->read, K);
+    files_add_path(&o->read, M);
+    if (from->job) files_add_path(&o->read, arena_print(life, "%s.dof", from->job));
     TRY(fe_check_mass(o, M, life, report));
     return fe_check_stiffness(o, K, life, report);
+}
+
+/* FILE.dof of FILE.sti. */
+static const char *dof_beside(const char *path, struct arena *life)
+{
+    return arena_print(life, "%.*s.dof", (int)strlen(path) - 4, path);
+}
+
+static bool ends_in(const char *path, const char *end)
+{
+    size_t len = strlen(path), n = strlen(end);
+    return len > n && strcmp(path + len - n, end) == 0;
+}
+
+void fe_stiffness_files(struct files *files, const char *path)
+{
+    files_add_path(files, path);
+    if (ends_in(path, ".sti")) files_add_path(files, dof_beside(path, files->arena));
 }
 
 enum status fe_read_stiffness(struct sparse *K, bool *has, const struct fe *fe, const char *path, struct arena *life,
                               struct report *report)
 {
-    size_t len = strlen(path);
     struct matrix_rows rows = {.n = 3 * fe->n, .size = 3 * fe->n, .scale = stiffness_scale(&fe->units)};
     memset(has, 0, 3 * (size_t)fe->n * sizeof *has);
-    if (len > 4 && strcmp(path + len - 4, ".mtx") == 0) {
+    if (ends_in(path, ".mtx")) {
         if (!fe->mesh.rows) return fail(report, E_USAGE, "%s: Matrix Market rows need a CSV table of nodes", path);
         int *to = TAKE(life, int, rows.n);
         TRY(market_rows(to, fe, report));
@@ -168,9 +189,8 @@ enum status fe_read_stiffness(struct sparse *K, bool *has, const struct fe *fe, 
         rows.to = to;
         return matrix_read_market(K, path, &rows, life, report);
     }
-    if (len <= 4 || strcmp(path + len - 4, ".sti") != 0)
-        return fail(report, E_USAGE, "%s: a stiffness is a .sti or .mtx file", path);
-    const char *dof = arena_print(life, "%.*s.dof", (int)(len - 4), path);
+    if (!ends_in(path, ".sti")) return fail(report, E_USAGE, "%s: a stiffness is a .sti or .mtx file", path);
+    const char *dof = dof_beside(path, life);
     struct freedoms f;
     TRY(read_dof(&f, dof, life, report));
     int *to = TAKE(life, int, f.n);

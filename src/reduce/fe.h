@@ -30,6 +30,7 @@ struct fe {
     struct sparse K, M; /* [3n x 3n] [N/m], [kg] */
     struct mesh mesh;   /* as read, units of the file */
     struct fe_units units;
+    struct files read;      /* all that it was read from */
     double mass, centre[3]; /* [kg], [m] */
     double size;            /* largest distance from the centre of mass [m] */
 };
@@ -37,7 +38,8 @@ struct fe {
 enum status fe_read(struct fe *o, const struct fe_source *from, struct arena *life, struct report *report);
 
 /* Another stiffness of the same body, such as a prestressed one: `path` .sti (with .dof beside it) or .mtx (all
- * rows); has [3n]: the freedoms it has; others are zero rows. */
+ * rows); has [3n]: the freedoms it has; others are zero rows.  fe_stiffness_files: what it reads. */
+void fe_stiffness_files(struct files *files, const char *path);
 enum status fe_read_stiffness(struct sparse *K, bool *has, const struct fe *fe, const char *path, struct arena *life,
                               struct report *report);
 

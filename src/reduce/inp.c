@@ -225,6 +225,7 @@ static enum status read_data(struct state *s, char *line)
 static enum status read_file(struct state *s, const char *path, struct report *report)
 {
     TRY(text_open(s->text, path, s->life, report));
+    files_add_path(&s->mesh->read, path);
     for (char *line; (line = text_line(s->text));) {
         if (line[0] == '*' && line[1] == '*') continue;
         if (word_end(line)) continue;
@@ -240,7 +241,7 @@ enum status mesh_read_inp(struct mesh *o, const char *path, struct arena *life, 
 {
     struct text text;
     struct state s = {.mesh = o, .text = &text, .life = life, .set = -1};
-    *o = (struct mesh){.path = path};
+    *o = (struct mesh){.path = path, .read = {.arena = life}};
     TRY(read_file(&s, path, report));
     if (!o->n) return fail(report, E_DECK, "%s: error: there is no *NODE", path);
     if (s.filled < s.corners) return text_bad(&text, "the file ends within element %d", o->element[o->nelement - 1].id);

@@ -8,6 +8,7 @@
 
 #include "la/vec3.h"
 #include "out/stream.h"
+#include "out/targets.h"
 #include "reduce/hold.h"
 #include "reduce/prestress.h"
 
@@ -101,31 +102,50 @@ static enum status write_file(const char *path, const char *kind, double scale, 
     return status != OK ? status : last;
 }
 
-static enum status write_one(const char *prefix, const char *file, const char *kind, const double *f, double *u,
-                             const struct hold *hold, struct arena *life, struct report *report)
+static enum status write_one(const char *path, const char *kind, const double *f, double *u, const struct hold *hold,
+                             struct arena *life, struct report *report)
 {
     double scale = scale_of(f, hold, u);
-    const char *path = arena_print(life, "%s-%s.inp", prefix, file);
     TRY(write_file(path, kind, scale, f, hold->fe, life, report));
     fprintf(stderr, "%s: --prestress %s:%g=\n", path, kind, scale);
     return OK;
+}
+
+/* The files of all kinds, in their order; none may be one that was read. */
+static enum status name_files(struct target **out, const char *prefix, const struct fe *fe, const struct tie *tie,
+                              int ntie, struct arena *life, struct report *report)
+{
+    struct target *file = TAKE(life, struct target, LOAD_KINDS + 3 * ntie);
+    int n = 0;
+    for (int kind = 0; kind < LOAD_KINDS; kind++)
+        file[n++].path = arena_print(life, "%s-%s.inp", prefix, load_names[kind]);
+    for (int t = 1; t < ntie; t++)
+        for (int k = 0; k < 3; k++)
+            file[n++].path = arena_print(life, "%s-force-%c-%s.inp", prefix, "xyz"[k], tie[t].name);
+    for (int i = 0; i < n; i++) {
+        file[i].option = "--loads";
+        file[i].parted = true;
+    }
+    *out = file;
+    return targets_check(file, n, &fe->read, life, report);
 }
 
 enum status loads_write(const char *prefix, const struct fe *fe, const struct tie *tie, int ntie, struct arena *life,
                         struct report *report)
 {
     struct hold hold;
+    struct target *file;
     double *f = TAKE(life, double, 3 * (size_t)fe->n), *u = TAKE(life, double, 3 * (size_t)fe->n);
+    TRY(name_files(&file, prefix, fe, tie, ntie, life, report));
     TRY(hold_make(&hold, fe, &tie, 1, life, report));
-    for (int kind = 0; kind < LOAD_KINDS; kind++) {
+    for (int kind = 0; kind < LOAD_KINDS; kind++, file++) {
         load_forces(f, fe, kind, life);
-        TRY(write_one(prefix, load_names[kind], load_names[kind], f, u, &hold, life, report));
+        TRY(write_one(file->path, load_names[kind], f, u, &hold, life, report));
     }
     for (int t = 1; t < ntie; t++)
-        for (int k = 0; k < 3; k++) {
-            const char *kind = arena_print(life, "force-%c:%s", "xyz"[k], tie[t].name);
+        for (int k = 0; k < 3; k++, file++) {
             load_interface(f, fe, tie + t, k);
-            TRY(write_one(prefix, arena_print(life, "force-%c-%s", "xyz"[k], tie[t].name), kind, f, u, &hold, life,
+            TRY(write_one(file->path, arena_print(life, "force-%c:%s", "xyz"[k], tie[t].name), f, u, &hold, life,
                           report));
         }
     return OK;

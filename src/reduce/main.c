@@ -8,6 +8,7 @@
 
 #include "flex/file.h"
 #include "out/stream.h"
+#include "out/targets.h"
 #include "reduce/prestress.h"
 #include "reduce/stress.h"
 #include "reduce/wish.h"
@@ -36,12 +37,21 @@ static enum status put(const struct flex_body *body, const struct wish *wish, co
     return status != OK ? status : last;
 }
 
+/* What is read is not written over. */
+static enum status check_output(struct fe *fe, const struct wish *wish, struct arena *life, struct report *report)
+{
+    const struct target output = {"--output", wish->output, true};
+    for (int i = 0; i < wish->nload; i++) fe_stiffness_files(&fe->read, wish->load[i].path);
+    return targets_check(&output, 1, &fe->read, life, report);
+}
+
 static enum status reduce(const struct wish *wish, struct arena *life, struct report *report)
 {
     struct fe fe;
     struct tie *tie;
     struct basis basis;
     TRY(fe_read(&fe, &wish->source, life, report));
+    TRY(check_output(&fe, wish, life, report));
     TRY(make_ties(&tie, wish, &fe, life, report));
     if (wish->write_loads) return loads_write(wish->write_loads, &fe, tie, wish->ntie, life, report);
     TRY(basis_make(&basis, &fe, tie, wish->ntie, &wish->basis, life, report));

@@ -7,6 +7,7 @@
 #ifndef FMDSUB_REDUCE_MESH_H
 #define FMDSUB_REDUCE_MESH_H
 
+#include "base/files.h"
 #include "reduce/text.h"
 
 struct mesh_set {
@@ -33,6 +34,7 @@ struct mesh {
     int nelement, element_room;
     struct mesh_element *element; /* the solid ones */
     const char *path;
+    struct files read; /* that file, and those it includes */
 };
 
 enum status mesh_read_inp(struct mesh *o, const char *path, struct arena *life, struct report *report);

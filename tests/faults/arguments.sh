@@ -39,6 +39,7 @@ refuse "names no number" study --ratios '' "$deck"
 refuse "one object by --format json" check -f csv "$deck"
 refuse "one object by --format json" check -f json --expanded "$deck"
 refuse "needs the name of a file" run -o '' "$deck"
+refuse "needs the name of a file" run --stats= "$deck"
 [ -e .part ] && not_ok "-o '': nothing is written" ".part is there" || ok "-o '': nothing is written"
 
 # A name of a column is taken letter by letter, whatever YAML would make of it.

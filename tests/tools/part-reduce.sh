@@ -103,6 +103,27 @@ refuse no-directory 6 'No such file' -i root=root -o "$work/none/x.json" $bar
 refuse prestress-of-the-free-body 6 'No such file' -i root=root --prestress accel-x=tests/reduce/none.sti $bar
 refuse stress-point-missing 4 'is not part of the body' -i root=root --material 1,0.3 --stress a=9999 $bar
 
+# What is read is not written over, whatever it is called; refused before anything is opened.
+overwrite() { # NAME PATTERN, arguments
+    overwrite_name=$1 overwrite_pattern=$2
+    shift 2
+    job
+    cp $bar-accel-x.sti "$work/x/load.sti"
+    cp $bar-accel-x.dof "$work/x/load.dof"
+    mv "$work/x/bar.inp" "$work/x/nodes.inp"
+    echo '*INCLUDE, INPUT=nodes.inp' >"$work/x/bar.inp"
+    overwrite_sum=$(cat "$work"/x/* | cksum)
+    refuse "$overwrite_name" 2 "$overwrite_pattern" -i root=root -n 3 "$@" "$work/x/bar"
+    expect "$overwrite_name: nothing is changed" "$overwrite_sum" "$(cat "$work"/x/* | cksum)"
+}
+for file in bar.inp bar.sti bar.mas bar.dof nodes.inp load.sti load.dof; do
+    overwrite "over-$file" "--output '.*/$file' would overwrite an input file" \
+        --prestress accel-x="$work/x/load.sti" -o "$work/x/$file"
+done
+cp $bar.inp "$work/mesh-accel-x.inp"
+overwrite over-the-mesh-by-loads "--loads '.*/mesh-accel-x.inp' would overwrite an input file" -i tip=tip --mesh "$work/mesh-accel-x.inp" \
+    --loads "$work/mesh"
+
 spoiled value-not-finite 3 'bar.sti:7: error: row .* the value is not finite' bar.sti 'NR == 7 { $3 = "NaN" } 1'
 spoiled value-infinite 3 'bar.mas:9: error: row .* the value is not finite' bar.mas 'NR == 9 { $3 = "1e999" } 1'
 spoiled value-missing 3 "bar.sti:8: error: expected 'row column value'" bar.sti 'NR == 8 { $3 = "" } 1'
