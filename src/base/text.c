@@ -75,3 +75,67 @@ bool text_is_name(const char *text)
     while (is_letter(*text) || (*text >= '0' && *text <= '9') || *text == '_') text++;
     return *text == 0;
 }
+
+/* ---- characters ---- */
+
+size_t text_character(unsigned *code, const char *p, const char *end)
+{
+    const unsigned char *b = (const unsigned char *)p;
+    static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000}; /* shorter forms exist below */
+    if (p >= end) return 0;
+    size_t n = b[0] < 0x80 ? 1 : b[0] < 0xc0 ? 0 : b[0] < 0xe0 ? 2 : b[0] < 0xf0 ? 3 : b[0] < 0xf8 ? 4 : 0;
+    if (n == 0 || n > (size_t)(end - p)) return 0;
+    *code = n == 1 ? b[0] : b[0] & (0x7fu >> n);
+    for (size_t i = 1; i < n; i++) {
+        if ((b[i] & 0xc0) != 0x80) return 0;
+        *code = *code << 6 | (b[i] & 0x3fu);
+    }
+    bool surrogate = *code >= 0xd800 && *code < 0xe000;
+    return *code < least[n] || *code > 0x10ffff || surrogate ? 0 : n;
+}
+
+/* Columns a character takes on a terminal: East Asian wide forms two, combining marks none. */
+static int width(unsigned c)
+{
+    static const unsigned wide[][2] = {{0x1100, 0x115f},   {0x2e80, 0x303e},   {0x3041, 0xa4cf},  {0xac00, 0xd7a3},
+                                       {0xf900, 0xfaff},   {0xfe30, 0xfe6f},   {0xff00, 0xff60},  {0xffe0, 0xffe6},
+                                       {0x1f300, 0x1f64f}, {0x1f900, 0x1f9ff}, {0x20000, 0x3fffd}};
+    if ((c >= 0x300 && c <= 0x36f) || c == 0x200b || (c >= 0xfe00 && c <= 0xfe0f)) return 0;
+    for (size_t i = 0; i < sizeof wide / sizeof *wide; i++)
+        if (c >= wide[i][0] && c <= wide[i][1]) return 2;
+    return 1;
+}
+
+bool text_hidden(unsigned c)
+{
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200b && c <= 0x200f) || (c >= 0x2028 && c <= 0x202e) ||
+           (c >= 0x2066 && c <= 0x2069) || c == 0x61c || c == 0xfeff;
+}
+
+size_t text_shown(char out[16], int *columns, const char *p, const char *end)
+{
+    unsigned c;
+    size_t n = text_character(&c, p, end);
+    if (n && !text_hidden(c)) {
+        memcpy(out, p, n);
+        out[n] = 0;
+        *columns = width(c);
+        return n;
+    }
+    if (n == 0 || c < 0x100)
+        snprintf(out, 16, "\\x%02x", n ? c : (unsigned char)*p);
+    else
+        snprintf(out, 16, "\\u%04x", c);
+    *columns = (int)strlen(out);
+    return n ? n : 1;
+}
+
+void text_put(FILE *to, const char *text)
+{
+    char out[16];
+    int columns;
+    for (const char *p = text, *end = text + strlen(text); p < end;) {
+        p += text_shown(out, &columns, p, end);
+        fputs(out, to);
+    }
+}

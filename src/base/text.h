@@ -1,9 +1,10 @@
-/* text.h -- words compared: near misses, patterns. */
+/* text.h -- words compared: near misses, patterns; text from outside as it is shown. */
 #ifndef FMDSUB_BASE_TEXT_H
 #define FMDSUB_BASE_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 /* Damerau-Levenshtein distance (optimal string alignment) of two short words; long words (over 63
  * bytes) count as far apart. */
@@ -17,5 +18,18 @@ bool text_match(const char *pattern, const char *name);
 
 /* A deck name: [A-Za-z][A-Za-z0-9_]* */
 bool text_is_name(const char *text);
+
+/* Bytes of the UTF-8 character at p, and its number; 0 if the bytes there are none. */
+size_t text_character(unsigned *code, const char *p, const char *end);
+
+/* Control characters, and those that turn the direction of writing: a terminal would obey them. */
+bool text_hidden(unsigned code);
+
+/* The character at p as it is shown, hidden ones and stray bytes as \x1b and \u202e; *columns: its width on a
+ * terminal.  Returns its bytes in the text. */
+size_t text_shown(char out[16], int *columns, const char *p, const char *end);
+
+/* The whole text so. */
+void text_put(FILE *to, const char *text);
 
 #endif

@@ -1,6 +1,7 @@
 /* check.c -- fmdsub check: what a deck makes, without running it */
 #include <string.h>
 
+#include "base/text.h"
 #include "cli/cli.h"
 #include "probe/modes.h"
 #include "sim/sim.h"
@@ -22,6 +23,14 @@ static void print_elastic(FILE *to, const struct model *m, int body)
     for (int k = 0; b->flex->hertz && k < b->nmode; k++)
         fprintf(to, "%s%.4g", k ? ", " : "; clamped at its inboard joint ", b->flex->hertz[k]);
     fprintf(to, "%s\n", b->flex->hertz ? " Hz" : "");
+}
+
+static void print_title(FILE *to, const struct scene *scene)
+{
+    text_put(to, scene->deck->name);
+    fputs(": ", to);
+    text_put(to, scene->title);
+    fprintf(to, "%s%s\n", *scene->title ? ", " : "", scene->space == 2 ? "planar" : "spatial");
 }
 
 static void print_bodies(FILE *to, const struct model *m, int count)
@@ -125,8 +134,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     } else if (request->format && strcmp(request->format, "json") == 0) {
         TRY(check_json(&sim, life, report));
     } else {
-        printf("%s: %s%s%s\n", scene->deck->name, scene->title, *scene->title ? ", " : "",
-               sim.model->space == 2 ? "planar" : "spatial");
+        print_title(stdout, scene);
         print_bodies(stdout, sim.model, scene->nbody - 1);
         print_mass(stdout, &sim);
         print_coordinates(stdout, &sim);

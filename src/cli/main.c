@@ -139,7 +139,9 @@ int main(int argc, char **argv)
     if (status == OK) status = flush_words(&report);
     if (report.text[0] && status != E_SIGPIPE) {
         bool placed = strstr(report.text, ": error: ") != NULL;
-        fprintf(stderr, "%s%s\n", placed ? "" : "fmdsub: ", report.text);
+        fputs(placed ? "" : "fmdsub: ", stderr);
+        text_put(stderr, report.text);
+        fputc('\n', stderr);
     }
     arena_close(life);
     return (int)status;

@@ -3,6 +3,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "cli/cli.h"
 #include "out/number.h"
 #include "out/targets.h"
@@ -66,7 +67,11 @@ static enum status stream_run(struct sim *sim, const struct request *request, st
     }
     if (status == E_FILE && sim->x.t < sim->plan.until)
         fprintf(stderr, "fmdsub: stopped at t = %.12g s: nothing more can be written\n", sim->x.t);
-    if (stream_kept(&stream)) fprintf(stderr, "fmdsub: unfinished records are kept in %s\n", stream_kept(&stream));
+    if (stream_kept(&stream)) {
+        fputs("fmdsub: unfinished records are kept in ", stderr);
+        text_put(stderr, stream_kept(&stream));
+        fputc('\n', stderr);
+    }
     return status;
 }
 

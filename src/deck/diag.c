@@ -170,7 +170,7 @@ void diag_foreign(struct diags *d, const char *word)
 {
     unsigned c;
     for (const char *p = word, *end = word + strlen(word); p < end; p++)
-        if ((unsigned char)*p >= 0x80 && source_character(&c, p, end)) {
+        if ((unsigned char)*p >= 0x80 && text_character(&c, p, end)) {
             diag_hint(d, "it holds the letter U+%04X, which is not of a-z", c);
             return;
         }
@@ -231,54 +231,6 @@ int diags_warnings(const struct diags *d)
 
 /* ---- printing ---- */
 
-/* Columns a character takes on a terminal: East Asian wide forms two, combining marks none. */
-static int width(unsigned c)
-{
-    static const unsigned wide[][2] = {{0x1100, 0x115f},   {0x2e80, 0x303e},   {0x3041, 0xa4cf},  {0xac00, 0xd7a3},
-                                       {0xf900, 0xfaff},   {0xfe30, 0xfe6f},   {0xff00, 0xff60},  {0xffe0, 0xffe6},
-                                       {0x1f300, 0x1f64f}, {0x1f900, 0x1f9ff}, {0x20000, 0x3fffd}};
-    if ((c >= 0x300 && c <= 0x36f) || c == 0x200b || (c >= 0xfe00 && c <= 0xfe0f)) return 0;
-    for (size_t i = 0; i < sizeof wide / sizeof *wide; i++)
-        if (c >= wide[i][0] && c <= wide[i][1]) return 2;
-    return 1;
-}
-
-/* Control characters, and those that turn the direction of writing. */
-static bool hidden(unsigned c)
-{
-    return c < 0x20 || (c >= 0x7f && c < 0xa0) || (c >= 0x200b && c <= 0x200f) || (c >= 0x2028 && c <= 0x202e) ||
-           (c >= 0x2066 && c <= 0x2069) || c == 0xfeff;
-}
-
-/* One character at p as it is shown, and its columns. */
-static size_t show(char out[16], int *columns, const char *p, const char *end)
-{
-    unsigned c;
-    size_t n = source_character(&c, p, end);
-    if (n && !hidden(c)) {
-        memcpy(out, p, n);
-        out[n] = 0;
-        *columns = width(c);
-        return n;
-    }
-    if (n == 0 || c < 0x100)
-        snprintf(out, 16, "\\x%02x", n ? c : (unsigned char)*p);
-    else
-        snprintf(out, 16, "\\u%04x", c);
-    *columns = (int)strlen(out);
-    return n ? n : 1;
-}
-
-static void put(FILE *to, const char *text)
-{
-    char out[16];
-    int columns;
-    for (const char *p = text, *end = text + strlen(text); p < end;) {
-        p += show(out, &columns, p, end);
-        fputs(out, to);
-    }
-}
-
 static bool inside_character(const struct source *s, size_t offset)
 {
     return offset < s->len && ((unsigned char)s->text[offset] & 0xc0) == 0x80;
@@ -310,7 +262,7 @@ static void put_line(FILE *to, const struct source *s, const struct span *at, bo
         if (s->text[p] == '\t')
             strcpy(out, " "), columns = 1, p++;
         else
-            p += show(out, &columns, s->text + p, s->text + until);
+            p += text_shown(out, &columns, s->text + p, s->text + until);
         fputs(out, to);
         if (here >= last && here > caret) continue;
         for (int i = 0; i < columns; i++) under[n++] = here < caret ? ' ' : here == caret && i == 0 ? '^' : '~';
@@ -328,7 +280,7 @@ static void put_hints(FILE *to, const char *hints)
         char line[TEXT + 1];
         snprintf(line, sizeof line, "%.*s", (int)(end - p), p);
         fputs("      | ", to);
-        put(to, line);
+        text_put(to, line);
         fputc('\n', to);
         p = *end ? end + 1 : end;
     }
@@ -339,10 +291,10 @@ static void put_diag(FILE *to, const struct diags *d, const struct diag *x, bool
     static const char *const words[] = {"error", "warning", "note"}, *const colors[] = {"\033[31m", "\033[35m",
                                                                                         "\033[36m"};
     const struct source *s = diags_source(d, x->at.file);
-    if (s) put(to, s->path);
+    if (s) text_put(to, s->path);
     if (s && x->at.from.line) fprintf(to, ":%d:%d", x->at.from.line, x->at.from.col);
     fprintf(to, "%s%s%s%s: ", s ? ": " : "", color ? colors[x->level] : "", words[x->level], color ? "\033[0m" : "");
-    put(to, x->text);
+    text_put(to, x->text);
     if (x->code) fprintf(to, " [%s]", x->code);
     fputc('\n', to);
     if (s && x->at.from.line) put_line(to, s, &x->at, color);

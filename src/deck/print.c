@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "deck/stages.h"
 
 /* Shortest of 15 to 17 digits; with a point and a signed exponent, without which YAML 1.1 takes it for text. */
@@ -42,11 +43,10 @@ static void put_quoted(FILE *to, const char *text, size_t len)
     fputc('"', to);
     for (const char *p = text, *end = text + len; p < end;) {
         unsigned c;
-        size_t n = source_character(&c, p, end); /* never 0: the text has been checked */
+        size_t n = text_character(&c, p, end); /* never 0: the text has been checked */
         if (c == '"' || c == '\\')
             fprintf(to, "\\%c", (char)c);
-        else if (c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || c == 0xfeff ||
-                 (c >= 0xfffe && c <= 0xffff))
+        else if (text_hidden(c) || (c >= 0xfffe && c <= 0xffff))
             fprintf(to, c < 0x100 ? "\\x%02x" : "\\u%04x", c);
         else
             fwrite(p, 1, n, to);

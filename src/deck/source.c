@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/stop.h"
+#include "base/text.h"
 
 /* ---- lines and places ---- */
 
@@ -67,7 +68,7 @@ size_t source_offset(const struct source *s, struct mark at)
     size_t offset = s->line[at.line - 1], end = s->line[at.line];
     for (int col = 1; col < at.col && offset < end; col++) {
         unsigned code;
-        size_t n = source_character(&code, s->text + offset, s->text + end);
+        size_t n = text_character(&code, s->text + offset, s->text + end);
         offset += n ? n : 1;
     }
     return offset;
@@ -86,29 +87,13 @@ struct mark source_mark(const struct source *s, size_t offset)
     struct mark at = {low + 1, 1};
     for (size_t p = s->line[low]; p < offset; at.col++) {
         unsigned code;
-        size_t n = source_character(&code, s->text + p, s->text + s->len);
+        size_t n = text_character(&code, s->text + p, s->text + s->len);
         p += n ? n : 1;
     }
     return at;
 }
 
 /* ---- characters ---- */
-
-size_t source_character(unsigned *code, const char *p, const char *end)
-{
-    const unsigned char *b = (const unsigned char *)p;
-    static const unsigned least[] = {0, 0, 0x80, 0x800, 0x10000}; /* shorter forms exist below */
-    if (p >= end) return 0;
-    size_t n = b[0] < 0x80 ? 1 : b[0] < 0xc0 ? 0 : b[0] < 0xe0 ? 2 : b[0] < 0xf0 ? 3 : b[0] < 0xf8 ? 4 : 0;
-    if (n == 0 || n > (size_t)(end - p)) return 0;
-    *code = n == 1 ? b[0] : b[0] & (0x7fu >> n);
-    for (size_t i = 1; i < n; i++) {
-        if ((b[i] & 0xc0) != 0x80) return 0;
-        *code = *code << 6 | (b[i] & 0x3fu);
-    }
-    bool surrogate = *code >= 0xd800 && *code < 0xe000;
-    return *code < least[n] || *code > 0x10ffff || surrogate ? 0 : n;
-}
 
 /* What YAML calls printable. */
 static bool printable(unsigned c)
@@ -124,7 +109,7 @@ enum source_flaw source_check(const struct source *s, size_t *offset)
     if (s->len >= 2 && (!s->text[0] != !s->text[1])) return SOURCE_UTF16; /* one letter, one zero */
     for (size_t at = 0; at < s->len;) {
         unsigned code;
-        size_t n = source_character(&code, s->text + at, s->text + s->len);
+        size_t n = text_character(&code, s->text + at, s->text + s->len);
         *offset = at;
         if (n == 0) return SOURCE_UTF8;
         if (code == 0) return SOURCE_ZERO;

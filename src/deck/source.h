@@ -27,9 +27,6 @@ struct mark source_mark(const struct source *s, size_t offset);
 /* A text in memory as a source: finds its lines. */
 struct source *source_of(const char *path, const char *text, size_t len, struct arena *arena);
 
-/* Bytes of the UTF-8 character at p, and its number; 0 if the bytes there are none. */
-size_t source_character(unsigned *code, const char *p, const char *end);
-
 enum source_flaw { SOURCE_FINE, SOURCE_UTF8, SOURCE_UTF16, SOURCE_ZERO, SOURCE_CONTROL };
 /* The first thing that has no place in a deck, at *offset. */
 enum source_flaw source_check(const struct source *s, size_t *offset);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "out/number.h"
 
 bool facts_add(cJSON *to, const char *key, cJSON *item)
@@ -13,33 +14,14 @@ bool facts_add(cJSON *to, const char *key, cJSON *item)
     return added;
 }
 
-/* Bytes of the UTF-8 sequence at s, 0 if it is none (RFC 3629, table 3-7 of Unicode: neither overlong
- * forms nor surrogates). */
-static int sequence(const unsigned char *s)
-{
-    static const struct {
-        unsigned char first, last, low, high; /* of the first byte; of the second */
-        int length;
-    } rows[] = {{0x01, 0x7f, 0, 0, 1},       {0xc2, 0xdf, 0x80, 0xbf, 2}, {0xe0, 0xe0, 0xa0, 0xbf, 3},
-                {0xe1, 0xec, 0x80, 0xbf, 3}, {0xed, 0xed, 0x80, 0x9f, 3}, {0xee, 0xef, 0x80, 0xbf, 3},
-                {0xf0, 0xf0, 0x90, 0xbf, 4}, {0xf1, 0xf3, 0x80, 0xbf, 4}, {0xf4, 0xf4, 0x80, 0x8f, 4}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        if (*s < rows[i].first || *s > rows[i].last) continue;
-        if (rows[i].length > 1 && (s[1] < rows[i].low || s[1] > rows[i].high)) return 0;
-        for (int k = 2; k < rows[i].length; k++)
-            if (s[k] < 0x80 || s[k] > 0xbf) return 0;
-        return rows[i].length;
-    }
-    return 0;
-}
-
 static const char *clean(const char *text, struct arena *scratch)
 {
     char *copy = TAKE(scratch, char, 3 * strlen(text) + 1), *to = copy;
-    while (*text) {
-        int length = sequence((const unsigned char *)text);
+    for (const char *end = text + strlen(text); text < end;) {
+        unsigned code;
+        size_t length = text_character(&code, text, end);
         if (length > 0)
-            memcpy(to, text, (size_t)length);
+            memcpy(to, text, length);
         else
             memcpy(to, "\xef\xbf\xbd", 3);
         to += length > 0 ? length : 3;

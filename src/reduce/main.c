@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/text.h"
 #include "flex/file.h"
 #include "out/stream.h"
 #include "out/targets.h"
@@ -78,8 +79,11 @@ int main(int argc, char **argv)
     else if (status == OK)
         status = reduce(&wish, life, &report);
     if (status == OK && fflush(stdout) != 0) status = fail(&report, E_FILE, "standard output: cannot write");
-    if (report.text[0] && status != E_SIGPIPE)
-        fprintf(stderr, "%s%s\n", strstr(report.text, ": error: ") ? "" : "fmdsub-reduce: ", report.text);
+    if (report.text[0] && status != E_SIGPIPE) {
+        fputs(strstr(report.text, ": error: ") ? "" : "fmdsub-reduce: ", stderr);
+        text_put(stderr, report.text);
+        fputc('\n', stderr);
+    }
     arena_close(life);
     return (int)status;
 }

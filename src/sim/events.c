@@ -113,9 +113,10 @@ static enum status look_at_condition(struct sim *sim, struct sink *sink, struct 
     bool is = expr_value(when->expr, w->value) != 0, turned = is && !w->was;
     w->was = is;
     bool start = sim->stepper.effort.majors == 0;
-    if (start && is && sim->options.say)
-        fprintf(sim->options.say, "'%.80s' is true at the start: the run ends when it turns true again\n",
-                when->node->text);
+    if (start && is && sim->options.say) {
+        say_condition(sim, sim->options.say);
+        fputs("is true at the start: the run ends when it turns true again\n", sim->options.say);
+    }
     w->met = turned && !start;
     return w->met ? tell(sim, sink, "until", when->node->text, report) : OK;
 }

@@ -54,6 +54,8 @@ enum status record_fill(struct sim *sim);
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);
 
 /* words.c: what is said to people */
+/* What ends the run, in quotes and with a blank behind. */
+void say_condition(const struct sim *sim, FILE *to);
 void say_plan(const struct sim *sim);
 void say_end(const struct sim *sim, double wall);
 enum status say_trouble(const struct sim *sim, const struct trouble *why, enum status status, struct report *report);

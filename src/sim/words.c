@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "sim/parts.h"
 
 int sim_settings(const struct sim *sim, struct pair *facts, int most)
@@ -98,9 +99,10 @@ void say_plan(const struct sim *sim)
     const struct stepper_kind *kind = sim->stepper.kind;
     const double *g = m->gravity;
     if (!to) return;
-    fprintf(to, "%s: %s, %d bod%s, %d freedom%s (%d fast), %s, ", sim->scene->deck->name,
-            m->space == 2 ? "planar" : "spatial", sim->scene->nbody - 1, sim->scene->nbody == 2 ? "y" : "ies",
-            sim->stepper.ode->n, sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
+    text_put(to, sim->scene->deck->name);
+    fprintf(to, ": %s, %d bod%s, %d freedom%s (%d fast), %s, ", m->space == 2 ? "planar" : "spatial",
+            sim->scene->nbody - 1, sim->scene->nbody == 2 ? "y" : "ies", sim->stepper.ode->n,
+            sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
         fprintf(to, "%s to tolerance %g", kind->name, p->tolerance);
@@ -113,6 +115,15 @@ void say_plan(const struct sim *sim)
             sim->watch.slot ? " at the latest" : "", records(sim), sim->chosen.n);
 }
 
+void say_condition(const struct sim *sim, FILE *to)
+{
+    char text[81];
+    snprintf(text, sizeof text, "%s", sim->scene->when.node->text);
+    fputc('\'', to);
+    text_put(to, text);
+    fputs("' ", to);
+}
+
 void say_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.say;
@@ -122,9 +133,10 @@ void say_end(const struct sim *sim, double wall)
     say_turns(sim, to);
     say_spins(sim, to);
     say_bends(sim, to);
-    if (sim->watch.slot && (sim->watch.met || sim->status == OK))
-        fprintf(to, "'%.80s' %s\n", sim->scene->when.node->text,
-                sim->watch.met ? "turned true" : "has not turned true until the latest end");
+    if (sim->watch.slot && (sim->watch.met || sim->status == OK)) {
+        say_condition(sim, to);
+        fputs(sim->watch.met ? "turned true\n" : "has not turned true until the latest end\n", to);
+    }
     fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim->status), sim->x.t, e->majors,
             e->minors);
     if (e->rejected) fprintf(to, " (%ld rejected", e->rejected);
