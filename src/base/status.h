@@ -27,6 +27,7 @@ __extension__ enum NOT_DROPPED status {
     E_FILE = 6,    /* cannot open, read or write */
     E_LIMIT = 7,   /* a limit reached, memory */
     E_BUG = 70,
+    E_SIGHUP = 129,
     E_SIGINT = 130,
     E_SIGPIPE = 141,
     E_SIGTERM = 143

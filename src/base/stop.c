@@ -5,5 +5,21 @@ volatile sig_atomic_t stop;
 
 enum status stop_status(void)
 {
-    return stop == SIGINT ? E_SIGINT : stop == SIGTERM ? E_SIGTERM : stop ? E_LIMIT : OK;
+    switch (stop) {
+    case 0:
+        return OK;
+    case SIGHUP:
+        return E_SIGHUP;
+    case SIGINT:
+        return E_SIGINT;
+    case SIGTERM:
+        return E_SIGTERM;
+    default:
+        return E_LIMIT;
+    }
+}
+
+const char *stop_limit(void)
+{
+    return stop == SIGXCPU ? "CPU time" : NULL;
 }

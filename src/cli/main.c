@@ -77,13 +77,14 @@ static void on_signal(int signal)
     errno = error;
 }
 
+/* What the caller ignores, as nohup(1) does, stays ignored. */
 static void set_signals(void)
 {
-    struct sigaction once = {.sa_handler = on_signal};
+    static const int ends[] = {SIGHUP, SIGINT, SIGTERM, SIGXCPU};
+    struct sigaction once = {.sa_handler = on_signal}, was;
     struct sigaction ignore = {.sa_handler = SIG_IGN};
-    sigaction(SIGINT, &once, NULL);
-    sigaction(SIGTERM, &once, NULL);
-    sigaction(SIGXCPU, &once, NULL);
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        if (sigaction(ends[i], NULL, &was) == 0 && was.sa_handler != SIG_IGN) sigaction(ends[i], &once, NULL);
     sigaction(SIGPIPE, &ignore, NULL);
     sigaction(SIGXFSZ, &ignore, NULL);
 }

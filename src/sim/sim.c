@@ -171,6 +171,14 @@ static enum status look(struct sim *sim, struct sink *sink, struct report *repor
     return status == E_NUMERIC ? say_trouble(sim, &sim->trouble, status, report) : status;
 }
 
+/* Who sends a signal knows of it; a limit has to be told. */
+static enum status stopped(const struct sim *sim, struct report *report)
+{
+    const char *limit = stop_limit();
+    if (!limit) return stop_status();
+    return fail(report, stop_status(), "stopped at t = %.12g s: the limit of %s is reached", sim->x.t, limit);
+}
+
 /* Steps from record to record: the clock is read there and every so many steps, not at each. */
 static enum status step_on(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
@@ -192,7 +200,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->watch.met) return OK;
         if (stop && k < sim->majors) {
             if (!due) TRY(tell_row(sim, sink, report));
-            return stop_status();
+            return stopped(sim, report);
         }
     }
     return OK;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/stop.h"
 #include "base/text.h"
 #include "sim/parts.h"
 
@@ -40,12 +41,14 @@ static const char *status_word(enum status status)
         return "energy balance broken";
     case E_NUMERIC:
         return "stopped";
+    case E_SIGHUP:
+        return "hung up";
     case E_SIGINT:
         return "interrupted";
     case E_SIGTERM:
         return "terminated";
     case E_LIMIT:
-        return "limit reached";
+        return stop_limit() ? "CPU time limit reached" : "limit reached";
     default:
         return "failed";
     }

@@ -89,7 +89,7 @@ static enum status try_run(struct outcome *o, const struct scene *scene, const s
     struct sink sink = {&memory_ops, &o->memory};
     o->status = sim_run(&sim, &sink, &o->report);
     note_outcome(o, &sim, life);
-    return stop ? E_SIGINT : OK;
+    return stop_limit() ? fail(report, stop_status(), "the limit of %s is reached", stop_limit()) : stop_status();
 }
 
 /* ---- errors ---- */

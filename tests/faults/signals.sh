@@ -1,4 +1,4 @@
-# signals.sh -- SIGINT and SIGTERM finish the step, write what is due, and leave by their own code.
+# signals.sh -- SIGINT, SIGTERM, SIGHUP and SIGXCPU finish the step, write what is due, and leave by their own code.
 . tests/tools/lib.sh
 deck=$ROOT/decks/pendulum.yaml
 
@@ -9,7 +9,7 @@ whole() { # NAME FILE
     else tail -n 2 "$2" >"$work/tail"; not_ok "$1" "the last record is cut" "$work/tail"; fi
 }
 
-for signal in INT:130 TERM:143; do
+for signal in INT:130 TERM:143 HUP:129 XCPU:7; do
     name=SIG${signal%:*}
     timeout --preserve-status -s "${signal%:*}" 0.5 "$FMDSUB" run --every 1.0e-3 --until 1.0e+5 "$deck" >"$work/out.csv" 2>"$work/err"
     expect "$name: status" "${signal#*:}" $? "$work/err"
@@ -29,7 +29,7 @@ if [ -s "$work/out.dat.part" ] && [ ! -e "$work/out.dat" ]; then ok "SIGINT with
 else not_ok "SIGINT with -o: kept as .part" "$(ls "$work" | tr '\n' ' ')" "$work/err"; fi
 
 # timeout(1) tells its child and then its group: one wish, said twice within microseconds.  What must close is closed.
-for signal in INT:130 TERM:143; do
+for signal in INT:130 TERM:143 HUP:129 XCPU:7; do
     for format in json ndjson; do
         timeout --preserve-status -s "${signal%:*}" 0.3 "$FMDSUB" run -f $format --every 1.0e-3 --until 1.0e+5 "$deck" >"$work/out" 2>"$work/err"
         expect "SIG${signal%:*}, $format: status" "${signal#*:}" $? "$work/err"
@@ -38,10 +38,10 @@ for signal in INT:130 TERM:143; do
     done
 done
 
-# A second signal, later, ends at once.
+# A second signal, later, ends at once.  timeout(1) hands it on; a job in the background alone would have it ignored.
 mkfifo "$work/pipe"
 sleep 2 <"$work/pipe" &
-"$FMDSUB" run --every 1.0e-3 --until 1.0e+5 "$deck" >"$work/pipe" 2>"$work/err" &
+timeout --foreground --preserve-status 60 "$FMDSUB" run --every 1.0e-3 --until 1.0e+5 "$deck" >"$work/pipe" 2>"$work/err" &
 pid=$!
 sleep 0.5
 kill -INT $pid
@@ -59,3 +59,28 @@ expect "SIGINT while standard input is read" 130 $? "$work/err"
 wait
 timeout --preserve-status -k 1 -s TERM 0.3 "$FMDSUB" run "$work/silent" 2>"$work/err"
 expect "SIGTERM while a named pipe waits for its writer" 143 $? "$work/err"
+
+# A limit says which it is, also without the end line; in the summary, too.
+limited() { timeout --preserve-status -s XCPU 0.3 "$FMDSUB" "$@" "$deck" >"$work/out" 2>"$work/err"; }
+limited run -q --every 1.0e-3 --until 1.0e+5
+expect "run -q, SIGXCPU: one line that says so" "7 1 1" \
+    "$? $(wc -l <"$work/err") $(grep -c 'stopped at t = .* s: the limit of CPU time is reached' "$work/err")" "$work/err"
+limited run -f ndjson --every 1.0e-3 --until 1.0e+5
+tail -n 1 "$work/out" | grep -q '"status":"CPU time limit reached","exit":7' && ok "SIGXCPU in the summary" ||
+    not_ok "SIGXCPU in the summary" "the last line:" "$work/err"
+
+# A study ends by the same codes.
+for signal in INT:130 TERM:143 HUP:129 XCPU:7; do
+    timeout --preserve-status -s "${signal%:*}" 0.3 "$FMDSUB" study -q --repeats 1000 --until 10 "$deck" >"$work/out" 2>"$work/err"
+    expect "study, SIG${signal%:*}: status" "${signal#*:}" $? "$work/err"
+done
+grep -q 'the limit of CPU time is reached' "$work/err" && ok "study, SIGXCPU: says so" || not_ok "study, SIGXCPU: says so" "stderr:" "$work/err"
+
+# What the caller had ignored, as nohup does, stays so.
+for signal in INT HUP TERM; do
+    (trap '' $signal; exec "$FMDSUB" run -q --every 10 --until 1000 "$deck" >"$work/out" 2>"$work/err") &
+    sleep 0.1
+    kill -$signal $!
+    wait $!
+    expect "SIG$signal, ignored by the caller" "0 1000" "$? $(tail -n 1 "$work/out" | cut -d , -f 1)" "$work/err"
+done
