@@ -6,6 +6,7 @@
 #ifndef FMDSUB_BASE_KEYS_H
 #define FMDSUB_BASE_KEYS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum key_type {
@@ -20,10 +21,12 @@ enum key_type {
 
 enum key_flag {
     KEY_REQUIRED = 1,
-    KEY_ABOVE = 2,   /* lo itself is not allowed */
-    KEY_BELOW = 4,   /* hi itself is not allowed */
-    KEY_PLANAR = 8,  /* only in 2-D decks */
-    KEY_SPATIAL = 16 /* only in 3-D decks */
+    KEY_ABOVE = 2,    /* lo itself is not allowed */
+    KEY_BELOW = 4,    /* hi itself is not allowed */
+    KEY_PLANAR = 8,   /* only in 2-D decks */
+    KEY_SPATIAL = 16, /* only in 3-D decks */
+    KEY_NEUTRAL = 32, /* its default is what those do that do not know it */
+    KEY_META = 64     /* a number that the meta record of a run gives */
 };
 
 struct key {
@@ -37,6 +40,28 @@ struct key {
     const char *fallback; /* default as deck text; NULL: stays as the struct was */
     const char *brief;    /* one line for the manual */
 };
+
+/* Values that are right one by one, but not together. */
+struct misfit {
+    const char *code, *key; /* of the message; the key to blame */
+    char text[160];
+    const char *hint;
+};
+
+/* A block that is read for its owner: its keys, and whether the values that they have given it go together. */
+struct key_block {
+    const struct key *keys; /* ends with KEYS_END */
+    size_t size;
+    bool (*fits)(const void *block, struct misfit *why);
+};
+
+/* The value in block of a key that is no text and no node, as a number: 0 or 1, the index of a word. */
+double key_value(const struct key *k, const void *block);
+/* Is it the default?  Of numbers, true and false. */
+bool key_is_default(const struct key *k, const void *block);
+/* Of a table: its keys; the one of this name, NULL: not there, or no table. */
+int keys_count(const struct key *keys);
+const struct key *key_find(const struct key *keys, const char *name);
 
 #define KEYS_END                                                                                                       \
     {                                                                                                                  \

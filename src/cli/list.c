@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 #include "cli/page.h"
 #include "multirate/schemes.h"
+#include "sim/load.h"
 #include "sim/sim.h"
 
 static void print_range(const struct key *k)
@@ -27,10 +28,10 @@ static void print_key(const struct key *k)
     printf("\n      %s\n", k->brief);
 }
 
-static void print_sections(const char *path)
+static void print_sections(const char *path, struct arena *life)
 {
     struct section s;
-    for (int i = 0; scene_section(&s, i); i++) {
+    for (int i = 0; sim_section(&s, i, life); i++) {
         if (path && strcmp(s.path, path) != 0) continue;
         printf("%s%s%s: %s\n", *s.path ? s.path : "(top level)", s.word ? "." : "", s.word ? s.word : "", s.brief);
         for (const struct key *k = s.keys; k && k->name; k++) print_key(k);
@@ -78,15 +79,15 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
         printf("schemes\n");
         print_schemes();
         printf("\n");
-        print_sections(NULL);
+        print_sections(NULL, life);
     } else if (strcmp(topic, "schemes") == 0) {
         print_schemes();
     } else if (strcmp(topic, "joints") == 0) {
-        print_sections("constraints.NAME");
+        print_sections("constraints.NAME", life);
     } else if (strcmp(topic, "forces") == 0) {
-        print_sections("forces.NAME");
+        print_sections("forces.NAME", life);
     } else if (strcmp(topic, "sections") == 0) {
-        print_sections(NULL);
+        print_sections(NULL, life);
     } else if (strcmp(topic, "columns") == 0) {
         return print_columns(request, life, report);
     } else if (strcmp(topic, "page") == 0) {

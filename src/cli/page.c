@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/cli.h"
+#include "sim/load.h"
 #include "sim/sim.h"
 
 /* Text that roff takes as it is: no escapes, no request at the start of a line, every sentence on a line of its own. */
@@ -99,8 +100,9 @@ static void print_list(FILE *to, const struct key *keys)
 static enum status print_keys(FILE *to, const char *path, struct report *report)
 {
     struct section s;
+    struct arena *life = arena_open();
     int found = 0, kinds = 0;
-    for (int i = 0; scene_section(&s, i); i++) {
+    for (int i = 0; sim_section(&s, i, life); i++) {
         if (strcmp(s.path, path) != 0) continue;
         if (s.word && !kinds++) fputs(".Bl -tag -width 4n\n", to);
         if (s.word) fprintf(to, ".It Ic %s\n", s.word);
@@ -109,6 +111,7 @@ static enum status print_keys(FILE *to, const char *path, struct report *report)
         found++;
     }
     if (kinds) fputs(".El\n", to);
+    arena_close(life);
     return found ? OK : fail(report, E_USAGE, "no section '%.60s'", path);
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/cli.h"
 #include "kind/joint.h"
+#include "sim/load.h"
 
 static cJSON *typed(const char *type)
 {
@@ -104,9 +105,11 @@ static cJSON *section_schema(const struct section *s)
 static cJSON *path_schema(const char *path)
 {
     struct section s;
+    struct arena *life = arena_open();
     cJSON *any = cJSON_CreateArray();
-    for (int i = 0; scene_section(&s, i); i++)
+    for (int i = 0; sim_section(&s, i, life); i++)
         if (strcmp(s.path, path) == 0) cJSON_AddItemToArray(any, section_schema(&s));
+    arena_close(life);
     if (cJSON_GetArraySize(any) == 1) {
         cJSON *only = cJSON_DetachItemFromArray(any, 0);
         cJSON_Delete(any);

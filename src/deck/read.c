@@ -308,3 +308,10 @@ int read_keys(void *out, const struct key *keys, const struct node *map, const c
             errors += read_key(out, k, map, what, rd);
     return errors;
 }
+
+int read_also(void *out, const struct key *keys, const struct node *map, const char *what, struct reader *rd)
+{
+    int errors = 0;
+    for (const struct key *k = keys; k->name; k++) errors += read_key(out, k, map, what, rd);
+    return errors;
+}

@@ -21,6 +21,9 @@ struct reader {
 int read_keys(void *out, const struct key *keys, const struct node *map, const char *const *also, const char *what,
               struct reader *rd);
 
+/* Fills a second struct from the same map: with keys that read_keys() was given as `also`. */
+int read_also(void *out, const struct key *keys, const struct node *map, const char *what, struct reader *rd);
+
 /* A number within the range of key (NULL: any). */
 int read_number(double *out, const struct node *n, const struct key *key, struct reader *rd);
 int read_int(int *out, const struct node *n, const struct key *key, struct reader *rd);

@@ -3,9 +3,9 @@
  * Coefficients: Dormand & Prince, J. Comput. Appl. Math. 6 (1980).  PI step control, starting step and
  * scales: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.4 and IV.2:
  *
- *     h := h clip(0.9 err^-0.17 err_old^0.04, 0.2, 5),    err = rms of e_i / (atol Y_i + rtol |y_i|)
+ *     h := h clip(0.9 err^-0.17 err_old^0.04, 0.2, 5),    err = rms of e_i / (tol (Y_i + |y_i|))
  *
- * Y_i is what makes atol a share in any units: of a position its usual size L_i (a radian, the mechanism's length), of
+ * Y_i is what makes the tolerance a share in any units: of a position its usual size L_i (a radian, the mechanism's length), of
  * a velocity L_i times a hundredth of the fastest |v_j|/L_j so far.
  *
  * Steps end exactly at `to` and at known kinks in time; the step used before such a cut is kept. */
@@ -71,7 +71,7 @@ static double size(const struct stepper *s, const double *q, int i)
 static double scale_q(const struct stepper *s, int i)
 {
     struct dopri5 *m = s->self;
-    return s->options.atol * usual(s, i) + s->options.rtol * fmax(size(s, m->q, i), size(s, m->q1, i));
+    return s->options.tolerance * usual(s, i) + s->options.tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
 }
 
 /* What all but stands is not judged by its round-off. */
@@ -79,8 +79,8 @@ static double scale_v(const struct stepper *s, int i)
 {
     static const double PART = .01, SLOWEST = 1e-3; /* [1/s] */
     struct dopri5 *m = s->self;
-    return s->options.atol * usual(s, i) * fmax(PART * m->pace, SLOWEST) +
-           s->options.rtol * fmax(fabs(m->v[i]), fabs(m->v1[i]));
+    return s->options.tolerance * usual(s, i) * fmax(PART * m->pace, SLOWEST) +
+           s->options.tolerance * fmax(fabs(m->v[i]), fabs(m->v1[i]));
 }
 
 static void note_pace(struct stepper *s)
@@ -172,7 +172,7 @@ static void take(struct stepper *s, double h)
 static enum status recoordinate(struct stepper *s, struct state *x, double t, struct trouble *why)
 {
     struct dopri5 *m = s->self;
-    struct ode2 *o = (struct ode2 *)s->ode; /* the owner's, who lets it change here */
+    struct ode2 *o = s->ode;
     if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
     zero(m->span, o->n);
     TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, t, 0, why));
@@ -285,10 +285,16 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return OK;
 }
 
+static const struct key keys[] = {
+    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 0, 0.1, KEY_ABOVE | KEY_META, NULL,
+               "relative error of every step"),
+    KEYS_END,
+};
+
 const struct stepper_kind step_dopri5 = {
     .name = "dopri5",
     .brief = "Dormand-Prince 5(4), explicit, steps of its own inside H",
-    .reads = " tolerance ",
+    .keys = keys,
     .rates = 1,
     .order = 5,
     .adaptive = 1,

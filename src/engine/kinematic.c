@@ -46,7 +46,7 @@ static enum status parts(struct stepper *s, struct state *x, double *work, int n
 static enum status enough_parts(struct stepper *s, struct state *x, double to, struct trouble *why)
 {
     enum { FIRST = 4, MOST = 4096 };
-    const double t0 = x->t, close = fmax(s->options.rtol, 1e-6);
+    const double t0 = x->t, close = fmax(s->options.tolerance, 1e-6);
     double coarse[POWER_CHANNELS], fine[POWER_CHANNELS];
     TRY(parts(s, x, coarse, FIRST, to, why));
     for (int n = 2 * FIRST, agreed = 0; n <= MOST && !agreed; n *= 2) {

@@ -179,13 +179,14 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return single_steps(&m->keep, s, x, h, ratio, to, one, why);
 }
 
+static const struct key keys[] = {KEY_NEWTON_TOLERANCE, KEYS_END};
+
 const struct stepper_kind step_midpoint = {
     .name = "midpoint",
     .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems",
-    .reads = " step newton_tolerance ",
+    .keys = keys,
     .rates = 1,
     .order = 2,
-    .quadrature = 1,
     .open = open,
     .step = step,
 };

@@ -4,6 +4,8 @@
 
 #include "engine/stepper.h"
 
+extern const struct stepper_kind step_midpoint;
+
 struct midpoint;
 
 struct midpoint *midpoint_new(struct stepper *s, struct arena *life);

@@ -9,7 +9,10 @@
  * Newton for a1 with J = M^ + gamma h C + beta h^2 K.  The paper's own iteration (2-9) is kept as an
  * option: a1 := M^^-1 Q^ at the last iterate, from (2-10*) a1 = a0.  It converges only for
  * beta (omega h)^2 < 1, the limit of an explicit method. */
+#include "engine/newmark.h"
+
 #include <math.h>
+#include <stdio.h>
 
 #include "engine/accel.h"
 #include "engine/matrix.h"
@@ -47,7 +50,7 @@ static void open(struct stepper *s, struct arena *life)
     m->gamma = s->options.gamma;
     m->fixed_point = s->options.iteration == ITERATION_FIXED_POINT;
     newton_open(&m->newton, o, &s->effort, &s->options, life);
-    if (m->fixed_point && s->options.sweeps <= 0) m->newton.limit = 50;
+    if (m->fixed_point) m->newton.limit = 50;
     matrix_open(&m->J, o, &s->effort, life);
     predict_open(&m->predict, o->n, life);
     single_open(&m->keep, o, life);
@@ -205,10 +208,28 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return single_steps(&m->keep, s, x, h, ratio, to, one, why);
 }
 
+bool newmark_fits(const struct step_options *o, struct misfit *why)
+{
+    if (2 * o->beta >= o->gamma) return true;
+    *why = (struct misfit){.code = "E-newmark", .key = "beta"};
+    snprintf(why->text, sizeof why->text, "beta %g and gamma %g: not stable for every step", o->beta, o->gamma);
+    why->hint = "the rule is 2 beta >= gamma >= 1/2; beta 1/4, gamma 1/2 keep energy";
+    return false;
+}
+
+static const struct key keys[] = {
+    KEYS_NEWMARK,
+    PARAM_WORD(struct step_options, iteration, "iteration", "newton|fixed-point", 0, "newton",
+               "fixed-point is (2-9), which needs small steps"),
+    KEY_NEWTON_TOLERANCE,
+    KEYS_END,
+};
+
 const struct stepper_kind step_newmark = {
     .name = "newmark",
     .brief = "Newmark's method (2-5)...(2-10), one rate",
-    .reads = " step beta gamma iteration newton_tolerance ",
+    .keys = keys,
+    .fits = newmark_fits,
     .rates = 1,
     .points = 1,
     .order = 2,

@@ -25,7 +25,7 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
 {
     int n = ode->n;
     *nt = (struct newton){.ode = ode, .effort = effort, .tolerance = options->newton_tolerance};
-    nt->limit = options->sweeps > 0 ? options->sweeps : LIMIT;
+    nt->limit = LIMIT;
     nt->scale = TAKE(life, double, n);
     nt->per = TAKE(life, double, n);
     nt->dz = TAKE(life, double, n);

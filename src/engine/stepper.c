@@ -9,10 +9,7 @@
 #include "engine/motion.h"
 #include "engine/single.h"
 
-const struct step_options step_defaults = {
-    .beta = .25, .gamma = .5, .iteration = ITERATION_NEWTON, .rho_infinity = 1, .rtol = 1e-6, .atol = 1e-9};
-
-void stepper_open(struct stepper *s, const struct stepper_kind *kind, const struct ode2 *ode,
+void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life)
 {
     *s = (struct stepper){.kind = kind, .ode = ode, .options = *options, .fresh = 1, .life = life};
@@ -27,8 +24,7 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, const stru
 static void begin_anew(struct stepper *s, struct state *x)
 {
     struct trouble why;
-    struct ode2 *ode = (struct ode2 *)s->ode; /* the owner's, who lets it change here */
-    if (ode->chart->rechart(ode, x->q, x->v, x->t)) stepper_start(s, x, &why);
+    if (s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) (void)stepper_start(s, x, &why);
 }
 
 /* One step after the impulses of drives' corners.  A scheme that looks at points of time would miss those anywhere in

@@ -11,8 +11,8 @@
 #include <stddef.h>
 
 #include "base/arena.h"
-#include "base/keys.h"
 #include "base/status.h"
+#include "engine/options.h"
 #include "system/ode2.h"
 
 /* Where the system stands; the caller owns the arrays. */
@@ -33,32 +33,20 @@ struct effort {
     long rejected;   /* steps or sub-steps tried and given up */
 };
 
-enum iteration { ITERATION_NEWTON, ITERATION_FIXED_POINT };
-
-/* How to step, the same for all schemes; each reads what it knows. */
-struct step_options {
-    double beta, gamma;      /* newmark, miao: (2-5), (2-6); 1/4, 1/2 */
-    int iteration;           /* enum iteration; fixed-point is (2-9) as printed */
-    double rho_infinity;     /* subcycle: 1 none ... 0 most damping of what h does not resolve */
-    int symmetric;           /* subcycle: W at the average of both ends, second pass */
-    double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
-    double rtol, atol;       /* adaptive schemes: error per step in every coordinate; atol in usual sizes */
-    int sweeps;              /* most sweeps or iterations per step; 0: the scheme's default */
-};
-
-extern const struct step_options step_defaults;
-
 struct stepper;
 
 struct stepper_kind {
-    const char *name;  /* deck word */
-    const char *brief; /* one line for `fmdsub list` and the manual */
-    const char *reads; /* deck words of the options that it knows, " " around each; until is everyone's */
-    int rates;         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
+    const char *name;       /* deck word */
+    const char *brief;      /* one line for `fmdsub list` and the manual */
+    const struct key *keys; /* the options that it reads, of struct step_options; NULL: none.  Besides, one that is not
+                             * adaptive reads step, one of two rates ratio, and all read until */
+    /* Optional.  Do the options go together?  false: *why is filled. */
+    bool (*fits)(const struct step_options *o, struct misfit *why);
+    const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
+    int rates;                         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
-    int adaptive;   /* chooses its own steps inside H */
-    int points;     /* sees drives at points of time: their corners are brought to it before each step */
-    int quadrature; /* 1: its work sums are exact for the ledger; 0: of second order */
+    int adaptive; /* chooses its own steps inside H */
+    int points;   /* sees drives at points of time: their corners are brought to it before each step */
 
     /* Required.  Takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
@@ -72,7 +60,7 @@ struct accel;
 
 struct stepper {
     const struct stepper_kind *kind;
-    const struct ode2 *ode;
+    struct ode2 *ode; /* charts change between steps, see ode2_chart */
     struct step_options options;
     struct effort effort;
     double work[POWER_CHANNELS]; /* of the last accepted step [J] */
@@ -87,7 +75,7 @@ struct stepper {
 };
 
 /* Opens s on ode with options; the memory is life's. */
-void stepper_open(struct stepper *s, const struct stepper_kind *kind, const struct ode2 *ode,
+void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life);
 
 /* One major step; counts effort.  x->a must hold the accelerations at x->t at the first call

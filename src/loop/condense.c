@@ -245,7 +245,7 @@ const double *condense_v(const struct condense *c)
     return c->v;
 }
 
-const struct ode2 *condense_ode2(const struct condense *c)
+struct ode2 *condense_ode2(struct condense *c)
 {
     return &c->ode;
 }

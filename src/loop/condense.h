@@ -34,9 +34,9 @@ struct condense_start {
 struct condense *condense_build(struct open_tree *tree, const double *q0, const double *v0, struct arena *life);
 
 const struct condense_start *condense_started(const struct condense *c);
-const double *condense_q(const struct condense *c);         /* [nq] closed start */
-const double *condense_v(const struct condense *c);         /* [n] independent */
-const struct ode2 *condense_ode2(const struct condense *c); /* lives as long */
+const double *condense_q(const struct condense *c); /* [nq] closed start */
+const double *condense_v(const struct condense *c); /* [n] independent */
+struct ode2 *condense_ode2(struct condense *c);     /* lives as long */
 
 /* Velocities, accelerations (a NULL: not wanted) of the whole tree [m->n], of the independent v, a at a closed q. */
 enum status condense_rates(struct condense *c, double *vt, double *at, const double *q, const double *v,

@@ -25,6 +25,7 @@
 
 #include "engine/matrix.h"
 #include "engine/motion.h"
+#include "engine/newmark.h"
 #include "engine/newton.h"
 #include "la/dense.h"
 
@@ -351,10 +352,14 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return OK;
 }
 
+static const struct key keys[] = {KEYS_NEWMARK, KEY_NEWTON_TOLERANCE, KEYS_END};
+
 const struct stepper_kind step_miao = {
     .name = "miao",
     .brief = "Newmark sub-cycling (2-12)...(2-25) of Miao, Zhu, Shi & Chen, misprints corrected",
-    .reads = " step ratio beta gamma newton_tolerance ",
+    .keys = keys,
+    .fits = newmark_fits,
+    .single = &step_newmark,
     .rates = 2,
     .points = 1,
     .order = 2,

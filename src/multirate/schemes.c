@@ -1,4 +1,4 @@
-/* schemes.c -- all schemes by name */
+/* schemes.c -- all schemes by name, and their options together */
 #include "multirate/schemes.h"
 
 #include <string.h>
@@ -8,10 +8,54 @@ extern const struct stepper_kind step_subcycle, step_newmark, step_midpoint, ste
 const struct stepper_kind *const stepper_kinds[] = {
     &step_subcycle, &step_newmark, &step_midpoint, &step_miao, &step_rk4, &step_dopri5, NULL,
 };
+enum { KINDS = sizeof stepper_kinds / sizeof *stepper_kinds - 1 };
 
 const struct stepper_kind *stepper_find(const char *name)
 {
     for (int i = 0; stepper_kinds[i]; i++)
         if (strcmp(stepper_kinds[i]->name, name) == 0) return stepper_kinds[i];
     return NULL;
+}
+
+/* "newmark, miao: beta of (2-5)"; what most schemes read needs no names. */
+static const char *brief_of(const struct key *key, struct arena *life)
+{
+    const char *names = "";
+    int n = 0;
+    for (int i = 0; i < KINDS; i++) {
+        if (!key_find(stepper_kinds[i]->keys, key->name)) continue;
+        names = arena_print(life, "%s%s%s", names, n++ ? ", " : "", stepper_kinds[i]->name);
+    }
+    return 2 * n > KINDS ? key->brief : arena_print(life, "%s: %s", names, key->brief);
+}
+
+/* Puts a key where its member of the block stands, once. */
+static void insert(struct key *table, int *n, const struct key *key)
+{
+    int at = *n;
+    while (at > 0 && table[at - 1].offset > key->offset) at--;
+    if (at > 0 && table[at - 1].offset == key->offset) return;
+    memmove(table + at + 1, table + at, sizeof *table * (size_t)(*n - at));
+    table[at] = *key;
+    ++*n;
+}
+
+/* An option is checked whether or not the scheme of the deck reads it, as its range is. */
+static bool fit(const void *block, struct misfit *why)
+{
+    for (int i = 0; i < KINDS; i++)
+        if (stepper_kinds[i]->fits && !stepper_kinds[i]->fits(block, why)) return false;
+    return true;
+}
+
+struct key_block stepper_options(struct arena *life)
+{
+    int n = 0, most = 0;
+    for (int i = 0; i < KINDS; i++)
+        for (const struct key *k = stepper_kinds[i]->keys; k && k->name; k++) most++;
+    struct key *table = TAKE(life, struct key, most + 1);
+    for (int i = 0; i < KINDS; i++)
+        for (const struct key *k = stepper_kinds[i]->keys; k && k->name; k++) insert(table, &n, k);
+    for (int i = 0; i < n; i++) table[i].brief = brief_of(&table[i], life);
+    return (struct key_block){table, sizeof(struct step_options), fit};
 }

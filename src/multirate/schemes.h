@@ -8,4 +8,7 @@
 extern const struct stepper_kind *const stepper_kinds[];
 const struct stepper_kind *stepper_find(const char *name);
 
+/* The options of all schemes, over struct step_options; where only a few schemes read a key its brief names them. */
+struct key_block stepper_options(struct arena *life);
+
 #endif

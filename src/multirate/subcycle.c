@@ -80,7 +80,7 @@ static void open(struct stepper *s, struct arena *life)
     c->alpha = (1 - s->options.rho_infinity) / (1 + s->options.rho_infinity);
     c->plain = midpoint_new(s, life);
     newton_open(&c->newton, o, &s->effort, &s->options, life);
-    if (s->options.sweeps <= 0) c->newton.limit = SWEEPS;
+    c->newton.limit = SWEEPS;
     c->newton.pairs = 1;
     c->newton.trust = .1;
     decouple_open(&c->dec, o, &s->effort, life);
@@ -297,13 +297,22 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return OK;
 }
 
+static const struct key keys[] = {
+    PARAM_REAL(struct step_options, rho_infinity, "rho_infinity", NULL, 0, 1, KEY_NEUTRAL | KEY_META, "1",
+               "1 keeps all energy, less damps what the minor step cannot resolve"),
+    PARAM_BOOL(struct step_options, symmetric, "symmetric", KEY_NEUTRAL, "false",
+               "decoupling at the average of both ends, a second pass"),
+    KEY_NEWTON_TOLERANCE,
+    KEYS_END,
+};
+
 const struct stepper_kind step_subcycle = {
     .name = "subcycle",
     .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step",
-    .reads = " step ratio rho_infinity symmetric newton_tolerance ",
+    .keys = keys,
+    .single = &step_midpoint,
     .rates = 2,
     .order = 2,
-    .quadrature = 1,
     .open = open,
     .step = step,
 };

@@ -143,14 +143,11 @@ struct scene_initial {
 };
 
 struct integrate {
-    const char *scheme; /* deck word */
-    double step;        /* minor step h [s] */
-    int ratio;          /* n, H = n h */
-    double until;       /* [s]; 0: the section is wrong, and that was told */
-    double beta, gamma, rho_infinity;
-    int iteration, symmetric;
-    double newton_tolerance;
-    double tolerance;        /* adaptive schemes */
+    const char *scheme;      /* deck word */
+    double step;             /* minor step h [s] */
+    int ratio;               /* n, H = n h */
+    double until;            /* [s]; 0: the section is wrong, and that was told */
+    const void *options;     /* the schemes' own, see scene_read() */
     const struct node *end;  /* until as the deck gives it */
     const struct node *node; /* the section */
 };
@@ -197,8 +194,10 @@ struct scene {
     double delta; /* of (2-26) */
 };
 
-/* Checks the deck and fills a scene; all errors go to diags, the status is diags' own. */
-enum status scene_read(struct scene **out, struct deck *deck, struct diags *diags, struct arena *life);
+/* Checks the deck and fills a scene; all errors go to diags, the status is diags' own.  schemes: what the schemes read of
+ * `integrate`, for the rooms above. */
+enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, struct diags *diags,
+                       struct arena *life);
 
 /* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
  * a rate (k counts v), 3 for an acceleration, 0 for none. */

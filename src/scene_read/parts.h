@@ -100,7 +100,7 @@ int read_initial(struct builder *b, const struct node *n);
 /* Has the joint a rotation that is no angle? */
 bool turns_freely(const struct builder *b, const struct scene_joint *j);
 int read_partition(struct builder *b, const struct node *n);
-int read_integrate(struct builder *b, const struct node *n);
+int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
 int read_output(struct builder *b, const struct node *n);
 
 /* The value of a measure in the drawn position. */

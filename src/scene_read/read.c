@@ -63,7 +63,8 @@ static int read_energy(struct builder *b, const struct node *n)
     return 0;
 }
 
-enum status scene_read(struct scene **out, struct deck *deck, struct diags *diags, struct arena *life)
+enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, struct diags *diags,
+                       struct arena *life)
 {
     struct scene *scene = TAKE(life, struct scene, 1);
     struct builder b = {
@@ -86,7 +87,7 @@ enum status scene_read(struct scene **out, struct deck *deck, struct diags *diag
         warn_of_drives(&b);
         read_partition(&b, k.partition);
     }
-    if (k.integrate) read_integrate(&b, k.integrate);
+    if (k.integrate) read_integrate(&b, k.integrate, schemes);
     read_output(&b, k.output);
     read_energy(&b, k.energy);
     if (diags_errors(diags) == 0) deck_warn_unused(deck);

@@ -132,13 +132,12 @@ int read_partition(struct builder *b, const struct node *n)
 
 /* ---- integrate ---- */
 
-static int check_newmark(struct builder *b, const struct integrate *o, const struct node *n)
+static int check_options(struct builder *b, const struct integrate *o, const struct key_block *schemes)
 {
-    if (2 * o->beta >= o->gamma) return 0;
-    const struct node *at = node_find(n, "beta") ? node_find(n, "beta") : n;
-    diag_error(b->diags, at, AT_VALUE, "E-newmark", "beta %g and gamma %g: not stable for every step", o->beta,
-               o->gamma);
-    diag_hint(b->diags, "the rule is 2 beta >= gamma >= 1/2; beta 1/4, gamma 1/2 keep energy");
+    struct misfit why;
+    if (schemes->fits(o->options, &why)) return 0;
+    diag_error(b->diags, node_find(o->node, why.key), AT_VALUE, why.code, "%s", why.text);
+    diag_hint(b->diags, "%s", why.hint);
     return 1;
 }
 
@@ -183,15 +182,28 @@ static int read_until(struct builder *b, struct integrate *o)
     return read_condition(b, &b->scene->when, k.when);
 }
 
-int read_integrate(struct builder *b, const struct node *n)
+/* All keys first: what goes together is looked at when each is right by itself. */
+static int read_stepping(struct builder *b, struct integrate *o, const struct key_block *schemes)
+{
+    const int n = keys_count(schemes->keys);
+    const char **names = TAKE(b->life, const char *, n + 1);
+    void *options = arena_take(b->life, 1, schemes->size);
+    for (int i = 0; i < n; i++) names[i] = schemes->keys[i].name;
+    o->options = options;
+    int errors = read_keys(o, keys_integrate, o->node, names, "'integrate'", &b->reader);
+    if (o->node->type == NODE_MAP) errors += read_also(options, schemes->keys, o->node, "'integrate'", &b->reader);
+    return errors;
+}
+
+int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes)
 {
     struct integrate *o = &b->scene->integrate;
-    *o = (struct integrate){.node = n, .step = 0, .tolerance = 0};
-    if (read_keys(o, keys_integrate, n, NULL, "'integrate'", &b->reader)) {
+    *o = (struct integrate){.node = n};
+    if (read_stepping(b, o, schemes)) {
         o->until = 0;
         return 1;
     }
-    int errors = check_newmark(b, o, n);
+    int errors = check_options(b, o, schemes);
     errors += read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
     if (errors) o->until = 0;
     return errors;

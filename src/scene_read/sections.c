@@ -149,18 +149,6 @@ const struct key keys_integrate[] = {
     PARAM_INT(struct integrate, ratio, "ratio", 1, 1000000, 0, "1", "n: the major step is n h"),
     PARAM_NODE(struct integrate, end, "until", "seconds, or {when: condition, latest: seconds}", KEY_REQUIRED,
                "end of the run"),
-    PARAM_REAL(struct integrate, rho_infinity, "rho_infinity", NULL, 0, 1, 0, "1",
-               "subcycle: 1 keeps all energy, less damps what the minor step cannot resolve"),
-    PARAM_REAL(struct integrate, beta, "beta", NULL, 0, 1, KEY_ABOVE, "0.25", "newmark, miao: beta of (2-5)"),
-    PARAM_REAL(struct integrate, gamma, "gamma", NULL, 0.5, 1, 0, "0.5", "newmark, miao: gamma of (2-6)"),
-    PARAM_WORD(struct integrate, iteration, "iteration", "newton|fixed-point", 0, "newton",
-               "newmark: fixed-point is (2-9), which needs small steps"),
-    PARAM_BOOL(struct integrate, symmetric, "symmetric", 0, "false",
-               "subcycle: decoupling at the average of both ends, a second pass"),
-    PARAM_REAL(struct integrate, newton_tolerance, "newton_tolerance", NULL, 0, 1, 0, "0",
-               "relative; 0: a thousandth of the step's own error"),
-    PARAM_REAL(struct integrate, tolerance, "tolerance", NULL, 0, 0.1, KEY_ABOVE, NULL,
-               "dopri5: relative error of every step"),
     KEYS_END,
 };
 

@@ -8,4 +8,7 @@
 enum status sim_load(struct scene **scene, const char *path, const struct deck_options *options, struct diags *diags,
                      struct arena *life, struct report *report);
 
+/* The i-th section of a deck: the scene's, with the options of all schemes in `integrate`.  false past the end. */
+bool sim_section(struct section *o, int i, struct arena *life);
+
 #endif

@@ -35,27 +35,31 @@ static enum status find_scheme(struct sim *sim, struct diags *diags)
     return E_DECK;
 }
 
-/* At ratio 1 a sub-cycling scheme is its single-rate twin: that one runs. */
+/* At ratio 1, with nothing that only it can do, a sub-cycling scheme is its single-rate twin: that one runs. */
 static void prefer_single_rate(struct sim *sim)
 {
-    if (sim->options.general || sim->plan.ratio != 1 || sim->plan.rho_infinity < 1 || sim->plan.symmetric) return;
-    if (strcmp(sim->stepper.kind->name, "subcycle") == 0) sim->stepper.kind = stepper_find("midpoint");
-    if (strcmp(sim->stepper.kind->name, "miao") == 0) sim->stepper.kind = stepper_find("newmark");
+    const struct stepper_kind *kind = sim->stepper.kind;
+    if (sim->options.general || sim->plan.ratio != 1 || !kind->single) return;
+    for (const struct key *k = kind->keys; k->name; k++)
+        if (k->flags & KEY_NEUTRAL && !key_is_default(k, sim->plan.options)) return;
+    sim->stepper.kind = kind->single;
 }
 
 static enum status missing_step(struct sim *sim, struct diags *diags)
 {
+    const struct step_options *o = sim->plan.options;
     diag_error(diags, sim->plan.node, AT_KEY, "E-missing-key", "scheme %s needs a 'step'", sim->plan.scheme);
-    if (sim->plan.tolerance > 0) diag_hint(diags, "'tolerance' is for schemes that choose their steps, such as dopri5");
+    if (o->tolerance > 0) diag_hint(diags, "'tolerance' is for schemes that choose their steps, such as dopri5");
     return E_DECK;
 }
 
 static enum status check_tolerance(struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
+    const struct step_options *o = p->options;
     const struct node *at = node_find(p->node, "tolerance");
     bool adaptive = sim->stepper.kind->adaptive;
-    if (adaptive && !(p->tolerance > 0)) {
+    if (adaptive && !(o->tolerance > 0)) {
         if (at) return E_DECK; /* it is there and was refused */
         diag_error(diags, p->node, AT_KEY, "E-missing-key", "scheme %s needs a 'tolerance'", sim->stepper.kind->name);
         return E_DECK;

@@ -14,20 +14,6 @@ static struct state new_state(const struct model *m, struct arena *life)
     return (struct state){m->t0, TAKE(life, double, m->nq), TAKE(life, double, m->n), TAKE(life, double, m->n)};
 }
 
-static void open_stepper(struct sim *sim, struct arena *life)
-{
-    const struct integrate *p = &sim->plan;
-    struct step_options o = step_defaults;
-    o.beta = p->beta;
-    o.gamma = p->gamma;
-    o.iteration = p->iteration;
-    o.rho_infinity = p->rho_infinity;
-    o.symmetric = p->symmetric;
-    o.newton_tolerance = p->newton_tolerance;
-    if (sim->stepper.kind->adaptive && p->tolerance > 0) o.rtol = o.atol = p->tolerance;
-    stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), &o, life);
-}
-
 /* From the deck's start to the equilibrium near it; the deck's rates stay. */
 static enum status start_at_rest(struct sim *sim, struct report *report)
 {
@@ -91,7 +77,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     sim->x = new_state(m, life);
     warn_of_unread(sim, diags);
     warn_of_loops(sim, diags);
-    open_stepper(sim, life);
+    stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), sim->plan.options, life);
     return start(sim, report);
 }
 

@@ -7,20 +7,21 @@
 #include "multirate/schemes.h"
 #include "sim/parts.h"
 
-/* Words that say what every scheme does without them. */
+static bool reads(const struct stepper_kind *kind, const char *key)
+{
+    if (strcmp(key, "step") == 0) return !kind->adaptive;
+    if (strcmp(key, "ratio") == 0) return kind->rates > 1;
+    return key_find(kind->keys, key) != NULL;
+}
+
+/* Does it say what every scheme does without it? */
 static bool says_nothing(const struct integrate *p, const char *key)
 {
     if (strcmp(key, "ratio") == 0) return p->ratio == 1;
-    if (strcmp(key, "rho_infinity") == 0) return p->rho_infinity == 1;
-    if (strcmp(key, "symmetric") == 0) return !p->symmetric;
-    return false;
-}
-
-static bool reads(const struct stepper_kind *kind, const char *key)
-{
-    const size_t len = strlen(key);
-    for (const char *at = kind->reads; (at = strstr(at, key)); at += len)
-        if (at[-1] == ' ' && at[len] == ' ') return true;
+    for (int i = 0; stepper_kinds[i]; i++) {
+        const struct key *k = key_find(stepper_kinds[i]->keys, key);
+        if (k) return k->flags & KEY_NEUTRAL && key_is_default(k, p->options);
+    }
     return false;
 }
 

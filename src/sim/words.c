@@ -18,12 +18,8 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
     if (!kind->adaptive) facts[n++] = pair_number("ratio", p->ratio);
     if (sim->scene->start != 0) facts[n++] = pair_number("start", sim->scene->start);
     facts[n++] = pair_number("until", p->until);
-    if (kind->adaptive) facts[n++] = pair_number("tolerance", p->tolerance);
-    if (strcmp(kind->name, "newmark") == 0 || strcmp(kind->name, "miao") == 0) {
-        facts[n++] = pair_number("beta", p->beta);
-        facts[n++] = pair_number("gamma", p->gamma);
-    }
-    if (strcmp(kind->name, "subcycle") == 0) facts[n++] = pair_number("rho_infinity", p->rho_infinity);
+    for (const struct key *k = kind->keys; k && k->name; k++)
+        if (k->flags & KEY_META) facts[n++] = pair_number(k->name, key_value(k, p->options));
     facts[n++] = pair_number("space", m->space);
     facts[n++] = pair_number("bodies", sim->scene->nbody - 1);
     facts[n++] = pair_number("freedoms", sim->stepper.ode->n);
@@ -98,6 +94,7 @@ void say_plan(const struct sim *sim)
 {
     FILE *to = sim->options.say;
     const struct integrate *p = &sim->plan;
+    const struct step_options *o = p->options;
     const struct model *m = sim->model;
     const struct stepper_kind *kind = sim->stepper.kind;
     const double *g = m->gravity;
@@ -108,7 +105,7 @@ void say_plan(const struct sim *sim)
             sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
-        fprintf(to, "%s to tolerance %g", kind->name, p->tolerance);
+        fprintf(to, "%s to tolerance %g", kind->name, o->tolerance);
     else if (p->ratio > 1 && kind->rates > 1)
         fprintf(to, "%s h = %g s, H = %d h", kind->name, p->step, p->ratio);
     else
@@ -164,6 +161,7 @@ static bool is_flexible(const struct sim *sim)
 /* What to try, by the code and by what is already in use. */
 static const char *advice(const struct sim *sim, const struct trouble *why)
 {
+    const struct step_options *o = sim->plan.options;
     switch (why->code) {
     case TROUBLE_LAW:
         return "look at the expressions and tables of its forces";
@@ -186,7 +184,7 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     default:
         break;
     }
-    if (sim->plan.iteration == ITERATION_FIXED_POINT) return "try 'iteration: newton'";
+    if (o->iteration == ITERATION_FIXED_POINT) return "try 'iteration: newton'";
     return sim->plan.ratio > 1 ? "try a smaller ratio or step" : "try a smaller step";
 }
 

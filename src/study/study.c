@@ -137,19 +137,20 @@ static enum status make_reference(struct outcome *o, double *apart, const struct
                                   struct report *report)
 {
     struct integrate plan = scene->integrate;
+    struct step_options how = *(const struct step_options *)plan.options;
     struct outcome second;
     double least = plan.step > 0 ? plan.step : plan.until;
     for (int i = 0; i < options->nstep; i++) least = fmin(least, options->step[i]);
     double H = scene->output.every > 0 ? scene->output.every : plan.step * plan.ratio;
     plan.scheme = "dopri5";
-    plan.tolerance = 1e-12;
+    plan.options = &how;
+    how.tolerance = 1e-12;
     plan.ratio = 1;
     plan.step = H;
     TRY(try_run(o, scene, &plan, options, diags, life, report));
     if (o->status != OK && o->status != E_VERDICT)
         return fail(report, o->status, "no reference: %.900s", o->report.text);
     plan.scheme = "rk4";
-    plan.tolerance = 0;
     plan.step = H / ceil(8 * H / least - 1e-9);
     TRY(try_run(&second, scene, &plan, options, diags, life, report));
     struct errors e = compare(&second, o);
@@ -203,11 +204,12 @@ static enum status study_scheme(struct table *table, const char *scheme, const s
     for (int r = 0; r < ratios; r++) {
         for (int s = 0; s < options->nstep; s++) {
             struct integrate plan = scene->integrate;
+            struct step_options how = *(const struct step_options *)plan.options;
             plan.scheme = scheme;
+            plan.options = &how;
             plan.ratio = kind && kind->rates > 1 ? options->ratio[r] : 1;
             plan.step = options->step[s];
-            if (kind && kind->adaptive && !(plan.tolerance > 0)) plan.tolerance = 1e-6;
-            if (kind && !kind->adaptive) plan.tolerance = 0;
+            if (!(how.tolerance > 0)) how.tolerance = 1e-6;
             TRY(study_one(table, &plan, scene, reference, first_cpu, options, diags, report));
             if (kind && kind->adaptive) break; /* its steps are its own */
         }

@@ -72,12 +72,12 @@ struct system *system_build(const struct model *m, struct arena *life)
     return s;
 }
 
-const struct ode2 *system_ode2(const struct system *s)
+struct ode2 *system_ode2(struct system *s)
 {
     return s->loops ? condense_ode2(s->loops) : &s->tree.ode;
 }
 
-enum status system_start(const struct system *s, double *q, double *v, struct report *report)
+enum status system_start(struct system *s, double *q, double *v, struct report *report)
 {
     const struct ode2 *o = system_ode2(s);
     if (s->loops && condense_started(s->loops)->status != OK) {

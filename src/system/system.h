@@ -17,10 +17,10 @@ struct energies {
 struct system *system_build(const struct model *m, struct arena *life);
 
 /* q [nq] and v [n of the door] at the start: of a mechanism with loops, closed.  Fails where it cannot be. */
-enum status system_start(const struct system *s, double *q, double *v, struct report *report);
+enum status system_start(struct system *s, double *q, double *v, struct report *report);
 
-/* The door to the engine; lives as long as the system. */
-const struct ode2 *system_ode2(const struct system *s);
+/* The door to the engine, which lets its chart change between steps; lives as long as the system. */
+struct ode2 *system_ode2(struct system *s);
 
 /* Everything at one instant: poses, measures, energies; accelerations by one fresh solve of (2-4)
  * and, with them, reactions and forces.  Kept until the next call. */

@@ -111,7 +111,7 @@ static void test_radius(void **state)
 
 static const double TOP = 1e3;
 
-static int map_of(double *A, const struct linear *s, const struct step_options *o, double h, int ratio)
+static int map_of(double *A, struct linear *s, const struct step_options *o, double h, int ratio)
 {
     int n = s->ode.n, m = 2 * n;
     struct run r;

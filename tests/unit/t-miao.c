@@ -52,7 +52,7 @@ static void test_newmark(void **state)
     chain_open(&chain, 300, 2, 9.81);
     carrier_open(&slide, 1);
     for (int k = 0; k < 2; k++) {
-        const struct ode2 *ode = k ? &slide.ode : &chain.ode;
+        struct ode2 *ode = k ? &slide.ode : &chain.ode;
         const double *q = k ? carrier_q : both_q, *v = k ? carrier_v : both_v;
         assert_int_equal(run_open(&a, "miao", ode, &o, q, v), OK);
         assert_int_equal(run_open(&b, "newmark", ode, &o, q, v), OK);

@@ -92,8 +92,9 @@ static void test_nothing_left_out(void **state)
     char *text = read_text("man/fmdsub-deck.5"), line[200];
     const char *const others[] = {"coordinates", "functions", "schemes", "codes"};
     struct section s;
+    struct arena *life = arena_open();
     (void)state;
-    for (int i = 0; scene_section(&s, i); i++) {
+    for (int i = 0; sim_section(&s, i, life); i++) {
         snprintf(line, sizeof line, "%s keys%s%s\n", mark, *s.path ? " " : "", s.path);
         if (!strstr(text, line)) fail_msg("fmdsub-deck.5 lacks '%s'", line);
     }
@@ -101,6 +102,7 @@ static void test_nothing_left_out(void **state)
         snprintf(line, sizeof line, "%s %s\n", mark, others[i]);
         if (!strstr(text, line)) fail_msg("fmdsub-deck.5 lacks '%s'", line);
     }
+    arena_close(life);
     free(text);
 }
 

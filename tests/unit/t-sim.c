@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "multirate/schemes.h"
 #include "unit/decks.h"
 
 /* the harness has a macro of that name */
@@ -259,32 +258,6 @@ static void test_columns_alone(void **state)
     }
 }
 
-static const struct key *integrate_keys(void)
-{
-    struct section s;
-    for (int i = 0; scene_section(&s, i); i++)
-        if (strcmp(s.path, "integrate") == 0 && !s.word) return s.keys;
-    return NULL;
-}
-
-/* Every key of stepping is some scheme's, and what schemes read are keys: neither is told in vain. */
-static void test_keys_and_schemes(void **state)
-{
-    int words = 0, found = 0;
-    (void)state;
-    for (int i = 0; stepper_kinds[i]; i++)
-        for (const char *c = stepper_kinds[i]->reads; c[1]; c++) words += *c == ' ';
-    for (const struct key *k = integrate_keys(); k->name; k++) {
-        char word[40];
-        int readers = 0;
-        snprintf(word, sizeof word, " %s ", k->name);
-        for (int i = 0; stepper_kinds[i]; i++) readers += strstr(stepper_kinds[i]->reads, word) != NULL;
-        assert_int_equal(readers == 0, !strcmp(k->name, "scheme") || !strcmp(k->name, "until"));
-        found += readers;
-    }
-    assert_int_equal(found, words);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -295,7 +268,6 @@ int main(void)
         cmocka_unit_test(test_end),
         cmocka_unit_test(test_far_records),
         cmocka_unit_test(test_columns_alone),
-        cmocka_unit_test(test_keys_and_schemes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

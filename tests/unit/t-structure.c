@@ -13,6 +13,7 @@
 #include "multirate/schemes.h"
 #include "sim/load.h"
 #include "system/system.h"
+#include "unit/oscillators.h"
 #include "unit/trees.h"
 
 #include <cmocka.h>
@@ -62,7 +63,7 @@ struct walk {
     double q[MOST], v[MOST], a[MOST], work[POWER_CHANNELS];
 };
 
-static void walk(struct walk *w, const struct ode2 *ode, const double *q, const double *v, const struct step_options *o,
+static void walk(struct walk *w, struct ode2 *ode, const double *q, const double *v, const struct step_options *o,
                  double h, int ratio, int majors, struct arena *arena)
 {
     struct trouble why = {0};
@@ -119,7 +120,7 @@ static void test_dense(void **state)
         unsigned flags = TREE_FAST_LEAVES | (seed % 3 ? TREE_FORCES : 0) | (seed % 4 < 2 ? TREE_LIGHT : 0);
         struct model *m = random_tree(2 + seed % 2, 10, (unsigned)seed, flags, arena);
         keep_plain(m, arena);
-        const struct ode2 *o = system_ode2(system_build(m, arena));
+        struct ode2 *o = system_ode2(system_build(m, arena));
         struct ode2 dense = *o;
         dense.direct = NULL;
         if (o->n > 12 && o->n <= MOST && o->ns > 0 && o->ns < o->n) {
@@ -151,7 +152,7 @@ static void test_near(void **state)
     static struct walk a, b;
     assert_int_equal(sim_load(&scene, "tests/bench/arms.yaml", NULL, diags, arena, &report), OK);
     assert_int_equal(model_build(&m, scene, diags, arena), OK);
-    const struct ode2 *o = system_ode2(system_build(m, arena));
+    struct ode2 *o = system_ode2(system_build(m, arena));
     struct step_options options = step_defaults;
     options.newton_tolerance = 1e-13;
     struct ode2 all = *o, formed = *o;

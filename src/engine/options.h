@@ -1,0 +1,26 @@
+/* options.h -- how to step: one block of options for all schemes, and the deck keys that fill it.
+ *
+ * What a scheme reads of the block stands in its table of keys (stepper_kind.keys).  The reader, the range check,
+ * `fmdsub list`, the schema and the manual find the key there.  A key of several schemes is written here, once.  Where
+ * the keys of all schemes are shown together they stand in the order of the block's members. */
+#ifndef FMDSUB_ENGINE_OPTIONS_H
+#define FMDSUB_ENGINE_OPTIONS_H
+
+#include "base/keys.h"
+
+enum iteration { ITERATION_NEWTON, ITERATION_FIXED_POINT };
+
+struct step_options {
+    double rho_infinity; /* spectral radius for what the step does not resolve: 1 keeps it, 0 takes it out at once */
+    double beta, gamma;  /* (2-5), (2-6) */
+    int iteration;       /* enum iteration; fixed-point is (2-9) as printed */
+    int symmetric;       /* W at the average of both ends, second pass */
+    double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
+    double tolerance;        /* error per step in every coordinate, relative and in usual sizes */
+};
+
+#define KEY_NEWTON_TOLERANCE                                                                                           \
+    PARAM_REAL(struct step_options, newton_tolerance, "newton_tolerance", NULL, 0, 1, 0, "0",                          \
+               "relative; 0: a thousandth of the step's own error")
+
+#endif
