@@ -175,12 +175,12 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
     struct ode2 *o = s->ode;
     if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
     zero(m->span, o->n);
-    TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, t, 0, why));
-    copy(m->a, m->rk.dv[0], o->n);
     copy(x->q, m->q, o->nq);
     copy(x->v, m->v, o->n);
-    copy(x->a, m->a, o->n);
     x->t = t;
+    TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, t, 0, why));
+    copy(m->a, m->rk.dv[0], o->n);
+    copy(x->a, m->a, o->n);
     return OK;
 }
 

@@ -20,11 +20,12 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     kind->open(s, life);
 }
 
-/* A new chart, if there is a better one: what was known in the old one is forgotten. */
+/* A new chart, if there is a better one: what was known in the old one is forgotten.  The step has been taken: if its
+ * accelerations cannot be found, that is the next one's failure. */
 static void begin_anew(struct stepper *s, struct state *x)
 {
     struct trouble why;
-    if (s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) (void)stepper_start(s, x, &why);
+    if (s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) s->unstarted = stepper_start(s, x, &why) != OK;
 }
 
 /* One step after the impulses of drives' corners.  A scheme that looks at points of time would miss those anywhere in
@@ -53,6 +54,8 @@ static enum status after_corners(struct stepper *s, struct state *x, double h, i
 static enum status any_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
+    if (s->unstarted) TRY(stepper_start(s, x, why));
+    s->unstarted = 0;
     if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
     if (!s->kind->adaptive && o->breaks && o->breaks->jump) return after_corners(s, x, h, ratio, to, why);
     return s->kind->step(s, x, h, ratio, to, why);

@@ -68,6 +68,7 @@ struct stepper {
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
+    int unstarted;               /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;         /* solves (2-4) for a */
     struct single *keep;         /* v, a before a corner */
     struct arena *life;

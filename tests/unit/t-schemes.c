@@ -1,4 +1,4 @@
-/* t-schemes.c -- what holds for every scheme: its options */
+/* t-schemes.c -- what holds for every scheme: its options, and a chart that changes after a step */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -64,12 +64,66 @@ static void test_fits(void **state)
     arena_close(life);
 }
 
+/* ---- a chart that is new after each step, where accelerations cannot be found for a while */
+
+static struct {
+    int refusals; /* still to come */
+    int charts;
+} owner;
+
+static int other_chart(struct ode2 *o, double *q, double *v, double t)
+{
+    (void)o, (void)q, (void)v, (void)t;
+    owner.charts++;
+    return 1;
+}
+
+static enum status refuse(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
+{
+    if (owner.charts > 0 && owner.refusals-- > 0) return trouble_set(why, TROUBLE_MASS, 1, 0, t);
+    return linear_mass(o, M, q, t, cls, why);
+}
+
+/* The step that changed the chart stands; the next one fails for want of accelerations, and once they are found it is
+ * that of a run that has begun there. */
+static void test_new_chart(void **state)
+{
+    static const struct ode2_ops ops = {.resid = linear_resid, .mass = refuse, .slopes = linear_slopes};
+    static const struct ode2_chart chart = {.rechart = other_chart};
+    (void)state;
+    for (int k = 0; stepper_kinds[k]; k++) {
+        struct linear s;
+        struct run r, begun;
+        if (stepper_kinds[k]->adaptive) continue; /* charts change inside its steps */
+        linear_both(&s);
+        s.ode.ops = &ops;
+        s.ode.chart = &chart;
+        owner.charts = 0;
+        owner.refusals = 2;
+        assert_int_equal(run_open(&r, stepper_kinds[k]->name, &s.ode, &step_defaults, both_q, both_v), OK);
+        assert_int_equal(run_steps(&r, .01, 2, 1), OK);
+        double q[2] = {r.q[0], r.q[1]}, v[2] = {r.v[0], r.v[1]};
+        assert_int_equal(run_steps(&r, .01, 2, 1), E_NUMERIC);
+        assert_int_equal(r.why.code, TROUBLE_MASS);
+        assert_true(r.x.t == .02 && !memcmp(r.q, q, sizeof q) && !memcmp(r.v, v, sizeof v));
+        assert_int_equal(r.stepper.effort.rejected, 1);
+        assert_int_equal(run_open(&begun, stepper_kinds[k]->name, &s.ode, &step_defaults, q, v), OK);
+        begun.x.t = .02;
+        assert_int_equal(run_steps(&r, .01, 2, 1), OK);
+        assert_int_equal(run_steps(&begun, .01, 2, 1), OK);
+        for (int i = 0; i < 2; i++) assert_true(fabs(r.q[i] - begun.q[i]) < 1e-6 && fabs(r.v[i] - begun.v[i]) < 1e-5);
+        run_close(&r);
+        run_close(&begun);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_keys),
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_fits),
+        cmocka_unit_test(test_new_chart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
