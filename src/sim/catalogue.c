@@ -42,7 +42,8 @@ static void add_reactions(struct listing *l, const char *name, enum origin_type 
     static const int moments[] = {3, 4, 5};
     add_parts(l, name, force, first_parts, l->plane ? 2 : 3, "N", "reaction on the second body, world axes", type, i);
     if (l->plane)
-        add(l, join(l, name, "mz"), "N m", "reaction on the second body", (struct origin){type, i, 5, -1});
+        add(l, join(l, name, "mz"), "N m", "reaction on the second body, at the joint, world axes",
+            (struct origin){type, i, 5, -1});
     else
         add_parts(l, name, moment, moments, 3, "N m", "reaction on the second body, at the joint, world axes", type, i);
 }
@@ -102,7 +103,7 @@ static void add_body(struct listing *l, const struct model_body *b, int i)
         add_parts(l, b->name, q, first_parts, 4, NULL, "unit quaternion, body to world", FROM_QUATERNION, i);
     add_parts(l, b->name, v, first_parts, n, "m/s", "velocity of the centre of mass", FROM_VELOCITY, i);
     if (l->plane)
-        add(l, join(l, b->name, "wz"), "rad/s", "angular velocity", (struct origin){FROM_OMEGA, i, 2, -1});
+        add(l, join(l, b->name, "wz"), "rad/s", "angular velocity, world axes", (struct origin){FROM_OMEGA, i, 2, -1});
     else
         add_parts(l, b->name, w, first_parts, 3, "rad/s", "angular velocity, world axes", FROM_OMEGA, i);
     add_parts(l, b->name, a, first_parts, n, "m/s2", "acceleration of the centre of mass", FROM_ACCELERATION, i);
