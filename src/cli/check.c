@@ -56,11 +56,13 @@ static void print_coordinates(FILE *to, const struct sim *sim)
                 sim->x.q[m->coordinate[i].iq]);
 }
 
-static void print_mass(FILE *to, const struct sim *sim)
+static enum status print_mass(FILE *to, struct sim *sim, struct report *report)
 {
-    double centre[3], mass = sim_mass(sim, centre);
+    double centre[3], mass;
+    TRY(sim_mass(&mass, centre, sim, report));
     fprintf(to, "mass: %.6g kg, centre at (%.6g, %.6g", mass, centre[0], centre[1]);
     fprintf(to, sim->model->space == 3 ? ", %.6g) m\n" : ") m\n", centre[2]);
+    return OK;
 }
 
 static void print_closures(FILE *to, const struct sim *sim, struct arena *life)
@@ -136,7 +138,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     } else {
         print_title(stdout, scene);
         print_bodies(stdout, sim.model, scene->nbody - 1);
-        print_mass(stdout, &sim);
+        TRY(print_mass(stdout, &sim, report));
         print_coordinates(stdout, &sim);
         print_closures(stdout, &sim, life);
         print_forces(stdout, sim.model);

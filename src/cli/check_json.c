@@ -64,12 +64,11 @@ static cJSON *forces(const struct model *m)
     return list;
 }
 
-static void add_mass(cJSON *to, const struct sim *sim)
+static void add_mass(cJSON *to, double mass, const double *centre, int space)
 {
-    double centre[3];
-    facts_add(to, "mass", facts_number(sim_mass(sim, centre)));
+    facts_add(to, "mass", facts_number(mass));
     cJSON *list = cJSON_AddArrayToObject(to, "centre");
-    for (int i = 0; i < sim->model->space; i++) cJSON_AddItemToArray(list, facts_number(centre[i]));
+    for (int i = 0; i < space; i++) cJSON_AddItemToArray(list, facts_number(centre[i]));
 }
 
 static cJSON *closure(const struct closure *c)
@@ -124,8 +123,10 @@ static void add_steps(cJSON *to, const struct sim *sim, struct arena *life)
     facts_add(steps, "suggested_ratio", facts_number(ratio));
 }
 
-enum status check_json(const struct sim *sim, struct arena *life, struct report *report)
+enum status check_json(struct sim *sim, struct arena *life, struct report *report)
 {
+    double mass, centre[3];
+    TRY(sim_mass(&mass, centre, sim, report));
     cJSON *o = cJSON_CreateObject();
     cJSON_AddStringToObject(o, "deck", sim->scene->deck->name);
     facts_add(o, "title", facts_text(sim->scene->title, life));
@@ -135,7 +136,7 @@ enum status check_json(const struct sim *sim, struct arena *life, struct report 
     facts_add(o, "bodies", bodies(sim->model));
     facts_add(o, "coordinates", coordinates(sim));
     facts_add(o, "forces", forces(sim->model));
-    add_mass(o, sim);
+    add_mass(o, mass, centre, sim->model->space);
     add_loops(o, sim, life);
     add_steps(o, sim, life);
     char *text = cJSON_Print(o);

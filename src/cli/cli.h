@@ -65,6 +65,6 @@ struct sim;
 struct model;
 /* The name of what a body hangs on: of the flexible body at whose node it is. */
 const char *check_parent(const struct model *m, int body);
-enum status check_json(const struct sim *sim, struct arena *life, struct report *report);
+enum status check_json(struct sim *sim, struct arena *life, struct report *report);
 
 #endif

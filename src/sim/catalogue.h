@@ -1,4 +1,7 @@
-/* catalogue.h -- every column that a scene can print, and where its value comes from. */
+/* catalogue.h -- every column that a scene can write, and where its value comes from.
+ *
+ * Columns are rows of tables, one table for each sort of thing that has columns: a joint, a body, a point, a force ...
+ * A new column is a row of such a table and its value function beside it, in columns_*.c; nothing else knows of it. */
 #ifndef FMDSUB_SIM_CATALOGUE_H
 #define FMDSUB_SIM_CATALOGUE_H
 
@@ -6,57 +9,60 @@
 #include "out/columns.h"
 #include "scene/scene.h"
 
-enum origin_type {
-    FROM_TIME,
-    FROM_Q,     /* index: place in q */
-    FROM_V,     /* place in v */
-    FROM_A,     /* place in v */
-    FROM_PLACE, /* index: body; k: x, y, z */
-    FROM_ANGLE, /* body, plane */
-    FROM_QUATERNION,
-    FROM_VELOCITY,
-    FROM_OMEGA,
-    FROM_ACCELERATION,
-    FROM_POINT, /* index: point */
-    FROM_POINT_VELOCITY,
-    FROM_POINT_ACCELERATION,
-    FROM_DISPLACEMENT, /* point; k: x, y, z of its flexible body */
-    FROM_TENSOR,       /* index: flexible body; k: 6 times its stress + xx yy zz xy xz yz */
-    FROM_AXIAL,        /* index: flexible body; k: its stress */
-    FROM_BENDING,
-    FROM_VON_MISES,
-    FROM_REACTION, /* index: joint; k: fx fy fz mx my mz */
-    FROM_LOOP,     /* index: loop; likewise */
-    FROM_TIE,      /* index: loop; its force */
-    FROM_MEASURE,  /* index: measure */
-    FROM_MEASURE_RATE,
-    FROM_FORCE, /* index: force */
-    FROM_ELONGATION,
-    FROM_POWER,
-    FROM_DRIVE,    /* index: loop; k: 0 force, 1 power */
-    FROM_ENERGY,   /* k: enum energy_column */
-    FROM_MOMENTUM, /* k: x y z lx ly lz */
-    FROM_STEP      /* k: enum step_column */
+struct sim;
+struct origin;
+
+/* Who takes a column without asking for it by name. */
+enum column_use {
+    USE_ON_REQUEST,
+    USE_WRITTEN,  /* records of a deck that names no columns */
+    USE_POSITION, /* likewise, and the state: its place in q is the origin's index */
+    USE_RATE,     /* likewise, in v */
+    USE_COUNTED   /* runs that are compared with each other */
 };
 
-enum energy_column {
-    ENERGY_KINETIC,
-    ENERGY_ELASTIC,
-    ENERGY_GRAVITY,
-    ENERGY_EXTERNAL,
-    ENERGY_DRIVE,
-    ENERGY_DAMPER,
-    ENERGY_FRICTION,
-    ENERGY_NUMERICAL,
-    ENERGY_RESIDUAL,
-    ENERGY_COLUMNS
-};
-enum step_column { STEP_MINOR, STEP_MAJOR, STEP_RATIO, STEP_SWEEPS, STEP_COLUMNS };
+/* A row: one quantity of one sort of thing. */
+struct column_kind {
+    /* How the names of its columns go on behind the thing's, one for each component, separated by blanks; those of
+     * `plane` in 2-D.  NULL: there is none. */
+    const char *plane, *space;
+    const char *unit; /* NULL: none */
+    const char *brief;
+    unsigned needs; /* SEE_... of system.h: what is to be known of the instant */
 
+    /* Its value, after what it needs was seen.  Runs in every record: allocates nothing, cannot fail. */
+    double (*value)(const struct sim *sim, const struct origin *o);
+
+    const char *angular; /* unit where the thing is an angle, or what drives one; NULL: the same */
+    enum column_use use;
+};
+
+/* {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", SEE_MOTION, velocity)}, */
+#define COLUMN(plane_, space_, unit_, brief_, needs_, value_)                                                          \
+    .plane = plane_, .space = space_, .unit = unit_, .brief = brief_, .needs = needs_, .value = value_
+
+/* The tables; a row without a brief ends one. */
+extern const struct column_kind columns_time[], columns_coordinate[], columns_reaction[], columns_loop_reaction[],
+    columns_tie[], columns_rod[], columns_gear[], columns_mode[], columns_beam_stress[], columns_beam_shear[],
+    columns_solid_stress[], columns_von_mises[], columns_body[], columns_point[], columns_bent_point[],
+    columns_measure[], columns_law[], columns_load[], columns_drive[], columns_energy[], columns_momentum[],
+    columns_step[];
+
+/* The thing that a column is of. */
+struct owner {
+    const char *name;        /* as its columns begin: "hub", "arm.tip" */
+    const struct node *node; /* where the deck has it; NULL: nowhere */
+    bool closes_loop;        /* a joint outside of the tree */
+};
+
+/* Where one column's value comes from. */
 struct origin {
-    enum origin_type type;
-    int index, k;
-    int fast; /* of coordinates, rates, accelerations: 1 fast, 0 slow; -1: neither */
+    const struct column_kind *kind;
+    const struct owner *of;
+    int index;                     /* number of the thing in the model; of a coordinate its place in q or v */
+    int place;                     /* number of the place of stress on the body */
+    int k;                         /* component, counted in the names in space */
+    const struct scene_slot *slot; /* what expressions of the deck call it; NULL: nothing */
 };
 
 struct catalogue {
@@ -67,7 +73,7 @@ struct catalogue {
 
 void catalogue_build(struct catalogue *o, const struct scene *scene, const struct model *m, struct arena *life);
 
-/* What must be seen (SEE_... of system.h) to know the chosen columns. */
-unsigned catalogue_needs(const struct catalogue *o, const struct selection *chosen);
+/* The column that expressions of the deck call so; NULL: none. */
+const struct origin *catalogue_find(const struct catalogue *o, const struct scene_slot *slot);
 
 #endif

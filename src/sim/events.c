@@ -3,61 +3,33 @@
  *
  * Both are told at the end of the step in which they happen; the step is not cut there. */
 #include <stdio.h>
-#include <string.h>
 
 #include "expr/expr.h"
 #include "sim/parts.h"
 
-static const struct origin *find(const struct sim *sim, const char *name)
+/* The column of a coordinate or measure; NULL after an error. */
+static const struct origin *find(const struct sim *sim, const struct scene_slot *slot, const struct node *at,
+                                 struct diags *diags)
 {
-    const struct catalogue *c = &sim->catalogue;
-    for (int i = 0; i < c->n; i++)
-        if (strcmp(c->column[i].name, name) == 0) return &c->origin[i];
-    return NULL;
-}
-
-/* The column that a slot of the condition stands for: they have the same name. */
-static const char *slot_name(const struct sim *sim, const struct scene_slot *s, struct arena *life)
-{
-    const struct scene *scene = sim->scene;
-    const struct scene_joint *j = &scene->joint[s->index];
-    switch (s->type) {
-    case SCENE_TIME:
-        return "t";
-    case SCENE_MEASURE:
-        return scene->measure[s->index].name;
-    case SCENE_MEASURE_RATE:
-        return arena_print(life, "%s_rate", scene->measure[s->index].name);
-    case SCENE_MODE:
-        return arena_print(life, "%s.mode%d", scene->body[s->index].name, s->k + 1);
-    case SCENE_MODE_RATE:
-        return arena_print(life, "%s.mode%d_rate", scene->body[s->index].name, s->k + 1);
-    case SCENE_COORDINATE:
-        return arena_print(life, "%s.%s", j->name, j->kind->q[s->k]);
-    default:
-        return arena_print(life, "%s.%s", j->name, j->kind->v[s->k]);
-    }
-}
-
-static enum status no_coordinate(const char *name, const struct node *at, struct diags *diags)
-{
-    diag_error(diags, at, AT_VALUE, "E-which-coordinate", "'%.80s' belongs to a joint that closes a loop", name);
+    const struct origin *found = catalogue_find(&sim->catalogue, slot);
+    if (found) return found;
+    const struct scene_joint *j = &sim->scene->joint[slot->index]; /* all else is there */
+    diag_error(diags, at, AT_VALUE, "E-which-coordinate", "'%.60s.%s' belongs to a joint that closes a loop", j->name,
+               slot->type == SCENE_RATE ? j->kind->v[slot->k] : j->kind->q[slot->k]);
     diag_hint(diags, "such a joint has no coordinates of its own; use a measure");
-    return E_DECK;
+    return NULL;
 }
 
 static enum status open_condition(struct sim *sim, struct diags *diags, struct arena *life)
 {
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
-    w->slot = TAKE(life, struct origin, when->nslot);
+    w->slot = TAKE(life, const struct origin *, when->nslot);
     w->value = TAKE(life, double, when->nslot);
     for (int i = 0; i < when->nslot; i++) {
-        const char *name = slot_name(sim, &when->slot[i], life);
-        const struct origin *found = find(sim, name);
-        if (!found) return no_coordinate(name, when->node, diags);
-        w->slot[i] = *found;
-        if (found->type == FROM_MEASURE || found->type == FROM_MEASURE_RATE) w->needs |= SEE_MOTION;
+        w->slot[i] = find(sim, &when->slot[i], when->node, diags);
+        if (!w->slot[i]) return E_DECK;
+        w->needs |= w->slot[i]->kind->needs;
     }
     return OK;
 }
@@ -70,10 +42,12 @@ static enum status open_ranges(struct sim *sim, struct diags *diags, struct aren
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         if (!j->ranged) continue;
-        const char *name = arena_print(life, "%s.%s", j->name, j->kind->q[0]);
-        const struct origin *found = find(sim, name);
-        if (!found) return no_coordinate(name, node_find(j->node, "range"), diags);
-        w->range[w->nrange++] = (struct watched_range){.joint = j, .name = name, .place = *found};
+        const struct scene_slot slot = {SCENE_COORDINATE, i, 0};
+        const struct origin *found = find(sim, &slot, node_find(j->node, "range"), diags);
+        if (!found) return E_DECK;
+        w->needs |= found->kind->needs;
+        const char *name = sim->catalogue.column[found - sim->catalogue.origin].name;
+        w->range[w->nrange++] = (struct watched_range){.joint = j, .name = name, .place = found};
     }
     return OK;
 }
@@ -93,7 +67,7 @@ static enum status tell(struct sim *sim, struct sink *sink, const char *kind, co
 static enum status look_at_range(struct sim *sim, struct watched_range *r, struct sink *sink, struct report *report)
 {
     char text[200];
-    const double *range = r->joint->range, x = record_value(sim, &r->place);
+    const double *range = r->joint->range, x = record_value(sim, r->place);
     int side = (x > range[1]) - (x < range[0]);
     if (side == r->side) return OK;
     r->side = side;
@@ -109,7 +83,7 @@ static enum status look_at_condition(struct sim *sim, struct sink *sink, struct 
 {
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
-    for (int i = 0; i < when->nslot; i++) w->value[i] = record_value(sim, &w->slot[i]);
+    for (int i = 0; i < when->nslot; i++) w->value[i] = record_value(sim, w->slot[i]);
     bool is = expr_value(when->expr, w->value) != 0, turned = is && !w->was;
     w->was = is;
     bool start = sim->stepper.effort.majors == 0;
@@ -125,8 +99,7 @@ enum status events_look(struct sim *sim, struct sink *sink, struct report *repor
 {
     struct watch *w = &sim->watch;
     if (!w->slot && w->nrange == 0) return OK;
-    if (w->needs || sim->model->nloop)
-        TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, w->needs, &sim->trouble));
+    TRY(record_see(sim, w->needs));
     for (int i = 0; i < w->nrange; i++) TRY(look_at_range(sim, &w->range[i], sink, report));
     return w->slot ? look_at_condition(sim, sink, report) : OK;
 }

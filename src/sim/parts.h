@@ -4,9 +4,11 @@
 
 #include "sim/sim.h"
 
-/* plan.c: the plan checked against scheme and records; columns chosen */
+/* plan.c: the plan checked against scheme and records */
 enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report);
-enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
+
+/* choose.c: the catalogue, and what of it is written */
+enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
 
 /* unread.c: warnings of keys that the scheme does not read */
 void warn_of_unread(const struct sim *sim, struct diags *diags);
@@ -46,8 +48,10 @@ void say_spins(const struct sim *sim, FILE *to);
 void leaps_open(struct sim *sim, struct arena *life);
 enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report);
 
-/* record.c: the chosen columns at the present state; one of them, after what it needs was seen */
-double record_value(const struct sim *sim, const struct origin *s);
+/* record.c: what columns need (SEE_... of their rows) at the present state; one column, after that; all that are
+ * written */
+enum status record_see(struct sim *sim, unsigned needs);
+double record_value(const struct sim *sim, const struct origin *o);
 enum status record_fill(struct sim *sim);
 
 /* rest.c: moves sim->x to a stable static equilibrium near it, at rest */

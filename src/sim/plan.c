@@ -1,13 +1,12 @@
-/* plan.c -- how many steps, when a record is due, which columns */
+/* plan.c -- how many steps, when a record is due */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "multirate/schemes.h"
 #include "sim/parts.h"
 
-static const double MOST_STEPS = 1e12, MOST_BYTES = 1e12;
+static const double MOST_STEPS = 1e12;
 
 static bool near_whole(double x)
 {
@@ -125,143 +124,4 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
     }
     TRY(count_steps(sim, H, report));
     return plan_every(sim, H, diags);
-}
-
-/* ---- columns ---- */
-
-static void choose_default(struct sim *sim, struct arena *life)
-{
-    const struct catalogue *c = &sim->catalogue;
-    int *index = TAKE(life, int, c->n), n = 0;
-    for (int i = 0; i < c->n; i++) {
-        const struct origin *s = &c->origin[i];
-        bool wanted = s->type == FROM_TIME || s->type == FROM_Q || s->type == FROM_V;
-        if (sim->options.counting) wanted = wanted || s->type == FROM_MEASURE;
-        if (wanted || (s->type == FROM_ENERGY && s->k == ENERGY_RESIDUAL)) index[n++] = i;
-    }
-    sim->chosen = (struct selection){n, index, -1};
-}
-
-/* Does the column's name begin with that of a joint outside of the tree? */
-static bool closes_loop(const struct sim *sim, const char *column)
-{
-    const struct scene *s = sim->scene;
-    const size_t len = strcspn(column, ".");
-    for (int i = 0; i < s->njoint; i++)
-        if (column[len] && strlen(s->joint[i].name) == len && memcmp(s->joint[i].name, column, len) == 0)
-            return sim->model->joint_of[i] < 0;
-    return false;
-}
-
-/* What a name that is a column's up to a dot has to offer. */
-static void hint_columns(const struct sim *sim, const char *pattern, struct diags *diags)
-{
-    enum { SHOWN = 8 };
-    char text[400] = "";
-    const size_t len = strcspn(pattern, ".");
-    int n = 0;
-    for (int i = 0; i < sim->catalogue.n; i++) {
-        const char *name = sim->catalogue.column[i].name;
-        if (strncmp(name, pattern, len) != 0 || name[len] != '.' || n++ >= SHOWN) continue;
-        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%.40s", n > 1 ? ", " : "", name);
-    }
-    if (n) diag_hint(diags, "known here: %s%s", text, n > SHOWN ? ", ..." : "");
-}
-
-static void hint(const struct sim *sim, const char *pattern, const struct report *told, struct diags *diags)
-{
-    if (closes_loop(sim, pattern))
-        diag_hint(diags,
-                  "this joint closes a loop and has no coordinates; ask for a measure, or choose another for the "
-                  "loop by its 'loop: true'");
-    else if (!strstr(told->text, "did you mean"))
-        hint_columns(sim, pattern, diags);
-}
-
-static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct arena *life)
-{
-    const struct output *out = &sim->scene->output;
-    const char **patterns = TAKE(life, const char *, out->npattern);
-    for (int i = 0; i < out->npattern; i++) patterns[i] = out->pattern[i]->text;
-    enum status status = OK;
-    for (int i = 0; i < out->npattern; i++) { /* every wrong pattern is told */
-        struct report report = {0};
-        struct selection one;
-        if (columns_select(&one, sim->catalogue.column, sim->catalogue.n, &patterns[i], 1, E_DECK, life, &report) == OK)
-            continue;
-        diag_error(diags, out->pattern[i], AT_VALUE, "E-unknown-column", "%s", report.text);
-        hint(sim, patterns[i], &report, diags);
-        status = E_DECK;
-    }
-    TRY(status);
-    return columns_select(&sim->chosen, sim->catalogue.column, sim->catalogue.n, patterns, out->npattern, E_DECK, life,
-                          NULL);
-}
-
-static int by_name(const void *a, const void *b)
-{
-    const struct column *x = *(const struct column *const *)a, *y = *(const struct column *const *)b;
-    int order = strcmp(x->name, y->name);
-    return order ? order : (x > y) - (x < y);
-}
-
-/* Where the deck names the joint or measure that a column belongs to; NULL: neither. */
-static const struct node *owner(const struct sim *sim, const char *column)
-{
-    const struct scene *s = sim->scene;
-    size_t len = strcspn(column, ".");
-    for (int i = 0; i < s->njoint; i++)
-        if (column[len] && strlen(s->joint[i].name) == len && memcmp(s->joint[i].name, column, len) == 0)
-            return s->joint[i].node;
-    for (int i = 0; i < s->nmeasure; i++)
-        if (s->measure[i].name && strcmp(s->measure[i].name, column) == 0) return s->measure[i].node;
-    return NULL;
-}
-
-/* Two things of one name may make two columns of one name: a body's angle and a joint's. */
-static enum status refuse_twins(const struct sim *sim, struct diags *diags, struct arena *life)
-{
-    const struct catalogue *c = &sim->catalogue;
-    const struct column **sorted = TAKE(life, const struct column *, c->n);
-    enum status status = OK;
-    const struct node *told = NULL;
-    for (int i = 0; i < c->n; i++) sorted[i] = &c->column[i];
-    qsort(sorted, (size_t)c->n, sizeof *sorted, by_name);
-    for (int i = 1; i < c->n; i++) {
-        if (strcmp(sorted[i]->name, sorted[i - 1]->name) != 0) continue;
-        const struct node *at = owner(sim, sorted[i]->name);
-        if (!at) at = sim->scene->deck->root;
-        if (at != told)
-            diag_error(diags, at, AT_KEY, "E-duplicate-name", "column '%.80s' has two meanings: %s, and %s",
-                       sorted[i]->name, sorted[i - 1]->brief, sorted[i]->brief);
-        told = at;
-        status = E_DECK;
-    }
-    return status;
-}
-
-/* Records to come, before the first is written. */
-static enum status foretell(const struct sim *sim, struct report *report)
-{
-    enum { BYTES_A_NUMBER = 18 };
-    double records = (double)sim->majors / (double)(sim->every ? sim->every : 1) + 1;
-    double bytes = records * sim->chosen.n * BYTES_A_NUMBER;
-    if (bytes <= MOST_BYTES) return OK;
-    return fail(report, E_LIMIT, "%.3g records of %d columns are about %.3g bytes: the limit is %g; raise 'every'",
-                records, sim->chosen.n, bytes, MOST_BYTES);
-}
-
-enum status plan_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report)
-{
-    catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
-    TRY(refuse_twins(sim, diags, life));
-    if (sim->scene->output.npattern && !sim->options.counting)
-        TRY(choose_by_deck(sim, diags, life));
-    else
-        choose_default(sim, life);
-    sim->needs = catalogue_needs(&sim->catalogue, &sim->chosen);
-    sim->row = TAKE(life, double, sim->chosen.n);
-    sim->columns = TAKE(life, struct column, sim->chosen.n);
-    for (int i = 0; i < sim->chosen.n; i++) sim->columns[i] = sim->catalogue.column[sim->chosen.index[i]];
-    return foretell(sim, report);
 }

@@ -65,7 +65,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(model_build(&m, scene, diags, life));
     sim->model = m;
     enum status steps = plan_steps(sim, diags, report);
-    TRY(plan_columns(sim, diags, life, report));
+    TRY(choose_columns(sim, diags, life, report));
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
     TRY(events_open(sim, diags, life));
@@ -95,6 +95,12 @@ const char *sim_place_name(const struct sim *sim, int iv)
         for (int k = 0; k < m->joint[i].nv; k++)
             if (m->joint[i].iv[k] == iv) return m->joint[i].name;
     return "?";
+}
+
+int sim_column_rate(const struct sim *sim, int i)
+{
+    const struct origin *o = &sim->catalogue.origin[sim->chosen.index[i]];
+    return o->kind->use == USE_POSITION ? sim->model->coordinate[o->index].fast : -1;
 }
 
 static enum status tell_meta(const struct sim *sim, struct sink *sink, struct report *report)

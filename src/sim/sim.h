@@ -29,16 +29,16 @@ struct sim_options {
 
 /* events.c: what a run looks for at the end of every major step. */
 struct watch {
-    unsigned needs;      /* SEE_... */
-    struct origin *slot; /* [nslot] of the condition */
-    double *value;       /* [nslot] */
-    bool was;            /* the condition, last looked at */
-    bool met;            /* it has ended the run */
+    unsigned needs;             /* SEE_... */
+    const struct origin **slot; /* [nslot] of the condition; NULL: there is none */
+    double *value;              /* [nslot] */
+    bool was;                   /* the condition, last looked at */
+    bool met;                   /* it has ended the run */
     int nrange;
     struct watched_range {
         const struct scene_joint *joint;
         const char *name; /* of the coordinate */
-        struct origin place;
+        const struct origin *place;
         int side;  /* -1 below, 0 inside, 1 above */
         bool told; /* to people */
     } * range;     /* [nrange] */
@@ -124,7 +124,10 @@ void sim_closures(struct closures *o, const struct sim *sim, struct arena *life)
 void sim_print_assembly(const struct sim *sim, FILE *to);
 
 /* Mass, and centre of mass as the bodies stand [3], world axes. */
-double sim_mass(const struct sim *sim, double *centre);
+enum status sim_mass(double *mass, double *centre, struct sim *sim, struct report *report);
+
+/* Of chosen column i: 1: a fast coordinate, 0: a slow one, -1: something else. */
+int sim_column_rate(const struct sim *sim, int i);
 
 /* The run's settings and its summary as facts, for sinks and for people. */
 int sim_settings(const struct sim *sim, struct pair *facts, int most);

@@ -15,7 +15,7 @@
 
 static bool is_state(const struct origin *s)
 {
-    return s->type == FROM_Q || s->type == FROM_V;
+    return s->kind->use == USE_POSITION || s->kind->use == USE_RATE;
 }
 
 static int place(const struct catalogue *c, const char *name)
@@ -81,7 +81,7 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
         }
         read_number(&x, n, NULL, &rd);
         given[i] = true;
-        *(c->origin[i].type == FROM_Q ? &q[c->origin[i].index] : &v[c->origin[i].index]) = x;
+        (c->origin[i].kind->use == USE_POSITION ? q : v)[c->origin[i].index] = x;
     }
     if (diags_status(diags) == OK) tell_missing(c, given, from, diags);
     if (diags_status(diags) == OK) check_quaternions(m, q, from, diags);
@@ -110,12 +110,6 @@ enum status state_turns(struct sim *sim, struct diags *diags)
         system_stand(sim->system, i, x);
     }
     return diags_status(diags);
-}
-
-static double state_of(const struct sim *sim, const struct origin *s)
-{
-    if (s->type == FROM_Q) return sim->x.q[s->index];
-    return sim->model->nloop ? system_rates(sim->system)[s->index] : sim->x.v[s->index];
 }
 
 /* `"name": x` lines; names of columns hold nothing that JSON would escape. */
@@ -159,13 +153,13 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i])) last = i;
     if (sim->model->nloop || count_angles(sim->model)) /* the rates of what follows */
-        TRY(system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, SEE_MOTION, &sim->trouble));
+        TRY(record_see(sim, SEE_MOTION));
     TRY(stream_put(stream, head, sizeof head - 1, report));
     TRY(put(stream, "t", sim->x.t, ",", report));
     TRY(put_angles(sim, stream, report));
     TRY(stream_put(stream, open, sizeof open - 1, report));
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i]))
-            TRY(put(stream, c->column[i].name, state_of(sim, &c->origin[i]), i < last ? "," : "", report));
+            TRY(put(stream, c->column[i].name, record_value(sim, &c->origin[i]), i < last ? "," : "", report));
     return stream_put(stream, close, sizeof close - 1, report);
 }

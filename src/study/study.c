@@ -59,17 +59,17 @@ struct outcome {
     struct memory memory;
     struct effort effort;
     double cpu, energy_share;
-    int n;                        /* columns */
-    const struct origin *origins; /* [n] of the columns */
+    int n;           /* columns */
+    const int *rate; /* [n] of the columns: see sim_column_rate() */
     enum status status;
     struct report report;
 };
 
 static void note_outcome(struct outcome *o, const struct sim *sim, struct arena *life)
 {
-    struct origin *origins = TAKE(life, struct origin, sim->chosen.n);
-    for (int i = 0; i < sim->chosen.n; i++) origins[i] = sim->catalogue.origin[sim->chosen.index[i]];
-    o->origins = origins;
+    int *rate = TAKE(life, int, sim->chosen.n);
+    for (int i = 0; i < sim->chosen.n; i++) rate[i] = sim_column_rate(sim, i);
+    o->rate = rate;
     o->n = sim->chosen.n;
     o->effort = sim->stepper.effort;
     o->energy_share = ledger_share(&sim->ledger);
@@ -120,11 +120,10 @@ static struct errors compare(const struct outcome *run, const struct outcome *re
 {
     struct errors e = {NAN, NAN};
     for (int c = 0; c < reference->n; c++) {
-        const struct origin *s = &reference->origins[c];
-        if (s->type != FROM_Q) continue;
+        if (reference->rate[c] < 0) continue;
         double size = largest(&reference->memory, c);
         double error = size > 0 ? worst(&run->memory, &reference->memory, c) / size : 0;
-        double *to = s->fast ? &e.fast : &e.slow;
+        double *to = reference->rate[c] ? &e.fast : &e.slow;
         *to = isnan(*to) ? error : fmax(*to, error);
     }
     return e;

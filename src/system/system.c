@@ -117,27 +117,42 @@ static void see_energies(struct system *s, struct energies *e, struct sweep *swe
     e->elastic = elements_stored(s->tree.elements, sweep, q, v) + elastic_stored(&s->tree.elastic, q);
 }
 
+/* v of all coordinates. */
+static enum status see_rates(struct system *s, const double *q, const double *v, double t, struct trouble *why)
+{
+    memcpy(s->q, q, sizeof *q * (size_t)s->model->nq);
+    if (!s->loops) {
+        memcpy(s->v, v, sizeof *v * (size_t)s->model->n);
+        return OK;
+    }
+    TRY(condense_rates(s->loops, s->v, NULL, q, v, NULL, t, why));
+    s->constraint_worst = fmax(s->constraint_worst, condense_worst(s->loops, q, t));
+    return OK;
+}
+
+static enum status see_accelerations(struct system *s, const double *q, const double *v, double t, struct trouble *why)
+{
+    if (s->loops) return loops_accel(s, q, v, t, why);
+    return s->tree.direct.accel(&s->tree.ode, s->a, NULL, q, v, t, why);
+}
+
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what, struct trouble *why)
 {
-    const struct model *m = s->model;
-    memcpy(s->q, q, sizeof *q * (size_t)m->nq);
-    if (s->loops) {
-        TRY(condense_rates(s->loops, s->v, NULL, q, v, NULL, t, why));
-        s->constraint_worst = fmax(s->constraint_worst, condense_worst(s->loops, q, t));
-    } else {
-        memcpy(s->v, v, sizeof *v * (size_t)m->n);
-    }
-    if (what & SEE_ACCELERATION) {
-        const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
-        TRY(s->loops ? loops_accel(s, q, v, t, why) : s->tree.direct.accel(&s->tree.ode, s->a, NULL, q, v, t, why));
-        memset(s->r, 0, sizeof *s->r * (size_t)m->n);
-        s->ops->forward(s->view, s->q, s->v, s->a, ALL);
-        elements_load(s->tree.elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
-        if (s->loops) condense_push(s->loops, s->view, s->q, t, s->lambda);
-        s->ops->backward(s->view, s->r, ALL);
-    } else {
+    const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
+    const bool reactions = what & SEE_REACTION, forces = reactions || what & SEE_FORCE,
+               accelerations = reactions || what & SEE_ACCELERATION;
+    TRY(see_rates(s, q, v, t, why));
+    if (accelerations) TRY(see_accelerations(s, q, v, t, why));
+    if (accelerations || forces)
+        s->ops->forward(s->view, s->q, s->v, accelerations ? s->a : NULL, ALL);
+    else
         s->ops->move(s->view, s->q, s->v, ALL);
+    if (forces) {
+        memset(s->r, 0, sizeof *s->r * (size_t)s->model->n);
+        elements_load(s->tree.elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
     }
+    if (reactions && s->loops) condense_push(s->loops, s->view, s->q, t, s->lambda);
+    if (reactions) s->ops->backward(s->view, s->r, ALL);
     if (what & SEE_ENERGY) see_energies(s, &s->energies, s->view, s->q, s->v);
     return OK;
 }

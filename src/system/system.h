@@ -22,9 +22,16 @@ enum status system_start(struct system *s, double *q, double *v, struct report *
 /* The door to the engine, which lets its chart change between steps; lives as long as the system. */
 struct ode2 *system_ode2(struct system *s);
 
-/* Everything at one instant: poses, measures, energies; accelerations by one fresh solve of (2-4)
- * and, with them, reactions and forces.  Kept until the next call. */
-enum { SEE_MOTION = 1, SEE_ACCELERATION = 2, SEE_ENERGY = 4 };
+/* What is wanted of one instant, and no more; kept until the next call. */
+enum {
+    SEE_NOTHING = 0,
+    SEE_MOTION = 1,       /* rates, poses, measures, momenta, stresses */
+    SEE_ACCELERATION = 2, /* the same with accelerations, by one fresh solve of (2-4), and the loops' multipliers */
+    SEE_FORCE = 4,        /* motion, and what each force does */
+    SEE_REACTION = 8,     /* reactions of the tree's joints; accelerations and forces with them */
+    SEE_ENERGY = 16,      /* of motion, springs and gravity */
+    SEE_ALL = 31
+};
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what,
                        struct trouble *why);
 

@@ -79,7 +79,7 @@ static void compare(struct figures *g, const struct mechanism *o, struct system 
     struct trouble why;
     struct pose pose;
     double x[MOST], C1[MOST_ROWS], C2[MOST_ROWS], worst = 0, most = 10, speed = 1, force, power;
-    assert_int_equal(system_see(s, q, v, t, SEE_MOTION | SEE_ACCELERATION, &why), OK);
+    assert_int_equal(system_see(s, q, v, t, SEE_ALL, &why), OK);
     stand(p, s, m->nbody);
     int rows = rates(C1, C2, o, p, t), lambda = 6 * (m->nbody - 1) + rows - m->ndrive;
     for (int b = 1; b < m->nbody; b++)

@@ -200,7 +200,7 @@ static void open_closely(struct opened *o, const char *path, const char *also, d
 static void see(struct opened *o)
 {
     struct trouble why;
-    const unsigned all = SEE_MOTION | SEE_ACCELERATION | SEE_ENERGY;
+    const unsigned all = SEE_ALL;
     assert_int_equal(system_see(o->sim.system, o->sim.x.q, o->sim.x.v, o->sim.x.t, all, &why), OK);
 }
 

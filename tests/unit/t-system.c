@@ -281,7 +281,7 @@ static void power_is_the_rate_of_energy(void **state)
             fail_msg("space %d seed %u: dE/dt %.12g, power %.12g", space, seed, rate, power);
         assert_true(w[POWER_DAMPER] <= 0 && w[POWER_DRIVE] == 0 && w[POWER_FRICTION] == 0);
         double sum = 0;
-        assert_int_equal(system_see(f.s, f.q, f.v, f.t, SEE_ACCELERATION, NULL), OK);
+        assert_int_equal(system_see(f.s, f.q, f.v, f.t, SEE_ALL, NULL), OK);
         assert_true(all_near(system_accelerations(f.s), a, f.m->n, 0));
         for (int i = 0; i < f.m->nforce; i++) {
             double force, s, p;
@@ -393,7 +393,7 @@ static void reversed_joints_report_the_other_side(void **state)
     struct model_joint *j = (struct model_joint *)&f.m->joint[1];
     double one[6], other[6];
     j->reversed = false;
-    assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_ACCELERATION, NULL), OK);
+    assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_ALL, NULL), OK);
     system_reaction(f.s, one, one + 3, 1);
     j->reversed = true;
     system_reaction(f.s, other, other + 3, 1);
@@ -440,7 +440,7 @@ static void a_hanging_weight(void **state)
                       .v0 = zero};
     struct system *sys = system_build(&m, arena);
     double q = -2 * 10 * .8 / 100, v = 0, f[3], n[3], pull, stretch, power;
-    assert_int_equal(system_see(sys, &q, &v, 0, SEE_ACCELERATION, NULL), OK);
+    assert_int_equal(system_see(sys, &q, &v, 0, SEE_ALL, NULL), OK);
     assert_true(fabs(system_accelerations(sys)[0]) < 1e-14);
     system_force(sys, &pull, &stretch, &power, 0);
     system_reaction(sys, f, n, 0);

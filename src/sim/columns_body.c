@@ -1,0 +1,147 @@
+/* columns_body.c -- columns of bodies, of their points and of places of stress */
+#include "la/rot.h"
+#include "sim/sim.h"
+
+/* ---- bodies ---- */
+
+static struct pose pose_of(const struct sim *sim, const struct origin *o)
+{
+    struct pose p;
+    system_centre(sim->system, &p, o->index);
+    return p;
+}
+
+static double place(const struct sim *sim, const struct origin *o)
+{
+    return pose_of(sim, o).r[o->k];
+}
+
+static double angle(const struct sim *sim, const struct origin *o)
+{
+    return pose_of(sim, o).angle;
+}
+
+static double quaternion(const struct sim *sim, const struct origin *o)
+{
+    const struct pose p = pose_of(sim, o);
+    double q[4];
+    quat_of_matrix(q, p.R);
+    return q[o->k];
+}
+
+static double velocity(const struct sim *sim, const struct origin *o)
+{
+    return pose_of(sim, o).v[o->k];
+}
+
+static double angular_velocity(const struct sim *sim, const struct origin *o)
+{
+    return pose_of(sim, o).w[o->k];
+}
+
+static double acceleration(const struct sim *sim, const struct origin *o)
+{
+    return pose_of(sim, o).a[o->k];
+}
+
+const struct column_kind columns_body[] = {
+    {COLUMN(".x .y", ".x .y .z", "m", "centre of mass, world axes", SEE_MOTION, place)},
+    {COLUMN(".angle", NULL, "rad", "turned since drawn", SEE_MOTION, angle)},
+    {COLUMN(NULL, ".qw .qx .qy .qz", NULL, "unit quaternion, body to world", SEE_MOTION, quaternion)},
+    {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", SEE_MOTION, velocity)},
+    {COLUMN(".wz", ".wx .wy .wz", "rad/s", "angular velocity, world axes", SEE_MOTION, angular_velocity)},
+    {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of the centre of mass", SEE_ACCELERATION, acceleration)},
+    {0},
+};
+
+/* ---- points ---- */
+
+static double point_place(const struct sim *sim, const struct origin *o)
+{
+    double x[3], v[3], a[3];
+    system_point(sim->system, x, v, a, &sim->model->point[o->index]);
+    return x[o->k];
+}
+
+static double point_velocity(const struct sim *sim, const struct origin *o)
+{
+    double x[3], v[3], a[3];
+    system_point(sim->system, x, v, a, &sim->model->point[o->index]);
+    return v[o->k];
+}
+
+static double point_acceleration(const struct sim *sim, const struct origin *o)
+{
+    double x[3], v[3], a[3];
+    system_point(sim->system, x, v, a, &sim->model->point[o->index]);
+    return a[o->k];
+}
+
+const struct column_kind columns_point[] = {
+    {COLUMN(".x .y", ".x .y .z", "m", "point, world axes", SEE_MOTION, point_place)},
+    {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of a point", SEE_MOTION, point_velocity)},
+    {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of a point", SEE_ACCELERATION, point_acceleration)},
+    {0},
+};
+
+static double displacement(const struct sim *sim, const struct origin *o)
+{
+    double d[3];
+    system_displacement(sim->system, d, &sim->model->point[o->index]);
+    return d[o->k];
+}
+
+/* More of a point of a flexible body. */
+const struct column_kind columns_bent_point[] = {
+    {COLUMN(".dx .dy", ".dx .dy .dz", "m", "displacement by bending, body axes", SEE_MOTION, displacement)},
+    {0},
+};
+
+/* ---- stress: of the place `place` of the flexible body `index` ---- */
+
+static double axial(const struct sim *sim, const struct origin *o)
+{
+    return system_stress(sim->system, o->index, o->place, STRESS_AXIAL);
+}
+
+static double bending(const struct sim *sim, const struct origin *o)
+{
+    return system_stress(sim->system, o->index, o->place, STRESS_BENDING);
+}
+
+static double normal(const struct sim *sim, const struct origin *o)
+{
+    return system_stress(sim->system, o->index, o->place, STRESS_XX + (unsigned)o->k);
+}
+
+static double shear(const struct sim *sim, const struct origin *o)
+{
+    return system_stress(sim->system, o->index, o->place, STRESS_XY + (unsigned)o->k);
+}
+
+static double von_mises(const struct sim *sim, const struct origin *o)
+{
+    return system_stress(sim->system, o->index, o->place, STRESS_VON_MISES);
+}
+
+const struct column_kind columns_beam_stress[] = {
+    {COLUMN(".axial", ".axial", "Pa", "normal stress from stretch", SEE_MOTION, axial)},
+    {COLUMN(".bending", ".bending", "Pa", "normal stress from bending", SEE_MOTION, bending)},
+    {0},
+};
+
+const struct column_kind columns_beam_shear[] = {
+    {COLUMN(".xy", ".xy .xz", "Pa", "shear stress, body axes", SEE_MOTION, shear)},
+    {0},
+};
+
+const struct column_kind columns_solid_stress[] = {
+    {COLUMN(".xx .yy .zz", ".xx .yy .zz", "Pa", "normal stress, body axes", SEE_MOTION, normal)},
+    {COLUMN(".xy .xz .yz", ".xy .xz .yz", "Pa", "shear stress, body axes", SEE_MOTION, shear)},
+    {0},
+};
+
+const struct column_kind columns_von_mises[] = {
+    {COLUMN(".von_mises", ".von_mises", "Pa", "equivalent stress", SEE_MOTION, von_mises)},
+    {0},
+};

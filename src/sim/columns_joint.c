@@ -1,0 +1,125 @@
+/* columns_joint.c -- columns of joints and of ties: coordinates of the state, reactions */
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "sim/sim.h"
+
+/* ---- coordinates, of joints and of modes, by their places in q and v ---- */
+
+static double position(const struct sim *sim, const struct origin *o)
+{
+    return sim->x.q[o->index];
+}
+
+static double rate(const struct sim *sim, const struct origin *o)
+{
+    return sim->model->nloop ? system_rates(sim->system)[o->index] : sim->x.v[o->index];
+}
+
+static double acceleration(const struct sim *sim, const struct origin *o)
+{
+    return system_accelerations(sim->system)[o->index];
+}
+
+/* Names and units are those of the kind of joint. */
+const struct column_kind columns_coordinate[] = {
+    {COLUMN(NULL, NULL, NULL, "joint coordinate", SEE_NOTHING, position), .use = USE_POSITION},
+    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", SEE_NOTHING, rate), .use = USE_RATE},
+    {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", SEE_ACCELERATION, acceleration)},
+    {0},
+};
+
+const struct column_kind columns_mode[] = {
+    {COLUMN("", "", NULL, "elastic coordinate", SEE_NOTHING, position), .use = USE_POSITION},
+    {COLUMN("_rate", "_rate", NULL, "its rate", SEE_NOTHING, rate), .use = USE_RATE},
+    {COLUMN("_accel", "_accel", NULL, "its acceleration", SEE_ACCELERATION, acceleration)},
+    {0},
+};
+
+/* ---- reactions ---- */
+
+/* Component k of x [3], world axes: there, or in a joint's own axes, which go with its first body. */
+static double in_axes(const struct sim *sim, const double *own, int first, const double *x, int k)
+{
+    struct pose pose;
+    double A[9];
+    if (!own) return x[k];
+    system_pose(sim->system, &pose, first);
+    m3_mulm(A, pose.R, own);
+    return v3_dot(A + 3 * k, x);
+}
+
+/* Of the force (part 0) or the moment (part 1) of a joint of the tree. */
+static double reaction(const struct sim *sim, const struct origin *o, int part)
+{
+    const struct model_joint *j = &sim->model->joint[o->index];
+    double x[2][3];
+    system_reaction(sim->system, x[0], x[1], o->index);
+    return in_axes(sim, j->own, j->reversed ? j->child : j->parent, x[part], o->k);
+}
+
+static double force(const struct sim *sim, const struct origin *o)
+{
+    return reaction(sim, o, 0);
+}
+
+static double moment(const struct sim *sim, const struct origin *o)
+{
+    return reaction(sim, o, 1);
+}
+
+const struct column_kind columns_reaction[] = {
+    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", SEE_REACTION, force)},
+    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", SEE_REACTION,
+            moment)},
+    {0},
+};
+
+static double loop_reaction(const struct sim *sim, const struct origin *o, int part)
+{
+    const struct model_loop *l = &sim->model->loop[o->index];
+    double x[2][3];
+    system_loop_reaction(sim->system, x[0], x[1], o->index);
+    return in_axes(sim, l->own, l->first, x[part], o->k);
+}
+
+static double loop_force(const struct sim *sim, const struct origin *o)
+{
+    return loop_reaction(sim, o, 0);
+}
+
+static double loop_moment(const struct sim *sim, const struct origin *o)
+{
+    return loop_reaction(sim, o, 1);
+}
+
+const struct column_kind columns_loop_reaction[] = {
+    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", SEE_REACTION, loop_force)},
+    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", SEE_REACTION,
+            loop_moment)},
+    {0},
+};
+
+/* ---- ties ---- */
+
+/* Of rods and lines: on the second body, at its point. */
+const struct column_kind columns_tie[] = {
+    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "force on the second body, world axes", SEE_REACTION, loop_force)},
+    {0},
+};
+
+static double tie_force(const struct sim *sim, const struct origin *o)
+{
+    return system_loop_force(sim->system, o->index);
+}
+
+const struct column_kind columns_rod[] = {
+    {COLUMN(".force", ".force", "N", "what drives the points apart", SEE_ACCELERATION, tie_force)},
+    {0},
+};
+
+/* Of gears and racks. */
+const struct column_kind columns_gear[] = {
+    {COLUMN(".force", ".force", "N", "what drives the second coordinate upwards", SEE_ACCELERATION, tie_force),
+     .angular = "N m"},
+    {0},
+};
