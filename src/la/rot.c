@@ -129,6 +129,30 @@ void vector_rate(double *T, const double *phi)
     }
 }
 
+/* The angle of the direction (c, s); 0 of none. */
+static double angle_of(double s, double c)
+{
+    return s == 0 && c == 0 ? 0 : atan2(s, c);
+}
+
+/* The third row of R is (-sin y, cos y sin x, cos y cos x); Rz Ry has the second column (-sin z, cos z, 0). */
+void tait_bryan_of_matrix(double *yaw_pitch_roll, const double *R)
+{
+    const double roll = angle_of(R[5], R[8]), s = sin(roll), c = cos(roll);
+    yaw_pitch_roll[2] = roll;
+    yaw_pitch_roll[1] = atan2(-R[2], hypot(R[5], R[8]));
+    yaw_pitch_roll[0] = atan2(s * R[6] - c * R[3], c * R[4] - s * R[7]);
+}
+
+/* The third row of R is (sin e2 sin e3, sin e2 cos e3, cos e2); Rz Rx has the first column (cos e1, sin e1, 0). */
+void euler_of_matrix(double *e, const double *R)
+{
+    const double last = angle_of(R[2], R[5]), s = sin(last), c = cos(last);
+    e[2] = last;
+    e[1] = atan2(hypot(R[2], R[5]), R[8]);
+    e[0] = atan2(c * R[1] - s * R[4], c * R[0] - s * R[3]);
+}
+
 int matrix_of_axes(double *R, int i, const double *u, int j, const double *v)
 {
     double e[3][3], size = v3_norm(u), reach = v3_norm(v);

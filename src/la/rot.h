@@ -41,6 +41,17 @@ void vector_of_matrix(double *phi, const double *R);
 /* T [9]: phi' = T w, w in the axes of the turning body; |phi| < 2 pi.  In base axes it is T'. */
 void vector_rate(double *T, const double *phi);
 
+/* ---- three angles ----
+ *
+ * The last is taken first and the others from what it leaves, so that the three always make up R.  Where the axes of
+ * first and last fall together (sin or cos of the middle one is 0), R tells one turn only: the last is then 0, near
+ * there what round-off makes of it, and the first is all the rest. */
+
+/* Tait-Bryan, z-y'-x'': R = Rz(yaw) Ry(pitch) Rx(roll); pitch in [-pi/2, pi/2], yaw and roll in [-pi, pi]. */
+void tait_bryan_of_matrix(double *yaw_pitch_roll, const double *R);
+/* Euler, z-x'-z'': R = Rz(e1) Rx(e2) Rz(e3); e2 in [0, pi], e1 and e3 in [-pi, pi]. */
+void euler_of_matrix(double *e, const double *R);
+
 /* ---- orientation from axes ---- */
 
 /* R with column i along u and column j (not i) in the half plane of u and v, towards v.  0: u is zero or v

@@ -29,6 +29,22 @@ static double quaternion(const struct sim *sim, const struct origin *o)
     return q[o->k];
 }
 
+static double tait_bryan(const struct sim *sim, const struct origin *o)
+{
+    const struct pose p = pose_of(sim, o);
+    double angles[3];
+    tait_bryan_of_matrix(angles, p.R);
+    return angles[o->k];
+}
+
+static double euler(const struct sim *sim, const struct origin *o)
+{
+    const struct pose p = pose_of(sim, o);
+    double angles[3];
+    euler_of_matrix(angles, p.R);
+    return angles[o->k];
+}
+
 static double velocity(const struct sim *sim, const struct origin *o)
 {
     return pose_of(sim, o).v[o->k];
@@ -44,6 +60,11 @@ static double acceleration(const struct sim *sim, const struct origin *o)
     return pose_of(sim, o).a[o->k];
 }
 
+static double angular_acceleration(const struct sim *sim, const struct origin *o)
+{
+    return pose_of(sim, o).al[o->k];
+}
+
 const struct column_kind columns_body[] = {
     {COLUMN(".x .y", ".x .y .z", "m", "centre of mass, world axes", SEE_MOTION, place)},
     {COLUMN(".angle", NULL, "rad", "turned since drawn", SEE_MOTION, angle)},
@@ -51,6 +72,10 @@ const struct column_kind columns_body[] = {
     {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", SEE_MOTION, velocity)},
     {COLUMN(".wz", ".wx .wy .wz", "rad/s", "angular velocity, world axes", SEE_MOTION, angular_velocity)},
     {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of the centre of mass", SEE_ACCELERATION, acceleration)},
+    {COLUMN(".alz", ".alx .aly .alz", "rad/s2", "angular acceleration, world axes", SEE_ACCELERATION,
+            angular_acceleration)},
+    {COLUMN(NULL, ".yaw .pitch .roll", "rad", "Tait-Bryan angles z-y'-x'', world to body", SEE_MOTION, tait_bryan)},
+    {COLUMN(NULL, ".euler1 .euler2 .euler3", "rad", "Euler angles z-x'-z'', world to body", SEE_MOTION, euler)},
     {0},
 };
 
@@ -91,9 +116,17 @@ static double displacement(const struct sim *sim, const struct origin *o)
     return d[o->k];
 }
 
+static double rotation(const struct sim *sim, const struct origin *o)
+{
+    double turn[3];
+    system_rotation(sim->system, turn, &sim->model->point[o->index]);
+    return turn[o->k];
+}
+
 /* More of a point of a flexible body. */
 const struct column_kind columns_bent_point[] = {
     {COLUMN(".dx .dy", ".dx .dy .dz", "m", "displacement by bending, body axes", SEE_MOTION, displacement)},
+    {COLUMN(".rz", ".rx .ry .rz", "rad", "rotation by bending, a rotation vector, body axes", SEE_MOTION, rotation)},
     {0},
 };
 

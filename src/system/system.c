@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "la/dense.h"
+#include "la/rot.h"
 #include "la/vec3.h"
 #include "loop/condense.h"
 #include "open/open.h"
@@ -201,6 +202,16 @@ void system_displacement(const struct system *s, double *d, const struct model_p
     v3_diff(away, x, frame.r);
     m3_tmul(d, frame.R, away);
     v3_take(d, p->drawn);
+}
+
+void system_rotation(const struct system *s, double *turn, const struct model_point *p)
+{
+    struct pose frame, node;
+    double R[9];
+    s->ops->pose(s->view, &frame, p->frame);
+    s->ops->pose(s->view, &node, p->body);
+    m3_tmulm(R, frame.R, node.R); /* drawn, both stand alike */
+    vector_of_matrix(turn, R);
 }
 
 double system_stress(const struct system *s, int body, int stress, enum bent_stress part)

@@ -43,6 +43,8 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 void system_centre(const struct system *s, struct pose *o, int body);
 /* How far a named point of a flexible body is displaced, in the axes of its frame [3]. */
 void system_displacement(const struct system *s, double *d, const struct model_point *p);
+/* How far it is turned against that frame: rotation vector, axes of the frame [3]. */
+void system_rotation(const struct system *s, double *turn, const struct model_point *p);
 double system_stress(const struct system *s, int body, int stress, enum bent_stress part);
 /* A measured angle in space, known up to whole turns, stands at x [rad]: for the start. */
 void system_stand(struct system *s, int measure, double x);

@@ -319,9 +319,71 @@ static void test_orientation_from_axes(void **state)
             }
 }
 
+/* R = turn about z, then about the new axis `second` (0: x, 1: y), then about the newest `third`. */
+static void make_up(double *R, const double *angles, int second, int third)
+{
+    double A[9], B[9], C[9], phi[3] = {0, 0, angles[0]}, psi[3] = {0}, chi[3] = {0};
+    psi[second] = angles[1];
+    chi[third] = angles[2];
+    turn_matrix(A, phi), turn_matrix(B, psi), turn_matrix(C, chi);
+    product(R, A, B);
+    product(R, R, C);
+}
+
+/* Both kinds of three angles of R: finite, in their ranges, and together R. */
+static void assert_angles(const double *R)
+{
+    static const double pi = 3.14159265358979;
+    double a[3], again[9];
+    tait_bryan_of_matrix(a, R);
+    assert_true(fabs(a[0]) <= pi + 1e-14 && fabs(a[1]) <= pi / 2 + 1e-14 && fabs(a[2]) <= pi + 1e-14);
+    make_up(again, a, 1, 0);
+    NEAR(R, again, 9, 4e-15);
+    euler_of_matrix(a, R);
+    assert_true(fabs(a[0]) <= pi + 1e-14 && a[1] >= 0 && a[1] <= pi + 1e-14 && fabs(a[2]) <= pi + 1e-14);
+    make_up(again, a, 0, 2);
+    NEAR(R, again, 9, 4e-15);
+}
+
+/* Anywhere, and near where the first axis and the last fall together, down to round-off. */
+static void test_three_angles(void **state)
+{
+    (void)state;
+    struct tree_dice d = {10};
+    for (int i = 0; i < TRIES; i++) {
+        double q[4], R[9];
+        tree_quaternion(q, &d, 3);
+        quat_matrix(R, q);
+        assert_angles(R);
+        for (int lock = 0; lock < 4; lock++) {
+            const double off = pow(10, -i % 19),
+                         middle[] = {1.5707963267948966, -1.5707963267948966, 0, 3.141592653589793};
+            make_up(R, (double[]){tree_roll(&d, -3, 3), middle[lock] + off, tree_roll(&d, -3, 3)}, lock < 2,
+                    lock < 2 ? 0 : 2);
+            assert_angles(R);
+        }
+    }
+}
+
+/* Where they do: the last is 0, the first takes all. */
+static void test_three_angles_locked(void **state)
+{
+    (void)state;
+    const double s = .6, c = .8, first = atan2(s, c);
+    double a[3];
+    tait_bryan_of_matrix(a, (double[]){0, 0, -1, -s, c, 0, c, s, 0}); /* pitch upwards */
+    NEAR(a, ((double[]){first, 1.5707963267948966, 0}), 3, 1e-16);
+    euler_of_matrix(a, (double[]){c, s, 0, -s, c, 0, 0, 0, 1});
+    NEAR(a, ((double[]){first, 0, 0}), 3, 1e-16);
+    euler_of_matrix(a, (double[]){c, s, 0, s, -c, 0, 0, 0, -1});
+    NEAR(a, ((double[]){first, 3.141592653589793, 0}), 3, 1e-16);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_three_angles),
+        cmocka_unit_test(test_three_angles_locked),
         cmocka_unit_test(test_algebra),
         cmocka_unit_test(test_quaternion_and_matrix),
         cmocka_unit_test(test_cayley),
