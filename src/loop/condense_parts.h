@@ -1,12 +1,12 @@
 /* condense_parts.h -- what the files of the condensation share.
  *
- *     condense_factor.c  C_q at a posture, C_qd factored; rates and accelerations of the dependents, multipliers
+ *     solve.c            C_q at a posture, C_qd factored; rates and accelerations of the dependents, multipliers
  *     condense_reduce.c  r, M^ and slopes of the independents
- *     condense_close.c   dependents that close the loops; positions moved
- *     condense_again.c   the same from another posture nearby
- *     condense_split.c   which coordinates are dependent
- *     condense_order.c   in which order rows and dependents stand
- *     condense_gain.c    how fast dependents go
+ *     closing.c          dependents that close the loops; positions moved
+ *     closing_again.c    the same from another posture nearby
+ *     split.c            which coordinates are dependent
+ *     split_order.c      in which order rows and dependents stand
+ *     split_gain.c       how fast dependents go
  *     condense_start.c   the start: assembled, closed, or refused
  *     condense_assemble.c  a start that does not fit, projected
  *     condense_unique.c  which reactions redundant rows leave open
@@ -201,7 +201,7 @@ double condense_correct(struct condense *o);
 int condense_close(struct condense *o, double *q1, const double *base, double s);
 /* The point() of condense_move: predicted and closed at time t; NAN where it cannot be. */
 void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t);
-/* Its again(): condense_again.c. */
+/* Its again(): closing_again.c. */
 void condense_again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t);
 
 /* --- partition ------------------------------------------------------------------------------------ */
@@ -234,6 +234,6 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
 extern const struct ode2_ops condense_ops; /* condense_reduce.c */
 /* ode2.price at the start. */
 double condense_price(struct condense *o);
-extern const struct ode2_move condense_move; /* condense_close.c */
+extern const struct ode2_move condense_move; /* closing.c */
 
 #endif

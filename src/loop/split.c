@@ -1,4 +1,4 @@
-/* condense_split.c -- which coordinates are dependent.
+/* split.c -- which coordinates are dependent.
  *
  * LU of a component's C_q with full pivoting picks as many rows as the rank and the columns of the dependent
  * coordinates (Wehage & Haug 1982); columns have weights, and a column is taken late if the deck would rather have it

@@ -1,4 +1,4 @@
-/* condense_close.c -- positions that keep the loops closed.
+/* closing.c -- positions that keep the loops closed.
  *
  * A move is given by its independent part dx_i; the dependent part starts on the tangent at the base, dx_d = G0 dx_i,
  * and goes by Newton's method to C(q0 (+) dx) = 0:

@@ -1,4 +1,4 @@
-/* condense_factor.c -- the equations of the loops at a posture, solved for the dependents.
+/* solve.c -- the equations of the loops at a posture, solved for the dependents.
  *
  * With C_q = [C_qd C_qi] of each component, its rows cut down to the rank, and C_qd = P L U,
  *

@@ -1,4 +1,4 @@
-/* condense_again.c -- from one closed posture to another nearby.
+/* closing_again.c -- from one closed posture to another nearby.
  *
  * The iterates of a step differ by their corrections.  From one of them, where C_q is factored, dependents go along the
  * tangent there by the change d of the independents, and by what is then missed,

@@ -1,4 +1,4 @@
-/* condense_gain.c -- how fast dependent coordinates go: the largest number of G, in scales.
+/* split_gain.c -- how fast dependent coordinates go: the largest number of G, in scales.
  *
  * Where the independents are many, G = -C_qd^-1 C_qi is not made, which would cost a solution for each of them; its
  * largest number is found from a few columns and rows: from a row to the column of its largest number, from there to

@@ -1,4 +1,4 @@
-/* condense_order.c -- in which order the loops of a component stand in C_qd, so that its band is narrow.
+/* split_order.c -- in which order the loops of a component stand in C_qd, so that its band is narrow.
  *
  * Neighbours are loops that share a coordinate.  Breadth first from a loop at an end (Cuthill & McKee, Proc. 24th Nat.
  * Conf. ACM (1969) 157; the end as George & Liu, ACM Trans. Math. Softw. 5 (1979) 284), unless the deck's own order is
