@@ -124,8 +124,9 @@ static void keep_base(struct component *c)
 
 int condense_tangent(struct condense *o, const double *q)
 {
-    if (memcmp(q, o->G0_at, sizeof *q * (size_t)o->model->nq) == 0) return 1;
-    o->G0_at[0] = NAN;
+    const long base = posture_take(&o->base, q, o->model->nq);
+    if (base == o->tangent) return 1;
+    o->tangent = 0;
     struct trouble why;
     if (condense_factor(o, q, 0, &why) != OK) return 0;
     for (int i = 0; i < o->ncomponent; i++) {
@@ -136,7 +137,7 @@ int condense_tangent(struct condense *o, const double *q)
             component_G(c, c->G0);
     }
     lead_at(o);
-    memcpy(o->G0_at, q, sizeof *q * (size_t)o->model->nq);
+    o->tangent = base;
     return 1;
 }
 
@@ -162,17 +163,15 @@ void condense_predict(struct condense *o)
 void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
     struct condense *o = ode->self;
-    const size_t nq = (size_t)o->model->nq;
-    memcpy(o->base, q0, sizeof *q0 * nq);
     condense_spread(o, o->dxs, dx);
     for (int i = 0; i < o->nt; i++) o->dx[i] = s * o->dxs[i];
     loops_when(o->loops, t);
-    int closed = condense_tangent(o, o->base);
+    int closed = condense_tangent(o, q0);
     if (closed) {
         condense_predict(o);
-        closed = condense_close(o, q1, o->base, s);
+        closed = condense_close(o, q1, o->base.q, s);
     }
-    for (size_t i = 0; !closed && i < nq; i++) q1[i] = NAN;
+    for (int i = 0; !closed && i < o->model->nq; i++) q1[i] = NAN;
 }
 
 static void move_diff(const struct ode2 *ode, double *dx, const double *q1, const double *q0)

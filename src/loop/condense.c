@@ -135,10 +135,9 @@ static void build_workspace(struct condense *o, struct arena *life)
 {
     double **of[] = {&o->vt,  &o->at,   &o->rt, &o->va,  &o->vb,    &o->zero, &o->dx,
                      &o->dxs, &o->last, &o->v,  &o->way, &o->aside, &o->mean};
-    double **places[] = {&o->q, &o->base, &o->G0_at, &o->seen_at, &o->factored_at, &o->qtry, &o->side[0], &o->side[1]};
+    double **places[] = {&o->q, &o->base.q, &o->qtry, &o->side[0], &o->side[1]};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
-    o->seen_at[0] = o->factored_at[0] = NAN;
     o->C = TAKE(life, double, o->loops->nrow);
     o->C2 = TAKE(life, double, o->loops->nrow);
     o->still = TAKE(life, double, o->nt);
@@ -204,7 +203,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
     o->elastic = &tree->elastic;
     o->nt = m->n;
     o->loops = loops_build(m, o->ops, life);
-    o->seen = loops_build(m, o->ops, life);
+    o->shown = loops_build(m, o->ops, life);
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
     o->breaks = (struct ode2_breaks){
         .next = next_kink, .jump = m->ndrive ? condense_jump : NULL, .corner = m->ndrive ? condense_corner : NULL};
@@ -257,19 +256,19 @@ const struct loops *condense_loops(const struct condense *c)
 
 void condense_push(struct condense *c, struct sweep *s, const double *q, double t, const double *lambda)
 {
-    loops_when(c->seen, t);
-    loops_look(c->seen, s, q);
-    loops_push(c->seen, s, lambda);
+    loops_when(c->shown, t);
+    loops_look(c->shown, s, q);
+    loops_push(c->shown, s, lambda);
 }
 
 void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda)
 {
-    loops_drive(c->seen, force, power, loop, lambda);
+    loops_drive(c->shown, force, power, loop, lambda);
 }
 
 void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda)
 {
-    loops_reaction(c->seen, f, n, loop, lambda);
+    loops_reaction(c->shown, f, n, loop, lambda);
 }
 
 double condense_worst(struct condense *c, const double *q, double t)

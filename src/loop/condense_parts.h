@@ -84,7 +84,7 @@ struct condense {
     const struct sweep_ops *ops;
     const struct moves *moves;
     struct sweep *sweep;
-    struct loops *loops, *seen; /* at trial states; where condense_push() stood */
+    struct loops *loops, *shown; /* at trial states; where condense_push() stood */
     int nt, ncomponent;
     struct component *component;
     int *column;  /* [nt] number in its component's k */
@@ -101,19 +101,20 @@ struct condense {
     long charts;
     double *q, *v; /* start */
     /* workspace */
-    double *C, *C2;          /* [rows] */
-    double *vt, *at, *rt;    /* [nt] */
-    double *va, *vb;         /* [nt] at the ends of an interval */
-    double *zero;            /* [nt] */
-    double *dx, *dxs, *base; /* [nt], [nt], [nq] */
-    double *last;            /* [nt] */
-    double *G0_at;           /* [nq] where G0 holds */
-    double *seen_at;         /* [nq] where the loops are looked at; NAN: nowhere */
-    double *factored_at;     /* [nq] where C_q is, and all components are factored; NAN: nowhere */
-    bool few;                /* independents, against the tree: M^ and slopes without its own matrices */
-    double *M;               /* [nt x nt]; few: NULL */
-    double *still, *Tx;      /* [nt] */
-    double *Ty;              /* [2][n] */
+    double *C, *C2;       /* [rows] */
+    double *vt, *at, *rt; /* [nt] */
+    double *va, *vb;      /* [nt] at the ends of an interval */
+    double *zero;         /* [nt] */
+    double *dx, *dxs;     /* [nt], [nt] */
+    struct posture base;  /* of point() and of the tangent */
+    long tangent;         /* base that G0, or what stands for it, is of; 0: none */
+    double *last;         /* [nt] */
+    long seen;            /* posture at which the loops are looked at; 0: none */
+    long factored;        /* posture that C_q is of, and all components are factored at; 0: none */
+    bool few;             /* independents, against the tree: M^ and slopes without its own matrices */
+    double *M;            /* [nt x nt]; few: NULL */
+    double *still, *Tx;   /* [nt] */
+    double *Ty;           /* [2][n] */
     struct elements *elements;
     struct elastic *elastic;
     double *qtry, *way;           /* [nq], [nt] */
@@ -129,9 +130,9 @@ struct condense {
 
 /* --- C_q and its factor ---------------------------------------------------------------------------- */
 
-/* The loops at q; with C_q. */
-void condense_see(struct condense *o, const double *q);
-void condense_look(struct condense *o, const double *q);
+/* The loops at q; with C_q.  Returns the number of the posture. */
+long condense_see(struct condense *o, const double *q);
+long condense_look(struct condense *o, const double *q);
 /* A, factored, of C_q as last looked at; dx: C_q then is along the Cayley vectors it holds, NULL: at the posture
  * itself. 0: singular or not finite. */
 int component_factor(struct condense *o, struct component *c, const double *dx);

@@ -89,35 +89,30 @@ double condense_least_ratio(const struct condense *o)
     return least;
 }
 
-void condense_see(struct condense *o, const double *q)
+long condense_see(struct condense *o, const double *q)
 {
-    const size_t bytes = sizeof *q * (size_t)o->model->nq;
-    open_place(o->tree, q);
-    if (memcmp(q, o->seen_at, bytes) == 0) return;
-    o->factored_at[0] = NAN;
+    const long posture = open_place(o->tree, q);
+    if (posture == o->seen) return posture;
     loops_look(o->loops, o->sweep, q);
-    memcpy(o->seen_at, q, bytes);
+    return o->seen = posture;
 }
 
-void condense_look(struct condense *o, const double *q)
+long condense_look(struct condense *o, const double *q)
 {
-    condense_see(o, q);
-    o->factored_at[0] = NAN;
+    const long posture = condense_see(o, q);
+    o->factored = 0;
     loops_jacobian(o->loops, o->sweep);
+    return posture;
 }
 
 enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why)
 {
-    const size_t bytes = sizeof *q * (size_t)o->model->nq;
-    if (memcmp(q, o->factored_at, bytes) == 0) {
-        open_place(o->tree, q);
-        return OK;
-    }
-    condense_look(o, q);
+    if (condense_see(o, q) == o->factored) return OK;
+    const long posture = condense_look(o, q);
     for (int i = 0; i < o->ncomponent; i++)
         if (!component_factor(o, &o->component[i], NULL))
             return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[o->component[i].row[0]].loop, NAN, t);
-    memcpy(o->factored_at, q, bytes);
+    o->factored = posture;
     return OK;
 }
 

@@ -153,7 +153,7 @@ static double quality(struct condense *o, struct component *c)
 
 double component_choose(struct condense *o, struct component *c)
 {
-    o->factored_at[0] = NAN;
+    o->factored = 0;
     find_pivots(o, c, c->weight, c->nr, 0);
     take_split(o, c);
     return quality(o, c);
@@ -187,7 +187,7 @@ void condense_number(struct condense *o)
         o->bound[i] = false;
         for (int k = 0; k < 3; k++) o->bound[i] |= o->slot[o->moves->turn[i].iv[k]] < 0;
     }
-    o->G0_at[0] = NAN;
+    o->tangent = 0;
 }
 
 static void keep_split(int *to, const struct component *c)
@@ -199,7 +199,7 @@ static void keep_split(int *to, const struct component *c)
 
 static void put_back(struct condense *o, struct component *c, const int *from)
 {
-    o->factored_at[0] = NAN;
+    o->factored = 0;
     memcpy(c->kept, from, sizeof *from * (size_t)c->nrow);
     memcpy(c->dep, from + c->nrow, sizeof *from * (size_t)c->nr);
     memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
@@ -243,7 +243,7 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     if (!condense_tangent(o, q)) return 0;
     for (int i = 0; i < o->ncomponent; i++) wanted += o->component[i].away = runs_away(o, &o->component[i]);
     if (!wanted) return 0;
-    o->G0_at[0] = NAN;
+    o->tangent = 0;
     if (condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
     for (int i = 0; i < o->ncomponent; i++)
         if (o->component[i].away) changed |= improve(o, &o->component[i]);

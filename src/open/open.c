@@ -17,27 +17,28 @@ static struct open_tree *tree_of(const struct ode2 *o)
 
 static bool stands_at(const struct open_tree *s, const double *q)
 {
-    return s->stands && memcmp(s->at, q, sizeof *q * (size_t)s->model->nq) == 0;
+    return s->stands && posture_is(&s->posture, q, s->model->nq);
 }
 
-static void note_place(struct open_tree *s, const double *q)
+/* Takes q; do the bodies stand there already? */
+static bool stand(struct open_tree *s, const double *q)
 {
-    memcpy(s->at, q, sizeof *q * (size_t)s->model->nq);
+    const long before = s->posture.number;
+    const bool there = posture_take(&s->posture, q, s->model->nq) == before && s->stands;
     s->stands = true;
+    return there;
 }
 
-void open_place(struct open_tree *s, const double *q)
+long open_place(struct open_tree *s, const double *q)
 {
-    if (stands_at(s, q)) return;
-    s->ops->place(s->sweep, q, ALL);
-    note_place(s, q);
+    if (!stand(s, q)) s->ops->place(s->sweep, q, ALL);
+    return s->posture.number;
 }
 
-void open_move(struct open_tree *s, const double *q, const double *v)
+long open_move(struct open_tree *s, const double *q, const double *v)
 {
-    const bool there = stands_at(s, q);
-    s->ops->move(s->sweep, there ? NULL : q, v, ALL);
-    if (!there) note_place(s, q);
+    s->ops->move(s->sweep, stand(s, q) ? NULL : q, v, ALL);
+    return s->posture.number;
 }
 
 /* --- r, M, slopes ------------------------------------------------------------------------------- */
@@ -275,7 +276,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     o->zero = TAKE(life, double, m->n);
     o->size = TAKE(life, double, m->n);
     sizes_fill(o->size, m);
-    o->at = TAKE(life, double, m->nq);
+    o->posture.q = TAKE(life, double, m->nq);
     o->suspect = TAKE(life, struct effect, m->nforce);
     o->direct = (struct ode2_direct){
         .accel = accel, .factor_size = bytes, .factor = factor, .stiffen = stiffen, .solve = solve};

@@ -11,6 +11,7 @@
 #include "force/elements.h"
 #include "open/elastic.h"
 #include "open/floating.h"
+#include "open/posture.h"
 #include "tree/moves.h"
 #include "tree/sweep.h"
 
@@ -18,8 +19,8 @@ struct open_tree {
     const struct model *model;
     const struct sweep_ops *ops;
     struct sweep *sweep;
-    double *at;  /* [nq] where all of its bodies stand, */
-    bool stands; /* if they do */
+    struct posture posture; /* where all of its bodies were placed last */
+    bool stands;            /* they still stand there */
     struct elements *elements;
     bool diagonal;          /* elements_are_diagonal() */
     struct elastic elastic; /* flexible bodies */
@@ -37,9 +38,9 @@ struct open_tree {
 
 void open_build(struct open_tree *o, const struct model *m, struct arena *life);
 
-/* All bodies at q, unless they stand there; then moving with v. */
-void open_place(struct open_tree *o, const double *q);
-void open_move(struct open_tree *o, const double *q, const double *v);
+/* All bodies at q, unless they stand there; then moving with v.  Returns the number of the posture (posture.h). */
+long open_place(struct open_tree *o, const double *q);
+long open_move(struct open_tree *o, const double *q, const double *v);
 
 /* resid() of the ode, where open_move() has been with x->q and x->v. */
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
