@@ -17,21 +17,6 @@ static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_q
 static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
 enum { MOST_ITERATIONS = 20 };
 
-double condense_missed(const struct condense *o, int *row)
-{
-    double most = 0;
-    for (int i = 0; i < o->loops->nrow; i++)
-        if (!(fabs(o->C[i]) <= most)) most = fabs(o->C[i]), *row = i;
-    return most;
-}
-
-double condense_misfit(struct condense *o, int *row, const double *q)
-{
-    condense_see(o, q);
-    loops_values(o->C, o->loops);
-    return condense_missed(o, row);
-}
-
 void condense_put(struct condense *o, double *q1, const double *base, double s)
 {
     moves_point(o->moves, q1, base, o->dx, 1);
@@ -49,13 +34,13 @@ void condense_put(struct condense *o, double *q1, const double *base, double s)
 double condense_correct(struct condense *o)
 {
     double most = 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
-        for (int r = 0; r < c->nr; r++) c->x[r] = -o->C[c->row[c->kept[r]]];
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
+        for (int r = 0; r < c->nr; r++) c->x[r] = -o->C[c->of->row[c->kept[r]]];
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) {
-            const int k = c->k[c->dep[r]];
-            const double size = fabs(c->x[r]) * o->per[k];
+            const int k = c->of->k[c->dep[r]];
+            const double size = fabs(c->x[r]) * o->rows.per[k];
             o->dx[k] += c->x[r];
             if (size > most || isnan(size)) most = size;
         }
@@ -66,10 +51,13 @@ double condense_correct(struct condense *o)
 /* One Newton correction at q1 = base (+) dx; returns its size, or NAN. */
 static double correct(struct condense *o, const double *q1)
 {
-    condense_look(o, q1);
-    loops_values(o->C, o->loops);
-    for (int i = 0; i < o->ncomponent; i++)
-        if (!component_factor(o, &o->component[i], o->dx)) return NAN;
+    rows_linearize(&o->rows, q1);
+    rows_values(o->C, &o->rows);
+    o->factored = 0;
+    for (int i = 0; i < o->npart; i++) {
+        rows_turn(&o->rows, o->part[i].of, o->dx, o->bound);
+        if (!component_factor(&o->part[i])) return NAN;
+    }
     return condense_correct(o);
 }
 
@@ -77,7 +65,7 @@ static double correct(struct condense *o, const double *q1)
 static double note_miss(struct condense *o)
 {
     int row = 0;
-    const double most = condense_missed(o, &row);
+    const double most = rows_worst(&row, &o->rows, o->C);
     if (most < o->lost_by) o->lost_by = most, o->lost = o->loops->row[row].loop;
     return most;
 }
@@ -101,11 +89,11 @@ int condense_close(struct condense *o, double *q1, const double *base, double s)
 static void lead_at(struct condense *o)
 {
     if (o->model->ndrive == 0) return;
-    loops_values(o->C, o->loops);
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
+    rows_values(o->C, &o->rows);
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
         for (int k = 0; k < c->nlead; k++) {
-            const int row = c->row[c->kept[c->lead[k]]];
+            const int row = c->of->row[c->kept[c->lead[k]]];
             double *x = c->T0 + (size_t)k * (size_t)c->nr;
             memset(x, 0, sizeof *x * (size_t)c->nr);
             x[c->lead[k]] = 1;
@@ -115,10 +103,10 @@ static void lead_at(struct condense *o)
     }
 }
 
-static void keep_base(struct component *c)
+static void keep_base(struct part *c)
 {
     memcpy(c->base.A - c->band[1], c->A - c->band[1], sizeof *c->A * (size_t)c->nr * (size_t)(c->ld + 1));
-    memcpy(c->base.F, c->F, sizeof *c->F * (size_t)c->start[c->nrow]);
+    memcpy(c->base.F, c->of->F, sizeof *c->of->F * (size_t)c->of->start[c->of->nrow]);
     memcpy(c->base.swap, c->prow, sizeof *c->prow * (size_t)c->nr);
 }
 
@@ -129,8 +117,8 @@ int condense_tangent(struct condense *o, const double *q)
     o->tangent = 0;
     struct trouble why;
     if (condense_factor(o, q, 0, &why) != OK) return 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
         if (c->wide)
             keep_base(c);
         else
@@ -143,19 +131,19 @@ int condense_tangent(struct condense *o, const double *q)
 
 void condense_predict(struct condense *o)
 {
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
+    for (int i = 0; i < o->npart; i++) {
+        const struct part *c = &o->part[i];
         if (c->wide) {
-            for (int j = 0; j < c->ni; j++) c->probe[j] = o->dx[c->k[c->ind[j]]];
+            for (int j = 0; j < c->ni; j++) c->probe[j] = o->dx[c->of->k[c->ind[j]]];
             component_times_G(c, &c->base, c->x, c->probe);
         }
         for (int r = 0; r < c->nr; r++) {
             double sum = c->wide ? c->x[r] : 0;
             for (int j = 0; !c->wide && j < c->ni; j++)
-                sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->k[c->ind[j]]];
+                sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->of->k[c->ind[j]]];
             for (int k = 0; k < c->nlead; k++)
-                sum += c->T0[r + k * c->nr] * (o->loops->c[c->row[c->kept[c->lead[k]]]] - c->s0[k]);
-            o->dx[c->k[c->dep[r]]] = sum;
+                sum += c->T0[r + k * c->nr] * (o->loops->c[c->of->row[c->kept[c->lead[k]]]] - c->s0[k]);
+            o->dx[c->of->k[c->dep[r]]] = sum;
         }
     }
 }

@@ -31,17 +31,17 @@ static double go_along(struct condense *o)
     for (int i = 0; i < o->ode.n; i++) {
         const int k = o->ind[i];
         o->last[k] = o->dx[k] - o->last[k];
-        far = farther(far, o->last[k], o->per[k]);
+        far = farther(far, o->last[k], o->rows.per[k]);
     }
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
         for (int r = 0; r < c->nr; r++) c->x[r] = 0;
         component_take(c, c->x, o->last);
         component_solve(c, c->x);
         for (int r = 0; r < c->nr; r++) {
-            const int k = c->k[c->dep[r]];
+            const int k = c->of->k[c->dep[r]];
             o->dx[k] = o->last[k] + c->x[r];
-            far = farther(far, c->x[r], o->per[k]);
+            far = farther(far, c->x[r], o->rows.per[k]);
         }
     }
     return far;
@@ -54,7 +54,7 @@ static int step_on(struct condense *o, double *q1, const double *base, double s)
     int row;
     for (int i = 0; i < MOST_CORRECTIONS; i++) {
         condense_put(o, q1, base, s);
-        condense_misfit(o, &row, q1);
+        rows_misfit(o->C, &row, &o->rows, q1);
         const double next = condense_correct(o);
         if (next <= NOTHING) return 1;
         rate = i ? next / size : rate * next;

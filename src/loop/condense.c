@@ -4,130 +4,57 @@
 
 #include "la/vec3.h"
 #include "loop/condense_parts.h"
-#include "tree/sizes.h"
 
-/* Rows and coordinates of each component, in order. */
-static void list_parts(struct condense *o, struct arena *life)
+static int loop_of_row(const struct condense *o, const struct part *c, int r)
 {
-    const struct model *m = o->model;
-    for (int pass = 0; pass < 2; pass++) {
-        for (int i = 0; i < o->ncomponent; i++) {
-            struct component *c = &o->component[i];
-            if (pass) c->row = TAKE(life, int, c->nrow), c->k = TAKE(life, int, c->nk);
-            c->nrow = c->nk = 0;
-        }
-        for (int r = 0; r < o->loops->nrow; r++) {
-            struct component *c = &o->component[m->loop[o->loops->row[r].loop].component];
-            if (pass) c->row[c->nrow] = r;
-            c->nrow++;
-        }
-        for (int k = 0; k < o->nt; k++) {
-            if (o->owner[k] < 0) continue;
-            struct component *c = &o->component[o->owner[k]];
-            if (pass) c->k[o->column[k] = c->nk] = k;
-            c->nk++;
-        }
-    }
+    return o->loops->row[c->of->row[r]].loop;
 }
 
-static int loop_of_row(const struct condense *o, const struct component *c, int r)
-{
-    return o->loops->row[c->row[r]].loop;
-}
-
-/* The coordinates of each row. */
-static void build_rows(struct condense *o, struct component *c, struct arena *life)
-{
-    const struct loops *l = o->loops;
-    c->start = TAKE(life, int, c->nrow + 1);
-    for (int r = 0; r < c->nrow; r++) c->start[r + 1] = c->start[r] + l->nk[loop_of_row(o, c, r)];
-    c->at = TAKE(life, int, c->start[c->nrow]);
-    c->F = TAKE(life, double, c->start[c->nrow]);
-    c->of_dep = TAKE(life, struct entry, c->start[c->nrow]);
-    c->of_ind = TAKE(life, struct entry, c->start[c->nrow]);
-    c->from = TAKE(life, int, c->nrow + 1);
-    for (int r = 0; r < c->nrow; r++) {
-        const int loop = loop_of_row(o, c, r);
-        for (int k = 0; k < l->nk[loop]; k++) c->at[c->start[r] + k] = o->column[l->k[loop][k]];
-        if (c->row[r] > l->first[loop]) continue;
-        const size_t n = (size_t)(l->nk[loop] * (l->first[loop + 1] - l->first[loop]));
-        memcpy(c->F + c->start[r], l->Cq[loop], sizeof *c->F * n); /* sums have theirs for good */
-        l->Cq[loop] = c->F + c->start[r];
-    }
-}
-
-/* turn [nt]: which rotation begins with a coordinate; -1: none.  A path has its three one behind the other. */
-static void build_spins(struct condense *o, struct component *c, const int *turn, struct arena *life)
-{
-    for (int pass = 0; pass < 2; pass++) {
-        if (pass) c->spin = TAKE(life, struct spin, c->nspin);
-        c->nspin = 0;
-        for (int e = 0; e < c->start[c->nrow]; e++) {
-            const int i = turn[c->k[c->at[e]]], *iv = i < 0 ? NULL : o->moves->turn[i].iv;
-            if (!iv || e + 2 >= c->start[c->nrow] || c->k[c->at[e + 1]] != iv[1] || c->k[c->at[e + 2]] != iv[2])
-                continue;
-            if (pass) c->spin[c->nspin] = (struct spin){i, {e, e + 1, e + 2}};
-            c->nspin++;
-        }
-    }
-}
-
-static void build_component(struct condense *o, struct component *c, struct arena *life)
+static void build_part(struct condense *o, struct part *c, struct arena *life)
 {
     enum { SMALL = 4096 }; /* numbers of C_q: below, dense is no slower, and there is room for any split */
-    const int most = c->nrow > c->nk ? c->nrow : c->nk;
-    const size_t size = (size_t)c->nrow * (size_t)c->nk;
+    const int most = c->of->nrow > c->of->nk ? c->of->nrow : c->of->nk;
+    const size_t size = (size_t)c->of->nrow * (size_t)c->of->nk;
     int drives = 0;
-    for (int r = 0; r < c->nrow; r++) drives += o->model->loop[loop_of_row(o, c, r)].drive != NULL;
-    build_rows(o, c, life);
-    c->loop_of = TAKE(life, int, c->nk);
-    c->row_order = TAKE(life, int, c->nrow);
+    for (int r = 0; r < c->of->nrow; r++) drives += o->model->loop[loop_of_row(o, c, r)].drive != NULL;
+    c->of_dep = TAKE(life, struct entry, c->of->start[c->of->nrow]);
+    c->of_ind = TAKE(life, struct entry, c->of->start[c->of->nrow]);
+    c->from = TAKE(life, int, c->of->nrow + 1);
+    c->loop_of = TAKE(life, int, c->of->nk);
+    c->row_order = TAKE(life, int, c->of->nrow);
     component_order(o, c);
     c->lead = TAKE(life, int, drives);
     c->s0 = TAKE(life, double, drives);
-    c->T0 = TAKE(life, double, drives * c->nrow);
-    c->kept = TAKE(life, int, c->nrow);
+    c->T0 = TAKE(life, double, drives * c->of->nrow);
+    c->kept = TAKE(life, int, c->of->nrow);
     c->dep = TAKE(life, int, most);
-    c->ind = TAKE(life, int, c->nk);
-    c->place = TAKE(life, int, c->nk);
+    c->ind = TAKE(life, int, c->of->nk);
+    c->place = TAKE(life, int, c->of->nk);
     c->prow = TAKE(life, int, most);
     c->pcol = TAKE(life, int, most);
     c->pivot = TAKE(life, double, most);
     c->x = TAKE(life, double, most);
-    c->weight = TAKE(life, double, c->nk);
+    c->weight = TAKE(life, double, c->of->nk);
     if (size > SMALL) {
-        c->base.F = TAKE(life, double, c->start[c->nrow]);
-        c->base.swap = TAKE(life, int, c->nrow);
-        c->probe = TAKE(life, double, c->nk);
+        c->base.F = TAKE(life, double, c->of->start[c->of->nrow]);
+        c->base.swap = TAKE(life, int, c->of->nrow);
+        c->probe = TAKE(life, double, c->of->nk);
         return;
     }
     c->whole = TAKE(life, double, size);
-    c->A_room.size = 2 * (size_t)c->nrow * (size_t)c->nrow;
+    c->A_room.size = 2 * (size_t)c->of->nrow * (size_t)c->of->nrow;
     c->G_room.size = c->G0_room.size = size;
     struct room *of[] = {&c->A_room, &c->G_room, &c->G0_room};
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) of[i]->store = TAKE(life, double, of[i]->size);
 }
 
-static void build_components(struct condense *o, struct arena *life)
+static void build_parts(struct condense *o, struct arena *life)
 {
-    const struct model *m = o->model;
-    int *turn = TAKE(life, int, o->nt);
-    o->ncomponent = m->ncomponent;
-    o->component = TAKE(life, struct component, m->ncomponent);
-    o->column = TAKE(life, int, o->nt);
-    o->owner = TAKE(life, int, o->nt);
-    o->size = TAKE(life, double, o->nt);
-    o->per = TAKE(life, double, o->nt);
-    for (int i = 0; i < o->nt; i++) o->owner[i] = turn[i] = -1;
-    for (int l = 0; l < m->nloop; l++)
-        for (int k = 0; k < o->loops->nk[l]; k++) o->owner[o->loops->k[l][k]] = m->loop[l].component;
-    for (int i = 0; i < o->moves->nturn; i++) turn[o->moves->turn[i].iv[0]] = i;
-    sizes_fill(o->size, m);
-    for (int i = 0; i < o->nt; i++) o->per[i] = 1 / o->size[i];
-    list_parts(o, life);
-    for (int i = 0; i < o->ncomponent; i++) {
-        build_component(o, &o->component[i], life);
-        build_spins(o, &o->component[i], turn, life);
+    o->npart = o->rows.ncomponent;
+    o->part = TAKE(life, struct part, o->npart);
+    for (int i = 0; i < o->npart; i++) {
+        o->part[i].of = &o->rows.component[i];
+        build_part(o, &o->part[i], life);
     }
 }
 
@@ -156,7 +83,7 @@ static bool are_few(const struct condense *o)
     static const double COLUMN = 100; /* for each coordinate of the tree */
     const double n = o->ode.n, nt = o->nt;
     double matrix = nt * nt;
-    for (int i = 0; i < o->ncomponent; i++) matrix += (double)o->component[i].ni * o->component[i].nr * (nt + n) / 2;
+    for (int i = 0; i < o->npart; i++) matrix += (double)o->part[i].ni * o->part[i].nr * (nt + n) / 2;
     return o->elastic->n == 0 && matrix > COLUMN * (n + 1) * nt;
 }
 
@@ -188,7 +115,7 @@ static double next_kink(const struct ode2 *ode, double t)
 static double size_of(const struct ode2 *ode, int i)
 {
     const struct condense *o = ode->self;
-    return o->size[o->ind[i]];
+    return o->rows.size[o->ind[i]];
 }
 
 struct condense *condense_build(struct open_tree *tree, const double *q0, const double *v0, struct arena *life)
@@ -202,7 +129,8 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
     o->moves = &tree->moves;
     o->elastic = &tree->elastic;
     o->nt = m->n;
-    o->loops = loops_build(m, o->ops, life);
+    rows_build(&o->rows, tree, life);
+    o->loops = o->rows.loops;
     o->shown = loops_build(m, o->ops, life);
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
     o->breaks = (struct ode2_breaks){
@@ -219,7 +147,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
     o->life = life;
     o->scratch = arena_open();
     arena_defer(life, close_scratch, o->scratch);
-    build_components(o, life);
+    build_parts(o, life);
     build_workspace(o, life);
     o->start.status = condense_begin(o, q0, v0);
     build_matrices(o, life);
@@ -275,7 +203,7 @@ double condense_worst(struct condense *c, const double *q, double t)
 {
     int row;
     loops_when(c->loops, t);
-    return condense_misfit(c, &row, q);
+    return rows_misfit(c->C, &row, &c->rows, q);
 }
 
 int condense_place(const struct condense *c, int i)
@@ -290,10 +218,10 @@ long condense_charts(const struct condense *c)
 
 bool condense_dropped(const struct condense *o, int row)
 {
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int r = c->nr; r < c->nrow; r++)
-            if (c->row[c->kept[r]] == row) return true;
+    for (int i = 0; i < o->npart; i++) {
+        const struct part *c = &o->part[i];
+        for (int r = c->nr; r < c->of->nrow; r++)
+            if (c->of->row[c->kept[r]] == row) return true;
     }
     return false;
 }

@@ -51,8 +51,8 @@ static enum status mass(struct projection *p, struct condense *o, const double *
     TRY(o->tree->ode.ops->mass(&o->tree->ode, p->M, q, 0, ALL, why));
     if (dense_cholesky(p->M, n, n) < 0) return OK;
     TRY(o->tree->ode.ops->mass(&o->tree->ode, p->M, q, 0, ALL, why));
-    for (int i = 0; i < n; i++) most = fmax(most, p->M[i + i * n] * o->size[i] * o->size[i]);
-    for (int i = 0; i < n; i++) p->M[i + i * n] += LITTLE * most / (o->size[i] * o->size[i]);
+    for (int i = 0; i < n; i++) most = fmax(most, p->M[i + i * n] * o->rows.size[i] * o->rows.size[i]);
+    for (int i = 0; i < n; i++) p->M[i + i * n] += LITTLE * most / (o->rows.size[i] * o->rows.size[i]);
     return dense_cholesky(p->M, n, n) < 0 ? OK : trouble_set(why, TROUBLE_MASS, 0, 0, 0);
 }
 
@@ -63,8 +63,8 @@ static enum status prepare(struct projection *p, struct condense *o, const doubl
     const struct loops *l = o->loops;
     const int n = o->nt, rows = l->nrow;
     TRY(mass(p, o, q, why));
-    condense_look(o, q);
-    loops_values(o->C, l);
+    rows_linearize(&o->rows, q);
+    rows_values(o->C, &o->rows);
     memset(p->Cq, 0, sizeof *p->Cq * (size_t)(rows * n));
     for (int r = 0; r < rows; r++) {
         const int loop = l->row[r].loop, nk = l->nk[loop];
@@ -103,7 +103,7 @@ static enum status close_positions(struct projection *p, struct condense *o, str
         project(p, o);
         for (int k = 0; k < HALVINGS && !(next < miss); k++, s /= 2) {
             moves_point(o->moves, o->qtry, o->q, p->dx, s);
-            next = condense_misfit(o, &row, o->qtry);
+            next = rows_misfit(o->C, &row, &o->rows, o->qtry);
         }
         if (!(next < miss)) break;
         memcpy(o->q, o->qtry, bytes);
@@ -142,7 +142,7 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
     loops_when(o->loops, o->model->t0);
     memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
     memcpy(v, v0, sizeof *v * (size_t)o->nt);
-    s->misfit = condense_misfit(o, &s->misfit_row, o->q);
+    s->misfit = rows_misfit(o->C, &s->misfit_row, &o->rows, o->q);
     enum status status = close_positions(&p, o, &why);
     if (status == OK) status = close_rates(&p, o, v, &why);
     if (status == OK) {
@@ -152,7 +152,7 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
         note(&s->changed, &s->changed_at, p.dx, o->nt);
     }
     arena_close(scratch);
-    const double left = condense_misfit(o, &row, o->q);
+    const double left = rows_misfit(o->C, &row, &o->rows, o->q);
     if (status == OK && left <= FITS) return OK;
     return fail(&s->report, E_MODEL,
                 "the mechanism cannot be assembled from here: constraint '%s' still misses by %.3g of its size",

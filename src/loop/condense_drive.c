@@ -46,19 +46,20 @@ enum status condense_lost(const struct condense *o, double t, struct trouble *wh
     return trouble_set(why, TROUBLE_CLOSURE, o->lost, o->lost_by, t);
 }
 
-void component_power(const struct condense *o, const struct component *c, double *w)
+void component_power(const struct condense *o, const struct part *c, double *w)
 {
-    for (int k = 0; k < c->nlead; k++) w[POWER_DRIVE] -= c->x[c->lead[k]] * o->loops->cw[c->row[c->kept[c->lead[k]]]];
+    for (int k = 0; k < c->nlead; k++)
+        w[POWER_DRIVE] -= c->x[c->lead[k]] * o->loops->cw[c->of->row[c->kept[c->lead[k]]]];
 }
 
 enum status condense_contest(struct condense *o, double t, struct trouble *why)
 {
     if (o->holds == 0) return OK;
-    loops_values(o->C, o->loops);
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int r = c->nr; r < c->nrow; r++) {
-            const int row = c->row[c->kept[r]];
+    rows_values(o->C, &o->rows);
+    for (int i = 0; i < o->npart; i++) {
+        const struct part *c = &o->part[i];
+        for (int r = c->nr; r < c->of->nrow; r++) {
+            const int row = c->of->row[c->kept[r]];
             if (!(fabs(o->C[row]) <= o->holds))
                 return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[row].loop, fabs(o->C[row]), t);
         }

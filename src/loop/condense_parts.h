@@ -1,6 +1,7 @@
 /* condense_parts.h -- what the files of the condensation share.
  *
- *     solve.c            C_q at a posture, C_qd factored; rates and accelerations of the dependents, multipliers
+ *     rows.c             C and C_q at a posture
+ *     solve.c            C_qd factored; rates and accelerations of the dependents, multipliers
  *     condense_reduce.c  r, M^ and slopes of the independents
  *     closing.c          dependents that close the loops; positions moved
  *     closing_again.c    the same from another posture nearby
@@ -13,18 +14,13 @@
  *     condense_drive.c   drives: their time, their power, the impulse of their corners
  *     condense.c         building, and what others ask
  *
- * A component is a set of loops that hang together by their coordinates; each has rows, a rank and a split of its own.
+ * Each component has a rank and a split of its own.
  */
 #ifndef FMDSUB_LOOP_CONDENSE_PARTS_H
 #define FMDSUB_LOOP_CONDENSE_PARTS_H
 
 #include "loop/condense.h"
-
-/* A rotation with coordinates in a component's row: where their numbers are in F. */
-struct spin {
-    int turn; /* of moves */
-    int at[3];
-};
+#include "loop/rows.h"
 
 /* C_qd, factored, and C_q at one posture. */
 struct solved {
@@ -40,22 +36,18 @@ struct entry {
     int slot; /* and among all independent ones */
 };
 
-struct component {
-    int nk, *k;       /* coordinates: places in v */
-    int nrow, *row;   /* all its rows; the first nr of `kept` are used */
-    int nr, *kept;    /* [nrow] numbers in `row` */
+/* The split of a component. */
+struct part {
+    const struct component *of;
+    int nr, *kept;    /* [nrow] its rows, of which the first nr are used */
     int *dep, *ind;   /* [nr], [nk - nr]: numbers in k */
     int *place;       /* [nk] number in dep, or -1 - number in ind */
     int ni, nfast;    /* nk - nr; fast ones among them */
     int nlead, *lead; /* [nrow] kept rows of drives: numbers in `kept` */
     double *T0, *s0;  /* [nr x nlead] C_qd^-1 of their unit vectors; their measures; at the base of point() */
-    int *start, *at;  /* [nrow + 1]; coordinates of row r: numbers in k, at[start[r]] ... */
-    double *F;        /* [start[nrow]] C_q: the rows of its loops, in their Cq */
     int nof_dep;
     struct entry *of_dep, *of_ind;
     int *from; /* [nr + 1] where the rows of of_ind begin */
-    int nspin;
-    struct spin *spin;
     double *A; /* C_qd, factored: A(i,j) = A[i + j ld] inside its band */
     int band[2], ld;
     double *G, *G0; /* [nr x ni] -C_qd^-1 C_qi; at the base of point() */
@@ -84,16 +76,13 @@ struct condense {
     const struct sweep_ops *ops;
     const struct moves *moves;
     struct sweep *sweep;
-    struct loops *loops, *shown; /* at trial states; where condense_push() stood */
-    int nt, ncomponent;
-    struct component *component;
-    int *column;  /* [nt] number in its component's k */
-    int *owner;   /* [nt] component; -1: in none */
-    int *ind;     /* [n] places of the independent ones */
-    int *slot;    /* [nt] number among the independent ones; -1: dependent */
-    bool *bound;  /* [nturn] a rate of this rotation is dependent */
-    double *size; /* [nt] scale of a coordinate: 1, or the loops' length */
-    double *per;  /* [nt] 1/size */
+    struct rows rows;
+    struct loops *loops, *shown; /* at trial states, those of rows; where condense_push() stood */
+    int nt, npart;
+    struct part *part; /* of each component */
+    int *ind;          /* [n] places of the independent ones */
+    int *slot;         /* [nt] number among the independent ones; -1: dependent */
+    bool *bound;       /* [nturn] a rate of this rotation is dependent */
     struct condense_start start;
     struct ode2 ode;
     struct ode2_chart chart;
@@ -130,22 +119,18 @@ struct condense {
 
 /* --- C_q and its factor ---------------------------------------------------------------------------- */
 
-/* The loops at q; with C_q.  Returns the number of the posture. */
-long condense_see(struct condense *o, const double *q);
-long condense_look(struct condense *o, const double *q);
-/* A, factored, of C_q as last looked at; dx: C_q then is along the Cayley vectors it holds, NULL: at the posture
- * itself. 0: singular or not finite. */
-int component_factor(struct condense *o, struct component *c, const double *dx);
+/* A, factored, of C_q as it is.  0: singular or not finite. */
+int component_factor(struct part *c);
 /* x [nr] -= C_qi of the independent numbers of xt [nt] */
-void component_take(const struct component *c, double *x, const double *xt);
+void component_take(const struct part *c, double *x, const double *xt);
 /* x [nr] := C_qd^-1 x */
-void component_solve(const struct component *c, double *x);
+void component_solve(const struct part *c, double *x);
 /* G := -C_qd^-1 C_qi */
-void component_G(const struct component *c, double *G);
+void component_G(const struct part *c, double *G);
 /* Pivot ratio of C_qd as last factored, lengths scaled. */
-double component_ratio(const struct condense *o, const struct component *c);
+double component_ratio(const struct condense *o, const struct part *c);
 /* lambda = -C_qd^-T r_d of one component, in c->x by dependent rows: row kept[i] has x[i]. */
-void component_multipliers(const struct component *c, const double *rt);
+void component_multipliers(const struct part *c, const double *rt);
 /* Drives as they are at t, by their means over [ta, tb] where that is an interval. */
 void condense_time(struct condense *o, double t, double ta, double tb);
 /* Does the rate of a drive jump in the interval of the last condense_time()? */
@@ -158,7 +143,7 @@ enum status condense_lost(const struct condense *o, double t, struct trouble *wh
  * drives' power. */
 void condense_gather(struct condense *o, double *r, double *w, const double *rt);
 /* w += power of the drives, with the multipliers in component->x */
-void component_power(const struct condense *o, const struct component *c, double *w);
+void component_power(const struct condense *o, const struct part *c, double *w);
 /* As ode2 has it, where the tree has one. */
 void condense_settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x);
 /* E_NUMERIC where a dropped row no longer holds, at the posture looked at. */
@@ -186,14 +171,10 @@ void condense_follow(struct condense *o, double *xt);
 enum status condense_motion(struct condense *o, double *vt, double *at, const double *q, const double *v,
                             const double *a, double t, struct trouble *why);
 
-/* Largest |C| of all rows at q, which go to o->C; *row stays where all are 0. */
-double condense_misfit(struct condense *o, int *row, const double *q);
 /* G0 := G at q, or what stands for it, where condense_predict() starts; 0: singular there. */
 int condense_tangent(struct condense *o, const double *q);
 /* o->dx: independents given, dependents along the tangent, by drives too, which go to where they are by o->loops. */
 void condense_predict(struct condense *o);
-/* The largest |C| in o->C; *row stays where all are 0. */
-double condense_missed(const struct condense *o, int *row);
 /* q1 = base (+) o->dx; of rotations that are wholly independent the fraction s of the way. */
 void condense_put(struct condense *o, double *q1, const double *base, double s);
 /* o->dx of the dependents -= C_qd^-1 C, with the factors and the o->C at hand; how much that is, in scales. */
@@ -208,17 +189,17 @@ void condense_again(const struct ode2 *ode, double *q1, const double *q0, const 
 /* --- partition ------------------------------------------------------------------------------------ */
 
 /* Loops in order, for loop_of and row_order. */
-void component_order(struct condense *o, struct component *c);
-/* Rank of C_q at the posture of the last condense_look(): pivots at least `least` times the first. */
-int component_rank(struct condense *o, struct component *c, double least);
+void component_order(struct condense *o, struct part *c);
+/* Rank of C_q at the posture of the last rows_linearize(): pivots at least `least` times the first. */
+int component_rank(struct condense *o, struct part *c, double least);
 /* The best split of a component at the present posture; how good it is. */
-double component_choose(struct condense *o, struct component *c);
+double component_choose(struct condense *o, struct part *c);
 /* Largest rate of a dependent coordinate per unit of an independent one, in scales, where C_qd is as factored last; at
  * the base of point(). */
-double component_gain(const struct condense *o, const struct component *c);
-double component_gain_at_base(const struct condense *o, const struct component *c);
+double component_gain(const struct condense *o, const struct part *c);
+double component_gain_at_base(const struct condense *o, const struct part *c);
 /* y [nr] := G x, x [ni] */
-void component_times_G(const struct component *c, const struct solved *at, double *y, const double *x);
+void component_times_G(const struct part *c, const struct solved *at, double *y, const double *x);
 /* Numbers the independent coordinates by the components' splits. */
 void condense_number(struct condense *o);
 /* Between major steps: a better split, if one is needed; 1: changed. */

@@ -15,14 +15,14 @@
 void condense_gather(struct condense *o, double *r, double *w, const double *rt)
 {
     for (int i = 0; i < o->ode.n; i++) r[i] = 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
         component_multipliers(c, rt);
         if (w) component_power(o, c, w);
         for (int k = 0; k < c->nr; k++) {
             const double lambda = c->x[k];
             for (const struct entry *x = c->of_ind + c->from[k]; x < c->of_ind + c->from[k + 1]; x++)
-                r[x->slot] += c->F[x->e] * lambda;
+                r[x->slot] += c->of->F[x->e] * lambda;
         }
     }
     for (int i = 0; i < o->ode.n; i++) r[i] += rt[o->ind[i]];
@@ -94,7 +94,7 @@ static int look_aside(struct condense *o, const double *q, double t)
     struct trouble why;
     if (here >= NEARLY) return 0;
     for (int side = 0; side < 2; side++) {
-        for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->size[o->ind[i]];
+        for (int i = 0; i < o->ode.n; i++) o->aside[i] = (side ? ASIDE : -ASIDE) * o->rows.size[o->ind[i]];
         drives_aside(o, side ? ASIDE : -ASIDE);
         condense_point(&o->ode, o->side[side], q, o->aside, 1, t);
         drives_aside(o, 0);
@@ -136,29 +136,29 @@ static bool all_zero(const double *x, size_t n)
 }
 
 /* X := X T, its independent columns.  Stiffness and damping have dependent columns that are zero. */
-static void times_T(const struct component *c, double *X, size_t nt)
+static void times_T(const struct part *c, double *X, size_t nt)
 {
     for (int r = 0; r < c->nr; r++) {
-        const double *from = X + nt * (size_t)c->k[c->dep[r]];
+        const double *from = X + nt * (size_t)c->of->k[c->dep[r]];
         if (all_zero(from, nt)) continue;
         for (int j = 0; j < c->ni; j++) {
             const double g = c->G[r + (size_t)j * (size_t)c->nr];
-            if (g != 0) add_times(X + nt * (size_t)c->k[c->ind[j]], g, from, nt);
+            if (g != 0) add_times(X + nt * (size_t)c->of->k[c->ind[j]], g, from, nt);
         }
     }
 }
 
 /* z [nt] := T' z, its independent numbers. */
-static void through_T(struct component *c, double *z)
+static void through_T(struct part *c, double *z)
 {
     const int nr = c->nr;
-    for (int r = 0; r < nr; r++) c->x[r] = z[c->k[c->dep[r]]];
+    for (int r = 0; r < nr; r++) c->x[r] = z[c->of->k[c->dep[r]]];
     if (all_zero(c->x, (size_t)nr)) return;
     for (int j = 0; j < c->ni; j++) {
         const double *g = c->G + (size_t)j * (size_t)nr;
-        double sum = z[c->k[c->ind[j]]];
+        double sum = z[c->of->k[c->ind[j]]];
         for (int r = 0; r < nr; r++) sum += g[r] * c->x[r];
-        z[c->k[c->ind[j]]] = sum;
+        z[c->of->k[c->ind[j]]] = sum;
     }
 }
 
@@ -170,10 +170,10 @@ static void congruence(struct condense *o, double *Y, double *X)
         memset(Y, 0, sizeof *Y * n * n);
         return;
     }
-    for (int i = 0; i < o->ncomponent; i++) times_T(&o->component[i], X, nt);
+    for (int i = 0; i < o->npart; i++) times_T(&o->part[i], X, nt);
     for (size_t j = 0; j < n; j++) {
         double *z = X + nt * (size_t)o->ind[j];
-        for (int i = 0; i < o->ncomponent; i++) through_T(&o->component[i], z);
+        for (int i = 0; i < o->npart; i++) through_T(&o->part[i], z);
         for (size_t i = 0; i < n; i++) Y[i + n * j] = z[o->ind[i]];
     }
 }
@@ -181,7 +181,7 @@ static void congruence(struct condense *o, double *Y, double *X)
 static enum status prepare_T(struct condense *o, const double *q, double t, struct trouble *why)
 {
     TRY(condense_factor(o, q, t, why));
-    for (int i = 0; i < o->ncomponent; i++) component_G(&o->component[i], o->component[i].G);
+    for (int i = 0; i < o->npart; i++) component_G(&o->part[i], o->part[i].G);
     return OK;
 }
 
@@ -213,13 +213,13 @@ void condense_momentum(struct condense *o, double *y, const double *x, unsigned 
 /* x [nt] := column i of T */
 static void column_of_T(const struct condense *o, double *x, int i)
 {
-    const int place = o->ind[i], owner = o->owner[place];
+    const int place = o->ind[i], owner = o->rows.owner[place];
     memset(x, 0, sizeof *x * (size_t)o->nt);
     x[place] = 1;
     if (owner < 0) return;
-    const struct component *c = &o->component[owner];
-    const double *g = c->G + (size_t)(-1 - c->place[o->column[place]]) * (size_t)c->nr;
-    for (int r = 0; r < c->nr; r++) x[c->k[c->dep[r]]] = g[r];
+    const struct part *c = &o->part[owner];
+    const double *g = c->G + (size_t)(-1 - c->place[o->rows.column[place]]) * (size_t)c->nr;
+    for (int r = 0; r < c->nr; r++) x[c->of->k[c->dep[r]]] = g[r];
 }
 
 /* M^ e_i = T' (M T e_i): the forces that set the tree, at rest, going with T e_i, and gathered like any. */
@@ -249,9 +249,9 @@ static void reduce_row(void *self, double *y, const struct row *row)
             y[slot] += row->x[k];
             continue;
         }
-        const struct component *c = &o->component[o->owner[k]];
-        const double *g = c->G + c->place[o->column[k]];
-        for (int j = 0; j < c->ni; j++) y[o->slot[c->k[c->ind[j]]]] += row->x[k] * g[(size_t)j * (size_t)c->nr];
+        const struct part *c = &o->part[o->rows.owner[k]];
+        const double *g = c->G + c->place[o->rows.column[k]];
+        for (int j = 0; j < c->ni; j++) y[o->slot[c->of->k[c->ind[j]]]] += row->x[k] * g[(size_t)j * (size_t)c->nr];
     }
 }
 
@@ -329,8 +329,8 @@ static bool is_driven(const struct condense *o, const struct elastic_body *b)
         if (o->slot[b->model->mode_v[k]] < 0) return false;
     for (int k = 0; k < n; k++) {
         if (o->slot[path[k]] >= 0) return false;
-        const struct component *c = &o->component[o->owner[path[k]]];
-        const double *g = c->G + c->place[o->column[path[k]]];
+        const struct part *c = &o->part[o->rows.owner[path[k]]];
+        const double *g = c->G + c->place[o->rows.column[path[k]]];
         for (int j = 0; j < c->ni; j++)
             if (g[(size_t)j * (size_t)c->nr] != 0) return false;
     }

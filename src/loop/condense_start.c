@@ -37,13 +37,13 @@ static bool chosen_by_deck(const struct condense *o, int iv)
 }
 
 /* The deck's choice leaves C_qd singular: names a coordinate that must follow, and one that may lead. */
-static enum status refuse_choice(struct condense *o, struct component *c, int asked)
+static enum status refuse_choice(struct condense *o, struct part *c, int asked)
 {
     int instead = -1;
-    for (int k = 0; k < c->nk; k++) c->weight[k] = 1;
+    for (int k = 0; k < c->of->nk; k++) c->weight[k] = 1;
     component_choose(o, c);
     for (int j = 0; j < c->ni && instead < 0; j++)
-        if (!chosen_by_deck(o, c->k[c->ind[j]])) instead = c->k[c->ind[j]];
+        if (!chosen_by_deck(o, c->of->k[c->ind[j]])) instead = c->of->k[c->ind[j]];
     if (instead < 0)
         return fail(&o->start.report, E_MODEL,
                     "'%s' cannot be independent: the loops leave %d freedom(s), and these are chosen",
@@ -54,31 +54,31 @@ static enum status refuse_choice(struct condense *o, struct component *c, int as
 }
 
 /* The deck's coordinate that makes the split impossible or all but singular; -1: none. */
-static int to_blame(const struct condense *o, const struct component *c)
+static int to_blame(const struct condense *o, const struct part *c)
 {
     static const double SINGULAR = 1e-7;
     for (int r = 0; r < c->nr; r++)
-        if (chosen_by_deck(o, c->k[c->dep[r]])) return c->k[c->dep[r]];
+        if (chosen_by_deck(o, c->of->k[c->dep[r]])) return c->of->k[c->dep[r]];
     for (int j = 0; j < c->ni && c->chosen < SINGULAR; j++)
-        if (chosen_by_deck(o, c->k[c->ind[j]])) return c->k[c->ind[j]];
+        if (chosen_by_deck(o, c->of->k[c->ind[j]])) return c->of->k[c->ind[j]];
     return -1;
 }
 
 /* Ranks and splits at q, where the loops miss by so much. */
 static enum status split_all(struct condense *o, const double *q, double miss)
 {
-    condense_look(o, q);
+    rows_linearize(&o->rows, q);
     o->start.redundant = 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
         int urgent = 0;
         c->nr = component_rank(o, c, fmax(RANK, fmin(30 * miss, 1e-2)));
-        c->ni = c->nk - c->nr;
-        for (int k = 0; k < c->nk; k++) urgent += o->model->urgent[c->k[k]];
+        c->ni = c->of->nk - c->nr;
+        for (int k = 0; k < c->of->nk; k++) urgent += o->model->urgent[c->of->k[k]];
         c->nfast = urgent < c->ni ? urgent : c->ni;
-        for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->follow[c->k[k]];
+        for (int k = 0; k < c->of->nk; k++) c->weight[k] = o->model->follow[c->of->k[k]];
         c->chosen = component_choose(o, c);
-        o->start.redundant += c->nrow - c->nr;
+        o->start.redundant += c->of->nrow - c->nr;
         int asked = to_blame(o, c);
         if (asked >= 0) return refuse_choice(o, c, asked);
     }
@@ -100,10 +100,10 @@ static double scatter(unsigned i)
 static double dropped_miss(const struct condense *o, int *worst)
 {
     double most = 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int r = c->nr; r < c->nrow; r++) {
-            const int row = c->row[c->kept[r]];
+    for (int i = 0; i < o->npart; i++) {
+        const struct part *c = &o->part[i];
+        for (int r = c->nr; r < c->of->nrow; r++) {
+            const int row = c->of->row[c->kept[r]];
             if (fabs(o->C[row]) > most) most = fabs(o->C[row]), *worst = row;
         }
     }
@@ -121,15 +121,16 @@ static enum status look_for_branches(struct condense *o)
     for (unsigned trial = 0; trial < 3; trial++) {
         for (int i = 0; i < o->nt; i++) o->dx[i] = 0;
         for (int i = 0; i < o->ode.n; i++)
-            o->dx[o->ind[i]] = WAY * o->size[o->ind[i]] * scatter(trial * 1000u + (unsigned)i);
+            o->dx[o->ind[i]] = WAY * o->rows.size[o->ind[i]] * scatter(trial * 1000u + (unsigned)i);
         if (!condense_tangent(o, o->q)) return OK;
         condense_predict(o);
         if (!condense_close(o, o->qtry, o->q, 1)) continue;
-        condense_misfit(o, &row, o->qtry);
+        rows_misfit(o->C, &row, &o->rows, o->qtry);
         int away = 0;
-        for (int i = 0; i < o->ncomponent; i++) {
-            const struct component *c = &o->component[i];
-            for (int r = c->nr; r < c->nrow; r++) away += fabs(o->C[c->row[c->kept[r]]]) > MISS + 10 * o->start.misfit;
+        for (int i = 0; i < o->npart; i++) {
+            const struct part *c = &o->part[i];
+            for (int r = c->nr; r < c->of->nrow; r++)
+                away += fabs(o->C[c->of->row[c->kept[r]]]) > MISS + 10 * o->start.misfit;
         }
         if (away > lost) {
             lost = away;
@@ -137,7 +138,7 @@ static enum status look_for_branches(struct condense *o)
         }
     }
     if (lost == 0) return OK;
-    condense_misfit(o, &row, o->q);
+    rows_misfit(o->C, &row, &o->rows, o->q);
     return fail(
         &o->start.report, E_MODEL,
         "rank of C_q drops by %d in this posture, and constraint '%s' misses by %.3g of the mechanism's size a "
@@ -149,7 +150,7 @@ static enum status look_for_branches(struct condense *o)
 static enum status assemble(struct condense *o)
 {
     struct condense_start *s = &o->start;
-    double miss = s->misfit = condense_misfit(o, &s->misfit_row, o->q);
+    double miss = s->misfit = rows_misfit(o->C, &s->misfit_row, &o->rows, o->q);
     if (!(miss <= ASSEMBLY))
         return fail(&s->report, E_MODEL,
                     "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
@@ -165,7 +166,7 @@ static enum status assemble(struct condense *o)
             if (fabs(o->dx[i]) > s->moved) s->moved = fabs(o->dx[i]), s->moved_at = i;
         memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
         int row = 0;
-        miss = condense_misfit(o, &row, o->q);
+        miss = rows_misfit(o->C, &row, &o->rows, o->q);
         if (dropped_miss(o, &row) > fmax(1e-9, 3 * s->misfit))
             return fail(&s->report, E_MODEL, "constraint '%s' contradicts the others by %.3g of the mechanism's size",
                         row_name(o, row), miss);
@@ -181,7 +182,7 @@ static enum status go_to_start(struct condense *o, const double *q0)
     int row;
     o->loops->share = 1;
     loops_when(o->loops, o->model->t0);
-    if (condense_misfit(o, &row, q0) <= HOLDS) {
+    if (rows_misfit(o->C, &row, &o->rows, q0) <= HOLDS) {
         memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
         return OK;
     }
@@ -189,7 +190,7 @@ static enum status go_to_start(struct condense *o, const double *q0)
     double *way = o->way;
     memcpy(way, o->zero, sizeof *way * (size_t)o->nt);
     memset(o->zero, 0, sizeof *way * (size_t)o->nt);
-    for (int i = 0; i < o->ode.n; i++) most = fmax(most, fabs(way[o->ind[i]]) / o->size[o->ind[i]]);
+    for (int i = 0; i < o->ode.n; i++) most = fmax(most, fabs(way[o->ind[i]]) / o->rows.size[o->ind[i]]);
     for (int i = 0; i < o->loops->nrow; i++) most = fmax(most, fabs(o->loops->c[i] - o->loops->drawn[i]));
     if (most == 0) return OK;
     for (int k = 0; k < STEPS; k++) {
@@ -246,7 +247,7 @@ static void keep_elastic(struct condense *o)
     for (int i = 1; i < o->model->nbody; i++) {
         const struct model_body *b = &o->model->body[i];
         for (int k = 0; k < b->nmode && b->component >= 0; k++)
-            o->component[b->component].weight[o->column[b->mode_v[k]]] = o->model->follow[b->mode_v[k]];
+            o->part[b->component].weight[o->rows.column[b->mode_v[k]]] = o->model->follow[b->mode_v[k]];
     }
 }
 
@@ -255,10 +256,10 @@ static double dropped_rate(const struct condense *o, int *worst)
 {
     const struct loops *l = o->loops;
     double most = 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
-        for (int r = c->nr; r < c->nrow; r++) {
-            const int row = c->row[c->kept[r]], loop = l->row[row].loop;
+    for (int i = 0; i < o->npart; i++) {
+        const struct part *c = &o->part[i];
+        for (int r = c->nr; r < c->of->nrow; r++) {
+            const int row = c->of->row[c->kept[r]], loop = l->row[row].loop;
             double rate = -l->c1[row];
             for (int k = 0; k < l->nk[loop]; k++)
                 rate += l->Cq[loop][(row - l->first[loop]) * l->nk[loop] + k] * o->vt[l->k[loop][k]];
@@ -274,7 +275,7 @@ static enum status contradiction(struct condense *o)
     static const double DISAGREE = 1e-6; /* |C|, and |C'| per second */
     struct trouble why;
     int row = 0;
-    condense_misfit(o, &row, o->q);
+    rows_misfit(o->C, &row, &o->rows, o->q);
     double by = dropped_miss(o, &row), rate = 0;
     if (by <= DISAGREE) {
         condense_rates(o, o->vt, NULL, o->q, o->v, NULL, o->model->t0, &why);
@@ -299,7 +300,7 @@ static enum status draw_drives(struct condense *o)
         return fail(&o->start.report, E_MODEL, "drive '%s' or a rate of it is not a number at t = %.9g",
                     o->model->loop[why.index].name, o->model->t0);
     for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
-    condense_misfit(o, &row, o->q);
+    rows_misfit(o->C, &row, &o->rows, o->q);
     for (int i = 0; i < l->nrow; i++)
         if (l->row[i].type == ROW_DRIVE) l->drawn[i] = o->C[i];
     l->share = 0;
@@ -311,11 +312,11 @@ static enum status draw_drives(struct condense *o)
 static bool is_contested(const struct condense *o)
 {
     bool any = false;
-    for (int i = 0; i < o->ncomponent; i++) {
-        const struct component *c = &o->component[i];
+    for (int i = 0; i < o->npart; i++) {
+        const struct part *c = &o->part[i];
         bool led = false;
-        for (int r = 0; r < c->nrow; r++) led |= o->model->loop[o->loops->row[c->row[r]].loop].drive != NULL;
-        any |= led && c->nr < c->nrow;
+        for (int r = 0; r < c->of->nrow; r++) led |= o->model->loop[o->loops->row[c->of->row[r]].loop].drive != NULL;
+        any |= led && c->nr < c->of->nrow;
     }
     return any;
 }
@@ -326,7 +327,7 @@ static enum status place_start(struct condense *o, const double *q0, const doubl
     int row;
     TRY(assemble(o));
     TRY(go_to_start(o, q0));
-    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
+    TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
     return agrees(o, q0, v0);
 }
@@ -336,7 +337,7 @@ static enum status project_start(struct condense *o, const double *q0, const dou
 {
     int row;
     TRY(condense_assemble(o, o->way, q0, v0));
-    TRY(split_all(o, o->q, condense_misfit(o, &row, o->q)));
+    TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = o->way[o->ind[i]];
     return look_for_branches(o);
 }
@@ -350,9 +351,9 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
     if (is_contested(o)) TRY(contradiction(o));
     o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
-        for (int k = 0; k < c->nk; k++) c->weight[k] = o->model->urgent[c->k[k]] ? KEEP_FAST : 1;
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
+        for (int k = 0; k < c->of->nk; k++) c->weight[k] = o->model->urgent[c->of->k[k]] ? KEEP_FAST : 1;
         c->gain = component_gain(o, c);
     }
     keep_elastic(o);

@@ -10,15 +10,15 @@
 #include "loop/condense_parts.h"
 
 /* lambda with C_q' lambda = 0: what the dropped row r of c is made of, less the row itself. */
-static void null_vector(struct condense *o, struct component *c, int r, double *lambda)
+static void null_vector(struct condense *o, struct part *c, int r, double *lambda)
 {
     memset(lambda, 0, sizeof *lambda * (size_t)o->loops->nrow);
     memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
-    for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++)
-        if (c->place[c->at[e]] >= 0) c->x[c->place[c->at[e]]] = c->F[e];
+    for (int e = c->of->start[c->kept[r]]; e < c->of->start[c->kept[r] + 1]; e++)
+        if (c->place[c->of->at[e]] >= 0) c->x[c->place[c->of->at[e]]] = c->of->F[e];
     pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->ld);
-    for (int k = 0; k < c->nr; k++) lambda[c->row[c->kept[k]]] = c->x[k];
-    lambda[c->row[c->kept[r]]] = -1;
+    for (int k = 0; k < c->nr; k++) lambda[c->of->row[c->kept[k]]] = c->x[k];
+    lambda[c->of->row[c->kept[r]]] = -1;
 }
 
 static void joint_forces(struct condense *o, double (*f)[6], const double *lambda)
@@ -26,7 +26,7 @@ static void joint_forces(struct condense *o, double (*f)[6], const double *lambd
     memset(o->rt, 0, sizeof *o->rt * (size_t)o->nt);
     open_move(o->tree, o->q, o->zero);
     o->ops->forward(o->sweep, NULL, o->zero, NULL, ALL);
-    condense_see(o, o->q);
+    rows_place(&o->rows, o->q);
     if (lambda) loops_push(o->loops, o->sweep, lambda);
     o->ops->backward(o->sweep, o->rt, ALL);
     for (int i = 0; i < o->model->njoint; i++) o->ops->reaction(o->sweep, f[i], f[i] + 3, i);
@@ -56,9 +56,9 @@ void condense_mark(struct condense *o, bool *unique, bool *unique_joint)
     for (int i = 0; i < o->model->nloop; i++) unique[i] = true;
     for (int i = 0; i < o->model->njoint; i++) unique_joint[i] = true;
     if (condense_factor(o, o->q, 0, &why) != OK) return;
-    for (int i = 0; i < o->ncomponent; i++) {
-        struct component *c = &o->component[i];
-        for (int r = c->nr; r < c->nrow; r++) {
+    for (int i = 0; i < o->npart; i++) {
+        struct part *c = &o->part[i];
+        for (int r = c->nr; r < c->of->nrow; r++) {
             null_vector(o, c, r, o->C2);
             mark(o, unique, unique_joint, o->C2);
         }

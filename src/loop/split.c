@@ -14,36 +14,37 @@ static const double NOTHING = 1e-10; /* a pivot of round-off: C_q is scaled to n
 static const double LARGE = 3;       /* rate of a dependent coordinate per unit: time to look for a better split */
 
 /* Columns of displacements times the length: all numbers of C_q are then of like size. */
-static void whole_matrix(struct condense *o, struct component *c)
+static void whole_matrix(struct condense *o, struct part *c)
 {
-    memset(c->whole, 0, sizeof *c->whole * (size_t)c->nrow * (size_t)c->nk);
-    for (int r = 0; r < c->nrow; r++)
-        for (int e = c->start[r]; e < c->start[r + 1]; e++)
-            c->whole[r + (size_t)c->at[e] * (size_t)c->nrow] = c->F[e] * o->size[c->k[c->at[e]]];
+    memset(c->whole, 0, sizeof *c->whole * (size_t)c->of->nrow * (size_t)c->of->nk);
+    for (int r = 0; r < c->of->nrow; r++)
+        for (int e = c->of->start[r]; e < c->of->start[r + 1]; e++)
+            c->whole[r + (size_t)c->of->at[e] * (size_t)c->of->nrow] =
+                c->of->F[e] * o->rows.size[c->of->k[c->of->at[e]]];
 }
 
 /* Pivots of the component's C_q at the present posture; returns how many. */
-static int find_pivots(struct condense *o, struct component *c, const double *weight, int most, double least)
+static int find_pivots(struct condense *o, struct part *c, const double *weight, int most, double least)
 {
     int n;
     if (c->whole) {
         whole_matrix(o, c);
-        n = pivot_lu(c->whole, c->prow, c->pcol, c->nrow, c->nk, c->nrow, weight, most, least);
-        for (int k = 0; k < n; k++) c->pivot[k] = c->whole[(size_t)k * (size_t)(c->nrow + 1)];
+        n = pivot_lu(c->whole, c->prow, c->pcol, c->of->nrow, c->of->nk, c->of->nrow, weight, most, least);
+        for (int k = 0; k < n; k++) c->pivot[k] = c->whole[(size_t)k * (size_t)(c->of->nrow + 1)];
         return n;
     }
     const struct arena_mark mark = arena_mark(o->scratch);
-    double *value = TAKE(o->scratch, double, c->start[c->nrow]);
-    for (int e = 0; e < c->start[c->nrow]; e++) value[e] = c->F[e] * o->size[c->k[c->at[e]]];
-    n = sparse_pivot(c->prow, c->pcol, c->pivot, c->start, c->at, value, c->nrow, c->nk, weight, most, least,
-                     o->scratch);
+    double *value = TAKE(o->scratch, double, c->of->start[c->of->nrow]);
+    for (int e = 0; e < c->of->start[c->of->nrow]; e++) value[e] = c->of->F[e] * o->rows.size[c->of->k[c->of->at[e]]];
+    n = sparse_pivot(c->prow, c->pcol, c->pivot, c->of->start, c->of->at, value, c->of->nrow, c->of->nk, weight, most,
+                     least, o->scratch);
     arena_rewind(o->scratch, mark);
     return n;
 }
 
-int component_rank(struct condense *o, struct component *c, double least)
+int component_rank(struct condense *o, struct part *c, double least)
 {
-    int rank = find_pivots(o, c, NULL, c->nrow, least);
+    int rank = find_pivots(o, c, NULL, c->of->nrow, least);
     while (rank > 0 && fabs(c->pivot[rank - 1]) < NOTHING) rank--;
     return rank;
 }
@@ -71,14 +72,14 @@ static double *room_for(struct condense *o, struct room *room, size_t size)
 }
 
 /* Where C_qd can have numbers, and room for it and for G. */
-static void find_band(struct condense *o, struct component *c)
+static void find_band(struct condense *o, struct part *c)
 {
     enum { WIDE = 16, FEW = 3 }; /* of a few rows all, for which pivot_rows() is quickest */
     int below = c->nr <= FEW ? c->nr - 1 : 0, above = below;
     if (c->nr == 0) return;
     for (int r = 0; r < c->nr; r++)
-        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
-            const int j = c->place[c->at[e]];
+        for (int e = c->of->start[c->kept[r]]; e < c->of->start[c->kept[r] + 1]; e++) {
+            const int j = c->place[c->of->at[e]];
             if (j < 0) continue;
             if (r - j > below) below = r - j;
             if (j - r > above) above = j - r;
@@ -96,62 +97,62 @@ static void find_band(struct condense *o, struct component *c)
 }
 
 /* Which numbers of C_q go where. */
-static void list_entries(struct component *c)
+static void list_entries(struct part *c)
 {
     const int offset = (int)(c->A - c->A_room.store);
     int n = 0;
     c->nof_dep = 0;
     for (int r = 0; r < c->nr; r++) {
         c->from[r] = n;
-        for (int e = c->start[c->kept[r]]; e < c->start[c->kept[r] + 1]; e++) {
-            const int j = c->place[c->at[e]];
+        for (int e = c->of->start[c->kept[r]]; e < c->of->start[c->kept[r] + 1]; e++) {
+            const int j = c->place[c->of->at[e]];
             if (j >= 0)
-                c->of_dep[c->nof_dep++] = (struct entry){e, c->k[c->at[e]], offset + r + j * c->ld, -1};
+                c->of_dep[c->nof_dep++] = (struct entry){e, c->of->k[c->of->at[e]], offset + r + j * c->ld, -1};
             else
-                c->of_ind[n++] = (struct entry){e, c->k[c->at[e]], -1 - j, -1};
+                c->of_ind[n++] = (struct entry){e, c->of->k[c->of->at[e]], -1 - j, -1};
         }
     }
     c->from[c->nr] = n;
 }
 
-static void find_places(struct component *c)
+static void find_places(struct part *c)
 {
     for (int j = 0; j < c->nr; j++) c->place[c->dep[j]] = j;
     for (int j = 0; j < c->ni; j++) c->place[c->ind[j]] = -1 - j;
 }
 
-static void find_leads(const struct condense *o, struct component *c)
+static void find_leads(const struct condense *o, struct part *c)
 {
     c->nlead = 0;
     for (int r = 0; r < c->nr; r++)
-        if (o->model->loop[o->loops->row[c->row[c->kept[r]]].loop].drive) c->lead[c->nlead++] = r;
+        if (o->model->loop[o->loops->row[c->of->row[c->kept[r]]].loop].drive) c->lead[c->nlead++] = r;
 }
 
 /* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent.  Rows and dependent
  * columns go from loop to loop, so that C_qd has its numbers near the diagonal. */
-static void take_split(struct condense *o, struct component *c)
+static void take_split(struct condense *o, struct part *c)
 {
-    memcpy(c->kept, c->prow, sizeof *c->kept * (size_t)c->nrow);
-    for (int k = 0; k < c->nk; k++) c->place[k] = -1;
+    memcpy(c->kept, c->prow, sizeof *c->kept * (size_t)c->of->nrow);
+    for (int k = 0; k < c->of->nk; k++) c->place[k] = -1;
     for (int r = 0; r < c->nr; r++) c->place[c->dep[r] = c->pcol[r]] = r;
     sort_by(c->kept, c->nr, c->row_order, o->work);
     sort_by(c->dep, c->nr, c->loop_of, o->work);
     int n = 0;
     for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; k < c->nk; k++)
-            if (c->place[k] < 0 && o->model->urgent[c->k[k]] == (pass == 0)) c->ind[n++] = k;
+        for (int k = 0; k < c->of->nk; k++)
+            if (c->place[k] < 0 && o->model->urgent[c->of->k[k]] == (pass == 0)) c->ind[n++] = k;
     find_places(c);
     find_band(o, c);
     list_entries(c);
     find_leads(o, c);
 }
 
-static double quality(struct condense *o, struct component *c)
+static double quality(struct condense *o, struct part *c)
 {
-    return component_factor(o, c, NULL) ? component_ratio(o, c) : 0;
+    return component_factor(c) ? component_ratio(o, c) : 0;
 }
 
-double component_choose(struct condense *o, struct component *c)
+double component_choose(struct condense *o, struct part *c)
 {
     o->factored = 0;
     find_pivots(o, c, c->weight, c->nr, 0);
@@ -159,7 +160,7 @@ double component_choose(struct condense *o, struct component *c)
     return quality(o, c);
 }
 
-static void number_entries(const struct condense *o, struct component *c)
+static void number_entries(const struct condense *o, struct part *c)
 {
     for (int i = 0; i < c->from[c->nr]; i++) c->of_ind[i].slot = o->slot[c->of_ind[i].k];
 }
@@ -172,17 +173,17 @@ void condense_number(struct condense *o)
     for (int i = 0; i < o->nt; i++) o->slot[i] = -1;
     for (int pass = 0; pass < 2; pass++) {
         for (int i = 0; i < o->nt; i++)
-            if (o->owner[i] < 0 && o->model->urgent[i] == (pass == 0)) o->ind[n++] = i;
-        for (int i = 0; i < o->ncomponent; i++) {
-            const struct component *c = &o->component[i];
+            if (o->rows.owner[i] < 0 && o->model->urgent[i] == (pass == 0)) o->ind[n++] = i;
+        for (int i = 0; i < o->npart; i++) {
+            const struct part *c = &o->part[i];
             for (int j = pass == 0 ? 0 : c->nfast; j < (pass == 0 ? c->nfast : c->ni); j++)
-                o->ind[n++] = c->k[c->ind[j]];
+                o->ind[n++] = c->of->k[c->ind[j]];
         }
         if (pass == 0) o->ode.ns = n;
     }
     o->ode.n = n;
     for (int i = 0; i < n; i++) o->slot[o->ind[i]] = i;
-    for (int i = 0; i < o->ncomponent; i++) number_entries(o, &o->component[i]);
+    for (int i = 0; i < o->npart; i++) number_entries(o, &o->part[i]);
     for (int i = 0; i < o->moves->nturn; i++) {
         o->bound[i] = false;
         for (int k = 0; k < 3; k++) o->bound[i] |= o->slot[o->moves->turn[i].iv[k]] < 0;
@@ -190,19 +191,19 @@ void condense_number(struct condense *o)
     o->tangent = 0;
 }
 
-static void keep_split(int *to, const struct component *c)
+static void keep_split(int *to, const struct part *c)
 {
-    memcpy(to, c->kept, sizeof *to * (size_t)c->nrow);
-    memcpy(to + c->nrow, c->dep, sizeof *to * (size_t)c->nr);
-    memcpy(to + c->nrow + c->nr, c->ind, sizeof *to * (size_t)c->ni);
+    memcpy(to, c->kept, sizeof *to * (size_t)c->of->nrow);
+    memcpy(to + c->of->nrow, c->dep, sizeof *to * (size_t)c->nr);
+    memcpy(to + c->of->nrow + c->nr, c->ind, sizeof *to * (size_t)c->ni);
 }
 
-static void put_back(struct condense *o, struct component *c, const int *from)
+static void put_back(struct condense *o, struct part *c, const int *from)
 {
     o->factored = 0;
-    memcpy(c->kept, from, sizeof *from * (size_t)c->nrow);
-    memcpy(c->dep, from + c->nrow, sizeof *from * (size_t)c->nr);
-    memcpy(c->ind, from + c->nrow + c->nr, sizeof *from * (size_t)c->ni);
+    memcpy(c->kept, from, sizeof *from * (size_t)c->of->nrow);
+    memcpy(c->dep, from + c->of->nrow, sizeof *from * (size_t)c->nr);
+    memcpy(c->ind, from + c->of->nrow + c->nr, sizeof *from * (size_t)c->ni);
     find_places(c);
     find_band(o, c);
     list_entries(c);
@@ -211,7 +212,7 @@ static void put_back(struct condense *o, struct component *c, const int *from)
 
 /* Have dependent coordinates come to run away from the independent ones?  Where all splits are singular alike, as in a
  * flat posture, the rates stay moderate. */
-static bool runs_away(const struct condense *o, struct component *c)
+static bool runs_away(const struct condense *o, struct part *c)
 {
     const double now = component_gain_at_base(o, c);
     c->gain = fmin(c->gain, now);
@@ -219,7 +220,7 @@ static bool runs_away(const struct condense *o, struct component *c)
 }
 
 /* A new split, if there is a better one.  The base is lost, and found again by the next tangent. */
-static int improve(struct condense *o, struct component *c)
+static int improve(struct condense *o, struct part *c)
 {
     const double now = component_gain_at_base(o, c);
     keep_split(o->split, c);
@@ -241,12 +242,12 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (!condense_tangent(o, q)) return 0;
-    for (int i = 0; i < o->ncomponent; i++) wanted += o->component[i].away = runs_away(o, &o->component[i]);
+    for (int i = 0; i < o->npart; i++) wanted += o->part[i].away = runs_away(o, &o->part[i]);
     if (!wanted) return 0;
     o->tangent = 0;
     if (condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
-    for (int i = 0; i < o->ncomponent; i++)
-        if (o->component[i].away) changed |= improve(o, &o->component[i]);
+    for (int i = 0; i < o->npart; i++)
+        if (o->part[i].away) changed |= improve(o, &o->part[i]);
     if (!changed) return 0;
     condense_number(o);
     o->charts++;

@@ -11,12 +11,12 @@
 #include "la/pivot.h"
 #include "loop/condense_parts.h"
 
-static double exact(const struct condense *o, const struct component *c, const double *G)
+static double exact(const struct condense *o, const struct part *c, const double *G)
 {
     double most = 0;
-    for (int r = 0; r < c->nr; r++) c->x[r] = o->per[c->k[c->dep[r]]];
+    for (int r = 0; r < c->nr; r++) c->x[r] = o->rows.per[c->of->k[c->dep[r]]];
     for (int j = 0; j < c->ni; j++, G += c->nr) {
-        const double size = o->size[c->k[c->ind[j]]];
+        const double size = o->rows.size[c->of->k[c->ind[j]]];
         for (int r = 0; r < c->nr; r++) {
             const double g = fabs(G[r]) * size * c->x[r];
             if (g > most) most = g;
@@ -25,7 +25,7 @@ static double exact(const struct condense *o, const struct component *c, const d
     return most;
 }
 
-void component_times_G(const struct component *c, const struct solved *at, double *y, const double *x)
+void component_times_G(const struct part *c, const struct solved *at, double *y, const double *x)
 {
     memset(y, 0, sizeof *y * (size_t)c->nr);
     for (int r = 0; r < c->nr; r++)
@@ -34,7 +34,7 @@ void component_times_G(const struct component *c, const struct solved *at, doubl
 }
 
 /* z [ni] := row r of G; y [nr] work */
-static void row_of_G(const struct component *c, const struct solved *at, double *z, double *y, int row)
+static void row_of_G(const struct part *c, const struct solved *at, double *z, double *y, int row)
 {
     memset(y, 0, sizeof *y * (size_t)c->nr);
     memset(z, 0, sizeof *z * (size_t)c->ni);
@@ -45,30 +45,30 @@ static void row_of_G(const struct component *c, const struct solved *at, double 
 }
 
 /* The largest of x [n], each times or by its size; k: where it is. */
-static double largest(const struct condense *o, const struct component *c, const double *x, const int *of, int n,
-                      bool times, int *k)
+static double largest(const struct condense *o, const struct part *c, const double *x, const int *of, int n, bool times,
+                      int *k)
 {
     double most = 0;
     for (int i = 0; i < n; i++) {
-        const double size = o->size[c->k[of[i]]], g = fabs(x[i]) * (times ? size : 1 / size);
+        const double size = o->rows.size[c->of->k[of[i]]], g = fabs(x[i]) * (times ? size : 1 / size);
         if (g > most) most = g, *k = i;
     }
     return most;
 }
 
 /* From row `row` on. */
-static double climb(const struct condense *o, const struct component *c, const struct solved *at, double *x, int row)
+static double climb(const struct condense *o, const struct part *c, const struct solved *at, double *x, int row)
 {
     enum { MOST = 4 };
     double most = 0;
     for (int i = 0; i < MOST; i++) {
         int column = 0;
         row_of_G(c, at, x, c->x, row);
-        const double there = largest(o, c, x, c->ind, c->ni, true, &column) / o->size[c->k[c->dep[row]]];
+        const double there = largest(o, c, x, c->ind, c->ni, true, &column) / o->rows.size[c->of->k[c->dep[row]]];
         if (!(there > most)) break;
         most = there;
         memset(x, 0, sizeof *x * (size_t)c->ni);
-        x[column] = o->size[c->k[c->ind[column]]];
+        x[column] = o->rows.size[c->of->k[c->ind[column]]];
         component_times_G(c, at, c->x, x);
         const double down = largest(o, c, c->x, c->dep, c->nr, false, &row);
         if (!(down > most)) break;
@@ -77,14 +77,14 @@ static double climb(const struct condense *o, const struct component *c, const s
     return most;
 }
 
-static double estimate(const struct condense *o, const struct component *c, const struct solved *at)
+static double estimate(const struct condense *o, const struct part *c, const struct solved *at)
 {
     double *x = c->probe, most = 0;
     for (unsigned trial = 0; trial < 2; trial++) {
         int row = 0;
         for (int j = 0; j < c->ni; j++) {
             const unsigned sign = ((unsigned)j + 1000 * trial) * 2654435761u >> 16;
-            x[j] = (sign & 1 ? 1 : -1) * o->size[c->k[c->ind[j]]];
+            x[j] = (sign & 1 ? 1 : -1) * o->rows.size[c->of->k[c->ind[j]]];
         }
         component_times_G(c, at, c->x, x);
         largest(o, c, c->x, c->dep, c->nr, false, &row);
@@ -93,14 +93,14 @@ static double estimate(const struct condense *o, const struct component *c, cons
     return most;
 }
 
-double component_gain(const struct condense *o, const struct component *c)
+double component_gain(const struct condense *o, const struct part *c)
 {
-    if (c->wide) return estimate(o, c, &(struct solved){c->A, c->F, c->prow});
+    if (c->wide) return estimate(o, c, &(struct solved){c->A, c->of->F, c->prow});
     component_G(c, c->G);
     return exact(o, c, c->G);
 }
 
-double component_gain_at_base(const struct condense *o, const struct component *c)
+double component_gain_at_base(const struct condense *o, const struct part *c)
 {
     return c->wide ? estimate(o, c, &c->base) : exact(o, c, c->G0);
 }
