@@ -127,7 +127,7 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study airscrew hard reduce
+	@$(RUN) unit decks bad faults man order study airscrew hard validation reduce
 
 ## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(BENCHES)
@@ -147,6 +147,10 @@ unit: $(UNITS)
 ## reduce        fmdsub-reduce
 decks bad faults man-examples order study airscrew hard reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
+
+## validation    published figures of ADAMS and Dymola beside ours, a table
+validation: $(PROGRAM)
+	@BUILD=$(BUILD) sh tests/validation/table.sh
 
 ## order-tight   orders down to 1e-8 instead of 1e-6: minutes
 order-tight: $(PROGRAM) $(TOOLS)
@@ -255,5 +259,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man \
+.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation \
         help deps deps-test demo tools tests-built install uninstall clean
