@@ -127,7 +127,7 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study airscrew hard validation reduce
+	@$(RUN) unit decks bad faults man order study airscrew hard validation users reduce
 
 ## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(BENCHES)
@@ -144,8 +144,9 @@ unit: $(UNITS)
 ## study         what the study finds
 ## airscrew      the numbers of decks/airscrew/README
 ## hard          cases that break simulators
+## users         scenes as users bring them, each with numbers checked by hand
 ## reduce        fmdsub-reduce
-decks bad faults man-examples order study airscrew hard reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
+decks bad faults man-examples order study airscrew hard users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 ## validation    published figures of ADAMS and Dymola beside ours, a table
@@ -259,5 +260,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation \
+.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

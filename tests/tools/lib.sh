@@ -1,7 +1,7 @@
 # lib.sh -- what every part of the tests sources.
 #
-# A part prints one line per test: `ok NAME`, `not ok NAME` with its reason indented below, or
-# `skip NAME: why`.  tests/run counts them.  Needs only sh, awk, sed and coreutils.
+# A part prints one line per test: `ok NAME`, `not ok NAME` with its reason indented below, `known NAME: DEFECT` for a failure
+# that is on a list of known ones, or `skip NAME: why`.  tests/run counts them.  Needs only sh, awk, sed and coreutils.
 set -u
 BUILD=${BUILD:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
@@ -18,6 +18,7 @@ trap 'exit 130' INT TERM
 
 ok() { echo "ok $1"; }
 skip() { echo "skip $1: $2"; }
+known() { echo "known $1: $2"; }
 
 # not_ok NAME REASON [FILE...]: the files are shown, indented.
 not_ok() {

@@ -14,7 +14,7 @@ trap 'exit 130' INT TERM
     for deck in "$here"/*.yaml; do
         "$FMDSUB" run -q "$@" "$deck" >"$run" 2>"$run.err" || { echo "$deck: exit status $?"; cat "$run.err"; } >&2
         [ -s "$run" ] || echo t >"$run"
-        awk -f "$here/figures.awk" "$deck" "$run"
+        awk -f "tests/tools/figures.awk" "$deck" "$run"
     done
 } | awk '
     { print }
