@@ -4,9 +4,9 @@
 #
 # D: only decks whose names contain one of its words.
 #
-# Each deck is run under every scheme that the reference lists, with all columns and the steps cut to what a short run
-# takes; schemes of two rates once more at another ratio, with the last joint fast where the deck names none.  Only times
-# are left out.  Prints a line for each difference; the last line is `N passed, N failed`.
+# Each deck is run under every scheme that the reference lists, with all columns that it knows and the steps cut to what
+# a short run takes; schemes of two rates once more at another ratio, with the last joint fast where the deck names
+# none.  Only times and the number of columns there are are left out.  Prints a line for each difference; the last line is `N passed, N failed`.
 . tests/tools/lib.sh
 STEPS=${STEPS:-600} # most minor steps of a run, fewer for more than 20 freedoms; where stiffness sets the effort, radians
 
@@ -22,8 +22,10 @@ try() { # TRY ARGUMENTS...
     echo "== $name: $1"
     shift
     rm -f "$at/state"
-    timeout 60 "$who" "$@" </dev/null 2>"$at/err"
-    echo "-- exit $?"
+    timeout 60 "$who" "$@" </dev/null >"$at/out" 2>"$at/err"
+    code=$?
+    sed 's/ columns of [0-9]*, / columns, /' "$at/out"
+    echo "-- exit $code"
     sed 's/; [0-9.e+-]* s$/; (time)/' "$at/err"
     [ ! -f "$at/state" ] || { echo "-- state"; cat "$at/state"; }
 }
@@ -33,7 +35,7 @@ run() { # TRY SETTINGS...
     shift
     for setting in "$@"; do set -- "$@" --set "$setting"; shift; done
     case $* in *tolerance*|*fixed-point*) end=$brief ;; *) end=$until ;; esac
-    try "$what" run --columns '*' --every-steps $every --until $end --final-state "$at/state" "$@" "$deck"
+    try "$what" run --columns "${columns:-*}" --every-steps $every --until $end --final-state "$at/state" "$@" "$deck"
 }
 
 # What the reference finds in a deck, as shell variables: the end of a cut run, steps, the last joint.
@@ -181,6 +183,9 @@ half() { # 0 or 1
         if [ "$deck" = - ]; then compare transcript_of_none; continue; fi
         plan=$(plan)
         eval "$plan"
+        columns=
+        [ -z "$plan" ] || columns=$("$reference" run -q --columns '*' --until $h "$deck" 2>/dev/null | head -n 1)
+        columns=${columns#t,}
         compare transcript
     done >"$at/found"
 }
