@@ -184,7 +184,7 @@ half() { # 0 or 1
         plan=$(plan)
         eval "$plan"
         columns=
-        [ -z "$plan" ] || columns=$("$reference" run -q --columns '*' --until $h "$deck" 2>/dev/null | head -n 1)
+        [ -z "$plan" ] || columns=$("$reference" run -q --columns '*' --every-steps $every --until $until "$deck" 2>/dev/null | head -n 1)
         columns=${columns#t,}
         compare transcript
     done >"$at/found"
