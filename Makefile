@@ -241,7 +241,7 @@ install: $(PROGRAM) $(FOUND)
 	install -m 755 $(PROGRAM) $(FOUND) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(EXAMPLES) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks
 	install -m 644 $(AIRSCREW) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks/airscrew
-	install -m 644 README.md LICENSE $(DESTDIR)$(PREFIX)/share/doc/fmdsub
+	install -m 644 README.md LICENSE man/CHANGELOG $(DESTDIR)$(PREFIX)/share/doc/fmdsub
 	for page in $(PAGES); do s=$${page##*.}; d=$(DESTDIR)$(PREFIX)/share/man/man$$s; \
 	    install -d $$d && install -m 644 $$page $$d || exit 1; done
 
