@@ -41,7 +41,7 @@ static void print_bodies(FILE *to, const struct model *m, int count)
         const struct model_joint *j = &m->joint[b->joint];
         if (b->at_node) continue;
         fprintf(to, "  %-16s %8.4g kg, %s, on %s by %s (%s, %d freedom%s)\n", b->name, b->mass,
-                b->fast ? "fast" : "slow", check_parent(m, i), j->name, joint_kind(j->type, m->space == 3)->name, j->nv,
+                b->fast ? "fast" : "slow", check_parent(m, i), j->name, model_kind(m, j->type)->name, j->nv,
                 j->nv == 1 ? "" : "s");
         if (b->flex) print_elastic(to, m, i);
     }

@@ -30,7 +30,7 @@ static cJSON *bodies(const struct model *m)
         facts_add(o, "class", rate_class(b->fast));
         cJSON_AddStringToObject(o, "on", check_parent(m, i));
         cJSON_AddStringToObject(o, "joint", j->name);
-        cJSON_AddStringToObject(o, "kind", joint_kind(j->type, m->space == 3)->name);
+        cJSON_AddStringToObject(o, "kind", model_kind(m, j->type)->name);
         facts_add(o, "freedoms", facts_number(j->nv));
         if (b->flex) add_elastic(o, b);
         cJSON_AddItemToArray(list, o);

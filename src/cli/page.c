@@ -118,22 +118,24 @@ static enum status print_keys(FILE *to, const char *path, struct report *report)
 /* ---- coordinates of joints ---- */
 
 /* "x, y, z [m], qw, qx, qy, qz [1]": names, and the unit after the last one it belongs to. */
-static void put_names(FILE *to, const char *const *name, const char *const *unit, int n)
+static void put_names(FILE *to, const struct joint_kind *j, int order)
 {
+    const int n = joint_size(j, order);
     for (int i = 0; i < n; i++) {
-        fprintf(to, "%s%s", i ? ", " : "", name[i]);
-        if (i + 1 == n || strcmp(unit[i], unit[i + 1]) != 0) fprintf(to, " [%s]", unit[i]);
+        const char *unit = joint_unit(j, order, i);
+        fprintf(to, "%s%s", i ? ", " : "", joint_name(j, order, i));
+        if (i + 1 == n || strcmp(unit, joint_unit(j, order, i + 1)) != 0) fprintf(to, " [%s]", unit);
     }
 }
 
-static void print_coordinate(FILE *to, const struct joint_kind *j, int space, const char *where)
+static void print_coordinate(FILE *to, const struct joint_kind *j, const char *where)
 {
     fprintf(to, ".It %s%s\n", j->name, where);
-    put_names(to, j->q, j->qunit, j->nq[space]);
+    put_names(to, j, 0);
     fputs(";\nrates ", to);
-    put_names(to, j->v, j->vunit, j->nv[space]);
+    put_names(to, j, 1);
     fputs(";\naccelerations ", to);
-    put_names(to, j->a, j->aunit, j->nv[space]);
+    put_names(to, j, 2);
     fputs("\n", to);
 }
 
@@ -143,10 +145,10 @@ static void print_coordinates(FILE *to)
     for (int i = 0; joint_kind_at(i); i++) {
         const enum joint_type type = joint_kind_at(i)->type;
         const struct joint_kind *plane = joint_kind(type, 0), *space = joint_kind(type, 1);
-        bool two = plane && plane->nq[0] != space->nq[1];
-        if (space->nq[1] == 0) continue;
-        if (two) print_coordinate(to, plane, 0, ", 2-D");
-        print_coordinate(to, space, 1, two ? ", 3-D" : "");
+        bool two = plane && joint_size(plane, 0) != joint_size(space, 0);
+        if (joint_size(space, 0) == 0) continue;
+        if (two) print_coordinate(to, plane, ", 2-D");
+        print_coordinate(to, space, two ? ", 3-D" : "");
     }
     fputs(".El\n", to);
 }

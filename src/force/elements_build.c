@@ -9,17 +9,13 @@ static bool is_plain(const struct model *m, const struct model_force *f)
            m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->linear(f->par);
 }
 
-/* Is v[k] a rotation?  Rotations come after displacements, but for a cylindrical joint's. */
+/* Is v[k] a rotation? */
 static bool *rotations(const struct model *m, struct arena *life)
 {
     bool *turns = TAKE(life, bool, m->n);
     for (int i = 0; i < m->njoint; i++) {
         const struct model_joint *j = &m->joint[i];
-        int slides = j->type == JOINT_PRISMATIC ? 1
-                     : j->type == JOINT_PLANAR  ? 2
-                     : j->type == JOINT_FREE    ? m->space
-                                                : 0;
-        for (int k = 0; k < j->nv; k++) turns[j->iv[k]] = j->type == JOINT_CYLINDRICAL ? k == 0 : k >= slides;
+        for (int k = 0; k < j->nv; k++) turns[j->iv[k]] = model_kind(m, j->type)->freedom[k].turns;
     }
     return turns;
 }

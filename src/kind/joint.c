@@ -1,4 +1,4 @@
-/* joint.c -- the table of joints: words, keys, names and units of their coordinates; see joint.h */
+/* joint.c -- the table of joints: words, keys, freedoms; and what follows from these; see joint.h */
 #include "kind/joint.h"
 
 #include <math.h>
@@ -38,171 +38,111 @@ static const struct key keys_planar[] = {AT_CENTRE, AXIS(KEY_REQUIRED | KEY_SPAT
                                          KEYS_END};
 static const struct key keys_free[] = {AT_CENTRE, LOOP, KEYS_END};
 static const struct key keys_distance[] = {
-    PARAM_REAL(struct joint_keys, length, "length", "m", 0, INFINITY, KEY_ABOVE, NULL,
+    PARAM_REAL(struct joint_keys, number, "length", "m", 0, INFINITY, KEY_ABOVE, NULL,
                "distance of the two points; default: as drawn, from which it may differ a little only"),
     KEYS_END};
 static const struct key keys_line[] = {
     AT(KEY_REQUIRED, "the point of the second body, which stands on the line when drawn"),
     AXIS(KEY_REQUIRED, "direction of the line, fixed in the first body"), FRAME, KEYS_END};
-static const struct key keys_gear[] = {PARAM_REAL(struct joint_keys, ratio, "ratio", NULL, -INFINITY, INFINITY,
+static const struct key keys_gear[] = {PARAM_REAL(struct joint_keys, number, "ratio", NULL, -INFINITY, INFINITY,
                                                   KEY_REQUIRED, NULL,
                                                   "second coordinate per first, both 0 when drawn; negative: they run "
                                                   "against each other; not 0"),
                                        KEYS_END};
 static const struct key keys_rack[] = {
-    PARAM_REAL(struct joint_keys, radius, "radius", "m", -INFINITY, INFINITY, KEY_REQUIRED, NULL,
+    PARAM_REAL(struct joint_keys, number, "radius", "m", -INFINITY, INFINITY, KEY_REQUIRED, NULL,
                "displacement per radian, both 0 when drawn; negative: the other way; "
                "not 0"),
     KEYS_END};
 
-/* Names of positions; rates and accelerations are named after them, of quaternions after omega. */
-static const char *const q_angle[] = {"angle"};
-static const char *const v_angle[] = {"angle_rate"};
-static const char *const a_angle[] = {"angle_accel"};
-static const char *const q_slide[] = {"displacement"};
-static const char *const v_slide[] = {"displacement_rate"};
-static const char *const a_slide[] = {"displacement_accel"};
-static const char *const q_screw[] = {"angle", "displacement"};
-static const char *const v_screw[] = {"angle_rate", "displacement_rate"};
-static const char *const a_screw[] = {"angle_accel", "displacement_accel"};
-static const char *const q_cross[] = {"angle1", "angle2"};
-static const char *const v_cross[] = {"angle1_rate", "angle2_rate"};
-static const char *const a_cross[] = {"angle1_accel", "angle2_accel"};
-static const char *const q_plane[] = {"x", "y", "angle"};
-static const char *const v_plane[] = {"x_rate", "y_rate", "angle_rate"};
-static const char *const a_plane[] = {"x_accel", "y_accel", "angle_accel"};
-static const char *const q_free[] = {"x", "y", "z", "qw", "qx", "qy", "qz"};
-static const char *const v_free[] = {"x_rate", "y_rate", "z_rate", "omega_x", "omega_y", "omega_z"};
-static const char *const a_free[] = {"x_accel", "y_accel", "z_accel", "omega_x_rate", "omega_y_rate", "omega_z_rate"};
+/* ---- the table ---- */
 
-/* Units: m of displacements, rad of angles; a spherical joint's tables are the tails of the free joint's. */
-static const char *const u_rad[] = {"rad", "rad"};
-static const char *const u_rad_s[] = {"rad/s", "rad/s"};
-static const char *const u_rad_s2[] = {"rad/s2", "rad/s2"};
-static const char *const u_screw[] = {"rad", "m"};
-static const char *const u_screw_s[] = {"rad/s", "m/s"};
-static const char *const u_screw_s2[] = {"rad/s2", "m/s2"};
-static const char *const u_plane[] = {"m", "m", "rad"};
-static const char *const u_plane_s[] = {"m/s", "m/s", "rad/s"};
-static const char *const u_plane_s2[] = {"m/s2", "m/s2", "rad/s2"};
-static const char *const u_free[] = {"m", "m", "m", "1", "1", "1", "1"};
-static const char *const u_free_s[] = {"m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"};
-static const char *const u_free_s2[] = {"m/s2", "m/s2", "m/s2", "rad/s2", "rad/s2", "rad/s2"};
+#define NAMES(word) .q = word, .v = word "_rate", .a = word "_accel"
+#define TURN(axis_, word) .axis = axis_, .turns = true, NAMES(word)
+#define SLIDE(axis_, word) .axis = axis_, .slides = true, NAMES(word)
+#define BALL(axis_, x)                                                                                                 \
+    .axis = axis_, .turns = true, .second = true, .ball = true, .q = "q" x, .v = "omega_" x, .a = "omega_" x "_rate"
 
+enum { X, Y, Z };
+
+/* Two have fewer freedoms in the plane. */
+#define FREE .type = JOINT_FREE, .name = "free", .brief = "any motion", .keys = keys_free
+#define LINE                                                                                                           \
+    .type = JOINT_POINT_ON_LINE, .name = "point-on-line",                                                              \
+    .brief = "a point of the second body stays on a line of the first: a pin in a straight slot", .keys = keys_line,   \
+    .tie = TIE_BODIES
 static const struct joint_kind joints[JOINT_WORDS] = {
-    {JOINT_FIXED,
-     "fixed",
-     "holds two bodies together",
-     keys_fixed,
-     {0, 0},
-     {0, 0},
-     q_angle,
-     u_rad,
-     v_angle,
-     u_rad_s,
-     a_angle,
-     u_rad_s2},
-    {JOINT_REVOLUTE,
-     "revolute",
-     "rotation about one axis",
-     keys_revolute,
-     {1, 1},
-     {1, 1},
-     q_angle,
-     u_rad,
-     v_angle,
-     u_rad_s,
-     a_angle,
-     u_rad_s2},
-    {JOINT_PRISMATIC,
-     "prismatic",
-     "displacement along one axis",
-     keys_prismatic,
-     {1, 1},
-     {1, 1},
-     q_slide,
-     u_plane,
-     v_slide,
-     u_plane_s,
-     a_slide,
-     u_plane_s2},
-    {JOINT_CYLINDRICAL,
-     "cylindrical",
-     "rotation about and displacement along one axis",
-     keys_cylindrical,
-     {-1, 2},
-     {-1, 2},
-     q_screw,
-     u_screw,
-     v_screw,
-     u_screw_s,
-     a_screw,
-     u_screw_s2},
-    {JOINT_UNIVERSAL,
-     "universal",
-     "rotation about two crossing axes at right angles",
-     keys_universal,
-     {-1, 2},
-     {-1, 2},
-     q_cross,
-     u_rad,
-     v_cross,
-     u_rad_s,
-     a_cross,
-     u_rad_s2},
-    {JOINT_SPHERICAL,
-     "spherical",
-     "rotation about a point",
-     keys_spherical,
-     {-1, 4},
-     {-1, 3},
-     q_free + 3,
-     u_free + 3,
-     v_free + 3,
-     u_free_s + 3,
-     a_free + 3,
-     u_free_s2 + 3},
-    {JOINT_PLANAR,
-     "planar",
-     "motion in a plane",
-     keys_planar,
-     {3, 3},
-     {3, 3},
-     q_plane,
-     u_plane,
-     v_plane,
-     u_plane_s,
-     a_plane,
-     u_plane_s2},
-    {JOINT_FREE, "free", "any motion", keys_free, {3, 7}, {3, 6}, q_free, u_free, v_free, u_free_s, a_free, u_free_s2},
+    {.type = JOINT_FIXED, .name = "fixed", .brief = "holds two bodies together", .keys = keys_fixed},
+    {.type = JOINT_REVOLUTE,
+     .name = "revolute",
+     .brief = "rotation about one axis",
+     .keys = keys_revolute,
+     .freedom = {{TURN(Z, "angle")}}},
+    {.type = JOINT_PRISMATIC,
+     .name = "prismatic",
+     .brief = "displacement along one axis",
+     .keys = keys_prismatic,
+     .freedom = {{SLIDE(Z, "displacement")}}},
+    {.type = JOINT_CYLINDRICAL,
+     .name = "cylindrical",
+     .brief = "rotation about and displacement along one axis",
+     .keys = keys_cylindrical,
+     .spatial = true,
+     .freedom = {{TURN(Z, "angle")}, {SLIDE(Z, "displacement")}}},
+    {.type = JOINT_UNIVERSAL,
+     .name = "universal",
+     .brief = "rotation about two crossing axes at right angles",
+     .keys = keys_universal,
+     .spatial = true,
+     .freedom = {{TURN(X, "angle1")}, {TURN(Y, "angle2"), .second = true}}},
+    {.type = JOINT_SPHERICAL,
+     .name = "spherical",
+     .brief = "rotation about a point",
+     .keys = keys_spherical,
+     .spatial = true,
+     .freedom = {{BALL(X, "x")}, {BALL(Y, "y")}, {BALL(Z, "z")}}},
+    {.type = JOINT_PLANAR,
+     .name = "planar",
+     .brief = "motion in a plane",
+     .keys = keys_planar,
+     .freedom = {{SLIDE(X, "x")}, {SLIDE(Y, "y")}, {TURN(Z, "angle")}}},
+    {FREE,
+     .freedom = {{SLIDE(X, "x")}, {SLIDE(Y, "y")}, {SLIDE(Z, "z")}, {BALL(X, "x")}, {BALL(Y, "y")}, {BALL(Z, "z")}}},
     {.type = JOINT_DISTANCE,
      .name = "distance",
      .brief = "a massless rod: two points, [point, point], keep their distance",
-     .keys = keys_distance},
-    {.type = JOINT_POINT_ON_LINE,
-     .name = "point-on-line",
-     .brief = "a point of the second body stays on a line of the first: a pin in a straight slot",
-     .keys = keys_line},
+     .keys = keys_distance,
+     .tie = TIE_POINTS},
+    {LINE, .freedom = {{SLIDE(Z, "")}, {BALL(X, "")}, {BALL(Y, "")}, {BALL(Z, "")}}},
     {.type = JOINT_GEAR,
      .name = "gear",
      .brief = "ties two coordinates, [first, second], both angles or both displacements: second = ratio * first; a "
               "joint with one coordinate can stand for it",
-     .keys = keys_gear},
+     .keys = keys_gear,
+     .tie = TIE_COORDINATES,
+     .end = {END_LIKE_OTHER, END_LIKE_OTHER},
+     .hint = "use 'rack: [angle, displacement]' with a 'radius'"},
     {.type = JOINT_RACK,
      .name = "rack",
      .brief = "ties a displacement to an angle, [angle, displacement]: displacement = radius * angle; with both "
               "coordinates of one cylindrical joint a screw",
-     .keys = keys_rack},
+     .keys = keys_rack,
+     .tie = TIE_COORDINATES,
+     .end = {END_ANGLE, END_DISPLACEMENT},
+     .hint = "the angle comes first, then the displacement; two of one sort make a 'gear'"},
     {.type = JOINT_FIXED, .name = "weld", .brief = "another word for fixed", .keys = keys_fixed},
 };
 
-static const struct joint_kind free_in_plane = {JOINT_FREE, "free",  "any motion", keys_free, {3, 7},  {3, 6},
-                                                q_plane,    u_plane, v_plane,      u_plane_s, a_plane, u_plane_s2};
+static const struct joint_kind in_plane[] = {
+    {FREE, .freedom = {{SLIDE(X, "x")}, {SLIDE(Y, "y")}, {TURN(Z, "angle")}}},
+    {LINE, .freedom = {{SLIDE(Z, "")}, {TURN(Y, "")}}},
+};
 
 const struct joint_kind *joint_kind(enum joint_type type, int space)
 {
-    if (type == JOINT_FREE && space == 0) return &free_in_plane;
-    return joints[type].nq[space] < 0 ? NULL : &joints[type];
+    for (size_t i = 0; space == 0 && i < sizeof in_plane / sizeof *in_plane; i++)
+        if (in_plane[i].type == type) return &in_plane[i];
+    return space == 0 && joints[type].spatial ? NULL : &joints[type];
 }
 
 const struct joint_kind *joint_find(const char *name)
@@ -215,4 +155,70 @@ const struct joint_kind *joint_find(const char *name)
 const struct joint_kind *joint_kind_at(int i)
 {
     return i >= 0 && i < JOINT_WORDS ? &joints[i] : NULL;
+}
+
+/* ---- what follows from them ---- */
+
+static bool is_freedom(const struct freedom *f)
+{
+    return f->turns || f->slides;
+}
+
+enum joint_turning joint_turning(const struct joint_kind *j, int *first)
+{
+    const struct freedom *f = j->freedom;
+    while (is_freedom(f) && !f->turns) f++;
+    if (first) *first = (int)(f - j->freedom);
+    if (!f->turns) return TURNS_NEVER;
+    return f->ball ? TURNS_FREELY : f[1].turns ? TURNS_CROSSED : TURNS_ABOUT_ONE;
+}
+
+const struct freedom *joint_slide(const struct joint_kind *j, int axis)
+{
+    for (const struct freedom *f = j->freedom; is_freedom(f); f++)
+        if (f->slides && f->axis == axis) return f;
+    return NULL;
+}
+
+bool joint_is_fixed(const struct joint_kind *j)
+{
+    return !joint_is_tie(j) && !is_freedom(j->freedom);
+}
+
+bool joint_has_one_axis(const struct joint_kind *j)
+{
+    const struct freedom *f = j->freedom;
+    while (is_freedom(f) && !f->ball && f->axis == j->freedom->axis) f++;
+    return is_freedom(j->freedom) && !is_freedom(f);
+}
+
+/* The number of a ball's first position and first rate; behind all if there is none. */
+static int ball_at(const struct joint_kind *j)
+{
+    const struct freedom *f = j->freedom;
+    while (is_freedom(f) && !f->ball) f++;
+    return (int)(f - j->freedom);
+}
+
+int joint_size(const struct joint_kind *j, int order)
+{
+    int n = 0;
+    if (joint_is_tie(j)) return 0;
+    while (is_freedom(&j->freedom[n])) n++;
+    return order == 0 && ball_at(j) < n ? n + 1 : n;
+}
+
+const char *joint_name(const struct joint_kind *j, int order, int k)
+{
+    const int ball = ball_at(j);
+    if (order == 0 && k == ball) return "qw";
+    const struct freedom *f = &j->freedom[order == 0 && k > ball ? k - 1 : k];
+    return order == 0 ? f->q : order == 1 ? f->v : f->a;
+}
+
+const char *joint_unit(const struct joint_kind *j, int order, int k)
+{
+    static const char *const angle[] = {"rad", "rad/s", "rad/s2"}, *const length[] = {"m", "m/s", "m/s2"};
+    if (order == 0 && k >= ball_at(j)) return "1";
+    return j->freedom[k].turns ? angle[order] : length[order];
 }

@@ -146,7 +146,7 @@ void loops_values(double *C, const struct loops *o)
             C[i] = p->B.angle - p->A.angle;
             break;
         case ROW_SPAN:
-            C[i] = (v3_norm(p->d) - o->model->loop[r->loop].length) / o->length;
+            C[i] = (v3_norm(p->d) - o->model->loop[r->loop].number) / o->length;
             break;
         case ROW_SUM:
             C[i] = p->sum / o->scale[r->loop];

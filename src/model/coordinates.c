@@ -4,17 +4,12 @@
  * or a component of loops that has one. */
 #include "model/parts.h"
 
-int scene_k(const struct model_joint *j, int k)
-{
-    return j->type == JOINT_UNIVERSAL && j->reversed ? 1 - k : k;
-}
-
 bool is_fast(const struct making *o, int joint, int k)
 {
     int index = o->scene_joint[joint];
     for (int i = 0; index >= 0 && i < o->scene->nfast; i++) {
         const struct scene_choice *c = &o->scene->fast[i];
-        if (c->joint == index && (c->k < 0 || c->k == scene_k(&o->joint[joint], k))) return true;
+        if (c->joint == index && (c->k < 0 || c->k == model_rate(&o->joint[joint], k))) return true;
     }
     return false;
 }
@@ -69,15 +64,14 @@ static void number(struct making *o, bool fast, bool near)
 static void name_coordinates(struct making *o)
 {
     struct model *m = o->m;
-    int s = o->scene->space == 3;
     struct model_coordinate *list = TAKE(o->life, struct model_coordinate, m->nq);
     for (int i = 0; i < m->njoint; i++) {
         const struct model_joint *j = &o->joint[i];
-        const struct joint_kind *kind = joint_kind(j->type, s);
+        const struct joint_kind *kind = model_kind(m, j->type);
         for (int k = 0; k < j->nq; k++) {
             int quaternion = has_quaternion(j) && k >= j->nq - 4;
             list[j->iq[k]] = (struct model_coordinate){
-                .name = arena_print(o->life, "%s.%s", j->name, kind->q[scene_k(j, k)]),
+                .name = arena_print(o->life, "%s.%s", j->name, joint_name(kind, 0, model_rate(j, k))),
                 .joint = i,
                 .k = k,
                 .iq = j->iq[k],
@@ -136,11 +130,11 @@ bool place_is_fast(const struct making *o, int iv)
 int rate_place(const struct making *o, int j, int k)
 {
     const struct model_joint *joint = &o->joint[o->joint_of[j]];
-    return joint->iv[scene_k(joint, k)];
+    return joint->iv[model_rate(joint, k)];
 }
 
 int position_place(const struct making *o, int j, int k)
 {
     const struct model_joint *joint = &o->joint[o->joint_of[j]];
-    return joint->iq[scene_k(joint, k)];
+    return joint->iq[model_rate(joint, k)];
 }

@@ -38,11 +38,12 @@ struct model_joint {
     bool reversed;       /* the deck's first body is the child: model/ has turned the axes so that the
                           * coordinates still are of the deck's second body against its first; only
                           * reactions need to know */
+    bool exchanged;      /* its two coordinates have changed places so */
     double a[3], b[3];   /* the joint's point: from the parent's centre in parent axes; child likewise [m] */
     double Ea[9], Eb[9]; /* joint axes x, y, z by column in parent axes, in child axes: equal in the
                           * world when the coordinates are 0 */
     const double *own;   /* [9] axes of its reactions by column, in axes of the deck's first body; NULL: the world's */
-    int nq, nv;
+    int nq, nv;          /* as its kind has them */
     int iq[JOINT_MAX_Q]; /* places in q */
     int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */
 };
@@ -62,7 +63,7 @@ struct model_loop {
     int first, second;   /* bodies, in the deck's order; gear, rack: those that the coordinates move */
     double a[3], b[3];   /* the joint's point: from the first body's centre, its axes; second likewise [m] */
     double Ea[9], Eb[9]; /* joint axes x, y, z by column in the axes of the first, the second body */
-    double length;       /* distance [m] */
+    double number;       /* of its kind, see kind/joint.h: length [m]; NAN: none */
     int nterm;           /* gear, rack: sum of factors times coordinates = 0; others: 0 */
     struct model_term term[2];
     const double *own;          /* as in model_joint */
@@ -152,6 +153,18 @@ struct model {
     const int *loop_of;                        /* likewise among the loops; -1: not there */
     int ndrive;                                /* the last ndrive loops are drives, in the scene's order */
 };
+
+/* The kind of one of its joints or loops. */
+static inline const struct joint_kind *model_kind(const struct model *m, enum joint_type type)
+{
+    return joint_kind(type, m->space == 3);
+}
+
+/* Which of its rates is the k-th of the deck's joint, and the other way round. */
+static inline int model_rate(const struct model_joint *j, int k)
+{
+    return j->exchanged ? 1 - k : k;
+}
 
 /* The number of the first loop that is a drive; nloop where there are none. */
 static inline int model_first_drive(const struct model *m)

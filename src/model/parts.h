@@ -55,8 +55,6 @@ void warn_of_spin(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
 
-/* Which rate of the scene's joint is the k-th of this one, and the other way round. */
-int scene_k(const struct model_joint *j, int k);
 /* Does the deck call rate k of tree joint i fast? */
 bool is_fast(const struct making *o, int joint, int k);
 /* Does it call elastic coordinate k of the model's body fast? */

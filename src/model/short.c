@@ -21,7 +21,7 @@ struct walk {
 
 static bool is_tie(const struct making *o, int joint)
 {
-    return joint_is_tie(o->scene->joint[joint].kind->type);
+    return joint_is_tie(o->scene->joint[joint].kind);
 }
 
 static int across(const struct walk *w, int joint, int body)

@@ -8,16 +8,11 @@
 
 #include "model/parts.h"
 
-static bool turns(enum joint_type type)
-{
-    return type != JOINT_FIXED && type != JOINT_PRISMATIC;
-}
-
 /* Does a joint on its way from the ground turn the body? */
 static bool may_turn(const struct making *o, int body)
 {
     for (int i = body; i > 0; i = o->body[i].parent)
-        if (turns(o->joint[o->body[i].joint].type)) return true;
+        if (joint_turning(model_kind(o->m, o->joint[o->body[i].joint].type), NULL) != TURNS_NEVER) return true;
     return false;
 }
 

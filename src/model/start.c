@@ -16,30 +16,16 @@ static void turn(double *R, double angle, int axis)
     quat_matrix(R, q);
 }
 
-/* J(q): how the joint axes of the child stand against those of the parent. */
-static void joint_turn(double *J, const struct model_joint *j, const double *q)
+/* J(q): how the joint axes of the child stand against those of the parent, by angles. */
+static void joint_turn(double *J, const struct model_joint *j, const struct joint_kind *kind, const double *q)
 {
-    double second[9], first[9];
-    static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    memcpy(J, identity, sizeof identity);
-    switch (j->type) {
-    case JOINT_REVOLUTE:
-    case JOINT_CYLINDRICAL:
-        turn(J, q[j->iq[0]], 2);
-        break;
-    case JOINT_PLANAR:
-        turn(J, q[j->iq[2]], 2);
-        break;
-    case JOINT_UNIVERSAL:
-        turn(first, q[j->iq[0]], 0);
-        turn(second, q[j->iq[1]], 1);
-        m3_mulm(J, first, second);
-        break;
-    case JOINT_FREE:
-        if (j->nq == 3) turn(J, q[j->iq[2]], 2);
-        break;
-    default:
-        break;
+    m3_unit(J);
+    for (int k = 0; k < j->nv; k++) {
+        double before[9], T[9];
+        if (!kind->freedom[k].turns) continue;
+        memcpy(before, J, sizeof before);
+        turn(T, q[j->iq[k]], kind->freedom[k].axis);
+        m3_mulm(J, before, T);
     }
 }
 
@@ -78,7 +64,7 @@ static void orientations(const struct making *o, double (*R)[9], const double *q
             m3_mulm(R[i], B, T);
             continue;
         }
-        joint_turn(J, j, q);
+        joint_turn(J, j, model_kind(o->m, j->type), q);
         m3_mulm(B, A, J);
         m3_mulmt(R[i], B, j->Eb);
     }

@@ -14,18 +14,21 @@
 #include "la/vec3.h"
 #include "model/parts.h"
 
-static void turn_round(double *E, const double *E0, enum joint_type type)
+static bool is_crossed(const struct joint_kind *kind)
 {
-    if (type == JOINT_UNIVERSAL) {
+    return joint_turning(kind, NULL) == TURNS_CROSSED;
+}
+
+static void turn_round(double *E, const double *E0, const struct joint_kind *kind)
+{
+    memcpy(E, E0, 9 * sizeof *E);
+    if (is_crossed(kind)) {
         v3_scale(E, -1, E0 + 3);
         v3_scale(E + 3, -1, E0);
         v3_scale(E + 6, -1, E0 + 6);
-    } else if (type == JOINT_REVOLUTE || type == JOINT_PRISMATIC || type == JOINT_CYLINDRICAL) {
-        v3_copy(E, E0);
+    } else if (joint_has_one_axis(kind)) {
         v3_scale(E + 3, -1, E0 + 3);
         v3_scale(E + 6, -1, E0 + 6);
-    } else {
-        memcpy(E, E0, 9 * sizeof *E);
     }
 }
 
@@ -48,6 +51,8 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
     memcpy(body->R, cb->R, sizeof cb->R);
     if (cb->flex) make_flexible_body(o, i, cb, at);
     *j = (struct model_joint){.type = type, .parent = on, .child = i};
+    j->nq = joint_size(model_kind(m, type), 0);
+    j->nv = joint_size(model_kind(m, type), 1);
     v3_copy(j->a, a);
     v3_diff(arm, at, body->at);
     m3_tmul(j->b, cb->R, arm);
@@ -64,8 +69,7 @@ static const double *own_axes(const struct making *o, const struct scene_joint *
     if (!j->own) return NULL;
     memcpy(E, j->E, sizeof E);
     if (o->scene->space == 2) {
-        bool along = j->kind->type == JOINT_PRISMATIC || j->kind->type == JOINT_POINT_ON_LINE;
-        v3_copy(E, along ? j->E + 6 : j->E);
+        v3_copy(E, joint_slide(j->kind, 2) ? j->E + 6 : j->E);
         v3_set(E + 6, 0, 0, 1);
         v3_cross(E + 3, E + 6, E);
     }
@@ -80,16 +84,14 @@ static void hang_by(struct making *o, int index, int parent, int child)
     double E[9];
     bool reversed = child == sj->first;
     if (reversed)
-        turn_round(E, sj->E, sj->kind->type);
+        turn_round(E, sj->E, sj->kind);
     else
         memcpy(E, sj->E, sizeof E);
     struct model_joint *j = hang(o, parent, child, sj->kind->type, sj->at, E);
-    int s = o->scene->space == 3;
     j->name = sj->name;
     j->reversed = reversed;
+    j->exchanged = reversed && is_crossed(sj->kind);
     j->own = own_axes(o, sj);
-    j->nq = sj->kind->nq[s];
-    j->nv = sj->kind->nv[s];
     o->joint_of[index] = j->child - 1;
     o->scene_joint[j->child - 1] = index;
 }
@@ -99,7 +101,7 @@ static bool is_tied(const struct scene *scene, int body)
 {
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
-        if (joint_is_tie(j->kind->type) && j->nterm == 0 && (j->first == body || j->second == body)) return true;
+        if (joint_is_tie(j->kind) && j->nterm == 0 && (j->first == body || j->second == body)) return true;
     }
     return false;
 }
@@ -108,15 +110,11 @@ static void hang_free(struct making *o, int body)
 {
     static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const struct scene_body *sb = &o->scene->body[body];
-    int s = o->scene->space == 3;
-    const struct joint_kind *kind = joint_kind(JOINT_FREE, s);
     if (!is_tied(o->scene, body))
         diag_warn(o->diags, sb->node, AT_KEY, "W-unconnected", "body '%s' hangs on no joint: it moves freely",
                   sb->name);
     struct model_joint *j = hang(o, 0, body, JOINT_FREE, sb->at, identity);
     j->name = arena_print(o->life, "%s_free", sb->name);
-    j->nq = kind->nq[s];
-    j->nv = kind->nv[s];
     o->scene_joint[j->child - 1] = -1;
 }
 
@@ -126,7 +124,7 @@ static struct threads thread_joints(struct making *o)
     struct threads t = {TAKE(o->life, int, scene->nbody), TAKE(o->life, int, 2 * scene->njoint)};
     for (int i = 0; i < scene->nbody; i++) t.first[i] = -1;
     for (int j = scene->njoint - 1; j >= 0; j--) {
-        if (joint_is_tie(scene->joint[j].kind->type)) continue;
+        if (joint_is_tie(scene->joint[j].kind)) continue;
         const int ends[2] = {scene->joint[j].first, scene->joint[j].second};
         for (int side = 0; side < 2; side++) {
             t.next[2 * j + side] = t.first[ends[side]];
@@ -144,8 +142,7 @@ static bool is_printed(const struct making *o, const struct scene_joint *joint)
     for (int i = 0; i < out->npattern; i++) {
         const char *text = out->pattern[i]->text;
         int k;
-        if (strncmp(text, joint->name, len) == 0 && text[len] == '.' &&
-            scene_coordinate(joint, o->scene->space, text + len + 1, &k))
+        if (strncmp(text, joint->name, len) == 0 && text[len] == '.' && scene_coordinate(joint, text + len + 1, &k))
             return true;
     }
     return false;
@@ -172,7 +169,7 @@ static int wish(const struct making *o, int joint)
             if (coordinate && slot->index == joint) return WANTED;
         }
     if (s->joint[joint].loop) return AVOIDED;
-    if (s->joint[joint].kind->type == JOINT_FIXED) return WANTED;
+    if (joint_is_fixed(s->joint[joint].kind)) return WANTED;
     return is_printed(o, &s->joint[joint]) ? LIKED : PLAIN;
 }
 
@@ -228,7 +225,7 @@ static bool closes_loops(const struct making *o)
     int *above = TAKE(o->life, int, scene->nbody);
     for (int i = 0; i < scene->nbody; i++) above[i] = i;
     for (int i = 0; i < scene->njoint; i++) {
-        if (joint_is_tie(scene->joint[i].kind->type)) continue;
+        if (joint_is_tie(scene->joint[i].kind)) continue;
         int a = root(above, scene->joint[i].first), b = root(above, scene->joint[i].second);
         if (a == b) return true;
         above[a] = b;
@@ -244,7 +241,7 @@ static void grow(struct making *o, struct search *s)
         more = false;
         for (int i = 0; i < o->scene->njoint; i++) {
             const struct scene_joint *j = &o->scene->joint[i];
-            if (joint_is_tie(j->kind->type)) continue;
+            if (joint_is_tie(j->kind)) continue;
             bool first = o->body_of[j->first] >= 0, second = o->body_of[j->second] >= 0;
             if (first == second) continue;
             int from = first ? j->first : j->second, to = first ? j->second : j->first;
@@ -272,7 +269,7 @@ static void add_terms(struct making *o, struct model_loop *l, const struct scene
         const struct scene_term *t = &sj->term[i];
         int joint = o->joint_of[t->joint];
         if (joint < 0) continue;
-        l->term[i] = (struct model_term){joint, scene_k(&o->joint[joint], t->k), t->angular, t->factor};
+        l->term[i] = (struct model_term){joint, model_rate(&o->joint[joint], t->k), t->angular, t->factor};
     }
     l->first = o->joint[l->term[0].joint].child;
     l->second = o->joint[l->term[sj->nterm - 1].joint].child;
@@ -284,7 +281,7 @@ static void add_loop(struct making *o, int index)
     struct model_loop *l = &o->loop[o->m->nloop];
     *l = (struct model_loop){.name = sj->name, .type = sj->kind->type};
     o->loop_of[index] = o->m->nloop++;
-    l->length = sj->length;
+    l->number = sj->number;
     if (sj->nterm) {
         add_terms(o, l, sj);
         return;
@@ -322,7 +319,7 @@ static enum status add_loops(struct making *o)
         const struct scene_joint *j = &o->scene->joint[i];
         if (o->joint_of[i] >= 0) continue;
         add_loop(o, i);
-        if (j->kind->type == JOINT_FIXED || wish(o, i) != WANTED) continue;
+        if (joint_is_fixed(j->kind) || wish(o, i) != WANTED) continue;
         diag_error(o->diags, j->node, AT_KEY, "E-loop", "constraint '%s' closes a loop: it has no coordinates",
                    j->name);
         diag_hint(o->diags, "other joints of this loop are asked for too; put a measure in place of one of them");

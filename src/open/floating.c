@@ -11,9 +11,10 @@ static const double MOST = .1; /* of the motion of the bodies against the whole 
 
 /* --- what floats -------------------------------------------------------------------------------- */
 
+/* Does it let its body move anyhow?  Its displacements come first. */
 static bool travels(const struct model *m, const struct model_joint *j)
 {
-    return j->type == JOINT_FREE || (m->space == 2 && j->type == JOINT_PLANAR);
+    return j->nv == (m->space == 2 ? 3 : 6);
 }
 
 /* Of the bodies that hang on the ground: [nbody]. */

@@ -48,6 +48,8 @@ int find_measure(const struct scene *scene, const char *name, size_t len);
 /* Says that a name is unknown, with the nearest of the list. */
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count);
+/* Adds the names of a joint's positions and rates to the list; how many, at most JOINT_MAX_Q + JOINT_MAX_V. */
+int coordinate_names(const char **list, struct builder *b, const struct scene_joint *j);
 /* All names that an expression or a measure may use, for near misses. */
 int quantity_names(struct builder *b, const char *const **list);
 /* A quantity by name: fills a slot; 0 if unknown. */

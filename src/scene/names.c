@@ -159,20 +159,11 @@ int find_measure(const struct scene *scene, const char *name, size_t len)
     return -1;
 }
 
-static int word_in(const char *const *words, int n, const char *word)
+int scene_coordinate(const struct scene_joint *joint, const char *word, int *k)
 {
-    for (int i = 0; words && i < n; i++)
-        if (strcmp(words[i], word) == 0) return i;
-    return -1;
-}
-
-int scene_coordinate(const struct scene_joint *joint, int space, const char *word, int *k)
-{
-    const struct joint_kind *kind = joint->kind;
-    int s = space == 3;
-    if ((*k = word_in(kind->q, kind->nq[s], word)) >= 0) return 1;
-    if ((*k = word_in(kind->v, kind->nv[s], word)) >= 0) return 2;
-    if ((*k = word_in(kind->a, kind->nv[s], word)) >= 0) return 3;
+    for (int order = 0; order < 3; order++)
+        for (*k = 0; *k < joint_size(joint->kind, order); ++*k)
+            if (strcmp(joint_name(joint->kind, order, *k), word) == 0) return order + 1;
     return 0;
 }
 
@@ -200,7 +191,7 @@ int find_quantity(const struct scene *scene, struct scene_slot *o, const char *n
             return 1;
         }
         if (joint < 0) return 0;
-        int found = scene_coordinate(&scene->joint[joint], scene->space, dot + 1, &k);
+        int found = scene_coordinate(&scene->joint[joint], dot + 1, &k);
         if (found != 1 && found != 2) return 0;
         *o = (struct scene_slot){found == 1 ? SCENE_COORDINATE : SCENE_RATE, joint, k};
         return 1;
@@ -222,11 +213,20 @@ int find_quantity(const struct scene *scene, struct scene_slot *o, const char *n
     return 0;
 }
 
+int coordinate_names(const char **list, struct builder *b, const struct scene_joint *j)
+{
+    int n = 0;
+    for (int order = 0; order < 2; order++)
+        for (int k = 0; k < joint_size(j->kind, order); k++)
+            list[n++] = arena_print(b->life, "%s.%s", j->name, joint_name(j->kind, order, k));
+    return n;
+}
+
 int quantity_names(struct builder *b, const char *const **list)
 {
     const struct scene *scene = b->scene;
-    int s = scene->space == 3, n = 1;
-    for (int i = 0; i < scene->njoint; i++) n += 1 + scene->joint[i].kind->nq[s] + scene->joint[i].kind->nv[s];
+    int n = 1;
+    for (int i = 0; i < scene->njoint; i++) n += 1 + JOINT_MAX_Q + JOINT_MAX_V;
     n += 2 * scene->nmeasure;
     for (int i = 1; i < scene->nbody; i++) n += 2 * scene->body[i].nmode;
     const char **names = TAKE(b->life, const char *, n);
@@ -235,8 +235,7 @@ int quantity_names(struct builder *b, const char *const **list)
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         names[count++] = j->name;
-        for (int k = 0; k < j->kind->nq[s]; k++) names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
-        for (int k = 0; k < j->kind->nv[s]; k++) names[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
+        count += coordinate_names(names + count, b, j);
     }
     for (int i = 1; i < scene->nbody; i++)
         for (int k = 1; k <= scene->body[i].nmode; k++) {

@@ -52,8 +52,7 @@ struct scene_joint {
     int first, second;
     double at[3];   /* world, drawn */
     double from[3]; /* distance: the first body's point, at being the second's */
-    double length;  /* distance [m] */
-    double factor;  /* gear: ratio; rack: radius [m/rad] */
+    double number;  /* of its kind, see kind/joint.h: length, ratio, radius; NAN: none */
     int nterm;      /* gear, rack: what they tie, 0 when drawn */
     struct scene_term term[2];
     double E[9]; /* joint axes x, y, z by column, world, drawn */
@@ -201,7 +200,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
 
 /* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
  * a rate (k counts v), 3 for an acceleration, 0 for none. */
-int scene_coordinate(const struct scene_joint *joint, int space, const char *word, int *k);
+int scene_coordinate(const struct scene_joint *joint, const char *word, int *k);
 
 /* "body.mode3", "body.mode3_rate" of a flexible body: 1 for the coordinate, 2 for its rate, 0 for neither; k from 0. */
 int scene_mode(const struct scene *scene, const char *name, int *body, int *k);

@@ -27,25 +27,19 @@ static int read_rotation(struct builder *b, struct scene_initial *o, const struc
     return 0;
 }
 
-bool turns_freely(const struct builder *b, const struct scene_joint *j)
-{
-    return j->kind->type == JOINT_SPHERICAL || (j->kind->type == JOINT_FREE && b->scene->space == 3);
-}
-
 /* All words that may follow a joint's name in `initial:`, for near misses. */
 static int initial_names(struct builder *b, const char *const **out)
 {
     const struct scene *scene = b->scene;
-    int s = scene->space == 3, n = 0;
-    int modes = 0;
+    int n = 0, modes = 0;
     for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
     const char **list = TAKE(b->life, const char *, scene->njoint *(JOINT_MAX_Q + JOINT_MAX_V + 2) + 2 * modes + 3);
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
-        for (int k = 0; k < j->kind->nq[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
-        for (int k = 0; k < j->kind->nv[s]; k++) list[n++] = arena_print(b->life, "%s.%s", j->name, j->kind->v[k]);
-        if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.omega", j->name);
-        if (turns_freely(b, j)) list[n++] = arena_print(b->life, "%s.rotation", j->name);
+        n += coordinate_names(list + n, b, j);
+        if (!joint_turns_freely(j->kind)) continue;
+        list[n++] = arena_print(b->life, "%s.omega", j->name);
+        list[n++] = arena_print(b->life, "%s.rotation", j->name);
     }
     for (int i = 1; i < scene->nbody; i++)
         for (int k = 1; k <= scene->body[i].nmode; k++) {
@@ -73,10 +67,10 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     }
     if (dot && o->joint >= 0) {
         const struct scene_joint *j = &scene->joint[o->joint];
-        if (turns_freely(b, j) && strcmp(dot + 1, "omega") == 0) return read_omega(b, o, n);
-        if (turns_freely(b, j) && strcmp(dot + 1, "rotation") == 0) return read_rotation(b, o, n);
-        int found = scene_coordinate(j, scene->space, dot + 1, &o->k);
-        if (found == 1 && turns_freely(b, j) && dot[1] == 'q') {
+        if (joint_turns_freely(j->kind) && strcmp(dot + 1, "omega") == 0) return read_omega(b, o, n);
+        if (joint_turns_freely(j->kind) && strcmp(dot + 1, "rotation") == 0) return read_rotation(b, o, n);
+        int found = scene_coordinate(j, dot + 1, &o->k);
+        if (found == 1 && joint_turns_freely(j->kind) && dot[1] == 'q') {
             diag_error(b->diags, n, AT_KEY, "E-initial", "a quaternion is not set by its parts");
             diag_hint(b->diags, "use '%s.rotation: {axis: [...], angle: ...}'", j->name);
             return 1;
@@ -84,7 +78,7 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
         o->type = found == 1 ? INITIAL_POSITION : INITIAL_RATE;
         if (found == 1 || found == 2) {
             if (read_number(o->x, n, NULL, &b->reader)) return 1;
-            if (found == 1 && strncmp(j->kind->qunit[o->k], "rad", 3) == 0) warn_of_angle(b, n, o->x[0]);
+            if (found == 1 && strcmp(joint_unit(j->kind, 0, o->k), "rad") == 0) warn_of_angle(b, n, o->x[0]);
             return 0;
         }
     }

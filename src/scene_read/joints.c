@@ -55,25 +55,28 @@ static const struct joint_kind *joint_word(struct builder *b, const struct node 
     return NULL;
 }
 
-/* Joint axes by kind: see kind/joint.h. */
+/* Axes x and y of two crossing turns. */
+static int crossed_axes(struct builder *b, double *E, const struct joint_keys *k, const char *what)
+{
+    if (read_direction(b, E, k->axis, what) | read_direction(b, E + 3, k->axis2, what)) return 1;
+    double lean = v3_dot(E, E + 3);
+    if (fabs(lean) > 1e-6) {
+        diag_error(b->diags, k->axis2, AT_VALUE, "E-axes", "%s: 'axis' and 'axis2' are not at right angles", what);
+        return 1;
+    }
+    v3_axpy(E + 3, -lean, E);
+    v3_scale(E + 3, 1 / v3_norm(E + 3), E + 3);
+    v3_cross(E + 6, E, E + 3);
+    return 0;
+}
+
+/* Joint axes: see kind/joint.h. */
 static int joint_axes(struct builder *b, struct scene_joint *j, const struct joint_keys *k, const char *what)
 {
     static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     double z[3], x[3];
     memcpy(j->E, identity, sizeof identity);
-    if (j->kind->type == JOINT_UNIVERSAL) {
-        double *E = j->E;
-        if (read_direction(b, E, k->axis, what) | read_direction(b, E + 3, k->axis2, what)) return 1;
-        double lean = v3_dot(E, E + 3);
-        if (fabs(lean) > 1e-6) {
-            diag_error(b->diags, k->axis2, AT_VALUE, "E-axes", "%s: 'axis' and 'axis2' are not at right angles", what);
-            return 1;
-        }
-        v3_axpy(E + 3, -lean, E);
-        v3_scale(E + 3, 1 / v3_norm(E + 3), E + 3);
-        v3_cross(E + 6, E, E + 3);
-        return 0;
-    }
+    if (joint_turning(j->kind, NULL) == TURNS_CROSSED) return crossed_axes(b, j->E, k, what);
     if (!k->axis) return 0;
     if (read_direction(b, z, k->axis, what)) return 1;
     if (k->axis2 && read_direction(b, x, k->axis2, what)) return 1;
@@ -95,21 +98,19 @@ static int read_range(struct builder *b, struct scene_joint *j, const struct nod
     return 1;
 }
 
-/* What gears and racks tie is read when all joints are known. */
-static int read_factor(struct builder *b, struct scene_joint *j, const struct joint_keys *k, const struct node *n,
-                       const char *what)
+/* What coordinates are tied is read when all joints are known. */
+static int check_number(struct builder *b, const struct scene_joint *j, const char *what)
 {
-    const char *word = j->kind->type == JOINT_GEAR ? "ratio" : "radius";
-    j->factor = j->kind->type == JOINT_GEAR ? k->ratio : k->radius;
-    if (j->factor != 0) return 0;
-    diag_error(b->diags, node_find(n, word), AT_VALUE, "E-range", "%s: '%s' is 0: the second coordinate could not move",
-               what, word);
+    const char *word = j->kind->keys->name;
+    if (j->number != 0) return 0;
+    diag_error(b->diags, node_find(j->node, word), AT_VALUE, "E-range",
+               "%s: '%s' is 0: the second coordinate could not move", what, word);
     return 1;
 }
 
 static int read_joint(struct builder *b, struct scene_joint *j, const struct node *n)
 {
-    struct joint_keys k = {.length = NAN};
+    struct joint_keys k = {.number = NAN};
     const struct node *word;
     j->name = n->key;
     j->node = n;
@@ -125,8 +126,9 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     }
     const char *also[] = {found->name, NULL};
     int errors = read_keys(&k, j->kind->keys, n, also, what, &b->reader);
-    if (found->type == JOINT_DISTANCE) return read_rod(b, j, word, k.length, what) + errors;
-    if (found->type == JOINT_GEAR || found->type == JOINT_RACK) return errors ? errors : read_factor(b, j, &k, n, what);
+    j->number = k.number;
+    if (found->tie == TIE_POINTS) return read_rod(b, j, word, what) + errors;
+    if (found->tie == TIE_COORDINATES) return errors ? errors : check_number(b, j, what);
     if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
     if (errors) return errors;
     j->loop = k.loop;

@@ -145,28 +145,10 @@ int read_measures(struct builder *b, const struct node *n)
     return errors;
 }
 
-/* A joint's only rate; -1 if it has none or several. */
-static int only_rate(const struct scene *scene, const struct scene_joint *j)
+/* Is the k-th position part of a quaternion?  The others have the rate of their own number. */
+static bool is_turn(const struct joint_kind *j, int k)
 {
-    return j->kind->nv[scene->space == 3] == 1 ? 0 : -1;
-}
-
-static bool is_angular(const struct scene_joint *j, int space, int k)
-{
-    const char *unit = j->kind->vunit[k];
-    (void)space;
-    return strncmp(unit, "rad", 3) == 0;
-}
-
-/* The rate that goes with the position k of joint j: they pair up but for quaternions. */
-static int rate_of(const struct scene_joint *j, int space, int k)
-{
-    const char *q = j->kind->q[k];
-    int n = j->kind->nv[space == 3];
-    size_t len = strlen(q);
-    for (int i = 0; i < n; i++)
-        if (strncmp(j->kind->v[i], q, len) == 0 && strcmp(j->kind->v[i] + len, "_rate") == 0) return i;
-    return -1;
+    return joint_turns_freely(j) && k >= joint_size(j, 0) - 4;
 }
 
 static int coordinate_measure(struct builder *b, struct scene_measure *m, const struct node *n)
@@ -182,22 +164,21 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
     }
     if (joint < 0) return 0;
     const struct scene_joint *j = &scene->joint[joint];
-    if (j->kind->nv[scene->space == 3] == 0) {
+    if (joint_size(j->kind, 1) == 0) {
         diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' (%s) has no coordinates", j->name, j->kind->name);
         return -1;
     }
     if (!dot) {
-        k = only_rate(scene, j);
-        if (k < 0) {
+        k = 0;
+        if (joint_size(j->kind, 1) > 1) {
             diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is a %s joint: name one of its coordinates",
                        j->name, j->kind->name);
-            if (strchr(j->kind->v[0], '_')) diag_hint(b->diags, "such as '%s.%s'", j->name, j->kind->q[0]);
+            diag_hint(b->diags, "such as '%s.%s'", j->name, joint_name(j->kind, 0, 0));
             return -1;
         }
     } else {
-        if (scene_coordinate(j, scene->space, dot + 1, &k) != 1) return 0;
-        k = rate_of(j, scene->space, k);
-        if (k < 0) {
+        if (scene_coordinate(j, dot + 1, &k) != 1) return 0;
+        if (is_turn(j->kind, k)) {
             diag_error(b->diags, n, AT_VALUE, "E-which-coordinate", "'%s' is no angle or displacement of its own",
                        n->text);
             diag_hint(b->diags, "a free rotation has none: use a measure, a torque on the body, or a bushing");
@@ -205,7 +186,7 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
         }
     }
     *m = (struct scene_measure){.node = n, .type = MEASURE_COORDINATE, .joint = joint, .k = k};
-    m->angular = is_angular(j, scene->space, k);
+    m->angular = j->kind->freedom[k].turns;
     return 1;
 }
 

@@ -84,7 +84,7 @@ int read_bodies(struct builder *b, const struct node *n);
 int read_joints(struct builder *b, const struct node *n);
 int read_measures(struct builder *b, const struct node *n);
 /* ties.c: the two points of a rod; when all joints are known, what gears and racks tie */
-int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, double length, const char *what);
+int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, const char *what);
 int read_ties(struct builder *b);
 /* measures.c: a plain coordinate by name, "hub.angle", or by that of its joint if it has one only; 0, or 1 and an error
  */
@@ -97,8 +97,6 @@ void warn_of_drives(struct builder *b);
 int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
 int read_initial(struct builder *b, const struct node *n);
-/* Has the joint a rotation that is no angle? */
-bool turns_freely(const struct builder *b, const struct scene_joint *j);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
 int read_output(struct builder *b, const struct node *n);

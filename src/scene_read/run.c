@@ -38,15 +38,15 @@ static bool tell_rigid(struct builder *b, const struct node *n)
 static int read_choice(struct builder *b, struct scene_choice *o, const struct node *n)
 {
     const struct scene *scene = b->scene;
-    int s = scene->space == 3, modes = 0;
+    int modes = 0;
     *o = (struct scene_choice){n, -1, -1, 0};
     if (n->type == NODE_SCALAR) {
         const char *dot = strchr(n->text, '.');
         o->joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len);
         if (o->joint >= 0 && !dot) return 0;
         if (o->joint < 0 && choose_modes(scene, o, n)) return 0;
-        if (o->joint >= 0 && scene_coordinate(&scene->joint[o->joint], scene->space, dot + 1, &o->k) == 1) {
-            if (!turns_freely(b, &scene->joint[o->joint])) return 0;
+        if (o->joint >= 0 && scene_coordinate(&scene->joint[o->joint], dot + 1, &o->k) == 1) {
+            if (!joint_turns_freely(scene->joint[o->joint].kind)) return 0;
             diag_error(b->diags, n, AT_VALUE, "E-partition", "a %s joint is fast or slow as a whole",
                        scene->joint[o->joint].kind->name);
             diag_hint(b->diags, "write '%s'", scene->joint[o->joint].name);
@@ -60,8 +60,8 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         list[count++] = j->name;
-        for (int k = 0; k < j->kind->nq[s] && !turns_freely(b, j); k++)
-            list[count++] = arena_print(b->life, "%s.%s", j->name, j->kind->q[k]);
+        for (int k = 0; k < joint_size(j->kind, 0) && !joint_turns_freely(j->kind); k++)
+            list[count++] = arena_print(b->life, "%s.%s", j->name, joint_name(j->kind, 0, k));
     }
     for (int i = 1; i < scene->nbody; i++) {
         if (scene->body[i].nmode || b->draft[i]) list[count++] = scene->body[i].name;

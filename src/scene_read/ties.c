@@ -4,7 +4,7 @@
 #include "la/vec3.h"
 #include "scene_read/parts.h"
 
-int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, double length, const char *what)
+int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, const char *what)
 {
     struct marker from, to;
     double d[3];
@@ -23,7 +23,7 @@ int read_rod(struct builder *b, struct scene_joint *j, const struct node *points
     marker_drawn(j->from, b->scene, &from);
     marker_drawn(j->at, b->scene, &to);
     v3_diff(d, j->at, j->from);
-    j->length = isnan(length) ? v3_norm(d) : length;
+    if (isnan(j->number)) j->number = v3_norm(d);
     if (v3_norm(d) > 0) return 0;
     diag_error(b->diags, points, AT_VALUE, "E-direction", "%s: the points coincide when drawn: no direction", what);
     diag_hint(b->diags, "a spherical joint, in 2-D a revolute one, holds two points together");
@@ -33,20 +33,17 @@ int read_rod(struct builder *b, struct scene_joint *j, const struct node *points
 /* Is this side of the tie to be an angle? */
 static bool wants_angle(const struct scene_joint *j, const struct scene_measure *c, int side)
 {
-    return j->kind->type == JOINT_RACK ? side == 0 : c[0].angular;
+    const enum joint_end end = j->kind->end[side];
+    return end == END_LIKE_OTHER ? c[0].angular : end == END_ANGLE;
 }
 
-/* An angle and an angle, a displacement and a displacement; of a rack an angle, then a displacement. */
 static int check_kinds(struct builder *b, const struct scene_joint *j, const struct scene_measure *c, const char *what)
 {
     for (int side = 0; side < 2; side++) {
         if (c[side].angular == wants_angle(j, c, side)) continue;
         diag_error(b->diags, c[side].node, AT_VALUE, "E-kind", "%s: '%.60s' is %s", what, c[side].node->text,
                    c[side].angular ? "an angle" : "a displacement");
-        if (j->kind->type == JOINT_GEAR)
-            diag_hint(b->diags, "use 'rack: [angle, displacement]' with a 'radius'");
-        else
-            diag_hint(b->diags, "the angle comes first, then the displacement; two of one sort make a 'gear'");
+        diag_hint(b->diags, "%s", j->kind->hint);
         return 1;
     }
     if (c[0].joint != c[1].joint || c[0].k != c[1].k) return 0;
@@ -54,7 +51,7 @@ static int check_kinds(struct builder *b, const struct scene_joint *j, const str
     return 1;
 }
 
-/* second - factor first = 0 */
+/* second - number first = 0 */
 static int tie_coordinates(struct builder *b, struct scene_joint *j)
 {
     struct scene_measure c[2];
@@ -68,7 +65,7 @@ static int tie_coordinates(struct builder *b, struct scene_joint *j)
     if (find_coordinate(b, &c[0], pair->item[0], what) | find_coordinate(b, &c[1], pair->item[1], what)) return 1;
     if (check_kinds(b, j, c, what)) return 1;
     j->nterm = 2;
-    j->term[0] = (struct scene_term){c[0].joint, c[0].k, c[0].angular, -j->factor};
+    j->term[0] = (struct scene_term){c[0].joint, c[0].k, c[0].angular, -j->number};
     j->term[1] = (struct scene_term){c[1].joint, c[1].k, c[1].angular, 1};
     return 0;
 }
@@ -78,7 +75,7 @@ int read_ties(struct builder *b)
     int errors = 0;
     for (int i = 0; i < b->scene->njoint; i++) {
         struct scene_joint *j = &b->scene->joint[i];
-        if (j->kind->type == JOINT_GEAR || j->kind->type == JOINT_RACK) errors += tie_coordinates(b, j);
+        if (j->kind->tie == TIE_COORDINATES) errors += tie_coordinates(b, j);
     }
     return errors;
 }

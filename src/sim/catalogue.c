@@ -85,7 +85,7 @@ static void add_tie(struct listing *l, const struct model_loop *loop, struct ori
         add_angular(l, columns_gear, origin, loop->term[last].angular);
     else
         add_rows(l, columns_tie, origin);
-    if (loop->type == JOINT_DISTANCE) add_rows(l, columns_rod, origin);
+    if (model_kind(l->m, loop->type)->tie == TIE_POINTS) add_rows(l, columns_rod, origin);
 }
 
 static void add_loop(struct listing *l, struct owner *of, int i)
@@ -93,7 +93,7 @@ static void add_loop(struct listing *l, struct owner *of, int i)
     const struct model_loop *loop = &l->m->loop[i];
     const struct origin origin = {.of = of, .index = i};
     of->closes_loop = true;
-    if (joint_is_tie(loop->type))
+    if (joint_is_tie(model_kind(l->m, loop->type)))
         add_tie(l, loop, origin);
     else
         add_rows(l, columns_loop_reaction, origin);
@@ -103,21 +103,14 @@ static void add_loop(struct listing *l, struct owner *of, int i)
 static void add_coordinates(struct listing *l, const struct owner *of, int i, int number)
 {
     const struct model_joint *j = &l->m->joint[i];
-    const struct joint_kind *kind = joint_kind(j->type, !l->plane);
-    const bool turned = j->type == JOINT_UNIVERSAL && j->reversed;
-    const struct {
-        const char *const *name, *const *unit;
-        const int *place;
-        int n;
-    } parts[] = {{kind->q, kind->qunit, j->iq, j->nq},
-                 {kind->v, kind->vunit, j->iv, j->nv},
-                 {kind->a, kind->aunit, j->iv, j->nv}};
+    const struct joint_kind *kind = model_kind(l->m, j->type);
     for (int p = 0; p < 3; p++)
-        for (int k = 0; k < parts[p].n; k++) {
-            const char *name = arena_print(l->life, "%s.%s", of->name, parts[p].name[k]);
-            struct origin o = {&columns_coordinate[p], .of = of, .index = parts[p].place[turned ? 1 - k : k]};
+        for (int k = 0; k < joint_size(kind, p); k++) {
+            const int *place = p ? j->iv : j->iq;
+            const char *name = arena_print(l->life, "%s.%s", of->name, joint_name(kind, p, k));
+            struct origin o = {&columns_coordinate[p], .of = of, .index = place[model_rate(j, k)]};
             if (p < 2) o.slot = slot(l, p ? SCENE_RATE : SCENE_COORDINATE, number, k);
-            add(l, name, parts[p].unit[k], o);
+            add(l, name, joint_unit(kind, p, k), o);
         }
 }
 

@@ -15,7 +15,7 @@ static const struct origin *find(const struct sim *sim, const struct scene_slot 
     if (found) return found;
     const struct scene_joint *j = &sim->scene->joint[slot->index]; /* all else is there */
     diag_error(diags, at, AT_VALUE, "E-which-coordinate", "'%.60s.%s' belongs to a joint that closes a loop", j->name,
-               slot->type == SCENE_RATE ? j->kind->v[slot->k] : j->kind->q[slot->k]);
+               joint_name(j->kind, slot->type == SCENE_RATE, slot->k));
     diag_hint(diags, "such a joint has no coordinates of its own; use a measure");
     return NULL;
 }

@@ -86,7 +86,7 @@ static struct closure closure_of(const struct sim *sim, int l, bool unique)
     const struct loops *loops = condense_loops(system_loops(sim->system));
     const struct model_loop *loop = &m->loop[l];
     struct closure o = {.name = loop->name,
-                        .kind = loop->drive ? "drive" : joint_kind(loop->type, m->space == 3)->name,
+                        .kind = loop->drive ? "drive" : model_kind(m, loop->type)->name,
                         .first = end_name(sim, loop, 0),
                         .second = end_name(sim, loop, 1),
                         .equations = loops->first[l + 1] - loops->first[l],

@@ -17,19 +17,15 @@ static double longest_arm(const struct model *m)
         const struct model_loop *l = &m->loop[i];
         if (l->first) most = fmax(most, v3_norm(l->a));
         if (l->second) most = fmax(most, v3_norm(l->b));
-        most = fmax(most, l->length);
+        if (model_kind(m, l->type)->tie == TIE_POINTS) most = fmax(most, l->number);
     }
     return most;
 }
 
-/* Which rates of a joint are along lengths: count of them, from *first on. */
-static int slides_of(int *first, const struct model_joint *j, int space)
+/* Is the k-th rate of a joint along a length? */
+static bool is_length(const struct model *m, const struct model_joint *j, int k)
 {
-    *first = j->type == JOINT_CYLINDRICAL ? 1 : 0;
-    return j->type == JOINT_PRISMATIC || j->type == JOINT_CYLINDRICAL ? 1
-           : j->type == JOINT_PLANAR                                  ? 2
-           : j->type == JOINT_FREE                                    ? space
-                                                                      : 0;
+    return !model_kind(m, j->type)->freedom[k].turns;
 }
 
 /* Bodies from the first one, nodes of flexible ones from their reference. */
@@ -52,8 +48,9 @@ static double displaced(const struct model *m)
 {
     double most = 0;
     for (int i = 0; i < m->njoint && m->q0; i++) {
-        int first, n = slides_of(&first, &m->joint[i], m->space);
-        for (int k = first; k < first + n; k++) most = fmax(most, fabs(m->q0[m->joint[i].iq[k]]));
+        const struct model_joint *j = &m->joint[i];
+        for (int k = 0; k < j->nv; k++)
+            if (is_length(m, j, k)) most = fmax(most, fabs(m->q0[j->iq[k]]));
     }
     return most;
 }
@@ -83,8 +80,9 @@ void sizes_fill(double *size, const struct model *m)
     const double length = sizes_length(m);
     for (int i = 0; i < m->n; i++) size[i] = 1;
     for (int i = 0; i < m->njoint; i++) {
-        int first, n = slides_of(&first, &m->joint[i], m->space);
-        for (int k = first; k < first + n; k++) size[m->joint[i].iv[k]] = length;
+        const struct model_joint *j = &m->joint[i];
+        for (int k = 0; k < j->nv; k++)
+            if (is_length(m, j, k)) size[j->iv[k]] = length;
     }
     for (int i = 1; i < m->nbody; i++)
         for (int k = 0; k < m->body[i].nmode; k++) {

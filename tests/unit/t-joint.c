@@ -28,7 +28,7 @@ static void every_kind_is_found_by_its_name(void **state)
     assert_null(joint_kind_at(-1));
 }
 
-/* Sizes agree with the freedoms; a quaternion is one position more. */
+/* Sizes agree with the freedoms; a quaternion is one position more; names and units follow each other. */
 static void names_cover_the_coordinates(void **state)
 {
     (void)state;
@@ -41,29 +41,60 @@ static void names_cover_the_coordinates(void **state)
                 assert_null(k);
                 continue;
             }
-            bool turns = space == 1 && (t == JOINT_SPHERICAL || t == JOINT_FREE);
-            assert_int_equal(k->nv[space], freedoms[space][t]);
-            assert_int_equal(k->nq[space], k->nv[space] + turns);
-            assert_true(k->nq[space] <= JOINT_MAX_Q && k->nv[space] <= JOINT_MAX_V);
-            for (int i = 0; i < k->nv[space]; i++) {
+            const int nq = joint_size(k, 0), nv = joint_size(k, 1);
+            const bool turns = space == 1 && (t == JOINT_SPHERICAL || t == JOINT_FREE);
+            assert_int_equal(nv, freedoms[space][t]);
+            assert_int_equal(joint_size(k, 2), nv);
+            assert_int_equal(nq, nv + turns);
+            assert_int_equal(joint_turns_freely(k), turns);
+            assert_true(nq <= JOINT_MAX_Q && nv <= JOINT_MAX_V);
+            for (int i = 0; i < nv; i++) {
                 char rate[40];
-                if (!turns || i < k->nq[space] - 4) {
+                if (!turns || i < nq - 4) {
                     /* q' = v: the rate is named after the position, its unit is the position's per second */
-                    snprintf(rate, sizeof rate, "%s_rate", k->q[i]);
-                    assert_string_equal(k->v[i], rate);
-                    snprintf(rate, sizeof rate, "%s_accel", k->q[i]);
-                    assert_string_equal(k->a[i], rate);
-                    snprintf(rate, sizeof rate, "%s/s", k->qunit[i]);
-                    assert_string_equal(k->vunit[i], rate);
+                    snprintf(rate, sizeof rate, "%s_rate", joint_name(k, 0, i));
+                    assert_string_equal(joint_name(k, 1, i), rate);
+                    snprintf(rate, sizeof rate, "%s_accel", joint_name(k, 0, i));
+                    assert_string_equal(joint_name(k, 2, i), rate);
+                    snprintf(rate, sizeof rate, "%s/s", joint_unit(k, 0, i));
+                    assert_string_equal(joint_unit(k, 1, i), rate);
+                    assert_string_equal(joint_unit(k, 0, i), strncmp(rate, "rad", 3) == 0 ? "rad" : "m");
                 } else {
-                    assert_true(strncmp(k->v[i], "omega_", 6) == 0);
-                    assert_string_equal(k->vunit[i], "rad/s");
+                    snprintf(rate, sizeof rate, "omega_%s", joint_name(k, 0, i + 1) + 1);
+                    assert_string_equal(joint_name(k, 1, i), rate);
+                    snprintf(rate, sizeof rate, "%s_rate", joint_name(k, 1, i));
+                    assert_string_equal(joint_name(k, 2, i), rate);
+                    assert_string_equal(joint_unit(k, 1, i), "rad/s");
+                    assert_string_equal(joint_unit(k, 0, i + 1), "1");
                 }
-                snprintf(rate, sizeof rate, "%s2", k->vunit[i]);
-                assert_string_equal(k->aunit[i], rate);
+                snprintf(rate, sizeof rate, "%s2", joint_unit(k, 1, i));
+                assert_string_equal(joint_unit(k, 2, i), rate);
             }
-            if (turns) assert_string_equal(k->q[k->nq[space] - 4], "qw");
+            if (turns) assert_string_equal(joint_name(k, 0, nq - 4), "qw");
         }
+    }
+}
+
+/* What the lists promise (joint.h): nothing behind a ball, turns in one run, which the recursions have. */
+static void lists_are_in_order(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2 * JOINT_TYPES; i++) {
+        const struct joint_kind *k = joint_kind((enum joint_type)(i / 2), i % 2);
+        int first, turns = 0, balls = 0, n = 0;
+        if (!k) continue;
+        const enum joint_turning turning = joint_turning(k, &first);
+        for (; k->freedom[n].turns || k->freedom[n].slides; n++) {
+            const struct freedom *f = &k->freedom[n];
+            assert_true(n < JOINT_MAX_V && f->axis >= 0 && f->axis < 3);
+            assert_true(!f->ball || f->axis == n - first);
+            turns += f->turns, balls += f->ball;
+            if (f->turns) assert_true(n >= first && n < first + 3);
+        }
+        const int expected[] = {[TURNS_NEVER] = 0, [TURNS_ABOUT_ONE] = 1, [TURNS_CROSSED] = 2, [TURNS_FREELY] = 3};
+        assert_int_equal(turns, expected[turning]);
+        assert_int_equal(balls, turning == TURNS_FREELY ? 3 : 0);
+        if (balls) assert_int_equal(first, n - 3);
     }
 }
 
@@ -232,6 +263,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind_is_found_by_its_name),
         cmocka_unit_test(names_cover_the_coordinates),
+        cmocka_unit_test(lists_are_in_order),
         cmocka_unit_test(force_kinds_have_laws),
         cmocka_unit_test(laws_are_the_slopes_of_what_they_store),
         cmocka_unit_test(tables_are_linear_between_their_points),

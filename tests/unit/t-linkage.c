@@ -67,8 +67,8 @@ static void close_between(struct linkage *o, struct tree_dice *d, int A, int B)
     tree_axes(E, d, l->type, space);
     memcpy(from, at, sizeof from);
     if (l->type == JOINT_DISTANCE) tree_vector(from, d, space);
-    for (int i = 0; i < 3; i++) l->length += (at[i] - from[i]) * (at[i] - from[i]);
-    l->length = sqrt(l->length);
+    for (int i = 0; i < 3; i++) l->number += (at[i] - from[i]) * (at[i] - from[i]);
+    l->number = sqrt(l->number);
     for (int i = 0; i < 3; i++) arm[i] = from[i] - a->at[i];
     tree_mtv(l->a, a->R, arm);
     for (int i = 0; i < 3; i++) arm[i] = at[i] - b->at[i];

@@ -37,7 +37,7 @@ static void add_loop(struct bench *o, struct tree_dice *d, enum joint_type type)
     struct model_loop *l = &o->loop[o->model.nloop++];
     int a, b;
     tree_pair(&a, &b, d, o->model.nbody);
-    *l = (struct model_loop){.name = "loop", .type = type, .first = a, .second = b, .length = tree_roll(d, .1, 2)};
+    *l = (struct model_loop){.name = "loop", .type = type, .first = a, .second = b, .number = tree_roll(d, .1, 2)};
     tree_vector(l->a, d, space);
     tree_vector(l->b, d, space);
     tree_axes(l->Ea, d, type, space);
