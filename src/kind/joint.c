@@ -180,6 +180,12 @@ const struct freedom *joint_slide(const struct joint_kind *j, int axis)
     return NULL;
 }
 
+double joint_along(const struct freedom *f, double number)
+{
+    static const double WHOLE_TURN = 6.283185307179586;
+    return !f->slides ? 0 : f->turns ? number / WHOLE_TURN : 1;
+}
+
 bool joint_is_fixed(const struct joint_kind *j)
 {
     return !joint_is_tie(j) && !is_freedom(j->freedom);

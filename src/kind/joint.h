@@ -5,7 +5,7 @@
  * the axis given, a vector of the plane, and y stands out of it.
  *
  * What a joint lets its bodies do is a list of elementary freedoms, one for each rate: turns about and slides along
- * joint axes.  Sizes, names and units of its coordinates, the motion of a tree, usual sizes, and the equations of
+ * joint axes; one may do both.  Sizes, names and units of its coordinates, the motion of a tree, usual sizes, and the equations of
  * a loop (which hold what the list leaves) all follow from it.  Order of a list: slides along axes of the first body;
  * turns, about one axis or about one of the first and then one of the second body; a ball, three freedoms that come
  * last: their rates are the angular velocity of the second body against the first in axes of the second, and their
@@ -111,6 +111,8 @@ enum joint_turning {
 enum joint_turning joint_turning(const struct joint_kind *j, int *first);
 /* Its freedom that slides along the axis; NULL: none does. */
 const struct freedom *joint_slide(const struct joint_kind *j, int axis);
+/* How far a freedom slides per unit of its coordinate: 0, 1, or [m/rad] by the joint's number [m] for each whole turn. */
+double joint_along(const struct freedom *f, double number);
 
 static inline bool joint_is_tie(const struct joint_kind *j)
 {

@@ -43,6 +43,7 @@ struct model_joint {
     double Ea[9], Eb[9]; /* joint axes x, y, z by column in parent axes, in child axes: equal in the
                           * world when the coordinates are 0 */
     const double *own;   /* [9] axes of its reactions by column, in axes of the deck's first body; NULL: the world's */
+    double number;       /* of its kind, see kind/joint.h */
     int nq, nv;          /* as its kind has them */
     int iq[JOINT_MAX_Q]; /* places in q */
     int iv[JOINT_MAX_V]; /* places in v; for plain coordinates q' = v: iq[k] and iv[k] pair up */

@@ -89,6 +89,7 @@ static void hang_by(struct making *o, int index, int parent, int child)
         memcpy(E, sj->E, sizeof E);
     struct model_joint *j = hang(o, parent, child, sj->kind->type, sj->at, E);
     j->name = sj->name;
+    j->number = sj->number;
     j->reversed = reversed;
     j->exchanged = reversed && is_crossed(sj->kind);
     j->own = own_axes(o, sj);

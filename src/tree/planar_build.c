@@ -1,20 +1,29 @@
 /* planar_build.c -- what the planar recursion knows before it sees a state */
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "tree/planar_flex.h"
 
-static void build_link(struct link *l, const struct link *parent, const struct model_joint *j,
-                       const struct model_body *body)
+/* Its class and the directions of its displacements. */
+static void build_freedoms(struct link *l, const struct link *parent, const struct model_joint *j,
+                           const struct freedom *freedom)
 {
-    static const enum planar_type types[JOINT_TYPES] = {[JOINT_FIXED] = HELD,
-                                                        [JOINT_REVOLUTE] = TURN,
-                                                        [JOINT_PRISMATIC] = SLIDE,
-                                                        [JOINT_PLANAR] = GLIDE,
-                                                        [JOINT_FREE] = GLIDE};
+    static const int sizes[] = {[HELD] = 0, [TURN] = 1, [SLIDE] = 1, [GLIDE] = 3};
+    const bool turns = j->nv && freedom[j->nv - 1].turns;
+    const int slides = turns ? j->nv - 1 : j->nv;
+    l->type = turns ? (slides ? GLIDE : TURN) : slides ? SLIDE : HELD;
+    assert(j->nv == sizes[l->type]);
+    for (int k = 0; k < slides; k++)
+        planar_turn(l->e[k], parent->drawn[0], parent->drawn[1], j->Ea + 3 * freedom[k].axis);
+}
+
+static void build_link(struct link *l, const struct link *parent, const struct model_joint *j,
+                       const struct joint_kind *kind, const struct model_body *body)
+{
     l->parent = j->parent;
-    l->type = types[j->type];
     l->nv = j->nv;
+    build_freedoms(l, parent, j, kind->freedom);
     for (int k = 0; k < j->nv; k++) l->iq[k] = j->iq[k], l->iv[k] = j->iv[k];
     l->mass = body->mass;
     l->inertia = body->inertia[2];
@@ -27,8 +36,6 @@ static void build_link(struct link *l, const struct link *parent, const struct m
     memcpy(l->drawn, turned, sizeof turned);
     planar_turn(l->a, parent->drawn[0], parent->drawn[1], j->a);
     planar_turn(l->b, l->drawn[0], l->drawn[1], j->b);
-    planar_turn(l->e[0], parent->drawn[0], parent->drawn[1], l->type == SLIDE ? j->Ea + 6 : j->Ea);
-    planar_turn(l->e[1], parent->drawn[0], parent->drawn[1], j->Ea + 3);
 }
 
 static void build_ground(struct sweep *s, const struct model *m)
@@ -58,7 +65,7 @@ static struct sweep *build(const struct model *m, enum purpose purpose, struct a
     build_ground(s, m);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &m->joint[m->body[i].joint];
-        build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
+        build_link(&s->link[i], &s->link[j->parent], j, model_kind(m, j->type), &m->body[i]);
     }
     routes_build(&s->routes, m, life);
     planar_flex_build(s, life);

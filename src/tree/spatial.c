@@ -9,9 +9,9 @@
  *     al = al_p + al_r + w_p x w_r       a = a_p + al_p x rho + w_p x (w_p x rho) + 2 w_p x d' + sum e_k u_k'
  *                                            + al x c + w x (w x c)
  *
- * al_r is the rate of w_r as the parent sees it: sum e_k u_k', in a universal joint with (e_1 u_1) x (e_2 u_2)
+ * al_r is the rate of w_r as the parent sees it: sum e_k u_k', of crossed turns with (e_1 u_1) x (e_2 u_2)
  * for the second axis, which the first rotation turns; axes fixed in the child (spherical, free) are turned by
- * w_r itself and add w_r x w_r = 0.
+ * w_r itself and add w_r x w_r = 0.  A rate that turns and slides has a place in both sums.
  *
  *     F = m a - f + sum over children,   N = I al + w x I w - n + sum (N_j + arm_j x F_j)
  *     row of a displacement: e_k . F,    of a rotation: e_k . (N + c x F)
@@ -61,6 +61,27 @@ static inline void turn_quaternion(double *R, const double *E, const double *q, 
     m3_mulm(R, E, Q);
 }
 
+/* d += the joint's displacements with coordinates, rates or accelerations u, their places being k. */
+static inline void add_slides(double *restrict d, const struct part *restrict x, const struct link *restrict l,
+                              const double *restrict u, const int *restrict k)
+{
+    const double *e = spatial_axis(x, l, l->slide);
+    v3_axpy(d, l->along[l->slide] * u[k[l->slide]], e);
+    if (l->nslide > 1) v3_axpy(d, u[k[l->slide + 1]], e + 3);
+    if (l->nslide > 2) v3_axpy(d, u[k[l->slide + 2]], e + 6);
+}
+
+/* The displacement in rho; a ball's inner frame has not the joint's axes but the body's. */
+static inline void slide(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                         const double *restrict E, const double *restrict q)
+{
+    if (l->apart && l->turning == TURNS_FREELY)
+        m3_mulm(x->E, p->R, l->Et);
+    else if (l->apart)
+        memcpy(x->E, E, sizeof x->E);
+    add_slides(x->rho, x, l, q, l->iq);
+}
+
 /* Inner frame of x hanging on p, its axes and the displacement in rho, which starts from the joint's point on p. */
 static inline void turn(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
                         const double *restrict q)
@@ -71,38 +92,23 @@ static inline void turn(struct part *restrict x, const struct part *restrict p, 
         m3_mulm(product, p->R, l->Ea);
         E = product;
     }
-    switch (l->type) {
-    case JOINT_REVOLUTE:
-        turn_z(x->R, E, q[l->iq[0]]);
-        break;
-    case JOINT_PRISMATIC:
+    const int *iq = l->iq + l->turn;
+    switch (l->turning) {
+    case TURNS_NEVER:
         memcpy(x->R, E, sizeof x->R);
-        v3_axpy(x->rho, q[l->iq[0]], x->R + 6);
         break;
-    case JOINT_CYLINDRICAL:
-        turn_z(x->R, E, q[l->iq[0]]);
-        v3_axpy(x->rho, q[l->iq[1]], x->R + 6);
+    case TURNS_ABOUT_ONE:
+        turn_z(x->R, E, q[iq[0]]);
         break;
-    case JOINT_UNIVERSAL:
+    case TURNS_CROSSED:
         memcpy(x->E, E, sizeof x->E);
-        turn_xy(x->R, E, q[l->iq[0]], q[l->iq[1]]);
+        turn_xy(x->R, E, q[iq[0]], q[iq[1]]);
         break;
-    case JOINT_SPHERICAL:
-        turn_quaternion(x->R, E, q, l->iq);
+    case TURNS_FREELY:
+        turn_quaternion(x->R, E, q, iq);
         break;
-    case JOINT_PLANAR:
-        memcpy(x->E, E, sizeof x->E);
-        turn_z(x->R, E, q[l->iq[2]]);
-        for (int k = 0; k < 2; k++) v3_axpy(x->rho, q[l->iq[k]], x->E + 3 * k);
-        break;
-    case JOINT_FREE:
-        turn_quaternion(x->R, E, q, l->iq + 3);
-        m3_mulm(x->E, p->R, l->Et);
-        for (int k = 0; k < 3; k++) v3_axpy(x->rho, q[l->iq[k]], x->E + 3 * k);
-        break;
-    default:
-        memcpy(x->R, E, sizeof x->R);
     }
+    if (l->nslide) slide(x, p, l, E, q);
 }
 
 static inline void place(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
@@ -144,51 +150,31 @@ struct motion {
     double v_c[3];       /* w x c */
 };
 
-static inline bool slides(enum joint_type type)
-{
-    return type == JOINT_PRISMATIC || type == JOINT_CYLINDRICAL || type == JOINT_PLANAR || type == JOINT_FREE;
-}
-
-static inline void combine(double *o, const double *E, const double *u, const int *iv, int n)
-{
-    v3_scale(o, u[iv[0]], E);
-    for (int k = 1; k < n; k++) v3_axpy(o, u[iv[k]], E + 3 * k);
-}
-
-/* Sums over the joint's unit velocities: rotations into w, displacements into d (written where slides()). */
+/* Sums over the joint's unit velocities: rotations into w, displacements into d (written where it slides). */
 static inline void joint_sums(double *restrict w, double *restrict d, const struct part *restrict x,
                               const struct link *restrict l, const double *restrict u)
 {
-    switch (l->type) {
-    case JOINT_REVOLUTE:
-        v3_scale(w, u[l->iv[0]], x->R + 6);
-        break;
-    case JOINT_PRISMATIC:
+    const int *iv = l->iv + l->turn;
+    switch (l->turning) {
+    case TURNS_NEVER:
         v3_set(w, 0, 0, 0);
-        v3_scale(d, u[l->iv[0]], x->R + 6);
         break;
-    case JOINT_CYLINDRICAL:
-        v3_scale(w, u[l->iv[0]], x->R + 6);
-        v3_scale(d, u[l->iv[1]], x->R + 6);
+    case TURNS_ABOUT_ONE:
+        v3_scale(w, u[iv[0]], x->R + 6);
         break;
-    case JOINT_UNIVERSAL:
-        v3_scale(w, u[l->iv[0]], x->E);
-        v3_axpy(w, u[l->iv[1]], x->R + 3);
+    case TURNS_CROSSED:
+        v3_scale(w, u[iv[0]], x->E);
+        v3_axpy(w, u[iv[1]], x->R + 3);
         break;
-    case JOINT_SPHERICAL:
-        combine(w, x->R, u, l->iv, 3);
+    case TURNS_FREELY:
+        v3_scale(w, u[iv[0]], x->R);
+        v3_axpy(w, u[iv[1]], x->R + 3);
+        v3_axpy(w, u[iv[2]], x->R + 6);
         break;
-    case JOINT_PLANAR:
-        v3_scale(w, u[l->iv[2]], x->R + 6);
-        combine(d, x->E, u, l->iv, 2);
-        break;
-    case JOINT_FREE:
-        combine(w, x->R, u, l->iv + 3, 3);
-        combine(d, x->E, u, l->iv, 3);
-        break;
-    default:
-        v3_set(w, 0, 0, 0);
     }
+    if (l->nslide == 0) return;
+    v3_set(d, 0, 0, 0);
+    add_slides(d, x, l, u, l->iv);
 }
 
 static inline void turn_on(struct part *restrict x, struct motion *restrict o, const struct part *restrict p,
@@ -204,15 +190,15 @@ static inline void move_on(struct part *restrict x, const struct motion *restric
                            const struct link *restrict l)
 {
     for (int i = 0; i < 3; i++) x->v[i] = p->v[i] + o->v_rho[i] + o->v_c[i];
-    if (slides(l->type)) v3_add(x->v, o->dv);
+    if (l->nslide) v3_add(x->v, o->dv);
 }
 
 /* (e_1 u_1) x (e_2 u_2). */
-static inline void universal_bias(double *al, const struct part *x, const struct link *l, const double *v)
+static inline void crossed_bias(double *al, const struct part *x, const struct link *l, const double *v)
 {
     double both[3];
     v3_cross(both, x->E, x->R + 3);
-    v3_axpy(al, v[l->iv[0]] * v[l->iv[1]], both);
+    v3_axpy(al, v[l->iv[l->turn]] * v[l->iv[l->turn + 1]], both);
 }
 
 static inline void speed_up(struct part *restrict x, const struct motion *restrict o, const struct part *restrict p,
@@ -220,7 +206,7 @@ static inline void speed_up(struct part *restrict x, const struct motion *restri
 {
     double al[3], da[3];
     joint_sums(al, da, x, l, a);
-    if (l->type == JOINT_UNIVERSAL) universal_bias(al, x, l, v);
+    if (l->turning == TURNS_CROSSED) crossed_bias(al, x, l, v);
     v3_cross_add(al, p->w, o->wr);
     v3_sum(x->al, p->al, al);
     v3_copy(x->a, p->a);
@@ -228,7 +214,7 @@ static inline void speed_up(struct part *restrict x, const struct motion *restri
     v3_cross_add(x->a, p->w, o->v_rho);
     v3_cross_add(x->a, x->al, x->c);
     v3_cross_add(x->a, x->w, o->v_c);
-    if (slides(l->type)) {
+    if (l->nslide) {
         double coriolis[3];
         v3_cross(coriolis, p->w, o->dv);
         v3_axpy(x->a, 2, coriolis);
@@ -350,7 +336,7 @@ static inline void rows(double *restrict r, const struct part *restrict x, const
 {
     double n[3];
     spatial_moment(n, x);
-    for (int k = 0; k < l->nv; k++) r[l->iv[k]] += v3_dot(spatial_axis(x, l, k), spatial_turns(l, k) ? n : x->F);
+    for (int k = 0; k < l->nv; k++) r[l->iv[k]] += spatial_power(x, l, k, x->F, n);
 }
 
 static void backward(struct sweep *s, double *r, unsigned cls)

@@ -1,6 +1,6 @@
 /* spatial.h -- what the files of the spatial recursion share.
  *
- * Every body carries an inner frame that lies along the axes of its tree joint (spherical and free joints: along the
+ * Every body carries an inner frame that lies along the axes of its tree joint (one that turns freely: along the
  * body's own), so that a rotation about the joint's z turns two columns of R and costs no product.  What enters
  * and leaves goes through `turned`; the fixed pieces below are in inner frames. */
 #ifndef FMDSUB_TREE_SPATIAL_H
@@ -11,15 +11,21 @@
 #include "tree/routes.h"
 #include "tree/sweep.h"
 
-/* What stays: a joint and the body it moves. */
+/* What stays: a joint and the body it moves.  A rate turns its body, or slides it, or slides it as it turns. */
 struct link {
     int parent;
-    enum joint_type type;
+    enum joint_turning turning;
     int nv, iq[JOINT_MAX_Q], iv[JOINT_MAX_V];
-    bool straight;     /* Ea is the unit matrix */
-    double Ea[9];      /* the child's inner frame in the parent's when all coordinates are 0 */
-    double Et[9];      /* free: axes of the displacements in the parent's inner frame */
-    double a[3], b[3]; /* the joint's point from the parent's, the child's centre [m] */
+    int turn;                  /* the first rate that turns; their axes: z; x and y; those of a ball */
+    int slide, nslide;         /* the first rate that slides, and how many do; their axes: columns side by side */
+    bool turns[JOINT_MAX_V];   /* does the k-th rate? */
+    double along[JOINT_MAX_V]; /* how far it slides per unit, 0: not at all; 1 of all but the first */
+    size_t axis[JOINT_MAX_V];  /* its axis: where this stands in the part, as offsetof() counts */
+    bool apart;                /* they slide along axes that the turn moves away from */
+    bool straight;             /* Ea is the unit matrix */
+    double Ea[9];              /* the child's inner frame in the parent's when all coordinates are 0 */
+    double Et[9];              /* ball: axes of the displacements in the parent's inner frame */
+    double a[3], b[3];         /* the joint's point from the parent's, the child's centre [m] */
     double mass;
     double inertia[6]; /* about the centre */
     double turned[9];  /* inner axes by column in body axes */
@@ -34,7 +40,7 @@ struct part {
     double rho[3];      /* joint's point on the child from the parent's centre */
     double c[3];        /* the centre from the joint's point */
     double arm[3];      /* rho + c */
-    double E[9];        /* axes that stay with the parent: planar, universal; free: of the displacements */
+    double E[9];        /* joint axes that stay with the parent, where the child turns away from one in use */
     double F[3], N[3];  /* force and moment about the centre that the joint must bring up */
 };
 
@@ -96,51 +102,32 @@ struct sweep {
     bool accelerated;              /* the last motion had accelerations */
 };
 
-/* Is the k-th velocity of l a rotation? */
-static inline bool spatial_turns(const struct link *l, int k)
-{
-    switch (l->type) {
-    case JOINT_PRISMATIC:
-        return false;
-    case JOINT_CYLINDRICAL:
-        return k == 0;
-    case JOINT_PLANAR:
-        return k == 2;
-    case JOINT_FREE:
-        return k >= 3;
-    default:
-        return true;
-    }
-}
-
 /* Unit axis of the k-th velocity of l, world axes. */
 static inline const double *spatial_axis(const struct part *x, const struct link *l, int k)
 {
-    switch (l->type) {
-    case JOINT_UNIVERSAL:
-        return k == 0 ? x->E : x->R + 3;
-    case JOINT_SPHERICAL:
-        return x->R + 3 * k;
-    case JOINT_PLANAR:
-        return k == 2 ? x->R + 6 : x->E + 3 * k;
-    case JOINT_FREE:
-        return k < 3 ? x->E + 3 * k : x->R + 3 * (k - 3);
-    default:
-        return x->R + 6;
-    }
+    return (const double *)((const char *)x + l->axis[k]);
 }
 
 /* Twist of the child about its centre for unit rate of the k-th velocity. */
 static inline void spatial_unit(struct twist *o, const struct part *x, const struct link *l, int k)
 {
     const double *e = spatial_axis(x, l, k);
-    if (spatial_turns(l, k)) {
-        v3_copy(o->w, e);
-        v3_cross(o->v, e, x->c);
-    } else {
+    if (!l->turns[k]) {
         v3_set(o->w, 0, 0, 0);
         v3_copy(o->v, e);
+        return;
     }
+    v3_copy(o->w, e);
+    v3_cross(o->v, e, x->c);
+    if (l->along[k] != 0) v3_axpy(o->v, l->along[k], e);
+}
+
+/* Power of a force f and a moment n about the joint's point on the child for unit rate of the k-th velocity. */
+static inline double spatial_power(const struct part *x, const struct link *l, int k, const double *f, const double *n)
+{
+    const double *e = spatial_axis(x, l, k);
+    if (!l->turns[k]) return v3_dot(e, f);
+    return l->along[k] == 0 ? v3_dot(e, n) : v3_dot(e, n) + l->along[k] * v3_dot(e, f);
 }
 
 /* Moment about the joint's point on the child. */

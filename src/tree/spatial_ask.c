@@ -74,16 +74,16 @@ void spatial_partial(const struct sweep *s, double *xv, double *w, int body, con
         partial_flexible(s, xv, w, body, x, s->flexible_of[o], s->routes.local[k] - s->link[o].nv);
         return;
     }
-    const double *e = spatial_axis(p, &s->link[o], s->routes.local[k]);
-    if (!spatial_turns(&s->link[o], s->routes.local[k])) {
-        v3_copy(xv, e);
-        return;
-    }
+    const struct link *l = &s->link[o];
+    const int i = s->routes.local[k];
+    const double *e = spatial_axis(p, l, i);
+    if (l->along[i] != 0) v3_scale(xv, l->along[i], e);
+    if (!l->turns[i]) return;
     double d[3];
     v3_diff(d, x, p->r);
     v3_add(d, p->c);
     v3_copy(w, e);
-    v3_cross(xv, e, d);
+    v3_cross_add(xv, e, d);
 }
 
 /* Rows of a joint, [nv]: f at the joint's point, its moment there. */
@@ -95,7 +95,7 @@ static void joint_row(double *g, const struct part *p, const struct link *l, con
     v3_add(arm, p->c);
     v3_copy(moment, n);
     v3_cross_add(moment, arm, f);
-    for (int k = 0; k < l->nv; k++) g[k] = v3_dot(spatial_axis(p, l, k), spatial_turns(l, k) ? moment : f);
+    for (int k = 0; k < l->nv; k++) g[k] = spatial_power(p, l, k, f, moment);
 }
 
 static void stand_row(double *g, const struct part *p, const struct stand *o, const double *x, const double *f,
@@ -154,7 +154,7 @@ void spatial_energy(const struct sweep *s, double *kinetic, double *gravity)
 }
 
 /* The axes of every joint's rotations are at right angles to each other, those of its displacements too, so the
- * free directions come out one by one. */
+ * free directions come out one by one: of a rate that turns a moment, else a force. */
 void spatial_reaction(const struct sweep *s, double *f, double *n, int joint)
 {
     int body = s->model->joint[joint].child;
@@ -163,8 +163,6 @@ void spatial_reaction(const struct sweep *s, double *f, double *n, int joint)
     v3_copy(f, x->F);
     spatial_moment(n, x);
     for (int k = 0; k < l->nv; k++) {
-        const double *e = spatial_axis(x, l, k);
-        double *of = spatial_turns(l, k) ? n : f;
-        v3_axpy(of, -v3_dot(e, of), e);
+        v3_axpy(l->turns[k] ? n : f, -spatial_power(x, l, k, f, n), spatial_axis(x, l, k));
     }
 }

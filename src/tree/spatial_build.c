@@ -1,12 +1,40 @@
 /* spatial_build.c -- what the spatial recursion knows before it sees a state */
+#include <assert.h>
 #include <string.h>
 
 #include "tree/spatial.h"
 
-/* The inner frame of a body in body axes: its tree joint's, where the rates are not in body axes. */
-static void inner_frame(double *T, const struct model_joint *j)
+/* An axis of the second body is a column of R; one of the first body, too, if nothing turns it away. */
+static bool stays(const struct freedom *f, const struct link *l, const struct joint_kind *kind)
 {
-    if (j->type == JOINT_SPHERICAL || j->type == JOINT_FREE)
+    return f->second || l->turning == TURNS_NEVER ||
+           (l->turning == TURNS_ABOUT_ONE && f->axis == kind->freedom[l->turn].axis);
+}
+
+static void build_freedoms(struct link *l, const struct model_joint *j, const struct joint_kind *kind)
+{
+    l->turning = joint_turning(kind, &l->turn);
+    for (int k = j->nv - 1; k >= 0; k--) {
+        const struct freedom *f = &kind->freedom[k];
+        const bool in_R = stays(f, l, kind);
+        l->turns[k] = f->turns;
+        l->along[k] = joint_along(f, j->number);
+        l->axis[k] =
+            (in_R ? offsetof(struct part, R) : offsetof(struct part, E)) + 3 * sizeof(double) * (size_t)f->axis;
+        if (!f->slides) continue;
+        assert(l->nslide == 0 || (l->along[k + 1] == 1 && l->axis[k + 1] == l->axis[k] + 3 * sizeof(double)));
+        l->slide = k;
+        l->nslide++;
+        l->apart |= !in_R;
+    }
+    assert(l->turning != TURNS_ABOUT_ONE || kind->freedom[l->turn].axis == 2);
+    assert(l->turning != TURNS_CROSSED || (kind->freedom[l->turn].axis == 0 && kind->freedom[l->turn + 1].axis == 1));
+}
+
+/* The inner frame of a body in body axes: its tree joint's, where the rates are not in body axes. */
+static void inner_frame(double *T, const struct link *l, const struct model_joint *j)
+{
+    if (l->turning == TURNS_FREELY)
         m3_unit(T);
     else
         memcpy(T, j->Eb, sizeof j->Eb);
@@ -27,15 +55,15 @@ static void turn_inertia(double *inner, const double *T, const double *inertia)
 
 /* R_child = R_parent Ea J(q) Eb' with J = 1 in the drawn position. */
 static void build_link(struct link *l, const struct link *parent, const struct model_joint *j,
-                       const struct model_body *body)
+                       const struct joint_kind *kind, const struct model_body *body)
 {
     double drawn[9];
     l->parent = j->parent;
-    l->type = j->type;
     l->nv = j->nv;
+    build_freedoms(l, j, kind);
     memcpy(l->iq, j->iq, sizeof l->iq);
     memcpy(l->iv, j->iv, sizeof l->iv);
-    inner_frame(l->turned, j);
+    inner_frame(l->turned, l, j);
     m3_mulmt(drawn, j->Ea, j->Eb);
     m3_mulm(l->Et, drawn, l->turned);
     m3_tmulm(l->Ea, parent->turned, l->Et);
@@ -72,7 +100,7 @@ struct sweep *spatial_build(const struct model *m, enum purpose purpose, struct 
     build_ground(s, m);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &m->joint[m->body[i].joint];
-        build_link(&s->link[i], &s->link[j->parent], j, &m->body[i]);
+        build_link(&s->link[i], &s->link[j->parent], j, model_kind(m, j->type), &m->body[i]);
     }
     routes_build(&s->routes, m, life);
     spatial_flex_build(s, m, life);

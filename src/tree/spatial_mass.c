@@ -73,12 +73,11 @@ static inline void start(double *F, double *N, const struct composite *x, const 
 
 static inline double row(const struct part *x, const struct link *l, int k, const double *F, const double *N)
 {
-    const double *e = spatial_axis(x, l, k);
-    if (!spatial_turns(l, k)) return v3_dot(e, F);
     double n[3];
+    if (!l->turns[k]) return v3_dot(spatial_axis(x, l, k), F);
     v3_copy(n, N);
     v3_cross_add(n, x->c, F);
-    return v3_dot(e, n);
+    return spatial_power(x, l, k, F, n);
 }
 
 /* Rows of the first m coordinates of the body on which o stands, of F and N in its axes. */

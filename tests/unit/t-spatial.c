@@ -25,7 +25,7 @@ enum { BODIES = 8, MOST = 6 * BODIES, MOST_Q = 7 * BODIES, SEEDS = 60 };
 /* ---- a model at a state ---- */
 
 /* One unit velocity: a rotation about, or a displacement along e, of all that hangs on the joint at B. */
-struct freedom {
+struct unit_velocity {
     int owner;
     bool turns;
     double complex e[3], B[3];
@@ -33,7 +33,7 @@ struct freedom {
 
 struct places {
     struct transform body[BODIES + 1];
-    struct freedom freedom[MOST];
+    struct unit_velocity freedom[MOST];
 };
 
 static void column(double complex *e, struct transform X, int k)
@@ -44,7 +44,7 @@ static void column(double complex *e, struct transform X, int k)
 static void freedom(struct places *o, const struct model_joint *j, int k, bool turns, struct transform axes, int axis,
                     struct transform at)
 {
-    struct freedom *f = &o->freedom[j->iv[k]];
+    struct unit_velocity *f = &o->freedom[j->iv[k]];
     f->owner = j->child;
     f->turns = turns;
     column(f->e, axes, axis);
@@ -110,7 +110,7 @@ static void cross(double complex *o, const double complex *a, const double compl
 static void partial(double complex *v, double complex *w, const struct places *o, const struct model *m, int body,
                     int k)
 {
-    const struct freedom *f = &o->freedom[k];
+    const struct unit_velocity *f = &o->freedom[k];
     memset(v, 0, 3 * sizeof *v);
     memset(w, 0, 3 * sizeof *w);
     if (!hangs_on(m, body, f->owner)) return;
@@ -734,7 +734,7 @@ static void test_reactions(void **state)
             for (int c = 0; c < 3; c++) B[c] += o.body[j->child].r[c];
             beyond(of_f, of_n, &o, j->child, B);
             for (int k = 0; k < j->nv; k++) {
-                const struct freedom *x = &o.at.freedom[j->iv[k]];
+                const struct unit_velocity *x = &o.at.freedom[j->iv[k]];
                 double *from = x->turns ? of_n : of_f;
                 for (int c = 0; c < 3; c++) from[c] -= tau[j->iv[k]] * creal(x->e[c]);
             }
