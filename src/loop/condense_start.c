@@ -302,7 +302,7 @@ static enum status draw_drives(struct condense *o)
     for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
     rows_misfit(o->C, &row, &o->rows, o->q);
     for (int i = 0; i < l->nrow; i++)
-        if (l->row[i].type == ROW_DRIVE) l->drawn[i] = o->C[i];
+        if (o->model->loop[l->row[i].loop].drive) l->drawn[i] = o->C[i];
     l->share = 0;
     loops_when(l, o->model->t0);
     return OK;

@@ -1,24 +1,9 @@
-/* loops.c -- values, derivatives and forces of loop joints, ties and drives.
- *
- * With d the vector from the first body's point to the second's, e axes of the first (A), g of the second (B),
- * wr = w_B - w_A, and u = d' - w_A x d the velocity of B's point as A sees it:
- *
- *     ALONG  C = e.d        C' = e.u            C'' = e.(d'' - al_A x d - w_A x (w_A x d) - 2 w_A x u)
- *     LEAN   C = e.g        C' = wr.(g x e)     C'' = e''.g + 2 e'.g' + e.g'',   e'' = al x e + w x (w x e)
- *     TURN   C = phi_B - phi_A                  C'' = al_B - al_A
- *     SPAN   C = |d| - L      C' = n.d'         C'' = n.d'' + (d'.d' - (n.d')^2)/|d|,   n = d/|d|
- *     SUM    C = sum f_i q_i                    C'' = sum f_i a_i
- *     DRIVE  C = s(q) - c(t), s a coordinate, a distance or displacement, in the plane an angle:
- *            C'' as above, less c''
- *
- * A row of C_q is C' per unit velocity of each coordinate.  Its multiplier lambda does the work -lambda C':
- * for ALONG a force -lambda e on B at its point and the opposite on A, for SPAN along n, for LEAN a pair of torques.
- * A sum's is the generalized force -lambda f_i on each of its coordinates, which is a matter of their joints: these
- * bear nothing of it. */
+/* loops.c -- loop joints, ties and drives at a posture: values, derivatives and forces of their rows; see
+ * equations.c. */
 #include <math.h>
 #include <string.h>
 
-#include "loop/loops_parts.h"
+#include "loop/equations.h"
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
@@ -36,8 +21,8 @@ static void look(struct loops *o, const struct sweep *s, int loop)
     v3_take(p->d, a);
     for (int i = o->first[loop]; i < o->first[loop + 1]; i++) {
         const struct loop_row *r = &o->row[i];
-        if (r->type == ROW_ALONG || r->type == ROW_LEAN) m3_mul(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
-        if (r->type == ROW_LEAN) m3_mul(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
+        if (r->says->first) m3_mul(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
+        if (r->says->second) m3_mul(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
     }
 }
 
@@ -132,49 +117,7 @@ int loops_corners(struct loops *o, double ta, double tb)
 
 void loops_values(double *C, const struct loops *o)
 {
-    for (int i = 0; i < o->nrow; i++) {
-        const struct loop_row *r = &o->row[i];
-        const struct loop_place *p = &o->place[r->loop];
-        switch (r->type) {
-        case ROW_ALONG:
-            C[i] = v3_dot(o->axes[i].e, p->d) / o->length;
-            break;
-        case ROW_LEAN:
-            C[i] = v3_dot(o->axes[i].e, o->axes[i].g);
-            break;
-        case ROW_TURN:
-            C[i] = p->B.angle - p->A.angle;
-            break;
-        case ROW_SPAN:
-            C[i] = (v3_norm(p->d) - o->model->loop[r->loop].number) / o->length;
-            break;
-        case ROW_SUM:
-            C[i] = p->sum / o->scale[r->loop];
-            break;
-        case ROW_DRIVE:
-            C[i] = loops_scale(o, r->loop) * o->act[r->loop].s - o->c[i];
-            break;
-        }
-    }
-}
-
-static bool is_force(const struct loop_row *r)
-{
-    return r->type == ROW_ALONG || r->type == ROW_SPAN;
-}
-
-/* The row of a joint or rod as a pair of opposite unit wrenches: C' = dir.(relative velocity at the second's point), or
- * of (relative angular velocity). */
-static void direction(double *dir, const struct loops *o, int i)
-{
-    const struct loop_row *r = &o->row[i];
-    const struct loop_place *p = &o->place[r->loop];
-    if (r->type == ROW_ALONG) v3_scale(dir, 1 / o->length, o->axes[i].e);
-    if (r->type == ROW_LEAN) v3_cross(dir, o->axes[i].g, o->axes[i].e);
-    if (r->type == ROW_TURN) v3_set(dir, 0, 0, 1);
-    if (r->type != ROW_SPAN) return;
-    loops_normal(dir, p->d);
-    v3_scale(dir, 1 / o->length, dir);
+    for (int i = 0; i < o->nrow; i++) C[i] = o->row[i].says->value(o, i);
 }
 
 static void drive_jacobian(struct loops *o, const struct sweep *s, int l)
@@ -195,12 +138,14 @@ static void wrench_row(struct loops *o, const struct sweep *s, double *Cq, int l
     const struct model_loop *loop = &o->model->loop[l];
     const struct loop_ways *w = &o->ways[l];
     const double *x = o->place[l].x;
-    const bool force = is_force(&o->row[row]);
-    double dir[3], back[3], *to = w->same ? o->grad.g : Cq + w->n[0];
-    direction(dir, o, row);
-    v3_scale(back, -1, dir);
-    if (w->n[0] > 0) o->ops->row(s, Cq, loop->first, w->from, x, force ? back : NULL, force ? NULL : back);
-    if (w->n[1] > 0) o->ops->row(s, to, loop->second, w->from, x, force ? dir : NULL, force ? NULL : dir);
+    const struct equation *says = o->row[row].says;
+    double f[3], n[3], back[2][3], *to = w->same ? o->grad.g : Cq + w->n[0];
+    says->wrench(f, n, o, row);
+    if (says->force) v3_scale(back[0], -1, f);
+    if (says->moment) v3_scale(back[1], -1, n);
+    if (w->n[0] > 0)
+        o->ops->row(s, Cq, loop->first, w->from, x, says->force ? back[0] : NULL, says->moment ? back[1] : NULL);
+    if (w->n[1] > 0) o->ops->row(s, to, loop->second, w->from, x, says->force ? f : NULL, says->moment ? n : NULL);
     if (w->same == 0) return;
     for (int k = 0; k < w->same; k++) Cq[k] += to[k];
     for (int k = w->same; k < w->n[1]; k++) Cq[w->n[0] + k - w->same] = to[k];
@@ -220,6 +165,24 @@ void loops_jacobian(struct loops *o, const struct sweep *s)
     for (int l = joints; l < o->model->nloop; l++) drive_jacobian(o, s, l);
 }
 
+/* Motion of the bodies of a loop, if its rows ask for it. */
+static void look_at_motion(struct loops *o, const struct sweep *s, int l)
+{
+    const struct model_loop *loop = &o->model->loop[l];
+    struct loop_place *p = &o->place[l];
+    if (loop->nterm || (loop->drive && loops_along_coordinate(o, l))) return;
+    if (o->first[l] == o->first[l + 1]) return; /* it holds nothing */
+    o->ops->pose(s, &p->A, loop->first);
+    o->ops->pose(s, &p->B, loop->second);
+    if (o->row[o->first[l]].says->seen) equations_seen(p->seen, p);
+}
+
+void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a)
+{
+    for (int l = 0; l < o->model->nloop; l++) look_at_motion(o, s, l);
+    for (int i = 0; i < o->nrow; i++) C2[i] = o->row[i].says->rate2(o, i, a);
+}
+
 /* --- forces ------------------------------------------------------------------------------------- */
 
 static void wrench(double *f, double *n, const struct loops *o, int l, const double *lambda)
@@ -227,9 +190,11 @@ static void wrench(double *f, double *n, const struct loops *o, int l, const dou
     v3_set(f, 0, 0, 0);
     v3_set(n, 0, 0, 0);
     for (int i = o->first[l]; i < o->first[l + 1] && o->model->loop[l].nterm == 0; i++) {
-        double dir[3];
-        direction(dir, o, i);
-        v3_axpy(is_force(&o->row[i]) ? f : n, -lambda[i], dir);
+        const struct equation *says = o->row[i].says;
+        double unit[2][3];
+        says->wrench(unit[0], unit[1], o, i);
+        if (says->force) v3_axpy(f, -lambda[i], unit[0]);
+        if (says->moment) v3_axpy(n, -lambda[i], unit[1]);
     }
 }
 
@@ -274,8 +239,7 @@ void loops_reaction(const struct loops *o, double *f, double *n, int l, const do
 
 double loops_force(const struct loops *o, int l, const double *lambda)
 {
-    const struct model_loop *loop = &o->model->loop[l];
-    const double x = -lambda[o->first[l]];
-    if (loop->nterm) return x * loop->term[loop->nterm - 1].factor / o->scale[l];
-    return loop->type == JOINT_DISTANCE && !loop->drive ? x / o->length : 0;
+    const int i = o->first[l];
+    const struct equation *says = o->row[i].says;
+    return says->shown ? says->shown(o, i, -lambda[i]) : 0;
 }

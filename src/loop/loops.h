@@ -10,33 +10,25 @@
 #include "model/model.h"
 #include "tree/sweep.h"
 
-/* What one equation says of the second body's axes and point against the first's. */
-enum loop_row_type {
-    ROW_ALONG, /* the second's point has not moved along axis i of the first */
-    ROW_LEAN,  /* axis i of the first and axis j of the second stay at right angles */
-    ROW_TURN,  /* plane: both bodies have turned alike */
-    ROW_SPAN,  /* the second's point keeps its distance from the first's */
-    ROW_SUM,   /* coordinates times factors sum to 0 */
-    ROW_DRIVE  /* a measure stands where its drive has it: s(q) = c(t) */
-};
-
 enum { LOOP_ROWS = 6 }; /* of one loop at most */
+
+struct equation; /* equations.h */
 
 struct loop_row {
     int loop;
-    enum loop_row_type type;
-    int i, j;
+    const struct equation *says;
+    int i, j; /* axes that it speaks of: of the first body, of the second */
 };
 
 /* Where a loop's two bodies stand. */
 struct loop_place {
     struct pose A, B;
     double d[3], x[3]; /* from the first's point to the second's; the second's point, world */
-    double seen[3];    /* ROW_ALONG, which stand first: the point's acceleration as the first body sees it */
-    double sum;        /* ROW_SUM: of the coordinates */
+    double seen[3];    /* the point's acceleration as the first body sees it, where the first equation asks for it */
+    double sum;        /* of the tied coordinates */
 };
 
-/* The axes that a row speaks of, in the world: of the first body; of the second (ROW_LEAN). */
+/* The axes that a row speaks of, in the world: of the first body, of the second. */
 struct loop_axes {
     double e[3], g[3];
 };

@@ -1,87 +1,8 @@
-/* loops_build.c -- the equations of each loop joint, tie and drive, and the coordinates they tie. */
+/* loops_build.c -- the rows of each loop joint, tie and drive, and the coordinates they tie. */
 #include <math.h>
-#include <string.h>
 
-#include "loop/loops_parts.h"
+#include "loop/equations.h"
 #include "tree/sizes.h"
-
-struct equation {
-    enum loop_row_type type;
-    int i, j;
-};
-
-struct equations {
-    int n;
-    struct equation e[LOOP_ROWS];
-};
-
-/* Along an axis of the first body; of an axis of the second leaning towards one of the first. */
-#define X                                                                                                              \
-    {                                                                                                                  \
-        ROW_ALONG, 0, 0                                                                                                \
-    }
-#define Y                                                                                                              \
-    {                                                                                                                  \
-        ROW_ALONG, 1, 0                                                                                                \
-    }
-#define Z                                                                                                              \
-    {                                                                                                                  \
-        ROW_ALONG, 2, 0                                                                                                \
-    }
-#define XY                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 0, 1                                                                                                 \
-    }
-#define YZ                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 1, 2                                                                                                 \
-    }
-#define ZX                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 2, 0                                                                                                 \
-    }
-#define XZ                                                                                                             \
-    {                                                                                                                  \
-        ROW_LEAN, 0, 2                                                                                                 \
-    }
-#define TURN                                                                                                           \
-    {                                                                                                                  \
-        ROW_TURN, 0, 0                                                                                                 \
-    }
-
-#define SPAN                                                                                                           \
-    {                                                                                                                  \
-        ROW_SPAN, 0, 0                                                                                                 \
-    }
-#define SUM                                                                                                            \
-    {                                                                                                                  \
-        ROW_SUM, 0, 0                                                                                                  \
-    }
-
-static const struct equations plane[JOINT_TYPES] = {
-    [JOINT_FIXED] = {3, {X, Y, TURN}}, [JOINT_REVOLUTE] = {2, {X, Y}},   [JOINT_PRISMATIC] = {2, {X, TURN}},
-    [JOINT_DISTANCE] = {1, {SPAN}},    [JOINT_POINT_ON_LINE] = {1, {X}}, [JOINT_GEAR] = {1, {SUM}},
-    [JOINT_RACK] = {1, {SUM}}};
-
-static const struct equations room[JOINT_TYPES] = {[JOINT_FIXED] = {6, {X, Y, Z, XY, YZ, ZX}},
-                                                   [JOINT_REVOLUTE] = {5, {X, Y, Z, XZ, YZ}},
-                                                   [JOINT_PRISMATIC] = {5, {X, Y, XY, YZ, ZX}},
-                                                   [JOINT_CYLINDRICAL] = {4, {X, Y, XZ, YZ}},
-                                                   [JOINT_UNIVERSAL] = {4, {X, Y, Z, XY}},
-                                                   [JOINT_SPHERICAL] = {3, {X, Y, Z}},
-                                                   [JOINT_PLANAR] = {3, {Z, XZ, YZ}},
-                                                   [JOINT_DISTANCE] = {1, {SPAN}},
-                                                   [JOINT_POINT_ON_LINE] = {2, {X, Y}},
-                                                   [JOINT_GEAR] = {1, {SUM}},
-                                                   [JOINT_RACK] = {1, {SUM}}};
-
-/* The equations of a joint: each freedom it takes away. */
-static int equations_of(struct equation *o, enum joint_type type, int space)
-{
-    int n = space == 2 ? plane[type].n : room[type].n;
-    memcpy(o, space == 2 ? plane[type].e : room[type].e, sizeof *o * (size_t)n);
-    return n;
-}
 
 /* The largest term for coordinates of usual size, 1 rad or a length of the mechanism. */
 static double size_of(const struct loops *o, const struct model_loop *loop)
@@ -163,10 +84,7 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->scale = TAKE(life, double, m->nloop);
     struct sweep *paths = ops->build(m, SEEN, life);
     for (int l = 0; l < m->nloop; l++) {
-        struct equation e[LOOP_ROWS] = {{ROW_DRIVE, 0, 0}};
-        int n = m->loop[l].drive ? 1 : equations_of(e, m->loop[l].type, m->space);
-        for (int i = 0; i < n; i++) o->row[o->nrow++] = (struct loop_row){l, e[i].type, e[i].i, e[i].j};
-        o->first[l + 1] = o->nrow;
+        o->first[l + 1] = o->nrow += equations_of(o->row + o->nrow, m, l);
         if (m->loop[l].nterm)
             tie_terms(o, l, life);
         else if (m->loop[l].drive && loops_along_coordinate(o, l))

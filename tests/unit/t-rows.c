@@ -123,7 +123,8 @@ static void try_rows(int space, unsigned seed, double *worst)
     apply(o.loops, first, v);
     for (int i = 0; i < o.loops->nrow; i++) {
         const struct loop_row *r = &o.loops->row[i];
-        if (r->type == ROW_SPAN && v3_norm(o.loops->place[r->loop].d) < .3) continue; /* differences are too coarse */
+        if (o.loop[r->loop].type == JOINT_DISTANCE && v3_norm(o.loops->place[r->loop].d) < .3)
+            continue; /* differences are too coarse */
         worst[0] = fmax(worst[0], fabs(first[i] - C1[i]) / (1 + fabs(C1[i])));
         worst[1] = fmax(worst[1], fabs(second[i] - C2[i]) / (1 + fabs(C2[i])));
     }
@@ -161,7 +162,7 @@ static void try_push(int space, unsigned seed, double *worst)
     }
     for (int i = 0; i < o.loops->nrow; i++) {
         int l = o.loops->row[i].loop, nk = o.loops->nk[l];
-        for (int k = 0; k < nk && o.loops->row[i].type != ROW_SUM; k++)
+        for (int k = 0; k < nk && o.loop[l].nterm == 0; k++)
             want[o.loops->k[l][k]] += o.loops->Cq[l][(i - o.loops->first[l]) * nk + k] * lambda[i];
     }
     for (int i = 0; i < o.model.n; i++) *worst = fmax(*worst, fabs(r[1][i] - r[0][i] - want[i]));
