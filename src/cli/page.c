@@ -1,4 +1,4 @@
-/* page.c -- the tables of the program as mdoc: keys, coordinates, functions, schemes, messages; see page.h */
+/* page.c -- the tables of the program as mdoc: keys, coordinates, columns, functions, schemes, messages; see page.h */
 #include "cli/page.h"
 #include "multirate/schemes.h"
 
@@ -153,6 +153,39 @@ static void print_coordinates(FILE *to)
     fputs(".El\n", to);
 }
 
+/* ---- columns ---- */
+
+/* ".x .y .z" with another text in place of the blanks */
+static void put_endings(FILE *to, const char *words, const char *between)
+{
+    for (; *words; words++) fputs(*words == ' ' ? between : (char[]){*words, 0}, to);
+}
+
+/* "J Ns Cm .fx , .fy": capitals and s stand for names, the rest are names. */
+static void print_column(FILE *to, const struct column_table *t, const struct column_kind *row)
+{
+    const char *words = row->space ? row->space : row->plane, *second = row->angular;
+    const bool stands = strcmp(t->thing, "s") == 0 || (*t->thing >= 'A' && *t->thing <= 'Z');
+    fprintf(to, ".It %s%s%s", stands ? "" : "Cm ", t->thing, stands && *words ? " Ns Cm " : "");
+    put_endings(to, words, " , "); /* delimiters of mdoc */
+    put_all(to, "\n", row->brief, "");
+    if (row->unit)
+        fprintf(to, " [%s]%s%s%s", row->unit, second ? " or [" : "", second ? second : "", second ? "]" : "");
+    if (t->of) fprintf(to, "; of %s", t->of);
+    if (!row->plane || !row->space) fprintf(to, "; %s only", row->plane ? "2-D" : "3-D");
+    if (row->plane && row->space && strcmp(row->plane, row->space) != 0) {
+        fputs("; 2-D: ", to);
+        put_endings(to, row->plane, ", ");
+    }
+    fputs("\n", to);
+}
+
+static void print_columns(FILE *to)
+{
+    for (const struct column_table *t = column_tables; t->rows; t++)
+        for (const struct column_kind *row = t->rows; row->brief; row++) print_column(to, t, row);
+}
+
 /* ---- functions, schemes, messages ---- */
 
 static void print_functions(FILE *to)
@@ -192,13 +225,15 @@ enum status page_print(FILE *to, int n, char *const *word, struct report *report
     static const struct {
         const char *name;
         void (*print)(FILE *to);
-    } parts[] = {{"coordinates", print_coordinates},
+    } parts[] = {{"columns", print_columns},
+                 {"coordinates", print_coordinates},
                  {"functions", print_functions},
                  {"schemes", print_schemes},
                  {"codes", print_codes}};
     if (n >= 1 && strcmp(word[0], "keys") == 0) return print_keys(to, n > 1 ? word[1] : "", report);
     for (size_t i = 0; n == 1 && i < sizeof parts / sizeof *parts; i++)
         if (strcmp(parts[i].name, word[0]) == 0) return parts[i].print(to), OK;
-    return fail(report, E_USAGE, "no part of the manual '%.40s' (keys PATH, coordinates, functions, schemes, codes)",
+    return fail(report, E_USAGE,
+                "no part of the manual '%.40s' (keys PATH, columns, coordinates, functions, schemes, codes)",
                 n ? word[0] : "");
 }

@@ -11,7 +11,7 @@ const struct cli_option cli_options[] = {
     {"format", "csv|ndjson|json", 'f', "run check", "form of the records (default csv); check: json"},
     {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
     {"set", "PATH=VALUE", 's', "run check study modes list", "change the deck: --set integrate.ratio=10"},
-    {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's"},
+    {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
     {"every", "SECONDS", 0, "run", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
     {"until", "SECONDS", 0, "run study", "end of the run"},
@@ -88,24 +88,36 @@ static enum status add_set(struct request *o, const char *set, struct report *re
     return OK;
 }
 
-/* "t,hub.*" as a YAML list of quoted names; NULL if it names none.  Between single quotes nothing but the quote
- * itself has a meaning, and that is doubled. */
+/* Between single quotes nothing but the quote itself has a meaning in YAML, and that is doubled. */
+static char *put_quoted(char *to, const char *text, size_t len)
+{
+    *to++ = '\'';
+    for (size_t i = 0; i < len; i++) {
+        if (text[i] == '\'') *to++ = '\'';
+        *to++ = text[i];
+    }
+    *to++ = '\'';
+    return to;
+}
+
+/* "t,speed=2*hub.vx" as a YAML list, ['t', {'speed': '2*hub.vx'}]; NULL if it names nothing. */
 static const char *columns_set(const char *list, struct arena *life)
 {
-    char *text = arena_print(life, "output.columns=[%*s", (int)(4 * strlen(list) + 8), "");
+    int items;
+    const char **item = columns_split(&items, list, life);
+    char *text = arena_print(life, "output.columns=[%*s", (int)(4 * strlen(list)) + 12 * items + 8, "");
     char *to = text + strlen("output.columns=[");
-    int names;
-    const char **name = columns_split(&names, list, life);
-    for (int i = 0; i < names; i++) {
-        to += sprintf(to, "%s'", i ? ", " : "");
-        for (const char *c = name[i]; *c; c++) {
-            if (*c == '\'') *to++ = '\'';
-            *to++ = *c;
-        }
-        *to++ = '\'';
+    for (int i = 0; i < items; i++) {
+        const size_t name = strcspn(item[i], "=");
+        if (i) to += sprintf(to, ", ");
+        if (item[i][name]) *to++ = '{';
+        to = put_quoted(to, item[i], name);
+        if (!item[i][name]) continue;
+        to = put_quoted(to + sprintf(to, ": "), item[i] + name + 1, strlen(item[i] + name + 1));
+        *to++ = '}';
     }
     strcpy(to, "]");
-    return names ? text : NULL;
+    return items ? text : NULL;
 }
 
 static enum status add_columns(struct request *o, const char *list, struct arena *life, struct report *report)

@@ -140,8 +140,8 @@ static bool is_printed(const struct making *o, const struct scene_joint *joint)
 {
     const struct output *out = &o->scene->output;
     const size_t len = strlen(joint->name);
-    for (int i = 0; i < out->npattern; i++) {
-        const char *text = out->pattern[i]->text;
+    for (int i = 0; i < out->ncolumn; i++) {
+        const char *text = out->column[i].name ? "" : out->column[i].node->text;
         int k;
         if (strncmp(text, joint->name, len) == 0 && text[len] == '.' && scene_coordinate(joint, text + len + 1, &k))
             return true;

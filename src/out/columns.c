@@ -74,6 +74,15 @@ enum status columns_select(struct selection *to, const struct column *all, int n
     return OK;
 }
 
+/* As far as the next comma that stands in no parentheses, or the end. */
+static size_t item_length(const char *list)
+{
+    int depth = 0;
+    size_t n = 0;
+    for (; list[n] && (list[n] != ',' || depth > 0); n++) depth += (list[n] == '(') - (list[n] == ')');
+    return n;
+}
+
 const char **columns_split(int *n, const char *list, struct arena *life)
 {
     size_t most = 1;
@@ -81,8 +90,7 @@ const char **columns_split(int *n, const char *list, struct arena *life)
     const char **patterns = TAKE(life, const char *, most);
     *n = 0;
     for (const char *from = list;;) {
-        size_t length = strcspn(from, ",");
-        const char *end = from + length, *first = from + strspn(from, " \t");
+        const char *end = from + item_length(from), *first = from + strspn(from, " \t");
         const char *last = end;
         while (last > first && (last[-1] == ' ' || last[-1] == '\t')) last--;
         if (last > first) patterns[(*n)++] = arena_copy(life, first, (size_t)(last - first));

@@ -23,7 +23,8 @@ struct selection {
 enum status columns_select(struct selection *to, const struct column *all, int n, const char *const *patterns,
                            int npatterns, enum status blame, struct arena *life, struct report *report);
 
-/* The patterns of "t,hub.*, rod.x": blanks around them are dropped, empty ones left out. */
+/* The items of "t,hub.*, speed=hypot(rod.vx, rod.vy)", between commas outside of parentheses: blanks around them are
+ * dropped, empty ones left out. */
 const char **columns_split(int *n, const char *list, struct arena *life);
 
 #endif

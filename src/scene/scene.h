@@ -151,11 +151,17 @@ struct integrate {
     const struct node *node; /* the section */
 };
 
+/* Columns by name or pattern, or one made of others. */
+struct output_column {
+    const char *name;        /* of an expression; NULL: node is the pattern */
+    const struct node *node; /* the expression */
+};
+
 struct output {
     double every;    /* [s]; 0: not in seconds */
     int every_steps; /* major steps */
-    int npattern;
-    const struct node *const *pattern;
+    int ncolumn;
+    const struct output_column *column;   /* [ncolumn] in the order they are written */
     const struct node *node, *every_node; /* NULL: not given */
 };
 

@@ -47,6 +47,9 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
         else
             snprintf(error->text, sizeof error->text, "unknown name '%.50s': no parameter, coordinate, rate or measure",
                      name);
+        if (is_output_formula(s->b->reader.deck, name))
+            snprintf(error->hint, sizeof error->hint,
+                     "it is an expression of columns, which is written and moves nothing: use a measure");
         if (!nearest && of_a_body(s->b->scene, name))
             snprintf(error->hint, sizeof error->hint,
                      "of bodies and points measures are read: {displacement: [ground, %.40s], axis: ...}",

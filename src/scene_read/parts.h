@@ -100,6 +100,8 @@ int read_initial(struct builder *b, const struct node *n);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
 int read_output(struct builder *b, const struct node *n);
+/* Is it the name of an expression among the output's columns?  No force or condition reads these. */
+bool is_output_formula(const struct deck *deck, const char *name);
 
 /* The value of a measure in the drawn position. */
 double measure_drawn(const struct scene *scene, const struct scene_measure *m);

@@ -1,4 +1,4 @@
-/* run.c -- how a scene is run: fast coordinates, stepping, records */
+/* run.c -- how a scene is run: fast coordinates, stepping */
 #include <math.h>
 #include <string.h>
 
@@ -206,49 +206,5 @@ int read_integrate(struct builder *b, const struct node *n, const struct key_blo
     int errors = check_options(b, o, schemes);
     errors += read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
     if (errors) o->until = 0;
-    return errors;
-}
-
-/* ---- output ---- */
-
-static int read_every(struct builder *b, struct output *o, const struct node *n)
-{
-    o->every_node = n;
-    if (n->type == NODE_MAP) {
-        struct every_keys k = {0};
-        if (read_keys(&k, keys_every, n, NULL, "'every'", &b->reader)) return 1;
-        o->every_steps = k.steps;
-        return 0;
-    }
-    if (read_number(&o->every, n, NULL, &b->reader)) return 1;
-    if (o->every > 0) return 0;
-    diag_error(b->diags, n, AT_VALUE, "E-range", "'every' must be positive");
-    return 1;
-}
-
-int read_output(struct builder *b, const struct node *n)
-{
-    struct output *o = &b->scene->output;
-    *o = (struct output){.node = n};
-    if (!n) return 0;
-    struct output_keys k = {0};
-    if (read_keys(&k, keys_output, n, NULL, "'output'", &b->reader)) return 1;
-    int errors = k.every ? read_every(b, o, k.every) : 0;
-    if (!k.columns) return errors;
-    if (read_list(k.columns, "'columns'", &b->reader)) return errors + 1;
-    if (k.columns->count == 0) {
-        diag_error(b->diags, k.columns, AT_VALUE, "E-count", "'columns' is empty");
-        diag_hint(b->diags, "without it all coordinates and rates are written; t is in every record");
-        return errors + 1;
-    }
-    const struct node **pattern = TAKE(b->life, const struct node *, k.columns->count);
-    for (int i = 0; i < k.columns->count; i++) {
-        pattern[i] = k.columns->item[i];
-        if (pattern[i]->type == NODE_SCALAR) continue;
-        diag_error(b->diags, pattern[i], AT_VALUE, "E-type", "expected the name of a column, or a pattern");
-        errors++;
-    }
-    o->npattern = k.columns->count;
-    o->pattern = pattern;
     return errors;
 }

@@ -155,7 +155,7 @@ const struct key keys_integrate[] = {
 const struct key keys_output[] = {
     PARAM_NODE(struct output_keys, every, "every", "seconds or {steps: N}", 0,
                "time between records, or N major steps; default: every major step"),
-    PARAM_NODE(struct output_keys, columns, "columns", "[name or pattern, ...]", 0,
+    PARAM_NODE(struct output_keys, columns, "columns", "[name, pattern or {name: expression}, ...]", 0,
                "'*' and '?' as in file names; default: all coordinates and rates and energy.residual"),
     KEYS_END,
 };

@@ -11,14 +11,20 @@ struct listing {
     int plane;
 };
 
+void catalogue_add(struct catalogue *o, const char *name, const char *unit, const struct origin *origin,
+                   struct arena *life)
+{
+    int room = o->room;
+    o->column = arena_more(life, o->column, o->n, &room, sizeof *o->column);
+    o->origin = arena_more(life, o->origin, o->n, &o->room, sizeof *o->origin);
+    o->column[o->n] = (struct column){name, unit, origin->kind->brief};
+    o->origin[o->n++] = *origin;
+}
+
 static void add(struct listing *l, const char *name, const char *unit, struct origin origin)
 {
-    struct catalogue *o = l->o;
-    int room = o->room;
-    o->column = arena_more(l->life, o->column, o->n, &room, sizeof *o->column);
-    o->origin = arena_more(l->life, o->origin, o->n, &o->room, sizeof *o->origin);
-    o->column[o->n] = (struct column){name, unit, origin.kind->brief};
-    o->origin[o->n++] = origin;
+    origin.needs = origin.kind->needs;
+    catalogue_add(l->o, name, unit, &origin, l->life);
 }
 
 static struct owner *own(struct listing *l, const char *name, const struct node *node)
@@ -255,3 +261,27 @@ const struct origin *catalogue_find(const struct catalogue *o, const struct scen
     }
     return NULL;
 }
+
+const struct column_table column_tables[] = {
+    {"t", NULL, columns_time},
+    {"J", NULL, columns_reaction},
+    {"J", "distance, point-on-line", columns_tie},
+    {"J", "distance", columns_rod},
+    {"J", "gear, rack", columns_gear},
+    {"B", NULL, columns_body},
+    {"B.mode1", "flexible bodies; likewise .mode2 ...", columns_mode},
+    {"B.p", NULL, columns_point},
+    {"B.p", "flexible bodies", columns_bent_point},
+    {"B.s", "beams", columns_beam_stress},
+    {"B.s", "beams whose section has a shape", columns_beam_shear},
+    {"B.s", "bodies from files", columns_solid_stress},
+    {"B.s", NULL, columns_von_mises},
+    {"s", NULL, columns_measure},
+    {"F", "forces along a measure", columns_law},
+    {"F", "forces at points, bushings", columns_load},
+    {"D", NULL, columns_drive},
+    {"energy", NULL, columns_energy},
+    {"momentum", NULL, columns_momentum},
+    {"step", NULL, columns_step},
+    {0},
+};

@@ -46,7 +46,15 @@ extern const struct column_kind columns_time[], columns_coordinate[], columns_re
     columns_tie[], columns_rod[], columns_gear[], columns_mode[], columns_beam_stress[], columns_beam_shear[],
     columns_solid_stress[], columns_von_mises[], columns_body[], columns_point[], columns_bent_point[],
     columns_measure[], columns_law[], columns_load[], columns_drive[], columns_energy[], columns_momentum[],
-    columns_step[];
+    columns_step[], columns_formula[];
+
+/* The tables by sorts of things, for the manual; a last one without rows. */
+struct column_table {
+    const char *thing; /* what stands for its name: "J"; or the name itself, "energy" */
+    const char *of;    /* which of these things; NULL: all, or there is only one */
+    const struct column_kind *rows;
+};
+extern const struct column_table column_tables[];
 
 /* The thing that a column is of. */
 struct owner {
@@ -62,6 +70,7 @@ struct origin {
     int index;                     /* number of the thing in the model; of a coordinate its place in q or v */
     int place;                     /* number of the place of stress on the body */
     int k;                         /* component, counted in the names in space */
+    unsigned needs;                /* SEE_...: its row's; of an expression those of all that it reads */
     const struct scene_slot *slot; /* what expressions of the deck call it; NULL: nothing */
 };
 
@@ -72,6 +81,9 @@ struct catalogue {
 };
 
 void catalogue_build(struct catalogue *o, const struct scene *scene, const struct model *m, struct arena *life);
+
+void catalogue_add(struct catalogue *o, const char *name, const char *unit, const struct origin *origin,
+                   struct arena *life);
 
 /* The column that expressions of the deck call so; NULL: none. */
 const struct origin *catalogue_find(const struct catalogue *o, const struct scene_slot *slot);

@@ -62,19 +62,20 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
 {
     const struct output *out = &sim->scene->output;
     const struct catalogue *c = &sim->catalogue;
-    const char **patterns = TAKE(life, const char *, out->npattern);
-    for (int i = 0; i < out->npattern; i++) patterns[i] = out->pattern[i]->text;
-    enum status status = OK;
-    for (int i = 0; i < out->npattern; i++) { /* every wrong pattern is told */
+    const char **patterns = TAKE(life, const char *, out->ncolumn);
+    enum status status = formulas_open(sim, diags, life);
+    for (int i = 0; i < out->ncolumn; i++) { /* every wrong pattern is told */
         struct report report = {0};
         struct selection one;
-        if (columns_select(&one, c->column, c->n, &patterns[i], 1, E_DECK, life, &report) == OK) continue;
-        diag_error(diags, out->pattern[i], AT_VALUE, "E-unknown-column", "%s", report.text);
+        patterns[i] = out->column[i].name ? out->column[i].name : out->column[i].node->text;
+        if (out->column[i].name || columns_select(&one, c->column, c->n, &patterns[i], 1, E_DECK, life, &report) == OK)
+            continue;
+        diag_error(diags, out->column[i].node, AT_VALUE, "E-unknown-column", "%s", report.text);
         hint(sim, patterns[i], &report, diags);
         status = E_DECK;
     }
     TRY(status);
-    return columns_select(&sim->chosen, c->column, c->n, patterns, out->npattern, E_DECK, life, NULL);
+    return columns_select(&sim->chosen, c->column, c->n, patterns, out->ncolumn, E_DECK, life, NULL);
 }
 
 static int by_name(const void *a, const void *b)
@@ -131,7 +132,7 @@ enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *l
     const struct catalogue *c = &sim->catalogue;
     catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
     TRY(refuse_twins(sim, diags, life));
-    if (sim->scene->output.npattern && !sim->options.counting)
+    if (sim->scene->output.ncolumn && !sim->options.counting)
         TRY(choose_by_deck(sim, diags, life));
     else
         choose_default(sim, life);
@@ -139,7 +140,7 @@ enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *l
     sim->columns = TAKE(life, struct column, sim->chosen.n);
     for (int i = 0; i < sim->chosen.n; i++) {
         sim->columns[i] = c->column[sim->chosen.index[i]];
-        sim->needs |= c->origin[sim->chosen.index[i]].kind->needs;
+        sim->needs |= c->origin[sim->chosen.index[i]].needs;
     }
     return foretell(sim, report);
 }

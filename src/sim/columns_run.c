@@ -56,7 +56,7 @@ static double angular_momentum(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_momentum[] = {
-    {COLUMN(".x .y", ".x .y .z", "N s", "of all bodies", SEE_MOTION, momentum)},
+    {COLUMN(".x .y", ".x .y .z", "N s", "momentum of all bodies", SEE_MOTION, momentum)},
     {COLUMN(".lz", ".lx .ly .lz", "N m s", "angular momentum of all bodies about the world's origin", SEE_MOTION,
             angular_momentum)},
     {0},

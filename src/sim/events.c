@@ -29,7 +29,7 @@ static enum status open_condition(struct sim *sim, struct diags *diags, struct a
     for (int i = 0; i < when->nslot; i++) {
         w->slot[i] = find(sim, &when->slot[i], when->node, diags);
         if (!w->slot[i]) return E_DECK;
-        w->needs |= w->slot[i]->kind->needs;
+        w->needs |= w->slot[i]->needs;
     }
     return OK;
 }
@@ -45,7 +45,7 @@ static enum status open_ranges(struct sim *sim, struct diags *diags, struct aren
         const struct scene_slot slot = {SCENE_COORDINATE, i, 0};
         const struct origin *found = find(sim, &slot, node_find(j->node, "range"), diags);
         if (!found) return E_DECK;
-        w->needs |= found->kind->needs;
+        w->needs |= found->needs;
         const char *name = sim->catalogue.column[found - sim->catalogue.origin].name;
         w->range[w->nrange++] = (struct watched_range){.joint = j, .name = name, .place = found};
     }

@@ -48,6 +48,9 @@ void say_spins(const struct sim *sim, FILE *to);
 void leaps_open(struct sim *sim, struct arena *life);
 enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report);
 
+/* formulas.c: the deck's expressions of columns join the catalogue */
+enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *life);
+
 /* record.c: what columns need (SEE_... of their rows) at the present state; one column, after that; all that are
  * written */
 enum status record_see(struct sim *sim, unsigned needs);

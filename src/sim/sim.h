@@ -44,6 +44,14 @@ struct watch {
     } * range;     /* [nrange] */
 };
 
+/* formulas.c: a column that is an expression of others. */
+struct formula {
+    const struct expr *expr;
+    int n, room;
+    int *from; /* [n] the columns that it reads, of the catalogue */
+    double *x; /* [n] their values */
+};
+
 struct sim {
     const struct scene *scene;
     const struct model *model;
@@ -55,6 +63,8 @@ struct sim {
     struct state keep; /* the state before a step that is being halved */
     struct ledger ledger;
     struct catalogue catalogue;
+    int nformula;
+    struct formula *formula; /* [nformula] */
     struct selection chosen;
     struct column *columns; /* [chosen.n] */
     double *row;            /* [chosen.n] */

@@ -50,6 +50,13 @@ for name in "it's" 'pin\angle' 'pin"' '[x' '${x}' '#'; do
     else not_ok "--columns $name" "exit $rc, expected 3 and 'no column matches'" err; fi
 done
 
+# Expressions stand among the names, commas in their parentheses.
+"$FMDSUB" run -q --until 0.5 --columns "speed=hypot(ball.vx, ball.vy), pin.*_rate,it's=speed" "$deck" >out 2>err
+grep -q "'it's' cannot name a column" err && ok "--columns with expressions: names are checked" || not_ok "--columns with expressions: names are checked" "the words:" err
+"$FMDSUB" run -q --until 0.5 --columns "speed=hypot(ball.vx, ball.vy), pin.*_rate" "$deck" >out 2>err
+awk -F , 'NR == 1 && $0 != "t,speed,pin.angle_rate" || NR > 1 && ($2 - ($3 < 0 ? -$3 : $3))^2 > 1e-20 { exit 1 } END { exit NR < 2 }' out &&
+    ok "--columns with expressions" || not_ok "--columns with expressions" "the records:" out
+
 # Steps that a scheme of own steps rejects are its way of working, no verdict.
 "$FMDSUB" run --strict --stats=stats -s "integrate={scheme: dopri5, tolerance: 1.0e-12, until: 30}" -s "output={every: 30}" -s 'forces={f: {torque: pin, value: "if(t < 1, 0, 100)"}}' "$deck" >out 2>err
 expect "--strict, own steps" 0 $? err

@@ -92,6 +92,11 @@ static void lists_are_split_at_commas(void **state)
     assert_string_equal(p[2], "rod.x");
     columns_split(&n, " , ", life);
     assert_int_equal(n, 0);
+    p = columns_split(&n, "v=hypot(rod.x, min(t, 2)) ,t,w=(1", life);
+    assert_int_equal(n, 3);
+    assert_string_equal(p[0], "v=hypot(rod.x, min(t, 2))");
+    assert_string_equal(p[1], "t");
+    assert_string_equal(p[2], "w=(1");
 }
 
 int main(void)

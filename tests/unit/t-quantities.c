@@ -200,6 +200,69 @@ static void rotation_of_a_point_is_that_of_what_is_fixed_there(void **state)
     ride_close(&r);
 }
 
+/* Of columns that are written and of others, of time, of parameters, of expressions before them. */
+static void an_expression_says_what_its_columns_say(void **state)
+{
+    struct ride r;
+    (void)state;
+    ride(&r, "fmdsub: 1\ngravity: [0, -9.81]\nparameters: {half: 0.5}\n"
+             "bodies: {ball: {mass: 2, inertia: 0.1, at: [1, 0]}}\n"
+             "constraints: {pin: {revolute: [ground, ball], at: [0, 0]}}\n"
+             "forces: {stay: {spring: pin, stiffness: 3}}\n"
+             "integrate: {scheme: midpoint, step: 1.0e-2, until: 0.2}\n"
+             "output:\n"
+             "  columns:\n"
+             "    - stay.force\n"
+             "    - {speed: \"hypot(ball.vx, ball.vy)\", work: half*2*speed^2 - t}\n"
+             "    - pin.f?\n"
+             "    - pull: stay.force + stay.elongation*3\n"
+             "    - ball.v?\n"
+             "    - {force: \"sqrt(pin.fx^2 + pin.fy^2)\", residual: energy.residual}\n"
+             "    - energy.residual\n");
+    static const char *const order[] = {"t",    "stay.force", "speed",   "work",  "pin.fx",   "pin.fy",
+                                        "pull", "ball.vx",    "ball.vy", "force", "residual", "energy.residual"};
+    assert_int_equal(r.sim.chosen.n, 12);
+    for (int i = 0; i < 12; i++) assert_string_equal(r.sim.columns[i].name, order[i]);
+    for (int i = 0; i < r.n; i++) {
+        const double speed = hypot(ride_at(&r, i, "ball.vx"), ride_at(&r, i, "ball.vy"));
+        const double fx = ride_at(&r, i, "pin.fx"), fy = ride_at(&r, i, "pin.fy");
+        assert_true(ride_at(&r, i, "speed") == speed);
+        near(ride_at(&r, i, "work"), speed * speed - ride_at(&r, i, "t"), 1e-15, "work", i);
+        assert_true(ride_at(&r, i, "pull") == 0);
+        near(ride_at(&r, i, "force"), hypot(fx, fy), 1e-13, "force", i);
+        assert_true(ride_at(&r, i, "residual") == ride_at(&r, i, "energy.residual"));
+    }
+    assert_true(ride_last(&r, "speed") > 1 && r.sim.columns[2].unit == NULL);
+    ride_close(&r);
+}
+
+/* It alone: what it reads is found out for it. */
+static void an_expression_needs_what_its_columns_need(void **state)
+{
+    static const struct {
+        const char *of;
+        unsigned needs;
+    } tries[] = {{"2*pin.angle", SEE_NOTHING},
+                 {"ball.x + t", SEE_MOTION},
+                 {"ball.ax", SEE_ACCELERATION},
+                 {"pin.fx*ball.x", SEE_REACTION | SEE_MOTION}};
+    (void)state;
+    for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {
+        struct ride r;
+        char text[600];
+        snprintf(text, sizeof text,
+                 "fmdsub: 1\ngravity: [0, -9.81]\n"
+                 "bodies: {ball: {mass: 2, inertia: 0.1, at: [1, 0]}}\n"
+                 "constraints: {pin: {revolute: [ground, ball], at: [0, 0]}}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-2, until: 0.2}\n"
+                 "output: {columns: [{it: %s, twice: 2*it}]}\n",
+                 tries[k].of);
+        ride(&r, text);
+        assert_int_equal(r.sim.needs, tries[k].needs);
+        ride_close(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -208,6 +271,8 @@ int main(void)
         cmocka_unit_test(angles_make_up_the_orientation),
         cmocka_unit_test(rotation_of_a_point_of_a_beam_at_rest),
         cmocka_unit_test(rotation_of_a_point_is_that_of_what_is_fixed_there),
+        cmocka_unit_test(an_expression_says_what_its_columns_say),
+        cmocka_unit_test(an_expression_needs_what_its_columns_need),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
