@@ -63,7 +63,7 @@ void newton_scale(struct newton *nt, const double *v, const double *a, double H)
 /* What the last step has shown; nothing bad where it has come down to round-off. */
 static void look_back(struct newton *nt)
 {
-    if (nt->count == 0 || nt->pairs) return;
+    if (nt->count == 0 || nt->pairs || nt->matrix_free) return;
     const int norm = nt->first_square > 0 && nt->square > 0;
     const double fall = norm ? sqrt(nt->first_square / nt->square) : nt->first / fmax(nt->last, DBL_MIN);
     double need = renewal_need(nt->first, nt->tol, fmin(fall, 1 / DBL_EPSILON), nt->count);
@@ -79,6 +79,7 @@ void newton_begin(struct newton *nt, double local)
     if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : fmin(1e-8, fmax(1e-13, 1e-3 * local));
     nt->theta = sqrt(nt->theta) * sqrt(sqrt(nt->theta)); /* a theta not measured anew grows towards 1 */
     nt->count = nt->bad = nt->refreshed = nt->fresh = nt->powered = 0;
+    nt->newest = false;
     nt->age++;
 }
 
@@ -128,12 +129,13 @@ static int small_energy(struct newton *nt, double square, const struct instant *
 static enum verdict later_iterate(struct newton *nt, double err, double small, double square, double theta,
                                   const struct instant *x)
 {
-    int tiny = err <= TINY || small <= TINY_SI || (nt->fresh > 0 && (err <= TINY_FRESH || small <= TINY_FRESH_SI));
+    const bool fresh = nt->fresh > 0 || nt->newest, renewable = nt->refreshed < MOST_REFRESHED && !nt->matrix_free;
+    int tiny = err <= TINY || small <= TINY_SI || (fresh && (err <= TINY_FRESH || small <= TINY_FRESH_SI));
     if ((theta > .5 && tiny) || small_energy(nt, square, x)) {
         nt->remain = 1;
         return CONVERGED;
     }
-    if (theta > SLUGGISH && nt->fresh <= 0 && nt->refreshed < MOST_REFRESHED) return REFRESH;
+    if (theta > SLUGGISH && !fresh && renewable) return REFRESH;
     nt->bad += theta > .9;
     return nt->bad >= 2 ? FAILED : CONTINUE;
 }

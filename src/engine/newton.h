@@ -35,12 +35,14 @@ struct newton {
     double trust; /* and this is the least that is believed: a large part of the error may vanish at once and leave a
                    * small one that converges slowly, which shows from the third iteration on */
     int stale;    /* a fresh matrix is due at the next step */
+    bool matrix_free; /* the iteration has no matrix: none is to blame, none is asked for */
 
     /* of the iteration under way */
     double tol, first, last, last2, remain; /* remain: what is left of the last residual, as a factor */
     double first_square, square;            /* energy of the first and of the last correction */
     int count;                              /* iterations done */
     int fresh;                              /* > 0: the matrix belongs to this or the last iterate */
+    bool newest;                            /* no better matrix is to be had in this step */
     int bad, refreshed;
     int rounding; /* the last correction is of the size of round-off */
     int powered;  /* some power flows: its quadrature wants the last correction small too */

@@ -20,7 +20,7 @@ struct state {
     double t;  /* [s] */
     double *q; /* [nq] */
     double *v; /* [n] */
-    double *a; /* [n] newmark, miao, rk4, dopri5: accelerations at t; midpoint, subcycle: mean of the step */
+    double *a; /* [n] accelerations at t; of schemes that take a step as a whole (midpoint, subcycle) its mean ones */
 };
 
 /* Work counted since opening: times vary, counts do not. */
@@ -46,13 +46,19 @@ struct stepper_kind {
     int rates;                         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
     int adaptive; /* chooses its own steps inside H */
-    int points;   /* sees drives at points of time: their corners are brought to it before each step */
+    int points;   /* asks for residuals at points of time, where the impulse of a drive's corner inside the step is not
+                   * seen: the core delivers that before step().  0: drives move by their means over the step
+                   * (instant.ta, tb), which hold it; or an adaptive scheme looks for corners itself */
 
-    /* Required.  Takes all memory into s->self. */
+    const void *formulas; /* of the family that open and step are those of: struct implicit_scheme; NULL: of none */
+
+    /* Required.  Once, by stepper_open(): takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
-    /* Required.  One major step from x, in place, of minor step h; H = ratio * h.  `to` is the exact time
-     * at its end (the caller's i * H, free of sums).  Adds the step's work by channel into
-     * s->work (set to zero first) [J]. */
+    /* Required.  By each stepper_step(): one major step from x, in place, of minor step h; H = ratio * h.  `to` is the
+     * exact time at its end (the caller's i * H, free of sums).  Adds the step's work by channel into s->work, what its
+     * damping took into s->lost and what Newton left over into s->left (all set to zero before) [J].  s->fresh: nothing
+     * is known of the past, and x->a are the accelerations of (2-4) at x; cleared by a step that is taken.  Counts
+     * s->effort but for majors and rejected. */
     enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
 };
 

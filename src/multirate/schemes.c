@@ -18,7 +18,7 @@ const struct stepper_kind *stepper_find(const char *name)
 }
 
 /* "newmark, miao: beta of (2-5)"; what most schemes read needs no names. */
-static const char *brief_of(const struct key *key, struct arena *life)
+const char *stepper_brief(const struct key *key, struct arena *life)
 {
     const char *names = "";
     int n = 0;
@@ -56,6 +56,5 @@ struct key_block stepper_options(struct arena *life)
     struct key *table = TAKE(life, struct key, most + 1);
     for (int i = 0; i < KINDS; i++)
         for (const struct key *k = stepper_kinds[i]->keys; k && k->name; k++) insert(table, &n, k);
-    for (int i = 0; i < n; i++) table[i].brief = brief_of(&table[i], life);
     return (struct key_block){table, sizeof(struct step_options), fit};
 }

@@ -8,7 +8,9 @@
 extern const struct stepper_kind *const stepper_kinds[];
 const struct stepper_kind *stepper_find(const char *name);
 
-/* The options of all schemes, over struct step_options; where only a few schemes read a key its brief names them. */
+/* The options of all schemes, over struct step_options. */
 struct key_block stepper_options(struct arena *life);
+/* The brief of one of them, with the names of the schemes that read it where these are few. */
+const char *stepper_brief(const struct key *key, struct arena *life);
 
 #endif

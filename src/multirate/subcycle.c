@@ -78,7 +78,7 @@ static void open(struct stepper *s, struct arena *life)
     c->ns = o->ns;
     c->nl = o->n - o->ns;
     c->alpha = (1 - s->options.rho_infinity) / (1 + s->options.rho_infinity);
-    c->plain = midpoint_new(s, life);
+    c->plain = implicit_new(s, &midpoint_rule, life);
     newton_open(&c->newton, o, &s->effort, &s->options, life);
     c->newton.limit = SWEEPS;
     c->newton.pairs = 1;
@@ -272,7 +272,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     struct subcycle *c = s->self;
     long before = s->effort.sweeps;
     if (c->ns == 0) {
-        TRY(midpoint_advance(c->plain, s, x, h * ratio, to, why));
+        TRY(implicit_once(c->plain, s, x, h * ratio, to, why));
         s->effort.minors++;
         return OK;
     }

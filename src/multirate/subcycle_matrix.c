@@ -93,7 +93,7 @@ enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
     TRY(slow_matrix(c, why));
     c->local = 0;
     newton_refreshed(&c->newton);
-    c->newton.fresh = 1 << 20; /* no better matrix to be had in this step */
+    c->newton.newest = true;
     return OK;
 }
 

@@ -23,7 +23,7 @@ static const double STALE_SLOPE = .2; /* relative change of a slope that asks fo
 struct subcycle {
     const struct ode2 *ode;
     struct effort *effort;
-    struct midpoint *plain; /* without fast coordinates */
+    struct implicit *plain; /* the midpoint rule: without fast coordinates */
     struct newton newton;
     struct decouple dec;
     struct response resp; /* frozen */

@@ -20,18 +20,21 @@ enum status sim_load(struct scene **scene, const char *path, const struct deck_o
     return status;
 }
 
-static const struct key *joined(const struct key *a, const struct key *b, struct arena *life)
+/* The section's own keys, then the options, which say whose they are. */
+static const struct key *with_options(const struct key *own, struct arena *life)
 {
-    const int na = keys_count(a), nb = keys_count(b);
-    struct key *both = TAKE(life, struct key, na + nb + 1);
-    memcpy(both, a, sizeof *a * (size_t)na);
-    memcpy(both + na, b, sizeof *b * (size_t)nb);
+    const struct key *options = stepper_options(life).keys;
+    const int n = keys_count(own), more = keys_count(options);
+    struct key *both = TAKE(life, struct key, n + more + 1);
+    memcpy(both, own, sizeof *own * (size_t)n);
+    memcpy(both + n, options, sizeof *options * (size_t)more);
+    for (int i = n; i < n + more; i++) both[i].brief = stepper_brief(&both[i], life);
     return both;
 }
 
 bool sim_section(struct section *o, int i, struct arena *life)
 {
     if (!scene_section(o, i)) return false;
-    if (strcmp(o->path, "integrate") == 0) o->keys = joined(o->keys, stepper_options(life).keys, life);
+    if (strcmp(o->path, "integrate") == 0) o->keys = with_options(o->keys, life);
     return true;
 }

@@ -1,0 +1,210 @@
+/* implicit.c -- see implicit.h */
+#include "engine/implicit.h"
+
+#include <math.h>
+
+#include "engine/motion.h"
+
+/* ---- the equations --------------------------------------------------------------------------------------------- */
+
+void implicit_place(struct implicit *m, const double *z)
+{
+    const struct instant *x = &m->x;
+    m->scheme->rates(m, z);
+    if (m->scheme->middle) {
+        motion_point(m->ode, m->q, m->q0, m->dx, .5, x->t);
+        if (x->qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, x->tb);
+    } else if (m->newton.count > 0) { /* q is that of the last iterate */
+        motion_again(m->ode, m->q, m->q0, m->dx, 1, x->t);
+    } else {
+        motion_point(m->ode, m->q, m->q0, m->dx, 1, x->t);
+    }
+    m->x.a = z;
+}
+
+static enum status resid(void *self, double *r, double *dk, const double *z, struct trouble *why)
+{
+    struct implicit *m = self;
+    if (!m->placed) implicit_place(m, z);
+    m->placed = false;
+    m->effort->slow++;
+    m->effort->fast++;
+    enum status status = m->ode->ops->resid(m->ode, r, m->w, dk, &m->x, ALL, why);
+    for (int c = 0; c < POWER_CHANNELS && m->scheme->middle; c++) m->newton.powered |= m->w[c] != 0;
+    return status;
+}
+
+static enum status refresh(void *self, const double *z, struct trouble *why)
+{
+    struct implicit *m = self;
+    implicit_place(m, z);
+    m->hfactor = m->h;
+    return matrix_factor(&m->J, m->cc, m->ck, &m->x, why);
+}
+
+static void solve(void *self, double *dz)
+{
+    matrix_solve(&((struct implicit *)self)->J, dz);
+}
+
+static enum status no_refresh(void *self, const double *z, struct trouble *why)
+{
+    (void)self, (void)z, (void)why;
+    return OK;
+}
+
+static void no_solve(void *self, double *dz)
+{
+    (void)self, (void)dz;
+}
+
+void implicit_without_matrix(struct implicit *m, enum status (*defect)(void *self, double *r, double *dk,
+                                                                       const double *z, struct trouble *why))
+{
+    m->equations = (struct equations){m, &m->x, defect, no_refresh, no_solve};
+    m->newton.matrix_free = true;
+}
+
+/* ---- one step -------------------------------------------------------------------------------------------------- */
+
+static struct instant instant_of(const struct implicit *m, const struct state *x, double t1)
+{
+    if (!m->scheme->middle) return (struct instant){.t = t1, .q = m->q, .v = m->v, .ta = t1, .tb = t1};
+    const int settles = m->ode->settle != NULL;
+    return (struct instant){.t = x->t + (t1 - x->t) / 2,
+                            .q = m->q,
+                            .v = m->v,
+                            .qa = x->q,
+                            .qb = m->ode->pointwise ? NULL : m->q1,
+                            .va = settles ? x->v : NULL,
+                            .vb = settles ? m->v1 : NULL,
+                            .ta = x->t,
+                            .tb = t1};
+}
+
+/* Scales, and the power at the start of a run. */
+static enum status start(struct implicit *m, const struct state *x, struct trouble *why)
+{
+    struct instant there = {.t = x->t, .q = x->q, .v = x->v, .a = x->a, .ta = x->t, .tb = x->t};
+    newton_forget(&m->newton);
+    newton_scale(&m->newton, x->v, x->a, m->h);
+    predict_forget(&m->predict);
+    if (m->scheme->start) m->scheme->start(m);
+    if (m->scheme->middle) return OK;
+    m->effort->slow++;
+    m->effort->fast++;
+    return m->ode->ops->resid(m->ode, m->newton.r, m->w0, NULL, &there, ALL, why);
+}
+
+/* z from the steps before; a start for iterations without a matrix is (2-10*).  Returns the step's local error, in
+ * scales; negative: unknown. */
+static double predict(struct implicit *m, int fresh)
+{
+    const double ahead = m->scheme->middle ? 0 : m->h / 2;
+    for (int i = 0; i < m->ode->n; i++) m->hs[i] = m->h;
+    predict_make(&m->predict, m->z, m->h == m->hfactor ? &m->J : NULL, m->h, m->v0, m->a0, ahead);
+    if (m->newton.matrix_free) copy(m->z, m->a0, m->ode->n);
+    return fresh ? -1 : predict_error(&m->predict, m->h, m->newton.per);
+}
+
+static enum status iterate(struct implicit *m, struct trouble *why)
+{
+    m->placed = false;
+    if (!m->newton.matrix_free && (m->newton.stale || m->h != m->hfactor)) {
+        TRY(refresh(m, m->z, why));
+        newton_refreshed(&m->newton);
+        m->placed = true;
+    }
+    return newton_solve(&m->newton, m->z, &m->equations, m->hs, m->ode->n, why);
+}
+
+/* Works, and what Newton has left over: at the last residual. */
+static void book(struct implicit *m, struct stepper *s)
+{
+    s->left += fabs(m->h * dot(m->newton.r, m->v, m->ode->n)) * fmin(1, m->newton.remain);
+    s->last_sweeps += m->newton.count;
+    for (int c = 0; c < POWER_CHANNELS; c++)
+        s->work[c] += m->scheme->middle ? m->h * m->w[c] : m->h / 2 * (m->w0[c] + m->w[c]);
+    copy(m->w0, m->w, POWER_CHANNELS);
+}
+
+static void move_to_end(struct implicit *m)
+{
+    if (!m->scheme->middle) {
+        implicit_place(m, m->z);
+        return;
+    }
+    m->scheme->rates(m, m->z);
+    motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
+    if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
+}
+
+static enum status accept(struct implicit *m, struct stepper *s, struct state *x, double t1, struct trouble *why)
+{
+    book(m, s);
+    move_to_end(m);
+    if (m->scheme->accept) TRY(m->scheme->accept(m, s, why));
+    predict_keep(&m->predict, m->z, x->a, m->h, m->newton.per);
+    copy(x->a, m->z, m->ode->n);
+    copy(x->q, m->q1, m->ode->nq);
+    copy(x->v, m->v1, m->ode->n);
+    x->t = t1;
+    newton_scale(&m->newton, x->v, x->a, m->h);
+    return OK;
+}
+
+enum status implicit_once(struct implicit *m, struct stepper *s, struct state *x, double h, double t1,
+                          struct trouble *why)
+{
+    const int fresh = s->fresh;
+    m->h = h;
+    m->q0 = x->q;
+    m->v0 = x->v;
+    m->a0 = x->a;
+    if (fresh) TRY(start(m, x, why));
+    m->x = instant_of(m, x, t1);
+    m->scheme->begin(m);
+    newton_begin(&m->newton, predict(m, fresh));
+    enum status status = iterate(m, why);
+    if (status == OK) status = accept(m, s, x, t1, why);
+    m->newton.stale |= status != OK;
+    if (status == OK) s->fresh = 0;
+    return status;
+}
+
+/* ---- as a kind ------------------------------------------------------------------------------------------------- */
+
+struct implicit *implicit_new(struct stepper *s, const struct implicit_scheme *scheme, struct arena *life)
+{
+    const struct ode2 *o = s->ode;
+    struct implicit *m = TAKE(life, struct implicit, 1);
+    double **vector[] = {&m->z, &m->v, &m->dx, &m->hs};
+    *m = (struct implicit){.scheme = scheme, .options = &s->options, .ode = o, .effort = &s->effort, .accel = s->accel};
+    for (int i = 0; i < 4; i++) *vector[i] = TAKE(life, double, o->n);
+    m->v1 = scheme->middle ? TAKE(life, double, o->n) : m->v;
+    m->q = TAKE(life, double, o->nq);
+    m->q1 = scheme->middle ? TAKE(life, double, o->nq) : m->q;
+    m->equations = (struct equations){m, &m->x, resid, refresh, solve};
+    newton_open(&m->newton, o, &s->effort, &s->options, life);
+    matrix_open(&m->J, o, &s->effort, life);
+    predict_open(&m->predict, o->n, life);
+    single_open(&m->keep, o, life);
+    if (scheme->open) scheme->open(m, life);
+    return m;
+}
+
+void implicit_open(struct stepper *s, struct arena *life)
+{
+    s->self = implicit_new(s, s->kind->formulas, life);
+}
+
+static enum status one(struct stepper *s, struct state *x, double h, double t1, struct trouble *why)
+{
+    return implicit_once(s->self, s, x, h, t1, why);
+}
+
+enum status implicit_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    struct implicit *m = s->self;
+    return single_steps(&m->keep, s, x, h, ratio, to, one, why);
+}
