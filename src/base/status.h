@@ -62,7 +62,8 @@ enum trouble_code {
     TROUBLE_MASS,       /* M^ not positive definite; index: coordinate */
     TROUBLE_LAW,        /* a force is not finite; kind: element kind, index: element */
     TROUBLE_CLOSURE,    /* a loop cannot be closed, or its equations are singular; index: loop joint */
-    TROUBLE_DRIVE       /* a drive or a rate of it is not finite; index: loop joint */
+    TROUBLE_DRIVE,      /* a drive or a rate of it is not finite; index: loop joint */
+    TROUBLE_DEFLECTION  /* a flexible body is displaced by more than its length; index: body, value: in lengths */
 };
 
 struct trouble {

@@ -19,9 +19,8 @@ static enum status push(struct sim *sim, double h, int ratio)
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
     turns_note(sim, h, ratio);
-    bends_note(sim);
     spins_note(sim);
-    return OK;
+    return bends_note(sim);
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);

@@ -3,7 +3,7 @@
  * One frame with second-order displacements follows a body as long as it bends little: what is left out is of third
  * order, so that the deflection v of a body of length L is wrong by a share of about (v/L)^2/5 (a beam spun up, peak
  * against the geometrically exact one: 1.8e-3 at v/L = 0.094, 0.67e-3 at 0.057).  Measured at the node farthest from
- * the reference. */
+ * the reference.  Beyond the body's own length nothing is right any more, and the run stops. */
 #include <math.h>
 
 #include "la/vec3.h"
@@ -27,7 +27,7 @@ void bends_open(struct sim *sim, struct arena *life)
     }
 }
 
-void bends_note(struct sim *sim)
+enum status bends_note(struct sim *sim)
 {
     for (int i = 0; i < sim->nbend; i++) {
         struct bending *o = &sim->bend[i];
@@ -39,7 +39,9 @@ void bends_note(struct sim *sim)
         if (!(far > o->most)) continue;
         o->most = far;
         o->t = sim->x.t;
+        if (far > o->size) return trouble_set(&sim->trouble, TROUBLE_DEFLECTION, o->body, far / o->size, o->t);
     }
+    return OK;
 }
 
 void say_bends(const struct sim *sim, FILE *to)

@@ -35,7 +35,7 @@ void say_turns(const struct sim *sim, FILE *to);
 
 /* bends.c: the largest deflections of flexible bodies */
 void bends_open(struct sim *sim, struct arena *life);
-void bends_note(struct sim *sim);
+enum status bends_note(struct sim *sim);
 void say_bends(const struct sim *sim, FILE *to);
 
 /* spins.c: the fastest turns of flexible bodies without geometric stiffening */

@@ -201,6 +201,9 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
 static enum status verdict(const struct sim *sim, struct report *report)
 {
     const struct ledger *l = &sim->ledger;
+    if (spins_passed(sim))
+        return fail(report, E_VERDICT,
+                    "a body without geometric stiffening turned faster than it can: what it did beyond is wrong");
     if (!ledger_broken(l)) return OK;
     return fail(report, E_VERDICT,
                 "the energy balance (2-26) is broken: |residual| %.3g J at t = %.6g s is %.3g of ||W|| = %.3g J, "

@@ -1,8 +1,8 @@
 /* spins.c -- how fast flexible bodies without geometric stiffening turn.
  *
  * Beyond the speed from which linear elasticity gives way (flex/spin.h) such a body bends away without bound; its
- * equations are consistent all the same and the balance (2-26) closes, so these words and the summary's
- * "buckling_speed_passed" are all there is to say so. */
+ * equations are consistent all the same and the balance (2-26) closes, so that the run's verdict says it, with exit
+ * status 1, these words and the summary's "buckling_speed_passed". */
 #include <math.h>
 
 #include "la/vec3.h"

@@ -28,13 +28,13 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
     return n;
 }
 
-static const char *status_word(enum status status)
+static const char *status_word(const struct sim *sim)
 {
-    switch (status) {
+    switch (sim->status) {
     case OK:
         return "done";
     case E_VERDICT:
-        return "energy balance broken";
+        return ledger_broken(&sim->ledger) ? "energy balance broken" : "done, but wrong";
     case E_NUMERIC:
         return "stopped";
     case E_SIGHUP:
@@ -56,7 +56,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     const struct ledger *l = &sim->ledger;
     int n = 0;
     if (most < 20) return 0;
-    facts[n++] = pair_text("status", status_word(sim->status));
+    facts[n++] = pair_text("status", status_word(sim));
     facts[n++] = pair_number("exit", sim->status);
     facts[n++] = pair_number("t_end", sim->x.t);
     if (sim->watch.slot) facts[n++] = pair_bool("condition_met", sim->watch.met);
@@ -137,8 +137,7 @@ void say_end(const struct sim *sim, double wall)
         say_condition(sim, to);
         fputs(sim->watch.met ? "turned true\n" : "has not turned true until the latest end\n", to);
     }
-    fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim->status), sim->x.t, e->majors,
-            e->minors);
+    fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim), sim->x.t, e->majors, e->minors);
     if (e->rejected) fprintf(to, " (%ld rejected", e->rejected);
     if (e->rejected && !sim->stepper.kind->adaptive) fprintf(to, ", smallest h %.3g s", sim->min_h);
     if (e->rejected) fputc(')', to);
@@ -177,6 +176,9 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
                    "into "
                    "'segments', take fewer modes, or 'stiffening: false'";
         return "give the bodies it moves mass and inertia";
+    case TROUBLE_DEFLECTION:
+        return sim->model->body[why->index].flex->s ? "cut it into 'segments', or look at its loads"
+                                                    : "turn on geometric stiffening: 'stiffening: true'";
     case TROUBLE_CLOSURE:
         return "the mechanism may be locked here, or the step too large";
     case TROUBLE_SINGULAR:
@@ -220,6 +222,10 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
         if (isfinite(why->value))
             snprintf(what + strlen(what), sizeof what - strlen(what), ": it misses by %.3g of the mechanism's size",
                      why->value);
+        break;
+    case TROUBLE_DEFLECTION:
+        snprintf(what, sizeof what, "the end of '%s' is displaced by more than its length",
+                 sim->model->body[why->index].name);
         break;
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);

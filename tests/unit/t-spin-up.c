@@ -26,7 +26,8 @@ struct history {
     int n;
     double t[MOST_ROWS], u[MOST_ROWS], v[MOST_ROWS]; /* tip against the hub, its axes */
     int passed, balanced;                            /* facts of the summary; -1: not there */
-    double length;                                   /* where the columns are world places; 0: they are u and v */
+    enum status status;
+    double length; /* where the columns are world places; 0: they are u and v */
 };
 
 static enum status no_meta(struct sink *s, const struct run_meta *m, struct report *r)
@@ -87,7 +88,9 @@ static void run(struct history *o, FILE *said, const char *path, double length, 
     enum status status = sim_open(&sim, scene, &scene->integrate, &say, diags, life, &report);
     if (said) diags_print(said, diags, false);
     if (status == OK) status = sim_run(&sim, &o->sink, &report);
-    if (status != OK) fail_msg("%s: %s", path, report.text);
+    o->status = status;
+    if (status == E_NUMERIC && !strstr(report.text, "displaced by more than its length"))
+        fail_msg("%s: %s", path, report.text);
     arena_close(life);
 }
 
@@ -155,6 +158,7 @@ static void test_decks(void **state)
     for (int k = 0; k < 3; k++) {
         struct history o;
         run(&o, NULL, all[k]->deck, 0, 0, NULL);
+        assert_int_equal(o.status, OK);
         compare(&o, all[k], 0.01);
         assert_int_equal(o.passed, -1);
     }
@@ -165,6 +169,7 @@ static double miss(int nset, const char *const *set, double length)
 {
     struct history o;
     run(&o, NULL, kane.deck, length, nset, set);
+    assert_int_equal(o.status, OK);
     return fabs(least(o.v, o.n) / kane.peak - 1);
 }
 
@@ -211,6 +216,7 @@ static void check_growth(const char *deck, double speed, bool passed, const stru
     if (!strstr(text, word)) fail_msg("not said: %s\n%s", word, text);
     snprintf(word, sizeof word, "buckles from Omega = %.3f rad/s about that axis", speed);
     assert_int_equal(o.passed, passed);
+    assert_true(passed ? o.status == E_VERDICT || o.status == E_NUMERIC : o.status == OK);
     assert_int_equal(o.balanced, true); /* a wrong model's energy is as good as any */
     if (passed != (strstr(text, "'arm' turned by up to") && strstr(text, word)))
         fail_msg("%s: %s\n%s", passed ? "not said" : "said without reason", word, text);
@@ -219,18 +225,20 @@ static void check_growth(const char *deck, double speed, bool passed, const stru
 static void test_unstiffened(void **state)
 {
     static const struct growth of_kane[] = {
-        {4, 2.5065e-06, -0.49666},  {6, 2.0796e-05, -1.1719}, {7, 3.6961e-05, -2.3476},
-        {7.5, 3.7628e-05, -3.9852}, {8, 4.0775e-06, -8.2886}, {9, -0.0012668, -78.882},
+        {4, 2.5065e-06, -0.49666},
+        {6, 2.0796e-05, -1.1719},
+        {7, 3.6961e-05, -2.3476},
+        {7.5, 3.7628e-05, -3.9852}, /* at 8 s it would be longer than the beam: the run has stopped */
     };
     static const struct growth of_simo[] = {
         {4, 5.6237e-06, -0.35291}, {6, 4.6442e-05, -0.72659}, {7, 9.2124e-05, -1.1097},
-        {8, 0.00014748, -2.1269},  {9, 0.0001114, -7.4469},   {10, -0.002106, -71.999},
+        {8, 0.00014748, -2.1269},  {9, 0.0001114, -7.4469},
     };
     static const struct growth of_slow[] = {
         {4, 2.8242e-07, -0.16036}, {6, 2.4734e-06, -0.27205}, {8, 8.6864e-06, -0.33392}, {10, 1.7775e-05, -0.31076}};
     (void)state;
-    check_growth(kane.deck, 2.911, true, of_kane, 6);
-    check_growth(simo.deck, 3.798, true, of_simo, 6);
+    check_growth(kane.deck, 2.911, true, of_kane, 4);
+    check_growth(simo.deck, 3.798, true, of_simo, 5);
     check_growth(slow.deck, 2.911, false, of_slow, 4); /* told at the start, never fast enough */
 }
 
