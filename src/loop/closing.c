@@ -1,191 +1,196 @@
-/* closing.c -- positions that keep the loops closed.
- *
- * A move is given by its independent part dx_i; the dependent part starts on the tangent at the base, dx_d = G0 dx_i,
- * and goes by Newton's method to C(q0 (+) dx) = 0:
- *
- *     dx_d := dx_d - C_qd^-1 C
- *
- * where the columns of a rotation with dependents are those along its Cayley vector: convergence is quadratic. */
+/* closing.c -- see closing.h */
+#include "loop/closing.h"
+
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "la/rot.h"
-#include "loop/condense_parts.h"
 
-static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
-static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_qd is nearly singular */
-static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
-enum { MOST_ITERATIONS = 20 };
+/* --- the tangent -------------------------------------------------------------------------------- */
 
-void condense_put(struct condense *o, double *q1, const double *base, double s)
+/* T and s of the posture that is factored. */
+static void lead_from(struct closing *o)
 {
-    moves_point(o->moves, q1, base, o->dx, 1);
-    for (int i = 0; s != 1 && i < o->moves->nturn; i++) {
-        const struct turn *t = &o->moves->turn[i];
-        if (o->bound[i]) continue;
+    const struct loops *l = o->rows->loops;
+    if (l->model->ndrive == 0) return;
+    rows_values(o->C, o->rows);
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        struct tangent *t = &o->tangent[i];
+        for (int k = 0; k < p->nlead; k++) {
+            const int row = p->row[p->lead[k]];
+            double *x = t->T + (size_t)k * (size_t)p->nr;
+            memset(x, 0, sizeof *x * (size_t)p->nr);
+            x[p->lead[k]] = 1;
+            factor_solve(&o->solve->block[i].C_qd, x);
+            t->s[k] = o->C[row] + l->c[row];
+        }
+    }
+}
+
+int closing_tangent(struct closing *o, const double *q)
+{
+    const struct made now = {posture_take(&o->base, q, o->rows->tree->model->nq), o->split->number};
+    if (now.posture == o->made.posture && now.split == o->made.split) return 1;
+    o->made.posture = 0;
+    if (solve_factor(o->solve, q, 0, NULL) != OK) return 0;
+    for (int i = 0; i < o->split->npart; i++) {
+        if (o->split->part[i].wide)
+            factor_copy(&o->tangent[i].C_qd, &o->solve->block[i].C_qd);
+        else
+            factor_G(&o->solve->block[i].C_qd, o->tangent[i].G);
+    }
+    lead_from(o);
+    o->made = now;
+    return 1;
+}
+
+double closing_gain(const struct closing *o, int i)
+{
+    const struct part *p = &o->split->part[i];
+    assert(o->made.posture && o->made.split == o->split->number);
+    return p->wide ? split_gain_estimate(o->split, p, &o->tangent[i].C_qd) : split_gain(o->split, p, o->tangent[i].G);
+}
+
+void closing_predict(const struct closing *o, double *dx)
+{
+    const double *c = o->rows->loops->c;
+    assert(o->made.posture && o->made.split == o->split->number);
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        const struct tangent *t = &o->tangent[i];
+        if (p->wide) {
+            for (int j = 0; j < p->ni; j++) o->y[j] = dx[p->ind[j]];
+            factor_times_G(&t->C_qd, o->x, o->y);
+        }
+        for (int r = 0; r < p->nr; r++) {
+            double sum = p->wide ? o->x[r] : 0;
+            for (int j = 0; !p->wide && j < p->ni; j++) sum += t->G[r + (size_t)j * (size_t)p->nr] * dx[p->ind[j]];
+            for (int k = 0; k < p->nlead; k++) sum += t->T[r + k * p->nr] * (c[p->row[p->lead[k]]] - t->s[k]);
+            dx[p->dep[r]] = sum;
+        }
+    }
+}
+
+/* --- Newton's method ---------------------------------------------------------------------------- */
+
+void closing_put(const struct closing *o, double *q1, const struct way *way)
+{
+    const struct moves *moves = &o->rows->tree->moves;
+    moves_point(moves, q1, way->base, way->dx, 1);
+    for (int i = 0; way->s != 1 && i < moves->nturn; i++) {
+        const struct turn *t = &moves->turn[i];
+        if (o->split->follows[i]) continue;
         double q[4], phi[3];
-        for (int k = 0; k < 4; k++) q[k] = base[t->iq[k]];
-        for (int k = 0; k < 3; k++) phi[k] = o->dxs[t->iv[k]];
-        quat_move(q, q, phi, s);
+        for (int k = 0; k < 4; k++) q[k] = way->base[t->iq[k]];
+        for (int k = 0; k < 3; k++) phi[k] = way->full[t->iv[k]];
+        quat_move(q, q, phi, way->s);
         for (int k = 0; k < 4; k++) q1[t->iq[k]] = q[k];
     }
 }
 
-double condense_correct(struct condense *o)
+double closing_correct(const struct closing *o, double *dx, const double *C)
 {
     double most = 0;
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        for (int r = 0; r < c->nr; r++) c->x[r] = -o->C[c->of->row[c->kept[r]]];
-        component_solve(c, c->x);
-        for (int r = 0; r < c->nr; r++) {
-            const int k = c->of->k[c->dep[r]];
-            const double size = fabs(c->x[r]) * o->rows.per[k];
-            o->dx[k] += c->x[r];
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        for (int r = 0; r < p->nr; r++) o->x[r] = -C[p->row[r]];
+        factor_solve(&o->solve->block[i].C_qd, o->x);
+        for (int r = 0; r < p->nr; r++) {
+            const int k = p->dep[r];
+            const double size = fabs(o->x[r]) * o->rows->per[k];
+            dx[k] += o->x[r];
             if (size > most || isnan(size)) most = size;
         }
     }
     return most;
 }
 
-/* One Newton correction at q1 = base (+) dx; returns its size, or NAN. */
-static double correct(struct condense *o, const double *q1)
+/* One Newton correction at q1 = base (+) dx, where C is what is missed; its size, or NAN. */
+static double correct(struct closing *o, double *C, double *dx, const double *q1)
 {
-    rows_linearize(&o->rows, q1);
-    rows_values(o->C, &o->rows);
-    o->factored = 0;
-    for (int i = 0; i < o->npart; i++) {
-        rows_turn(&o->rows, o->part[i].of, o->dx, o->bound);
-        if (!component_factor(&o->part[i])) return NAN;
-    }
-    return condense_correct(o);
+    rows_linearize(o->rows, q1);
+    rows_values(C, o->rows);
+    rows_turn(o->rows, dx, o->split->follows);
+    return solve_as_it_is(o->solve, 0, NULL) == OK ? closing_correct(o, dx, C) : NAN;
 }
 
 /* What the loops miss by; the least of it on the way is kept. */
-static double note_miss(struct condense *o)
+static double note(struct miss *miss, const struct rows *rows, const double *C)
 {
     int row = 0;
-    const double most = rows_worst(&row, &o->rows, o->C);
-    if (most < o->lost_by) o->lost_by = most, o->lost = o->loops->row[row].loop;
+    const double most = rows_worst(&row, rows, C);
+    if (most < miss->by) *miss = (struct miss){rows->loops->row[row].loop, most};
     return most;
 }
 
-int condense_close(struct condense *o, double *q1, const double *base, double s)
+int closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way)
 {
-    o->lost_by = INFINITY;
+    static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
+    static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_qd is nearly singular */
+    static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
+    enum { MOST_ITERATIONS = 20 };
+    miss->by = INFINITY;
     for (int i = 0; i < MOST_ITERATIONS; i++) {
-        condense_put(o, q1, base, s);
-        double size = correct(o, q1);
-        const double miss = size <= CLOSED ? 0 : note_miss(o);
+        closing_put(o, q1, way);
+        const double size = correct(o, o->C, way->dx, q1);
+        const double left = size <= CLOSED ? 0 : note(miss, o->rows, o->C);
         if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
-        if (size > CLOSED && miss > ROUND_OFF) continue;
-        condense_put(o, q1, base, s);
+        if (size > CLOSED && left > ROUND_OFF) continue;
+        closing_put(o, q1, way);
         return 1;
     }
     return 0;
 }
 
-/* T0 and s0 of the posture looked at and factored. */
-static void lead_at(struct condense *o)
+int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s)
 {
-    if (o->model->ndrive == 0) return;
-    rows_values(o->C, &o->rows);
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        for (int k = 0; k < c->nlead; k++) {
-            const int row = c->of->row[c->kept[c->lead[k]]];
-            double *x = c->T0 + (size_t)k * (size_t)c->nr;
-            memset(x, 0, sizeof *x * (size_t)c->nr);
-            x[c->lead[k]] = 1;
-            component_solve(c, x);
-            c->s0[k] = o->C[row] + o->loops->c[row];
-        }
-    }
+    split_spread(o->split, o->full, dx);
+    for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
+    if (!closing_tangent(o, q0)) return 0;
+    closing_predict(o, o->dx);
+    return closing_close(o, q1, miss, &(struct way){o->base.q, o->full, s, o->dx});
 }
 
-static void keep_base(struct part *c)
+/* --- building ----------------------------------------------------------------------------------- */
+
+static void build_tangent(struct tangent *o, const struct part *p, const struct loops *l, struct arena *life)
 {
-    memcpy(c->base.A - c->band[1], c->A - c->band[1], sizeof *c->A * (size_t)c->nr * (size_t)(c->ld + 1));
-    memcpy(c->base.F, c->of->F, sizeof *c->of->F * (size_t)c->of->start[c->of->nrow]);
-    memcpy(c->base.swap, c->prow, sizeof *c->prow * (size_t)c->nr);
+    const struct component *c = p->of;
+    int drives = 0;
+    for (int r = 0; r < c->nrow; r++) drives += l->model->loop[l->row[c->row[r]].loop].drive != NULL;
+    o->T = TAKE(life, double, drives * c->nrow);
+    o->s = TAKE(life, double, drives);
+    if (p->whole)
+        store_for(&o->store, (size_t)c->nrow * (size_t)c->nk, life);
+    else
+        factor_build(&o->C_qd, p, TAKE(life, double, c->start[c->nrow]), life);
 }
 
-int condense_tangent(struct condense *o, const double *q)
+void closing_build(struct closing *o, struct solve *solve, struct arena *life)
 {
-    const long base = posture_take(&o->base, q, o->model->nq);
-    if (base == o->tangent) return 1;
-    o->tangent = 0;
-    struct trouble why;
-    if (condense_factor(o, q, 0, &why) != OK) return 0;
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        if (c->wide)
-            keep_base(c);
-        else
-            component_G(c, c->G0);
-    }
-    lead_at(o);
-    o->tangent = base;
-    return 1;
+    struct rows *rows = solve->rows;
+    const struct split *split = solve->split;
+    const int most = rows->n > rows->loops->nrow ? rows->n : rows->loops->nrow;
+    *o = (struct closing){.rows = rows, .split = split, .solve = solve, .life = life};
+    o->tangent = TAKE(life, struct tangent, split->npart);
+    for (int i = 0; i < split->npart; i++) build_tangent(&o->tangent[i], &split->part[i], rows->loops, life);
+    o->base.q = TAKE(life, double, rows->tree->model->nq);
+    o->C = TAKE(life, double, rows->loops->nrow);
+    o->x = TAKE(life, double, most);
+    o->y = TAKE(life, double, most);
+    o->full = TAKE(life, double, rows->n);
+    o->dx = TAKE(life, double, rows->n);
+    o->last = TAKE(life, double, rows->n);
 }
 
-void condense_predict(struct condense *o)
+void closing_fit(struct closing *o, int i)
 {
-    for (int i = 0; i < o->npart; i++) {
-        const struct part *c = &o->part[i];
-        if (c->wide) {
-            for (int j = 0; j < c->ni; j++) c->probe[j] = o->dx[c->of->k[c->ind[j]]];
-            component_times_G(c, &c->base, c->x, c->probe);
-        }
-        for (int r = 0; r < c->nr; r++) {
-            double sum = c->wide ? c->x[r] : 0;
-            for (int j = 0; !c->wide && j < c->ni; j++)
-                sum += c->G0[r + (size_t)j * (size_t)c->nr] * o->dx[c->of->k[c->ind[j]]];
-            for (int k = 0; k < c->nlead; k++)
-                sum += c->T0[r + k * c->nr] * (o->loops->c[c->of->row[c->kept[c->lead[k]]]] - c->s0[k]);
-            o->dx[c->of->k[c->dep[r]]] = sum;
-        }
-    }
+    const struct part *p = &o->split->part[i];
+    struct tangent *t = &o->tangent[i];
+    if (p->wide)
+        factor_fit(&t->C_qd, o->life);
+    else
+        t->G = store_for(&t->store, (size_t)p->nr * (size_t)p->ni, o->life);
 }
-
-void condense_point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
-{
-    struct condense *o = ode->self;
-    condense_spread(o, o->dxs, dx);
-    for (int i = 0; i < o->nt; i++) o->dx[i] = s * o->dxs[i];
-    loops_when(o->loops, t);
-    int closed = condense_tangent(o, q0);
-    if (closed) {
-        condense_predict(o);
-        closed = condense_close(o, q1, o->base.q, s);
-    }
-    for (int i = 0; !closed && i < o->model->nq; i++) q1[i] = NAN;
-}
-
-static void move_diff(const struct ode2 *ode, double *dx, const double *q1, const double *q0)
-{
-    struct condense *o = ode->self;
-    moves_diff(o->moves, o->dxs, q1, q0);
-    for (int i = 0; i < ode->n; i++) dx[i] = o->dxs[o->ind[i]];
-}
-
-/* A rotation that is independent in part turns with all of its angular velocity. */
-static void move_rate(const struct ode2 *ode, double *dxrate, const double *q1, const double *q0, const double *dx,
-                      const double *v, double t)
-{
-    struct condense *o = ode->self;
-    struct trouble why;
-    condense_spread(o, o->dxs, dx);
-    condense_spread(o, o->vt, v);
-    bool partly = false;
-    for (int i = 0; i < o->moves->nturn; i++) partly |= o->bound[i];
-    if (partly) {
-        moves_diff(o->moves, o->dxs, q1, q0);
-        condense_rates(o, o->vt, NULL, q1, v, NULL, t, &why);
-    }
-    moves_rate(o->moves, o->at, o->dxs, o->vt);
-    for (int i = 0; i < ode->n; i++) dxrate[i] = o->at[o->ind[i]];
-}
-
-const struct ode2_move condense_move = {
-    .point = condense_point, .again = condense_again, .diff = move_diff, .rate = move_rate};

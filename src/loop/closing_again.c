@@ -10,13 +10,7 @@
  */
 #include <math.h>
 
-#include "loop/condense_parts.h"
-
-static const double QUICK = 1e-2;    /* rate at which corrections must shrink */
-static const double LITTLE = 1e-16;  /* correction that may be missing */
-static const double NOTHING = 1e-15; /* and one that is round-off */
-static const double NEAR = 1e-9;     /* way that is none: its rate would be that of round-off */
-enum { MOST_CORRECTIONS = 3 };
+#include "loop/closing.h"
 
 static inline double farther(double far, double x, double per)
 {
@@ -24,67 +18,70 @@ static inline double farther(double far, double x, double per)
     return way > far ? way : far;
 }
 
-/* o->dx of the dependents along the tangent at the posture that o->last leads to; how far that is, in scales. */
-static double go_along(struct condense *o)
+/* dx of the dependents along the tangent at the posture that `last` leads to, which becomes the change from there; how
+ * far that is, in scales. */
+static double go_along(const struct closing *o, double *dx, double *last)
 {
+    static const double NEAR = 1e-9; /* way that is none: its rate would be that of round-off */
+    const double *per = o->rows->per;
     double far = NEAR;
-    for (int i = 0; i < o->ode.n; i++) {
-        const int k = o->ind[i];
-        o->last[k] = o->dx[k] - o->last[k];
-        far = farther(far, o->last[k], o->rows.per[k]);
+    for (int i = 0; i < o->split->n; i++) {
+        const int k = o->split->ind[i];
+        last[k] = dx[k] - last[k];
+        far = farther(far, last[k], per[k]);
     }
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        for (int r = 0; r < c->nr; r++) c->x[r] = 0;
-        component_take(c, c->x, o->last);
-        component_solve(c, c->x);
-        for (int r = 0; r < c->nr; r++) {
-            const int k = c->of->k[c->dep[r]];
-            o->dx[k] = o->last[k] + c->x[r];
-            far = farther(far, c->x[r], o->rows.per[k]);
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        for (int r = 0; r < p->nr; r++) o->x[r] = 0;
+        factor_take(&o->solve->block[i].C_qd, o->x, last);
+        factor_solve(&o->solve->block[i].C_qd, o->x);
+        for (int r = 0; r < p->nr; r++) {
+            const int k = p->dep[r];
+            dx[k] = last[k] + o->x[r];
+            far = farther(far, o->x[r], per[k]);
         }
     }
     return far;
 }
 
-/* 0: not closed, or not quickly. */
-static int step_on(struct condense *o, double *q1, const double *base, double s)
+/* Closes a way that begins `far` from a closed posture, with the factors of there.  0: not closed, or not quickly. */
+static int step_on(struct closing *o, double *q1, const struct way *way, double far)
 {
-    double size = go_along(o), rate = 2 / size;
-    int row;
+    static const double QUICK = 1e-2;    /* rate at which corrections must shrink */
+    static const double LITTLE = 1e-16;  /* correction that may be missing */
+    static const double NOTHING = 1e-15; /* and one that is round-off */
+    enum { MOST_CORRECTIONS = 3 };
+    double size = far, rate = 2 / size;
     for (int i = 0; i < MOST_CORRECTIONS; i++) {
-        condense_put(o, q1, base, s);
-        rows_misfit(o->C, &row, &o->rows, q1);
-        const double next = condense_correct(o);
+        closing_put(o, q1, way);
+        rows_place(o->rows, q1);
+        rows_values(o->C, o->rows);
+        const double next = closing_correct(o, way->dx, o->C);
         if (next <= NOTHING) return 1;
         rate = i ? next / size : rate * next;
         size = next;
         if (!(rate < QUICK)) return 0;
         if (rate * size > LITTLE) continue;
-        condense_put(o, q1, base, s);
+        closing_put(o, q1, way);
         return 1;
     }
     return 0;
 }
 
 /* Where rotations are dependent in part, C_q is not that of their Cayley vectors. */
-static bool any_bound(const struct condense *o)
+static bool any_follows(const struct closing *o)
 {
-    for (int i = 0; i < o->moves->nturn; i++)
-        if (o->bound[i]) return true;
+    for (int i = 0; i < o->rows->tree->moves.nturn; i++)
+        if (o->split->follows[i]) return true;
     return false;
 }
 
-void condense_again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+int closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s)
 {
-    struct condense *o = ode->self;
-    struct trouble why;
-    loops_when(o->loops, t);
-    if (!isnan(q1[0]) && q1 != q0 && !any_bound(o) && condense_factor(o, q1, t, &why) == OK) {
-        moves_diff(o->moves, o->last, q1, q0);
-        condense_spread(o, o->dxs, dx);
-        for (int i = 0; i < o->nt; i++) o->dx[i] = s * o->dxs[i];
-        if (step_on(o, q1, q0, s)) return;
-    }
-    condense_point(ode, q1, q0, dx, s, t);
+    if (isnan(q1[0]) || q1 == q0 || any_follows(o) || solve_factor(o->solve, q1, 0, NULL) != OK) return 0;
+    moves_diff(&o->rows->tree->moves, o->last, q1, q0);
+    split_spread(o->split, o->full, dx);
+    for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
+    const double far = go_along(o, o->dx, o->last);
+    return step_on(o, q1, &(struct way){q0, o->full, s, o->dx}, far);
 }

@@ -1,79 +1,148 @@
-/* condense.c -- see condense.h: building, and what others ask. */
+/* condense.c -- see condense.h: residuals, building, and what others ask.
+ *
+ *     r = r_i + G' r_d                                                        (2-4)
+ *
+ * Where C_qd is nearly singular, r and M^ are means over two postures on either side. */
 #include <math.h>
 #include <string.h>
 
-#include "la/vec3.h"
+#include "la/dense.h"
 #include "loop/condense_parts.h"
 
-static int loop_of_row(const struct condense *o, const struct part *c, int r)
+/* --- residuals ---------------------------------------------------------------------------------- */
+
+enum status condense_rates(struct condense *o, double *vt, double *at, const double *q, const double *v,
+                           const double *a, double t, struct trouble *why)
 {
-    return o->loops->row[c->of->row[r]].loop;
+    condense_time(o, t, t, t);
+    return solve_motion(&o->solve, vt, at, q, v, a, t, why);
 }
 
-static void build_part(struct condense *o, struct part *c, struct arena *life)
+enum status condense_own_rows(const struct condense *o, enum status status, struct trouble *why)
 {
-    enum { SMALL = 4096 }; /* numbers of C_q: below, dense is no slower, and there is room for any split */
-    const int most = c->of->nrow > c->of->nk ? c->of->nrow : c->of->nk;
-    const size_t size = (size_t)c->of->nrow * (size_t)c->of->nk;
-    int drives = 0;
-    for (int r = 0; r < c->of->nrow; r++) drives += o->model->loop[loop_of_row(o, c, r)].drive != NULL;
-    c->of_dep = TAKE(life, struct entry, c->of->start[c->of->nrow]);
-    c->of_ind = TAKE(life, struct entry, c->of->start[c->of->nrow]);
-    c->from = TAKE(life, int, c->of->nrow + 1);
-    c->loop_of = TAKE(life, int, c->of->nk);
-    c->row_order = TAKE(life, int, c->of->nrow);
-    component_order(o, c);
-    c->lead = TAKE(life, int, drives);
-    c->s0 = TAKE(life, double, drives);
-    c->T0 = TAKE(life, double, drives * c->of->nrow);
-    c->kept = TAKE(life, int, c->of->nrow);
-    c->dep = TAKE(life, int, most);
-    c->ind = TAKE(life, int, c->of->nk);
-    c->place = TAKE(life, int, c->of->nk);
-    c->prow = TAKE(life, int, most);
-    c->pcol = TAKE(life, int, most);
-    c->pivot = TAKE(life, double, most);
-    c->x = TAKE(life, double, most);
-    c->weight = TAKE(life, double, c->of->nk);
-    if (size > SMALL) {
-        c->base.F = TAKE(life, double, c->of->start[c->of->nrow]);
-        c->base.swap = TAKE(life, int, c->of->nrow);
-        c->probe = TAKE(life, double, c->of->nk);
-        return;
-    }
-    c->whole = TAKE(life, double, size);
-    c->A_room.size = 2 * (size_t)c->of->nrow * (size_t)c->of->nrow;
-    c->G_room.size = c->G0_room.size = size;
-    struct room *of[] = {&c->A_room, &c->G_room, &c->G0_room};
-    for (size_t i = 0; i < sizeof of / sizeof *of; i++) of[i]->store = TAKE(life, double, of[i]->size);
+    if (status != OK && why && why->code == TROUBLE_NOT_FINITE) TRY(condense_driven(o, true, why->t, why));
+    if (status != OK && why && why->code != TROUBLE_LAW && why->index >= 0) why->index = o->split.slot[why->index];
+    return status;
 }
 
-static void build_parts(struct condense *o, struct arena *life)
+/* The velocities of the whole tree at the ends of the interval, if they are asked for. */
+static enum status look_at_ends(struct condense *o, struct instant *whole, const struct instant *x, struct trouble *why)
 {
-    o->npart = o->rows.ncomponent;
-    o->part = TAKE(life, struct part, o->npart);
-    for (int i = 0; i < o->npart; i++) {
-        o->part[i].of = &o->rows.component[i];
-        build_part(o, &o->part[i], life);
-    }
+    if (!x->va || !o->tree->ode.settle) return OK;
+    TRY(condense_rates(o, o->va, NULL, x->qa, x->va, NULL, x->ta, why));
+    TRY(condense_rates(o, o->vb, NULL, x->qb, x->vb, NULL, x->tb, why));
+    whole->va = o->va;
+    whole->vb = o->vb;
+    return OK;
 }
+
+/* E_NUMERIC where a redundant row no longer holds. */
+static enum status check_redundant_rows(struct condense *o, double t, struct trouble *why)
+{
+    if (o->holds == 0) return OK;
+    rows_values(o->C, &o->rows);
+    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
+        for (int r = p->nr; r < p->of->nrow; r++) {
+            const double miss = fabs(o->C[p->row[r]]);
+            if (!(miss <= o->holds))
+                return trouble_set(why, TROUBLE_CLOSURE, o->rows.loops->row[p->row[r]].loop, miss, t);
+        }
+    return OK;
+}
+
+static enum status resid_there(struct condense *o, double *r, double *w, double *dk, const struct instant *x,
+                               unsigned cls, struct trouble *why)
+{
+    struct instant whole = *x;
+    TRY(look_at_ends(o, &whole, x, why));
+    condense_time(o, x->t, x->ta, x->tb);
+    whole.jump = condense_jumps(o);
+    TRY(condense_driven(o, false, x->t, why));
+    TRY(solve_motion(&o->solve, o->vt, o->at, x->q, x->v, x->a, x->t, why));
+    TRY(check_redundant_rows(o, x->t, why));
+    whole.v = o->vt;
+    whole.a = o->at;
+    TRY(condense_own_rows(o, open_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, why), why));
+    solve_reduce(&o->solve, r, o->lambda, o->rt);
+    if (w) condense_power(o, w, o->lambda);
+    for (int i = 0; i < o->ode.n; i++)
+        if (!isfinite(r[i])) return trouble_set(why, TROUBLE_NOT_FINITE, i, r[i], x->t);
+    return OK;
+}
+
+/* Where C_qd is nearly singular, round-off eps of the closure would come into r as eps/ratio^3.  r and M^ pass smoothly
+ * through such a posture, and their mean over the two sides differs from them by ASIDE^2 only.  Drives, too, have their
+ * mechanism beside where it is; not where they must agree with each other. */
+int condense_sides(struct condense *o, double *const side[2], const double *q, double t)
+{
+    static const double NEARLY = 3e-4, ASIDE = 2e-3; /* rad, or of the mechanism's length */
+    const double here = solve_ratio(&o->solve);
+    if (here >= NEARLY) return 0;
+    for (int k = 0; k < 2; k++) {
+        const double way = k ? ASIDE : -ASIDE;
+        for (int i = 0; i < o->ode.n; i++) o->beside[i] = way * o->rows.size[o->split.ind[i]];
+        condense_point(o, side[k], q, o->beside, 1, t, o->holds == 0 ? way : 0);
+        if (solve_factor(&o->solve, side[k], t, NULL) != OK || solve_ratio(&o->solve) < 2 * here) return 0;
+    }
+    return 1;
+}
+
+static enum status resid(const struct ode2 *ode, double *r, double *w, double *dk, const struct instant *x,
+                         unsigned cls, struct trouble *why)
+{
+    struct condense *o = ode->self;
+    if (isnan(x->q[0])) return condense_lost(o, x->t, why);
+    TRY(resid_there(o, r, w, dk, x, cls, why));
+    if (!condense_sides(o, o->side, x->q, x->t)) return OK;
+    double w_side[2][POWER_CHANNELS] = {{0}};
+    for (int side = 0; side < 2; side++) {
+        struct instant there = *x;
+        there.q = o->side[side];
+        TRY(resid_there(o, side ? o->mean : r, w ? w_side[side] : NULL, dk, &there, cls, why));
+    }
+    for (int i = 0; i < ode->n; i++) r[i] = (r[i] + o->mean[i]) / 2;
+    for (int i = 0; w && i < POWER_CHANNELS; i++) w[i] = (w_side[0][i] + w_side[1][i]) / 2;
+    return OK;
+}
+
+static void settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x)
+{
+    struct condense *o = ode->self;
+    struct instant whole = *x;
+    struct trouble why;
+    if (look_at_ends(o, &whole, x, &why) != OK) return;
+    o->tree->ode.settle(&o->tree->ode, q1, o->vb, &whole);
+    for (int i = 0; i < ode->n; i++) v1[i] = o->vb[o->split.ind[i]];
+}
+
+enum status condense_accel(struct condense *o, double *vt, double *at, double *lambda, const double *q, const double *v,
+                           double t, struct trouble *why)
+{
+    const struct ode2 *ode = &o->ode;
+    const struct instant x = {.t = t, .q = q, .v = v}, whole = {.t = t, .q = q, .v = vt, .a = at};
+    TRY(resid(ode, o->a, NULL, NULL, &x, ALL, why));
+    TRY(condense_mass(ode, o->M_solve, q, t, ALL, why));
+    const int pivot = dense_cholesky(o->M_solve, ode->n, ode->n);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
+    dense_cholesky_solve(o->M_solve, o->a, ode->n, ode->n);
+    for (int i = 0; i < ode->n; i++) o->a[i] = -o->a[i];
+    TRY(condense_rates(o, vt, at, q, v, o->a, t, why));
+    TRY(open_resid(o->tree, o->rt, NULL, NULL, &whole, ALL, why));
+    solve_multipliers(&o->solve, lambda, o->rt);
+    return OK;
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
 
 static void build_workspace(struct condense *o, struct arena *life)
 {
-    double **of[] = {&o->vt,  &o->at,   &o->rt, &o->va,  &o->vb,    &o->zero, &o->dx,
-                     &o->dxs, &o->last, &o->v,  &o->way, &o->aside, &o->mean};
-    double **places[] = {&o->q, &o->base.q, &o->qtry, &o->side[0], &o->side[1]};
-    for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(life, double, o->nt + 1);
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) *places[i] = TAKE(life, double, o->model->nq + 1);
-    o->C = TAKE(life, double, o->loops->nrow);
-    o->C2 = TAKE(life, double, o->loops->nrow);
-    o->still = TAKE(life, double, o->nt);
-    o->Tx = TAKE(life, double, o->nt);
-    o->ind = TAKE(life, int, o->nt);
-    o->slot = TAKE(life, int, o->nt);
-    o->split = TAKE(life, int, 2 * o->nt + o->loops->nrow);
-    o->work = TAKE(life, int, o->nt + o->loops->nrow);
-    o->bound = TAKE(life, bool, o->moves->nturn);
+    double **of_rows[] = {&o->C, &o->lambda, &o->jump};
+    double **of_tree[] = {&o->vt, &o->at,    &o->rt, &o->va, &o->vb,     &o->zero, &o->dx,
+                          &o->to, &o->still, &o->Tx, &o->a,  &o->beside, &o->mean, &o->v};
+    double **of_places[] = {&o->q, &o->qtry, &o->side[0], &o->side[1]};
+    for (size_t i = 0; i < sizeof of_rows / sizeof *of_rows; i++) *of_rows[i] = TAKE(life, double, o->rows.loops->nrow);
+    for (size_t i = 0; i < sizeof of_tree / sizeof *of_tree; i++) *of_tree[i] = TAKE(life, double, o->rows.n);
+    for (size_t i = 0; i < sizeof of_places / sizeof *of_places; i++) *of_places[i] = TAKE(life, double, o->model->nq);
 }
 
 /* Are columns by momentum cheaper than the tree's matrix and its congruence?  In flops, from timings; slopes of
@@ -81,26 +150,22 @@ static void build_workspace(struct condense *o, struct arena *life)
 static bool are_few(const struct condense *o)
 {
     static const double COLUMN = 100; /* for each coordinate of the tree */
-    const double n = o->ode.n, nt = o->nt;
+    const double n = o->ode.n, nt = o->rows.n;
     double matrix = nt * nt;
-    for (int i = 0; i < o->npart; i++) matrix += (double)o->part[i].ni * o->part[i].nr * (nt + n) / 2;
-    return o->elastic->n == 0 && matrix > COLUMN * (n + 1) * nt;
+    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
+        matrix += (double)p->ni * p->nr * (nt + n) / 2;
+    return o->tree->elastic.n == 0 && matrix > COLUMN * (n + 1) * nt;
 }
 
 /* The number of independents is known. */
 static void build_matrices(struct condense *o, struct arena *life)
 {
-    const size_t n = (size_t)o->ode.n, nt = (size_t)o->nt;
+    const size_t n = (size_t)o->ode.n, nt = (size_t)o->rows.n;
     o->few = are_few(o);
     if (!o->few) o->M = TAKE(life, double, nt *nt);
     o->M_side = TAKE(life, double, n *n);
-    o->M_jump = TAKE(life, double, n *n);
+    o->M_solve = TAKE(life, double, n *n);
     o->Ty = TAKE(life, double, 2 * n);
-}
-
-static void close_scratch(void *scratch)
-{
-    arena_close(scratch);
 }
 
 static double next_kink(const struct ode2 *ode, double t)
@@ -115,39 +180,33 @@ static double next_kink(const struct ode2 *ode, double t)
 static double size_of(const struct ode2 *ode, int i)
 {
     const struct condense *o = ode->self;
-    return o->rows.size[o->ind[i]];
+    return o->rows.size[o->split.ind[i]];
 }
+
+static const struct ode2_ops ops = {
+    .resid = resid, .mass = condense_mass, .slopes = condense_slopes, .turning = condense_turning};
 
 struct condense *condense_build(struct open_tree *tree, const double *q0, const double *v0, struct arena *life)
 {
     struct condense *o = TAKE(life, struct condense, 1);
     const struct model *m = o->model = tree->model;
     o->tree = tree;
-    o->ops = tree->ops;
-    o->sweep = tree->sweep;
-    o->elements = tree->elements;
-    o->moves = &tree->moves;
-    o->elastic = &tree->elastic;
-    o->nt = m->n;
-    rows_build(&o->rows, tree, life);
-    o->loops = o->rows.loops;
-    o->shown = loops_build(m, o->ops, life);
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
     o->breaks = (struct ode2_breaks){
         .next = next_kink, .jump = m->ndrive ? condense_jump : NULL, .corner = m->ndrive ? condense_corner : NULL};
     o->ode = (struct ode2){.nq = m->nq,
-                           .ops = &condense_ops,
+                           .ops = &ops,
                            .move = &condense_move,
                            .chart = &o->chart,
                            .size = size_of,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
-                           .settle = tree->ode.settle ? condense_settle : NULL,
+                           .settle = tree->ode.settle ? settle : NULL,
                            .pointwise = tree->ode.pointwise,
                            .self = o};
-    o->life = life;
-    o->scratch = arena_open();
-    arena_defer(life, close_scratch, o->scratch);
-    build_parts(o, life);
+    rows_build(&o->rows, tree, life);
+    split_build(&o->split, &o->rows, life);
+    solve_build(&o->solve, &o->rows, &o->split, life);
+    closing_build(&o->closing, &o->solve, life);
     build_workspace(o, life);
     o->start.status = condense_begin(o, q0, v0);
     build_matrices(o, life);
@@ -179,36 +238,19 @@ struct ode2 *condense_ode2(struct condense *c)
 
 const struct loops *condense_loops(const struct condense *c)
 {
-    return c->loops;
-}
-
-void condense_push(struct condense *c, struct sweep *s, const double *q, double t, const double *lambda)
-{
-    loops_when(c->shown, t);
-    loops_look(c->shown, s, q);
-    loops_push(c->shown, s, lambda);
-}
-
-void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda)
-{
-    loops_drive(c->shown, force, power, loop, lambda);
-}
-
-void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda)
-{
-    loops_reaction(c->shown, f, n, loop, lambda);
+    return c->rows.loops;
 }
 
 double condense_worst(struct condense *c, const double *q, double t)
 {
     int row;
-    loops_when(c->loops, t);
+    loops_when(c->rows.loops, t, 0);
     return rows_misfit(c->C, &row, &c->rows, q);
 }
 
 int condense_place(const struct condense *c, int i)
 {
-    return c->ind[i];
+    return c->split.ind[i];
 }
 
 long condense_charts(const struct condense *c)
@@ -216,19 +258,12 @@ long condense_charts(const struct condense *c)
     return c->charts;
 }
 
-bool condense_dropped(const struct condense *o, int row)
+bool condense_dropped(const struct condense *c, int row)
 {
-    for (int i = 0; i < o->npart; i++) {
-        const struct part *c = &o->part[i];
-        for (int r = c->nr; r < c->of->nrow; r++)
-            if (c->of->row[c->kept[r]] == row) return true;
-    }
-    return false;
+    return split_drops(&c->split, row);
 }
 
-double condense_ratio(struct condense *o)
+double condense_ratio(struct condense *c)
 {
-    struct trouble why;
-    if (condense_factor(o, o->q, 0, &why) != OK) return 0;
-    return condense_least_ratio(o);
+    return solve_factor(&c->solve, c->q, 0, NULL) == OK ? solve_ratio(&c->solve) : 0;
 }

@@ -41,15 +41,10 @@ struct ode2 *condense_ode2(struct condense *c);     /* lives as long */
 /* Velocities, accelerations (a NULL: not wanted) of the whole tree [m->n], of the independent v, a at a closed q. */
 enum status condense_rates(struct condense *c, double *vt, double *at, const double *q, const double *v,
                            const double *a, double t, struct trouble *why);
-/* lambda [rows] for the tree's residual rt at the state of the last condense_rates(); dropped rows: 0.  After one with
- * accelerations the tree's sweep moves so. */
-void condense_lambda(struct condense *c, double *lambda, const double *rt);
-
-/* The multipliers as forces on the bodies of a sweep that stands where they were found; what joint `loop` exerts. */
-void condense_push(struct condense *c, struct sweep *s, const double *q, double t, const double *lambda);
-/* Of a drive, after condense_push(): its force along its measure, its power. */
-void condense_drive(const struct condense *c, double *force, double *power, int loop, const double *lambda);
-void condense_reaction(const struct condense *c, double *f, double *n, int loop, const double *lambda);
+/* All of the tree's velocities vt and accelerations at [m->n] and the multipliers lambda [rows], redundant rows 0, by
+ * one fresh solve of (2-4). */
+enum status condense_accel(struct condense *c, double *vt, double *at, double *lambda, const double *q, const double *v,
+                           double t, struct trouble *why);
 
 const struct loops *condense_loops(const struct condense *c);
 double condense_worst(struct condense *c, const double *q, double t); /* max |C| */

@@ -30,7 +30,7 @@ struct projection {
 
 static struct projection make(const struct condense *o, struct arena *life)
 {
-    const int n = o->nt, rows = o->loops->nrow;
+    const int n = o->rows.n, rows = o->rows.loops->nrow;
     return (struct projection){.M = TAKE(life, double, (size_t)n *(size_t)n),
                                .Cq = TAKE(life, double, (size_t)rows *(size_t)n),
                                .Y = TAKE(life, double, (size_t)n *(size_t)rows),
@@ -46,7 +46,7 @@ static struct projection make(const struct condense *o, struct arena *life)
 static enum status mass(struct projection *p, struct condense *o, const double *q, struct trouble *why)
 {
     static const double LITTLE = 1e-9;
-    const int n = o->nt;
+    const int n = o->rows.n;
     double most = 0;
     TRY(o->tree->ode.ops->mass(&o->tree->ode, p->M, q, 0, ALL, why));
     if (dense_cholesky(p->M, n, n) < 0) return OK;
@@ -60,8 +60,8 @@ static enum status mass(struct projection *p, struct condense *o, const double *
 static enum status prepare(struct projection *p, struct condense *o, const double *q, struct trouble *why)
 {
     static const double NOTHING = 1e-10;
-    const struct loops *l = o->loops;
-    const int n = o->nt, rows = l->nrow;
+    const struct loops *l = o->rows.loops;
+    const int n = o->rows.n, rows = l->nrow;
     TRY(mass(p, o, q, why));
     rows_linearize(&o->rows, q);
     rows_values(o->C, &o->rows);
@@ -81,7 +81,7 @@ static enum status prepare(struct projection *p, struct condense *o, const doubl
 /* p->dx := -M^-1 C_q' (C_q M^-1 C_q')^-1 p->x */
 static void project(struct projection *p, const struct condense *o)
 {
-    const int n = o->nt, rows = o->loops->nrow;
+    const int n = o->rows.n, rows = o->rows.loops->nrow;
     pivot_solve(p->S, p->row, p->col, p->x, p->work, p->rank, rows);
     for (int k = p->rank; k < rows; k++) p->x[p->col[k]] = 0;
     memset(p->dx, 0, sizeof *p->dx * (size_t)n);
@@ -99,10 +99,10 @@ static enum status close_positions(struct projection *p, struct condense *o, str
     for (int i = 0; i < STEPS && miss > CLOSED; i++) {
         double next = INFINITY, s = 1;
         TRY(prepare(p, o, o->q, why));
-        memcpy(p->x, o->C, sizeof *p->x * (size_t)o->loops->nrow);
+        memcpy(p->x, o->C, sizeof *p->x * (size_t)o->rows.loops->nrow);
         project(p, o);
         for (int k = 0; k < HALVINGS && !(next < miss); k++, s /= 2) {
-            moves_point(o->moves, o->qtry, o->q, p->dx, s);
+            moves_point(&o->tree->moves, o->qtry, o->q, p->dx, s);
             next = rows_misfit(o->C, &row, &o->rows, o->qtry);
         }
         if (!(next < miss)) break;
@@ -115,9 +115,9 @@ static enum status close_positions(struct projection *p, struct condense *o, str
 /* v [nt] becomes one that the equations at o->q allow. */
 static enum status close_rates(struct projection *p, struct condense *o, double *v, struct trouble *why)
 {
-    const int n = o->nt, rows = o->loops->nrow;
+    const int n = o->rows.n, rows = o->rows.loops->nrow;
     TRY(prepare(p, o, o->q, why));
-    for (int r = 0; r < rows; r++) p->x[r] = -o->loops->c1[r];
+    for (int r = 0; r < rows; r++) p->x[r] = -o->rows.loops->c1[r];
     dense_gemtv(p->x, 1, p->Cq, v, n, rows, n);
     project(p, o);
     for (int i = 0; i < n; i++) v[i] += p->dx[i];
@@ -138,23 +138,22 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
     struct arena *scratch = arena_open();
     struct projection p = make(o, scratch);
     int row = 0;
-    o->loops->share = 1;
-    loops_when(o->loops, o->model->t0);
+    loops_when(o->rows.loops, o->model->t0, 0);
     memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
-    memcpy(v, v0, sizeof *v * (size_t)o->nt);
+    memcpy(v, v0, sizeof *v * (size_t)o->rows.n);
     s->misfit = rows_misfit(o->C, &s->misfit_row, &o->rows, o->q);
     enum status status = close_positions(&p, o, &why);
     if (status == OK) status = close_rates(&p, o, v, &why);
     if (status == OK) {
-        moves_diff(o->moves, p.dx, o->q, q0);
-        note(&s->moved, &s->moved_at, p.dx, o->nt);
-        for (int i = 0; i < o->nt; i++) p.dx[i] = v[i] - v0[i];
-        note(&s->changed, &s->changed_at, p.dx, o->nt);
+        moves_diff(&o->tree->moves, p.dx, o->q, q0);
+        note(&s->moved, &s->moved_at, p.dx, o->rows.n);
+        for (int i = 0; i < o->rows.n; i++) p.dx[i] = v[i] - v0[i];
+        note(&s->changed, &s->changed_at, p.dx, o->rows.n);
     }
     arena_close(scratch);
     const double left = rows_misfit(o->C, &row, &o->rows, o->q);
     if (status == OK && left <= FITS) return OK;
     return fail(&s->report, E_MODEL,
                 "the mechanism cannot be assembled from here: constraint '%s' still misses by %.3g of its size",
-                o->model->loop[o->loops->row[row].loop].name, left);
+                o->model->loop[o->rows.loops->row[row].loop].name, left);
 }

@@ -17,54 +17,37 @@
 void condense_time(struct condense *o, double t, double ta, double tb)
 {
     if (o->model->ndrive == 0) return;
-    loops_when(o->loops, t);
-    loops_over(o->loops, ta, tb);
+    loops_when(o->rows.loops, t, 0);
+    loops_over(o->rows.loops, ta, tb);
 }
 
 int condense_jumps(const struct condense *o)
 {
+    const struct loops *loops = o->rows.loops;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++)
-        if (o->loops->cw[o->loops->first[l]] != o->loops->c1[o->loops->first[l]]) return 1;
+        if (loops->cw[loops->first[l]] != loops->c1[loops->first[l]]) return 1;
     return 0;
 }
 
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why)
 {
     const struct model *m = o->model;
+    const struct loops *loops = o->rows.loops;
     for (int l = model_first_drive(m); l < m->nloop; l++) {
-        const int row = o->loops->first[l];
-        if (!isfinite(o->loops->c[row]) || !isfinite(o->loops->c1[row]) ||
-            (accelerations && !isfinite(o->loops->c2[row])))
+        const int row = loops->first[l];
+        if (!isfinite(loops->c[row]) || !isfinite(loops->c1[row]) || (accelerations && !isfinite(loops->c2[row])))
             return trouble_set(why, TROUBLE_DRIVE, l, NAN, t);
     }
     return OK;
 }
 
-enum status condense_lost(const struct condense *o, double t, struct trouble *why)
+void condense_power(const struct condense *o, double *w, const double *lambda)
 {
-    TRY(condense_driven(o, false, t, why));
-    return trouble_set(why, TROUBLE_CLOSURE, o->lost, o->lost_by, t);
-}
-
-void component_power(const struct condense *o, const struct part *c, double *w)
-{
-    for (int k = 0; k < c->nlead; k++)
-        w[POWER_DRIVE] -= c->x[c->lead[k]] * o->loops->cw[c->of->row[c->kept[c->lead[k]]]];
-}
-
-enum status condense_contest(struct condense *o, double t, struct trouble *why)
-{
-    if (o->holds == 0) return OK;
-    rows_values(o->C, &o->rows);
-    for (int i = 0; i < o->npart; i++) {
-        const struct part *c = &o->part[i];
-        for (int r = c->nr; r < c->of->nrow; r++) {
-            const int row = c->of->row[c->kept[r]];
-            if (!(fabs(o->C[row]) <= o->holds))
-                return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[row].loop, fabs(o->C[row]), t);
+    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
+        for (int k = 0; k < p->nlead; k++) {
+            const int row = p->row[p->lead[k]];
+            w[POWER_DRIVE] -= lambda[row] * o->rows.loops->cw[row];
         }
-    }
-    return OK;
 }
 
 double condense_corner(const struct ode2 *ode, double ta, double tb)
@@ -81,22 +64,22 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
 {
     struct condense *o = ode->self;
     struct trouble why;
-    const int n = ode->n, nt = o->nt;
-    double *dv = o->mean, *M = o->M_jump;
-    if (!loops_corners(o->loops, ta, tb) || condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
+    const int n = ode->n, nt = o->rows.n;
+    double *dv = o->mean, *M = o->M_solve;
+    if (!loops_corners(o->jump, o->rows.loops, ta, tb)) return 0;
+    if (condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
     if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
-    condense_factor(o, q, ta, &why);
-    loops_corners(o->loops, ta, tb); /* their rates have been asked for between */
+    solve_factor(&o->solve, q, ta, &why);
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
-    condense_follow(o, o->at);
-    condense_still(o, q, ALL);
-    condense_momentum(o, o->rt, o->at, ALL);
-    condense_gather(o, dv, NULL, o->rt);
+    solve_follow(&o->solve, o->at, o->jump);
+    condense_still(o, o->still, q, ALL);
+    condense_momentum(o, o->rt, o->at, o->still, ALL);
+    solve_reduce(&o->solve, dv, o->lambda, o->rt);
     dense_cholesky_solve(M, dv, n, n);
     for (int i = 0; i < n; i++) dv[i] = -dv[i];
-    condense_spread(o, o->at, dv);
-    condense_follow(o, o->at); /* all of the jump */
-    condense_momentum(o, o->rt, o->at, ALL);
+    split_spread(&o->split, o->at, dv);
+    solve_follow(&o->solve, o->at, o->jump); /* all of the jump */
+    condense_momentum(o, o->rt, o->at, o->still, ALL);
     for (int i = 0; i < nt; i++) *work += o->rt[i] * (o->vt[i] + o->at[i] / 2);
     for (int i = 0; i < n; i++) v[i] += dv[i];
     return 1;

@@ -17,7 +17,7 @@ static const double HOLDS = 1e-9;     /* |C| of a whole state that is closed as 
 
 static const char *row_name(const struct condense *o, int row)
 {
-    return o->model->loop[o->loops->row[row].loop].name;
+    return o->model->loop[o->rows.loops->row[row].loop].name;
 }
 
 static const char *place_name(const struct model *m, int iv)
@@ -37,30 +37,30 @@ static bool chosen_by_deck(const struct condense *o, int iv)
 }
 
 /* The deck's choice leaves C_qd singular: names a coordinate that must follow, and one that may lead. */
-static enum status refuse_choice(struct condense *o, struct part *c, int asked)
+static enum status refuse_choice(struct condense *o, struct part *p, int asked)
 {
     int instead = -1;
-    for (int k = 0; k < c->of->nk; k++) c->weight[k] = 1;
-    component_choose(o, c);
-    for (int j = 0; j < c->ni && instead < 0; j++)
-        if (!chosen_by_deck(o, c->of->k[c->ind[j]])) instead = c->of->k[c->ind[j]];
+    for (int k = 0; k < p->of->nk; k++) p->weight[k] = 1;
+    split_choose(&o->split, p);
+    for (int j = 0; j < p->ni && instead < 0; j++)
+        if (!chosen_by_deck(o, p->ind[j])) instead = p->ind[j];
     if (instead < 0)
         return fail(&o->start.report, E_MODEL,
                     "'%s' cannot be independent: the loops leave %d freedom(s), and these are chosen",
-                    place_name(o->model, asked), c->ni);
+                    place_name(o->model, asked), p->ni);
     return fail(&o->start.report, E_MODEL,
                 "'%s' cannot be independent here: the loops' equations for the others are singular; try '%s'",
                 place_name(o->model, asked), place_name(o->model, instead));
 }
 
 /* The deck's coordinate that makes the split impossible or all but singular; -1: none. */
-static int to_blame(const struct condense *o, const struct part *c)
+static int to_blame(const struct condense *o, const struct part *p)
 {
     static const double SINGULAR = 1e-7;
-    for (int r = 0; r < c->nr; r++)
-        if (chosen_by_deck(o, c->of->k[c->dep[r]])) return c->of->k[c->dep[r]];
-    for (int j = 0; j < c->ni && c->chosen < SINGULAR; j++)
-        if (chosen_by_deck(o, c->of->k[c->ind[j]])) return c->of->k[c->ind[j]];
+    for (int r = 0; r < p->nr; r++)
+        if (chosen_by_deck(o, p->dep[r])) return p->dep[r];
+    for (int j = 0; j < p->ni && p->chosen < SINGULAR; j++)
+        if (chosen_by_deck(o, p->ind[j])) return p->ind[j];
     return -1;
 }
 
@@ -69,18 +69,18 @@ static enum status split_all(struct condense *o, const double *q, double miss)
 {
     rows_linearize(&o->rows, q);
     o->start.redundant = 0;
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
+    for (int i = 0; i < o->split.npart; i++) {
+        struct part *p = &o->split.part[i];
         int urgent = 0;
-        c->nr = component_rank(o, c, fmax(RANK, fmin(30 * miss, 1e-2)));
-        c->ni = c->of->nk - c->nr;
-        for (int k = 0; k < c->of->nk; k++) urgent += o->model->urgent[c->of->k[k]];
-        c->nfast = urgent < c->ni ? urgent : c->ni;
-        for (int k = 0; k < c->of->nk; k++) c->weight[k] = o->model->follow[c->of->k[k]];
-        c->chosen = component_choose(o, c);
-        o->start.redundant += c->of->nrow - c->nr;
-        int asked = to_blame(o, c);
-        if (asked >= 0) return refuse_choice(o, c, asked);
+        p->nr = split_rank(&o->split, p, fmax(RANK, fmin(30 * miss, 1e-2)));
+        p->ni = p->of->nk - p->nr;
+        for (int k = 0; k < p->of->nk; k++) urgent += o->model->urgent[p->of->k[k]];
+        p->nfast = urgent < p->ni ? urgent : p->ni;
+        for (int k = 0; k < p->of->nk; k++) p->weight[k] = o->model->follow[p->of->k[k]];
+        p->chosen = condense_choose(o, i);
+        o->start.redundant += p->of->nrow - p->nr;
+        int asked = to_blame(o, p);
+        if (asked >= 0) return refuse_choice(o, p, asked);
     }
     condense_number(o);
     return OK;
@@ -96,55 +96,69 @@ static double scatter(unsigned i)
     return (double)(x >> 8) / 8388608 - 1;
 }
 
-/* By how much the dropped rows miss, of the last misfit; the worst. */
-static double dropped_miss(const struct condense *o, int *worst)
+/* The largest of the redundant rows in C [rows]; the worst. */
+static double redundant_miss(int *worst, const struct split *split, const double *C)
 {
     double most = 0;
-    for (int i = 0; i < o->npart; i++) {
-        const struct part *c = &o->part[i];
-        for (int r = c->nr; r < c->of->nrow; r++) {
-            const int row = c->of->row[c->kept[r]];
-            if (fabs(o->C[row]) > most) most = fabs(o->C[row]), *worst = row;
-        }
-    }
+    for (const struct part *p = split->part; p < split->part + split->npart; p++)
+        for (int r = p->nr; r < p->of->nrow; r++)
+            if (fabs(C[p->row[r]]) > most) most = fabs(C[p->row[r]]), *worst = p->row[r];
     return most;
 }
 
-/* Do dropped rows still hold a small way off?  Redundant ones do; where C_q has lost rank at this very posture
- * only, the way along a direction that is too many leaves them at second order. */
+static int redundant_missing(const struct split *split, const double *C, double more)
+{
+    int n = 0;
+    for (const struct part *p = split->part; p < split->part + split->npart; p++)
+        for (int r = p->nr; r < p->of->nrow; r++) n += fabs(C[p->row[r]]) > more;
+    return n;
+}
+
+/* A small way off o->q, which is the base then; 0: it cannot be closed. */
+static int go_off(struct condense *o, double *q1, unsigned trial)
+{
+    static const double WAY = 1e-2;
+    const int *ind = o->split.ind;
+    memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
+    for (int i = 0; i < o->ode.n; i++)
+        o->dx[ind[i]] = WAY * o->rows.size[ind[i]] * scatter(trial * 1000u + (unsigned)i);
+    closing_predict(&o->closing, o->dx);
+    return closing_close(&o->closing, q1, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = o->dx});
+}
+
+/* Do redundant rows still hold a small way off?  Where C_q has lost rank at this very posture only, the way along a
+ * direction that is too many leaves them at second order. */
 static enum status look_for_branches(struct condense *o)
 {
-    static const double WAY = 1e-2, MISS = 1e-7;
+    static const double MISS = 1e-7;
     int row, worst = 0, lost = 0;
     double miss = 0;
     if (o->start.redundant == 0) return OK;
     for (unsigned trial = 0; trial < 3; trial++) {
-        for (int i = 0; i < o->nt; i++) o->dx[i] = 0;
-        for (int i = 0; i < o->ode.n; i++)
-            o->dx[o->ind[i]] = WAY * o->rows.size[o->ind[i]] * scatter(trial * 1000u + (unsigned)i);
-        if (!condense_tangent(o, o->q)) return OK;
-        condense_predict(o);
-        if (!condense_close(o, o->qtry, o->q, 1)) continue;
+        if (!closing_tangent(&o->closing, o->q)) return OK;
+        if (!go_off(o, o->qtry, trial)) continue;
         rows_misfit(o->C, &row, &o->rows, o->qtry);
-        int away = 0;
-        for (int i = 0; i < o->npart; i++) {
-            const struct part *c = &o->part[i];
-            for (int r = c->nr; r < c->of->nrow; r++)
-                away += fabs(o->C[c->of->row[c->kept[r]]]) > MISS + 10 * o->start.misfit;
-        }
-        if (away > lost) {
-            lost = away;
-            miss = dropped_miss(o, &worst);
+        const int missing = redundant_missing(&o->split, o->C, MISS + 10 * o->start.misfit);
+        if (missing > lost) {
+            lost = missing;
+            miss = redundant_miss(&worst, &o->split, o->C);
         }
     }
     if (lost == 0) return OK;
-    rows_misfit(o->C, &row, &o->rows, o->q);
     return fail(
         &o->start.report, E_MODEL,
         "rank of C_q drops by %d in this posture, and constraint '%s' misses by %.3g of the mechanism's size a "
         "small way off: a bifurcation, where the loops leave the way open, or a mechanism that is locked; start "
         "beside it",
         lost, row_name(o, worst), miss);
+}
+
+/* o->q := o->q (+) dx, its dependents closed; 0: it cannot be. */
+static int step_to(struct condense *o, double *dx)
+{
+    if (!closing_close(&o->closing, o->qtry, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = dx})) return 0;
+    memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
+    return 1;
 }
 
 static enum status assemble(struct condense *o)
@@ -158,63 +172,62 @@ static enum status assemble(struct condense *o)
                     row_name(o, s->misfit_row), miss, ASSEMBLY);
     for (int pass = 0; pass < 2; pass++) {
         TRY(split_all(o, o->q, miss));
-        memset(o->dx, 0, sizeof *o->dx * (size_t)o->nt);
-        if (!condense_close(o, o->qtry, o->q, 1))
+        memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
+        if (!step_to(o, o->dx))
             return fail(&s->report, E_MODEL, "the loop of constraint '%s' cannot be closed",
                         row_name(o, s->misfit_row));
-        for (int i = 0; i < o->nt; i++)
+        for (int i = 0; i < o->rows.n; i++)
             if (fabs(o->dx[i]) > s->moved) s->moved = fabs(o->dx[i]), s->moved_at = i;
-        memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
         int row = 0;
         miss = rows_misfit(o->C, &row, &o->rows, o->q);
-        if (dropped_miss(o, &row) > fmax(1e-9, 3 * s->misfit))
+        if (redundant_miss(&row, &o->split, o->C) > fmax(1e-9, 3 * s->misfit))
             return fail(&s->report, E_MODEL, "constraint '%s' contradicts the others by %.3g of the mechanism's size",
                         row_name(o, row), miss);
     }
     return look_for_branches(o);
 }
 
+/* How far it is from o->q to q0, drives too, in scales; the way goes to `way`. */
+static double way_to(double *way, const struct condense *o, const double *q0)
+{
+    const struct loops *l = o->rows.loops;
+    const int *ind = o->split.ind;
+    double most = 0;
+    moves_diff(&o->tree->moves, way, q0, o->q);
+    for (int i = 0; i < o->ode.n; i++) most = fmax(most, fabs(way[ind[i]]) / o->rows.size[ind[i]]);
+    for (int i = 0; i < l->nrow; i++) most = fmax(most, fabs(l->c[i] - l->drawn[i]));
+    return most;
+}
+
 /* From the drawn position to where `initial:` puts the independent coordinates, in small steps on the same branch. */
 static enum status go_to_start(struct condense *o, const double *q0)
 {
     enum { STEPS = 50 };
-    double most = 0;
     int row;
-    o->loops->share = 1;
-    loops_when(o->loops, o->model->t0);
+    loops_when(o->rows.loops, o->model->t0, 0);
     if (rows_misfit(o->C, &row, &o->rows, q0) <= HOLDS) {
         memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
         return OK;
     }
-    moves_diff(o->moves, o->zero, q0, o->q); /* borrowed: wiped below */
-    double *way = o->way;
-    memcpy(way, o->zero, sizeof *way * (size_t)o->nt);
-    memset(o->zero, 0, sizeof *way * (size_t)o->nt);
-    for (int i = 0; i < o->ode.n; i++) most = fmax(most, fabs(way[o->ind[i]]) / o->rows.size[o->ind[i]]);
-    for (int i = 0; i < o->loops->nrow; i++) most = fmax(most, fabs(o->loops->c[i] - o->loops->drawn[i]));
-    if (most == 0) return OK;
+    if (way_to(o->to, o, q0) == 0) return OK;
     for (int k = 0; k < STEPS; k++) {
-        o->loops->share = (k + 1.) / STEPS;
-        loops_when(o->loops, o->model->t0);
-        memset(o->dx, 0, sizeof *o->dx * (size_t)o->nt);
-        for (int i = 0; i < o->ode.n; i++) o->dx[o->ind[i]] = way[o->ind[i]] / STEPS;
-        int closed = condense_tangent(o, o->q);
-        if (closed) condense_predict(o);
-        if (!closed || !condense_close(o, o->qtry, o->q, 1))
+        loops_partly(o->rows.loops, o->model->t0, (k + 1.) / STEPS);
+        memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
+        for (int i = 0; i < o->ode.n; i++) o->dx[o->split.ind[i]] = o->to[o->split.ind[i]] / STEPS;
+        int closed = closing_tangent(&o->closing, o->q);
+        if (closed) closing_predict(&o->closing, o->dx);
+        if (!closed || !step_to(o, o->dx))
             return fail(&o->start.report, E_MODEL,
                         "the start ('initial' and drives) cannot be reached: '%s' locks at %d %% of the way from the "
                         "drawn position",
-                        o->model->loop[o->lost].name, 100 * k / STEPS);
-        memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
+                        o->model->loop[o->lost.loop].name, 100 * k / STEPS);
     }
     for (int i = 0; i < o->model->nq; i++) { /* exactly what the deck says */
         int iv = o->model->coordinate[i].iv;
-        if (iv >= 0 && o->slot[iv] >= 0) o->q[i] = q0[i];
+        if (iv >= 0 && o->split.slot[iv] >= 0) o->q[i] = q0[i];
     }
-    memset(o->dx, 0, sizeof *o->dx * (size_t)o->nt);
-    if (!condense_close(o, o->qtry, o->q, 1)) return fail(&o->start.report, E_MODEL, "'initial' cannot be reached");
-    memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
-    return OK;
+    memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
+    return step_to(o, o->dx) ? OK : fail(&o->start.report, E_MODEL, "'initial' cannot be reached");
 }
 
 /* What `initial:` says of coordinates that follow others must fit. */
@@ -229,7 +242,7 @@ static enum status agrees(struct condense *o, const double *q0, const double *v0
     if (m->ndrive) snprintf(drives, sizeof drives, " and drives at t = %.9g", m->t0);
     for (int i = 0; i < m->ncoordinate; i++) {
         int iv = m->coordinate[i].iv;
-        if (iv < 0 || o->slot[iv] >= 0) continue;
+        if (iv < 0 || o->split.slot[iv] >= 0) continue;
         if (m->said_q && m->said_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
             return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
                         m->coordinate[i].name, q0[i], drives, o->q[i]);
@@ -247,25 +260,23 @@ static void keep_elastic(struct condense *o)
     for (int i = 1; i < o->model->nbody; i++) {
         const struct model_body *b = &o->model->body[i];
         for (int k = 0; k < b->nmode && b->component >= 0; k++)
-            o->part[b->component].weight[o->rows.column[b->mode_v[k]]] = o->model->follow[b->mode_v[k]];
+            o->split.part[b->component].weight[o->rows.column[b->mode_v[k]]] = o->model->follow[b->mode_v[k]];
     }
 }
 
-/* By how much the dropped rows' rates miss for the velocities o->vt, at the posture looked at; the worst. */
-static double dropped_rate(const struct condense *o, int *worst)
+/* By how much the redundant rows' rates miss for the velocities vt of the tree, where C_q has been found; the worst. */
+static double redundant_rate(int *worst, const struct condense *o, const double *vt)
 {
-    const struct loops *l = o->loops;
+    const struct loops *l = o->rows.loops;
     double most = 0;
-    for (int i = 0; i < o->npart; i++) {
-        const struct part *c = &o->part[i];
-        for (int r = c->nr; r < c->of->nrow; r++) {
-            const int row = c->of->row[c->kept[r]], loop = l->row[row].loop;
+    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
+        for (int r = p->nr; r < p->of->nrow; r++) {
+            const int row = p->row[r], loop = l->row[row].loop;
             double rate = -l->c1[row];
             for (int k = 0; k < l->nk[loop]; k++)
-                rate += l->Cq[loop][(row - l->first[loop]) * l->nk[loop] + k] * o->vt[l->k[loop][k]];
+                rate += l->Cq[loop][(row - l->first[loop]) * l->nk[loop] + k] * vt[l->k[loop][k]];
             if (fabs(rate) > most) most = fabs(rate), *worst = row;
         }
-    }
     return most;
 }
 
@@ -276,47 +287,46 @@ static enum status contradiction(struct condense *o)
     struct trouble why;
     int row = 0;
     rows_misfit(o->C, &row, &o->rows, o->q);
-    double by = dropped_miss(o, &row), rate = 0;
+    double by = redundant_miss(&row, &o->split, o->C), rate = 0;
     if (by <= DISAGREE) {
         condense_rates(o, o->vt, NULL, o->q, o->v, NULL, o->model->t0, &why);
-        rate = dropped_rate(o, &row);
+        rate = redundant_rate(&row, o, o->vt);
         if (rate <= DISAGREE) return OK;
     }
     return fail(&o->start.report, E_MODEL,
                 "%s '%s' contradicts the others at t = %.9g: by %.3g of the mechanism's size%s",
-                o->model->loop[o->loops->row[row].loop].drive ? "drive" : "constraint", row_name(o, row), o->model->t0,
-                rate > 0 ? rate : by, rate > 0 ? " per second" : "");
+                o->model->loop[o->rows.loops->row[row].loop].drive ? "drive" : "constraint", row_name(o, row),
+                o->model->t0, rate > 0 ? rate : by, rate > 0 ? " per second" : "");
 }
 
 /* Drives begin where they are drawn. */
 static enum status draw_drives(struct condense *o)
 {
-    struct loops *l = o->loops;
+    struct loops *l = o->rows.loops;
     int row;
     struct trouble why;
     if (o->model->ndrive == 0) return OK;
-    loops_when(l, o->model->t0);
+    loops_when(l, o->model->t0, 0);
     if (condense_driven(o, false, o->model->t0, &why) != OK)
         return fail(&o->start.report, E_MODEL, "drive '%s' or a rate of it is not a number at t = %.9g",
                     o->model->loop[why.index].name, o->model->t0);
     for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
     rows_misfit(o->C, &row, &o->rows, o->q);
     for (int i = 0; i < l->nrow; i++)
-        if (o->model->loop[l->row[i].loop].drive) l->drawn[i] = o->C[i];
-    l->share = 0;
-    loops_when(l, o->model->t0);
+        if (l->model->loop[l->row[i].loop].drive) l->drawn[i] = o->C[i];
+    loops_partly(l, o->model->t0, 0);
     return OK;
 }
 
-/* Were rows dropped where a drive has a say? */
+/* Are rows redundant where a drive has a say? */
 static bool is_contested(const struct condense *o)
 {
+    const struct loops *l = o->rows.loops;
     bool any = false;
-    for (int i = 0; i < o->npart; i++) {
-        const struct part *c = &o->part[i];
+    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++) {
         bool led = false;
-        for (int r = 0; r < c->of->nrow; r++) led |= o->model->loop[o->loops->row[c->of->row[r]].loop].drive != NULL;
-        any |= led && c->nr < c->of->nrow;
+        for (int r = 0; r < p->of->nrow; r++) led |= l->model->loop[l->row[p->row[r]].loop].drive != NULL;
+        any |= led && p->nr < p->of->nrow;
     }
     return any;
 }
@@ -328,7 +338,7 @@ static enum status place_start(struct condense *o, const double *q0, const doubl
     TRY(assemble(o));
     TRY(go_to_start(o, q0));
     TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
-    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->ind[i]];
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->split.ind[i]];
     return agrees(o, q0, v0);
 }
 
@@ -336,25 +346,25 @@ static enum status place_start(struct condense *o, const double *q0, const doubl
 static enum status project_start(struct condense *o, const double *q0, const double *v0)
 {
     int row;
-    TRY(condense_assemble(o, o->way, q0, v0));
+    TRY(condense_assemble(o, o->to, q0, v0));
     TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
-    for (int i = 0; i < o->ode.n; i++) o->v[i] = o->way[o->ind[i]];
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = o->to[o->split.ind[i]];
     return look_for_branches(o);
 }
 
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)
 {
-    for (int i = 0; i < o->moves->nturn; i++) o->q[o->moves->turn[i].iq[0]] = 1;
+    for (int i = 0; i < o->tree->moves.nturn; i++) o->q[o->tree->moves.turn[i].iq[0]] = 1;
     TRY(draw_drives(o));
     TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
     if (is_contested(o)) TRY(contradiction(o));
     o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        for (int k = 0; k < c->of->nk; k++) c->weight[k] = o->model->urgent[c->of->k[k]] ? KEEP_FAST : 1;
-        c->gain = component_gain(o, c);
+    for (int i = 0; i < o->split.npart; i++) {
+        struct part *p = &o->split.part[i];
+        for (int k = 0; k < p->of->nk; k++) p->weight[k] = o->model->urgent[p->of->k[k]] ? KEEP_FAST : 1;
+        p->least_gain = solve_gain(&o->solve, i);
     }
     keep_elastic(o);
     return OK;

@@ -71,16 +71,26 @@ static const double *motion_of(struct loops *o, int l, double t)
     return m[0].x;
 }
 
-void loops_when(struct loops *o, double t)
+static void set_drives(struct loops *o, double t, double share, double beside)
 {
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         const double *x = motion_of(o, l, t), unit = loops_scale(o, l);
         int row = o->first[l];
-        o->c[row] = o->share == 1 ? unit * x[0] : o->drawn[row] + o->share * (unit * x[0] - o->drawn[row]);
-        o->c[row] += o->aside;
+        o->c[row] = share == 1 ? unit * x[0] : o->drawn[row] + share * (unit * x[0] - o->drawn[row]);
+        o->c[row] += beside;
         o->c1[row] = o->cw[row] = unit * x[1];
         o->c2[row] = unit * x[2];
     }
+}
+
+void loops_when(struct loops *o, double t, double beside)
+{
+    set_drives(o, t, 1, beside);
+}
+
+void loops_partly(struct loops *o, double t, double share)
+{
+    set_drives(o, t, share, 0);
 }
 
 /* Is the mean rate so far from that of the ends because there is a corner between? */
@@ -104,13 +114,13 @@ void loops_over(struct loops *o, double ta, double tb)
     }
 }
 
-int loops_corners(struct loops *o, double ta, double tb)
+int loops_corners(double *jump, const struct loops *o, double ta, double tb)
 {
     int any = 0;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
-        double *jump = &o->c1[o->first[l]];
-        *jump = loops_scale(o, l) * signal_corner(o->model->loop[l].drive, ta, tb);
-        any |= *jump != 0;
+        const int row = o->first[l];
+        jump[row] = loops_scale(o, l) * signal_corner(o->model->loop[l].drive, ta, tb);
+        any |= jump[row] != 0;
     }
     return any;
 }

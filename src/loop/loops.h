@@ -60,22 +60,24 @@ struct loops {
     double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
     double *scale;            /* [nloop] what the terms of a sum are divided by [m] or [rad] */
     struct measures measures;
-    struct row grad;      /* of a driven measure; its work */
-    struct action *act;   /* [nloop] of drives: the measure where the bodies stand */
-    double *c, *c1, *c2;  /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
-    double aside;         /* added to c, while a posture beside the one of drives is looked for */
-    double *cw;           /* [nrow] the rate that their force works with */
-    struct moved *moved;  /* [ndrive x MOVED] drives at the times last asked for */
-    double *drawn, share; /* [nrow] of drives: their measure as drawn; how far they have gone from there to c(t) */
+    struct row grad;     /* of a driven measure; its work */
+    struct action *act;  /* [nloop] of drives: the measure where the bodies stand */
+    double *c, *c1, *c2; /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
+    double *cw;          /* [nrow] the rate that their force works with */
+    struct moved *moved; /* [ndrive x MOVED] drives at the times last asked for */
+    double *drawn;       /* [nrow] of drives: their measure as drawn */
 };
 
 struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
 
-/* Drives as they are at t; over [ta, tb], if that is longer than nothing, by their mean rate and acceleration. */
-void loops_when(struct loops *o, double t);
+/* Drives as they are at t, and `beside`; then over [ta, tb], if that is longer than nothing, by their mean rate and
+ * acceleration. */
+void loops_when(struct loops *o, double t, double beside);
 void loops_over(struct loops *o, double ta, double tb);
-/* c1 := by how much the rates of drives jump at corners in [ta, tb); 0: nowhere. */
-int loops_corners(struct loops *o, double ta, double tb);
+/* The fraction `share` of the way from where they are drawn to where they are at t. */
+void loops_partly(struct loops *o, double t, double share);
+/* jump [nrow] of drives := by how much their rates jump at corners in [ta, tb); 0: nowhere. */
+int loops_corners(double *jump, const struct loops *o, double ta, double tb);
 /* Looks at the bodies where they stand: first of all, after each place(). */
 void loops_look(struct loops *o, const struct sweep *s, const double *q);
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */

@@ -103,6 +103,5 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->drawn = TAKE(life, double, o->nrow);
     o->moved = TAKE(life, struct moved, MOVED * m->ndrive);
     for (int i = 0; i < MOVED * m->ndrive; i++) o->moved[i].t = NAN;
-    o->share = 1;
     return o;
 }

@@ -118,15 +118,20 @@ static void along_phi(double *F, const int *at, const double *phi)
     for (int k = 0; k < 3; k++) F[at[k]] = s * (f[k] - x[k] / 2);
 }
 
-void rows_turn(struct rows *o, const struct component *c, const double *dx, const bool *marked)
+static void turn_rows(struct rows *o, const struct component *c, const double *dx, const bool *marked)
 {
-    for (int i = 0; i < c->nturn; i++) {
-        const struct row_turn *turn = &c->turn[i];
+    for (const struct row_turn *turn = c->turn; turn < c->turn + c->nturn; turn++) {
         const int *iv = o->tree->moves.turn[turn->turn].iv;
         if (!marked[turn->turn]) continue;
         along_phi(c->F, turn->at, (const double[]){dx[iv[0]], dx[iv[1]], dx[iv[2]]});
         o->linear = 0;
     }
+}
+
+void rows_turn(struct rows *o, const double *dx, const bool *marked)
+{
+    if (o->tree->moves.nturn == 0) return;
+    for (int i = 0; i < o->ncomponent; i++) turn_rows(o, &o->component[i], dx, marked);
 }
 
 void rows_values(double *C, const struct rows *o)

@@ -41,9 +41,9 @@ void rows_build(struct rows *o, struct open_tree *tree, struct arena *life);
 /* The tree at q, and C, or C and C_q, there.  Returns the number of the posture. */
 long rows_place(struct rows *o, const double *q);
 long rows_linearize(struct rows *o, const double *q);
-/* C_q of one component becomes that along the Cayley vectors in dx [n], from a base, of the rotations that are marked
- * [nturn of moves].  C_q is of no posture then. */
-void rows_turn(struct rows *o, const struct component *c, const double *dx, const bool *marked);
+/* C_q becomes that along the Cayley vectors in dx [n], from a base, of the rotations that are marked [nturn of moves]:
+ * it is of no posture then. */
+void rows_turn(struct rows *o, const double *dx, const bool *marked);
 
 /* C [rows] where rows_place() has been, with drives as they are. */
 void rows_values(double *C, const struct rows *o);

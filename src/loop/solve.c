@@ -1,157 +1,176 @@
-/* solve.c -- the equations of the loops at a posture, solved for the dependents.
- *
- * With C_q = [C_qd C_qi] of each component, its rows cut down to the rank, and C_qd = P L U,
- *
- *     v_d = -C_qd^-1 (C_qi v_i + C_t)                      velocities
- *     a_d = -C_qd^-1 (C_qi a_i + (C_q v)_q v + C_tt)       accelerations
- *     lambda = -C_qd^-T r_d                                multipliers          (2-4)
- *
- * A is banded: rows and dependent columns go from loop to loop. */
+/* solve.c -- see solve.h */
+#include "loop/solve.h"
+
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
-#include "la/pivot.h"
-#include "la/vec3.h"
-#include "loop/condense_parts.h"
+/* --- C_qd and G --------------------------------------------------------------------------------- */
 
-/* C_qd of F into the band. */
-static void fill(struct part *c)
+static bool same(struct made a, struct made b)
 {
-    if (c->nr == 0) return;
-    double *store = c->A_room.store;
-    memset(store, 0, sizeof *store * (size_t)c->nr * (size_t)(c->ld + 1));
-    for (const struct entry *x = c->of_dep; x < c->of_dep + c->nof_dep; x++) store[x->at] = c->of->F[x->e];
+    return a.posture == b.posture && a.split == b.split;
 }
 
-int component_factor(struct part *c)
+/* Is C_qd factored where the tree stands, for the split as it is? */
+static bool at_hand(const struct solve *o)
 {
-    fill(c);
-    return pivot_rows(c->A, c->prow, c->band, c->nr, c->ld) == c->nr;
+    return same(o->factored, (struct made){o->rows->tree->posture.number, o->split->number});
 }
 
-void component_take(const struct part *c, double *restrict x, const double *restrict xt)
+static enum status singular(const struct solve *o, int i, double t, struct trouble *why)
 {
-    const double *restrict F = c->of->F;
-    const struct entry *e = c->of_ind;
-    for (int r = 0; r < c->nr; r++) {
-        const struct entry *end = c->of_ind + c->from[r + 1];
-        double sum = x[r];
-        for (; e < end; e++) sum -= F[e->e] * xt[e->k];
-        x[r] = sum;
-    }
+    const int row = o->rows->component[i].row[0];
+    return trouble_set(why, TROUBLE_CLOSURE, o->rows->loops->row[row].loop, NAN, t);
 }
 
-void component_solve(const struct part *c, double *x)
+enum status solve_as_it_is(struct solve *o, double t, struct trouble *why)
 {
-    pivot_rows_solve(c->A, c->prow, c->band, x, c->nr, c->ld);
-}
-
-void component_G(const struct part *c, double *G)
-{
-    if (c->nr == 0 || c->ni == 0) return;
-    memset(G, 0, sizeof *G * (size_t)c->nr * (size_t)c->ni);
-    for (int r = 0; r < c->nr; r++)
-        for (const struct entry *x = c->of_ind + c->from[r]; x < c->of_ind + c->from[r + 1]; x++)
-            G[r + x->at * c->nr] = -c->of->F[x->e];
-    pivot_rows_solves(c->A, c->prow, c->band, G, c->nr, c->ld, c->ni);
-}
-
-double component_ratio(const struct condense *o, const struct part *c)
-{
-    double least = INFINITY, most = 0;
-    for (int j = 0; j < c->nr; j++) {
-        double x = fabs(c->A[(size_t)j * (size_t)(c->ld + 1)]) * o->rows.size[c->of->k[c->dep[j]]];
-        least = fmin(least, x);
-        most = fmax(most, x);
-    }
-    return c->nr == 0 ? 1 : most > 0 ? least / most : 0;
-}
-
-double condense_least_ratio(const struct condense *o)
-{
-    double least = 1;
-    for (int i = 0; i < o->npart; i++) least = fmin(least, component_ratio(o, &o->part[i]));
-    return least;
-}
-
-enum status condense_factor(struct condense *o, const double *q, double t, struct trouble *why)
-{
-    const long posture = rows_linearize(&o->rows, q);
-    if (posture == o->factored) return OK;
-    o->factored = 0;
-    for (int i = 0; i < o->npart; i++)
-        if (!component_factor(&o->part[i]))
-            return trouble_set(why, TROUBLE_CLOSURE, o->loops->row[o->part[i].of->row[0]].loop, NAN, t);
-    o->factored = posture;
+    o->factored.posture = 0;
+    for (int i = 0; i < o->split->npart; i++)
+        if (!factor_make(&o->block[i].C_qd)) return singular(o, i, t, why);
+    o->factored = (struct made){o->rows->linear, o->split->number};
     return OK;
 }
 
-void condense_spread(const struct condense *o, double *xt, const double *x)
+enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why)
 {
-    memset(xt, 0, sizeof *xt * (size_t)o->nt);
-    for (int i = 0; i < o->ode.n; i++) xt[o->ind[i]] = x[i];
+    rows_linearize(o->rows, q);
+    return at_hand(o) ? OK : solve_as_it_is(o, t, why);
 }
 
-void condense_follow(struct condense *o, double *xt)
+enum status solve_G(struct solve *o, const double *q, double t, struct trouble *why)
 {
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        memset(c->x, 0, sizeof *c->x * (size_t)c->nr);
-        for (int k = 0; k < c->nlead; k++) c->x[c->lead[k]] = o->loops->c1[c->of->row[c->kept[c->lead[k]]]];
-        component_take(c, c->x, xt);
-        component_solve(c, c->x);
-        for (int r = 0; r < c->nr; r++) xt[c->of->k[c->dep[r]]] = c->x[r];
+    TRY(solve_factor(o, q, t, why));
+    if (same(o->G, o->factored)) return OK;
+    for (int i = 0; i < o->split->npart; i++) factor_G(&o->block[i].C_qd, o->block[i].G);
+    o->G = o->factored;
+    return OK;
+}
+
+double solve_try(struct solve *o, int i)
+{
+    o->factored.posture = 0;
+    return factor_make(&o->block[i].C_qd) ? factor_ratio(&o->block[i].C_qd, o->rows->size) : 0;
+}
+
+double solve_ratio(const struct solve *o)
+{
+    double least = 1;
+    assert(at_hand(o));
+    for (int i = 0; i < o->split->npart; i++) least = fmin(least, factor_ratio(&o->block[i].C_qd, o->rows->size));
+    return least;
+}
+
+double solve_gain(struct solve *o, int i)
+{
+    struct block *b = &o->block[i];
+    if (o->split->part[i].wide) return split_gain_estimate(o->split, &o->split->part[i], &b->C_qd);
+    o->G.posture = 0;
+    factor_G(&b->C_qd, b->G);
+    return split_gain(o->split, &o->split->part[i], b->G);
+}
+
+/* --- motion ------------------------------------------------------------------------------------- */
+
+void solve_follow(const struct solve *o, double *xt, const double *drive)
+{
+    assert(at_hand(o));
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        memset(o->x, 0, sizeof *o->x * (size_t)p->nr);
+        for (int k = 0; k < p->nlead; k++) o->x[p->lead[k]] = drive[p->row[p->lead[k]]];
+        factor_take(&o->block[i].C_qd, o->x, xt);
+        factor_solve(&o->block[i].C_qd, o->x);
+        for (int r = 0; r < p->nr; r++) xt[p->dep[r]] = o->x[r];
     }
 }
 
-/* x_d := -C_qd^-1 C'' , C'' with x_d = 0: (C_q v)_q v + C_qi a_i + C_tt. */
-static void accelerate(struct condense *o, double *at)
+/* a_d := -C_qd^-1 C'', C'' with a_d = 0: (C_q v)_q v + C_qi a_i + C_tt. */
+static void accelerate(struct solve *o, double *at)
 {
-    loops_second(o->C2, o->loops, o->sweep, at);
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        for (int r = 0; r < c->nr; r++) c->x[r] = -o->C2[c->of->row[c->kept[r]]];
-        component_solve(c, c->x);
-        for (int r = 0; r < c->nr; r++) at[c->of->k[c->dep[r]]] = c->x[r];
+    loops_second(o->second, o->rows->loops, o->rows->tree->sweep, at);
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        for (int r = 0; r < p->nr; r++) o->x[r] = -o->second[p->row[r]];
+        factor_solve(&o->block[i].C_qd, o->x);
+        for (int r = 0; r < p->nr; r++) at[p->dep[r]] = o->x[r];
     }
 }
 
-enum status condense_motion(struct condense *o, double *vt, double *at, const double *q, const double *v,
-                            const double *a, double t, struct trouble *why)
+enum status solve_motion(struct solve *o, double *vt, double *at, const double *q, const double *v, const double *a,
+                         double t, struct trouble *why)
 {
-    TRY(condense_factor(o, q, t, why));
-    condense_spread(o, vt, v);
-    condense_follow(o, vt);
+    const struct open_tree *tree = o->rows->tree;
+    TRY(solve_factor(o, q, t, why));
+    split_spread(o->split, vt, v);
+    solve_follow(o, vt, o->rows->loops->c1);
     if (!at) return OK;
     if (a)
-        condense_spread(o, at, a);
+        split_spread(o->split, at, a);
     else
-        memset(at, 0, sizeof *at * (size_t)o->nt);
-    open_move(o->tree, q, vt);
-    o->ops->speed_up(o->sweep, vt, at, ALL);
+        memset(at, 0, sizeof *at * (size_t)o->rows->n);
+    open_move(o->rows->tree, q, vt);
+    tree->ops->speed_up(tree->sweep, vt, at, ALL);
     accelerate(o, at);
     return OK;
 }
 
-enum status condense_rates(struct condense *o, double *vt, double *at, const double *q, const double *v,
-                           const double *a, double t, struct trouble *why)
+/* --- forces ------------------------------------------------------------------------------------- */
+
+/* x [nr] = -C_qd^-T r_d of component i. */
+static void multipliers(const struct solve *o, double *lambda, double *x, int i, const double *rt)
 {
-    condense_time(o, t, t, t);
-    return condense_motion(o, vt, at, q, v, a, t, why);
+    const struct part *p = &o->split->part[i];
+    for (int r = 0; r < p->nr; r++) x[r] = -rt[p->dep[r]];
+    factor_tsolve(&o->block[i].C_qd, x);
+    for (int r = 0; r < p->nr; r++) lambda[p->row[r]] = x[r];
+    for (int r = p->nr; r < p->of->nrow; r++) lambda[p->row[r]] = 0;
 }
 
-void component_multipliers(const struct part *c, const double *rt)
+void solve_multipliers(const struct solve *o, double *lambda, const double *rt)
 {
-    for (int r = 0; r < c->nr; r++) c->x[r] = -rt[c->of->k[c->dep[r]]];
-    pivot_rows_tsolve(c->A, c->prow, c->band, c->x, c->nr, c->ld);
+    assert(at_hand(o));
+    for (int i = 0; i < o->split->npart; i++) multipliers(o, lambda, o->x, i, rt);
 }
 
-void condense_lambda(struct condense *o, double *lambda, const double *rt)
+void solve_reduce(const struct solve *o, double *r, double *lambda, const double *rt)
 {
-    memset(lambda, 0, sizeof *lambda * (size_t)o->loops->nrow);
-    for (int i = 0; i < o->npart; i++) {
-        struct part *c = &o->part[i];
-        component_multipliers(c, rt);
-        for (int r = 0; r < c->nr; r++) lambda[c->of->row[c->kept[r]]] = c->x[r];
+    const int n = o->split->n, *ind = o->split->ind;
+    assert(at_hand(o));
+    for (int i = 0; i < n; i++) r[i] = 0;
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        const double *F = o->block[i].C_qd.F;
+        multipliers(o, lambda, o->x, i, rt);
+        for (int k = 0; k < p->nr; k++) {
+            const double l = o->x[k];
+            for (const struct entry *x = p->of_ind + p->from[k]; x < p->of_ind + p->from[k + 1]; x++)
+                r[x->slot] += F[x->e] * l;
+        }
     }
+    for (int i = 0; i < n; i++) r[i] += rt[ind[i]];
+}
+
+/* --- building ----------------------------------------------------------------------------------- */
+
+void solve_build(struct solve *o, struct rows *rows, const struct split *split, struct arena *life)
+{
+    *o = (struct solve){.rows = rows, .split = split, .life = life};
+    o->block = TAKE(life, struct block, split->npart);
+    o->x = TAKE(life, double, rows->loops->nrow);
+    o->second = TAKE(life, double, rows->loops->nrow);
+    for (int i = 0; i < split->npart; i++) {
+        const struct component *c = &rows->component[i];
+        factor_build(&o->block[i].C_qd, &split->part[i], c->F, life);
+        if (split->part[i].whole) store_for(&o->block[i].store, (size_t)c->nrow * (size_t)c->nk, life);
+    }
+}
+
+void solve_fit(struct solve *o, int i)
+{
+    const struct part *p = &o->split->part[i];
+    struct block *b = &o->block[i];
+    factor_fit(&b->C_qd, o->life);
+    b->G = store_for(&b->store, (size_t)p->nr * (size_t)p->ni, o->life);
 }

@@ -1,53 +1,53 @@
-/* split.c -- which coordinates are dependent.
- *
- * LU of a component's C_q with full pivoting picks as many rows as the rank and the columns of the dependent
- * coordinates (Wehage & Haug 1982); columns have weights, and a column is taken late if the deck would rather have it
- * independent.  Chosen anew between major steps when |G| has grown: dependents run away from the independents. */
+/* split.c -- see split.h */
+#include "loop/split.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "la/pivot.h"
 #include "la/sparse_pivot.h"
-#include "loop/condense_parts.h"
 
-static const double NOTHING = 1e-10; /* a pivot of round-off: C_q is scaled to numbers of order 1 */
-static const double LARGE = 3;       /* rate of a dependent coordinate per unit: time to look for a better split */
+/* --- pivots ------------------------------------------------------------------------------------- */
 
 /* Columns of displacements times the length: all numbers of C_q are then of like size. */
-static void whole_matrix(struct condense *o, struct part *c)
+static void whole_matrix(const struct split *o, struct part *p)
 {
-    memset(c->whole, 0, sizeof *c->whole * (size_t)c->of->nrow * (size_t)c->of->nk);
-    for (int r = 0; r < c->of->nrow; r++)
-        for (int e = c->of->start[r]; e < c->of->start[r + 1]; e++)
-            c->whole[r + (size_t)c->of->at[e] * (size_t)c->of->nrow] =
-                c->of->F[e] * o->rows.size[c->of->k[c->of->at[e]]];
+    const struct component *c = p->of;
+    memset(p->whole, 0, sizeof *p->whole * (size_t)c->nrow * (size_t)c->nk);
+    for (int r = 0; r < c->nrow; r++)
+        for (int e = c->start[r]; e < c->start[r + 1]; e++)
+            p->whole[r + (size_t)c->at[e] * (size_t)c->nrow] = c->F[e] * o->rows->size[c->k[c->at[e]]];
 }
 
-/* Pivots of the component's C_q at the present posture; returns how many. */
-static int find_pivots(struct condense *o, struct part *c, const double *weight, int most, double least)
+/* Pivots of the component's C_q; returns how many. */
+static int find_pivots(struct split *o, struct part *p, const double *weight, int most, double least)
 {
+    const struct component *c = p->of;
     int n;
-    if (c->whole) {
-        whole_matrix(o, c);
-        n = pivot_lu(c->whole, c->prow, c->pcol, c->of->nrow, c->of->nk, c->of->nrow, weight, most, least);
-        for (int k = 0; k < n; k++) c->pivot[k] = c->whole[(size_t)k * (size_t)(c->of->nrow + 1)];
+    if (p->whole) {
+        whole_matrix(o, p);
+        n = pivot_lu(p->whole, p->prow, p->pcol, c->nrow, c->nk, c->nrow, weight, most, least);
+        for (int k = 0; k < n; k++) p->pivot[k] = p->whole[(size_t)k * (size_t)(c->nrow + 1)];
         return n;
     }
     const struct arena_mark mark = arena_mark(o->scratch);
-    double *value = TAKE(o->scratch, double, c->of->start[c->of->nrow]);
-    for (int e = 0; e < c->of->start[c->of->nrow]; e++) value[e] = c->of->F[e] * o->rows.size[c->of->k[c->of->at[e]]];
-    n = sparse_pivot(c->prow, c->pcol, c->pivot, c->of->start, c->of->at, value, c->of->nrow, c->of->nk, weight, most,
-                     least, o->scratch);
+    double *value = TAKE(o->scratch, double, c->start[c->nrow]);
+    for (int e = 0; e < c->start[c->nrow]; e++) value[e] = c->F[e] * o->rows->size[c->k[c->at[e]]];
+    n = sparse_pivot(p->prow, p->pcol, p->pivot, c->start, c->at, value, c->nrow, c->nk, weight, most, least,
+                     o->scratch);
     arena_rewind(o->scratch, mark);
     return n;
 }
 
-int component_rank(struct condense *o, struct part *c, double least)
+int split_rank(struct split *o, struct part *p, double least)
 {
-    int rank = find_pivots(o, c, NULL, c->of->nrow, least);
-    while (rank > 0 && fabs(c->pivot[rank - 1]) < NOTHING) rank--;
+    static const double NOTHING = 1e-10; /* a pivot of round-off: C_q is scaled to numbers of order 1 */
+    int rank = find_pivots(o, p, NULL, p->of->nrow, least);
+    while (rank > 0 && fabs(p->pivot[rank - 1]) < NOTHING) rank--;
     return rank;
 }
+
+/* --- the order of rows and coordinates ---------------------------------------------------------- */
 
 /* x [n] sorted by key[x], the smallest first, equals as they come; work [n]. */
 static void sort_by(int *x, int n, const int *key, int *work)
@@ -64,193 +64,201 @@ static void sort_by(int *x, int n, const int *key, int *work)
     }
 }
 
-static double *room_for(struct condense *o, struct room *room, size_t size)
-{
-    if (size <= room->size) return room->store;
-    room->size = room->size ? size + size / 2 : size;
-    return room->store = TAKE(o->life, double, room->size);
-}
-
-/* Where C_qd can have numbers, and room for it and for G. */
-static void find_band(struct condense *o, struct part *c)
+/* Where C_qd can have numbers. */
+static void find_band(struct part *p)
 {
     enum { WIDE = 16, FEW = 3 }; /* of a few rows all, for which pivot_rows() is quickest */
-    int below = c->nr <= FEW ? c->nr - 1 : 0, above = below;
-    if (c->nr == 0) return;
-    for (int r = 0; r < c->nr; r++)
-        for (int e = c->of->start[c->kept[r]]; e < c->of->start[c->kept[r] + 1]; e++) {
-            const int j = c->place[c->of->at[e]];
+    const struct component *c = p->of;
+    int below = p->nr <= FEW ? p->nr - 1 : 0, above = below;
+    if (p->nr == 0) return;
+    for (int r = 0; r < p->nr; r++)
+        for (int e = c->start[p->kept[r]]; e < c->start[p->kept[r] + 1]; e++) {
+            const int j = p->place[c->at[e]];
             if (j < 0) continue;
             if (r - j > below) below = r - j;
             if (j - r > above) above = j - r;
         }
-    c->band[0] = below;
-    c->band[1] = above + below < c->nr ? above + below : c->nr - 1;
-    c->ld = below + c->band[1];
-    c->A = room_for(o, &c->A_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
-    c->G = room_for(o, &c->G_room, (size_t)c->nr * (size_t)c->ni);
-    c->wide = !c->whole && c->ni > WIDE;
-    if (c->wide)
-        c->base.A = room_for(o, &c->base_room, (size_t)c->nr * (size_t)(c->ld + 1)) + c->band[1];
-    else
-        c->G0 = room_for(o, &c->G0_room, (size_t)c->nr * (size_t)c->ni);
+    p->band[0] = below;
+    p->band[1] = above + below < p->nr ? above + below : p->nr - 1;
+    p->ld = below + p->band[1];
+    p->wide = !p->whole && p->ni > WIDE;
 }
 
 /* Which numbers of C_q go where. */
-static void list_entries(struct part *c)
+static void list_entries(struct part *p)
 {
-    const int offset = (int)(c->A - c->A_room.store);
+    const struct component *c = p->of;
     int n = 0;
-    c->nof_dep = 0;
-    for (int r = 0; r < c->nr; r++) {
-        c->from[r] = n;
-        for (int e = c->of->start[c->kept[r]]; e < c->of->start[c->kept[r] + 1]; e++) {
-            const int j = c->place[c->of->at[e]];
+    p->nof_dep = 0;
+    for (int r = 0; r < p->nr; r++) {
+        p->from[r] = n;
+        for (int e = c->start[p->kept[r]]; e < c->start[p->kept[r] + 1]; e++) {
+            const int j = p->place[c->at[e]];
             if (j >= 0)
-                c->of_dep[c->nof_dep++] = (struct entry){e, c->of->k[c->of->at[e]], offset + r + j * c->ld, -1};
+                p->of_dep[p->nof_dep++] = (struct entry){e, c->k[c->at[e]], p->band[1] + r + j * p->ld, -1};
             else
-                c->of_ind[n++] = (struct entry){e, c->of->k[c->of->at[e]], -1 - j, -1};
+                p->of_ind[n++] = (struct entry){e, c->k[c->at[e]], -1 - j, -1};
         }
     }
-    c->from[c->nr] = n;
+    p->from[p->nr] = n;
 }
 
-static void find_places(struct part *c)
+static void list_rows(const struct split *o, struct part *p)
 {
-    for (int j = 0; j < c->nr; j++) c->place[c->dep[j]] = j;
-    for (int j = 0; j < c->ni; j++) c->place[c->ind[j]] = -1 - j;
+    const struct loops *l = o->rows->loops;
+    p->nlead = 0;
+    for (int r = 0; r < p->of->nrow; r++) {
+        p->row[r] = p->of->row[p->kept[r]];
+        if (r < p->nr && l->model->loop[l->row[p->row[r]].loop].drive) p->lead[p->nlead++] = r;
+    }
 }
 
-static void find_leads(const struct condense *o, struct part *c)
+/* Everything that follows from kept, dep and ind. */
+static void arrange(struct split *o, struct part *p)
 {
-    c->nlead = 0;
-    for (int r = 0; r < c->nr; r++)
-        if (o->model->loop[o->loops->row[c->of->row[c->kept[r]]].loop].drive) c->lead[c->nlead++] = r;
+    for (int j = 0; j < p->nr; j++) p->place[o->rows->column[p->dep[j]]] = j;
+    for (int j = 0; j < p->ni; j++) p->place[o->rows->column[p->ind[j]]] = -1 - j;
+    find_band(p);
+    list_entries(p);
+    list_rows(o, p);
+    o->number++;
 }
 
-/* Splits the coordinates after pivot_lu has sorted them; fast ones first among the independent.  Rows and dependent
+/* Splits the coordinates after the pivots have sorted them; fast ones first among the independent.  Rows and dependent
  * columns go from loop to loop, so that C_qd has its numbers near the diagonal. */
-static void take_split(struct condense *o, struct part *c)
+static void take_split(struct split *o, struct part *p)
 {
-    memcpy(c->kept, c->prow, sizeof *c->kept * (size_t)c->of->nrow);
-    for (int k = 0; k < c->of->nk; k++) c->place[k] = -1;
-    for (int r = 0; r < c->nr; r++) c->place[c->dep[r] = c->pcol[r]] = r;
-    sort_by(c->kept, c->nr, c->row_order, o->work);
-    sort_by(c->dep, c->nr, c->loop_of, o->work);
+    const struct component *c = p->of;
+    const bool *urgent = o->rows->tree->model->urgent;
+    memcpy(p->kept, p->prow, sizeof *p->kept * (size_t)c->nrow);
+    for (int k = 0; k < c->nk; k++) p->place[k] = -1;
+    for (int r = 0; r < p->nr; r++) p->place[p->dep[r] = p->pcol[r]] = r;
+    sort_by(p->kept, p->nr, p->row_order, o->work);
+    sort_by(p->dep, p->nr, p->loop_of, o->work);
+    for (int r = 0; r < p->nr; r++) p->dep[r] = c->k[p->dep[r]];
     int n = 0;
     for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; k < c->of->nk; k++)
-            if (c->place[k] < 0 && o->model->urgent[c->of->k[k]] == (pass == 0)) c->ind[n++] = k;
-    find_places(c);
-    find_band(o, c);
-    list_entries(c);
-    find_leads(o, c);
+        for (int k = 0; k < c->nk; k++)
+            if (p->place[k] < 0 && urgent[c->k[k]] == (pass == 0)) p->ind[n++] = c->k[k];
+    arrange(o, p);
 }
 
-static double quality(struct condense *o, struct part *c)
+void split_choose(struct split *o, struct part *p)
 {
-    return component_factor(c) ? component_ratio(o, c) : 0;
+    find_pivots(o, p, p->weight, p->nr, 0);
+    take_split(o, p);
 }
 
-double component_choose(struct condense *o, struct part *c)
+void split_keep(struct split *o, const struct part *p)
 {
-    o->factored = 0;
-    find_pivots(o, c, c->weight, c->nr, 0);
-    take_split(o, c);
-    return quality(o, c);
+    int *to = o->kept;
+    memcpy(to, p->kept, sizeof *to * (size_t)p->of->nrow);
+    memcpy(to + p->of->nrow, p->dep, sizeof *to * (size_t)p->nr);
+    memcpy(to + p->of->nrow + p->nr, p->ind, sizeof *to * (size_t)p->ni);
 }
 
-static void number_entries(const struct condense *o, struct part *c)
+void split_return(struct split *o, struct part *p)
 {
-    for (int i = 0; i < c->from[c->nr]; i++) c->of_ind[i].slot = o->slot[c->of_ind[i].k];
+    const int *from = o->kept;
+    memcpy(p->kept, from, sizeof *from * (size_t)p->of->nrow);
+    memcpy(p->dep, from + p->of->nrow, sizeof *from * (size_t)p->nr);
+    memcpy(p->ind, from + p->of->nrow + p->nr, sizeof *from * (size_t)p->ni);
+    arrange(o, p);
 }
 
-/* Fast ones first, then slow; coordinates in no loop are all independent.  A component
- * keeps its number of fast ones, whoever they are. */
-void condense_number(struct condense *o)
+/* --- all components ----------------------------------------------------------------------------- */
+
+/* Fast ones first, then slow; coordinates in no loop are all independent.  A component keeps its number of fast ones,
+ * whoever they are. */
+static void list_independents(struct split *o)
 {
-    int n = 0;
-    for (int i = 0; i < o->nt; i++) o->slot[i] = -1;
+    const struct rows *rows = o->rows;
+    const bool *urgent = rows->tree->model->urgent;
+    o->n = 0;
     for (int pass = 0; pass < 2; pass++) {
-        for (int i = 0; i < o->nt; i++)
-            if (o->rows.owner[i] < 0 && o->model->urgent[i] == (pass == 0)) o->ind[n++] = i;
-        for (int i = 0; i < o->npart; i++) {
-            const struct part *c = &o->part[i];
-            for (int j = pass == 0 ? 0 : c->nfast; j < (pass == 0 ? c->nfast : c->ni); j++)
-                o->ind[n++] = c->of->k[c->ind[j]];
-        }
-        if (pass == 0) o->ode.ns = n;
+        for (int i = 0; i < rows->n; i++)
+            if (rows->owner[i] < 0 && urgent[i] == (pass == 0)) o->ind[o->n++] = i;
+        for (const struct part *p = o->part; p < o->part + o->npart; p++)
+            for (int j = pass == 0 ? 0 : p->nfast; j < (pass == 0 ? p->nfast : p->ni); j++) o->ind[o->n++] = p->ind[j];
+        if (pass == 0) o->ns = o->n;
     }
-    o->ode.n = n;
-    for (int i = 0; i < n; i++) o->slot[o->ind[i]] = i;
-    for (int i = 0; i < o->npart; i++) number_entries(o, &o->part[i]);
-    for (int i = 0; i < o->moves->nturn; i++) {
-        o->bound[i] = false;
-        for (int k = 0; k < 3; k++) o->bound[i] |= o->slot[o->moves->turn[i].iv[k]] < 0;
+}
+
+void split_number(struct split *o)
+{
+    const struct moves *moves = &o->rows->tree->moves;
+    list_independents(o);
+    for (int i = 0; i < o->rows->n; i++) o->slot[i] = -1;
+    for (int i = 0; i < o->n; i++) o->slot[o->ind[i]] = i;
+    for (struct part *p = o->part; p < o->part + o->npart; p++)
+        for (int i = 0; i < p->from[p->nr]; i++) p->of_ind[i].slot = o->slot[p->of_ind[i].k];
+    for (int i = 0; i < moves->nturn; i++) {
+        o->follows[i] = false;
+        for (int k = 0; k < 3; k++) o->follows[i] |= o->slot[moves->turn[i].iv[k]] < 0;
     }
-    o->tangent = 0;
 }
 
-static void keep_split(int *to, const struct part *c)
+bool split_drops(const struct split *o, int row)
 {
-    memcpy(to, c->kept, sizeof *to * (size_t)c->of->nrow);
-    memcpy(to + c->of->nrow, c->dep, sizeof *to * (size_t)c->nr);
-    memcpy(to + c->of->nrow + c->nr, c->ind, sizeof *to * (size_t)c->ni);
+    for (const struct part *p = o->part; p < o->part + o->npart; p++)
+        for (int r = p->nr; r < p->of->nrow; r++)
+            if (p->row[r] == row) return true;
+    return false;
 }
 
-static void put_back(struct condense *o, struct part *c, const int *from)
+void split_spread(const struct split *o, double *xt, const double *x)
 {
-    o->factored = 0;
-    memcpy(c->kept, from, sizeof *from * (size_t)c->of->nrow);
-    memcpy(c->dep, from + c->of->nrow, sizeof *from * (size_t)c->nr);
-    memcpy(c->ind, from + c->of->nrow + c->nr, sizeof *from * (size_t)c->ni);
-    find_places(c);
-    find_band(o, c);
-    list_entries(c);
-    find_leads(o, c);
+    memset(xt, 0, sizeof *xt * (size_t)o->rows->n);
+    for (int i = 0; i < o->n; i++) xt[o->ind[i]] = x[i];
 }
 
-/* Have dependent coordinates come to run away from the independent ones?  Where all splits are singular alike, as in a
- * flat posture, the rates stay moderate. */
-static bool runs_away(const struct condense *o, struct part *c)
+/* --- building ----------------------------------------------------------------------------------- */
+
+static void build_part(struct split *o, struct part *p, struct arena *life)
 {
-    const double now = component_gain_at_base(o, c);
-    c->gain = fmin(c->gain, now);
-    return now > fmax(LARGE, 2 * c->gain);
+    enum { SMALL = 4096 }; /* numbers of C_q: below, dense is no slower */
+    const struct component *c = p->of;
+    const int fewest = c->nrow < c->nk ? c->nrow : c->nk, entries = c->start[c->nrow];
+    const size_t size = (size_t)c->nrow * (size_t)c->nk;
+    p->kept = TAKE(life, int, c->nrow);
+    p->row = TAKE(life, int, c->nrow);
+    p->dep = TAKE(life, int, c->nrow);
+    p->ind = TAKE(life, int, c->nk);
+    p->place = TAKE(life, int, c->nk);
+    p->lead = TAKE(life, int, c->nrow);
+    p->of_dep = TAKE(life, struct entry, entries);
+    p->of_ind = TAKE(life, struct entry, entries);
+    p->from = TAKE(life, int, c->nrow + 1);
+    p->weight = TAKE(life, double, c->nk);
+    p->loop_of = TAKE(life, int, c->nk);
+    p->row_order = TAKE(life, int, c->nrow);
+    p->prow = TAKE(life, int, c->nrow);
+    p->pcol = TAKE(life, int, c->nk);
+    p->pivot = TAKE(life, double, fewest);
+    if (size <= SMALL) p->whole = TAKE(life, double, size);
+    split_order(o, p);
 }
 
-/* A new split, if there is a better one.  The base is lost, and found again by the next tangent. */
-static int improve(struct condense *o, struct part *c)
+static void close_scratch(void *scratch)
 {
-    const double now = component_gain_at_base(o, c);
-    keep_split(o->split, c);
-    c->gain = component_choose(o, c) > 0 ? component_gain(o, c) : INFINITY;
-    if (c->gain < now / 2) return 1;
-    put_back(o, c, o->split);
-    c->gain = now;
-    return 0;
+    arena_close(scratch);
 }
 
-/* Whole velocities first, then the splits, then the velocities of the new independent ones.  The tangent is the one on
- * which the next step begins. */
-int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
+void split_build(struct split *o, const struct rows *rows, struct arena *life)
 {
-    struct condense *o = ode->self;
-    struct trouble why;
-    int changed = 0, wanted = 0;
-    struct ode2 *tree = &o->tree->ode;
-    if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) == OK)
-        tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
-    if (!condense_tangent(o, q)) return 0;
-    for (int i = 0; i < o->npart; i++) wanted += o->part[i].away = runs_away(o, &o->part[i]);
-    if (!wanted) return 0;
-    o->tangent = 0;
-    if (condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
-    for (int i = 0; i < o->npart; i++)
-        if (o->part[i].away) changed |= improve(o, &o->part[i]);
-    if (!changed) return 0;
-    condense_number(o);
-    o->charts++;
-    for (int i = 0; i < o->ode.n; i++) v[i] = o->vt[o->ind[i]];
-    return 1;
+    const int most = rows->n > rows->loops->nrow ? rows->n : rows->loops->nrow;
+    *o = (struct split){.rows = rows, .npart = rows->ncomponent, .scratch = arena_open()};
+    arena_defer(life, close_scratch, o->scratch);
+    o->part = TAKE(life, struct part, o->npart);
+    o->ind = TAKE(life, int, rows->n);
+    o->slot = TAKE(life, int, rows->n);
+    o->follows = TAKE(life, bool, rows->tree->moves.nturn);
+    o->kept = TAKE(life, int, 2 * rows->n + rows->loops->nrow);
+    o->work = TAKE(life, int, most);
+    o->x = TAKE(life, double, most);
+    o->y = TAKE(life, double, most);
+    for (int i = 0; i < o->npart; i++) {
+        o->part[i].of = &rows->component[i];
+        build_part(o, &o->part[i], life);
+    }
 }

@@ -5,7 +5,7 @@
  * as good. */
 #include <string.h>
 
-#include "loop/condense_parts.h"
+#include "loop/split.h"
 
 /* Loops of one component by coordinate and back, numbered as they come. */
 struct web {
@@ -17,13 +17,13 @@ struct web {
     bool *seen;            /* [nk] */
 };
 
-static void list_coordinates(struct web *w, const struct condense *o, const struct part *c, struct arena *a)
+static void list_coordinates(struct web *w, const struct rows *o, const struct component *c, struct arena *a)
 {
     const struct loops *l = o->loops;
     int entries = 0;
-    w->loop = TAKE(a, int, c->of->nrow);
-    for (int r = 0; r < c->of->nrow; r++) {
-        const int loop = l->row[c->of->row[r]].loop;
+    w->loop = TAKE(a, int, c->nrow);
+    for (int r = 0; r < c->nrow; r++) {
+        const int loop = l->row[c->row[r]].loop;
         if (w->nloop && w->loop[w->nloop - 1] == loop) continue;
         w->loop[w->nloop++] = loop;
         entries += l->nk[loop];
@@ -33,7 +33,7 @@ static void list_coordinates(struct web *w, const struct condense *o, const stru
     for (int i = 0; i < w->nloop; i++) {
         const int loop = w->loop[i];
         w->from[i + 1] = w->from[i] + l->nk[loop];
-        for (int k = 0; k < l->nk[loop]; k++) w->k[w->from[i] + k] = o->rows.column[l->k[loop][k]];
+        for (int k = 0; k < l->nk[loop]; k++) w->k[w->from[i] + k] = o->column[l->k[loop][k]];
     }
 }
 
@@ -103,27 +103,29 @@ static void find_places(struct web *w, int *place, int *other)
     if (spread(w, other) < spread(w, place)) memcpy(place, other, sizeof *place * (size_t)w->nloop);
 }
 
-void component_order(struct condense *o, struct part *c)
+void split_order(struct split *o, struct part *p)
 {
     enum { MOST_ROWS = 6 };
     const struct arena_mark mark = arena_mark(o->scratch);
-    struct web w = {.nk = c->of->nk};
-    list_coordinates(&w, o, c, o->scratch);
+    const struct component *c = p->of;
+    const struct loops *l = o->rows->loops;
+    struct web w = {.nk = c->nk};
+    list_coordinates(&w, o->rows, c, o->scratch);
     list_loops(&w, o->scratch);
     w.queue = TAKE(o->scratch, int, w.nloop);
     w.distance = TAKE(o->scratch, int, w.nloop);
     w.seen = TAKE(o->scratch, bool, w.nk);
     int *place = TAKE(o->scratch, int, w.nloop), *other = TAKE(o->scratch, int, w.nloop);
     find_places(&w, place, other);
-    for (int j = 0; j < c->of->nk; j++) {
-        c->loop_of[j] = w.nloop;
+    for (int j = 0; j < c->nk; j++) {
+        p->loop_of[j] = w.nloop;
         for (int f = w.loops_from[j]; f < w.loops_from[j + 1]; f++)
-            if (place[w.of[f]] < c->loop_of[j]) c->loop_of[j] = place[w.of[f]];
+            if (place[w.of[f]] < p->loop_of[j]) p->loop_of[j] = place[w.of[f]];
     }
-    for (int r = 0, i = 0; r < c->of->nrow; r++) {
-        const int row = c->of->row[r], loop = o->loops->row[row].loop;
+    for (int r = 0, i = 0; r < c->nrow; r++) {
+        const int loop = l->row[c->row[r]].loop;
         if (loop != w.loop[i]) i++;
-        c->row_order[r] = MOST_ROWS * place[i] + row - o->loops->first[loop];
+        p->row_order[r] = MOST_ROWS * place[i] + c->row[r] - l->first[loop];
     }
     arena_rewind(o->scratch, mark);
 }

@@ -7,7 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "la/dense.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 #include "loop/condense.h"
@@ -19,8 +18,8 @@ struct system {
     struct open_tree tree;
     struct condense *loops; /* of the tree with its loops; NULL: none */
     struct sweep *view;
-    double *M;      /* [n x n] M^ with loops */
-    double *lambda; /* [rows] at the last see() */
+    struct loops *shown; /* the loops there */
+    double *lambda;      /* [rows] at the last see() */
     double constraint_worst;
     /* at the last see() */
     double *q, *v, *a, *r; /* [nq], [n] */
@@ -28,34 +27,14 @@ struct system {
     struct energies energies;
 };
 
-/* --- loops -------------------------------------------------------------------------------------- */
+/* --- building ----------------------------------------------------------------------------------- */
 
 static void build_loops(struct system *s, struct arena *life)
 {
     s->loops = condense_build(&s->tree, s->model->q0, s->model->v0, life);
-    const int n = condense_ode2(s->loops)->n;
-    s->M = TAKE(life, double, (size_t)n *(size_t)n);
-    s->lambda = TAKE(life, double, condense_loops(s->loops)->nrow);
+    s->shown = loops_build(s->model, s->ops, life);
+    s->lambda = TAKE(life, double, s->shown->nrow);
 }
-
-/* Accelerations of all coordinates, then the multipliers, which load the bodies like any force. */
-static enum status loops_accel(struct system *s, const double *q, const double *v, double t, struct trouble *why)
-{
-    const struct ode2 *o = condense_ode2(s->loops);
-    const struct instant x = {.t = t, .q = q, .v = s->v, .a = s->a};
-    TRY(o->ops->resid(o, s->r, NULL, NULL, &(struct instant){.t = t, .q = q, .v = v}, ALL, why));
-    TRY(o->ops->mass(o, s->M, q, t, ALL, why));
-    int pivot = dense_cholesky(s->M, o->n, o->n);
-    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
-    dense_cholesky_solve(s->M, s->r, o->n, o->n);
-    for (int i = 0; i < o->n; i++) s->r[i] = -s->r[i];
-    TRY(condense_rates(s->loops, s->v, s->a, q, v, s->r, t, why));
-    TRY(open_resid(&s->tree, s->r, NULL, NULL, &x, ALL, why));
-    condense_lambda(s->loops, s->lambda, s->r);
-    return OK;
-}
-
-/* --- building ----------------------------------------------------------------------------------- */
 
 struct system *system_build(const struct model *m, struct arena *life)
 {
@@ -133,8 +112,16 @@ static enum status see_rates(struct system *s, const double *q, const double *v,
 
 static enum status see_accelerations(struct system *s, const double *q, const double *v, double t, struct trouble *why)
 {
-    if (s->loops) return loops_accel(s, q, v, t, why);
+    if (s->loops) return condense_accel(s->loops, s->v, s->a, s->lambda, q, v, t, why);
     return s->tree.direct.accel(&s->tree.ode, s->a, NULL, q, v, t, why);
+}
+
+/* The multipliers load the bodies like any force. */
+static void push_loops(struct system *s, double t)
+{
+    loops_when(s->shown, t, 0);
+    loops_look(s->shown, s->view, s->q);
+    loops_push(s->shown, s->view, s->lambda);
 }
 
 enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what, struct trouble *why)
@@ -152,7 +139,7 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
         memset(s->r, 0, sizeof *s->r * (size_t)s->model->n);
         elements_load(s->tree.elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
     }
-    if (reactions && s->loops) condense_push(s->loops, s->view, s->q, t, s->lambda);
+    if (reactions && s->loops) push_loops(s, t);
     if (reactions) s->ops->backward(s->view, s->r, ALL);
     if (what & SEE_ENERGY) see_energies(s, &s->energies, s->view, s->q, s->v);
     return OK;
@@ -240,17 +227,17 @@ void system_reaction(const struct system *s, double *f, double *n, int joint)
 
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop)
 {
-    condense_reaction(s->loops, f, n, loop, s->lambda);
+    loops_reaction(s->shown, f, n, loop, s->lambda);
 }
 
 void system_drive(const struct system *s, double *force, double *power, int loop)
 {
-    condense_drive(s->loops, force, power, loop, s->lambda);
+    loops_drive(s->shown, force, power, loop, s->lambda);
 }
 
 double system_loop_force(const struct system *s, int loop)
 {
-    return loops_force(condense_loops(s->loops), loop, s->lambda);
+    return loops_force(s->shown, loop, s->lambda);
 }
 
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i)

@@ -168,7 +168,7 @@ static void beside(const struct opened *o, double *q, double *v, unsigned seed)
 /* T [nt x n] by the velocities that belong to unit ones. */
 static double *columns_of_T(const struct opened *o, const double *q)
 {
-    const int nt = o->loops->nt, n = o->ode->n;
+    const int nt = o->loops->rows.n, n = o->ode->n;
     double *T = TAKE(o->life, double, nt *n), *unit = TAKE(o->life, double, n);
     struct trouble why;
     for (int j = 0; j < n; j++) {
@@ -182,7 +182,7 @@ static double *columns_of_T(const struct opened *o, const double *q)
 /* got [n x n] is T' X T. */
 static void is_congruent(const struct opened *o, const double *got, const double *X, const double *T)
 {
-    const int nt = o->loops->nt, n = o->ode->n;
+    const int nt = o->loops->rows.n, n = o->ode->n;
     double *XT = TAKE(o->life, double, nt *n), *want = TAKE(o->life, double, n *n), most = 0;
     dense_gemm(XT, 1, X, T, nt, nt, n, nt, nt, nt);
     dense_gemtm(want, 1, T, XT, n, nt, n, n, nt, nt);
@@ -198,7 +198,7 @@ static void few_independents(void **state)
     struct text text = windows(80, 1, false, springs);
     struct opened o;
     open_text(&o, &text);
-    const int nt = o.loops->nt, n = o.ode->n;
+    const int nt = o.loops->rows.n, n = o.ode->n;
     assert_true(o.loops->few);
     assert_null(o.loops->M);
     double *q = TAKE(o.life, double, o.ode->nq), *v = TAKE(o.life, double, n), *vt = TAKE(o.life, double, nt);
@@ -248,11 +248,11 @@ static void redundant_and_mixed(void **state)
     for (int k = 0; k < 3; k++) {
         struct opened o;
         open_text(&o, &text[k]);
-        const struct component *c = &o.loops->component[0];
-        assert_null(c->whole);
-        assert_int_equal(c->nr, 2 * N);
+        const struct part *p = &o.loops->split.part[0];
+        assert_null(p->whole);
+        assert_int_equal(p->nr, 2 * N);
         assert_int_equal(condense_started(o.loops)->redundant, k == 1 ? 3 * N : 0);
-        assert_true(c->ld <= 16);
+        assert_true(p->ld <= 16);
         run(&o);
         angle[k] = angle_of(&o, "foot0.angle");
         near_to(angle_of(&o, "foot40.angle"), angle[k], 1e-11);
@@ -297,7 +297,7 @@ static void new_splits(void **state)
     struct text text = pentagons(40);
     struct opened o;
     open_text(&o, &text);
-    assert_null(o.loops->component[0].whole);
+    assert_null(o.loops->split.part[0].whole);
     assert_int_equal(o.ode->n, 41);
     run(&o);
     assert_true(system_charts(o.sim.system) > 0);

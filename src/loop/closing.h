@@ -1,0 +1,71 @@
+/* closing.h -- positions that keep the loops closed.
+ *
+ * A way from a base is given by its independent part dx_i; the dependent part starts on the tangent at the base, dx_d =
+ * G0 dx_i, drives going from where they were to where they are, and goes by Newton's method to C(q0 (+) dx) = 0:
+ *
+ *     dx_d := dx_d - C_qd^-1 C
+ *
+ * where the columns of a rotation with dependents are those along its Cayley vector: convergence is quadratic.  The
+ * tangent is good for as long as the base and the split have the same number. */
+#ifndef FMDSUB_LOOP_CLOSING_H
+#define FMDSUB_LOOP_CLOSING_H
+
+#include "loop/solve.h"
+
+/* The tangent of one component. */
+struct tangent {
+    double *G; /* [nr x ni]; of a wide part NULL, and */
+    struct factor C_qd;
+    double *T, *s; /* [nr x nlead] C_qd^-1 of the unit vectors of drives; [nlead] their measures */
+    struct store store;
+};
+
+/* q1 = base (+) dx; rotations that are wholly independent go the fraction s of `full`. */
+struct way {
+    const double *base, *full; /* [nq], [of the tree]; s = 1: full is not looked at */
+    double s;
+    double *dx; /* [of the tree] independents given, dependents found */
+};
+
+/* The worst loop of a posture that could not be closed, its |C| at the nearest posture met. */
+struct miss {
+    int loop;
+    double by;
+};
+
+struct closing {
+    struct rows *rows;
+    const struct split *split;
+    struct solve *solve;
+    struct tangent *tangent; /* of each component */
+    struct posture base;
+    struct made made;         /* what the tangent is of: base and split */
+    double *C;                /* [rows] */
+    double *x, *y;            /* [of a component's rows or coordinates] */
+    double *full, *dx, *last; /* [of the tree] */
+    struct arena *life;
+};
+
+void closing_build(struct closing *o, struct solve *solve, struct arena *life);
+/* Room for the split of component i as it is now. */
+void closing_fit(struct closing *o, int i);
+
+/* The tangent at q, which is the base then; 0: singular there. */
+int closing_tangent(struct closing *o, const double *q);
+/* split_gain() of component i there. */
+double closing_gain(const struct closing *o, int i);
+/* dx of the dependents along it. */
+void closing_predict(const struct closing *o, double *dx);
+/* Closes a way to q1 by its dependents; 0: it cannot be, and *miss says why. */
+int closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way);
+
+/* q1 = q0 (+) s dx [n], as ode2_move has it, with drives as they are; 0: it cannot be closed.  q1 may be q0. */
+int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s);
+/* The same from q1, a closed posture of another dx, if that is quick: closing_again.c. */
+int closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s);
+
+/* Between its files: q1 of a way; dx of the dependents -= C_qd^-1 C, by how much, in scales. */
+void closing_put(const struct closing *o, double *q1, const struct way *way);
+double closing_correct(const struct closing *o, double *dx, const double *C);
+
+#endif

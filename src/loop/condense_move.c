@@ -1,0 +1,59 @@
+/* condense_move.c -- positions of a tree with loops, as ode2_move has it. */
+#include <math.h>
+#include <string.h>
+
+#include "loop/condense_parts.h"
+
+void condense_point(struct condense *o, double *q1, const double *q0, const double *dx, double s, double t,
+                    double beside)
+{
+    loops_when(o->rows.loops, t, beside);
+    if (closing_point(&o->closing, q1, &o->lost, q0, dx, s)) return;
+    for (int i = 0; i < o->model->nq; i++) q1[i] = NAN;
+}
+
+static void point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+{
+    condense_point(ode->self, q1, q0, dx, s, t, 0);
+}
+
+static void again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+{
+    struct condense *o = ode->self;
+    loops_when(o->rows.loops, t, 0);
+    if (!closing_again(&o->closing, q1, q0, dx, s)) condense_point(o, q1, q0, dx, s, t, 0);
+}
+
+enum status condense_lost(const struct condense *o, double t, struct trouble *why)
+{
+    TRY(condense_driven(o, false, t, why));
+    return trouble_set(why, TROUBLE_CLOSURE, o->lost.loop, o->lost.by, t);
+}
+
+static void diff(const struct ode2 *ode, double *dx, const double *q1, const double *q0)
+{
+    const struct condense *o = ode->self;
+    moves_diff(&o->tree->moves, o->dx, q1, q0);
+    for (int i = 0; i < ode->n; i++) dx[i] = o->dx[o->split.ind[i]];
+}
+
+/* A rotation that is independent in part turns with all of its angular velocity. */
+static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const double *q0, const double *dx,
+                 const double *v, double t)
+{
+    struct condense *o = ode->self;
+    const struct moves *moves = &o->tree->moves;
+    struct trouble why;
+    split_spread(&o->split, o->dx, dx);
+    split_spread(&o->split, o->vt, v);
+    bool partly = false;
+    for (int i = 0; i < moves->nturn; i++) partly |= o->split.follows[i];
+    if (partly) {
+        moves_diff(moves, o->dx, q1, q0);
+        condense_rates(o, o->vt, NULL, q1, v, NULL, t, &why);
+    }
+    moves_rate(moves, o->at, o->dx, o->vt);
+    for (int i = 0; i < ode->n; i++) dxrate[i] = o->at[o->split.ind[i]];
+}
+
+const struct ode2_move condense_move = {.point = point, .again = again, .diff = diff, .rate = rate};
