@@ -1,7 +1,6 @@
 /* elements_build.c -- the elements sorted for the loop: by class, plain ones apart, and which rotations change what. */
-#include <string.h>
-
 #include "force/parts.h"
+#include "model/touch.h"
 
 static bool is_plain(const struct model *m, const struct model_force *f)
 {
@@ -68,18 +67,20 @@ static void add_other(struct elements *e, int force, const bool *turns, struct a
 {
     const struct model_force *f = &e->model->force[force];
     struct part_of *p = &e->other[e->nother[ALL]++];
+    struct touched on;
     p->force = force;
+    model_touched(&on, e->model, f, 0);
     if (f->type == FORCE_LAW) {
         const struct model_measure *def = &e->model->measure[f->measure];
         bool straight = def->type == MEASURE_COORDINATE || (def->type == MEASURE_ANGLE && e->model->space == 2);
         p->linear = f->kind->linear && f->kind->linear(f->par);
         p->ends = f->kind->stored && def->type != MEASURE_COORDINATE && !(straight && p->linear);
-        if (p->ends) find_rotations(p, e, def->a.body, def->b.body, turns, life);
     } else if (f->type == FORCE_BUSHING) {
         p->ends = true;
-        find_rotations(p, e, f->a.body, f->b.body, turns, life);
     }
-    if (p->ends) e->ends[f->cls] = e->ends[ALL] = true;
+    if (!p->ends) return;
+    find_rotations(p, e, on.a, on.b, turns, life);
+    e->ends[f->cls] = e->ends[ALL] = true;
 }
 
 static void add_class(struct elements *e, enum rate cls, const bool *turns, struct arena *life)
@@ -97,24 +98,17 @@ static void add_class(struct elements *e, enum rate cls, const bool *turns, stru
     e->nother[cls] = e->nother[ALL];
 }
 
-/* A sweep whose FAST bodies are only those that the elements with ends touch, and their paths. */
+/* A sweep whose FAST bodies are only those that the elements with ends touch. */
 static struct sweep *build_ends(const struct elements *e, struct arena *life)
 {
-    struct model *m = TAKE(life, struct model, 1);
-    struct model_body *body = TAKE(life, struct model_body, e->model->nbody);
-    struct model_force *force = TAKE(life, struct model_force, e->model->nforce);
-    *m = *e->model;
-    m->body = body;
-    m->force = force;
-    m->nforce = 0;
-    memcpy(body, e->model->body, sizeof *body * (size_t)m->nbody);
-    for (int i = 0; i < m->nbody; i++) body[i].fast = false;
+    bool *bodies = TAKE(life, bool, e->model->nbody);
     for (int i = 0; i < e->nother[ALL]; i++) {
-        if (!e->other[i].ends) continue;
-        force[m->nforce] = e->model->force[e->other[i].force];
-        force[m->nforce++].cls = FAST;
+        struct touched t;
+        const struct part_of *p = &e->other[i];
+        for (int k = 0; p->ends && model_touched(&t, e->model, &e->model->force[p->force], k); k++)
+            if (t.a >= 0) bodies[t.a] = bodies[t.b] = true;
     }
-    return e->ops->build(m, STEPPED, life);
+    return e->ops->build(e->model, STEPPED, bodies, life);
 }
 
 struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)

@@ -4,6 +4,7 @@
  * alone is always fast: it is cheap. */
 #include "la/vec3.h"
 #include "model/parts.h"
+#include "model/touch.h"
 
 static struct model_point point_of(struct making *o, const struct marker *at)
 {
@@ -66,20 +67,11 @@ static struct model_slot make_slot(const struct making *o, const struct scene_sl
     return (struct model_slot){SLOT_TIME, 0};
 }
 
-static bool slot_is_fast(const struct making *o, const struct model_slot *s)
+static bool touched_is_fast(const struct making *o, const struct touched *t)
 {
-    switch (s->type) {
-    case SLOT_MEASURE:
-    case SLOT_MEASURE_RATE:
-        return o->m->measure[s->index].fast;
-    case SLOT_Q:
-        return o->m->coordinate[s->index].fast;
-    case SLOT_V:
-        return place_is_fast(o, s->index);
-    case SLOT_TIME:
-        break;
-    }
-    return false;
+    if (t->a >= 0) return o->body[t->a].fast || o->body[t->b].fast;
+    if (t->iv >= 0) return place_is_fast(o, t->iv);
+    return t->iq >= 0 && o->m->coordinate[t->iq].fast;
 }
 
 static bool reads_time(const struct model_force *f)
@@ -89,13 +81,10 @@ static bool reads_time(const struct model_force *f)
 
 static enum rate class_of(const struct making *o, const struct model_force *f)
 {
-    bool along = f->type == FORCE_LAW || f->type == FORCE_VALUE;
-    if (along && o->m->measure[f->measure].fast) return FAST;
-    if (!along && (o->body[f->b.body].fast || o->body[f->a.body].fast)) return FAST;
-    for (int i = 1; i < f->nslot; i++)
-        if (slot_is_fast(o, &f->slot[i])) return FAST;
-    bool signal = f->type == FORCE_VALUE || f->type == FORCE_LOAD;
-    return signal && f->nslot == 1 && reads_time(f) ? FAST : SLOW;
+    struct touched t;
+    for (int i = 0; model_touched(&t, o->m, f, i); i++)
+        if (touched_is_fast(o, &t)) return FAST;
+    return f->nslot == 1 && reads_time(f) ? FAST : SLOW;
 }
 
 static void make_force(struct making *o, struct model_force *to, const struct scene_force *from)

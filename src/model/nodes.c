@@ -90,13 +90,11 @@ void make_nodes(struct making *o)
     double p[3];
     for (int i = 0; i < s->npoint; i++) marker_on(p, o, &s->point[i].at);
     for (int i = 0; i < s->nmeasure; i++) {
-        if (s->measure[i].type == MEASURE_COORDINATE) continue;
         marker_on(p, o, &s->measure[i].a);
         marker_on(p, o, &s->measure[i].b);
     }
     for (int i = 0; i < s->nforce; i++) {
-        const struct scene_force *f = &s->force[i];
-        if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) marker_on(p, o, &f->b);
-        if (f->type == FORCE_BUSHING) marker_on(p, o, &f->a);
+        marker_on(p, o, &s->force[i].b);
+        marker_on(p, o, &s->force[i].a);
     }
 }

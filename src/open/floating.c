@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "la/vec3.h"
+#include "model/touch.h"
 
 static const double FADES = 1e-8; /* what is left of T there, which is good to 16 digits */
 static const double MOST = .1; /* of the motion of the bodies against the whole may change in a step for the energy */
@@ -40,25 +41,16 @@ static void mark_loops(struct roots *r, const struct model *m)
     }
 }
 
-static void mark_measure(struct roots *r, const struct model *m, const struct model_measure *s, const int *joint)
-{
-    if (s->type != MEASURE_COORDINATE)
-        part(r->from_out, r, s->a.body, s->b.body);
-    else if (joint[s->iv] >= 0)
-        part(r->from_out, r, m->joint[joint[s->iv]].parent, m->joint[joint[s->iv]].child);
-}
-
-/* joint [n]: the one whose velocity it is; -1: of a mode. */
+/* By what they act on.  joint [n]: the one whose velocity it is; -1: of a mode. */
 static void mark_forces(struct roots *r, const struct model *m, const int *joint)
 {
     for (int i = 0; i < m->nforce; i++) {
-        const struct model_force *f = &m->force[i];
-        if (f->type == FORCE_LOAD)
-            part(r->from_out, r, 0, f->b.body);
-        else if (f->type == FORCE_BUSHING)
-            part(r->from_out, r, f->a.body, f->b.body);
-        else
-            mark_measure(r, m, &m->measure[f->measure], joint);
+        struct touched t;
+        model_touched(&t, m, &m->force[i], 0);
+        if (t.a >= 0)
+            part(r->from_out, r, t.a, t.b);
+        else if (joint[t.iv] >= 0)
+            part(r->from_out, r, m->joint[joint[t.iv]].parent, m->joint[joint[t.iv]].child);
     }
 }
 
@@ -102,19 +94,14 @@ static void list_bodies(struct floating *o, const struct roots *r, struct arena 
     }
 }
 
-/* A sweep whose FAST bodies are those that float. */
+/* A sweep whose FAST bodies are those that float; what has no mass at their nodes adds nothing. */
 static struct sweep *build_there(const struct floating *o, struct arena *life)
 {
-    struct model *copy = TAKE(life, struct model, 1);
-    struct model_body *body = TAKE(life, struct model_body, o->model->nbody);
-    *copy = *o->model;
-    copy->body = body;
-    copy->nforce = 0;
-    memcpy(body, o->model->body, sizeof *body * (size_t)copy->nbody);
-    for (int i = 0; i < copy->nbody; i++) body[i].fast = false;
+    const struct model *m = o->model;
+    bool *bodies = TAKE(life, bool, m->nbody);
     for (int i = 0; i < o->n; i++)
-        for (int k = 0; k < o->part[i].n; k++) body[o->part[i].body[k]].fast = true;
-    return o->ops->build(copy, STEPPED, life);
+        for (int k = 0; k < o->part[i].n; k++) bodies[o->part[i].body[k]] = !m->body[o->part[i].body[k]].at_node;
+    return o->ops->build(m, STEPPED, bodies, life);
 }
 
 /* The root's velocities, and how its displacements move it. */

@@ -247,8 +247,7 @@ static double next_kink(const struct ode2 *o, double t)
     const struct model *m = tree_of(o)->model;
     double next = INFINITY;
     for (int i = 0; i < m->nforce; i++)
-        if (m->force[i].type == FORCE_VALUE || m->force[i].type == FORCE_LOAD)
-            for (int k = 0; k < 3; k++) next = fmin(next, signal_next(&m->force[i].value[k], t));
+        for (int k = 0; k < 3; k++) next = fmin(next, signal_next(&m->force[i].value[k], t));
     return next;
 }
 
@@ -263,7 +262,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
     o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
-    o->sweep = o->ops->build(m, STEPPED, life);
+    o->sweep = o->ops->build(m, STEPPED, NULL, life);
     o->elements = elements_build(m, o->ops, life);
     o->diagonal = elements_are_diagonal(o->elements);
     elastic_build(&o->elastic, m, life);

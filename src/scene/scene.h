@@ -67,10 +67,10 @@ struct scene_measure {
     const struct node *node;
     enum measure_type type;
     bool angular;
-    int joint, k; /* MEASURE_COORDINATE: k-th rate of the joint */
-    struct marker a, b;
-    double axis[3]; /* axes of a's body */
-    double drawn;   /* its value in the drawn position */
+    int joint, k;       /* MEASURE_COORDINATE: k-th rate of the joint */
+    struct marker a, b; /* MEASURE_COORDINATE: of the ground */
+    double axis[3];     /* axes of a's body */
+    double drawn;       /* its value in the drawn position */
 };
 
 /* What a slot of an expression stands for. */
@@ -101,13 +101,13 @@ struct scene_force {
     const char *name;
     const struct node *node;
     enum force_type type;
-    int measure;
+    int measure; /* along which it acts; -1: between a and b */
     const struct force_kind *kind;
     const void *par; /* kind's block, or struct bushing */
     struct signal value[3];
     int nslot;
     const struct scene_slot *slot; /* [nslot]; slot 0 is t */
-    struct marker a, b;
+    struct marker a, b;            /* of the ground where it has none: along a measure both, a load's a */
     bool torque, body_axes;
 };
 

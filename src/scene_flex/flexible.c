@@ -104,14 +104,12 @@ static void collect(struct collecting *c)
     for (int i = 0; i < s->npoint; i++)
         if (!s->point[i].statics) take_marker(c, &c->points, &s->point[i].at, s->body[c->body].node);
     for (int i = 0; i < s->nmeasure; i++) {
-        if (s->measure[i].type == MEASURE_COORDINATE) continue;
         take_marker(c, &c->points, &s->measure[i].a, s->measure[i].node);
         take_marker(c, &c->points, &s->measure[i].b, s->measure[i].node);
     }
     for (int i = 0; i < s->nforce; i++) {
-        const struct scene_force *f = &s->force[i];
-        if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) take_marker(c, &c->points, &f->b, f->node);
-        if (f->type == FORCE_BUSHING) take_marker(c, &c->points, &f->a, f->node);
+        take_marker(c, &c->points, &s->force[i].b, s->force[i].node);
+        take_marker(c, &c->points, &s->force[i].a, s->force[i].node);
     }
     if (c->interfaces.n == 0 && c->b->draft[c->body])
         take_station(&c->interfaces, c->b->draft[c->body]->centre, c->b->life);

@@ -217,6 +217,7 @@ static int read_value(struct builder *b, struct scene_force *f, const struct nod
     int errors;
     if (names_a_body(b, k.on)) {
         f->type = FORCE_LOAD;
+        f->measure = -1;
         if (read_point(b, &f->b, k.on, what)) return 1;
         if (f->b.body == 0) {
             diag_error(b->diags, k.on, AT_VALUE, "E-ground", "%s: a load on the ground moves nothing", what);
@@ -313,6 +314,7 @@ static int read_bushing(struct builder *b, struct scene_force *f, const struct n
     m3_tmulm(u->Ea, b->scene->body[first].R, E);
     m3_tmulm(u->Eb, b->scene->body[second].R, E);
     f->type = FORCE_BUSHING;
+    f->measure = -1;
     f->par = u;
     return 0;
 }

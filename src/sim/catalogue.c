@@ -213,7 +213,7 @@ static void add_force(struct listing *l, int i)
 {
     const struct model_force *f = &l->m->force[i];
     const struct origin origin = {.of = own(l, f->name, l->scene->force[i].node), .index = i};
-    if (f->type == FORCE_LAW || f->type == FORCE_VALUE)
+    if (f->measure >= 0)
         add_angular(l, columns_law, origin, l->m->measure[f->measure].angular);
     else
         add_angular(l, columns_load, origin, f->torque);

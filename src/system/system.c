@@ -42,7 +42,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->model = m;
     open_build(&s->tree, m, life);
     s->ops = s->tree.ops;
-    s->view = s->ops->build(m, SEEN, life);
+    s->view = s->ops->build(m, SEEN, NULL, life);
     s->q = TAKE(life, double, m->nq);
     s->v = TAKE(life, double, m->n);
     s->a = TAKE(life, double, m->n);

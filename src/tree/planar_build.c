@@ -51,13 +51,13 @@ static void build_ground(struct sweep *s, const struct model *m)
     }
 }
 
-static struct sweep *build(const struct model *m, enum purpose purpose, struct arena *life)
+static struct sweep *build(const struct model *m, enum purpose purpose, const bool *bodies, struct arena *life)
 {
     struct sweep *s = TAKE(life, struct sweep, 1);
     s->model = m;
     s->nbody = m->nbody;
     s->n = m->n;
-    rosters_build(&s->rosters, m, purpose, life);
+    rosters_build(&s->rosters, m, purpose, bodies, life);
     s->link = TAKE(life, struct link, m->nbody);
     s->part = TAKE(life, struct part, m->nbody);
     s->bias = arena_take(life, (size_t)m->nbody, sizeof *s->bias);

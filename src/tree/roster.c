@@ -5,23 +5,18 @@
  * on the path from there to the ground. */
 #include <string.h>
 
+#include "model/touch.h"
 #include "tree/sweep.h"
 
-static void read_measure(bool *moves, const struct model *m, int i)
+static void touch(bool *moves, const struct touched *t)
 {
-    const struct model_measure *s = &m->measure[i];
-    if (s->type == MEASURE_COORDINATE) return;
-    moves[s->a.body] = moves[s->b.body] = true;
+    if (t->a >= 0) moves[t->a] = moves[t->b] = true;
 }
 
-static void read_force(bool *moves, const struct model *m, const struct model_force *f)
+static void touch_force(bool *moves, const struct model *m, const struct model_force *f)
 {
-    if (f->type == FORCE_LAW || f->type == FORCE_VALUE) read_measure(moves, m, f->measure);
-    if (f->type == FORCE_LOAD || f->type == FORCE_BUSHING) moves[f->b.body] = true;
-    if (f->type == FORCE_BUSHING) moves[f->a.body] = true;
-    for (int i = 0; i < f->nslot; i++)
-        if (f->slot[i].type == SLOT_MEASURE || f->slot[i].type == SLOT_MEASURE_RATE)
-            read_measure(moves, m, f->slot[i].index);
+    struct touched t;
+    for (int i = 0; model_touched(&t, m, f, i); i++) touch(moves, &t);
 }
 
 static void list(struct roster *o, const bool *moves, const bool *bears, int nbody, struct arena *life)
@@ -40,11 +35,13 @@ static void list(struct roster *o, const bool *moves, const bool *bears, int nbo
 /* What motion, forces and loops need: all bodies but nodes where nothing happens. */
 static void find_wanted(bool *wanted, const struct model *m)
 {
-    for (int i = 0; i < m->nforce; i++) read_force(wanted, m, &m->force[i]);
+    for (int i = 0; i < m->nforce; i++) touch_force(wanted, m, &m->force[i]);
     for (int i = 0; i < m->nloop; i++) {
         const struct model_loop *l = &m->loop[i];
         if (l->nterm == 0) wanted[l->first] = wanted[l->second] = true;
-        if (l->drive) read_measure(wanted, m, l->measure);
+        if (!l->drive) continue;
+        const struct touched t = measure_touched(&m->measure[l->measure]);
+        touch(wanted, &t);
     }
     for (int i = m->nbody - 1; i > 0; i--) {
         if (!m->body[i].at_node) wanted[i] = true;
@@ -52,7 +49,8 @@ static void find_wanted(bool *wanted, const struct model *m)
     }
 }
 
-void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, struct arena *life)
+void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, const bool *bodies,
+                   struct arena *life)
 {
     bool *fast = TAKE(life, bool, m->nbody), *slow = TAKE(life, bool, m->nbody), *all = TAKE(life, bool, m->nbody);
     bool *moves = TAKE(life, bool, m->nbody), *none = TAKE(life, bool, m->nbody);
@@ -62,11 +60,11 @@ void rosters_build(struct rosters *o, const struct model *m, enum purpose purpos
     else
         memset(all, true, sizeof *all * (size_t)m->nbody);
     for (int i = 1; i < m->nbody; i++) {
-        fast[i] = moves[i] = all[i] && m->body[i].fast;
+        fast[i] = moves[i] = bodies ? bodies[i] : all[i] && m->body[i].fast;
         slow[i] = all[i] && !m->body[i].fast;
     }
-    for (int i = 0; i < m->nforce; i++)
-        if (m->force[i].cls & FAST) read_force(moves, m, &m->force[i]);
+    for (int i = 0; i < m->nforce && !bodies; i++)
+        if (m->force[i].cls & FAST) touch_force(moves, m, &m->force[i]);
     for (int i = m->nbody - 1; i > 0; i--)
         if (moves[i]) moves[m->body[i].parent] = true;
     list(&o->of[FAST], moves, fast, m->nbody, life);

@@ -137,7 +137,7 @@ static inline void spatial_moment(double *n, const struct part *x)
     v3_cross_add(n, x->c, x->F);
 }
 
-struct sweep *spatial_build(const struct model *m, enum purpose purpose, struct arena *life);
+struct sweep *spatial_build(const struct model *m, enum purpose purpose, const bool *bodies, struct arena *life);
 
 void spatial_place(struct sweep *s, const double *q, unsigned cls);
 

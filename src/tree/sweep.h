@@ -4,7 +4,7 @@
  * Walker & Paul 1980; composite bodies, Walker & Orin 1982; articulated bodies, Featherstone 1983).
  * Bodies come in three lists by rate class: FAST holds the fast bodies and, for motion only, the
  * slow ones on their path to the ground and those on which fast loads act; SLOW the slow bodies;
- * ALL all.  W is the sweep's work memory: written by forward(), read by the rest, never kept between
+ * ALL all.  A sweep may have other bodies for its FAST ones.  W is the sweep's work memory: written by forward(), read by the rest, never kept between
  * evaluations. */
 #ifndef FMDSUB_TREE_SWEEP_H
 #define FMDSUB_TREE_SWEEP_H
@@ -43,8 +43,9 @@ struct sweep;
 enum purpose { STEPPED, SEEN };
 
 struct sweep_ops {
-    /* Takes work memory for forward() and everything that does not depend on the state. */
-    struct sweep *(*build)(const struct model *m, enum purpose purpose, struct arena *life);
+    /* Takes work memory for forward() and everything that does not depend on the state.  bodies [nbody]: those that are
+     * FAST in this sweep; NULL: the fast ones, and those that fast forces touch. */
+    struct sweep *(*build)(const struct model *m, enum purpose purpose, const bool *bodies, struct arena *life);
 
     /* Poses of the bodies of cls. */
     void (*place)(struct sweep *s, const double *q, unsigned cls);
@@ -114,6 +115,8 @@ struct roster {
 struct rosters {
     struct roster of[4]; /* by class: FAST, SLOW, ALL */
 };
-void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, struct arena *life);
+/* bodies: as in build(). */
+void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, const bool *bodies,
+                   struct arena *life);
 
 #endif

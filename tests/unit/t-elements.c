@@ -317,6 +317,7 @@ static void slopes_of_loads(void **state)
         memset(f.v, 0, sizeof f.v);
         for (int i = 0; i < 4; i++) {
             force[i] = (struct model_force){.type = FORCE_LOAD,
+                                            .measure = -1,
                                             .cls = SLOW,
                                             .nslot = 5,
                                             .slot = slots(&f, iq, 0),
@@ -342,6 +343,7 @@ static void loads_act_where_they_stand(void **state)
         for (int kind = 0; kind < 4; kind++) {
             struct fixture f;
             struct model_force load = {.type = FORCE_LOAD,
+                                       .measure = -1,
                                        .cls = FAST,
                                        .torque = kind & 1,
                                        .body_axes = kind & 2,
@@ -359,7 +361,7 @@ static void loads_act_where_they_stand(void **state)
             f.m->force = &load, f.m->nforce = 1;
             start(&f);
             const struct sweep_ops *ops = space == 2 ? &sweep_planar : &sweep_spatial;
-            struct sweep *s = ops->build(f.m, STEPPED, f.arena);
+            struct sweep *s = ops->build(f.m, STEPPED, NULL, f.arena);
             struct pose b;
             ops->move(s, f.q, f.v, ALL);
             ops->point(s, x, xv, 5, load.b.p);

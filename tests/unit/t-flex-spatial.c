@@ -59,7 +59,7 @@ static void open_tree(struct scene *o, unsigned seed, unsigned flags, unsigned c
     o->arena = arena_open();
     o->tree = bent_tree(1 + (int)(seed % BODIES), MODES, seed, flags, cloud_flags, o->arena);
     o->m = o->tree.m;
-    o->s = ops->build(o->m, SEEN, o->arena);
+    o->s = ops->build(o->m, SEEN, NULL, o->arena);
     random_state(o, &d, cloud_flags & CLOUD_S ? .15 : .5);
 }
 
@@ -563,7 +563,7 @@ static void test_held(void **state)
         }
         rigid = o;
         rigid.m = m;
-        rigid.s = ops->build(m, SEEN, o.arena);
+        rigid.s = ops->build(m, SEEN, NULL, o.arena);
         resid(r, &o, o.v, o.a, ALL);
         resid(of_r, &rigid, o.v, o.a, ALL);
         ops->mass(o.s, M, o.q, ALL);

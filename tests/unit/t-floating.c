@@ -168,7 +168,7 @@ static void open_bodies(struct bodies *b, const char *mechanism, const char *mor
     begin(&b->o, mechanism, more, "scheme: midpoint, step: 1.0e-3, until: 1");
     b->m = b->o.sim.model;
     b->ops = b->m->space == 2 ? &sweep_planar : &sweep_spatial;
-    b->s = b->ops->build(b->m, SEEN, b->o.life);
+    b->s = b->ops->build(b->m, SEEN, NULL, b->o.life);
     b->n = b->m->nbody - 1;
     for (int i = 0; i < b->n; i++) b->list[i] = i + 1;
     memcpy(b->q, b->m->q0, sizeof *b->q * (size_t)b->m->nq);

@@ -44,7 +44,7 @@ static void try_passes(const struct model *m, const double *q, const double *v, 
 {
     const struct sweep_ops *ops = ops_of(m);
     struct arena *life = arena_open();
-    struct sweep *once = ops->build(m, SEEN, life), *by_pass = ops->build(m, SEEN, life);
+    struct sweep *once = ops->build(m, SEEN, NULL, life), *by_pass = ops->build(m, SEEN, NULL, life);
     for (unsigned cls = FAST; cls <= ALL; cls++) {
         double r[MOST] = {0}, s[MOST] = {0};
         ops->forward(once, q, v, a, ALL);
@@ -73,7 +73,7 @@ static void try_rows(const struct model *m, const double *q, const double *f, co
 {
     const struct sweep_ops *ops = ops_of(m);
     struct arena *life = arena_open();
-    struct sweep *s = ops->build(m, SEEN, life);
+    struct sweep *s = ops->build(m, SEEN, NULL, life);
     ops->place(s, q, ALL);
     for (int body = 0; body < m->nbody; body++) {
         const int *k, *up, count = ops->path(s, &k, body);

@@ -66,7 +66,7 @@ static void open_bench(struct bench *o, int space, unsigned seed)
     o->model.loop = o->loop;
     for (int i = 0; i < LOOPS; i++) add_loop(o, &dice, kinds[i]);
     o->ops = space == 2 ? &sweep_planar : &sweep_spatial;
-    o->sweep = o->ops->build(&o->model, SEEN, o->arena);
+    o->sweep = o->ops->build(&o->model, SEEN, NULL, o->arena);
     o->loops = loops_build(&o->model, o->ops, o->arena);
 }
 

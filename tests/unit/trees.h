@@ -311,6 +311,7 @@ static inline void tree_forces(struct model *m, struct tree_dice *d, struct aren
         struct model_force *o = &f[n++];
         *o = (struct model_force){.name = "load",
                                   .type = FORCE_LOAD,
+                                  .measure = -1,
                                   .cls = FAST,
                                   .nslot = 1,
                                   .slot = clock,
@@ -324,6 +325,7 @@ static inline void tree_forces(struct model *m, struct tree_dice *d, struct aren
     tree_pair(&a, &b, d, m->nbody);
     f[n] = (struct model_force){.name = "bushing",
                                 .type = FORCE_BUSHING,
+                                .measure = -1,
                                 .cls = tree_class(m->body[a].fast || m->body[b].fast),
                                 .par = tree_bushing(d, arena, m, a, b)};
     f[n].a = tree_point(d, a, m->space);
