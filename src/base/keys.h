@@ -10,13 +10,14 @@
 #include <stddef.h>
 
 enum key_type {
-    KEY_REAL, /* double            a number or an expression of parameters */
-    KEY_INT,  /* int               likewise, whole */
-    KEY_BOOL, /* int               true or false */
-    KEY_WORD, /* int               index into words, "newmark|midpoint|..." */
-    KEY_TEXT, /* const char *      any text */
-    KEY_NODE  /* const node *      a shape of its own (point, name, list, expression, map), read by its owner;
-                                   words tells the shape for the manual: "point", "joint", "[body, body]" */
+    KEY_REAL,   /* double            a number or an expression of parameters */
+    KEY_INT,    /* int               likewise, whole */
+    KEY_BOOL,   /* int               true or false */
+    KEY_WORD,   /* int               index into words, "newmark|midpoint|..." */
+    KEY_TEXT,   /* const char *      any text */
+    KEY_VECTOR, /* double[3]         [x, y, z], in 2-D decks [x, y], or with KEY_ABOUT the number z */
+    KEY_NODE    /* const node *      a shape of its own (point, name, list, expression, map), read by its owner;
+                                     words tells the shape for the manual: "point", "joint", "[body, body]" */
 };
 
 enum key_flag {
@@ -26,7 +27,9 @@ enum key_flag {
     KEY_PLANAR = 8,   /* only in 2-D decks */
     KEY_SPATIAL = 16, /* only in 3-D decks */
     KEY_NEUTRAL = 32, /* its default is what those do that do not know it */
-    KEY_META = 64     /* a number that the meta record of a run gives */
+    KEY_META = 64,    /* a number that the meta record of a run gives */
+    KEY_ABOUT = 128,  /* a vector about axes: turns, torques */
+    KEY_DRAWN = 256   /* of a law along a measure: its default is the measure when drawn, a distance; else 0 */
 };
 
 struct key {
@@ -73,6 +76,11 @@ const struct key *key_find(const struct key *keys, const char *name);
     {                                                                                                                  \
         .name = word, .type = KEY_REAL, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,       \
         .flags = flags_, .fallback = fallback_, .brief = brief_                                                        \
+    }
+#define PARAM_VECTOR(strukt, member, word, unit_, lo_, hi_, flags_, brief_)                                            \
+    {                                                                                                                  \
+        .name = word, .type = KEY_VECTOR, .offset = offsetof(strukt, member), .unit = unit_, .lo = lo_, .hi = hi_,     \
+        .flags = flags_, .brief = brief_                                                                               \
     }
 #define PARAM_INT(strukt, member, word, lo_, hi_, flags_, fallback_, brief_)                                           \
     {                                                                                                                  \

@@ -11,7 +11,7 @@
 
 static void print_range(const struct key *k)
 {
-    if (k->type != KEY_REAL && k->type != KEY_INT) return;
+    if (k->type != KEY_REAL && k->type != KEY_INT && k->type != KEY_VECTOR) return;
     if (!isinf(k->lo)) printf(", %s %g", k->flags & KEY_ABOVE ? ">" : ">=", k->lo);
     if (!isinf(k->hi)) printf(", %s %g", k->flags & KEY_BELOW ? "<" : "<=", k->hi);
 }

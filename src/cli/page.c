@@ -43,6 +43,8 @@ const char *page_type(const struct key *k)
         return "true or false";
     case KEY_TEXT:
         return "text";
+    case KEY_VECTOR:
+        return k->flags & KEY_ABOUT ? "[x, y, z], 2-D: number" : "[x, y, z]";
     default:
         return k->words;
     }
@@ -61,7 +63,7 @@ static void put_choices(FILE *to, const char *words)
 
 static void put_range(FILE *to, const struct key *k)
 {
-    if (k->type != KEY_REAL && k->type != KEY_INT) return;
+    if (k->type != KEY_REAL && k->type != KEY_INT && k->type != KEY_VECTOR) return;
     if (k->lo == k->hi) return;
     bool from = !isinf(k->lo), until = !isinf(k->hi);
     if (from) fprintf(to, ", %s %.10g", k->flags & KEY_ABOVE ? "above" : "from", k->lo);

@@ -60,6 +60,9 @@ static cJSON *key_schema(const struct key *k)
     case KEY_TEXT:
         o = typed("string");
         break;
+    case KEY_VECTOR:
+        o = k->flags & KEY_ABOUT ? cJSON_CreateObject() : typed("array");
+        break;
     default:
         o = cJSON_CreateObject();
     }

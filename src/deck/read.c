@@ -198,6 +198,17 @@ void read_unknown(const struct node *n, enum diag_at at, const char *code, const
     diag_suggest(rd->diags, name, words, nwords);
 }
 
+/* The numbers of a vector in the deck's space, each in the key's range. */
+static int read_components(double *x, const struct node *n, const struct key *key, struct reader *rd)
+{
+    const int count = rd->space == 2 ? 2 : 3;
+    int errors = 0;
+    if (count == 2 && key->flags & KEY_ABOUT) return read_number(&x[2], n, key, rd);
+    if (read_vector(x, count, n, arena_print(rd->deck->arena, "'%s'", key->name), rd)) return 1;
+    for (int i = 0; i < count; i++) errors += check_range(x[i], n->item[i], key, rd);
+    return errors;
+}
+
 /* ---- maps by table ---- */
 
 static int read_value(void *out, const struct key *key, const struct node *n, struct reader *rd)
@@ -214,6 +225,8 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
         return read_word(member, n, key->words, rd);
     case KEY_TEXT:
         return read_text(member, n, NULL, rd);
+    case KEY_VECTOR:
+        return read_components(member, n, key, rd);
     case KEY_NODE:
         break;
     }

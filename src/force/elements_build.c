@@ -2,10 +2,15 @@
 #include "force/parts.h"
 #include "model/touch.h"
 
-static bool is_plain(const struct model *m, const struct model_force *f)
+static const struct element_kind *const kinds[] = {[FORCE_LAW] = &element_law,
+                                                   [FORCE_VALUE] = &element_value,
+                                                   [FORCE_LOAD] = &element_load,
+                                                   [FORCE_BETWEEN] = &element_between};
+
+static bool is_plain(struct affine *law, const struct model *m, const struct model_force *f)
 {
-    return f->type == FORCE_LAW && (f->kind == &force_spring || f->kind == &force_damper) &&
-           m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->linear(f->par);
+    return f->type == FORCE_LAW && m->measure[f->measure].type == MEASURE_COORDINATE && f->kind->affine &&
+           f->kind->affine(law, f->par);
 }
 
 /* Is v[k] a rotation? */
@@ -52,15 +57,10 @@ static void find_rotations(struct part_of *p, struct elements *e, int a, int b, 
     row_clear(&e->row);
 }
 
-static void add_plain(struct elements *e, int force)
+static void add_plain(struct elements *e, int force, const struct affine *law)
 {
-    const struct model_force *f = &e->model->force[force];
-    const struct model_measure *def = &e->model->measure[f->measure];
-    const struct spring *par = f->par;
-    struct plain *p = &e->plain[e->nplain[ALL]++];
-    *p = (struct plain){.iq = def->iq, .iv = def->iv, .force = force, .c = par->c};
-    if (f->kind == &force_damper) return;
-    p->k = par->k, p->rest = par->rest, p->preload = par->preload;
+    const struct model_measure *def = &e->model->measure[e->model->force[force].measure];
+    e->plain[e->nplain[ALL]++] = (struct plain){def->iq, def->iv, force, law->k, law->c, law->rest, law->preload};
 }
 
 static void add_other(struct elements *e, int force, const bool *turns, struct arena *life)
@@ -68,17 +68,10 @@ static void add_other(struct elements *e, int force, const bool *turns, struct a
     const struct model_force *f = &e->model->force[force];
     struct part_of *p = &e->other[e->nother[ALL]++];
     struct touched on;
-    p->force = force;
-    model_touched(&on, e->model, f, 0);
-    if (f->type == FORCE_LAW) {
-        const struct model_measure *def = &e->model->measure[f->measure];
-        bool straight = def->type == MEASURE_COORDINATE || (def->type == MEASURE_ANGLE && e->model->space == 2);
-        p->linear = f->kind->linear && f->kind->linear(f->par);
-        p->ends = f->kind->stored && def->type != MEASURE_COORDINATE && !(straight && p->linear);
-    } else if (f->type == FORCE_BUSHING) {
-        p->ends = true;
-    }
+    *p = (struct part_of){.kind = kinds[f->type], .force = force};
+    if (p->kind->sort) p->kind->sort(p, e->model, f);
     if (!p->ends) return;
+    model_touched(&on, e->model, f, 0);
     find_rotations(p, e, on.a, on.b, turns, life);
     e->ends[f->cls] = e->ends[ALL] = true;
 }
@@ -87,9 +80,10 @@ static void add_class(struct elements *e, enum rate cls, const bool *turns, stru
 {
     for (int i = 0; i < e->model->nforce; i++) {
         const struct model_force *f = &e->model->force[i];
+        struct affine law;
         if (f->cls != cls) continue;
-        if (is_plain(e->model, f))
-            add_plain(e, i);
+        if (is_plain(&law, e->model, f))
+            add_plain(e, i, &law);
         else
             add_other(e, i, turns, life);
         if (f->nslot > e->most_slots) e->most_slots = f->nslot;
@@ -135,9 +129,7 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
 
 bool elements_are_pointwise(const struct elements *e)
 {
-    for (int i = 0; i < e->nother[ALL]; i++) {
-        const struct model_force *f = &e->model->force[e->other[i].force];
-        if (f->type == FORCE_BUSHING || (f->type == FORCE_LAW && f->kind->stored)) return false;
-    }
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].stores) return false;
     return true;
 }

@@ -1,9 +1,11 @@
-/* parts.h -- what the files of the elements share: the elements sorted for the loop.
+/* parts.h -- what the files of the elements share: the table of element kinds, the elements sorted for the loop.
  *
- *     elements.c        laws, signals, loads; all elements of a class
- *     bushing.c         bushings
- *     slopes.c          slopes of all of them
+ *     elements.c        all elements of a class, by the table
  *     elements_build.c  how they are sorted
+ *     law.c             laws along a measure
+ *     signal.c          values along a measure, loads at points and on bodies
+ *     between.c         kinds between two markers
+ *     slopes.c          rows into matrices
  */
 #ifndef FMDSUB_FORCE_PARTS_H
 #define FMDSUB_FORCE_PARTS_H
@@ -19,14 +21,44 @@ struct plain {
 
 /* Any other element. */
 struct part_of {
+    const struct element_kind *kind;
     int force;
+    bool stores;   /* it has energy */
+    bool diagonal; /* its slopes, if any, are along joint coordinates one by one, for diagonal() */
     bool linear;   /* its law is affine */
-    bool ends;     /* keeps energy by what stood at the interval's ends (see elements.c) */
-    double end[2]; /* the measure, or a bushing's energy, at the interval's ends */
+    bool ends;     /* keeps energy by what stood at the interval's ends (see law.c) */
+    double end[2]; /* what end() says of these */
     double kref;   /* a law's slope at the last slopes() */
     int nturn;
     const int *turn; /* [nturn] rotations that change the measure: on one body's path and not on the other's */
 };
+
+/* Where loads go; members as the arguments of elements_load(), effect that of the element; r is required. */
+struct loading {
+    double *r, *w, *dk;
+    struct effect *effect;
+};
+
+/* What the elements of a type do, force_type in kind/force.h; the sweep is at its last motion. */
+struct element_kind {
+    /* Optional.  Fills stores, diagonal, linear, ends. */
+    void (*sort)(struct part_of *p, const struct model *m, const struct model_force *f);
+    /* Required.  As elements_load(). */
+    void (*load)(struct elements *e, struct sweep *s, struct part_of *p, const struct loading *to,
+                 const struct instant *x);
+    /* Required.  As elements_slopes(). */
+    void (*slopes)(struct elements *e, struct sweep *s, struct part_of *p, double *K, double *C,
+                   const struct instant *x);
+    /* Required where diagonal is set and there are slopes. */
+    void (*diagonal)(struct elements *e, struct part_of *p, double *d, double cc, double ck, const struct instant *x);
+    /* Required where stores is set [J]. */
+    double (*stored)(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
+                     const double *v);
+    /* Required where ends is set: the measure, or the energy, at an end of the interval. */
+    double (*end)(const struct elements *e, const struct sweep *there, const struct model_force *f, const double *q,
+                  const double *v);
+};
+extern const struct element_kind element_law, element_value, element_load, element_between;
 
 struct elements {
     const struct model *model;
@@ -56,30 +88,16 @@ static inline int last_of(const int *n, enum rate cls)
     return cls == FAST ? n[FAST] : n[ALL];
 }
 
-/* Values of the slots of a force. */
-void read_slots(struct elements *e, const struct sweep *s, const struct model_force *f, const struct instant *x);
-
 /* What stood at one end (0: qa, 1: qb) of the interval, for the elements that want to know. */
 void look_at_end(struct elements *e, const struct instant *x, int end, enum rate cls);
 
-/* A law's force and slopes at the measure s and rate of the instant, or over the interval between the ends. */
-void law_over(struct law *o, double *dissipative, const struct force_kind *kind, const void *par, bool linear, double s,
-              double rate, const double *end, double t);
-
-/* A bushing's relative motion, in axes of the marker on a: displacement d and its rate, rotation vector phi,
- * relative angular velocity W, T [9] with phi' = T' W. */
-struct bush {
-    double d[3], rate[3], phi[3], W[3], T[9];
-    double E[9];  /* marker axes in the world */
-    double at[3]; /* the marker on b */
-};
-void bushing_at(struct bush *o, const struct elements *e, const struct sweep *s, const struct model_force *f);
-double bushing_stored(const struct bush *o, const struct bushing *par);
-/* As elements_load(), of one bushing. */
-void bushing_load(struct elements *e, struct sweep *s, const struct part_of *p, double *r, double *w,
-                  struct effect *effect, const struct instant *x);
-
 /* The remainder E of work, of terms of the size `scale`, given to the rotations. */
 void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x);
+
+/* slopes.c: A += scale row' column */
+void outer(const struct elements *e, double *A, const struct row *row, const struct row *column, double scale);
+/* Row of the relative velocity of two bodies along dir, at a point each or turning (NULL). */
+void row_between(struct row *o, const struct elements *e, const struct sweep *s, int a, const double *at_a, int b,
+                 const double *at_b, const double *dir);
 
 #endif

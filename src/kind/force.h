@@ -1,13 +1,16 @@
-/* force.h -- what a force element promises.
+/* force.h -- what a kind of force promises.
  *
  * A law acts along a measure s: a joint coordinate, the distance of two points, an angle.  It is told
- * s and its rate and answers with the force and its slopes.  system/ does the rest, the same for all
- * kinds: the load
+ * s and its rate and answers with the force and its slopes.  Between two markers, one on each of two bodies, a kind
+ * says which scalars of their relative motion it works along, and with what law each.  force/ does the rest, the same
+ * for all kinds: the load
  *
  *     Q_F += (ds/dq)' f                                                      (2-1)
  *
  * and the slopes in the iteration matrix.  A signal is a value given in the deck as an expression
- * or as a table of time. */
+ * or as a table of time.
+ *
+ * A new kind is a file of its own and a line in the table of force.c. */
 #ifndef FMDSUB_KIND_FORCE_H
 #define FMDSUB_KIND_FORCE_H
 
@@ -17,6 +20,9 @@
 #include "base/keys.h"
 
 struct expr;
+struct node;
+
+/* --- along a measure --------------------------------------------------------------------------- */
 
 struct law {
     double f;  /* [N] or [N m], positive when it drives s upwards */
@@ -24,14 +30,70 @@ struct law {
     double kv; /* -df/dv [N s/m] or [N m s/rad] */
 };
 
+/* f = preload - k (s - rest) - c s' */
+struct affine {
+    double k, c, rest, preload;
+};
+
+/* --- between two markers ----------------------------------------------------------------------- */
+
+/* A marker at an instant; world axes. */
+struct frame {
+    double x[3], v[3]; /* [m], [m/s] */
+    double E[9], w[3]; /* axes by column; angular velocity [rad/s] */
+};
+
+/* The markers on the first and on the second body. */
+struct between {
+    int space;
+    struct frame a, b;
+    double angle; /* plane: of b against a since drawn, continuous [rad] */
+};
+
+/* A scalar of their relative motion: with v_a, v_b the velocities of the places at_a, at_b on the two bodies
+ *
+ *     s' = dir . (v_b - v_a) + on_a . w_a + on_b . w_b
+ *
+ * so that a force f along s is f dir on b at at_b, -f dir on a at at_a, and the torques f on_a, f on_b. */
+struct strain {
+    double s, rate;          /* [m] or [rad]; [m/s] or [rad/s] */
+    bool slides, turns;      /* are there forces, torques? */
+    double dir[3];           /* unit; world axes */
+    double on_a[3], on_b[3]; /* [1] or [m]; world axes */
+    struct affine law;
+};
+
+enum { MOST_STRAINS = 9 };
+struct strains {
+    int n;
+    double at_a[3], at_b[3]; /* [m] world */
+    struct strain of[MOST_STRAINS];
+};
+
+/* The head of the parameter block of such a force. */
+struct markers {
+    const struct node *bodies, *at, *axis; /* in the deck */
+    double drawn[9], Ea[9], Eb[9];         /* their axes by column: drawn, world; in those of body a, of body b */
+};
+
+/* The keys that fill it. */
+#define MARKER_KEYS(strukt, member, word)                                                                              \
+    PARAM_NODE(strukt, member.bodies, word, "[body, body]", KEY_REQUIRED, "the two bodies"),                           \
+        PARAM_NODE(strukt, member.at, "at", "point", KEY_REQUIRED, "where it stands when drawn, unloaded"),            \
+        PARAM_NODE(strukt, member.axis, "axis", "vector", 0, "its z axis (2-D: x axis); default: the world's axes")
+
+/* --- kinds ------------------------------------------------------------------------------------- */
+
 struct force_kind {
     const char *name;  /* deck word, e.g. "spring" */
     const char *brief; /* one line for `fmdsub list` and the manual */
     const struct key *keys;
     size_t size; /* bytes of the parameter block `par` */
 
-    /* Required.  The force at measure s, rate v, time t.  Runs in the step loop on trial states in any
-     * order: never allocates, never fails, remembers nothing. */
+    /* One of law() and strains() is required: it says whether a force is along a measure or between two markers.  All
+     * functions run in the step loop on trial states in any order: they never allocate, never fail, remember nothing.
+     *
+     * The force at measure s, rate v, time t. */
     void (*law)(struct law *o, const void *par, double s, double v, double t);
 
     /* Optional.  Stored energy [J] for W_int of (2-26); without it the power f v is booked as loss
@@ -41,20 +103,16 @@ struct force_kind {
     /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
     double (*dissipative)(const void *par, double s, double v, double t);
 
-    /* Optional (none: no).  Is f affine in s and v with these parameters?  Then its slopes never change and its
-     * discrete gradient is the midpoint force. */
-    bool (*linear)(const void *par);
+    /* Optional (none: no).  Is f affine in s and v with these parameters, all but c s' from stored()?  Then how.  Its
+     * slopes never change and its discrete gradient is the midpoint force. */
+    bool (*affine)(struct affine *o, const void *par);
+
+    /* The scalars between two markers; par begins with struct markers.  What k and preload of their laws do is stored,
+     * what c does is lost. */
+    void (*strains)(struct strains *o, const void *par, const struct between *x);
 };
 
-/* par of "spring": f = preload - k (s - rest) - c v; s is counted from the measure's zero.  For a joint coordinate rest
- * is 0 by default, for a distance the distance in the drawn position. */
-struct spring {
-    double k, c, rest, preload;
-    double cubic; /* [N/m3]: f -= cubic (s - rest)^3 */
-};
-extern const struct force_kind force_spring;
-extern const struct force_kind force_damper; /* the same block, c only */
-
+/* The kinds, each in a file of its own; NULL past the last. */
 const struct force_kind *force_kind_at(int i);
 
 /* What a force acts along, and what a deck may ask for by name. */
@@ -69,13 +127,7 @@ enum force_type {
     FORCE_LAW,    /* kind->law along a measure */
     FORCE_VALUE,  /* a signal along a measure */
     FORCE_LOAD,   /* three signals: force at a point or torque on a body, world or body axes */
-    FORCE_BUSHING /* six springs and dampers between two markers */
-};
-
-struct bushing {
-    double k[3], kr[3]; /* [N/m], [N m/rad] along and about the axes of the marker on body a */
-    double c[3], cr[3];
-    double Ea[9], Eb[9]; /* marker axes by column in the axes of body a, body b; equal when drawn */
+    FORCE_BETWEEN /* kind->strains between two markers */
 };
 
 /* A value in time and state: an expression over slots (slot 0 is t), or a table of t, linear between

@@ -107,12 +107,12 @@ struct model_force {
     enum force_type type;
     enum rate cls;                 /* FAST or SLOW; time-only loads are FAST */
     int measure;                   /* along which it acts: FORCE_LAW, FORCE_VALUE; -1: between a and b */
-    const struct force_kind *kind; /* FORCE_LAW */
-    const void *par;               /* FORCE_LAW: the kind's block; FORCE_BUSHING: struct bushing */
+    const struct force_kind *kind; /* FORCE_LAW, FORCE_BETWEEN */
+    const void *par;               /* the kind's block */
     struct signal value[3];        /* FORCE_VALUE: 1; FORCE_LOAD: x, y, z (plane: torque is z) */
     int nslot;
     const struct model_slot *slot; /* [nslot], slot 0 is t */
-    struct model_point a, b;       /* FORCE_LOAD: point b, a the ground; FORCE_BUSHING: markers on a and b */
+    struct model_point a, b;       /* FORCE_LOAD: point b, a the ground; FORCE_BETWEEN: the markers */
     bool torque, body_axes;        /* FORCE_LOAD */
 };
 

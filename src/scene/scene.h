@@ -103,7 +103,7 @@ struct scene_force {
     enum force_type type;
     int measure; /* along which it acts; -1: between a and b */
     const struct force_kind *kind;
-    const void *par; /* kind's block, or struct bushing */
+    const void *par; /* kind's block */
     struct signal value[3];
     int nslot;
     const struct scene_slot *slot; /* [nslot]; slot 0 is t */

@@ -1,4 +1,4 @@
-/* forces.c -- laws, signals, loads, bushings; signals are expressions over slots or tables of time */
+/* forces.c -- kinds of force, signals, loads; signals are expressions over slots or tables of time */
 #include <math.h>
 #include <string.h>
 
@@ -246,7 +246,15 @@ static int read_value(struct builder *b, struct scene_force *f, const struct nod
     return errors;
 }
 
-/* Springs and dampers: the law's own keys, along a measure. */
+/* What the deck does not give of keys whose default is where the measure stands when drawn. */
+static void take_drawn(void *par, const struct key *keys, const struct node *n, const struct scene_measure *m)
+{
+    for (const struct key *k = keys; k->name; k++)
+        if (k->flags & KEY_DRAWN && !node_find(n, k->name))
+            *(double *)((char *)par + k->offset) = m->type == MEASURE_DISTANCE ? m->drawn : 0;
+}
+
+/* The law's own keys, along a measure. */
 static int read_law(struct builder *b, struct scene_force *f, const struct node *n, const struct force_kind *kind,
                     const char *what)
 {
@@ -258,64 +266,42 @@ static int read_law(struct builder *b, struct scene_force *f, const struct node 
     f->par = par;
     f->measure = measure_of(b, node_find(n, kind->name), what);
     if (errors || f->measure < 0) return 1;
-    if (kind == &force_spring && !node_find(n, "rest")) {
-        struct spring *spring = par;
-        const struct scene_measure *m = &b->scene->measure[f->measure];
-        spring->rest = m->type == MEASURE_DISTANCE ? m->drawn : 0;
-    }
+    take_drawn(par, kind->keys, n, &b->scene->measure[f->measure]);
     return 0;
 }
 
-static int three_or_zero(struct builder *b, double *o, const struct node *n, const char *what)
+/* Axes of markers when drawn, by column. */
+static int marker_axes(struct builder *b, double *E, const struct node *axis, const char *what)
 {
-    o[0] = o[1] = o[2] = 0;
-    if (!n) return 0;
-    int errors = read_vector(o, b->scene->space, n, what, &b->reader);
-    for (int i = 0; !errors && i < 3; i++)
-        if (o[i] < 0) {
-            diag_error(b->diags, n->item[i], AT_VALUE, "E-range", "%s: must not be negative", what);
-            errors++;
-        }
-    return errors;
+    static const double out[3] = {0, 0, 1};
+    double dir[3];
+    m3_unit(E);
+    if (!axis) return 0;
+    if (read_direction(b, dir, axis, what)) return 1;
+    frame_about(E, b->scene->space == 2 ? out : dir, b->scene->space == 2 ? dir : NULL);
+    return 0;
 }
 
-static int about_or_zero(struct builder *b, double *o, const struct node *n, const char *what)
+/* Between markers on two bodies. */
+static int read_between(struct builder *b, struct scene_force *f, const struct node *n, const struct force_kind *kind,
+                        const char *what)
 {
-    if (b->scene->space == 3 || !n) return three_or_zero(b, o, n, what);
-    o[0] = o[1] = 0;
-    int errors = read_number(&o[2], n, NULL, &b->reader);
-    if (!errors && o[2] < 0) {
-        diag_error(b->diags, n, AT_VALUE, "E-range", "%s: must not be negative", what);
-        errors++;
-    }
-    return errors;
-}
-
-static int read_bushing(struct builder *b, struct scene_force *f, const struct node *n, const char *what)
-{
-    struct bushing_keys k = {0};
-    struct bushing *u = TAKE(b->life, struct bushing, 1);
-    int first, second;
-    if (read_keys(&k, keys_bushing, n, NULL, what, &b->reader)) return 1;
-    if (find_two_bodies(b, &first, &second, k.bodies, what)) return 1;
-    int errors = three_or_zero(b, u->k, k.stiffness, what) + three_or_zero(b, u->c, k.damping, what) +
-                 about_or_zero(b, u->kr, k.rotation, what) + about_or_zero(b, u->cr, k.rotation_damping, what);
+    struct markers *on = arena_take(b->life, 1, kind->size);
     struct marker at;
-    double world[3], E[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, axis[3];
-    if (errors || read_point(b, &at, k.at, what)) return 1;
-    if (k.axis) {
-        if (read_direction(b, axis, k.axis, what)) return 1;
-        const double out[3] = {0, 0, 1};
-        frame_about(E, b->scene->space == 2 ? out : axis, b->scene->space == 2 ? axis : NULL);
-    }
+    int first, second;
+    double world[3], *E = on->drawn;
+    if (read_keys(on, kind->keys, n, NULL, what, &b->reader)) return 1;
+    if (find_two_bodies(b, &first, &second, on->bodies, what)) return 1;
+    if (read_point(b, &at, on->at, what) || marker_axes(b, E, on->axis, what)) return 1;
     marker_drawn(world, b->scene, &at);
     marker_at(&f->a, b->scene, first, world);
     marker_at(&f->b, b->scene, second, world);
-    m3_tmulm(u->Ea, b->scene->body[first].R, E);
-    m3_tmulm(u->Eb, b->scene->body[second].R, E);
-    f->type = FORCE_BUSHING;
+    m3_tmulm(on->Ea, b->scene->body[first].R, E);
+    m3_tmulm(on->Eb, b->scene->body[second].R, E);
+    f->type = FORCE_BETWEEN;
     f->measure = -1;
-    f->par = u;
+    f->kind = kind;
+    f->par = on;
     return 0;
 }
 
@@ -326,15 +312,16 @@ static int read_force(struct builder *b, struct scene_force *f, const struct nod
     f->name = n->key;
     f->node = n;
     if (read_map(n, what, &b->reader)) return 1;
-    if (node_find(n, "bushing")) return read_bushing(b, f, n, what);
     if (node_find(n, "force")) return read_value(b, f, n, keys_force, what);
     f->torque = node_find(n, "torque") != NULL;
     if (f->torque) return read_value(b, f, n, keys_torque, what);
-    for (int i = 0; force_kind_at(i); i++)
-        if (node_find(n, force_kind_at(i)->name)) return read_law(b, f, n, force_kind_at(i), what);
-    const char *words[16] = {"force", "torque", "bushing"};
-    int count = 3;
-    for (int i = 0; force_kind_at(i) && count < 16; i++) words[count++] = force_kind_at(i)->name;
+    const char *words[16] = {"force", "torque"};
+    int count = 2;
+    for (int i = 0; force_kind_at(i) && count < 16; i++) {
+        const struct force_kind *kind = force_kind_at(i);
+        words[count++] = kind->name;
+        if (node_find(n, kind->name)) return (kind->strains ? read_between : read_law)(b, f, n, kind, what);
+    }
     unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-force", "kind of force",
                  n->count ? n->item[0]->key : "", words, count);
     return 1;

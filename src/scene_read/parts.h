@@ -37,9 +37,6 @@ struct table_keys {
     const struct node *table;
     const char *file;
 };
-struct bushing_keys {
-    const struct node *bodies, *at, *axis, *stiffness, *rotation, *damping, *rotation_damping;
-};
 struct partition_keys {
     const struct node *fast, *independent;
 };
@@ -74,9 +71,8 @@ struct vector_keys {
     int frame;
 };
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_distance[], keys_displacement[],
-    keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_bushing[], keys_partition[],
-    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[],
-    keys_band[];
+    keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[], keys_integrate[],
+    keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);

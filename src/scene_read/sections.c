@@ -114,19 +114,6 @@ const struct key keys_drive[] = {
     KEYS_END,
 };
 
-const struct key keys_bushing[] = {
-    PARAM_NODE(struct bushing_keys, bodies, "bushing", "[body, body]", KEY_REQUIRED, "the two bodies"),
-    PARAM_NODE(struct bushing_keys, at, "at", "point", KEY_REQUIRED, "where it stands when drawn, unloaded"),
-    PARAM_NODE(struct bushing_keys, axis, "axis", "vector", 0, "its z axis (2-D: x axis); default: the world's axes"),
-    PARAM_NODE(struct bushing_keys, stiffness, "stiffness", "[x, y, z] [N/m]", 0, "along its axes; default 0"),
-    PARAM_NODE(struct bushing_keys, rotation, "rotation", "[x, y, z] [N m/rad], 2-D: number", 0,
-               "stiffness about its axes; default 0"),
-    PARAM_NODE(struct bushing_keys, damping, "damping", "[x, y, z] [N s/m]", 0, "along its axes; default 0"),
-    PARAM_NODE(struct bushing_keys, rotation_damping, "rotation_damping", "[x, y, z] [N m s/rad], 2-D: number", 0,
-               "about its axes; default 0"),
-    KEYS_END,
-};
-
 const struct key keys_partition[] = {
     PARAM_NODE(struct partition_keys, fast, "fast", "[joint, coordinate or flexible body, ...]", 0,
                "coordinates that take the minor step; all others take the major one"),
@@ -224,7 +211,6 @@ static const struct section fixed[] = {
     {"measures.NAME", "angle", "turn of a body against another", keys_angle},
     {"forces.NAME", "force", "a force along a measure or at a point", keys_force},
     {"forces.NAME", "torque", "a torque along a measure or on a body", keys_torque},
-    {"forces.NAME", "bushing", "springs and dampers in all directions between two bodies", keys_bushing},
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},
     {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},
     {"drives.NAME.value", NULL, "a table in place of an expression", keys_table},

@@ -137,7 +137,7 @@ static bool point_laws(const struct model *m, const struct model_force *f)
 static bool bushings(const struct model *m, const struct model_force *f)
 {
     (void)m;
-    return f->type == FORCE_BUSHING;
+    return f->type == FORCE_BETWEEN;
 }
 
 static void slopes_of_laws_on_coordinates(void **state)
@@ -393,13 +393,13 @@ static void loads_act_where_they_stand(void **state)
 static bool stores(const struct model *m, const struct model_force *f)
 {
     (void)m;
-    return f->type == FORCE_BUSHING || (f->type == FORCE_LAW && f->kind->stored);
+    return f->type == FORCE_BETWEEN || (f->type == FORCE_LAW && f->kind->stored);
 }
 
 static void without_damping(struct fixture *f)
 {
     for (int i = 0; i < f->m->nforce; i++) {
-        if (f->m->force[i].type == FORCE_BUSHING) {
+        if (f->m->force[i].type == FORCE_BETWEEN) {
             struct bushing *b = (struct bushing *)f->m->force[i].par;
             memset(b->c, 0, sizeof b->c), memset(b->cr, 0, sizeof b->cr);
         } else {

@@ -215,7 +215,7 @@ static void accelerations_solve_the_equations(void **state)
 
 static bool along_coordinates(const struct model *m, const struct model_force *f)
 {
-    return f->type == FORCE_LOAD || (f->type != FORCE_BUSHING && m->measure[f->measure].type == MEASURE_COORDINATE);
+    return f->type == FORCE_LOAD || (f->type != FORCE_BETWEEN && m->measure[f->measure].type == MEASURE_COORDINATE);
 }
 
 static void the_structured_factor_is_the_dense_matrix(void **state)
@@ -305,7 +305,7 @@ static void power_is_the_rate_of_energy(void **state)
 static bool between_bodies(const struct model *m, const struct model_force *f)
 {
     if (f->type == FORCE_LOAD) return false;
-    if (f->type == FORCE_BUSHING) return f->a.body && f->b.body;
+    if (f->type == FORCE_BETWEEN) return f->a.body && f->b.body;
     const struct model_measure *s = &m->measure[f->measure];
     return s->type != MEASURE_COORDINATE && s->a.body && s->b.body;
 }

@@ -12,6 +12,8 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "kind/bushing.h"
+#include "kind/spring.h"
 #include "model/model.h"
 #include "system/ode2.h"
 
@@ -273,8 +275,8 @@ static inline struct bushing *tree_bushing(struct tree_dice *d, struct arena *ar
     }
     tree_quaternion(q, d, m->space);
     tree_matrix(E, q);
-    tree_mtm(o->Ea, m->body[a].R, E);
-    tree_mtm(o->Eb, m->body[b].R, E);
+    tree_mtm(o->on.Ea, m->body[a].R, E);
+    tree_mtm(o->on.Eb, m->body[b].R, E);
     return o;
 }
 
@@ -324,9 +326,10 @@ static inline void tree_forces(struct model *m, struct tree_dice *d, struct aren
     int a, b;
     tree_pair(&a, &b, d, m->nbody);
     f[n] = (struct model_force){.name = "bushing",
-                                .type = FORCE_BUSHING,
+                                .type = FORCE_BETWEEN,
                                 .measure = -1,
                                 .cls = tree_class(m->body[a].fast || m->body[b].fast),
+                                .kind = &force_bushing,
                                 .par = tree_bushing(d, arena, m, a, b)};
     f[n].a = tree_point(d, a, m->space);
     double x[3], y[3]; /* markers coincide when drawn */

@@ -1,0 +1,129 @@
+/* between.c -- kinds that work between two markers: along the strains that they name, each with an affine law.
+ *
+ * With rows g_i of the strains' rates, s_i' = g_i u,
+ *
+ *     Q = g_i' f_i,   V = sum (k x^2/2 - preload x), x = s - rest,   K += g_i' k_i g_i,   C += g_i' c_i g_i
+ *
+ * where K leaves out how the rows turn: that counts with the force.  Over an interval the work is -(V_b - V_a) to
+ * round-off: the remainder, of third order, is given to the rotations (see law.c). */
+#include <math.h>
+
+#include "force/parts.h"
+#include "la/vec3.h"
+
+static void frame_of(struct frame *o, double *angle, const struct elements *e, const struct sweep *s,
+                     const struct model_point *p, const double *axes)
+{
+    struct pose b;
+    e->ops->pose(s, &b, p->body);
+    e->ops->point(s, o->x, o->v, p->body, p->p);
+    m3_mulm(o->E, b.R, axes);
+    v3_copy(o->w, b.w);
+    *angle = b.angle;
+}
+
+static void strains_at(struct strains *o, const struct elements *e, const struct sweep *s, const struct model_force *f)
+{
+    const struct markers *on = f->par;
+    struct between x = {.space = e->model->space};
+    double angle;
+    frame_of(&x.a, &angle, e, s, &f->a, on->Ea);
+    frame_of(&x.b, &x.angle, e, s, &f->b, on->Eb);
+    x.angle -= angle;
+    f->kind->strains(o, f->par, &x);
+}
+
+static double energy(const struct strains *o)
+{
+    double twice = 0, preloaded = 0;
+    for (int i = 0; i < o->n; i++) {
+        const struct affine *p = &o->of[i].law;
+        const double x = o->of[i].s - p->rest;
+        twice += p->k * x * x;
+        preloaded += p->preload * x;
+    }
+    return .5 * twice - preloaded;
+}
+
+/* Resultant on b: force at at_b, torque; torque on a, whose force is the opposite. */
+struct wrench {
+    double F[3], n_a[3], n_b[3];
+    double kept, lost;          /* powers [W] */
+    double force, displacement; /* sizes, squared */
+};
+
+static void add(struct wrench *o, const struct strain *s)
+{
+    const struct affine *p = &s->law;
+    const double kept = p->preload - p->k * (s->s - p->rest), lost = -p->c * s->rate, f = kept + lost;
+    o->kept += kept * s->rate;
+    o->lost += lost * s->rate;
+    if (s->slides) {
+        v3_axpy(o->F, f, s->dir);
+        o->force += f * f;
+        o->displacement += s->s * s->s;
+    }
+    if (s->turns) {
+        v3_axpy(o->n_a, f, s->on_a);
+        v3_axpy(o->n_b, f, s->on_b);
+    }
+}
+
+static void load(struct elements *e, struct sweep *s, struct part_of *p, const struct loading *to,
+                 const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    struct strains strains;
+    struct wrench o = {.kept = 0};
+    double back[3];
+    strains_at(&strains, e, s, f);
+    for (int i = 0; i < strains.n; i++) add(&o, &strains.of[i]);
+    v3_scale(back, -1, o.F);
+    e->ops->push(s, f->b.body, strains.at_b, o.F);
+    e->ops->push(s, f->a.body, strains.at_a, back);
+    e->ops->twist(s, f->b.body, o.n_b);
+    e->ops->twist(s, f->a.body, o.n_a);
+    if (x->qa && x->qb)
+        give_to_rotations(to->r, p, p->end[0] - p->end[1] - o.kept * (x->tb - x->ta), fabs(p->end[0]) + fabs(p->end[1]),
+                          x);
+    if (to->w) to->w[POWER_DAMPER] += o.lost;
+    if (to->effect) *to->effect = (struct effect){sqrt(o.force), sqrt(o.displacement), o.kept + o.lost};
+}
+
+static void slopes(struct elements *e, struct sweep *s, struct part_of *p, double *K, double *C,
+                   const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    const struct measures *m = &e->measures;
+    struct strains strains;
+    (void)x;
+    strains_at(&strains, e, s, f);
+    for (int i = 0; i < strains.n; i++) {
+        const struct strain *g = &strains.of[i];
+        row_clear(&e->row);
+        if (g->slides) row_add_body(&e->row, m, s, f->b.body, strains.at_b, g->dir, 1);
+        if (g->slides) row_add_body(&e->row, m, s, f->a.body, strains.at_a, g->dir, -1);
+        if (g->turns) row_add_body(&e->row, m, s, f->b.body, NULL, g->on_b, 1);
+        if (g->turns) row_add_body(&e->row, m, s, f->a.body, NULL, g->on_a, 1);
+        outer(e, K, &e->row, &e->row, g->law.k);
+        outer(e, C, &e->row, &e->row, g->law.c);
+    }
+}
+
+static double stored(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
+                     const double *v)
+{
+    struct strains strains;
+    (void)q, (void)v;
+    strains_at(&strains, e, s, f);
+    return energy(&strains);
+}
+
+static void sort(struct part_of *p, const struct model *m, const struct model_force *f)
+{
+    (void)m, (void)f;
+    p->stores = p->ends = true;
+}
+
+const struct element_kind element_between = {
+    .sort = sort, .load = load, .slopes = slopes, .stored = stored, .end = stored};
