@@ -9,7 +9,21 @@
  * whatever its frequency is.  What is left, g = J^-1 dphi, goes on from step to step by the recursion of fit.h.  Where
  * J knows little (rotation stiffens, say, or M^ changes fast) the recursion for a1 - a0 itself may foresee more: each
  * coordinate takes the one that has been closer, older steps fading.  Where that saves little, J is not asked for some
- * time. */
+ * time.
+ *
+ * What J buys: evaluations without it, in percent more, on the twelve decks of renewal.h:
+ *
+ *     chain 0, bar-slider 0, stiff-leaf-chain 0, four-bar 0, spin-up +2, cantilever +13, flexible-crank +34, axle +9,
+ *     andrews 0, whip +24, double-pendulum 0, heavy-top 0
+ *
+ * What the recursion costs: each coordinate has its own, so that a1 need not keep what the motion keeps, such as the
+ * length of a beam.  Where stiff modes follow others far above the step (in the segments of whip omega h is 10 and 18;
+ * soft-pendulum is such, too) this error is in the directions that a kept J knows worst: in whip the second
+ * correction is 0.067 of the first, and 0.009 where a1 goes on by the last difference, which keeps all that is linear,
+ * with first corrections as large.  There the last difference would take 15 to 22 percent less, but 11 percent more in the
+ * mean of all shipped decks under midpoint and newmark.  One recursion for all coordinates would take 16 to 22 percent
+ * less there, 17 to 24 more where coordinates swing each for itself (free-top, spring-pendulum), and nothing in the
+ * mean. */
 #ifndef FMDSUB_ENGINE_PREDICT_H
 #define FMDSUB_ENGINE_PREDICT_H
 

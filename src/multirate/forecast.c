@@ -6,19 +6,15 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-static const double FADE = .9;   /* weight of the step before */
-static const double PROVED = .1; /* of the squares left, where miss is believed */
-
 void forecast_open(struct forecast *f, const struct decouple *dec, struct arena *life)
 {
     *f = (struct forecast){.ns = dec->ns, .nl = dec->nl, .ml = dec->ml};
-    double **fast[] = {&f->as,  &f->dx,   &f->vs,   &f->trend, &f->mean, &f->said, &f->with, &f->without,
-                       &f->phi, &f->phi1, &f->phi2, &f->c,     &f->g,    &f->x,    &f->v,    &f->s};
+    double **fast[] = {&f->as,   &f->dx, &f->vs, &f->trend, &f->phi, &f->phi1,
+                       &f->phi2, &f->c,  &f->g,  &f->x,     &f->v,   &f->s};
     double **known[] = {&f->y, &f->w, &f->dy, &f->dw};
-    for (int i = 0; i < 16; i++) *fast[i] = TAKE(life, double, f->ns);
+    for (int i = 0; i < 12; i++) *fast[i] = TAKE(life, double, f->ns);
     for (int i = 0; i < 4; i++) *known[i] = TAKE(life, double, f->ml);
     f->fit = TAKE(life, struct fit, f->nl);
-    f->miss = TAKE(life, struct fit, f->ns);
     f->ay = TAKE(life, double, f->nl);
     f->aybefore = TAKE(life, double, f->nl);
 }
@@ -37,9 +33,6 @@ void forecast_forget(struct forecast *f, const struct decouple *dec, const doubl
     copy(f->w, u0, f->ml);
     f->H = f->Hbefore = H;
     for (int i = 0; i < f->nl; i++) f->fit[i] = (struct fit){0};
-    for (int i = 0; i < f->ns; i++) f->miss[i] = (struct fit){0};
-    zero(f->with, f->ns);
-    zero(f->without, f->ns);
     f->kept = 0;
 }
 
@@ -51,15 +44,6 @@ static void slow_driving(struct forecast *f, const struct response *p, const dou
     dense_gemv(f->c, p->h, KSL, f->y, ns, ml, n);
     dense_gemv(f->c, p->h, CSL, f->dw, ns, ml, n);
     dense_gemv(f->g, p->h * p->H, KSL, w, ns, ml, n);
-}
-
-static void mean_of(double *mean, const double *d, int ns, int ratio)
-{
-    for (int i = 0; i < ns; i++) {
-        double sum = 0;
-        for (int k = 0; k < ratio; k++) sum += d[i + (long)k * ns];
-        mean[i] = sum / ratio;
-    }
 }
 
 /* What a step that failed has left of phi is worth nothing. */
@@ -99,12 +83,6 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     }
     copy(f->v, v0, ns);
     response_run(p, d, f->c, f->g, f->x, f->v, f->s, 0);
-    mean_of(f->mean, d, ns, p->ratio);
-    for (int i = 0; i < ns; i++) {
-        double miss = f->said[i] = fit_next(&f->miss[i]);
-        if (f->with[i] > PROVED * f->without[i]) continue;
-        for (int k = 0; k < p->ratio; k++) d[i + (long)k * ns] += miss;
-    }
 }
 
 /* c := what the slow coordinates do to the fast rows in minor step k. */
@@ -213,13 +191,6 @@ void forecast_keep(struct forecast *f, const struct response *p, const struct fo
         f->as[i] = d[i] / x->h;
         f->dx[i] = x->dx[i];
         f->vs[i] = x->dx[i] / x->h;
-    }
-    mean_of(f->c, x->d, f->ns, x->ratio);
-    for (int i = 0; i < f->ns; i++) {
-        double miss = f->c[i] - f->mean[i], left = miss - f->said[i];
-        f->with[i] = FADE * f->with[i] + left * left;
-        f->without[i] = FADE * f->without[i] + miss * miss;
-        fit_learn(&f->miss[i], miss);
     }
     double *before = f->aybefore, per = 1 / x->H;
     f->aybefore = f->ay;

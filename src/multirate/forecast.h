@@ -7,11 +7,9 @@
  *
  *     M d_k/h + K_SS x_k+1/2 + K_SL y_k+1/2 + C v_k = phi_k.
  *
- * Before the first sweep phi goes on from the last minor step with its trend over the last major step,
- * which is exact for a linear system under constant loads; what the mean of d_k so found has been off by in
- * the steps before is foreseen by the same kind of recursion, where that has proved.  In the first sweep phi goes on
- * from the minor steps that have just been found, by a parabola; from step to step, where du/n jumps, only its
- * differences do. */
+ * Before the first sweep phi goes on from the last minor step with its trend over the last major step, which is exact
+ * for a linear system under constant loads.  In the first sweep phi goes on from the minor steps that have just been
+ * found, by a parabola; from step to step, where du/n jumps, only its differences do. */
 #ifndef FMDSUB_MULTIRATE_FORECAST_H
 #define FMDSUB_MULTIRATE_FORECAST_H
 
@@ -24,9 +22,6 @@ struct forecast {
     double *as, *dx, *vs;      /* [ns] the last minor step: acceleration, displacement, mean velocity */
     double *y, *w;             /* [ml] half of its slow displacement, its slow velocity */
     double *trend;             /* [ns] rate of the force that the linear model does not know */
-    struct fit *miss;          /* [ns] of what the mean of d_k has been off by */
-    double *mean, *said;       /* [ns] the mean foreseen without it; what was expected of miss */
-    double *with, *without;    /* [ns] squares of what was left with it and without it, older ones fading */
     struct fit *fit;           /* [nl] */
     double *phi, *phi1, *phi2; /* [ns] of the last minor step, its first and second difference */
     int kept;                  /* the step foreseen last was accepted */

@@ -151,7 +151,8 @@ static double renewals(double *cost, double (*need)(int age, int step), double p
     return (double)steps / count;
 }
 
-/* (R + e T^2/2)/T is least at T = sqrt(2 R/e), where it is sqrt(2 R e). */
+/* (R + e T^2/2)/T is least at T = sqrt(2 R/e), where it is sqrt(2 R e).  Where no matrix is better than another they
+ * cost less than a tenth. */
 static void test_renewal(void **state)
 {
     (void)state;
@@ -163,7 +164,7 @@ static void test_renewal(void **state)
         assert_true(every > .7 * T && every < 1.3 * T);
         assert_true(cost < 2 + 1.1 * sqrt(2 * R * .02));
     }
-    assert_true(renewals(&cost, restless, 2, 4000) > 10 && cost < 1.06 * 2.5);
+    assert_true(renewals(&cost, restless, 2, 4000) > 8 && cost < 1.1 * 2.5);
 }
 
 static void test_need(void **state)
