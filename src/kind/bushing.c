@@ -1,85 +1,347 @@
-/* bushing.c -- springs and dampers in all directions between two markers.
+/* bushing.c -- springs and dampers in all directions between two markers, right at any angle about one axis.
  *
- * In axes of the marker on a, with d = E'(x_b - x_a), its rate d' = E'(v_b - v_a - w_a x (x_b - x_a)), the rotation
- * vector phi of b's marker against a's, phi' = T' W, W the relative angular velocity:
+ * Displacement.  d_i = e_i . (x_b - x_a) along axes e_i: those of the first marker, of the second, half-way between
+ * them, or fixed in the world.  With w the angular velocity of these axes, d_i' = e_i . (v_b - v_a - w x (x_b - x_a)).
  *
- *     V = (d.k d + phi.kr phi)/2,   losses  d'.c d' + W.cr W
+ * Rotation.  What takes the first marker's axes A to the second's, B, is a twist psi about the axis z, then a swing by
+ * the shortest way from z_a to z_b, with c = z_a x z_b, theta the angle of z_a and z_b, g = theta/sin theta:
  *
- * Forces act on both bodies at x_b: one line, so both momenta are kept. */
+ *     psi = atan2(y_a.x_b - x_a.y_b, x_a.x_b + y_a.y_b),     swing vector g c
+ *
+ * The swing does not depend on the twist, so that V = (kx theta_x^2 + ky theta_y^2 + kz psi^2)/2 with kz = 0 is the
+ * same at any angle about z.  (A quadratic form of the rotation vector is not: its stiffness against tilt grows with
+ * the turn about z.)  Along axes a_i of the first marker, b_i of the second, m_i half a twist and half a swing from
+ * either, with W the relative angular velocity,
+ *
+ *     theta_i = g c.a_i,     theta_i' = W.(g (cos theta a_i - (z_b.a_i) z_a) + g1 (c.a_i) c)
+ *     theta_i = g c.b_i,     theta_i' = W.(g (cos theta b_i - (z_a.b_i) z_b) + g1 (c.b_i) c)
+ *     theta_i = g c.m_i,     theta_i' = W.(G m_i - G1 (c.m_i) c)
+ *     psi' = W.(z_a + z_b)/(1 + cos theta)
+ *
+ * g1 = (1 - g cos theta)/sin^2 theta, G = (theta/2)/sin(theta/2), G1 = (G - 1)/sin^2 theta.  Only theta = pi is out of
+ * reach.  Dampers take W about the axes swung to the other marker's z axis (in the middle: as they are), which is z'
+ * across: a body that spins about its tilted axis is not braked by those about x and y.
+ *
+ * z is the axis about which the stiffness is another than about the two others; all three differing, the softest.  If
+ * all are the same the bushing is isotropic: V = k phi.phi/2 of the rotation vector phi, phi' = T'W.
+ *
+ * Swing and twist: Grassia, J. Graphics Tools 3 (1998) 29.  Axes half-way, so that the order of the bodies does not
+ * matter: Masarati & Morandini, Multibody Syst. Dyn. 23 (2010) 361.
+ *
+ * Torques are opposite on the two bodies, and so are forces, which act at one point: at the marker of the body that
+ * does not have the axes; half-way at the mean of both markers, with the torque by which these axes turn otherwise than
+ * the mean of the bodies.  So both momenta are kept; the angular one not with axes of the world. */
 #include "kind/bushing.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "la/rot.h"
 #include "la/vec3.h"
 
-static void slide(struct strains *o, const struct bushing *p, const struct between *x)
+/* --- rotations --------------------------------------------------------------------------------- */
+
+/* The axis that differs from the other two; of three that differ the smallest; -1: none does. */
+static int odd_one(const double *x)
+{
+    for (int i = 0; i < 3; i++)
+        if (x[(i + 1) % 3] == x[(i + 2) % 3]) return x[i] == x[(i + 1) % 3] ? -1 : i;
+    return x[0] < x[1] ? (x[0] < x[2] ? 0 : 2) : (x[1] < x[2] ? 1 : 2);
+}
+
+/* The axis of twist; -1: isotropic. */
+static int twist_axis(const struct bushing *p)
+{
+    const double *const by[] = {p->kr, p->cr, p->preload_r, p->rest_r};
+    int odd = -1;
+    for (int i = 0; i < 4 && odd < 0; i++) odd = odd_one(by[i]);
+    return odd;
+}
+
+/* How the axes B stand against A, both by column in the world. */
+struct turn {
+    int x, y, z; /* columns: z that of twist */
+    double A[9], B[9];
+    double c[3], sine, cosine, theta, g, psi;
+};
+
+static void find_turn(struct turn *o, int z)
+{
+    o->x = (z + 1) % 3, o->y = (z + 2) % 3, o->z = z;
+    const double *xa = o->A + 3 * o->x, *ya = o->A + 3 * o->y, *xb = o->B + 3 * o->x, *yb = o->B + 3 * o->y;
+    v3_cross(o->c, o->A + 3 * z, o->B + 3 * z);
+    o->sine = v3_norm(o->c);
+    o->cosine = v3_dot(o->A + 3 * z, o->B + 3 * z);
+    o->theta = atan2(o->sine, o->cosine);
+    o->g = o->sine > 0 ? o->theta / o->sine : 1;
+    o->psi = atan2(v3_dot(ya, xb) - v3_dot(xa, yb), v3_dot(xa, xb) + v3_dot(ya, yb));
+}
+
+/* Below this angle g1 and G1 are by their series: their differences lose digits [rad]. */
+static const double little = .05;
+
+/* row = g (cos theta e - (other.e) own) + g1 (c.e) c, for an axis e of the marker with the z axis `own`. */
+static void row_along(double *row, const struct turn *o, const double *e, const double *own, const double *other)
+{
+    const double t = o->theta * o->theta;
+    const double g1 = o->theta < little ? 1. / 3 + t * (2. / 15 + t * (2. / 63 + t * 4 / 675))
+                                        : (1 - o->g * o->cosine) / (o->sine * o->sine);
+    v3_scale(row, o->g * o->cosine, e);
+    v3_axpy(row, -o->g * v3_dot(other, e), own);
+    v3_axpy(row, g1 * v3_dot(o->c, e), o->c);
+}
+
+/* row = G e - G1 (c.e) c, for an axis e in the middle. */
+static void row_amid(double *row, const struct turn *o, const double *e)
+{
+    const double t = o->theta * o->theta, half = o->theta / 2, G = half > 0 ? half / sin(half) : 1;
+    const double G1 = o->theta < little ? 1. / 24 + t * (29. / 1920 + t * (1037. / 322560 + t * 82591 / 154828800))
+                                        : (G - 1) / (o->sine * o->sine);
+    v3_scale(row, G, e);
+    v3_axpy(row, -G1 * v3_dot(o->c, e), o->c);
+}
+
+/* p, which is across `from`, with the shortest turn that takes `from` to `to`. */
+static void swing(double *p, const double *from, const double *to)
+{
+    const double share = v3_dot(to, p) / (1 + v3_dot(from, to));
+    for (int i = 0; i < 3; i++) p[i] -= share * (from[i] + to[i]);
+}
+
+/* Axes E of one marker swung to the z axis of the other. */
+static void swing_axes(double *D, const struct turn *o, const double *E, const double *to)
+{
+    v3_copy(D + 3 * o->x, E + 3 * o->x);
+    v3_copy(D + 3 * o->y, E + 3 * o->y);
+    v3_copy(D + 3 * o->z, to);
+    swing(D + 3 * o->x, E + 3 * o->z, to);
+    swing(D + 3 * o->y, E + 3 * o->z, to);
+}
+
+/* The axes M half a twist and half a swing from A. */
+static void find_middle(double *M, const struct turn *o)
+{
+    const double cosine = cos(o->psi / 2), sine = sin(o->psi / 2), *xa = o->A + 3 * o->x, *ya = o->A + 3 * o->y;
+    double E[9], h[3];
+    for (int i = 0; i < 3; i++) {
+        E[3 * o->x + i] = cosine * xa[i] + sine * ya[i];
+        E[3 * o->y + i] = cosine * ya[i] - sine * xa[i];
+    }
+    v3_copy(E + 3 * o->z, o->A + 3 * o->z);
+    v3_sum(h, o->A + 3 * o->z, o->B + 3 * o->z);
+    v3_scale(h, 1 / v3_norm(h), h);
+    swing_axes(M, o, E, h);
+}
+
+/* --- strains ----------------------------------------------------------------------------------- */
+
+/* The axes that displacements are measured along; world. */
+struct axes {
+    double E[9], w[3];           /* by column; their angular velocity [rad/s] */
+    bool own;                    /* they turn otherwise than the mean of the bodies by */
+    double h[3], N[3], n_h, h_n; /* n_h N (h.W) - h_n h (N.W), W = w_b - w_a */
+};
+
+/* With cos alpha = |z_a + z_b|/2, alpha = theta/2, and N = h x c. */
+static void take_middle(struct axes *o, const struct between *x, const struct turn *t)
+{
+    double W[3], sum[3], size;
+    find_middle(o->E, t);
+    v3_sum(sum, t->A + 3 * t->z, t->B + 3 * t->z);
+    size = v3_norm(sum) / 2;
+    v3_copy(o->h, o->E + 3 * t->z);
+    v3_cross(o->N, o->h, t->c);
+    o->n_h = 1 / (4 * size * size);
+    o->h_n = 1 / (4 * size * (1 + size));
+    v3_diff(W, x->b.w, x->a.w);
+    v3_sum(o->w, x->a.w, x->b.w);
+    v3_scale(o->w, .5, o->w);
+    v3_axpy(o->w, o->n_h * v3_dot(o->h, W), o->N);
+    v3_axpy(o->w, -o->h_n * v3_dot(o->N, W), o->h);
+    o->own = x->space == 3;
+}
+
+/* The axes, and the places where forces act. */
+static void find_axes(struct axes *o, struct strains *to, const struct bushing *p, const struct between *x,
+                      const struct turn *t)
+{
+    const struct frame *of = p->axes == AXES_SECOND ? &x->b : &x->a, *at = p->axes == AXES_SECOND ? &x->a : &x->b;
+    *o = (struct axes){.own = false};
+    v3_copy(to->at_a, x->a.x);
+    v3_copy(to->at_b, x->b.x);
+    if (p->axes == AXES_WORLD) {
+        memcpy(o->E, p->on.drawn, sizeof o->E);
+    } else if (p->axes == AXES_MIDDLE) {
+        take_middle(o, x, t);
+        v3_sum(to->at_a, x->a.x, x->b.x);
+        v3_scale(to->at_a, .5, to->at_a);
+        v3_copy(to->at_b, to->at_a);
+    } else {
+        memcpy(o->E, of->E, sizeof o->E);
+        v3_copy(o->w, of->w);
+        v3_copy(to->at_a, at->x);
+        v3_copy(to->at_b, at->x);
+    }
+}
+
+/* The torque that e_i x d has of its own in axes in the middle. */
+static void couple(struct strain *s, const struct axes *m, const double *d)
+{
+    double C[3];
+    v3_cross(C, s->dir, d);
+    v3_scale(s->on_b, m->n_h * v3_dot(m->N, C), m->h);
+    v3_axpy(s->on_b, -m->h_n * v3_dot(m->h, C), m->N);
+    v3_scale(s->on_a, -1, s->on_b);
+}
+
+static void slide(struct strains *o, const struct bushing *p, const struct between *x, const struct turn *t)
 {
     double d[3], rate[3], turned[3];
+    struct axes m;
+    find_axes(&m, o, p, x, t);
     v3_diff(d, x->b.x, x->a.x);
     v3_diff(rate, x->b.v, x->a.v);
-    v3_cross(turned, x->a.w, d);
+    v3_cross(turned, m.w, d);
     v3_take(rate, turned);
-    v3_copy(o->at_a, x->b.x);
-    v3_copy(o->at_b, x->b.x);
     for (int i = 0; i < 3; i++) {
         struct strain *s = &o->of[o->n++];
-        v3_copy(s->dir, x->a.E + 3 * i);
+        v3_copy(s->dir, m.E + 3 * i);
         s->s = v3_dot(s->dir, d);
         s->rate = v3_dot(s->dir, rate);
         s->slides = true;
-        s->turns = false;
-        s->law = (struct affine){p->k[i], p->c[i], 0, 0};
+        s->turns = m.own;
+        if (s->turns) couple(s, &m, d);
+        s->law = (struct affine){p->k[i], p->c[i], p->rest[i], p->preload[i]};
     }
 }
 
-/* A turn s about dir, which is in world axes. */
-static void add_turn(struct strains *o, double s, const double *dir, const double *W, double k, double c)
+/* row of the axes A, which stand still, as one of the first marker's own: what takes its axes to the second's takes
+ * on_a to row. */
+static void carry_back(double *on_a, const double *row, const struct between *x)
 {
-    struct strain *to = &o->of[o->n++];
-    v3_copy(to->on_b, dir);
-    v3_scale(to->on_a, -1, dir);
-    to->s = s;
-    to->rate = v3_dot(dir, W);
-    to->slides = false;
-    to->turns = true;
-    to->law = (struct affine){k, c, 0, 0};
+    double in[3];
+    m3_tmul(in, x->b.E, row);
+    m3_mul(on_a, x->a.E, in);
 }
 
-static void turn(struct strains *o, const struct bushing *p, const struct between *x, const double *W)
+/* A turn s with its row; still: of the world's axes. */
+static void add_turn(struct strains *o, double s, const double *row, struct affine law, const struct between *x,
+                     bool still)
 {
-    double R[9], phi[3], T[9], dir[3];
+    struct strain *to = &o->of[o->n++];
+    v3_copy(to->on_b, row);
+    v3_copy(to->on_a, row);
+    if (still) carry_back(to->on_a, row, x);
+    v3_scale(to->on_a, -1, to->on_a);
+    to->s = s;
+    to->rate = v3_dot(to->on_b, x->b.w) + v3_dot(to->on_a, x->a.w);
+    to->slides = false;
+    to->turns = true;
+    to->law = law;
+}
+
+static struct affine spring_about(const struct bushing *p, int i)
+{
+    return (struct affine){p->kr[i], 0, p->rest_r[i], p->preload_r[i]};
+}
+
+/* Along the angular velocity about the axes D. */
+static void damp(struct strains *o, const struct bushing *p, const struct between *x, const double *D, bool still)
+{
+    for (int i = 0; i < 3; i++) add_turn(o, 0, D + 3 * i, (struct affine){.c = p->cr[i]}, x, still);
+}
+
+static void swing_and_twist(struct strains *o, const struct bushing *p, const struct between *x, const struct turn *t)
+{
+    const bool still = p->axes == AXES_WORLD, middle = p->axes == AXES_MIDDLE, second = p->axes == AXES_SECOND;
+    const double *E = second ? t->B : t->A, *za = t->A + 3 * t->z, *zb = t->B + 3 * t->z;
+    const double *own = second ? zb : za, *other = second ? za : zb;
+    double row[3], D[9];
+    if (middle)
+        find_middle(D, t), E = D;
+    else
+        swing_axes(D, t, E, other);
+    for (int i = 1; i < 3; i++) {
+        const int k = (t->z + i) % 3;
+        const double *e = E + 3 * k;
+        if (middle)
+            row_amid(row, t, e);
+        else
+            row_along(row, t, e, own, other);
+        add_turn(o, t->g * v3_dot(t->c, e), row, spring_about(p, k), x, still);
+    }
+    v3_sum(row, za, zb);
+    v3_scale(row, 1 / (1 + t->cosine), row);
+    add_turn(o, t->psi, row, spring_about(p, t->z), x, still);
+    damp(o, p, x, D, still);
+}
+
+/* Along the rotation vector. */
+static void isotropic(struct strains *o, const struct bushing *p, const struct between *x)
+{
+    double R[9], phi[3], T[9], row[3];
     m3_tmulm(R, x->a.E, x->b.E);
     vector_of_matrix(phi, R);
     vector_rate(T, phi);
-    for (int i = 0; i < 3; i++) add_turn(o, 0, x->a.E + 3 * i, W, 0, p->cr[i]);
     for (int i = 0; i < 3; i++) {
-        m3_mul(dir, x->a.E, T + 3 * i); /* phi_i' = (column i of T) . W */
-        add_turn(o, phi[i], dir, W, p->kr[i], 0);
+        m3_mul(row, x->a.E, T + 3 * i); /* phi_i' = (column i of T) . W */
+        add_turn(o, phi[i], row, spring_about(p, i), x, false);
     }
+    damp(o, p, x, x->a.E, false);
+}
+
+static void take_turn(struct turn *o, const struct bushing *p, const struct between *x, int z)
+{
+    double Q[9];
+    memcpy(o->A, x->a.E, sizeof o->A);
+    memcpy(o->B, x->b.E, sizeof o->B);
+    if (p->axes == AXES_WORLD) {
+        m3_mulmt(Q, x->b.E, x->a.E);
+        memcpy(o->A, p->on.drawn, sizeof o->A);
+        m3_mulm(o->B, Q, o->A);
+    }
+    find_turn(o, z);
 }
 
 static void strains(struct strains *o, const void *par, const struct between *x)
 {
     const struct bushing *p = par;
-    double W[3];
+    const int z = x->space == 2 ? 2 : twist_axis(p);
+    struct turn t;
+    take_turn(&t, p, x, z < 0 ? 2 : z);
+    if (x->space == 2) t.psi = x->a.E[8] * x->angle;
     o->n = 0;
-    v3_diff(W, x->b.w, x->a.w);
-    slide(o, p, x);
+    slide(o, p, x, &t);
     if (x->space == 2)
-        add_turn(o, x->a.E[8] * x->angle, x->a.E + 6, W, p->kr[2], p->cr[2]);
+        add_turn(o, t.psi, x->a.E + 6, (struct affine){p->kr[2], p->cr[2], p->rest_r[2], p->preload_r[2]}, x, false);
+    else if (z < 0)
+        isotropic(o, p, x);
     else
-        turn(o, p, x, W);
+        swing_and_twist(o, p, x, &t);
 }
+
+/* --- keys -------------------------------------------------------------------------------------- */
 
 static const struct key keys[] = {
     MARKER_KEYS(struct bushing, on, "bushing"),
+    PARAM_WORD(
+        struct bushing, axes, "axes", "first|second|middle|world", 0, "first",
+        "whose axes it measures along and pushes along: of the first body, the second, half-way between them, or "
+        "fixed in the world"),
     PARAM_VECTOR(struct bushing, k, "stiffness", "N/m", 0, INFINITY, 0, "along its axes; default 0"),
     PARAM_VECTOR(struct bushing, kr, "rotation", "N m/rad", 0, INFINITY, KEY_ABOUT,
                  "stiffness about its axes; default 0"),
     PARAM_VECTOR(struct bushing, c, "damping", "N s/m", 0, INFINITY, 0, "along its axes; default 0"),
     PARAM_VECTOR(struct bushing, cr, "rotation_damping", "N m s/rad", 0, INFINITY, KEY_ABOUT,
                  "about its axes; default 0"),
+    PARAM_VECTOR(struct bushing, preload, "preload", "N", -INFINITY, INFINITY, 0,
+                 "force on the second body at rest, along its axes; default 0"),
+    PARAM_VECTOR(struct bushing, preload_r, "rotation_preload", "N m", -INFINITY, INFINITY, KEY_ABOUT,
+                 "torque on the second body at rest, about its axes; default 0"),
+    PARAM_VECTOR(struct bushing, rest, "rest", "m", -INFINITY, INFINITY, 0,
+                 "displacement at which stiffness gives no force; default 0, as drawn"),
+    PARAM_VECTOR(struct bushing, rest_r, "rotation_rest", "rad", -INFINITY, INFINITY, KEY_ABOUT,
+                 "rotation at which stiffness gives no torque; default 0, as drawn"),
     KEYS_END};
 
 const struct force_kind force_bushing = {.name = "bushing",

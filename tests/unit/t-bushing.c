@@ -1,0 +1,304 @@
+/* t-bushing.c -- bushings: rows of their strains against differences, which frame sees what, tilt at any twist, small
+ * rotations, energy and momentum of runs. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "unit/trees.h"
+
+#include <cmocka.h>
+
+#include "unit/opened.h"
+
+enum { SEEDS = 40, KINDS = 5 };
+
+/* Which axis is that of twist: z, x, y, by damping, none (isotropic). */
+static struct bushing bushing_of(int kind, int axes, struct tree_dice *d)
+{
+    static const double kr[KINDS][3] = {{3, 2, 0}, {0, 3, 3}, {3, 1, 2}, {2, 2, 2}, {2, 2, 2}};
+    static const double cr[KINDS][3] = {{1, 1, 1}, {0, 0, 0}, {1, 2, 3}, {1, 1, 3}, {1, 1, 1}};
+    struct bushing p = {.axes = axes};
+    double q[4];
+    tree_quaternion(q, d, 3);
+    quat_matrix(p.on.drawn, q);
+    for (int i = 0; i < 3; i++) {
+        p.k[i] = 10 + 5 * i, p.c[i] = 1 + i;
+        p.kr[i] = kr[kind][i], p.cr[i] = cr[kind][i];
+        p.rest[i] = .1 * i, p.preload[i] = 2 - i;
+        if (kind < 3) p.rest_r[i] = .2 - .1 * i, p.preload_r[i] = i - .5;
+    }
+    return p;
+}
+
+/* Two markers that move; what turns them has an angle of up to `most`. */
+static struct between two_markers(struct tree_dice *d, double most)
+{
+    struct between x = {.space = 3};
+    struct frame *of[2] = {&x.a, &x.b};
+    double q[2][4], phi[3];
+    tree_quaternion(q[0], d, 3);
+    for (int i = 0; i < 3; i++) phi[i] = tree_roll(d, -1, 1);
+    v3_scale(phi, 2 * tan(most / 4) / v3_norm(phi), phi);
+    quat_cay(q[1], phi);
+    quat_mul(q[1], q[0], q[1]);
+    for (int k = 0; k < 2; k++) {
+        quat_matrix(of[k]->E, q[k]);
+        for (int i = 0; i < 3; i++) {
+            of[k]->x[i] = tree_roll(d, -1, 1), of[k]->v[i] = tree_roll(d, -2, 2), of[k]->w[i] = tree_roll(d, -3, 3);
+        }
+    }
+    return x;
+}
+
+/* Where they are a time later: constant velocities, angular ones in the world. */
+static struct between later(const struct between *x, double t)
+{
+    struct between y = *x;
+    struct frame *of[2] = {&y.a, &y.b};
+    for (int k = 0; k < 2; k++) {
+        double size = v3_norm(of[k]->w), q[4], R[9], E[9];
+        q[0] = cos(size * t / 2);
+        v3_scale(q + 1, sin(size * t / 2) / size, of[k]->w);
+        quat_matrix(R, q);
+        m3_mulm(E, R, of[k]->E);
+        memcpy(of[k]->E, E, sizeof E);
+        v3_axpy(of[k]->x, t, of[k]->v);
+    }
+    return y;
+}
+
+/* s' of the row: dir.(v_b - v_a) + on_a.w_a + on_b.w_b at the points where the forces act. */
+static double rate_by_row(const struct strains *o, const struct strain *s, const struct between *x)
+{
+    double arm[3], va[3], vb[3], d[3], rate = 0;
+    if (s->slides) {
+        v3_diff(arm, o->at_a, x->a.x), v3_cross(va, x->a.w, arm), v3_add(va, x->a.v);
+        v3_diff(arm, o->at_b, x->b.x), v3_cross(vb, x->b.w, arm), v3_add(vb, x->b.v);
+        v3_diff(d, vb, va);
+        rate += v3_dot(s->dir, d);
+    }
+    if (s->turns) rate += v3_dot(s->on_a, x->a.w) + v3_dot(s->on_b, x->b.w);
+    return rate;
+}
+
+#define EVERY(kind, axes, seed)                                                                                        \
+    for (int kind = 0; kind < KINDS; kind++)                                                                           \
+        for (int axes = 0; axes < 4; axes++)                                                                           \
+            for (unsigned seed = 0; seed < SEEDS; seed++)
+
+/* All that has stiffness: rate, row and the difference of the strain agree, at angles small and large. */
+static void rows_are_what_strains_change_by(void **state)
+{
+    static const double at[4] = {-2, -1, 1, 2}, weight[4] = {1. / 12, -2. / 3, 2. / 3, -1. / 12}, e = 3e-4;
+    (void)state;
+    EVERY(kind, axes, seed)
+    {
+        struct tree_dice d = {seed + 1};
+        const struct bushing p = bushing_of(kind, axes, &d);
+        const struct between x = two_markers(&d, seed % 4 ? tree_roll(&d, .1, 2.5) : tree_roll(&d, .04, .06));
+        struct strains now, then;
+        double change[MOST_STRAINS] = {0};
+        force_bushing.strains(&now, &p, &x);
+        for (int k = 0; k < 4; k++) {
+            const struct between y = later(&x, at[k] * e);
+            force_bushing.strains(&then, &p, &y);
+            for (int i = 0; i < now.n; i++) change[i] += weight[k] / e * then.of[i].s;
+        }
+        for (int i = 0; i < now.n; i++) {
+            const struct strain *s = &now.of[i];
+            near(rate_by_row(&now, s, &x), s->rate, 1e-13 * 20);
+            if (s->law.k > 0) near(s->rate, change[i], seed % 4 ? 1e-8 : 1e-10);
+        }
+    }
+}
+
+/* What the strains' forces do on both bodies together. */
+static void resultant(double *F, double *N, const struct strains *o)
+{
+    double f[3] = {0}, n[3] = {0}, arm[3];
+    for (int i = 0; i < o->n; i++) {
+        const struct strain *s = &o->of[i];
+        const double size = s->law.preload - s->law.k * (s->s - s->law.rest) - s->law.c * s->rate;
+        if (s->slides) v3_axpy(f, size, s->dir);
+        if (s->turns) v3_axpy(n, size, s->on_a), v3_axpy(n, size, s->on_b);
+    }
+    v3_diff(arm, o->at_b, o->at_a);
+    v3_cross_add(n, arm, f);
+    v3_copy(F, f), v3_copy(N, n);
+}
+
+/* No net moment, but with axes of the world; and damping takes. */
+static void momentum_is_kept(void **state)
+{
+    (void)state;
+    EVERY(kind, axes, seed)
+    {
+        struct tree_dice d = {seed + 1};
+        const struct bushing p = bushing_of(kind, axes, &d);
+        const struct between x = two_markers(&d, tree_roll(&d, .1, 3));
+        struct strains o;
+        double F[3], N[3];
+        force_bushing.strains(&o, &p, &x);
+        resultant(F, N, &o);
+        if (axes == AXES_WORLD)
+            assert_true(v3_norm(N) > 1e-3);
+        else
+            assert_true(v3_norm(N) < 1e-12 * (1 + v3_norm(F)) * 100);
+        for (int i = 0; i < o.n; i++) assert_true(o.of[i].law.c >= 0);
+    }
+}
+
+static struct between swapped(const struct between *x)
+{
+    return (struct between){.space = x->space, .a = x->b, .b = x->a, .angle = -x->angle};
+}
+
+/* The second body's axes are the first's of the bushing with its bodies swapped; half-way it does not matter. */
+static void the_order_of_the_bodies(void **state)
+{
+    (void)state;
+    EVERY(kind, axes, seed)
+    {
+        struct tree_dice d = {seed + 1};
+        struct bushing p = bushing_of(kind, axes, &d);
+        const struct between x = two_markers(&d, tree_roll(&d, .1, 2.5)), y = swapped(&x);
+        struct strains o, other;
+        force_bushing.strains(&o, &p, &x);
+        p.axes = axes == AXES_FIRST ? AXES_SECOND : axes == AXES_SECOND ? AXES_FIRST : axes;
+        force_bushing.strains(&other, &p, &y);
+        if (axes == AXES_WORLD) continue;
+        for (int i = 0; i < o.n; i++) {
+            near(o.of[i].s, -other.of[i].s, 1e-13);
+            if (o.of[i].law.k > 0) near(o.of[i].rate, -other.of[i].rate, 1e-12);
+        }
+    }
+}
+
+/* Twisted by any angle about its axis the second marker has the same swing; the twist takes all of that angle. */
+static void tilt_does_not_know_the_twist(void **state)
+{
+    (void)state;
+    for (int axis = 0; axis < 3; axis++)
+        for (unsigned seed = 0; seed < SEEDS; seed++) {
+            struct tree_dice d = {seed + 1};
+            struct bushing p = {.axes = AXES_FIRST, .kr = {2, 3, seed % 2 ? 2 : 4}};
+            struct between x = two_markers(&d, tree_roll(&d, .1, 2.5));
+            struct strains o, turned;
+            double q[4] = {0}, R[9], E[9], swing = 0, with = 0;
+            p.kr[axis] = 0;
+            force_bushing.strains(&o, &p, &x);
+            const double angle = tree_roll(&d, -3, 3);
+            q[0] = cos(angle / 2), q[1 + axis] = sin(angle / 2);
+            quat_matrix(R, q);
+            m3_mulm(E, x.b.E, R);
+            memcpy(x.b.E, E, sizeof E);
+            force_bushing.strains(&turned, &p, &x);
+            for (int i = 3; i < 5; i++) {
+                near(turned.of[i].s, o.of[i].s, 1e-13);
+                swing += o.of[i].s * o.of[i].s, with += turned.of[i].s * turned.of[i].s;
+            }
+            near(with, swing, 1e-13);
+            near(remainder(turned.of[5].s - o.of[5].s - angle, 2 * acos(-1)), 0, 1e-12);
+        }
+}
+
+/* Of small rotations: those of the rotation vector, to second order; half-way to third. */
+static void small_rotations(void **state)
+{
+    (void)state;
+    for (int axes = 0; axes < 4; axes++)
+        for (unsigned seed = 0; seed < SEEDS; seed++) {
+            for (double size = 1e-1; size > 1e-4; size /= 10) {
+                struct tree_dice d = {seed + 1};
+                const struct bushing p = {.axes = axes, .kr = {3, 2, 1}};
+                struct between x = two_markers(&d, size);
+                double R[9], phi[3];
+                struct strains o;
+                if (axes == AXES_WORLD) memcpy((double *)p.on.drawn, x.a.E, sizeof x.a.E);
+                force_bushing.strains(&o, &p, &x);
+                m3_tmulm(R, x.a.E, x.b.E);
+                vector_of_matrix(phi, R);
+                for (int i = 0; i < 3; i++)
+                    near(o.of[3 + i].s, phi[i], axes == AXES_MIDDLE ? size * size * size / 8 : size * size / 2);
+            }
+        }
+}
+
+/* --- runs ---------------------------------------------------------------------------------------- */
+
+#define DISC                                                                                                           \
+    "space: 3d\n"                                                                                                      \
+    "bodies: {d: {mass: 1, inertia: [0.01, 0.01, 0.02], at: [0, 0, 0]}}\n"                                             \
+    "constraints: {f: {free: [ground, d], at: [0, 0, 0]}}\n"
+
+/* Tilt of a disc that is free about its axis: 15.9155 Hz at any angle. */
+static void tilt_frequency(void **state)
+{
+    static const double angle[] = {.01, 1, 2, 3, 3.13, 3.1415926};
+    (void)state;
+    for (size_t k = 0; k < sizeof angle / sizeof *angle; k++)
+        for (int axes = 0; axes < 4; axes++) {
+            static const char *const words[] = {"first", "second", "middle", "world"};
+            struct opened o;
+            char text[600];
+            snprintf(text, sizeof text,
+                     DISC "forces: {b: {bushing: [ground, d], at: [0, 0, 0], rotation: [100, 100, 0], axes: %s}}\n"
+                          "initial: {f.rotation: {axis: [0, 0, 1], angle: %.17g}}\n"
+                          "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n",
+                     words[axes], angle[k]);
+            open_deck(&o, text);
+            const struct ode2 *ode = system_ode2(o.sim.system);
+            const struct instant x = {.q = o.sim.x.q, .v = o.sim.x.v};
+            double K[36], dx[6] = {0}, q[7], r[6];
+            assert_int_equal(ode->ops->slopes(ode, K, NULL, &x, ALL, NULL), OK);
+            for (int i = 3; i < 6; i++) near(sqrt(fabs(K[7 * i]) / (i < 5 ? .01 : .02)), i < 5 ? 100 : 0, 1e-5);
+            dx[3] = 1e-4; /* and by the force of a tilt */
+            ode->move->point(ode, q, o.sim.x.q, dx, 1, 0);
+            const struct instant tilted = {.q = q, .v = o.sim.x.v};
+            assert_int_equal(ode->ops->resid(ode, r, NULL, NULL, &tilted, ALL, NULL), OK);
+            near(r[3], 100 * 1e-4, 1e-10);
+            arena_close(o.life);
+        }
+}
+
+/* Ten turns and more, tilted, off its centre: the balance is kept to round-off. */
+static void energy_of_a_spinning_disc(void **state)
+{
+    static const char *const scheme[] = {"midpoint, step: 1.0e-3", "subcycle, step: 1.0e-3, ratio: 5"};
+    static const char *const words[] = {"first", "second", "middle", "world"};
+    (void)state;
+    for (int k = 0; k < 2; k++)
+        for (int axes = 0; axes < 4; axes++) {
+            struct opened o;
+            char text[800];
+            snprintf(text, sizeof text,
+                     DISC "forces: {b: {bushing: [ground, d], at: [0, 0, 0.1], stiffness: [1000, 2000, 1500],\n"
+                          "  rotation: [100, 60, 0], preload: [1, 2, 3], rest: [0, 0.01, 0], axes: %s}}\n"
+                          "initial: {f.rotation: {axis: [1, 0.3, 0], angle: 0.2}, f.omega: [0.5, 0, 62.8]}\n"
+                          "partition: {fast: [f]}\n"
+                          "integrate: {scheme: %s, until: 1.2, newton_tolerance: 1.0e-13}\n"
+                          "output: {every: 0.1, columns: [energy.residual]}\n",
+                     words[axes], scheme[k]);
+            open_deck(&o, text);
+            run(&o);
+            near(o.sim.ledger.worst / o.sim.ledger.norm, 0, 1e-10);
+            arena_close(o.life);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_are_what_strains_change_by),
+        cmocka_unit_test(momentum_is_kept),
+        cmocka_unit_test(the_order_of_the_bodies),
+        cmocka_unit_test(tilt_does_not_know_the_twist),
+        cmocka_unit_test(small_rotations),
+        cmocka_unit_test(tilt_frequency),
+        cmocka_unit_test(energy_of_a_spinning_disc),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
