@@ -101,8 +101,7 @@ static void along_wrench(double *f, double *n, const struct loops *o, int i)
     v3_scale(f, 1 / o->length, o->axes[i].e);
 }
 
-static const struct equation along = {
-    .first = true, .seen = true, .value = along_value, .rate2 = along_rate2, .force = true, .wrench = along_wrench};
+static const struct equation along = {FIRST | SEEN_POINT, FORCE, along_value, along_rate2, along_wrench, NULL};
 
 /* ---- lean: axis i of the first and axis j of the second stay at right angles ---- */
 
@@ -123,8 +122,7 @@ static void lean_wrench(double *f, double *n, const struct loops *o, int i)
     v3_cross(n, o->axes[i].g, o->axes[i].e);
 }
 
-static const struct equation lean = {
-    .first = true, .second = true, .value = lean_value, .rate2 = lean_rate2, .moment = true, .wrench = lean_wrench};
+static const struct equation lean = {FIRST | SECOND, MOMENT, lean_value, lean_rate2, lean_wrench, NULL};
 
 /* ---- turn: in the plane both bodies have turned alike ---- */
 
@@ -145,7 +143,7 @@ static void turn_wrench(double *f, double *n, const struct loops *o, int i)
     v3_set(n, 0, 0, 1);
 }
 
-static const struct equation turn = {.value = turn_value, .rate2 = turn_rate2, .moment = true, .wrench = turn_wrench};
+static const struct equation turn = {0, MOMENT, turn_value, turn_rate2, turn_wrench, NULL};
 
 /* ---- span: the second's point keeps its distance from the first's ---- */
 
@@ -176,8 +174,7 @@ static double span_shown(const struct loops *o, int i, double x)
     return x / o->length;
 }
 
-static const struct equation span = {
-    .value = span_value, .rate2 = span_rate2, .force = true, .wrench = span_wrench, .shown = span_shown};
+static const struct equation span = {0, FORCE, span_value, span_rate2, span_wrench, span_shown};
 
 /* ---- sum: coordinates times factors sum to 0 ---- */
 
@@ -200,7 +197,7 @@ static double sum_shown(const struct loops *o, int i, double x)
     return x * l->term[l->nterm - 1].factor / o->scale[o->row[i].loop];
 }
 
-static const struct equation sum = {.value = sum_value, .rate2 = sum_rate2, .shown = sum_shown};
+static const struct equation sum = {0, 0, sum_value, sum_rate2, NULL, sum_shown};
 
 /* ---- drive: a measure stands where its drive has it, s(q) = c(t) ---- */
 
@@ -237,7 +234,7 @@ static double drive_rate2(const struct loops *o, int i, const double *a)
     return loops_scale(o, l) * second_measure(o, l, a) - o->c2[i];
 }
 
-static const struct equation drive = {.value = drive_value, .rate2 = drive_rate2};
+static const struct equation drive = {0, 0, drive_value, drive_rate2, NULL, NULL};
 
 /* ---- which there are ---- */
 
@@ -282,8 +279,10 @@ static void hold_axes(struct list *o, const struct joint_kind *kind)
 /* What the freedoms leave. */
 static void hold_bodies(struct list *o, const struct joint_kind *kind, int space)
 {
-    for (int i = 0; i < 3; i++)
-        if ((space == 3 || is_in_plane(kind, i)) && !joint_slide(kind, i)) add(o, &along, i, 0);
+    for (int i = 0; i < 3; i++) {
+        if (space == 2 && !is_in_plane(kind, i)) continue;
+        if (!joint_slide(kind, i)) add(o, &along, i, 0);
+    }
     if (space == 3)
         hold_axes(o, kind);
     else if (joint_turning(kind, NULL) == TURNS_NEVER)

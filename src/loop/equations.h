@@ -4,16 +4,18 @@
 
 #include "loop/loops_parts.h"
 
+/* What it needs: an axis of the first body, of the second, in o->axes[i]; for C'' the acceleration of the second's point
+ * as the first body sees it.  What it bears: a force, a moment; none if it is of coordinates. */
+enum { FIRST = 1, SECOND = 2, SEEN_POINT = 4 };
+enum { FORCE = 1, MOMENT = 2 };
+
 /* Row i of the loops, whose bodies loops_look() has looked at. */
 struct equation {
-    bool first, second; /* it has an axis of the first body, of the second: in o->axes[i] */
-    bool seen;          /* C'' takes the acceleration of the second's point as the first body sees it */
+    unsigned needs, bears;
     double (*value)(const struct loops *o, int i);
     /* C'' after speed_up(), with the coordinates' own accelerations a. */
     double (*rate2)(const struct loops *o, int i, const double *a);
-    /* Of two bodies: C' is f . (relative velocity at the second's point) + n . (relative angular velocity); writes those
-     * that it has.  NULL: of coordinates. */
-    bool force, moment;
+    /* What it bears, per unit: C' is f . (relative velocity at the second's point) + n . (relative angular velocity). */
     void (*wrench)(double *f, double *n, const struct loops *o, int i);
     /* Optional: what loops_force() shows for x = -lambda. */
     double (*shown)(const struct loops *o, int i, double x);

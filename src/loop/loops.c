@@ -21,8 +21,8 @@ static void look(struct loops *o, const struct sweep *s, int loop)
     v3_take(p->d, a);
     for (int i = o->first[loop]; i < o->first[loop + 1]; i++) {
         const struct loop_row *r = &o->row[i];
-        if (r->says->first) m3_mul(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
-        if (r->says->second) m3_mul(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
+        if (r->says->needs & FIRST) m3_mul(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
+        if (r->says->needs & SECOND) m3_mul(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
     }
 }
 
@@ -151,11 +151,11 @@ static void wrench_row(struct loops *o, const struct sweep *s, double *Cq, int l
     const struct equation *says = o->row[row].says;
     double f[3], n[3], back[2][3], *to = w->same ? o->grad.g : Cq + w->n[0];
     says->wrench(f, n, o, row);
-    if (says->force) v3_scale(back[0], -1, f);
-    if (says->moment) v3_scale(back[1], -1, n);
-    if (w->n[0] > 0)
-        o->ops->row(s, Cq, loop->first, w->from, x, says->force ? back[0] : NULL, says->moment ? back[1] : NULL);
-    if (w->n[1] > 0) o->ops->row(s, to, loop->second, w->from, x, says->force ? f : NULL, says->moment ? n : NULL);
+    const bool force = says->bears & FORCE, moment = says->bears & MOMENT;
+    if (force) v3_scale(back[0], -1, f);
+    if (moment) v3_scale(back[1], -1, n);
+    if (w->n[0] > 0) o->ops->row(s, Cq, loop->first, w->from, x, force ? back[0] : NULL, moment ? back[1] : NULL);
+    if (w->n[1] > 0) o->ops->row(s, to, loop->second, w->from, x, force ? f : NULL, moment ? n : NULL);
     if (w->same == 0) return;
     for (int k = 0; k < w->same; k++) Cq[k] += to[k];
     for (int k = w->same; k < w->n[1]; k++) Cq[w->n[0] + k - w->same] = to[k];
@@ -184,7 +184,7 @@ static void look_at_motion(struct loops *o, const struct sweep *s, int l)
     if (o->first[l] == o->first[l + 1]) return; /* it holds nothing */
     o->ops->pose(s, &p->A, loop->first);
     o->ops->pose(s, &p->B, loop->second);
-    if (o->row[o->first[l]].says->seen) equations_seen(p->seen, p);
+    if (o->row[o->first[l]].says->needs & SEEN_POINT) equations_seen(p->seen, p);
 }
 
 void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a)
@@ -203,8 +203,8 @@ static void wrench(double *f, double *n, const struct loops *o, int l, const dou
         const struct equation *says = o->row[i].says;
         double unit[2][3];
         says->wrench(unit[0], unit[1], o, i);
-        if (says->force) v3_axpy(f, -lambda[i], unit[0]);
-        if (says->moment) v3_axpy(n, -lambda[i], unit[1]);
+        if (says->bears & FORCE) v3_axpy(f, -lambda[i], unit[0]);
+        if (says->bears & MOMENT) v3_axpy(n, -lambda[i], unit[1]);
     }
 }
 
