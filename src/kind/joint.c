@@ -28,6 +28,14 @@ static const struct key keys_prismatic[] = {AT_CENTRE, AXIS(KEY_REQUIRED, "direc
                                             KEYS_END};
 static const struct key keys_cylindrical[] = {
     AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation and displacement"), LOOP, KEYS_END};
+static const struct key keys_screw[] = {
+    PARAM_REAL(struct joint_keys, number, "pitch", "m", -INFINITY, INFINITY, KEY_REQUIRED, NULL,
+               "displacement along the axis for each whole turn; negative: a left-handed thread"),
+    AT_REQUIRED,
+    AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation and displacement"),
+    RANGE("rad"),
+    LOOP,
+    KEYS_END};
 static const struct key keys_universal[] = {
     AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "first axis of rotation, fixed in the first body"),
     AXIS2(KEY_REQUIRED | KEY_SPATIAL, "second axis of rotation, fixed in the second body, at right angles"), LOOP,
@@ -89,6 +97,12 @@ static const struct joint_kind joints[JOINT_WORDS] = {
      .keys = keys_cylindrical,
      .spatial = true,
      .freedom = {{TURN(Z, "angle")}, {SLIDE(Z, "displacement")}}},
+    {.type = JOINT_SCREW,
+     .name = "screw",
+     .brief = "rotation about one axis with displacement along it: displacement = pitch * angle / (2 pi)",
+     .keys = keys_screw,
+     .spatial = true,
+     .freedom = {{TURN(Z, "angle"), .slides = true}}},
     {.type = JOINT_UNIVERSAL,
      .name = "universal",
      .brief = "rotation about two crossing axes at right angles",

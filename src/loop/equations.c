@@ -4,6 +4,7 @@
  * wr = w_B - w_A, and u = d' - w_A x d the velocity of B's point as A sees it:
  *
  *     along  C = e.d        C' = e.u            C'' = e.(d'' - al_A x d - w_A x (w_A x d) - 2 w_A x u)
+ *     helix  C = e.d - p theta                  C'' as along - p (al_B - al_A).e,   theta about e, an axis of both
  *     lean   C = e.g        C' = wr.(g x e)     C'' = e''.g + 2 e'.g' + e.g'',   e'' = al x e + w x (w x e)
  *     turn   C = phi_B - phi_A                  C'' = al_B - al_A
  *     span   C = |d| - L      C' = n.d'         C'' = n.d'' + (d'.d' - (n.d')^2)/|d|,   n = d/|d|
@@ -16,6 +17,8 @@
  * A sum's is the generalized force -lambda f_i on each of its coordinates, which is a matter of their joints: these
  * bear nothing of it. */
 #include "loop/equations.h"
+
+#include <math.h>
 
 /* ---- motion of points and axes ---- */
 
@@ -102,6 +105,44 @@ static void along_wrench(double *f, double *n, const struct loops *o, int i)
 }
 
 static const struct equation along = {FIRST | SEEN_POINT, FORCE, along_value, along_rate2, along_wrench, NULL};
+
+/* ---- helix: it has moved along axis i as the second has turned about it; by whole pitches more, as a thread lets it.
+ * Axis j is another one. ---- */
+
+static double pitch(const struct loops *o, int i) /* p [m/rad] */
+{
+    const struct model_loop *l = loop_of(o, i);
+    return joint_along(joint_slide(model_kind(o->model, l->type), o->row[i].i), l->number);
+}
+
+static double helix_value(const struct loops *o, int i)
+{
+    const struct loop_place *p = place_of(o, i);
+    const struct model_loop *l = loop_of(o, i);
+    const double *e = o->axes[i].e, *g = o->axes[i].g;
+    double x[3], y[3];
+    m3_mul(x, p->A.R, l->Ea + 3 * o->row[i].j);
+    v3_cross(y, e, x);
+    const double ahead = v3_dot(e, p->d) - pitch(o, i) * atan2(v3_dot(y, g), v3_dot(x, g));
+    return (l->number == 0 ? ahead : remainder(ahead, l->number)) / o->length;
+}
+
+static double helix_rate2(const struct loops *o, int i, const double *a)
+{
+    const struct loop_place *p = place_of(o, i);
+    double al[3];
+    v3_diff(al, p->B.al, p->A.al);
+    return along_rate2(o, i, a) - pitch(o, i) * v3_dot(o->axes[i].e, al) / o->length;
+}
+
+static void helix_wrench(double *f, double *n, const struct loops *o, int i)
+{
+    v3_scale(f, 1 / o->length, o->axes[i].e);
+    v3_scale(n, -pitch(o, i), f);
+}
+
+static const struct equation helix = {
+    FIRST | SECOND | SEEN_POINT, FORCE | MOMENT, helix_value, helix_rate2, helix_wrench, NULL};
 
 /* ---- lean: axis i of the first and axis j of the second stay at right angles ---- */
 
@@ -280,8 +321,10 @@ static void hold_axes(struct list *o, const struct joint_kind *kind)
 static void hold_bodies(struct list *o, const struct joint_kind *kind, int space)
 {
     for (int i = 0; i < 3; i++) {
+        const struct freedom *f = joint_slide(kind, i);
         if (space == 2 && !is_in_plane(kind, i)) continue;
-        if (!joint_slide(kind, i)) add(o, &along, i, 0);
+        if (!f) add(o, &along, i, 0);
+        if (f && f->turns) add(o, &helix, i, (i + 1) % 3);
     }
     if (space == 3)
         hold_axes(o, kind);

@@ -38,6 +38,7 @@ struct any_joint {
     enum joint_type type;
     int A, B;
     const double *a, *b, *Ea, *Eb;
+    double number;
 };
 
 struct mechanism {
@@ -83,7 +84,7 @@ static inline int joint_values(double *C, const struct any_joint *j, const struc
           [JOINT_FIXED] = {{1, 1, 1}, {1, 1, 1}, {0}},     [JOINT_REVOLUTE] = {{1, 1, 1}, {0}, {1, 1}},
           [JOINT_PRISMATIC] = {{1, 1, 0}, {1, 1, 1}, {0}}, [JOINT_CYLINDRICAL] = {{1, 1, 0}, {0}, {1, 1}},
           [JOINT_UNIVERSAL] = {{1, 1, 1}, {1, 0, 0}, {0}}, [JOINT_SPHERICAL] = {{1, 1, 1}, {0}, {0}},
-          [JOINT_PLANAR] = {{0, 0, 1}, {0}, {1, 1}}};
+          [JOINT_PLANAR] = {{0, 0, 1}, {0}, {1, 1}},       [JOINT_SCREW] = {{1, 1, 0}, {0}, {1, 1}}};
     const int *slide = space == 2 ? plane[j->type].slide : room[j->type].slide;
     const int *lean = space == 2 ? plane[j->type].lean : room[j->type].lean;
     const int *normal = space == 2 ? plane[j->type].normal : room[j->type].normal;
@@ -94,6 +95,12 @@ static inline int joint_values(double *C, const struct any_joint *j, const struc
         if (slide[i]) C[n++] = inner(E + 3 * i, d);
         if (lean[i]) C[n++] = inner(E + 3 * i, G + 3 * ((i + 1) % 3));
         if (i < 2 && normal[i]) C[n++] = inner(E + 3 * i, G + 6);
+    }
+    if (j->type == JOINT_SCREW) { /* no more than its derivatives matter: which turn it stands in does not */
+        const double pitch = tree_pitch(j->number), turn = atan2(inner(E + 3, G), inner(E, G));
+        C[n] = inner(E + 6, d) - pitch * turn;
+        C[n] -= j->number * round(C[n] / j->number);
+        n++;
     }
     return n;
 }
@@ -244,18 +251,19 @@ static inline void list_joints(struct mechanism *o)
     const struct model *m = &o->model;
     for (int i = 0; i < m->njoint; i++) {
         const struct model_joint *j = &m->joint[i];
-        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->a, j->b, j->Ea, j->Eb};
+        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->a, j->b, j->Ea, j->Eb, j->number};
     }
     for (int i = 0; i < m->nloop - m->ndrive; i++) {
         const struct model_loop *l = &m->loop[i];
-        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->a, l->b, l->Ea, l->Eb};
+        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->a, l->b, l->Ea, l->Eb, l->number};
     }
 }
 
 static inline void close_loop(struct mechanism *o, struct tree_dice *d)
 {
     static const enum joint_type plane[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_REVOLUTE};
-    static const enum joint_type room[] = {JOINT_SPHERICAL, JOINT_CYLINDRICAL, JOINT_UNIVERSAL, JOINT_PLANAR};
+    static const enum joint_type room[] = {JOINT_SPHERICAL, JOINT_CYLINDRICAL, JOINT_UNIVERSAL, JOINT_PLANAR,
+                                           JOINT_SCREW};
     const int space = o->model.space;
     struct model_loop *l = &o->loop[o->model.nloop++];
     double at[3], arm[3], E[9];
@@ -263,7 +271,8 @@ static inline void close_loop(struct mechanism *o, struct tree_dice *d)
     tree_pair(&A, &B, d, o->model.nbody);
     const struct model_body *a = &o->model.body[A], *b = &o->model.body[B];
     *l = (struct model_loop){.name = "loop", .first = A, .second = B};
-    l->type = space == 2 ? plane[tree_pick(d, 3)] : room[tree_pick(d, 4)];
+    l->type = space == 2 ? plane[tree_pick(d, 3)] : room[tree_pick(d, 5)];
+    if (l->type == JOINT_SCREW) l->number = tree_roll(d, .5, 2);
     tree_vector(at, d, space);
     tree_axes(E, d, l->type, space);
     for (int i = 0; i < 3; i++) arm[i] = at[i] - a->at[i];

@@ -622,7 +622,7 @@ static void test_reactions(void **state)
             for (int k = 0; k < j->nv; k++) {
                 double w[3], x[3] = {creal(B[0]), creal(B[1]), creal(B[2])}, v[3];
                 ops->partial(o.s, v, w, j->child, x, j->iv[k]);
-                double *from = dot(w, w) > 0 ? n : f, *e = dot(w, w) > 0 ? w : v, along = dot(e, from);
+                double *from = dot(w, w) > 0 ? n : f, *e = dot(w, w) > 0 ? w : v, along = dot(w, n) + dot(v, f);
                 for (int c = 0; c < 3; c++) from[c] -= along * e[c];
             }
             ops->reaction(o.s, of_f, of_n, i);

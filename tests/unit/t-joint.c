@@ -33,8 +33,8 @@ static void every_kind_is_found_by_its_name(void **state)
 static void names_cover_the_coordinates(void **state)
 {
     (void)state;
-    static const int freedoms[2][JOINT_TYPES] = {{0, 1, 1, -1, -1, -1, 3, 3, 0, 0, 0, 0},
-                                                 {0, 1, 1, 2, 2, 3, 3, 6, 0, 0, 0, 0}};
+    static const int freedoms[2][JOINT_TYPES] = {{0, 1, 1, -1, -1, -1, -1, 3, 3, 0, 0, 0, 0},
+                                                 {0, 1, 1, 2, 1, 2, 3, 3, 6, 0, 0, 0, 0}};
     for (int space = 0; space < 2; space++) {
         for (int t = 0; t < JOINT_TYPES; t++) {
             const struct joint_kind *k = joint_kind((enum joint_type)t, space);

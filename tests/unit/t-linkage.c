@@ -36,6 +36,7 @@ struct any_joint {
     int A, B;
     const double *b, *Ea, *Eb;
     const struct model_loop *loop; /* NULL: of the tree */
+    double number;
 };
 
 struct linkage {
@@ -54,21 +55,21 @@ static void close_between(struct linkage *o, struct tree_dice *d, int A, int B)
 {
     static const enum joint_type plane[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_REVOLUTE,     JOINT_FIXED,
                                             JOINT_PLANAR,   JOINT_DISTANCE,  JOINT_POINT_ON_LINE};
-    static const enum joint_type room[] = {JOINT_REVOLUTE, JOINT_SPHERICAL, JOINT_CYLINDRICAL,  JOINT_UNIVERSAL,
-                                           JOINT_PLANAR,   JOINT_PRISMATIC, JOINT_SPHERICAL,    JOINT_FIXED,
-                                           JOINT_DISTANCE, JOINT_DISTANCE,  JOINT_POINT_ON_LINE};
+    static const enum joint_type room[] = {JOINT_REVOLUTE, JOINT_SPHERICAL, JOINT_CYLINDRICAL,   JOINT_UNIVERSAL,
+                                           JOINT_PLANAR,   JOINT_PRISMATIC, JOINT_SPHERICAL,     JOINT_FIXED,
+                                           JOINT_DISTANCE, JOINT_DISTANCE,  JOINT_POINT_ON_LINE, JOINT_SCREW};
     const int space = o->model.space;
     struct model_loop *l = &o->loop[o->model.nloop++];
     double at[3], from[3], arm[3], E[9];
     const struct model_body *a = &o->model.body[A], *b = &o->model.body[B];
     *l = (struct model_loop){.name = "loop", .first = A, .second = B};
-    l->type = space == 2 ? plane[tree_pick(d, 7)] : room[tree_pick(d, 11)];
+    l->type = space == 2 ? plane[tree_pick(d, 7)] : room[tree_pick(d, 12)];
     tree_vector(at, d, space);
     tree_axes(E, d, l->type, space);
     memcpy(from, at, sizeof from);
     if (l->type == JOINT_DISTANCE) tree_vector(from, d, space);
     for (int i = 0; i < 3; i++) l->number += (at[i] - from[i]) * (at[i] - from[i]);
-    l->number = sqrt(l->number);
+    l->number = l->type == JOINT_SCREW ? tree_roll(d, -2, 2) : sqrt(l->number);
     for (int i = 0; i < 3; i++) arm[i] = from[i] - a->at[i];
     tree_mtv(l->a, a->R, arm);
     for (int i = 0; i < 3; i++) arm[i] = at[i] - b->at[i];
@@ -116,6 +117,7 @@ static void repeat_joint(struct linkage *o, struct tree_dice *d)
     } else {
         const struct model_joint *j = &o->model.joint[tree_pick(d, o->model.njoint)];
         *l = (struct model_loop){.name = "again", .type = j->type, .first = j->parent, .second = j->child};
+        l->number = j->number;
         memcpy(l->a, j->a, sizeof l->a), memcpy(l->b, j->b, sizeof l->b);
         memcpy(l->Ea, j->Ea, sizeof l->Ea), memcpy(l->Eb, j->Eb, sizeof l->Eb);
     }
@@ -128,11 +130,11 @@ static void list_joints(struct linkage *o)
     o->njoint = 0;
     for (int i = 0; i < o->model.njoint; i++) {
         const struct model_joint *j = &o->model.joint[i];
-        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->b, j->Ea, j->Eb, NULL};
+        o->joint[o->njoint++] = (struct any_joint){j->type, j->parent, j->child, j->b, j->Ea, j->Eb, NULL, j->number};
     }
     for (int i = 0; i < o->model.nloop; i++) {
         const struct model_loop *l = &o->loop[i];
-        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->b, l->Ea, l->Eb, l};
+        o->joint[o->njoint++] = (struct any_joint){l->type, l->first, l->second, l->b, l->Ea, l->Eb, l, l->number};
     }
 }
 
@@ -219,10 +221,11 @@ static int rows_of(double (*J)[MOST], const struct any_joint *j, const struct pl
                             [JOINT_REVOLUTE] = {{1, 1, 0}, {0, 0, 0}},
                             [JOINT_PRISMATIC] = {{1, 0, 0}, {0, 0, 1}},
                             [JOINT_POINT_ON_LINE] = {{1, 0, 0}, {0, 0, 0}}},
-      room[JOINT_TYPES] = {[JOINT_FIXED] = {{1, 1, 1}, {1, 1, 1}},     [JOINT_REVOLUTE] = {{1, 1, 1}, {1, 1, 0}},
-                           [JOINT_PRISMATIC] = {{1, 1, 0}, {1, 1, 1}}, [JOINT_CYLINDRICAL] = {{1, 1, 0}, {1, 1, 0}},
-                           [JOINT_UNIVERSAL] = {{1, 1, 1}, {0, 0, 0}}, [JOINT_SPHERICAL] = {{1, 1, 1}, {0, 0, 0}},
-                           [JOINT_PLANAR] = {{0, 0, 1}, {1, 1, 0}},    [JOINT_POINT_ON_LINE] = {{1, 1, 0}, {0, 0, 0}}};
+      room[JOINT_TYPES] = {[JOINT_FIXED] = {{1, 1, 1}, {1, 1, 1}},        [JOINT_REVOLUTE] = {{1, 1, 1}, {1, 1, 0}},
+                           [JOINT_PRISMATIC] = {{1, 1, 0}, {1, 1, 1}},    [JOINT_CYLINDRICAL] = {{1, 1, 0}, {1, 1, 0}},
+                           [JOINT_SCREW] = {{1, 1, 0}, {1, 1, 0}},        [JOINT_UNIVERSAL] = {{1, 1, 1}, {0, 0, 0}},
+                           [JOINT_SPHERICAL] = {{1, 1, 1}, {0, 0, 0}},    [JOINT_PLANAR] = {{0, 0, 1}, {1, 1, 0}},
+                           [JOINT_POINT_ON_LINE] = {{1, 1, 0}, {0, 0, 0}}};
     const struct place *A = &p[j->A], *B = &p[j->B];
     const int *slide = space == 2 ? plane[j->type].slide : room[j->type].slide;
     const int *turn = space == 2 ? plane[j->type].turn : room[j->type].turn;
@@ -251,7 +254,14 @@ static int rows_of(double (*J)[MOST], const struct any_joint *j, const struct pl
             if (j->B && kind[i] == 1) J[i][6 * (j->B - 1) + 3 + k] = dir[i][k];
         }
     }
-    return rows;
+    if (j->type != JOINT_SCREW) return rows;
+    const double pitch = tree_pitch(j->number); /* the second's point goes along z as it turns about it */
+    memset(J[rows], 0, sizeof J[rows]);
+    add_unit(J[rows], j->B, E + 6, b, 1);
+    add_unit(J[rows], j->A, E + 6, a, -1);
+    add_unit(J[rows], j->B, E + 6, NULL, -pitch);
+    add_unit(J[rows], j->A, E + 6, NULL, pitch);
+    return rows + 1;
 }
 
 static int all_rows(double (*J)[MOST], const struct linkage *o, const struct place *p)
@@ -468,6 +478,7 @@ static void linkages(int space)
                   "reactions miss %.2g, |C| %.2g\n",
                   space, g.closed, g.redundant, g.refused, g.worst, g.seed, g.aside, g.balance, g.constraint);
     assert_true(g.met[JOINT_DISTANCE] > 50 && g.met[JOINT_POINT_ON_LINE] > 50 && g.met[JOINT_GEAR] > 100);
+    if (space == 3) assert_true(g.met[JOINT_SCREW] > 40);
     assert_int_equal(g.closed, 500);
     assert_true(g.redundant > 100);
     assert_true(g.worst < 1e-8);

@@ -24,10 +24,12 @@ enum { BODIES = 8, MOST = 6 * BODIES, MOST_Q = 7 * BODIES, SEEDS = 60 };
 
 /* ---- a model at a state ---- */
 
-/* One unit velocity: a rotation about, or a displacement along e, of all that hangs on the joint at B. */
+/* One unit velocity: a rotation about, or a displacement along e, of all that hangs on the joint at B; of a screw a
+ * displacement by so much as it turns. */
 struct unit_velocity {
     int owner;
     bool turns;
+    double along;
     double complex e[3], B[3];
 };
 
@@ -47,6 +49,7 @@ static void freedom(struct places *o, const struct model_joint *j, int k, bool t
     struct unit_velocity *f = &o->freedom[j->iv[k]];
     f->owner = j->child;
     f->turns = turns;
+    f->along = turns ? 0 : 1;
     column(f->e, axes, axis);
     column(f->B, at, 3);
 }
@@ -65,6 +68,10 @@ static void place_joint(struct places *o, const struct model_joint *j, const dou
     case JOINT_CYLINDRICAL:
         freedom(o, j, 0, true, base, 2, x);
         freedom(o, j, 1, false, base, 2, x);
+        break;
+    case JOINT_SCREW:
+        freedom(o, j, 0, true, base, 2, x);
+        o->freedom[j->iv[0]].along = tree_pitch(j->number);
         break;
     case JOINT_UNIVERSAL:
         between = times(base, about_x(q[j->iq[0]]));
@@ -122,6 +129,7 @@ static void partial(double complex *v, double complex *w, const struct places *o
     for (int i = 0; i < 3; i++) d[i] = o->body[body].T[i][3] - f->B[i];
     memcpy(w, f->e, sizeof f->e);
     cross(v, f->e, d);
+    for (int i = 0; i < 3; i++) v[i] += f->along * f->e[i];
 }
 
 static void velocities(double complex *v, double complex *w, const struct places *o, const struct model *m, int body,

@@ -85,6 +85,9 @@ static inline struct transform hang(struct transform *base_out, struct transform
     case JOINT_CYLINDRICAL:
         x = times(base, times(shift(0, 0, q[1]), about_z(q[0])));
         break;
+    case JOINT_SCREW:
+        x = times(base, times(shift(0, 0, tree_pitch(j->number) * q[0]), about_z(q[0])));
+        break;
     case JOINT_UNIVERSAL:
         x = times(base, times(about_x(q[0]), about_y(q[1])));
         break;

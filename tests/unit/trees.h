@@ -96,27 +96,34 @@ static inline void tree_mv(double *y, const double *A, const double *x)
 
 static inline int tree_nq(enum joint_type type, int space)
 {
-    static const int nq[JOINT_TYPES] = {0, 1, 1, 2, 2, 4, 3, 7};
+    static const int nq[JOINT_TYPES] = {0, 1, 1, 2, 1, 2, 4, 3, 7};
     return space == 2 && type == JOINT_FREE ? 3 : nq[type];
 }
 
 static inline int tree_nv(enum joint_type type, int space)
 {
-    static const int nv[JOINT_TYPES] = {0, 1, 1, 2, 2, 3, 3, 6};
+    static const int nv[JOINT_TYPES] = {0, 1, 1, 2, 1, 2, 3, 3, 6};
     return space == 2 && type == JOINT_FREE ? 3 : nv[type];
+}
+
+/* How far a screw goes [m/rad]. */
+static inline double tree_pitch(double per_turn)
+{
+    return per_turn / (2 * acos(-1));
 }
 
 static inline enum joint_type tree_joint_type(struct tree_dice *d, int space, unsigned flags)
 {
     static const enum joint_type plane[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_PLANAR,
                                             JOINT_REVOLUTE, JOINT_FREE,      JOINT_FIXED};
-    static const enum joint_type room[] = {JOINT_REVOLUTE, JOINT_PRISMATIC, JOINT_CYLINDRICAL, JOINT_UNIVERSAL,
-                                           JOINT_PLANAR,   JOINT_SPHERICAL, JOINT_FREE,        JOINT_FIXED};
+    static const enum joint_type room[] = {JOINT_REVOLUTE,  JOINT_PRISMATIC, JOINT_CYLINDRICAL,
+                                           JOINT_UNIVERSAL, JOINT_PLANAR,    JOINT_SCREW,
+                                           JOINT_SPHERICAL, JOINT_FREE,      JOINT_FIXED};
     bool light = flags & TREE_LIGHT;
     if (flags & TREE_REVOLUTE) return JOINT_REVOLUTE;
     if (flags & TREE_ADRIFT) return JOINT_FREE;
     if (space == 2) return plane[tree_pick(d, light ? 4 : 6)];
-    return room[tree_pick(d, light ? 5 : 8)];
+    return room[tree_pick(d, light ? 6 : 9)];
 }
 
 /* A body anywhere, turned anyhow, with a tensor that some solid has: xx < yy + zz and so on. */
@@ -159,6 +166,7 @@ static inline void tree_joint(struct model_joint *j, struct tree_dice *d, const 
     j->type = tree_joint_type(d, space, flags);
     j->nq = tree_nq(j->type, space), j->nv = tree_nv(j->type, space);
     j->reversed = tree_pick(d, 4) == 0;
+    if (j->type == JOINT_SCREW) j->number = tree_roll(d, -3, 3);
     tree_vector(at, d, space);
     tree_axes(E, d, j->type, space);
     const struct model_body *p = &body[parent], *c = &body[child];
