@@ -15,6 +15,5 @@ struct bushing {
     double preload[3], preload_r[3]; /* [N], [N m] on the second body, at rest */
     double rest[3], rest_r[3];       /* [m], [rad] where stiffness gives nothing */
 };
-extern const struct force_kind force_bushing;
 
 #endif

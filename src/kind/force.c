@@ -1,10 +1,8 @@
 /* force.c -- the table of kinds; see force.h */
 #include "kind/force.h"
 
-#include "kind/bushing.h"
-#include "kind/spring.h"
-
-static const struct force_kind *const kinds[] = {&force_bushing, &force_spring, &force_damper};
+#define FORCE_KIND(name) &force_##name,
+static const struct force_kind *const kinds[] = {FORCE_KINDS(FORCE_KIND)};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 const struct force_kind *force_kind_at(int i)

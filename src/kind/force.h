@@ -10,7 +10,7 @@
  * and the slopes in the iteration matrix.  A signal is a value given in the deck as an expression
  * or as a table of time.
  *
- * A new kind is a file of its own and a line in the table of force.c. */
+ * A new kind is a file of its own and a line in FORCE_KINDS. */
 #ifndef FMDSUB_KIND_FORCE_H
 #define FMDSUB_KIND_FORCE_H
 
@@ -112,7 +112,13 @@ struct force_kind {
     void (*strains)(struct strains *o, const void *par, const struct between *x);
 };
 
-/* The kinds, each in a file of its own; NULL past the last. */
+/* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */
+#define FORCE_KINDS(of) of(bushing) of(spring) of(damper)
+#define FORCE_KIND(name) extern const struct force_kind force_##name;
+FORCE_KINDS(FORCE_KIND)
+#undef FORCE_KIND
+
+/* The i-th; NULL past the last. */
 const struct force_kind *force_kind_at(int i);
 
 /* What a force acts along, and what a deck may ask for by name. */

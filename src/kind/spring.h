@@ -4,12 +4,10 @@
 
 #include "kind/force.h"
 
-/* f = preload - k (s - rest) - cubic (s - rest)^3 - c s'; s is counted from the measure's zero. */
+/* f = preload - k (s - rest) - cubic (s - rest)^3 - c s'; s is counted from the measure's zero.  A damper has c only. */
 struct spring {
     double k, c, rest, preload;
     double cubic; /* [N/m3] */
 };
-extern const struct force_kind force_spring;
-extern const struct force_kind force_damper; /* the same block, c only */
 
 #endif
