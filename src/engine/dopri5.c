@@ -239,7 +239,9 @@ static enum status take_impulse(struct stepper *s, double *t, double behind, str
 {
     struct dopri5 *m = s->self;
     const struct ode2 *o = s->ode;
-    if (!o->breaks->jump(o, m->v, &m->work[POWER_DRIVE], m->q, *t, behind)) return OK;
+    int met;
+    TRY(o->breaks->jump(o, &met, m->v, &m->work[POWER_DRIVE], m->q, *t, behind, why));
+    if (!met) return OK;
     *t = behind;
     TRY(rk_stage(&m->rk, &table, 0, m->q, m->v, *t, 0, why));
     copy(m->a, m->rk.dv[0], o->n);

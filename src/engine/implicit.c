@@ -128,21 +128,21 @@ static void book(struct implicit *m, struct stepper *s)
     copy(m->w0, m->w, POWER_CHANNELS);
 }
 
-static void move_to_end(struct implicit *m)
+static enum status move_to_end(struct implicit *m, struct trouble *why)
 {
     if (!m->scheme->middle) {
         implicit_place(m, m->z);
-        return;
+        return OK;
     }
     m->scheme->rates(m, m->z);
     motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
-    if (m->ode->settle) m->ode->settle(m->ode, m->q1, m->v1, &m->x);
+    return m->ode->settle ? m->ode->settle(m->ode, m->q1, m->v1, &m->x, why) : OK;
 }
 
 static enum status accept(struct implicit *m, struct stepper *s, struct state *x, double t1, struct trouble *why)
 {
     book(m, s);
-    move_to_end(m);
+    TRY(move_to_end(m, why));
     if (m->scheme->accept) TRY(m->scheme->accept(m, s, why));
     predict_keep(&m->predict, m->z, x->a, m->h, m->newton.per);
     copy(x->a, m->z, m->ode->n);

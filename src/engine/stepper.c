@@ -38,9 +38,10 @@ static enum status after_corners(struct stepper *s, struct state *x, double h, i
     const int fresh = s->fresh;
     const double t0 = x->t, behind = motion_behind(t0, to);
     double work = 0;
+    int met;
     single_save(s->keep, o, x);
-    if (!o->breaks->jump(o, x->v, &work, x->q, t0, s->kind->points ? to : behind))
-        return s->kind->step(s, x, h, ratio, to, why);
+    TRY(o->breaks->jump(o, &met, x->v, &work, x->q, t0, s->kind->points ? to : behind, why));
+    if (!met) return s->kind->step(s, x, h, ratio, to, why);
     x->t = behind;
     enum status status = stepper_start(s, x, why);
     if (status == OK) status = s->kind->step(s, x, h, ratio, to, why);

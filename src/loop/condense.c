@@ -105,14 +105,14 @@ static enum status resid(const struct ode2 *ode, double *r, double *w, double *d
     return OK;
 }
 
-static void settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x)
+static enum status settle(const struct ode2 *ode, double *q1, double *v1, const struct instant *x, struct trouble *why)
 {
     struct condense *o = ode->self;
     struct instant whole = *x;
-    struct trouble why;
-    if (look_at_ends(o, &whole, x, &why) != OK) return;
-    o->tree->ode.settle(&o->tree->ode, q1, o->vb, &whole);
+    TRY(look_at_ends(o, &whole, x, why));
+    TRY(o->tree->ode.settle(&o->tree->ode, q1, o->vb, &whole, why));
     for (int i = 0; i < ode->n; i++) v1[i] = o->vb[o->split.ind[i]];
+    return OK;
 }
 
 enum status condense_accel(struct condense *o, double *vt, double *at, double *lambda, const double *q, const double *v,

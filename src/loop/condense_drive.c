@@ -60,16 +60,19 @@ double condense_corner(const struct ode2 *ode, double ta, double tb)
     return first;
 }
 
-int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb)
+enum status condense_jump(const struct ode2 *ode, int *met, double *v, double *work, const double *q, double ta,
+                          double tb, struct trouble *why)
 {
     struct condense *o = ode->self;
-    struct trouble why;
     const int n = ode->n, nt = o->rows.n;
     double *dv = o->mean, *M = o->M_solve;
-    if (!loops_corners(o->jump, o->rows.loops, ta, tb)) return 0;
-    if (condense_rates(o, o->vt, NULL, q, v, NULL, ta, &why) != OK) return 0;
-    if (ode->ops->mass(ode, M, q, ta, ALL, &why) != OK || dense_cholesky(M, n, n) >= 0) return 0;
-    solve_factor(&o->solve, q, ta, &why);
+    *met = loops_corners(o->jump, o->rows.loops, ta, tb);
+    if (!*met) return OK;
+    TRY(condense_rates(o, o->vt, NULL, q, v, NULL, ta, why));
+    TRY(condense_mass(ode, M, q, ta, ALL, why));
+    const int pivot = dense_cholesky(M, n, n);
+    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, ta);
+    TRY(solve_factor(&o->solve, q, ta, why));
     memset(o->at, 0, sizeof *o->at * (size_t)nt);
     solve_follow(&o->solve, o->at, o->jump);
     condense_still(o, o->still, q, ALL);
@@ -82,5 +85,5 @@ int condense_jump(const struct ode2 *ode, double *v, double *work, const double 
     condense_momentum(o, o->rt, o->at, o->still, ALL);
     for (int i = 0; i < nt; i++) *work += o->rt[i] * (o->vt[i] + o->at[i] / 2);
     for (int i = 0; i < n; i++) v[i] += dv[i];
-    return 1;
+    return OK;
 }

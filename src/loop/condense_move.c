@@ -43,17 +43,17 @@ static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const
 {
     struct condense *o = ode->self;
     const struct moves *moves = &o->tree->moves;
-    struct trouble why;
+    enum status status = OK;
     split_spread(&o->split, o->dx, dx);
     split_spread(&o->split, o->vt, v);
     bool partly = false;
     for (int i = 0; i < moves->nturn; i++) partly |= o->split.follows[i];
     if (partly) {
         moves_diff(moves, o->dx, q1, q0);
-        condense_rates(o, o->vt, NULL, q1, v, NULL, t, &why);
+        status = condense_rates(o, o->vt, NULL, q1, v, NULL, t, NULL);
     }
     moves_rate(moves, o->at, o->dx, o->vt);
-    for (int i = 0; i < ode->n; i++) dxrate[i] = o->at[o->split.ind[i]];
+    for (int i = 0; i < ode->n; i++) dxrate[i] = status == OK ? o->at[o->split.ind[i]] : NAN;
 }
 
 const struct ode2_move condense_move = {.point = point, .again = again, .diff = diff, .rate = rate};

@@ -58,7 +58,8 @@ enum status condense_driven(const struct condense *o, bool accelerations, double
 /* w += power of the drives, with multipliers lambda [rows] */
 void condense_power(const struct condense *o, double *w, const double *lambda);
 /* As ode2_breaks has it. */
-int condense_jump(const struct ode2 *ode, double *v, double *work, const double *q, double ta, double tb);
+enum status condense_jump(const struct ode2 *ode, int *met, double *v, double *work, const double *q, double ta,
+                          double tb, struct trouble *why);
 double condense_corner(const struct ode2 *ode, double ta, double tb);
 
 /* --- positions: condense_move.c -------------------------------------------------------------------- */

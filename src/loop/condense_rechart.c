@@ -50,18 +50,17 @@ static int improve(struct condense *o, int i)
 }
 
 /* Whole velocities first, then the splits, then the velocities of the new independent ones.  The tangent is the one on
- * which the next step begins. */
+ * which the next step begins.  Where these cannot be found, the split stays, and the next step says so. */
 int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
 {
     struct condense *o = ode->self;
-    struct trouble why;
     int changed = 0, wanted = 0;
     struct ode2 *tree = &o->tree->ode;
-    if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) == OK)
+    if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (!closing_tangent(&o->closing, q)) return 0;
     for (int i = 0; i < o->split.npart; i++) wanted += look_at_gain(o, i);
-    if (!wanted || condense_rates(o, o->vt, NULL, q, v, NULL, t, &why) != OK) return 0;
+    if (!wanted || condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) != OK) return 0;
     for (int i = 0; i < o->split.npart; i++)
         if (o->split.part[i].resplit_due) changed |= improve(o, i);
     if (!changed) return 0;

@@ -230,15 +230,20 @@ static enum status go_to_start(struct condense *o, const double *q0)
     return step_to(o, o->dx) ? OK : fail(&o->start.report, E_MODEL, "'initial' cannot be reached");
 }
 
+/* vt: of all coordinates at the start. */
+static enum status start_rates(struct condense *o, double *vt)
+{
+    if (condense_rates(o, vt, NULL, o->q, o->v, NULL, o->model->t0, NULL) == OK) return OK;
+    return fail(&o->start.report, E_MODEL, "the loops are singular at the start");
+}
+
 /* What `initial:` says of coordinates that follow others must fit. */
 static enum status agrees(struct condense *o, const double *q0, const double *v0)
 {
     static const double FITS = 1e-6;
     char drives[60] = "";
-    struct trouble why;
     const struct model *m = o->model;
-    if (condense_rates(o, o->vt, NULL, o->q, o->v, NULL, o->model->t0, &why) != OK)
-        return fail(&o->start.report, E_MODEL, "the loops are singular at the start");
+    TRY(start_rates(o, o->vt));
     if (m->ndrive) snprintf(drives, sizeof drives, " and drives at t = %.9g", m->t0);
     for (int i = 0; i < m->ncoordinate; i++) {
         int iv = m->coordinate[i].iv;
@@ -284,12 +289,11 @@ static double redundant_rate(int *worst, const struct condense *o, const double 
 static enum status contradiction(struct condense *o)
 {
     static const double DISAGREE = 1e-6; /* |C|, and |C'| per second */
-    struct trouble why;
     int row = 0;
     rows_misfit(o->C, &row, &o->rows, o->q);
     double by = redundant_miss(&row, &o->split, o->C), rate = 0;
     if (by <= DISAGREE) {
-        condense_rates(o, o->vt, NULL, o->q, o->v, NULL, o->model->t0, &why);
+        TRY(start_rates(o, o->vt));
         rate = redundant_rate(&row, o, o->vt);
         if (rate <= DISAGREE) return OK;
     }
@@ -360,6 +364,7 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
     if (is_contested(o)) TRY(contradiction(o));
+    TRY(start_rates(o, o->vt));
     o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
     for (int i = 0; i < o->split.npart; i++) {
         struct part *p = &o->split.part[i];

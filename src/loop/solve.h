@@ -45,7 +45,7 @@ enum status solve_G(struct solve *o, const double *q, double t, struct trouble *
 enum status solve_as_it_is(struct solve *o, double t, struct trouble *why);
 double solve_try(struct solve *o, int i);
 
-/* Where solve_factor() has been: least pivot ratio, lengths scaled; split_gain() of component i. */
+/* Least pivot ratio, lengths scaled, where solve_factor() has been; split_gain() of component i as factored last. */
 double solve_ratio(const struct solve *o);
 double solve_gain(struct solve *o, int i);
 

@@ -228,14 +228,14 @@ static void remember(struct subcycle *c)
 }
 
 /* Momenta of what flies freely, where nothing but gravity acts on it, are as they were. */
-static void settle(struct subcycle *c, const struct state *x)
+static enum status settle(struct subcycle *c, const struct state *x, struct trouble *why)
 {
     const struct instant whole = {
         .t = c->t1, .q = c->qn, .v = c->v, .qa = x->q, .qb = c->qn, .va = x->v, .vb = c->v, .ta = c->t0, .tb = c->t1};
-    if (c->ode->settle) c->ode->settle(c->ode, c->qn, c->v, &whole);
+    return c->ode->settle ? c->ode->settle(c->ode, c->qn, c->v, &whole, why) : OK;
 }
 
-static void accept(struct subcycle *c, struct stepper *s, struct state *x)
+static enum status accept(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why)
 {
     int n = c->n;
     double per = 1 / c->H;
@@ -246,13 +246,15 @@ static void accept(struct subcycle *c, struct stepper *s, struct state *x)
     remember(c);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
-    for (int i = 0; i < n; i++) x->a[i] = per * (c->v[i] - x->v[i]);
-    settle(c, x);
+    for (int i = 0; i < n; i++) c->abar[i] = per * (c->v[i] - x->v[i]);
+    TRY(settle(c, x, why));
+    copy(x->a, c->abar, n);
     copy(x->v, c->v, n);
     copy(x->q, c->qn, c->ode->nq);
     x->t = c->t1;
     newton_scale(&c->newton, x->v, x->a, c->H);
     s->effort.minors += c->ratio;
+    return OK;
 }
 
 static void begin(struct subcycle *c, const struct state *x, double h, int ratio, double to)
@@ -288,13 +290,12 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
         if (status == OK) status = attempt(c, passes, why);
     }
     s->last_sweeps = (int)(s->effort.sweeps - before);
-    if (status != OK) {
-        c->newton.stale = 1;
-        return status;
+    if (status == OK) {
+        status = accept(c, s, x, why);
+        s->fresh = status != OK; /* what predicts has gone ahead */
     }
-    accept(c, s, x);
-    s->fresh = 0;
-    return OK;
+    c->newton.stale |= status != OK;
+    return status;
 }
 
 static const struct key keys[] = {

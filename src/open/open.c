@@ -168,9 +168,11 @@ static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, co
 
 static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
 
-static void settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x)
+static enum status settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why)
 {
+    (void)why;
     floating_settle(&tree_of(o)->floating, q1, v1, x);
+    return OK;
 }
 
 /* --- articulated bodies ------------------------------------------------------------------------- */

@@ -64,7 +64,7 @@ struct ode2_move {
     /* dx with q1 = q0 (+) dx. */
     void (*diff)(const struct ode2 *o, double *dx, const double *q1, const double *q0);
     /* The rate of dx where q1 = q0 (+) dx, at time t, moves with velocity v; exact (explicit schemes need its
-     * order): for rotations dx' = (I + [dx]x/2 + dx dx'/4) v. */
+     * order): for rotations dx' = (I + [dx]x/2 + dx dx'/4) v.  NaN where the loops cannot follow v. */
     void (*rate)(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
                  const double *v, double t);
     /* Optional.  point() to round-off, where q1 holds what this or point() has given for the same q0, s, t and another
@@ -101,9 +101,10 @@ struct ode2_chart {
 struct ode2_breaks {
     /* Next known kink in time after t (infinity: none). */
     double (*next)(const struct ode2 *o, double t);
-    /* Corners of drives in [ta, tb): v takes their impulse at q, ta, and work += what it brought [J]; 1 if there was
-     * one. For schemes that ask for accelerations at points of time and so miss it.  NULL: no drives. */
-    int (*jump)(const struct ode2 *o, double *v, double *work, const double *q, double ta, double tb);
+    /* Corners of drives in [ta, tb): *met := 1 if there is one, else 0; v takes their impulse at q, ta, and work +=
+     * what it brought [J].  For schemes that ask for accelerations at points of time and so miss it.  NULL: no drives. */
+    enum status (*jump)(const struct ode2 *o, int *met, double *v, double *work, const double *q, double ta, double tb,
+                        struct trouble *why);
     /* Right before the first of these corners; infinity: there is none.  With jump(). */
     double (*corner)(const struct ode2 *o, double ta, double tb);
 };
@@ -123,8 +124,8 @@ struct ode2 {
     /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
      * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
      * it: at the end of a step settle() moves q1, which is x->qb, there, and v1, x->vb, by what is left of the
-     * residual. */
-    void (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x);
+     * residual.  E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
+    enum status (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why);
     int pointwise; /* nothing looks at qa and qb: they need not be known, and may be NULL */
     void *self;    /* the owner's */
 };

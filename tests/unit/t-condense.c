@@ -93,6 +93,23 @@ static const char bending[] = "fmdsub: 1\n"
                               "  pivot: {revolute: [ground, rocker], at: [1.2, 0]}\n"
                               "integrate: {scheme: newmark, step: 1.0e-4, until: 1}\n";
 
+/* A four-bar that flies, a motor in its crank that has a corner at 0.1 s. */
+static const char flying[] = "fmdsub: 1\n"
+                             "bodies:\n"
+                             "  frame: {mass: 2, inertia: 0.5, at: [0.5, 0]}\n"
+                             "  crank: {mass: 1, inertia: 0.1, at: [0, 0.3]}\n"
+                             "  rod: {mass: 1, inertia: 0.2, at: [0.5, 0.7]}\n"
+                             "  rocker: {mass: 1, inertia: 0.1, at: [1, 0.4]}\n"
+                             "constraints:\n"
+                             "  fly: {free: [ground, frame], at: [0.5, 0]}\n"
+                             "  motor: {revolute: [frame, crank], at: [0, 0]}\n"
+                             "  elbow: {revolute: [crank, rod], at: [0, 0.6]}\n"
+                             "  wrist: {revolute: [rod, rocker], at: [1, 0.8]}\n"
+                             "  pivot: {revolute: [frame, rocker], at: [1, 0]}\n"
+                             "drives: {turn: {drive: motor.angle, value: \"if(t < 0.1, 0, t - 0.1)\"}}\n"
+                             "initial: {fly.angle_rate: 3}\n"
+                             "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n";
+
 static void open_text(struct opened *o, const char *text)
 {
     char path[] = "/tmp/t-condense-XXXXXX";
@@ -326,6 +343,38 @@ static void out_of_reach(void **state)
     arena_close(o.life);
 }
 
+/* What asks for velocities there is refused, or not a number; where they can be had, it is not. */
+static void velocities_out_of_reach(void **state)
+{
+    (void)state;
+    struct opened o;
+    double nowhere[MOST], rate[MOST], zero[MOST] = {0};
+    for (int i = 0; i < MOST; i++) nowhere[i] = NAN;
+    open_text(&o, room);
+    scatter(&o, 1);
+    o.ode->move->rate(o.ode, rate, nowhere, o.q, zero, o.v, 0);
+    for (int i = 0; i < o.n; i++) assert_true(isnan(rate[i]));
+    o.ode->move->rate(o.ode, rate, o.q, o.q, zero, o.v, 0);
+    for (int i = 0; i < o.n; i++) assert_true(isfinite(rate[i]));
+    arena_close(o.life);
+    open_text(&o, flying);
+    for (int good = 0; good < 2; good++) {
+        const enum status wanted = good ? OK : E_NUMERIC;
+        const double *q = good ? o.sim.x.q : nowhere;
+        const struct instant x = {.qa = q, .qb = q, .va = o.v, .vb = o.v, .ta = 0, .tb = .01, .q = q, .v = o.v};
+        struct trouble why = {0};
+        double q1[MOST], v[MOST] = {1, 2, 3}, work = 0;
+        int met = 0;
+        memcpy(q1, o.sim.x.q, sizeof *q1 * (size_t)o.ode->nq);
+        assert_int_equal(o.ode->breaks->jump(o.ode, &met, v, &work, q, .05, .15, &why), wanted);
+        assert_int_equal(met, 1);
+        assert_true((v[0] == 1 && v[1] == 2 && v[2] == 3 && work == 0) != good);
+        assert_int_equal(o.ode->settle(o.ode, q1, v, &x, &why), wanted);
+        assert_int_equal(why.code, good ? TROUBLE_NONE : TROUBLE_CLOSURE);
+    }
+    arena_close(o.life);
+}
+
 /* Balls that are independent in part: a method of order 4 keeps the energy as such a method does. */
 static void energy(void **state)
 {
@@ -345,8 +394,13 @@ static void energy(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(laws),   cmocka_unit_test(classes),           cmocka_unit_test(rates),
-        cmocka_unit_test(ways),   cmocka_unit_test(ways_from_another), cmocka_unit_test(out_of_reach),
+        cmocka_unit_test(laws),
+        cmocka_unit_test(classes),
+        cmocka_unit_test(rates),
+        cmocka_unit_test(ways),
+        cmocka_unit_test(ways_from_another),
+        cmocka_unit_test(out_of_reach),
+        cmocka_unit_test(velocities_out_of_reach),
         cmocka_unit_test(energy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -196,11 +196,13 @@ static void try_corner(struct figures *g, int space, unsigned seed)
     for (int i = 0; i < ode->n; i++) dx[i] = tree_roll(d, -.05, .05), v[i] = tree_roll(d, -1, 1);
     if (found) ode->move->point(ode, q, q, dx, 1, CORNER);
     if (found && isfinite(q[0]) && condense_ratio(system_loops(s)) > 1e-2) {
+        int met;
         const double T = CORNER, behind = CORNER * (1 + 1e-12), energy = kinetic(s, q, v, T);
         assert_int_equal(system_see(s, q, v, T, SEE_MOTION, &why), OK);
         stand(before, s, o.model.nbody);
         impulses(x, &o, before);
-        assert_int_equal(ode->breaks->jump(ode, v, &work, q, T, 1.01 * T), 1);
+        assert_int_equal(ode->breaks->jump(ode, &met, v, &work, q, T, 1.01 * T, &why), OK);
+        assert_int_equal(met, 1);
         assert_int_equal(system_see(s, q, v, behind, SEE_MOTION, &why), OK);
         stand(after, s, o.model.nbody);
         for (int b = 1; b < o.model.nbody; b++)
@@ -212,7 +214,8 @@ static void try_corner(struct figures *g, int space, unsigned seed)
             }
         if (!(worst / most <= g->worst)) g->worst = worst / most, g->seed = seed;
         g->balance = fmax(g->balance, fabs(work - (kinetic(s, q, v, behind) - energy)) / fmax(1, energy));
-        assert_int_equal(ode->breaks->jump(ode, v, &work, q, behind, 1.01 * T), 0); /* once */
+        assert_int_equal(ode->breaks->jump(ode, &met, v, &work, q, behind, 1.01 * T, &why), OK);
+        assert_int_equal(met, 0); /* once */
         g->done++;
         g->closed += o.model.nloop > o.model.ndrive;
     }

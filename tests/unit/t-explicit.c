@@ -165,6 +165,47 @@ static void test_breaks(void **state)
     assert_true(rejected[1] == 0 && rejected[0] > 0);
 }
 
+static enum status jumps_not(const struct ode2 *o, int *met, double *v, double *work, const double *q, double ta,
+                             double tb, struct trouble *why)
+{
+    (void)o, (void)v, (void)work, (void)q, (void)tb;
+    *met = 1;
+    return trouble_set(why, TROUBLE_MASS, 0, 0, ta);
+}
+
+static double no_next(const struct ode2 *o, double t)
+{
+    (void)o, (void)t;
+    return INFINITY;
+}
+
+static double corner_at_once(const struct ode2 *o, double ta, double tb)
+{
+    (void)o, (void)tb;
+    return ta;
+}
+
+/* An impulse that cannot be found is not left out. */
+static void test_jump_fails(void **state)
+{
+    (void)state;
+    static const struct ode2_breaks breaks = {.next = no_next, .jump = jumps_not, .corner = corner_at_once};
+    static const char *const scheme[] = {"dopri5", "rk4", "newmark"};
+    for (int k = 0; k < 3; k++) {
+        struct linear s;
+        struct run r;
+        double q = 1, v = 2;
+        linear_open(&s, 1, 0);
+        s.M[0][0] = s.K[0][0] = 1;
+        s.ode.breaks = &breaks;
+        assert_int_equal(run_open(&r, scheme[k], &s.ode, &step_defaults, &q, &v), OK);
+        assert_int_equal(run_steps(&r, .1, 1, 1), E_NUMERIC);
+        assert_int_equal(r.why.code, TROUBLE_MASS);
+        assert_true(r.q[0] == 1 && r.v[0] == 2 && r.x.t == 0);
+        run_close(&r);
+    }
+}
+
 /* A singularity that cannot be passed is reported, the state kept. */
 static enum status pole_resid(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x,
                               unsigned cls, struct trouble *why)
@@ -194,8 +235,9 @@ static void test_pole(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rk4_order), cmocka_unit_test(test_dopri5_linear), cmocka_unit_test(test_rotations),
-        cmocka_unit_test(test_work),      cmocka_unit_test(test_breaks),        cmocka_unit_test(test_pole),
+        cmocka_unit_test(test_rk4_order),  cmocka_unit_test(test_dopri5_linear), cmocka_unit_test(test_rotations),
+        cmocka_unit_test(test_work),       cmocka_unit_test(test_breaks),        cmocka_unit_test(test_pole),
+        cmocka_unit_test(test_jump_fails),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,11 +110,40 @@ static void test_own_tolerance(void **state)
     run_close(&r);
 }
 
+static enum status settles_not(const struct ode2 *o, double *q1, double *v1, const struct instant *x,
+                               struct trouble *why)
+{
+    (void)o, (void)q1, (void)v1;
+    return trouble_set(why, TROUBLE_CLOSURE, 7, 0, x->tb);
+}
+
+/* A state that cannot be settled is refused, the one before stays; sub-cycled, too. */
+static void test_settle(void **state)
+{
+    (void)state;
+    static const char *const scheme[] = {"midpoint", "subcycle"};
+    for (int k = 0; k < 2; k++) {
+        struct linear s;
+        struct run r;
+        linear_both(&s);
+        s.ode.settle = settles_not;
+        assert_int_equal(run_open(&r, scheme[k], &s.ode, &step_defaults, both_q, both_v), OK);
+        const double a[2] = {r.x.a[0], r.x.a[1]};
+        assert_int_equal(run_steps(&r, .01, 2, 1), E_NUMERIC);
+        assert_int_equal(r.why.code, TROUBLE_CLOSURE);
+        assert_int_equal(r.why.index, 7);
+        assert_memory_equal(r.q, both_q, 2 * sizeof *r.q);
+        assert_memory_equal(r.v, both_v, 2 * sizeof *r.v);
+        assert_memory_equal(r.x.a, a, sizeof a);
+        run_close(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_order),  cmocka_unit_test(test_formula),       cmocka_unit_test(test_free_body),
-        cmocka_unit_test(test_ledger), cmocka_unit_test(test_own_tolerance),
+        cmocka_unit_test(test_ledger), cmocka_unit_test(test_own_tolerance), cmocka_unit_test(test_settle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
