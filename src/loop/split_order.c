@@ -108,6 +108,7 @@ void split_order(struct split *o, struct part *p)
     enum { MOST_ROWS = 6 };
     const struct arena_mark mark = arena_mark(o->scratch);
     const struct component *c = p->of;
+    if (c->nrow == 0) return; /* of joints that hold nothing */
     const struct loops *l = o->rows->loops;
     struct web w = {.nk = c->nk};
     list_coordinates(&w, o->rows, c, o->scratch);
