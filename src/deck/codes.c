@@ -129,7 +129,8 @@ const struct diag_help diag_helps[] = {
     {"E-orientation", "Give z and x, or axis and angle, or a quaternion."},
     {"E-quaternion", "A unit quaternion [w, x, y, z]: the squares of its parts sum to 1."},
     {"E-loop",
-     "A joint that closes a loop has no coordinates. Ask for those of fewer joints of the loop, or for measures."},
+     "The motion has no coordinates of a joint that closes a loop. Drive, push or start fewer joints of the loop, or "
+     "measures."},
     {"W-redundant", "Joints of a loop hold the same freedom twice. Weaken one: a spherical for a revolute, a "
                     "cylindrical for a prismatic."},
     {"W-assembly", "The joints of a loop miss each other as drawn. Give the places of its bodies with more digits."},

@@ -68,13 +68,6 @@ static double twist_angle(double *dir, const double *q, const double *e)
     return 2 * atan2(y, w);
 }
 
-/* x and whole turns, next to `to`. */
-static double nearest(double x, double to)
-{
-    static const double TURN = 6.283185307179586;
-    return x + TURN * round((to - x) / TURN);
-}
-
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
                   const double *drawn, double stood)
 {
@@ -92,7 +85,7 @@ static void angle(struct action *o, const struct measures *m, const struct sweep
         m3_mulmt(turn, R, drawn);
         quat_of_matrix(q, turn);
         o->s = twist_angle(dir, q, def->axis);
-        o->s = nearest(o->s, stood);
+        o->s = angle_near(o->s, stood);
         m3_mul(o->dir, a.R, dir);
     }
     v3_diff(w, b.w, a.w);
@@ -130,7 +123,7 @@ void measures_turned(struct measures *o, const struct sweep *s, double t)
         if (o->model->measure[i].type != MEASURE_ANGLE || o->model->space == 2) continue;
         measure_at(&act, o, s, i, NULL, NULL);
         const double before = isnan(o->went[i]) ? act.rate : o->went[i];
-        const double now = nearest(act.s, o->stood[i] + (t - o->t) * (before + act.rate) / 2);
+        const double now = angle_near(act.s, o->stood[i] + (t - o->t) * (before + act.rate) / 2);
         if (!isfinite(now)) continue;
         o->stood[i] = now;
         o->went[i] = act.rate;

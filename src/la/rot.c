@@ -129,6 +129,12 @@ void vector_rate(double *T, const double *phi)
     }
 }
 
+double angle_near(double x, double to)
+{
+    static const double TURN = 6.283185307179586;
+    return x + TURN * round((to - x) / TURN);
+}
+
 /* The angle of the direction (c, s); 0 of none. */
 static double angle_of(double s, double c)
 {

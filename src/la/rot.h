@@ -41,6 +41,11 @@ void vector_of_matrix(double *phi, const double *R);
 /* T [9]: phi' = T w, w in the axes of the turning body; |phi| < 2 pi.  In base axes it is T'. */
 void vector_rate(double *T, const double *phi);
 
+/* ---- one angle ---- */
+
+/* x and whole turns, nearest to `to` [rad]. */
+double angle_near(double x, double to);
+
 /* ---- three angles ----
  *
  * The last is taken first and the others from what it leaves, so that the three always make up R.  Where the axes of

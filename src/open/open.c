@@ -229,7 +229,7 @@ static void solve(const struct ode2 *o, const void *F, double *x)
     s->ops->solve(s->sweep, F, x);
 }
 
-/* --- turns -------------------------------------------------------------------------------------- */
+/* --- after a step ------------------------------------------------------------------------------- */
 
 /* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
 static int count_turns(struct ode2 *o, double *q, double *v, double t)
@@ -237,10 +237,18 @@ static int count_turns(struct ode2 *o, double *q, double *v, double t)
     struct open_tree *s = tree_of(o);
     open_move(s, q, v);
     elements_turned(s->elements, s->sweep, t);
+    if (s->follow) s->follow(s->follower, s->sweep, t);
     return 0;
 }
 
 static const struct ode2_chart turns = {.rechart = count_turns};
+
+void open_follow(struct open_tree *o, void (*follow)(void *follower, const struct sweep *s, double t), void *follower)
+{
+    o->follow = follow;
+    o->follower = follower;
+    o->ode.chart = &turns;
+}
 
 /* --- kinks in time ------------------------------------------------------------------------------ */
 

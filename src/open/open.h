@@ -34,6 +34,8 @@ struct open_tree {
     double *d, *zero;       /* [n] */
     double *size;           /* [n] usual changes of the coordinates */
     struct effect *suspect; /* [nforce] for naming the element that is not finite */
+    void (*follow)(void *follower, const struct sweep *s, double t); /* NULL: nobody does */
+    void *follower;
 };
 
 void open_build(struct open_tree *o, const struct model *m, struct arena *life);
@@ -41,6 +43,9 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life);
 /* All bodies at q, unless they stand there; then moving with v.  Returns the number of the posture (posture.h). */
 long open_place(struct open_tree *o, const double *q);
 long open_move(struct open_tree *o, const double *q, const double *v);
+
+/* Who wants to know where the bodies are after each accepted step; before the first. */
+void open_follow(struct open_tree *o, void (*follow)(void *follower, const struct sweep *s, double t), void *follower);
 
 /* resid() of the ode, where open_move() has been with x->q and x->v. */
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,

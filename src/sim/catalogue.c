@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "loop/coordinates.h"
+
 struct listing {
     struct catalogue *o;
     const struct scene *scene;
@@ -94,11 +96,25 @@ static void add_tie(struct listing *l, const struct model_loop *loop, struct ori
     if (model_kind(l->m, loop->type)->tie == TIE_POINTS) add_rows(l, columns_rod, origin);
 }
 
-static void add_loop(struct listing *l, struct owner *of, int i)
+/* Of a joint outside of the tree likewise. */
+static void add_loop_coordinates(struct listing *l, const struct owner *of, int i, int number)
+{
+    const struct joint_kind *kind = model_kind(l->m, l->m->loop[i].type);
+    for (int p = 0; p < 3; p++)
+        for (int k = 0; k < joint_size(kind, p); k++) {
+            const char *name = arena_print(l->life, "%s.%s", of->name, joint_name(kind, p, k));
+            const int row = p ? p + 1 : !loop_winds(l->m, i, k);
+            struct origin o = {&columns_loop_coordinate[row], .of = of, .index = i, .k = k};
+            if (p < 2) o.slot = slot(l, p ? SCENE_RATE : SCENE_COORDINATE, number, k);
+            add(l, name, joint_unit(kind, p, k), o);
+        }
+}
+
+static void add_loop(struct listing *l, const struct owner *of, int i, int number)
 {
     const struct model_loop *loop = &l->m->loop[i];
     const struct origin origin = {.of = of, .index = i};
-    of->closes_loop = true;
+    add_loop_coordinates(l, of, i, number);
     if (joint_is_tie(model_kind(l->m, loop->type)))
         add_tie(l, loop, origin);
     else
@@ -124,9 +140,9 @@ static void add_joint(struct listing *l, int number)
 {
     const struct scene_joint *joint = &l->scene->joint[number];
     const int i = l->m->joint_of[number];
-    struct owner *of = own(l, joint->name, joint->node);
+    const struct owner *of = own(l, joint->name, joint->node);
     if (i < 0) {
-        add_loop(l, of, l->m->loop_of[number]);
+        add_loop(l, of, l->m->loop_of[number], number);
         return;
     }
     add_coordinates(l, of, i, number);

@@ -18,8 +18,12 @@ enum column_use {
     USE_WRITTEN,  /* records of a deck that names no columns */
     USE_POSITION, /* likewise, and the state: its place in q is the origin's index */
     USE_RATE,     /* likewise, in v */
-    USE_COUNTED   /* runs that are compared with each other */
+    USE_COUNTED,  /* runs that are compared with each other */
+    USE_TURNS     /* final states: an angle that a posture gives up to whole turns */
 };
+
+/* What a column needs besides SEE_... of system.h: the whole turns of joints that close loops. */
+enum { NEED_TURNS = 1 << 8 };
 
 /* A row: one quantity of one sort of thing. */
 struct column_kind {
@@ -28,7 +32,7 @@ struct column_kind {
     const char *plane, *space;
     const char *unit; /* NULL: none */
     const char *brief;
-    unsigned needs; /* SEE_... of system.h: what is to be known of the instant */
+    unsigned needs; /* SEE_... of system.h, NEED_...: what is to be known of the instant */
 
     /* Its value, after what it needs was seen.  Runs in every record: allocates nothing, cannot fail. */
     double (*value)(const struct sim *sim, const struct origin *o);
@@ -42,11 +46,11 @@ struct column_kind {
     .plane = plane_, .space = space_, .unit = unit_, .brief = brief_, .needs = needs_, .value = value_
 
 /* The tables; a row without a brief ends one. */
-extern const struct column_kind columns_time[], columns_coordinate[], columns_reaction[], columns_loop_reaction[],
-    columns_tie[], columns_rod[], columns_gear[], columns_mode[], columns_beam_stress[], columns_beam_shear[],
-    columns_solid_stress[], columns_von_mises[], columns_body[], columns_point[], columns_bent_point[],
-    columns_measure[], columns_law[], columns_load[], columns_drive[], columns_energy[], columns_momentum[],
-    columns_step[], columns_formula[];
+extern const struct column_kind columns_time[], columns_coordinate[], columns_loop_coordinate[], columns_reaction[],
+    columns_loop_reaction[], columns_tie[], columns_rod[], columns_gear[], columns_mode[], columns_beam_stress[],
+    columns_beam_shear[], columns_solid_stress[], columns_von_mises[], columns_body[], columns_point[],
+    columns_bent_point[], columns_measure[], columns_law[], columns_load[], columns_drive[], columns_energy[],
+    columns_momentum[], columns_step[], columns_formula[];
 
 /* The tables by sorts of things, for the manual; a last one without rows. */
 struct column_table {
@@ -60,7 +64,6 @@ extern const struct column_table column_tables[];
 struct owner {
     const char *name;        /* as its columns begin: "hub", "arm.tip" */
     const struct node *node; /* where the deck has it; NULL: nowhere */
-    bool closes_loop;        /* a joint outside of the tree */
 };
 
 /* Where one column's value comes from. */
@@ -70,7 +73,7 @@ struct origin {
     int index;                     /* number of the thing in the model; of a coordinate its place in q or v */
     int place;                     /* number of the place of stress on the body */
     int k;                         /* component, counted in the names in space */
-    unsigned needs;                /* SEE_...: its row's; of an expression those of all that it reads */
+    unsigned needs;                /* its row's; of an expression those of all that it reads */
     const struct scene_slot *slot; /* what expressions of the deck call it; NULL: nothing */
 };
 

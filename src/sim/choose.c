@@ -10,7 +10,8 @@ static void choose_default(struct sim *sim, struct arena *life)
     int *index = TAKE(life, int, c->n), n = 0;
     for (int i = 0; i < c->n; i++) {
         const enum column_use use = c->origin[i].kind->use;
-        if (use == USE_COUNTED ? sim->options.counting : use != USE_ON_REQUEST) index[n++] = i;
+        bool wanted = use == USE_WRITTEN || use == USE_POSITION || use == USE_RATE;
+        if (wanted || (use == USE_COUNTED && sim->options.counting)) index[n++] = i;
     }
     sim->chosen = (struct selection){n, index, -1};
 }
@@ -33,29 +34,20 @@ static const struct owner *find_owner(const struct catalogue *c, const char *pat
     return best;
 }
 
-/* What the thing has to offer. */
-static void hint_columns(const struct catalogue *c, const struct owner *of, struct diags *diags)
+/* What the thing that a pattern begins with has to offer. */
+static void hint_columns(const struct catalogue *c, const char *pattern, struct diags *diags)
 {
     enum { SHOWN = 8 };
+    const struct owner *of = find_owner(c, pattern);
     char text[400] = "";
     int n = 0;
+    if (!of) return;
     for (int i = 0; i < c->n; i++) {
         const char *name = c->column[i].name;
         if (!belongs(name, of) || n++ >= SHOWN) continue;
         snprintf(text + strlen(text), sizeof text - strlen(text), "%s%.40s", n > 1 ? ", " : "", name);
     }
     diag_hint(diags, "known here: %s%s", text, n > SHOWN ? ", ..." : "");
-}
-
-static void hint(const struct sim *sim, const char *pattern, const struct report *told, struct diags *diags)
-{
-    const struct owner *of = find_owner(&sim->catalogue, pattern);
-    if (of && of->closes_loop)
-        diag_hint(diags,
-                  "this joint closes a loop and has no coordinates; ask for a measure, or choose another for the "
-                  "loop by its 'loop: true'");
-    else if (of && !strstr(told->text, "did you mean"))
-        hint_columns(&sim->catalogue, of, diags);
 }
 
 static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct arena *life)
@@ -71,7 +63,7 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
         if (out->column[i].name || columns_select(&one, c->column, c->n, &patterns[i], 1, E_DECK, life, &report) == OK)
             continue;
         diag_error(diags, out->column[i].node, AT_VALUE, "E-unknown-column", "%s", report.text);
-        hint(sim, patterns[i], &report, diags);
+        if (!strstr(report.text, "did you mean")) hint_columns(c, patterns[i], diags);
         status = E_DECK;
     }
     TRY(status);

@@ -3,7 +3,7 @@
 #include "la/vec3.h"
 #include "sim/sim.h"
 
-/* ---- coordinates, of joints and of modes, by their places in q and v ---- */
+/* ---- coordinates of the state, of joints and of modes, by their places in q and v ---- */
 
 static double position(const struct sim *sim, const struct origin *o)
 {
@@ -27,6 +27,34 @@ const struct column_kind columns_coordinate[] = {
     {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", SEE_ACCELERATION, acceleration)},
     {0},
 };
+
+/* ---- coordinates of joints that close loops: `index` is the loop, k counts ---- */
+
+static double loop_position(const struct sim *sim, const struct origin *o)
+{
+    return system_loop_coordinate(sim->system, o->index, 0, o->k);
+}
+
+static double loop_rate(const struct sim *sim, const struct origin *o)
+{
+    return system_loop_coordinate(sim->system, o->index, 1, o->k);
+}
+
+static double loop_acceleration(const struct sim *sim, const struct origin *o)
+{
+    return system_loop_coordinate(sim->system, o->index, 2, o->k);
+}
+
+/* Angles, other positions, rates, accelerations. */
+const struct column_kind columns_loop_coordinate[] = {
+    {COLUMN(NULL, NULL, NULL, "joint coordinate", SEE_MOTION | NEED_TURNS, loop_position), .use = USE_TURNS},
+    {COLUMN(NULL, NULL, NULL, "joint coordinate", SEE_MOTION, loop_position)},
+    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", SEE_MOTION, loop_rate)},
+    {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", SEE_ACCELERATION, loop_acceleration)},
+    {0},
+};
+
+/* ---- coordinates of flexible bodies ---- */
 
 const struct column_kind columns_mode[] = {
     {COLUMN("", "", NULL, "elastic coordinate", SEE_NOTHING, position), .use = USE_POSITION},

@@ -2,39 +2,26 @@
  * leave their `range:`.
  *
  * Both are told at the end of the step in which they happen; the step is not cut there. */
+#include <assert.h>
 #include <stdio.h>
 
 #include "expr/expr.h"
 #include "sim/parts.h"
 
-/* The column of a coordinate or measure; NULL after an error. */
-static const struct origin *find(const struct sim *sim, const struct scene_slot *slot, const struct node *at,
-                                 struct diags *diags)
-{
-    const struct origin *found = catalogue_find(&sim->catalogue, slot);
-    if (found) return found;
-    const struct scene_joint *j = &sim->scene->joint[slot->index]; /* all else is there */
-    diag_error(diags, at, AT_VALUE, "E-which-coordinate", "'%.60s.%s' belongs to a joint that closes a loop", j->name,
-               joint_name(j->kind, slot->type == SCENE_RATE, slot->k));
-    diag_hint(diags, "such a joint has no coordinates of its own; use a measure");
-    return NULL;
-}
-
-static enum status open_condition(struct sim *sim, struct diags *diags, struct arena *life)
+static void open_condition(struct sim *sim, struct arena *life)
 {
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
     w->slot = TAKE(life, const struct origin *, when->nslot);
     w->value = TAKE(life, double, when->nslot);
     for (int i = 0; i < when->nslot; i++) {
-        w->slot[i] = find(sim, &when->slot[i], when->node, diags);
-        if (!w->slot[i]) return E_DECK;
+        w->slot[i] = catalogue_find(&sim->catalogue, &when->slot[i]);
+        assert(w->slot[i]);
         w->needs |= w->slot[i]->needs;
     }
-    return OK;
 }
 
-static enum status open_ranges(struct sim *sim, struct diags *diags, struct arena *life)
+static void open_ranges(struct sim *sim, struct arena *life)
 {
     const struct scene *scene = sim->scene;
     struct watch *w = &sim->watch;
@@ -43,20 +30,19 @@ static enum status open_ranges(struct sim *sim, struct diags *diags, struct aren
         const struct scene_joint *j = &scene->joint[i];
         if (!j->ranged) continue;
         const struct scene_slot slot = {SCENE_COORDINATE, i, 0};
-        const struct origin *found = find(sim, &slot, node_find(j->node, "range"), diags);
-        if (!found) return E_DECK;
+        const struct origin *found = catalogue_find(&sim->catalogue, &slot);
+        assert(found);
         w->needs |= found->needs;
         const char *name = sim->catalogue.column[found - sim->catalogue.origin].name;
         w->range[w->nrange++] = (struct watched_range){.joint = j, .name = name, .place = found};
     }
-    return OK;
 }
 
-enum status events_open(struct sim *sim, struct diags *diags, struct arena *life)
+void events_open(struct sim *sim, struct arena *life)
 {
-    if (sim->options.counting) return OK;
-    if (sim->scene->when.node) TRY(open_condition(sim, diags, life));
-    return open_ranges(sim, diags, life);
+    if (sim->options.counting) return;
+    if (sim->scene->when.node) open_condition(sim, life);
+    open_ranges(sim, life);
 }
 
 static enum status tell(struct sim *sim, struct sink *sink, const char *kind, const char *text, struct report *report)

@@ -21,12 +21,18 @@ void warn_of_loops(const struct sim *sim, struct diags *diags);
 const char *sim_loop_kind(const struct sim *sim, int l); /* "constraint" or "drive" */
 enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
 
+/* Do records or conditions read angles of loop joints? */
+static inline bool follows_turns(const struct sim *sim)
+{
+    return (sim->needs | sim->watch.needs) & NEED_TURNS;
+}
+
 /* state.c: the model's initial state from the file that the deck names; how far angles have turned there */
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
 enum status state_turns(struct sim *sim, struct diags *diags);
 
 /* events.c: the end that the deck describes, joints that leave their range */
-enum status events_open(struct sim *sim, struct diags *diags, struct arena *life);
+void events_open(struct sim *sim, struct arena *life);
 enum status events_look(struct sim *sim, struct sink *sink, struct report *report);
 
 /* turns.c: the farthest turn of a ball or free joint in one step */

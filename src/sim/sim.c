@@ -68,11 +68,12 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(choose_columns(sim, diags, life, report));
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
-    TRY(events_open(sim, diags, life));
+    events_open(sim, life);
     bends_open(sim, life);
     spins_open(sim, life);
     leaps_open(sim, life);
     sim->system = system_build(m, life);
+    if (follows_turns(sim)) system_follow_turns(sim->system, life);
     TRY(state_turns(sim, diags));
     sim->x = new_state(m, life);
     warn_of_unread(sim, diags);

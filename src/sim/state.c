@@ -92,22 +92,29 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
     return diags_status(diags);
 }
 
-static bool counts_turns(const struct model *m, int i)
+/* An angle in space, which a posture gives up to whole turns: of a measure, of a joint that closes a loop. */
+static bool counts_turns(const struct sim *sim, const struct origin *o)
 {
-    return m->space == 3 && m->measure[i].type == MEASURE_ANGLE && m->measure[i].name;
+    const struct model *m = sim->model;
+    if (o->kind->use == USE_TURNS) return follows_turns(sim);
+    return o->kind->use == USE_COUNTED && m->space == 3 && m->measure[o->index].type == MEASURE_ANGLE;
 }
 
 enum status state_turns(struct sim *sim, struct diags *diags)
 {
     const struct node *angles = sim->scene->angles;
-    const struct model *m = sim->model;
+    const struct catalogue *c = &sim->catalogue;
     struct reader rd = {diags, (struct deck *)sim->scene->deck, sim->scene->space};
-    for (int i = 0; angles && i < m->nmeasure; i++) {
-        const struct node *n = counts_turns(m, i) ? node_find(angles, m->measure[i].name) : NULL;
+    for (int i = 0; angles && i < c->n; i++) {
+        const struct origin *o = &c->origin[i];
+        const struct node *n = counts_turns(sim, o) ? node_find(angles, c->column[i].name) : NULL;
         double x = 0;
         if (!n) continue;
         read_number(&x, n, NULL, &rd);
-        system_stand(sim->system, i, x);
+        if (o->kind->use == USE_TURNS)
+            system_stand_loop(sim->system, o->index, o->k, x);
+        else
+            system_stand(sim->system, o->index, x);
     }
     return diags_status(diags);
 }
@@ -122,26 +129,23 @@ static enum status put(struct stream *s, const char *name, double x, const char 
     return stream_end(s, to, report);
 }
 
-static int count_angles(const struct model *m)
+static int count_angles(const struct sim *sim)
 {
     int n = 0;
-    for (int i = 0; i < m->nmeasure; i++) n += counts_turns(m, i);
+    for (int i = 0; i < sim->catalogue.n; i++) n += counts_turns(sim, &sim->catalogue.origin[i]);
     return n;
 }
 
 static enum status put_angles(const struct sim *sim, struct stream *stream, struct report *report)
 {
     static const char open[] = "\"angles\": {\n", close[] = "},\n";
-    const struct model *m = sim->model;
-    int left = count_angles(m);
+    const struct catalogue *c = &sim->catalogue;
+    int left = count_angles(sim);
     if (!left) return OK;
     TRY(stream_put(stream, open, sizeof open - 1, report));
-    for (int i = 0; i < m->nmeasure; i++) {
-        double x, rate;
-        if (!counts_turns(m, i)) continue;
-        system_measure(sim->system, &x, &rate, i);
-        TRY(put(stream, m->measure[i].name, x, --left ? "," : "", report));
-    }
+    for (int i = 0; i < c->n; i++)
+        if (counts_turns(sim, &c->origin[i]))
+            TRY(put(stream, c->column[i].name, record_value(sim, &c->origin[i]), --left ? "," : "", report));
     return stream_put(stream, close, sizeof close - 1, report);
 }
 
@@ -152,7 +156,7 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
     int last = 0;
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i])) last = i;
-    if (sim->model->nloop || count_angles(sim->model)) /* the rates of what follows */
+    if (sim->model->nloop || count_angles(sim)) /* the rates of what follows */
         TRY(record_see(sim, SEE_MOTION));
     TRY(stream_put(stream, head, sizeof head - 1, report));
     TRY(put(stream, "t", sim->x.t, ",", report));

@@ -10,13 +10,15 @@
 #include "la/rot.h"
 #include "la/vec3.h"
 #include "loop/condense.h"
+#include "loop/coordinates.h"
 #include "open/open.h"
 
 struct system {
     const struct model *model;
     const struct sweep_ops *ops;
     struct open_tree tree;
-    struct condense *loops; /* of the tree with its loops; NULL: none */
+    struct condense *loops;    /* of the tree with its loops; NULL: none */
+    struct windings *windings; /* NULL: nobody asks for them */
     struct sweep *view;
     struct loops *shown; /* the loops there */
     double *lambda;      /* [rows] at the last see() */
@@ -228,6 +230,28 @@ void system_reaction(const struct system *s, double *f, double *n, int joint)
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop)
 {
     loops_reaction(s->shown, f, n, loop, s->lambda);
+}
+
+double system_loop_coordinate(const struct system *s, int loop, int order, int k)
+{
+    const struct model_loop *l = &s->model->loop[loop];
+    struct pose first, second;
+    s->ops->pose(s->view, &first, l->first);
+    s->ops->pose(s->view, &second, l->second);
+    const double x = loop_coordinate(s->model, loop, order, k, &first, &second);
+    return order == 0 && s->windings && loop_winds(s->model, loop, k) ? windings_angle(s->windings, loop, k, x) : x;
+}
+
+void system_follow_turns(struct system *s, struct arena *life)
+{
+    if (!s->loops || s->model->space == 2) return;
+    s->windings = windings_build(s->model, s->ops, life);
+    open_follow(&s->tree, windings_note, s->windings);
+}
+
+void system_stand_loop(struct system *s, int loop, int k, double x)
+{
+    windings_stand(s->windings, loop, k, x);
 }
 
 void system_drive(const struct system *s, double *force, double *power, int loop)

@@ -51,6 +51,12 @@ void system_stand(struct system *s, int measure, double x);
 void system_measure(const struct system *s, double *value, double *rate, int measure);
 void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop);
+/* The k-th position (order 0), rate (1) or acceleration (2) that a joint outside of the tree would have in it. */
+double system_loop_coordinate(const struct system *s, int loop, int order, int k);
+/* From the start on, such angles in space keep their whole turns; before the first step. */
+void system_follow_turns(struct system *s, struct arena *life);
+/* And one of them stands at x [rad] there. */
+void system_stand_loop(struct system *s, int loop, int k, double x);
 /* Of drive `loop`: its force along its measure, its power [W]. */
 void system_drive(const struct system *s, double *force, double *power, int loop);
 double system_loop_force(const struct system *s, int loop); /* of a tie: see loops_force() */
