@@ -106,6 +106,11 @@ grep -q "W-time" err && grep -q "'time: keep' beside 'from' goes on" err && ok "
 "$FMDSUB" run -q -s 'initial={from: at1.json, time: zero}' clock.yaml >out 2>err
 expect "the clock begins anew, as it is meant: nothing of the clock" 0 "$(grep -c W-time err)" err
 
+# Whole turns of a joint that closes a loop: the state holds its angle where a record asks for it.
+"$FMDSUB" run -q --until 0.5 --final-state turned.json cardan.yaml >out 2>err
+"$FMDSUB" run -q --until 1 --columns out.angle -s 'initial={from: turned.json, time: keep}' cardan.yaml 2>err >out
+expect "whole turns of a joint that closes a loop" 30.02 "$(tail -n 1 out | cut -d , -f 2 | cut -c 1-5)" err
+
 # A run that stops leaves the last state that was good.
 "$FMDSUB" run -q --final-state stopped.json -s 'forces={f: {torque: pin, value: "sqrt(0.5 - t)"}}' pendulum.yaml >/dev/null 2>err
 expect "stopped: status" 5 $?
