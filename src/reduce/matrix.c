@@ -1,6 +1,7 @@
 /* matrix.c -- see matrix.h */
 #include "reduce/matrix.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 #include <strings.h>
@@ -30,6 +31,7 @@ static enum status read_entry(struct triplets *o, char *at, const struct matrix_
         return text_bad(text, "row %d, column %d: the matrix has %d rows", i, j, rows->n);
     if (!isfinite(v)) return text_bad(text, "row %d, column %d: the value is not finite", i, j);
     if (i == j && v < 0) return text_bad(text, "row %d: the diagonal is negative, %.6g", i, v);
+    assert(o->count < o->room);
     int at_entry = o->count++;
     o->i[at_entry] = rows->to[i - 1];
     o->j[at_entry] = rows->to[j - 1];

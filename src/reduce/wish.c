@@ -90,9 +90,9 @@ static enum status count(int *value, struct report *report)
 /* NAME=rest: the name, checked; *rest behind the '='. */
 static enum status named(const char **name, char **rest, int code, struct arena *life, struct report *report)
 {
-    const char *equal = strchr(optarg, '=');
-    *name = equal ? arena_copy(life, optarg, (size_t)(equal - optarg)) : NULL;
-    if (!equal || !equal[1] || !text_is_name(*name)) {
+    const char *equal = optarg + strcspn(optarg, "=");
+    *name = arena_copy(life, optarg, (size_t)(equal - optarg));
+    if (!*equal || !equal[1] || !text_is_name(*name)) {
         return fail(report, E_USAGE, "--%s expects NAME=..., a name of letters, digits and '_', not '%.60s'",
                     option_name(code), optarg);
     }
