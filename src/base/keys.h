@@ -16,6 +16,8 @@ enum key_type {
     KEY_WORD,   /* int               index into words, "newmark|midpoint|..." */
     KEY_TEXT,   /* const char *      any text */
     KEY_VECTOR, /* double[3]         [x, y, z], in 2-D decks [x, y], or with KEY_ABOUT the number z */
+    KEY_TABLE,  /* struct points     rows [x, y] of numbers, x increasing */
+    KEY_CSV,    /* struct points     the same from a file beside the deck, by name */
     KEY_NODE    /* const node *      a shape of its own (point, name, list, expression, map), read by its owner;
                                      words tells the shape for the manual: "point", "joint", "[body, body]" */
 };
@@ -30,6 +32,11 @@ enum key_flag {
     KEY_META = 64,    /* a number that the meta record of a run gives */
     KEY_ABOUT = 128,  /* a vector about axes: turns, torques */
     KEY_DRAWN = 256   /* of a law along a measure: its default is the measure when drawn, a distance; else 0 */
+};
+
+struct points {
+    int n;
+    const double *x, *y; /* [n] */
 };
 
 struct key {
@@ -100,6 +107,17 @@ const struct key *key_find(const struct key *keys, const char *name);
 #define PARAM_TEXT(strukt, member, word, flags_, fallback_, brief_)                                                    \
     {                                                                                                                  \
         .name = word, .type = KEY_TEXT, .offset = offsetof(strukt, member), .flags = flags_, .fallback = fallback_,    \
+        .brief = brief_                                                                                                \
+    }
+/* A table in the deck, and one in a file; both may fill the same member. */
+#define PARAM_TABLE(strukt, member, word, shape_, flags_, brief_)                                                      \
+    {                                                                                                                  \
+        .name = word, .type = KEY_TABLE, .offset = offsetof(strukt, member), .words = shape_, .flags = flags_,         \
+        .brief = brief_                                                                                                \
+    }
+#define PARAM_CSV(strukt, member, word, flags_, brief_)                                                                \
+    {                                                                                                                  \
+        .name = word, .type = KEY_CSV, .offset = offsetof(strukt, member), .words = "text", .flags = flags_,           \
         .brief = brief_                                                                                                \
     }
 #define PARAM_NODE(strukt, member, word, shape_, flags_, brief_)                                                       \

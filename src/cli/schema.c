@@ -58,7 +58,11 @@ static cJSON *key_schema(const struct key *k)
         o = words_schema(k->words);
         break;
     case KEY_TEXT:
+    case KEY_CSV:
         o = typed("string");
+        break;
+    case KEY_TABLE:
+        o = typed("array");
         break;
     case KEY_VECTOR:
         o = k->flags & KEY_ABOUT ? cJSON_CreateObject() : typed("array");
@@ -66,9 +70,10 @@ static cJSON *key_schema(const struct key *k)
     default:
         o = cJSON_CreateObject();
     }
+    const bool shaped = k->type == KEY_NODE || k->type == KEY_TABLE;
     char text[300];
     snprintf(text, sizeof text, "%s%s%s%s%s%s", k->brief, k->unit ? " [" : "", k->unit ? k->unit : "",
-             k->unit ? "]" : "", k->type == KEY_NODE ? ": " : "", k->type == KEY_NODE ? k->words : "");
+             k->unit ? "]" : "", shaped ? ": " : "", shaped ? k->words : "");
     cJSON_AddStringToObject(o, "description", text);
     if (k->fallback) cJSON_AddStringToObject(o, "default", k->fallback);
     return o;

@@ -141,7 +141,7 @@ const struct diag_help diag_helps[] = {
     {"E-drive",
      "A drive gives a joint coordinate, a distance, a displacement or, in the plane, an angle as a function of "
      "time alone: an expression of t, or a table."},
-    {"E-table", "A table has rows [t, x] with increasing t."},
+    {"E-table", "A table has rows of two numbers, the first of which increase."},
     /* the scene: start and run */
     {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "
                 "nothing beside 'from' is set but 'time'. A run that keeps its time ends later than that."},

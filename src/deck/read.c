@@ -209,6 +209,46 @@ static int read_components(double *x, const struct node *n, const struct key *ke
     return errors;
 }
 
+/* ---- tables ---- */
+
+/* n: the table, or the file it is from. */
+static int keep_points(struct points *o, const double *rows, int count, const struct node *n, struct reader *rd)
+{
+    double *x = TAKE(rd->deck->arena, double, count), *y = TAKE(rd->deck->arena, double, count);
+    for (int i = 0; i < count; i++) {
+        x[i] = rows[2 * i];
+        y[i] = rows[2 * i + 1];
+        if (i == 0 || x[i] > x[i - 1]) continue;
+        diag_error(rd->diags, n->type == NODE_LIST ? n->item[i] : n, AT_VALUE, "E-table",
+                   "the first numbers of a table must increase: %g after %g", x[i], x[i - 1]);
+        return 1;
+    }
+    *o = (struct points){count, x, y};
+    if (count > 0) return 0;
+    diag_error(rd->diags, n, AT_VALUE, "E-table", "an empty table");
+    return 1;
+}
+
+static int read_rows(struct points *o, const struct node *list, struct reader *rd)
+{
+    const char *what = arena_print(rd->deck->arena, "'%s'", list->key);
+    if (read_list(list, what, rd)) return 1;
+    double *rows = TAKE(rd->deck->arena, double, 2 * list->count);
+    what = arena_print(rd->deck->arena, "a row of '%s'", list->key);
+    for (int i = 0; i < list->count; i++)
+        if (read_vector(rows + 2 * i, 2, list->item[i], what, rd)) return 1;
+    return keep_points(o, rows, list->count, list, rd);
+}
+
+static int read_csv(struct points *o, const struct node *n, struct reader *rd)
+{
+    const char *name;
+    double *rows;
+    int count;
+    if (read_text(&name, n, NULL, rd) || deck_csv(&rows, &count, 2, n, rd->deck) != OK) return 1;
+    return keep_points(o, rows, count, n, rd);
+}
+
 /* ---- maps by table ---- */
 
 static int read_value(void *out, const struct key *key, const struct node *n, struct reader *rd)
@@ -227,6 +267,10 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
         return read_text(member, n, NULL, rd);
     case KEY_VECTOR:
         return read_components(member, n, key, rd);
+    case KEY_TABLE:
+        return read_rows(member, n, rd);
+    case KEY_CSV:
+        return read_csv(member, n, rd);
     case KEY_NODE:
         break;
     }

@@ -88,65 +88,18 @@ int read_condition(struct builder *b, struct scene_condition *o, const struct no
     return 0;
 }
 
-static int table_times(struct builder *b, const struct node *n, const struct signal *o)
-{
-    for (int i = 1; i < o->n; i++) {
-        if (o->t[i] > o->t[i - 1]) continue;
-        const struct node *row = n->type == NODE_LIST ? n->item[i] : n;
-        diag_error(b->diags, row, AT_VALUE, "E-table", "times of a table must increase: %g after %g", o->t[i],
-                   o->t[i - 1]);
-        return 1;
-    }
-    return 0;
-}
-
-static int read_rows(struct builder *b, struct signal *o, const struct node *list)
-{
-    if (read_list(list, "'table'", &b->reader)) return 1;
-    double *t = TAKE(b->life, double, list->count), *x = TAKE(b->life, double, list->count);
-    for (int i = 0; i < list->count; i++) {
-        double row[2];
-        if (read_vector(row, 2, list->item[i], "a row of 'table'", &b->reader)) return 1;
-        t[i] = row[0];
-        x[i] = row[1];
-    }
-    if (list->count < 1) {
-        diag_error(b->diags, list, AT_VALUE, "E-table", "an empty table");
-        return 1;
-    }
-    *o = (struct signal){.n = list->count, .t = t, .x = x};
-    return table_times(b, list, o);
-}
-
-static int read_file(struct builder *b, struct signal *o, const struct node *n)
-{
-    double *rows;
-    int count;
-    if (deck_csv(&rows, &count, 2, n, b->reader.deck) != OK) return 1;
-    if (count < 1) {
-        diag_error(b->diags, n, AT_VALUE, "E-table", "an empty table");
-        return 1;
-    }
-    double *t = TAKE(b->life, double, count), *x = TAKE(b->life, double, count);
-    for (int i = 0; i < count; i++) {
-        t[i] = rows[2 * i];
-        x[i] = rows[2 * i + 1];
-    }
-    *o = (struct signal){.n = count, .t = t, .x = x};
-    return table_times(b, n, o);
-}
-
 static int read_table(struct builder *b, struct signal *o, const struct node *n)
 {
     struct table_keys k = {0};
     if (read_keys(&k, keys_table, n, NULL, "'value'", &b->reader)) return 1;
-    if (!k.table == !k.file) {
+    const bool table = node_find(n, "table"), file = node_find(n, "file");
+    if (table == file) {
         diag_error(b->diags, n, AT_VALUE, "E-table",
-                   k.table ? "expected 'table' or 'file', not both" : "expected 'table' or 'file'");
+                   table ? "expected 'table' or 'file', not both" : "expected 'table' or 'file'");
         return 1;
     }
-    if (k.table) return read_rows(b, o, k.table);
-    return read_file(b, o, node_find(n, "file"));
+    *o = (struct signal){.n = k.points.n, .t = k.points.x, .x = k.points.y};
+    return 0;
 }
 
 static int read_signal(struct slots *s, struct signal *o, const struct node *n)

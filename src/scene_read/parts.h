@@ -34,8 +34,7 @@ struct drive_keys {
     const struct node *drive, *value;
 };
 struct table_keys {
-    const struct node *table;
-    const char *file;
+    struct points points;
 };
 struct partition_keys {
     const struct node *fast, *independent;

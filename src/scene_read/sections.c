@@ -100,9 +100,9 @@ const struct key keys_torque[] = {
 };
 
 const struct key keys_table[] = {
-    PARAM_NODE(struct table_keys, table, "table", "[[t, x], ...]", 0,
-               "points of time; linear between, constant beyond the ends"),
-    PARAM_TEXT(struct table_keys, file, "file", 0, NULL, "CSV file of t, x beside the deck"),
+    PARAM_TABLE(struct table_keys, points, "table", "[[t, x], ...]", 0,
+                "points of time; linear between, constant beyond the ends"),
+    PARAM_CSV(struct table_keys, points, "file", 0, "CSV file of t, x beside the deck"),
     KEYS_END,
 };
 

@@ -21,6 +21,8 @@ struct thing {
     int count, flag, word;
     const char *label;
     const struct node *shape;
+    double along[3], about[3];
+    struct points curve;
 };
 
 static const struct key keys[] = {
@@ -227,8 +229,55 @@ static void copies(void **state)
 
 #define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
 
+static const struct key lists[] = {
+    PARAM_VECTOR(struct thing, along, "along", "N/m", 0, INFINITY, 0, "along axes"),
+    PARAM_VECTOR(struct thing, about, "about", "N m/rad", 0, INFINITY, KEY_ABOUT, "about axes"),
+    PARAM_TABLE(struct thing, curve, "table", "[[x, y], ...]", 0, "points"),
+    PARAM_CSV(struct thing, curve, "file", 0, "points in a file"),
+    KEYS_END,
+};
+
+static void vectors(void **state)
+{
+    (void)state;
+    struct thing x = {0};
+    for (int space = 2; space <= 3; space++) {
+        struct node *n = value(space == 2 ? "{along: [1, p], about: 7}" : "{along: [1, p, 3], about: [0, 0, 7]}");
+        rd.space = space;
+        assert_int_equal(read_keys(&x, lists, n, NULL, "thing 'x'", &rd), 0);
+        assert_true(x.along[0] == 1 && x.along[1] == 5 && x.along[2] == (space == 2 ? 0 : 3));
+        assert_true(x.about[0] == 0 && x.about[1] == 0 && x.about[2] == 7);
+    }
+    struct node *n = value("{along: [1, 2], about: [0, -1, 0]}");
+    rd.space = 3;
+    assert_int_equal(read_keys(&x, lists, n, NULL, "thing 'x'", &rd), 2);
+    assert_non_null(strstr(messages(), "'along': expected 3 numbers, found 2"));
+    assert_non_null(strstr(messages(), "2:31: error: 'about' must be at least 0 N m/rad, not -1"));
+}
+
+static void tables(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *message;
+    } wrong[] = {{"{table: [[0, 1], [0, 2]]}", "2:21: error: the first numbers of a table must increase: 0 after 0"},
+                 {"{table: []}", "2:12: error: an empty table"},
+                 {"{table: [[0, 1, 2]]}", "2:13: error: a row of 'table': expected 2 numbers, found 3"},
+                 {"{file: nowhere.csv}", "2:11: error: 'nowhere.csv': No such file or directory"}};
+    struct thing x = {0};
+    struct node *n = value("{table: [[-1, 2], [0, p], [3, 1/2]]}");
+    assert_int_equal(read_keys(&x, lists, n, NULL, "thing 'x'", &rd), 0);
+    assert_true(x.curve.n == 3 && x.curve.x[0] == -1 && x.curve.y[1] == 5 && x.curve.x[2] == 3 && x.curve.y[2] == .5);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        n = value(wrong[i].text);
+        assert_int_equal(read_keys(&x, lists, n, NULL, "thing 'x'", &rd), 1);
+        if (!strstr(messages(), wrong[i].message)) fail_msg("%s: %s", wrong[i].text, messages());
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {TEST(whole_table), TEST(defaults), TEST(refusals), TEST(single), TEST(copies)};
+    const struct CMUnitTest tests[] = {TEST(whole_table), TEST(defaults), TEST(vectors), TEST(tables),
+                                       TEST(refusals),    TEST(single),   TEST(copies)};
     return cmocka_run_group_tests(tests, make_file, drop_file);
 }
