@@ -45,9 +45,13 @@ const char *page_type(const struct key *k)
         return "text";
     case KEY_VECTOR:
         return k->flags & KEY_ABOUT ? "[x, y, z], 2-D: number" : "[x, y, z]";
-    default:
-        return k->words;
+    case KEY_WORD:
+    case KEY_TABLE:
+    case KEY_CSV:
+    case KEY_NODE:
+        break;
     }
+    return k->words;
 }
 
 /* "newmark|midpoint" as "newmark, midpoint" */

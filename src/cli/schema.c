@@ -45,7 +45,7 @@ static cJSON *number_schema(const struct key *k)
 
 static cJSON *key_schema(const struct key *k)
 {
-    cJSON *o;
+    cJSON *o = NULL;
     switch (k->type) {
     case KEY_REAL:
     case KEY_INT:
@@ -67,8 +67,9 @@ static cJSON *key_schema(const struct key *k)
     case KEY_VECTOR:
         o = k->flags & KEY_ABOUT ? cJSON_CreateObject() : typed("array");
         break;
-    default:
+    case KEY_NODE:
         o = cJSON_CreateObject();
+        break;
     }
     const bool shaped = k->type == KEY_NODE || k->type == KEY_TABLE;
     char text[300];

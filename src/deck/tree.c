@@ -255,20 +255,18 @@ static struct node *build(struct builder *b, const yaml_event_t *e)
 {
     struct span at = tree_span(b, e);
     if (!tree_within(b, 1, at)) return NULL;
-    switch (e->type) {
-    case YAML_ALIAS_EVENT:
-        return alias_node(b, e);
-    case YAML_SCALAR_EVENT:
+    if (e->type == YAML_ALIAS_EVENT) return alias_node(b, e);
+    if (e->type == YAML_SCALAR_EVENT) {
         check_tag(b, e->data.scalar.tag, at);
         return anchored_scalar(b, e);
-    case YAML_SEQUENCE_START_EVENT:
+    }
+    if (e->type == YAML_SEQUENCE_START_EVENT) {
         check_tag(b, e->data.sequence_start.tag, at);
         return collection(b, e, NODE_LIST, e->data.sequence_start.style == YAML_FLOW_SEQUENCE_STYLE);
-    default:
-        assert(e->type == YAML_MAPPING_START_EVENT);
-        check_tag(b, e->data.mapping_start.tag, at);
-        return collection(b, e, NODE_MAP, e->data.mapping_start.style == YAML_FLOW_MAPPING_STYLE);
     }
+    assert(e->type == YAML_MAPPING_START_EVENT);
+    check_tag(b, e->data.mapping_start.tag, at);
+    return collection(b, e, NODE_MAP, e->data.mapping_start.style == YAML_FLOW_MAPPING_STYLE);
 }
 
 /* ---- documents ---- */

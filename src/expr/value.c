@@ -96,9 +96,38 @@ static bool is_smooth(enum op op)
     case OP_EXP:
     case OP_END:
         return true;
-    default:
-        return false;
+    case OP_DIV:
+    case OP_DIV_SLOT:
+    case OP_POW:
+    case OP_MOD:
+    case OP_HYPOT:
+    case OP_MIN:
+    case OP_MAX:
+    case OP_LT:
+    case OP_LE:
+    case OP_GT:
+    case OP_GE:
+    case OP_EQ:
+    case OP_NE:
+    case OP_AND:
+    case OP_OR:
+    case OP_NOT:
+    case OP_TAN:
+    case OP_ASIN:
+    case OP_ACOS:
+    case OP_ATAN2:
+    case OP_LOG:
+    case OP_LOG10:
+    case OP_SQRT:
+    case OP_ABS:
+    case OP_SIGN:
+    case OP_FLOOR:
+    case OP_CEIL:
+    case OP_UNLESS:
+    case OP_SKIP:
+        break;
     }
+    return false;
 }
 
 bool expr_is_smooth(const struct expr *e)

@@ -45,9 +45,15 @@ static const char *status_word(const struct sim *sim)
         return "terminated";
     case E_LIMIT:
         return stop_limit() ? "CPU time limit reached" : "limit reached";
-    default:
-        return "failed";
+    case E_USAGE:
+    case E_DECK:
+    case E_MODEL:
+    case E_FILE:
+    case E_SIGPIPE:
+    case E_BUG:
+        break;
     }
+    return "failed";
 }
 
 int sim_facts(const struct sim *sim, struct pair *facts, int most)
@@ -183,7 +189,9 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         return "the mechanism may be locked here, or the step too large";
     case TROUBLE_SINGULAR:
         return "look for a body without mass or inertia";
-    default:
+    case TROUBLE_NONE:
+    case TROUBLE_DIVERGED:
+    case TROUBLE_TOO_SMALL:
         break;
     }
     if (o->iteration == ITERATION_FIXED_POINT) return "try 'iteration: newton'";
@@ -230,7 +238,8 @@ enum status say_trouble(const struct sim *sim, const struct trouble *why, enum s
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);
         break;
-    default:
+    case TROUBLE_NONE:
+    case TROUBLE_DIVERGED:
         snprintf(what, sizeof what, "no convergence, worst at '%s' (%.3g of the tolerance), step %.3g s", coordinate,
                  why->value, sim->plan.step);
     }
