@@ -26,27 +26,6 @@
 #include "force/parts.h"
 #include "la/vec3.h"
 
-/* Ends closer than this, relative to the measure, leave more round-off than digits in V_b - V_a. */
-static const double near = 1e-5;
-
-/* The mean of -dV/ds over the interval, and its slope along the middle, s_b = 2 s - s_a: the difference quotient,
- * 2 (f_b - f)/(s_b - s_a); between near ends Simpson's rule, (f_a + 4 f + f_b)/6, which meets it. */
-static void mean_force(struct law *o, const struct force_kind *kind, const void *par, const double *end, double t)
-{
-    struct law a, m, b;
-    const double ds = end[1] - end[0];
-    kind->law(&b, par, end[1], 0, t);
-    if (fabs(ds) > near * (fabs(end[0]) + fabs(end[1]))) {
-        o->f = -(kind->stored(par, end[1]) - kind->stored(par, end[0])) / ds;
-        o->ks = -2 * (b.f - o->f) / ds;
-        return;
-    }
-    kind->law(&a, par, end[0], 0, t);
-    kind->law(&m, par, end[0] + .5 * ds, 0, t);
-    o->f = (a.f + 4 * m.f + b.f) / 6;
-    o->ks = (2 * m.ks + b.ks) / 3;
-}
-
 /* A law's force and slopes at the measure s and rate of the instant, or over the interval between the ends. */
 static void law_over(struct law *o, double *dissipative, const struct force_kind *kind, const void *par, bool linear,
                      double s, double rate, const double *end, double t)
@@ -55,7 +34,7 @@ static void law_over(struct law *o, double *dissipative, const struct force_kind
     kind->law(o, par, s, rate, t);
     *dissipative = kind->dissipative ? kind->dissipative(par, s, rate, t) : 0;
     if (!end || linear) return;
-    mean_force(o, kind, par, end, t);
+    kind->mean(o, par, end[0], end[1]);
     o->f += *dissipative;
 }
 

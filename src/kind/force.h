@@ -100,6 +100,10 @@ struct force_kind {
      * (dissipative) or work. */
     double (*stored)(const void *par, double s);
 
+    /* Required with stored().  The mean force -(V(s1) - V(s0))/(s1 - s0) in f, without the difference of large numbers
+     * and also at s1 = s0, and its slope along the middle of s0 and s1 in ks: -2 df/ds1. */
+    void (*mean)(struct law *o, const void *par, double s0, double s1);
+
     /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
     double (*dissipative)(const void *par, double s, double v, double t);
 

@@ -29,6 +29,15 @@ static double spring_stored(const void *par, double s)
     return x * ((.5 * p->k + .25 * p->cubic * x * x) * x - p->preload);
 }
 
+/* With x0, x1 counted from rest: f = preload - (k + cubic (x0^2 + x1^2)/2) (x0 + x1)/2. */
+static void spring_mean(struct law *o, const void *par, double s0, double s1)
+{
+    const struct spring *p = par;
+    const double x0 = s0 - p->rest, x1 = s1 - p->rest;
+    o->f = p->preload - .5 * (p->k + .5 * p->cubic * (x0 * x0 + x1 * x1)) * (x0 + x1);
+    o->ks = p->k + .5 * p->cubic * (x0 * x0 + 2 * x0 * x1 + 3 * x1 * x1);
+}
+
 static double spring_dissipative(const void *par, double s, double v, double t)
 {
     const struct spring *p = par;
@@ -79,6 +88,7 @@ const struct force_kind force_spring = {.name = "spring",
                                         .size = sizeof(struct spring),
                                         .law = spring_law,
                                         .stored = spring_stored,
+                                        .mean = spring_mean,
                                         .dissipative = spring_dissipative,
                                         .affine = spring_affine};
 

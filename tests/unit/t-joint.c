@@ -137,6 +137,27 @@ static void laws_are_the_slopes_of_what_they_store(void **state)
     assert_true(force_spring.stored(&pars[2], pars[2].rest) == 0);
 }
 
+/* The mean force does the work of the stored energy, far from rest, too; next to each other its ends are a point. */
+static void mean_forces(void **state)
+{
+    (void)state;
+    const double s = .7, s1 = -.2, e = 1e-5, far = 1000;
+    for (int i = 0; i < 2; i++) {
+        const struct spring p = {.k = 5, .c = 1, .rest = -.1, .preload = 1, .cubic = 40 * i},
+                            moved = {.k = 5, .c = 1, .rest = far - .1, .preload = 1, .cubic = 40 * i};
+        const struct force_kind *k = &force_spring;
+        struct law mean, up, down, point;
+        k->mean(&mean, &p, s, s1);
+        assert_true(fabs(mean.f * (s1 - s) + k->stored(&p, s1) - k->stored(&p, s)) < 1e-14);
+        k->mean(&up, &p, s, s1 + e), k->mean(&down, &p, s, s1 - e);
+        assert_true(fabs((down.f - up.f) / e - mean.ks) < 1e-8);
+        k->mean(&mean, &p, s, s), k->law(&point, &p, s, 0, 0);
+        assert_true(fabs(mean.f - point.f) < 1e-14 && fabs(mean.ks - point.ks) < 1e-13);
+        k->mean(&mean, &p, s, s + 1e-6), k->mean(&up, &moved, far + s, far + (s + 1e-6));
+        assert_true(fabs(up.f - mean.f) < 1e-10);
+    }
+}
+
 static void tables_are_linear_between_their_points(void **state)
 {
     (void)state;
@@ -269,6 +290,7 @@ int main(void)
         cmocka_unit_test(lists_are_in_order),
         cmocka_unit_test(force_kinds_have_laws),
         cmocka_unit_test(laws_are_the_slopes_of_what_they_store),
+        cmocka_unit_test(mean_forces),
         cmocka_unit_test(tables_are_linear_between_their_points),
         cmocka_unit_test(expressions_are_signals_too),
         cmocka_unit_test(corners),
