@@ -73,6 +73,8 @@ static void as_in_the_tree_in_space(void **state)
         {"prismatic: [last, ground], axis: [1, 0.1, 0.5]", "J.displacement*"},
         {"cylindrical: [ground, last], axis: [1, 1, 0.5]", "J.angle*, J.displacement*"},
         {"cylindrical: [last, ground], axis: [1, 1, 0.5]", "J.angle*, J.displacement*"},
+        {"screw: [ground, last], axis: [1, 1, 0.5], pitch: 0.8", "J.angle*"},
+        {"screw: [last, ground], axis: [1, 1, 0.5], pitch: -0.8", "J.angle*"},
         {"universal: [ground, last], axis: [1, 0, 1], axis2: [1, 1, -1]", "J.angle*"},
         {"universal: [last, ground], axis: [1, 0, 1], axis2: [1, 1, -1]", "J.angle*"},
         {"spherical: [ground, last]", "J.q?, J.omega*"},
