@@ -193,7 +193,7 @@ counts: $(PROGRAM) $(REF)
 # ---- the look of the code --------------------------------------------------------------------
 
 ## layers        includes that point the wrong way
-layers:
+layers: $(PROGRAM)
 	@sh tests/tools/layers.sh
 
 ## eqs           where each equation stands

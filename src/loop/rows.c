@@ -45,7 +45,7 @@ static void build_matrix(struct rows *o, struct component *c, struct arena *life
         const int loop = l->row[c->row[r]].loop;
         for (int k = 0; k < l->nk[loop]; k++) c->at[c->start[r] + k] = o->column[l->k[loop][k]];
         if (c->row[r] > l->first[loop]) continue;
-        const size_t n = (size_t)(l->nk[loop] * (l->first[loop + 1] - l->first[loop]));
+        const size_t n = (size_t)l->nk[loop] * (size_t)(l->first[loop + 1] - l->first[loop]);
         memcpy(c->F + c->start[r], l->Cq[loop], sizeof *c->F * n); /* sums have theirs for good */
         l->Cq[loop] = c->F + c->start[r];
     }
