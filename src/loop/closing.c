@@ -93,6 +93,7 @@ void closing_put(const struct closing *o, double *q1, const struct way *way)
 double closing_correct(const struct closing *o, double *dx, const double *C)
 {
     double most = 0;
+    assert(o->solve->factored.split == o->split->number);
     for (int i = 0; i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
         for (int r = 0; r < p->nr; r++) o->x[r] = -C[p->row[r]];

@@ -57,15 +57,14 @@ static void congruence(struct condense *o, double *Y, double *X)
     const size_t nt = (size_t)o->rows.n, n = (size_t)o->ode.n;
     const int *ind = o->split.ind, npart = o->split.npart;
     const struct part *part = o->split.part;
-    const struct block *block = o->solve.block;
     if (all_zero(X, nt * nt)) { /* there is no damper */
         memset(Y, 0, sizeof *Y * n * n);
         return;
     }
-    for (int i = 0; i < npart; i++) times_T(&part[i], block[i].G, X, nt);
+    for (int i = 0; i < npart; i++) times_T(&part[i], solve_G_of(&o->solve, i), X, nt);
     for (size_t j = 0; j < n; j++) {
         double *z = X + nt * (size_t)ind[j];
-        for (int i = 0; i < npart; i++) through_T(&part[i], block[i].G, z, o->solve.x);
+        for (int i = 0; i < npart; i++) through_T(&part[i], solve_G_of(&o->solve, i), z, o->solve.x);
         for (size_t i = 0; i < n; i++) Y[i + n * j] = z[ind[i]];
     }
 }
@@ -104,7 +103,7 @@ static void column_of_T(const struct condense *o, double *x, int i)
     x[place] = 1;
     if (owner < 0) return;
     const struct part *p = &o->split.part[owner];
-    const double *g = o->solve.block[owner].G + (size_t)(-1 - p->place[o->rows.column[place]]) * (size_t)p->nr;
+    const double *g = solve_G_of(&o->solve, owner) + (size_t)(-1 - p->place[o->rows.column[place]]) * (size_t)p->nr;
     for (int r = 0; r < p->nr; r++) x[p->dep[r]] = g[r];
 }
 
@@ -137,7 +136,7 @@ static void reduce_row(void *self, double *y, const struct row *row)
             continue;
         }
         const struct part *p = &o->split.part[owner];
-        const double *g = o->solve.block[owner].G + p->place[o->rows.column[k]];
+        const double *g = solve_G_of(&o->solve, owner) + p->place[o->rows.column[k]];
         for (int j = 0; j < p->ni; j++) y[slots[p->ind[j]]] += row->x[k] * g[(size_t)j * (size_t)p->nr];
     }
 }
@@ -221,7 +220,7 @@ static bool is_driven(const struct condense *o, const struct elastic_body *b)
         if (o->split.slot[path[k]] >= 0) return false;
         const int owner = o->rows.owner[path[k]];
         const struct part *p = &o->split.part[owner];
-        const double *g = o->solve.block[owner].G + p->place[o->rows.column[path[k]]];
+        const double *g = solve_G_of(&o->solve, owner) + p->place[o->rows.column[path[k]]];
         for (int j = 0; j < p->ni; j++)
             if (g[(size_t)j * (size_t)p->nr] != 0) return false;
     }

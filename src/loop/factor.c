@@ -1,6 +1,7 @@
 /* factor.c -- see factor.h */
 #include "loop/factor.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -30,6 +31,7 @@ int factor_make(struct factor *o)
     const struct part *p = o->part;
     double *store = o->store.x;
     if (p->nr == 0) return 1;
+    assert(o->A == store + p->band[1]);
     memset(store, 0, sizeof *store * (size_t)p->nr * (size_t)(p->ld + 1));
     for (const struct entry *x = p->of_dep; x < p->of_dep + p->nof_dep; x++) store[x->at] = o->F[x->e];
     return pivot_rows(o->A, o->swap, p->band, p->nr, p->ld) == p->nr;

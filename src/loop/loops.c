@@ -73,6 +73,7 @@ static const double *motion_of(struct loops *o, int l, double t)
 
 static void set_drives(struct loops *o, double t, double share, double beside)
 {
+    o->t = t;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         const double *x = motion_of(o, l, t), unit = loops_scale(o, l);
         int row = o->first[l];

@@ -1,6 +1,7 @@
 /* rows.c -- see rows.h */
 #include "loop/rows.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -130,12 +131,14 @@ static void turn_rows(struct rows *o, const struct component *c, const double *d
 
 void rows_turn(struct rows *o, const double *dx, const bool *marked)
 {
+    assert(o->linear == o->placed);
     if (o->tree->moves.nturn == 0) return;
     for (int i = 0; i < o->ncomponent; i++) turn_rows(o, &o->component[i], dx, marked);
 }
 
 void rows_values(double *C, const struct rows *o)
 {
+    assert(o->placed == o->tree->posture.number);
     loops_values(C, o->loops);
 }
 

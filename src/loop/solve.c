@@ -48,6 +48,12 @@ enum status solve_G(struct solve *o, const double *q, double t, struct trouble *
     return OK;
 }
 
+const double *solve_G_of(const struct solve *o, int i)
+{
+    assert(at_hand(o) && same(o->G, o->factored));
+    return o->block[i].G;
+}
+
 double solve_try(struct solve *o, int i)
 {
     o->factored.posture = 0;
@@ -102,6 +108,7 @@ enum status solve_motion(struct solve *o, double *vt, double *at, const double *
                          double t, struct trouble *why)
 {
     const struct open_tree *tree = o->rows->tree;
+    assert(tree->model->ndrive == 0 || o->rows->loops->t == t);
     TRY(solve_factor(o, q, t, why));
     split_spread(o->split, vt, v);
     solve_follow(o, vt, o->rows->loops->c1);

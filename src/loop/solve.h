@@ -6,8 +6,8 @@
  *     a_d = -C_qd^-1 (C_qi a_i + (C_q v)_q v + C_tt)       accelerations
  *     G = -C_qd^-1 C_qi,   lambda = -C_qd^-T r_d           multipliers          (2-4)
  *
- * C_qd is factored once for a posture and a split, G made once: they are good while both have the same number.  rows are
- * those of the tree, t only names the time in *why. */
+ * C_qd is factored once for a posture and a split, G made once: they are good while both have the same number.  What is
+ * asked of them where the tree stands elsewhere, or after another split, is a bug: asserted. */
 #ifndef FMDSUB_LOOP_SOLVE_H
 #define FMDSUB_LOOP_SOLVE_H
 
@@ -41,6 +41,8 @@ void solve_fit(struct solve *o, int i);
 /* The tree at q, C_qd factored there; G as well.  E_NUMERIC: singular or not finite. */
 enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why);
 enum status solve_G(struct solve *o, const double *q, double t, struct trouble *why);
+/* G [nr x ni] of component i there. */
+const double *solve_G_of(const struct solve *o, int i);
 /* C_qd factored of C_q as it stands in rows; of component i only: its pivot ratio, 0 if it is singular. */
 enum status solve_as_it_is(struct solve *o, double t, struct trouble *why);
 double solve_try(struct solve *o, int i);
@@ -52,8 +54,8 @@ double solve_gain(struct solve *o, int i);
 /* xt [of the tree]: dependents := -C_qd^-1 (C_qi x_i - drive), where solve_factor() has been; drive [rows]: rates of
  * the drives. */
 void solve_follow(const struct solve *o, double *xt, const double *drive);
-/* Velocities, accelerations (a NULL: not wanted) of the whole tree, of the independent v, a (NULL: zero), with drives
- * as they are; with accelerations the tree's sweep moves so. */
+/* Velocities, accelerations (at NULL: not wanted) of the whole tree, of the independent v, a (NULL: zero), with drives
+ * as they have been set for t; with accelerations the tree's sweep moves so. */
 enum status solve_motion(struct solve *o, double *vt, double *at, const double *q, const double *v, const double *a,
                          double t, struct trouble *why);
 /* Where solve_factor() has been, of the tree's rt: lambda [rows], redundant rows 0; r [n] = r_i + C_qi' lambda. */

@@ -1,6 +1,7 @@
 /* open.c -- see tree.h */
 #include "open/open.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -31,14 +32,16 @@ static bool stand(struct open_tree *s, const double *q)
 
 long open_place(struct open_tree *s, const double *q)
 {
-    if (!stand(s, q)) s->ops->place(s->sweep, q, ALL);
+    if (stand(s, q)) return s->posture.number;
+    s->ops->place(s->sweep, q, ALL);
+    s->moved = 0;
     return s->posture.number;
 }
 
 long open_move(struct open_tree *s, const double *q, const double *v)
 {
     s->ops->move(s->sweep, stand(s, q) ? NULL : q, v, ALL);
-    return s->posture.number;
+    return s->moved = s->posture.number;
 }
 
 /* --- r, M, slopes ------------------------------------------------------------------------------- */
@@ -106,6 +109,7 @@ INTO static inline enum status residual(struct open_tree *o, double *r, double *
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
                        struct trouble *why)
 {
+    assert(o->stands && o->moved == o->posture.number);
     return residual(o, r, w, dk, x, cls, true, why);
 }
 
