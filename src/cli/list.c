@@ -41,8 +41,8 @@ static void print_sections(const char *path, struct arena *life)
 static void print_schemes(void)
 {
     for (int i = 0; stepper_kinds[i]; i++)
-        printf("%-10s order %d%s%s  %s\n", stepper_kinds[i]->name, stepper_kinds[i]->order,
-               stepper_kinds[i]->rates > 1 ? ", two rates" : "", stepper_kinds[i]->adaptive ? ", own steps" : "",
+        printf("%-17s order %d%s%s  %s\n", stepper_kinds[i]->name, stepper_kinds[i]->order,
+               stepper_kinds[i]->two_rates ? ", two rates" : "", stepper_kinds[i]->adaptive ? ", own steps" : "",
                stepper_kinds[i]->brief);
 }
 

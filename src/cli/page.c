@@ -211,7 +211,7 @@ static void print_schemes(FILE *to)
         const struct stepper_kind *k = stepper_kinds[i];
         fprintf(to, ".It Ic %s\n", k->name);
         put_all(to, "", k->brief, ".\n");
-        fprintf(to, "Order %d%s.\n", k->order, k->rates > 1 ? ", two rates" : k->adaptive ? ", steps of its own" : "");
+        fprintf(to, "Order %d%s.\n", k->order, k->two_rates ? ", two rates" : k->adaptive ? ", steps of its own" : "");
     }
     fputs(".El\n", to);
 }

@@ -297,7 +297,6 @@ const struct stepper_kind step_dopri5 = {
     .name = "dopri5",
     .brief = "Dormand-Prince 5(4), explicit, steps of its own inside H",
     .keys = keys,
-    .rates = 1,
     .order = 5,
     .adaptive = 1,
     .open = open,

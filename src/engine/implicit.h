@@ -59,6 +59,7 @@ struct implicit_scheme {
     void (*begin)(struct implicit *m);
     /* Required.  v, dx and, of a middle scheme, v1 for z: runs on trial values in any order. */
     void (*rates)(struct implicit *m, const double *z);
+    int variant; /* the scheme's own, where several are one file */
     /* Optional.  Once: memory into m->own; may put other equations in the place of Newton's. */
     void (*open)(struct implicit *m, struct arena *life);
     /* Optional.  Before the first step, and after anything outside has changed the state: a0 are the accelerations of
@@ -74,14 +75,17 @@ struct implicit *implicit_new(struct stepper *s, const struct implicit_scheme *s
 enum status implicit_once(struct implicit *m, struct stepper *s, struct state *x, double h, double t1,
                           struct trouble *why);
 
-/* Slots of a stepper_kind whose `formulas` are a struct implicit_scheme. */
+/* Slots of a stepper_kind whose `formulas` are a struct implicit_scheme; those of an end scheme. */
 void implicit_open(struct stepper *s, struct arena *life);
 enum status implicit_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+#define IMPLICIT_AT_END .points = 1, .open = implicit_open, .step = implicit_step
 
 /* Iterations z := z - r without a matrix: r is the residual times M^^-1. */
 void implicit_without_matrix(struct implicit *m, enum status (*resid)(void *self, double *r, double *dk,
                                                                       const double *z, struct trouble *why));
 /* v, dx, q (and q1) of z, in the step under way. */
 void implicit_place(struct implicit *m, const double *z);
+/* The residual where the step's own is taken, for other accelerations a. */
+enum status implicit_resid(struct implicit *m, double *r, const double *a, struct trouble *why);
 
 #endif

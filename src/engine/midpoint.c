@@ -34,7 +34,6 @@ const struct stepper_kind step_midpoint = {
     .name = "midpoint",
     .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems",
     .keys = keys,
-    .rates = 1,
     .order = 2,
     .formulas = &midpoint_rule,
     .open = implicit_open,

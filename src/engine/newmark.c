@@ -77,10 +77,7 @@ const struct stepper_kind step_newmark = {
     .brief = "Newmark's method (2-5)...(2-10), one rate",
     .keys = keys,
     .fits = newmark_fits,
-    .rates = 1,
-    .points = 1,
     .order = 2,
     .formulas = &newmark,
-    .open = implicit_open,
-    .step = implicit_step,
+    IMPLICIT_AT_END,
 };

@@ -12,6 +12,7 @@ enum iteration { ITERATION_NEWTON, ITERATION_FIXED_POINT };
 
 struct step_options {
     double rho_infinity; /* spectral radius for what the step does not resolve: 1 keeps it, 0 takes it out at once */
+    double alpha;        /* of Hilber, Hughes and Taylor */
     double beta, gamma;  /* (2-5), (2-6) */
     int iteration;       /* enum iteration; fixed-point is (2-9) as printed */
     int symmetric;       /* W at the average of both ends, second pass */
@@ -19,6 +20,9 @@ struct step_options {
     double tolerance;        /* error per step in every coordinate, relative and in usual sizes */
 };
 
+#define KEY_RHO_INFINITY                                                                                               \
+    PARAM_REAL(struct step_options, rho_infinity, "rho_infinity", NULL, 0, 1, KEY_NEUTRAL | KEY_META, "1",             \
+               "1 keeps all energy, less damps what 'step' cannot resolve")
 #define KEY_NEWTON_TOLERANCE                                                                                           \
     PARAM_REAL(struct step_options, newton_tolerance, "newton_tolerance", NULL, 0, 1, 0, "0",                          \
                "relative; 0: a thousandth of the step's own error")

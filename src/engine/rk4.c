@@ -41,7 +41,6 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 const struct stepper_kind step_rk4 = {
     .name = "rk4",
     .brief = "classical Runge-Kutta, explicit, one rate",
-    .rates = 1,
     .points = 1,
     .order = 4,
     .open = open,

@@ -42,8 +42,8 @@ struct stepper_kind {
                              * adaptive reads step, one of two rates ratio, and all read until */
     /* Optional.  Do the options go together?  false: *why is filled. */
     bool (*fits)(const struct step_options *o, struct misfit *why);
+    bool two_rates;                    /* sub-cycling; else ratio means nothing but H = ratio h */
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
-    int rates;                         /* 1: single-rate, ratio means nothing but H = ratio h; 2: sub-cycling */
     int order;
     int adaptive; /* chooses its own steps inside H */
     int points;   /* asks for residuals at points of time, where the impulse of a drive's corner inside the step is not
@@ -70,7 +70,8 @@ struct stepper {
     struct step_options options;
     struct effort effort;
     double work[POWER_CHANNELS]; /* of the last accepted step [J] */
-    double lost;                 /* energy taken by the scheme's own damping in the last step, >= 0 [J] */
+    double lost;                 /* energy taken by the scheme's own damping in the last step [J]; some schemes give
+                                  * back of it within a vibration what they have taken before */
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */

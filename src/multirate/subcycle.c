@@ -299,8 +299,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 }
 
 static const struct key keys[] = {
-    PARAM_REAL(struct step_options, rho_infinity, "rho_infinity", NULL, 0, 1, KEY_NEUTRAL | KEY_META, "1",
-               "1 keeps all energy, less damps what the minor step cannot resolve"),
+    KEY_RHO_INFINITY,
     PARAM_BOOL(struct step_options, symmetric, "symmetric", KEY_NEUTRAL, "false",
                "decoupling at the average of both ends, a second pass"),
     KEY_NEWTON_TOLERANCE,
@@ -312,7 +311,7 @@ const struct stepper_kind step_subcycle = {
     .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step",
     .keys = keys,
     .single = &step_midpoint,
-    .rates = 2,
+    .two_rates = true,
     .order = 2,
     .open = open,
     .step = step,

@@ -18,7 +18,7 @@ void turns_note(struct sim *sim, double h, int ratio)
         const struct model_joint *j = &m->joint[i];
         if (j->nq == j->nv) continue;
         int iv = j->iv[j->nv - 3];
-        double span = iv < m->ns || sim->stepper.kind->rates == 1 ? h : h * ratio;
+        double span = iv < m->ns || !sim->stepper.kind->two_rates ? h : h * ratio;
         double turn = v3_norm(v + iv) * span;
         if (!(turn > sim->turn)) continue;
         sim->turn = turn;

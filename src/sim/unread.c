@@ -10,7 +10,7 @@
 static bool reads(const struct stepper_kind *kind, const char *key)
 {
     if (strcmp(key, "step") == 0) return !kind->adaptive;
-    if (strcmp(key, "ratio") == 0) return kind->rates > 1;
+    if (strcmp(key, "ratio") == 0) return kind->two_rates;
     return key_find(kind->keys, key) != NULL;
 }
 
@@ -55,7 +55,7 @@ static void tell(const struct sim *sim, const struct node *n, bool (*wanted)(con
 static bool has_rates(const struct stepper_kind *kind, const char *key)
 {
     (void)key;
-    return kind->rates > 1;
+    return kind->two_rates;
 }
 
 /* Two rates, and nothing that takes the small step; coordinates to lead where nothing follows. */
@@ -64,7 +64,7 @@ static void warn_of_partition(const struct sim *sim, struct diags *diags)
     const struct integrate *p = &sim->plan;
     const struct node *leads = node_find(node_find(sim->scene->deck->root, "partition"), "independent");
     const struct ode2 *ode = system_ode2(sim->system);
-    const bool two = sim->stepper.kind->rates > 1 && p->ratio > 1 && ode->n > 0;
+    const bool two = sim->stepper.kind->two_rates && p->ratio > 1 && ode->n > 0;
     if (two && ode->ns == 0)
         diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
                   "no coordinate is fast: all of the deck takes steps of %g s", p->step * p->ratio);

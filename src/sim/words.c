@@ -112,7 +112,7 @@ void say_plan(const struct sim *sim)
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
         fprintf(to, "%s to tolerance %g", kind->name, o->tolerance);
-    else if (p->ratio > 1 && kind->rates > 1)
+    else if (p->ratio > 1 && kind->two_rates)
         fprintf(to, "%s h = %g s, H = %d h", kind->name, p->step, p->ratio);
     else
         fprintf(to, "%s h = %g s", kind->name, p->step);

@@ -199,14 +199,14 @@ static enum status study_scheme(struct table *table, const char *scheme, const s
                                 struct diags *diags, struct report *report)
 {
     const struct stepper_kind *kind = stepper_find(scheme);
-    int ratios = kind && kind->rates > 1 ? options->nratio : 1;
+    int ratios = kind && kind->two_rates ? options->nratio : 1;
     for (int r = 0; r < ratios; r++) {
         for (int s = 0; s < options->nstep; s++) {
             struct integrate plan = scene->integrate;
             struct step_options how = *(const struct step_options *)plan.options;
             plan.scheme = scheme;
             plan.options = &how;
-            plan.ratio = kind && kind->rates > 1 ? options->ratio[r] : 1;
+            plan.ratio = kind && kind->two_rates ? options->ratio[r] : 1;
             plan.step = options->step[s];
             if (!(how.tolerance > 0)) how.tolerance = 1e-6;
             TRY(study_one(table, &plan, scene, reference, first_cpu, options, diags, report));

@@ -4,6 +4,7 @@
 #
 #     deck scheme ratio order h until halvings least columns...
 #
+# Options may stand behind the scheme: generalized-alpha,rho_infinity=0.8.
 # The deck runs to `until` with minor steps h, h/2, h/4, ... (at most `halvings` times) until the error is
 # `least` or less, which it must become; TIGHT=1 goes on to a hundredth of it, for open mechanisms.  The error of the named
 # columns is taken against tests/refdata where the deck has a reference, else against dopri5 at tolerance
@@ -29,6 +30,7 @@ error_of() { # RUN DECK UNTIL COLUMNS
 # One case: the table of step and error in $work/table.
 run_case() { # DECK SCHEME RATIO H UNTIL HALVINGS LEAST COLUMNS
     : >"$work/table"
+    options=$(echo "$2" | tr , '\n' | sed '1s/.*/--set integrate.scheme=&/; 2,$s/^/--set integrate./')
     i=0
     while [ "$i" -le "$6" ]; do
         case $2 in
@@ -37,7 +39,7 @@ run_case() { # DECK SCHEME RATIO H UNTIL HALVINGS LEAST COLUMNS
         *) h=$(awk -v h="$4" -v i="$i" 'BEGIN { printf "%.17e", h / 2 ^ i }')
             set_step="--set integrate.step=$h --set integrate.newton_tolerance=1.0e-13" ;;
         esac
-        "$FMDSUB" run -q --set integrate.scheme="$2" --set integrate.ratio="$3" $set_step --until "$5" \
+        "$FMDSUB" run -q $options --set integrate.ratio="$3" $set_step --until "$5" \
             "$(deck_of "$1")" >"$work/run.csv" 2>"$work/err" || return 1
         e=$(error_of "$work/run.csv" "$1" "$5" "$8" 2>"$work/err") || return 1
         echo "$h $e" >>"$work/table"

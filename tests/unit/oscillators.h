@@ -441,7 +441,7 @@ static inline double carrier_energy(const struct carrier *s, const double *q, co
 enum { RUN_MOST = 16 };
 
 static const struct step_options step_defaults = {
-    .beta = .25, .gamma = .5, .iteration = ITERATION_NEWTON, .rho_infinity = 1, .tolerance = 1e-6};
+    .beta = .25, .gamma = .5, .iteration = ITERATION_NEWTON, .rho_infinity = 1, .alpha = -.05, .tolerance = 1e-6};
 
 struct run {
     struct stepper stepper;
@@ -530,23 +530,22 @@ static const double carrier_q[5] = {.05, .8, .6, 0, 0}, carrier_v[4] = {.1, .5, 
 /* Observed orders of a single-rate scheme: coupled oscillators, free and damped and driven; two links; a spinning body,
  * by itself and with its particle. */
 enum { ORDERS = 5 };
-static inline void single_rate_orders(double order[ORDERS], const char *scheme)
+static inline void single_rate_orders(double order[ORDERS], const char *scheme, const struct step_options *o)
 {
-    const struct step_options o = sharp();
     struct linear pair;
     struct chain chain;
     struct carrier top, slide;
     linear_both(&pair);
-    order[0] = run_order(scheme, &pair.ode, &o, both_q, both_v, 1, 1, 400);
+    order[0] = run_order(scheme, &pair.ode, o, both_q, both_v, 1, 1, 400);
     memcpy(pair.C[0], (double[]){3, -.2, -.2, .5}, 4 * sizeof(double));
     pair.f[0] = 5, pair.f[1] = -3, pair.w = 4;
-    order[1] = run_order(scheme, &pair.ode, &o, both_q, both_v, 1, 1, 400);
+    order[1] = run_order(scheme, &pair.ode, o, both_q, both_v, 1, 1, 400);
     chain_open(&chain, 30, 2, 9.81);
-    order[2] = run_order(scheme, &chain.ode, &o, (double[]){.3, 1}, (double[]){0, .5}, 1, 1, 200);
+    order[2] = run_order(scheme, &chain.ode, o, (double[]){.3, 1}, (double[]){0, .5}, 1, 1, 200);
     carrier_open(&top, 0);
-    order[3] = run_order(scheme, &top.ode, &o, carrier_q + 1, carrier_v + 1, 1, 1, 200);
+    order[3] = run_order(scheme, &top.ode, o, carrier_q + 1, carrier_v + 1, 1, 1, 200);
     carrier_open(&slide, 1);
-    order[4] = run_order(scheme, &slide.ode, &o, carrier_q, carrier_v, 1, 1, 200);
+    order[4] = run_order(scheme, &slide.ode, o, carrier_q, carrier_v, 1, 1, 200);
 }
 
 #endif

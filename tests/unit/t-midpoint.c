@@ -12,8 +12,9 @@
 static void test_order(void **state)
 {
     double order[ORDERS];
+    const struct step_options o = sharp();
     (void)state;
-    single_rate_orders(order, "midpoint");
+    single_rate_orders(order, "midpoint", &o);
     for (int i = 0; i < ORDERS; i++)
         if (!(order[i] > 1.9 && order[i] < 2.1)) fail_msg("system %d: order %g", i, order[i]);
 }

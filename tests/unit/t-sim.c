@@ -21,7 +21,7 @@ static void open_deck(struct opened *o, const char *path, int nset, const char *
 /* After the first step nothing more is taken, in any scheme. */
 static void test_memory_stands_still(void **state)
 {
-    static const char *const schemes[] = {"newmark", "midpoint", "miao", "subcycle", "rk4", "dopri5"};
+    static const char *const schemes[] = {"newmark", "midpoint", "miao", "subcycle", "rk4", "dopri5", "hht"};
     (void)state;
     for (size_t i = 0; i < sizeof schemes / sizeof *schemes; i++) {
         char scheme[60];
