@@ -89,6 +89,7 @@ struct force_kind {
     const char *brief; /* one line for `fmdsub list` and the manual */
     const struct key *keys;
     size_t size; /* bytes of the parameter block `par` */
+    bool rate; /* of a measure that the deck names by its rate, NAME_rate; behind a kind of the same word that is not */
 
     /* One of law() and strains() is required: it says whether a force is along a measure or between two markers.  All
      * functions run in the step loop on trial states in any order: they never allocate, never fail, remember nothing.
@@ -117,7 +118,7 @@ struct force_kind {
 };
 
 /* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */
-#define FORCE_KINDS(of) of(bushing) of(spring) of(damper)
+#define FORCE_KINDS(of) of(bushing) of(spring) of(damper) of(curve) of(curve_rate)
 #define FORCE_KIND(name) extern const struct force_kind force_##name;
 FORCE_KINDS(FORCE_KIND)
 #undef FORCE_KIND

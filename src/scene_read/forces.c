@@ -88,16 +88,20 @@ int read_condition(struct builder *b, struct scene_condition *o, const struct no
     return 0;
 }
 
+static int one_table(struct builder *b, const struct node *n)
+{
+    const bool table = node_find(n, "table"), file = node_find(n, "file");
+    if (table != file) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-table",
+               table ? "expected 'table' or 'file', not both" : "expected 'table' or 'file'");
+    return 1;
+}
+
 static int read_table(struct builder *b, struct signal *o, const struct node *n)
 {
     struct table_keys k = {0};
     if (read_keys(&k, keys_table, n, NULL, "'value'", &b->reader)) return 1;
-    const bool table = node_find(n, "table"), file = node_find(n, "file");
-    if (table == file) {
-        diag_error(b->diags, n, AT_VALUE, "E-table",
-                   table ? "expected 'table' or 'file', not both" : "expected 'table' or 'file'");
-        return 1;
-    }
+    if (one_table(b, n)) return 1;
     *o = (struct signal){.n = k.points.n, .t = k.points.x, .x = k.points.y};
     return 0;
 }
@@ -207,17 +211,43 @@ static void take_drawn(void *par, const struct key *keys, const struct node *n, 
             *(double *)((char *)par + k->offset) = m->type == MEASURE_DISTANCE ? m->drawn : 0;
 }
 
+/* `gap_rate`: the node `gap`, in the same place; NULL: no rate. */
+static struct node *measure_of_rate(struct builder *b, const struct node *on)
+{
+    static const char end[] = "_rate";
+    const size_t tail = sizeof end - 1;
+    if (on->type != NODE_SCALAR || on->len <= tail || strcmp(on->text + on->len - tail, end) != 0) return NULL;
+    if (find_measure(b->scene, on->text, on->len) >= 0) return NULL;
+    struct node *o = TAKE(b->life, struct node, 1);
+    *o = *on;
+    o->len -= tail;
+    o->text = arena_copy(b->life, on->text, o->len);
+    return o;
+}
+
+/* The kind of the same word for a rate; NULL: none. */
+static const struct force_kind *kind_of_rate(const struct force_kind *kind)
+{
+    const struct force_kind *o = NULL;
+    for (int i = 0; force_kind_at(i); i++)
+        if (force_kind_at(i)->rate && strcmp(force_kind_at(i)->name, kind->name) == 0) o = force_kind_at(i);
+    return o;
+}
+
 /* The law's own keys, along a measure. */
 static int read_law(struct builder *b, struct scene_force *f, const struct node *n, const struct force_kind *kind,
                     const char *what)
 {
     const char *also[] = {kind->name, NULL};
+    const struct node *on = node_find(n, kind->name), *of = kind_of_rate(kind) ? measure_of_rate(b, on) : NULL;
+    if (of) kind = kind_of_rate(kind);
     void *par = arena_take(b->life, 1, kind->size);
     int errors = read_keys(par, kind->keys, n, also, what, &b->reader);
     f->type = FORCE_LAW;
     f->kind = kind;
     f->par = par;
-    f->measure = measure_of(b, node_find(n, kind->name), what);
+    f->measure = measure_of(b, of ? of : on, what);
+    for (const struct key *k = kind->keys; k->name; k++) errors += k->type == KEY_TABLE && one_table(b, n);
     if (errors || f->measure < 0) return 1;
     take_drawn(par, kind->keys, n, &b->scene->measure[f->measure]);
     return 0;
@@ -272,7 +302,7 @@ static int read_force(struct builder *b, struct scene_force *f, const struct nod
     int count = 2;
     for (int i = 0; force_kind_at(i) && count < 16; i++) {
         const struct force_kind *kind = force_kind_at(i);
-        words[count++] = kind->name;
+        if (!kind->rate) words[count++] = kind->name;
         if (node_find(n, kind->name)) return (kind->strains ? read_between : read_law)(b, f, n, kind, what);
     }
     unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-force", "kind of force",
