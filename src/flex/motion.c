@@ -360,7 +360,7 @@ void flex_place_move(struct flex_place *o, const struct flex_kernel *k, int node
     v3_axpy(o->turning, .5 * o->c, half);
 }
 
-void flex_place_speed_up(struct flex_place *o, const struct flex_kernel *k, const double *q2)
+void flex_place_accelerate(struct flex_place *o, const struct flex_kernel *k, const double *q2)
 {
     v3_copy(o->a, o->bias);
     add3(o->a, o->dx, q2, k->n);

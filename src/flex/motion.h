@@ -83,6 +83,6 @@ void flex_place_take(struct flex_place *o, const struct flex_kernel *k, struct a
 void flex_place_at(struct flex_place *o, const struct flex_kernel *k, int node, const double *q);
 /* Velocities, after flex_place_at(); then accelerations. */
 void flex_place_move(struct flex_place *o, const struct flex_kernel *k, int node, const double *q1);
-void flex_place_speed_up(struct flex_place *o, const struct flex_kernel *k, const double *q2);
+void flex_place_accelerate(struct flex_place *o, const struct flex_kernel *k, const double *q2);
 
 #endif

@@ -300,7 +300,7 @@ void flex_planar_place_bias(struct flex_planar_place *o, const struct flex_plana
     o->bias[1] = dot(S + d->S.at[1], q1, k->n);
 }
 
-void flex_planar_place_speed_up(struct flex_planar_place *o, const struct flex_planar *k, const double *q2)
+void flex_planar_place_accelerate(struct flex_planar_place *o, const struct flex_planar *k, const double *q2)
 {
     three_sums(o->a, &o->al, o->dx, o->dy, o->dw, q2, k->n);
     for (int i = 0; i < 2; i++) o->a[i] += o->bias[i];

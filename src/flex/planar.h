@@ -93,6 +93,6 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
 /* Velocities, after flex_planar_place_at(); what they are to accelerations; then these. */
 void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, const double *q1);
 void flex_planar_place_bias(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1);
-void flex_planar_place_speed_up(struct flex_planar_place *o, const struct flex_planar *k, const double *q2);
+void flex_planar_place_accelerate(struct flex_planar_place *o, const struct flex_planar *k, const double *q2);
 
 #endif

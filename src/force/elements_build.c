@@ -102,7 +102,7 @@ static struct sweep *build_ends(const struct elements *e, struct arena *life)
         for (int k = 0; p->ends && model_touched(&t, e->model, &e->model->force[p->force], k); k++)
             if (t.a >= 0) bodies[t.a] = bodies[t.b] = true;
     }
-    return e->ops->build(e->model, STEPPED, bodies, life);
+    return e->ops->build(e->model, FOR_STEPS, bodies, life);
 }
 
 struct elements *elements_build(const struct model *m, const struct sweep_ops *ops, struct arena *life)

@@ -161,7 +161,7 @@ double signal_corner(const struct signal *s, double ta, double tb);
 double signal_corner_time(const struct signal *s, double ta, double tb);
 /* Does the value itself jump in [ta, tb)?  Then *at is right before the first place found, *before and *behind are the
  * values there; no motion follows it. */
-bool signal_leap(const struct signal *s, double *at, double *before, double *behind, double ta, double tb);
+bool signal_jump(const struct signal *s, double *at, double *before, double *behind, double ta, double tb);
 /* The first point of a table after time t, where it may bend; infinity: none. */
 double signal_next(const struct signal *s, double t);
 

@@ -157,7 +157,7 @@ static bool is_noise(const struct signal *s, double by, double ta, double tb)
 
 /* The excess of what merely bends, or moves steeply, still falls with the interval when that is near round-off; a
  * jump's has come to stay. */
-bool signal_leap(const struct signal *s, double *at, double *before, double *behind, double ta, double tb)
+bool signal_jump(const struct signal *s, double *at, double *before, double *behind, double ta, double tb)
 {
     enum { LAST = 16 };
     double x[3], size, first;

@@ -256,7 +256,7 @@ enum status condense_turning(const struct ode2 *ode, double *K, double *C, const
         if (!moving) {
             condense_time(o, x->t, x->ta, x->tb);
             TRY(solve_motion(&o->solve, o->vt, o->at, x->q, x->v, x->a, x->t, why));
-            tree->ops->speed_up(tree->sweep, o->vt, o->at, ALL);
+            tree->ops->accelerate(tree->sweep, o->vt, o->at, ALL);
             moving = true;
         }
         tree->ops->pose(tree->sweep, &frame, b->number);

@@ -13,7 +13,7 @@ enum { FORCE = 1, MOMENT = 2 };
 struct equation {
     unsigned needs, bears;
     double (*value)(const struct loops *o, int i);
-    /* C'' after speed_up(), with the coordinates' own accelerations a. */
+    /* C'' after accelerate(), with the coordinates' own accelerations a. */
     double (*rate2)(const struct loops *o, int i, const double *a);
     /* What it bears, per unit: C' is f . (relative velocity at the second's point) + n . (relative angular velocity). */
     void (*wrench)(double *f, double *n, const struct loops *o, int i);
@@ -21,7 +21,7 @@ struct equation {
     double (*shown)(const struct loops *o, int i, double x);
 };
 
-/* The acceleration of the second's point as the first body sees it, after speed_up(). */
+/* The acceleration of the second's point as the first body sees it, after accelerate(). */
 void equations_seen(double *a, const struct loop_place *p);
 
 /* The rows of a loop, drive or tie: filled, and how many. */

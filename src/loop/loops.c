@@ -36,7 +36,7 @@ static void look_at_terms(struct loop_place *p, const struct model *m, const str
 }
 
 /* A driven measure; its rate is that of any motion. */
-static void look_at_drive(struct loops *o, const struct sweep *s, int l, const double *q)
+static void check_drive(struct loops *o, const struct sweep *s, int l, const double *q)
 {
     static const double at_rest[1];
     const int i = o->model->loop[l].measure;
@@ -56,7 +56,7 @@ void loops_look(struct loops *o, const struct sweep *s, const double *q)
         else
             look(o, s, l);
     }
-    for (int l = joints; l < o->model->nloop; l++) look_at_drive(o, s, l, q);
+    for (int l = joints; l < o->model->nloop; l++) check_drive(o, s, l, q);
 }
 
 /* Where drive l is at t: the iterations of a step ask for the same few times again and again. */

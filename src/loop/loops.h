@@ -83,7 +83,7 @@ int loops_corners(double *jump, const struct loops *o, double ta, double tb);
 void loops_look(struct loops *o, const struct sweep *s, const double *q);
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
 void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
-/* C'' [nrow], after speed_up(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
+/* C'' [nrow], after accelerate(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
  * + C_tt. */
 void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a);
 void loops_push(const struct loops *o, struct sweep *s, const double *lambda); /* applies -C_q' lambda */

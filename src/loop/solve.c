@@ -118,7 +118,7 @@ enum status solve_motion(struct solve *o, double *vt, double *at, const double *
     else
         memset(at, 0, sizeof *at * (size_t)o->rows->n);
     open_move(o->rows->tree, q, vt);
-    tree->ops->speed_up(tree->sweep, vt, at, ALL);
+    tree->ops->accelerate(tree->sweep, vt, at, ALL);
     accelerate(o, at);
     return OK;
 }

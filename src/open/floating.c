@@ -101,7 +101,7 @@ static struct sweep *build_there(const struct floating *o, struct arena *life)
     bool *bodies = TAKE(life, bool, m->nbody);
     for (int i = 0; i < o->n; i++)
         for (int k = 0; k < o->part[i].n; k++) bodies[o->part[i].body[k]] = !m->body[o->part[i].body[k]].at_node;
-    return o->ops->build(m, STEPPED, bodies, life);
+    return o->ops->build(m, FOR_STEPS, bodies, life);
 }
 
 /* The root's velocities, and how its displacements move it. */
@@ -172,7 +172,7 @@ static void look(struct floating *o, int end, const double *q, const double *v)
     keep(o, end, q, v);
     o->ops->move(o->there, o->q[end], o->v[end], FAST);
     for (int i = 0; i < o->n; i++)
-        o->ops->gather(o->there, &o->part[i].end[end], o->part[i].body, o->part[i].n, BULK_MOTION);
+        o->ops->aggregate(o->there, &o->part[i].end[end], o->part[i].body, o->part[i].n, AGGREGATE_MOTION);
 }
 
 /* A step starts where the last one has ended. */
@@ -255,9 +255,10 @@ static double stretch(double missing, double T_rel, double T, double h)
 }
 
 /* What is missing from now to the change from a to b, per unit time. */
-static void find_change(struct change *o, const struct bulk *now, const struct floater *f, const struct instant *x)
+static void find_change(struct motion_change *o, const struct aggregate *now, const struct floater *f,
+                        const struct instant *x)
 {
-    const struct bulk *a = &f->end[0], *b = &f->end[1];
+    const struct aggregate *a = &f->end[0], *b = &f->end[1];
     const double h = x->tb - x->ta, per = 1 / h;
     double Jinv[6], w[3], L[3], ca[3], cb[3];
     centre(ca, f, 0, x->qa);
@@ -280,11 +281,11 @@ void floating_balance(struct floating *o, struct sweep *s, const struct instant 
 {
     for (int i = 0; i < o->n; i++) {
         const struct floater *f = &o->part[i];
-        struct bulk now;
-        struct change change;
-        o->ops->gather(s, &now, f->body, f->n, BULK_FORCES);
+        struct aggregate now;
+        struct motion_change change;
+        o->ops->aggregate(s, &now, f->body, f->n, AGGREGATE_FORCES);
         find_change(&change, &now, f, x);
-        o->ops->hasten(s, &change, &now, f->body, f->n);
+        o->ops->adjust_motion(s, &change, &now, f->body, f->n);
         slide(o->at, f, change.dr);
         for (int k = 0; k < f->nslide; k++) o->moving[f->iv[k]] += v3_dot(f->e[k], change.dv);
     }
@@ -307,10 +308,10 @@ static void push_root(const struct floating *o, double *v, const struct floater 
 /* p_b = p_a + h m g, L_b = L_a: what the iteration has left of that is far below what the step is good for. */
 static void finish(struct floating *o, double *v1, struct floater *f, double h)
 {
-    const struct bulk *a = &f->end[0];
-    struct bulk *b = &f->end[1];
+    const struct aggregate *a = &f->end[0];
+    struct aggregate *b = &f->end[1];
     double dv[3], dL[3], w[3], Jinv[6];
-    o->ops->gather(o->there, b, f->body, f->n, BULK_INERTIA);
+    o->ops->aggregate(o->there, b, f->body, f->n, AGGREGATE_INERTIA);
     for (int k = 0; k < 3; k++) dv[k] = (a->p[k] - b->p[k]) / b->m + h * o->model->gravity[k];
     v3_diff(dL, a->L, b->L);
     invert(Jinv, b->J);

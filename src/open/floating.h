@@ -38,7 +38,7 @@ struct floater {
     const int *slide, *iv;   /* places of these displacements in q, of the velocities in v */
     double e[3][3], hung[3]; /* directions of the displacements; the point that they displace, undisplaced; world */
     bool alone;              /* no force acts on it from outside but gravity */
-    struct bulk end[2];      /* its momenta at the ends; c for an undisplaced root */
+    struct aggregate end[2]; /* its momenta at the ends; c for an undisplaced root */
 };
 
 struct floating {

@@ -276,7 +276,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
     o->ops = m->space == 2 ? &sweep_planar : &sweep_spatial;
-    o->sweep = o->ops->build(m, STEPPED, NULL, life);
+    o->sweep = o->ops->build(m, FOR_STEPS, NULL, life);
     o->elements = elements_build(m, o->ops, life);
     o->diagonal = elements_are_diagonal(o->elements);
     elastic_build(&o->elastic, m, life);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "la/eigen.h"
-#include "probe/swing.h"
+#include "probe/damped_mode.h"
 
 struct linear {
     const struct ode2 *ode;
@@ -292,17 +292,17 @@ static bool whole_group(struct mode *o, const struct linear *l, const double *X,
 {
     const int n = l->n;
     double *x = TAKE(life, double, 2 * n), *G = TAKE(life, double, count *count), *K = TAKE(life, double, count *count);
-    struct swing *swing = TAKE(life, struct swing, count);
+    struct damped_mode *damped_mode = TAKE(life, struct damped_mode, count);
     for (int j = 0; j < count; j++)
         for (int i = 0; i < count; i++) {
             G[i + j * count] = g[i + j * n];
             K[i + j * count] = c[i + j * n];
         }
-    if (!swing_find(swing, K, G, count, life)) return false;
+    if (!damped_modes_find(damped_mode, K, G, count, life)) return false;
     for (int j = 0; j < count; j++) {
-        o[j] = (struct mode){.omega = swing[j].omega, .damping = swing[j].damping};
-        times(x, X, swing[j].p, n, count, n);
-        times(x + n, X, swing[j].p + count, n, count, n);
+        o[j] = (struct mode){.omega = damped_mode[j].omega, .damping = damped_mode[j].damping};
+        times(x, X, damped_mode[j].p, n, count, n);
+        times(x + n, X, damped_mode[j].p + count, n, count, n);
         shares(&o[j], l, x, 2);
     }
     return true;

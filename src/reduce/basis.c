@@ -110,43 +110,43 @@ static enum status diagonalise(struct basis *o, const struct fe *fe, struct aren
 }
 
 /* u = K^-1 f of the loads wished for. */
-static void load_modes(double *V, const struct hold *hold, const struct basis_wish *wish, struct arena *scratch)
+static void load_modes(double *V, const struct hold *hold, const struct basis_options *options, struct arena *scratch)
 {
-    for (int k = 0; k < wish->nload; k++) {
+    for (int k = 0; k < options->nload; k++) {
         double *v = V + (size_t)k * (size_t)hold->size;
-        load_forces(v, hold->fe, wish->load[k], scratch);
+        load_forces(v, hold->fe, options->load[k], scratch);
         hold_solve(v, hold, v);
     }
 }
 
 /* The fields one after another: static motions, modes, answers to loads. */
 static enum status fields(struct basis *o, const struct hold *hold, const struct tie *tie, int nheld,
-                          const struct basis_wish *wish, struct arena *scratch, struct arena *life,
+                          const struct basis_options *options, struct arena *scratch, struct arena *life,
                           struct report *report)
 {
     int statics = static_modes(NULL, hold, tie, nheld);
     size_t size = (size_t)o->size;
-    o->n = statics + wish->modes + wish->nload;
+    o->n = statics + options->modes + options->nload;
     if (!o->n) return fail(report, E_MODEL, "no modes: one interface, and --modes 0");
     o->V = TAKE(life, double, (size_t)o->n *size);
     o->MV = TAKE(life, double, (size_t)o->n *size);
     o->lambda = TAKE(life, double, o->n);
     static_modes(o->V, hold, tie, nheld);
-    load_modes(o->V + (size_t)(statics + wish->modes) * size, hold, wish, scratch);
-    return held_modes(o, o->V + (size_t)statics * size, hold, wish->modes, scratch, report);
+    load_modes(o->V + (size_t)(statics + options->modes) * size, hold, options, scratch);
+    return held_modes(o, o->V + (size_t)statics * size, hold, options->modes, scratch, report);
 }
 
 enum status basis_make(struct basis *o, const struct fe *fe, const struct tie *tie, int ntie,
-                       const struct basis_wish *wish, struct arena *life, struct report *report)
+                       const struct basis_options *options, struct arena *life, struct report *report)
 {
     struct arena *scratch = arena_open();
     struct hold hold;
     const struct tie **held = TAKE(scratch, const struct tie *, ntie);
-    int nheld = wish->method == CRAIG_BAMPTON ? ntie : 1;
+    int nheld = options->method == CRAIG_BAMPTON ? ntie : 1;
     for (int t = 0; t < nheld; t++) held[t] = tie + t;
     *o = (struct basis){.size = 3 * fe->n};
     enum status status = hold_make(&hold, fe, held, nheld, scratch, report);
-    if (status == OK) status = fields(o, &hold, tie, nheld, wish, scratch, life, report);
+    if (status == OK) status = fields(o, &hold, tie, nheld, options, scratch, life, report);
     if (status == OK) status = diagonalise(o, fe, scratch, report);
     arena_close(scratch);
     return status;

@@ -25,7 +25,7 @@ struct basis {
     double last, next; /* [Hz] highest of those, first left out; next 0: not known */
 };
 
-struct basis_wish {
+struct basis_options {
     enum basis_method method;
     int modes;       /* of the held body */
     int nload;       /* and static answers to loads */
@@ -33,6 +33,6 @@ struct basis_wish {
 };
 
 enum status basis_make(struct basis *o, const struct fe *fe, const struct tie *tie, int ntie,
-                       const struct basis_wish *wish, struct arena *life, struct report *report);
+                       const struct basis_options *options, struct arena *life, struct report *report);
 
 #endif

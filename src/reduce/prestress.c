@@ -31,7 +31,7 @@ static enum status check_held(const bool *has, const struct fe *fe, const struct
 }
 
 /* G = V' (Kp - K) V / scale. */
-static enum status project(double *G, const struct load_wish *w, const struct fe *fe, const struct basis *b,
+static enum status project(double *G, const struct load_options *w, const struct fe *fe, const struct basis *b,
                            struct arena *scratch, struct report *report)
 {
     struct sparse Kp;
@@ -52,7 +52,7 @@ static enum status project(double *G, const struct load_wish *w, const struct fe
     return OK;
 }
 
-static enum status unknown_kind(const struct load_wish *w, struct report *report)
+static enum status unknown_kind(const struct load_options *w, struct report *report)
 {
     return fail(report, E_USAGE, "--prestress: '%.60s' is none of %s, force-x:NAME, -y, -z", w->kind, load_list());
 }
@@ -67,11 +67,11 @@ static int force_of(int *axis, const char *kind, const struct tie *tie, int ntie
     return -1;
 }
 
-static enum status read_one(struct parts *o, struct flex_body *body, const struct load_wish *w, const struct wish *wish,
-                            const struct fe *fe, const struct basis *b, const struct tie *tie, struct arena *life,
-                            struct report *report)
+static enum status read_one(struct parts *o, struct flex_body *body, const struct load_options *w,
+                            const struct options *options, const struct fe *fe, const struct basis *b,
+                            const struct tie *tie, struct arena *life, struct report *report)
 {
-    int kind = load_kind(w->kind), axis = 0, at = kind < 0 ? force_of(&axis, w->kind, tie, wish->ntie) : -1;
+    int kind = load_kind(w->kind), axis = 0, at = kind < 0 ? force_of(&axis, w->kind, tie, options->ntie) : -1;
     int nn = b->n * b->n;
     double *G = TAKE(life, double, nn);
     if (kind < 0 && at < 0) return unknown_kind(w, report);
@@ -91,15 +91,16 @@ static enum status read_one(struct parts *o, struct flex_body *body, const struc
 }
 
 /* All kinds at once, from the stress of the mesh's elements. */
-static enum status from_stress(struct parts *o, struct flex_body *body, const struct wish *wish, const struct fe *fe,
-                               const struct basis *b, const struct tie *tie, struct arena *life, struct report *report)
+static enum status from_stress(struct parts *o, struct flex_body *body, const struct options *options,
+                               const struct fe *fe, const struct basis *b, const struct tie *tie, struct arena *life,
+                               struct report *report)
 {
     const struct fe_units *u = &fe->units;
-    double E = wish->E * u->mass / (u->length * u->time * u->time);
-    double **G = TAKE(life, double *, LOAD_KINDS + 3 * wish->ntie);
-    TRY(stiffen_make(G, fe, b, tie, wish->ntie, E, wish->nu, life, report));
+    double E = options->E * u->mass / (u->length * u->time * u->time);
+    double **G = TAKE(life, double *, LOAD_KINDS + 3 * options->ntie);
+    TRY(stiffen_make(G, fe, b, tie, options->ntie, E, options->nu, life, report));
     for (int k = 0; k < LOAD_KINDS; k++) o->kind[k] = G[k];
-    for (int t = 1; t < wish->ntie; t++)
+    for (int t = 1; t < options->ntie; t++)
         for (int k = 0; k < 3; k++) {
             const double *S = G[LOAD_KINDS + 3 * (t - 1) + k];
             o->force[3 * t + k] = true;
@@ -128,13 +129,13 @@ static void solve(double *X, const struct parts *p, int at)
     }
 }
 
-static void say_missing(const struct parts *p, const struct wish *wish, const struct tie *tie)
+static void say_missing(const struct parts *p, const struct options *options, const struct tie *tie)
 {
     int missing = 0;
     for (int k = 0; k < LOAD_KINDS; k++)
         if (!p->kind[k])
             fprintf(stderr, "%s %s", missing++ ? "," : "geometric stiffness: taken as zero, not given:", load_names[k]);
-    for (int t = 1; t < wish->ntie; t++)
+    for (int t = 1; t < options->ntie; t++)
         for (int k = 0; k < 3; k++)
             if (!p->force[3 * t + k])
                 fprintf(stderr, "%s force-%c:%s",
@@ -156,20 +157,20 @@ static enum status check_spins(const struct parts *p, struct report *report)
                 "--prestress: spin-xx, spin-yy and spin-zz go together, and spin-xy, -xz, -yz need them");
 }
 
-enum status prestress_read(struct flex_body *body, const struct wish *wish, const struct fe *fe,
+enum status prestress_read(struct flex_body *body, const struct options *options, const struct fe *fe,
                            const struct basis *basis, const struct tie *tie, struct arena *life, struct report *report)
 {
-    struct parts parts = {.n = basis->n, .force = TAKE(life, bool, 3 * wish->ntie)};
-    if (!wish->nload && !wish->stiffening) return OK;
-    if (wish->stiffening) TRY(from_stress(&parts, body, wish, fe, basis, tie, life, report));
-    for (int i = 0; i < wish->nload; i++)
-        TRY(read_one(&parts, body, wish->load + i, wish, fe, basis, tie, life, report));
+    struct parts parts = {.n = basis->n, .force = TAKE(life, bool, 3 * options->ntie)};
+    if (!options->nload && !options->stiffening) return OK;
+    if (options->stiffening) TRY(from_stress(&parts, body, options, fe, basis, tie, life, report));
+    for (int i = 0; i < options->nload; i++)
+        TRY(read_one(&parts, body, options->load + i, options, fe, basis, tie, life, report));
     TRY(check_spins(&parts, report));
     for (int at = 0; at < basis->n * basis->n; at++) {
         for (int k = 0; k < 3; k++)
             body->s[k + 3 * at] = parts.kind[LOAD_ACCEL + k] ? parts.kind[LOAD_ACCEL + k][at] : 0;
         solve(body->xs + 9 * at, &parts, at);
     }
-    if (!wish->quiet) say_missing(&parts, wish, tie);
+    if (!options->quiet) say_missing(&parts, options, tie);
     return OK;
 }

@@ -20,7 +20,7 @@
 #define FMDSUB_REDUCE_PRESTRESS_H
 
 #include "flex/body.h"
-#include "reduce/wish.h"
+#include "reduce/options.h"
 
 /* Writes PREFIX-KIND.inp with *CLOAD lines for all kinds (force for every interface but the first); each scaled by a
  * power of ten that makes it move the body by about 1e-6 of its size, said on stderr and in the file: the strains of
@@ -30,7 +30,7 @@ enum status loads_write(const char *prefix, const struct fe *fe, const struct ti
                         struct report *report);
 
 /* Fills s, xs and S of body from the matrices asked for; says on stderr what is missing. */
-enum status prestress_read(struct flex_body *body, const struct wish *wish, const struct fe *fe,
+enum status prestress_read(struct flex_body *body, const struct options *options, const struct fe *fe,
                            const struct basis *basis, const struct tie *tie, struct arena *life, struct report *report);
 
 #endif

@@ -72,20 +72,20 @@ enum status stress_at(double *s, const struct fe *fe, int node, const double *u,
     return OK;
 }
 
-enum status stress_make(struct flex_body *body, const struct wish *wish, const struct fe *fe, const struct basis *basis,
-                        struct report *report)
+enum status stress_make(struct flex_body *body, const struct options *options, const struct fe *fe,
+                        const struct basis *basis, struct report *report)
 {
     const struct fe_units *u = &fe->units;
-    double E = wish->E * u->mass / (u->length * u->time * u->time);
-    for (int p = 0; p < wish->nprobe; p++) {
-        int node = fe_node(fe, wish->probe[p].node);
-        body->stress[p].name = wish->probe[p].name;
+    double E = options->E * u->mass / (u->length * u->time * u->time);
+    for (int p = 0; p < options->nprobe; p++) {
+        int node = fe_node(fe, options->probe[p].node);
+        body->stress[p].name = options->probe[p].name;
         if (node < 0)
-            return fail(report, E_MODEL, "stress point '%s': node %d is not part of the body", wish->probe[p].name,
-                        wish->probe[p].node);
+            return fail(report, E_MODEL, "stress point '%s': node %d is not part of the body", options->probe[p].name,
+                        options->probe[p].node);
         for (int j = 0; j < basis->n; j++)
             TRY(stress_at(body->stress[p].tensor + 6 * j, fe, node, basis->V + (size_t)j * (size_t)basis->size, E,
-                          wish->nu, report));
+                          options->nu, report));
     }
     return OK;
 }

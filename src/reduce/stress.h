@@ -8,7 +8,7 @@
 #define FMDSUB_REDUCE_STRESS_H
 
 #include "flex/body.h"
-#include "reduce/wish.h"
+#include "reduce/options.h"
 
 /* s [6] xx yy zz xy xz yz at node `node` of the body under displacements u [3 fe->n] [m]; E [Pa].  E_MODEL where no
  * element there is known. */
@@ -22,7 +22,7 @@ enum status stress_element(int *node, double *x, const struct fe *fe, const stru
 void stress_hooke(double *s, const double *g, double E, double nu);
 
 /* Fills body->stress, one for every point wished for. */
-enum status stress_make(struct flex_body *body, const struct wish *wish, const struct fe *fe, const struct basis *basis,
-                        struct report *report);
+enum status stress_make(struct flex_body *body, const struct options *options, const struct fe *fe,
+                        const struct basis *basis, struct report *report);
 
 #endif

@@ -22,7 +22,7 @@ static bool read_numbers(int *id, int *n, const char *where, struct arena *life)
     return word_end(at);
 }
 
-static enum status find_nodes(struct tie *o, const struct tie_wish *w, const struct fe *fe, struct arena *life,
+static enum status find_nodes(struct tie *o, const struct tie_options *w, const struct fe *fe, struct arena *life,
                               struct report *report)
 {
     const struct mesh_set *set = mesh_set(&fe->mesh, w->where);
@@ -110,15 +110,15 @@ static bool gauge_node(struct tie *o, const struct fe *fe, struct arena *life)
     return true;
 }
 
-enum status tie_make(struct tie *o, const struct tie_wish *wish, const struct fe *fe, struct arena *life,
+enum status tie_make(struct tie *o, const struct tie_options *options, const struct fe *fe, struct arena *life,
                      struct report *report)
 {
-    *o = (struct tie){.name = wish->name, .rigid = wish->rigid};
-    TRY(find_nodes(o, wish, fe, life, report));
+    *o = (struct tie){.name = options->name, .rigid = options->rigid};
+    TRY(find_nodes(o, options, fe, life, report));
     o->motions = o->n == 1 ? 3 : 6;
     mean_of(o->x, o->node, o->n, fe);
-    if (wish->placed) v3_scale(o->x, fe->units.length, wish->at);
-    if (o->n == 1 && wish->placed)
+    if (options->placed) v3_scale(o->x, fe->units.length, options->at);
+    if (o->n == 1 && options->placed)
         return fail(report, E_MODEL, "interface '%s': a single node has its own place", o->name);
     o->gauge = o->node;
     o->ngauge = o->n;

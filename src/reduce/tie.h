@@ -10,7 +10,7 @@
 
 #include "reduce/fe.h"
 
-struct tie_wish {
+struct tie_options {
     const char *name;
     const char *where; /* a node set, or node numbers joined by '+' */
     bool rigid;
@@ -30,7 +30,7 @@ struct tie {
     double *A;        /* [6 x 3 ngauge] motion (p, theta) from their displacements */
 };
 
-enum status tie_make(struct tie *o, const struct tie_wish *wish, const struct fe *fe, struct arena *life,
+enum status tie_make(struct tie *o, const struct tie_options *options, const struct fe *fe, struct arena *life,
                      struct report *report);
 
 /* No node in two ties. */

@@ -88,7 +88,7 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     return 1;
 }
 
-static int read_wish(struct builder *b, bool *wish, const struct node *n)
+static int read_options(struct builder *b, bool *wish, const struct node *n)
 {
     int yes = 0;
     if (read_bool(&yes, n, &b->reader)) return 1;
@@ -159,7 +159,7 @@ static int read_from(struct builder *b, const struct node *initial, const struct
 }
 
 /* `initial: static`, `initial: assemble`: the wish alone. */
-static bool is_wish(struct scene *scene, const struct node *n)
+static bool is_option(struct scene *scene, const struct node *n)
 {
     if (n->type != NODE_SCALAR) return false;
     if (strcmp(n->text, "static") == 0) return scene->at_rest = true;
@@ -170,7 +170,7 @@ static bool is_wish(struct scene *scene, const struct node *n)
 int read_initial(struct builder *b, const struct node *n)
 {
     int errors = 0;
-    if (!n || is_wish(b->scene, n)) return 0;
+    if (!n || is_option(b->scene, n)) return 0;
     if (read_map(n, "'initial'", &b->reader)) return 1;
     if (node_find(n, "from")) return read_from(b, n, node_find(n, "from"));
     struct scene *scene = b->scene;
@@ -178,9 +178,9 @@ int read_initial(struct builder *b, const struct node *n)
     for (int i = 0; i < n->count; i++) {
         struct scene_initial start = {0};
         if (strcmp(n->item[i]->key, "static") == 0)
-            errors += read_wish(b, &scene->at_rest, n->item[i]);
+            errors += read_options(b, &scene->at_rest, n->item[i]);
         else if (strcmp(n->item[i]->key, "assemble") == 0)
-            errors += read_wish(b, &scene->assemble, n->item[i]);
+            errors += read_options(b, &scene->assemble, n->item[i]);
         else if (read_start(b, &start, n->item[i]))
             errors++;
         else

@@ -18,9 +18,9 @@ static enum status push(struct sim *sim, double h, int ratio)
     ledger_push(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity, s->work, s->lost, s->left);
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
-    turns_note(sim, h, ratio);
+    rotations_note(sim, h, ratio);
     spins_note(sim);
-    return bends_note(sim);
+    return deflections_note(sim);
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);

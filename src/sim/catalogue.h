@@ -41,7 +41,7 @@ struct column_kind {
     enum column_use use;
 };
 
-/* {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", SEE_MOTION, velocity)}, */
+/* {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", EVALUATE_MOTION, velocity)}, */
 #define COLUMN(plane_, space_, unit_, brief_, needs_, value_)                                                          \
     .plane = plane_, .space = space_, .unit = unit_, .brief = brief_, .needs = needs_, .value = value_
 

@@ -66,16 +66,18 @@ static double angular_acceleration(const struct sim *sim, const struct origin *o
 }
 
 const struct column_kind columns_body[] = {
-    {COLUMN(".x .y", ".x .y .z", "m", "centre of mass, world axes", SEE_MOTION, place)},
-    {COLUMN(".angle", NULL, "rad", "turned since drawn", SEE_MOTION, angle)},
-    {COLUMN(NULL, ".qw .qx .qy .qz", NULL, "unit quaternion, body to world", SEE_MOTION, quaternion)},
-    {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", SEE_MOTION, velocity)},
-    {COLUMN(".wz", ".wx .wy .wz", "rad/s", "angular velocity, world axes", SEE_MOTION, angular_velocity)},
-    {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of the centre of mass", SEE_ACCELERATION, acceleration)},
-    {COLUMN(".alz", ".alx .aly .alz", "rad/s2", "angular acceleration, world axes", SEE_ACCELERATION,
+    {COLUMN(".x .y", ".x .y .z", "m", "centre of mass, world axes", EVALUATE_MOTION, place)},
+    {COLUMN(".angle", NULL, "rad", "turned since drawn", EVALUATE_MOTION, angle)},
+    {COLUMN(NULL, ".qw .qx .qy .qz", NULL, "unit quaternion, body to world", EVALUATE_MOTION, quaternion)},
+    {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", EVALUATE_MOTION, velocity)},
+    {COLUMN(".wz", ".wx .wy .wz", "rad/s", "angular velocity, world axes", EVALUATE_MOTION, angular_velocity)},
+    {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of the centre of mass", EVALUATE_ACCELERATION,
+            acceleration)},
+    {COLUMN(".alz", ".alx .aly .alz", "rad/s2", "angular acceleration, world axes", EVALUATE_ACCELERATION,
             angular_acceleration)},
-    {COLUMN(NULL, ".yaw .pitch .roll", "rad", "Tait-Bryan angles z-y'-x'', world to body", SEE_MOTION, tait_bryan)},
-    {COLUMN(NULL, ".euler1 .euler2 .euler3", "rad", "Euler angles z-x'-z'', world to body", SEE_MOTION, euler)},
+    {COLUMN(NULL, ".yaw .pitch .roll", "rad", "Tait-Bryan angles z-y'-x'', world to body", EVALUATE_MOTION,
+            tait_bryan)},
+    {COLUMN(NULL, ".euler1 .euler2 .euler3", "rad", "Euler angles z-x'-z'', world to body", EVALUATE_MOTION, euler)},
     {0},
 };
 
@@ -103,9 +105,9 @@ static double point_acceleration(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_point[] = {
-    {COLUMN(".x .y", ".x .y .z", "m", "point, world axes", SEE_MOTION, point_place)},
-    {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of a point", SEE_MOTION, point_velocity)},
-    {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of a point", SEE_ACCELERATION, point_acceleration)},
+    {COLUMN(".x .y", ".x .y .z", "m", "point, world axes", EVALUATE_MOTION, point_place)},
+    {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of a point", EVALUATE_MOTION, point_velocity)},
+    {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of a point", EVALUATE_ACCELERATION, point_acceleration)},
     {0},
 };
 
@@ -125,8 +127,9 @@ static double rotation(const struct sim *sim, const struct origin *o)
 
 /* More of a point of a flexible body. */
 const struct column_kind columns_bent_point[] = {
-    {COLUMN(".dx .dy", ".dx .dy .dz", "m", "displacement by bending, body axes", SEE_MOTION, displacement)},
-    {COLUMN(".rz", ".rx .ry .rz", "rad", "rotation by bending, a rotation vector, body axes", SEE_MOTION, rotation)},
+    {COLUMN(".dx .dy", ".dx .dy .dz", "m", "displacement by bending, body axes", EVALUATE_MOTION, displacement)},
+    {COLUMN(".rz", ".rx .ry .rz", "rad", "rotation by bending, a rotation vector, body axes", EVALUATE_MOTION,
+            rotation)},
     {0},
 };
 
@@ -158,23 +161,23 @@ static double von_mises(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_beam_stress[] = {
-    {COLUMN(".axial", ".axial", "Pa", "normal stress from stretch", SEE_MOTION, axial)},
-    {COLUMN(".bending", ".bending", "Pa", "normal stress from bending", SEE_MOTION, bending)},
+    {COLUMN(".axial", ".axial", "Pa", "normal stress from stretch", EVALUATE_MOTION, axial)},
+    {COLUMN(".bending", ".bending", "Pa", "normal stress from bending", EVALUATE_MOTION, bending)},
     {0},
 };
 
 const struct column_kind columns_beam_shear[] = {
-    {COLUMN(".xy", ".xy .xz", "Pa", "shear stress, body axes", SEE_MOTION, shear)},
+    {COLUMN(".xy", ".xy .xz", "Pa", "shear stress, body axes", EVALUATE_MOTION, shear)},
     {0},
 };
 
 const struct column_kind columns_solid_stress[] = {
-    {COLUMN(".xx .yy .zz", ".xx .yy .zz", "Pa", "normal stress, body axes", SEE_MOTION, normal)},
-    {COLUMN(".xy .xz .yz", ".xy .xz .yz", "Pa", "shear stress, body axes", SEE_MOTION, shear)},
+    {COLUMN(".xx .yy .zz", ".xx .yy .zz", "Pa", "normal stress, body axes", EVALUATE_MOTION, normal)},
+    {COLUMN(".xy .xz .yz", ".xy .xz .yz", "Pa", "shear stress, body axes", EVALUATE_MOTION, shear)},
     {0},
 };
 
 const struct column_kind columns_von_mises[] = {
-    {COLUMN(".von_mises", ".von_mises", "Pa", "equivalent stress", SEE_MOTION, von_mises)},
+    {COLUMN(".von_mises", ".von_mises", "Pa", "equivalent stress", EVALUATE_MOTION, von_mises)},
     {0},
 };

@@ -16,8 +16,8 @@ static double measure_rate(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_measure[] = {
-    {COLUMN("", "", "m", "measure", SEE_MOTION, measure_value), .angular = "rad", .use = USE_COUNTED},
-    {COLUMN("_rate", "_rate", "m/s", "rate of a measure", SEE_MOTION, measure_rate), .angular = "rad/s"},
+    {COLUMN("", "", "m", "measure", EVALUATE_MOTION, measure_value), .angular = "rad", .use = USE_COUNTED},
+    {COLUMN("_rate", "_rate", "m/s", "rate of a measure", EVALUATE_MOTION, measure_rate), .angular = "rad/s"},
     {0},
 };
 
@@ -44,16 +44,16 @@ static double force_power(const struct sim *sim, const struct origin *o)
 
 /* Of a force along a measure. */
 const struct column_kind columns_law[] = {
-    {COLUMN(".force", ".force", "N", "along its measure", SEE_FORCE, force_size), .angular = "N m"},
-    {COLUMN(".elongation", ".elongation", "m", "its measure", SEE_FORCE, force_elongation), .angular = "rad"},
-    {COLUMN(".power", ".power", "W", "put into the system", SEE_FORCE, force_power)},
+    {COLUMN(".force", ".force", "N", "along its measure", EVALUATE_FORCE, force_size), .angular = "N m"},
+    {COLUMN(".elongation", ".elongation", "m", "its measure", EVALUATE_FORCE, force_elongation), .angular = "rad"},
+    {COLUMN(".power", ".power", "W", "put into the system", EVALUATE_FORCE, force_power)},
     {0},
 };
 
 /* Of a force or torque on a body, and of a bushing. */
 const struct column_kind columns_load[] = {
-    {COLUMN(".force", ".force", "N", "size of the load", SEE_FORCE, force_size), .angular = "N m"},
-    {COLUMN(".power", ".power", "W", "put into the system", SEE_FORCE, force_power)},
+    {COLUMN(".force", ".force", "N", "size of the load", EVALUATE_FORCE, force_size), .angular = "N m"},
+    {COLUMN(".power", ".power", "W", "put into the system", EVALUATE_FORCE, force_power)},
     {0},
 };
 
@@ -72,7 +72,8 @@ static double drive_power(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_drive[] = {
-    {COLUMN(".force", ".force", "N", "of the drive, along its measure", SEE_REACTION, drive_force), .angular = "N m"},
-    {COLUMN(".power", ".power", "W", "put into the system", SEE_REACTION, drive_power)},
+    {COLUMN(".force", ".force", "N", "of the drive, along its measure", EVALUATE_REACTION, drive_force),
+     .angular = "N m"},
+    {COLUMN(".power", ".power", "W", "put into the system", EVALUATE_REACTION, drive_power)},
     {0},
 };

@@ -22,9 +22,9 @@ static double acceleration(const struct sim *sim, const struct origin *o)
 
 /* Names and units are those of the kind of joint. */
 const struct column_kind columns_coordinate[] = {
-    {COLUMN(NULL, NULL, NULL, "joint coordinate", SEE_NOTHING, position), .use = USE_POSITION},
-    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", SEE_NOTHING, rate), .use = USE_RATE},
-    {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", SEE_ACCELERATION, acceleration)},
+    {COLUMN(NULL, NULL, NULL, "joint coordinate", EVALUATE_NOTHING, position), .use = USE_POSITION},
+    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", EVALUATE_NOTHING, rate), .use = USE_RATE},
+    {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", EVALUATE_ACCELERATION, acceleration)},
     {0},
 };
 
@@ -47,19 +47,19 @@ static double loop_acceleration(const struct sim *sim, const struct origin *o)
 
 /* Angles, other positions, rates, accelerations. */
 const struct column_kind columns_loop_coordinate[] = {
-    {COLUMN(NULL, NULL, NULL, "joint coordinate", SEE_MOTION | NEED_TURNS, loop_position), .use = USE_TURNS},
-    {COLUMN(NULL, NULL, NULL, "joint coordinate", SEE_MOTION, loop_position)},
-    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", SEE_MOTION, loop_rate)},
-    {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", SEE_ACCELERATION, loop_acceleration)},
+    {COLUMN(NULL, NULL, NULL, "joint coordinate", EVALUATE_MOTION | NEED_TURNS, loop_position), .use = USE_TURNS},
+    {COLUMN(NULL, NULL, NULL, "joint coordinate", EVALUATE_MOTION, loop_position)},
+    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", EVALUATE_MOTION, loop_rate)},
+    {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", EVALUATE_ACCELERATION, loop_acceleration)},
     {0},
 };
 
 /* ---- coordinates of flexible bodies ---- */
 
 const struct column_kind columns_mode[] = {
-    {COLUMN("", "", NULL, "elastic coordinate", SEE_NOTHING, position), .use = USE_POSITION},
-    {COLUMN("_rate", "_rate", NULL, "its rate", SEE_NOTHING, rate), .use = USE_RATE},
-    {COLUMN("_accel", "_accel", NULL, "its acceleration", SEE_ACCELERATION, acceleration)},
+    {COLUMN("", "", NULL, "elastic coordinate", EVALUATE_NOTHING, position), .use = USE_POSITION},
+    {COLUMN("_rate", "_rate", NULL, "its rate", EVALUATE_NOTHING, rate), .use = USE_RATE},
+    {COLUMN("_accel", "_accel", NULL, "its acceleration", EVALUATE_ACCELERATION, acceleration)},
     {0},
 };
 
@@ -96,8 +96,8 @@ static double moment(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_reaction[] = {
-    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", SEE_REACTION, force)},
-    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", SEE_REACTION,
+    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", EVALUATE_REACTION, force)},
+    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", EVALUATE_REACTION,
             moment)},
     {0},
 };
@@ -121,8 +121,8 @@ static double loop_moment(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_loop_reaction[] = {
-    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", SEE_REACTION, loop_force)},
-    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", SEE_REACTION,
+    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", EVALUATE_REACTION, loop_force)},
+    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", EVALUATE_REACTION,
             loop_moment)},
     {0},
 };
@@ -131,7 +131,7 @@ const struct column_kind columns_loop_reaction[] = {
 
 /* Of rods and lines: on the second body, at its point. */
 const struct column_kind columns_tie[] = {
-    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "force on the second body, world axes", SEE_REACTION, loop_force)},
+    {COLUMN(".fx .fy", ".fx .fy .fz", "N", "force on the second body, world axes", EVALUATE_REACTION, loop_force)},
     {0},
 };
 
@@ -141,13 +141,13 @@ static double tie_force(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_rod[] = {
-    {COLUMN(".force", ".force", "N", "what drives the points apart", SEE_ACCELERATION, tie_force)},
+    {COLUMN(".force", ".force", "N", "what drives the points apart", EVALUATE_ACCELERATION, tie_force)},
     {0},
 };
 
 /* Of gears and racks. */
 const struct column_kind columns_gear[] = {
-    {COLUMN(".force", ".force", "N", "what drives the second coordinate upwards", SEE_ACCELERATION, tie_force),
+    {COLUMN(".force", ".force", "N", "what drives the second coordinate upwards", EVALUATE_ACCELERATION, tie_force),
      .angular = "N m"},
     {0},
 };

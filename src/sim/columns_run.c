@@ -12,7 +12,7 @@
 FIGURE(time_now, sim->x.t)
 
 const struct column_kind columns_time[] = {
-    {COLUMN("", "", "s", "time", SEE_NOTHING, time_now), .use = USE_WRITTEN},
+    {COLUMN("", "", "s", "time", EVALUATE_NOTHING, time_now), .use = USE_WRITTEN},
     {0},
 };
 
@@ -27,16 +27,16 @@ FIGURE(numerical, sim->ledger.lost)
 FIGURE(residual, sim->ledger.residual)
 
 const struct column_kind columns_energy[] = {
-    {COLUMN(".kinetic", ".kinetic", "J", "kinetic energy", SEE_NOTHING, kinetic)},
-    {COLUMN(".elastic", ".elastic", "J", "energy in springs and in flexible bodies", SEE_NOTHING, elastic)},
-    {COLUMN(".gravity", ".gravity", "J", "energy in the field of gravity", SEE_NOTHING, gravity)},
-    {COLUMN(".external", ".external", "J", "work of external forces since the start", SEE_NOTHING, external)},
-    {COLUMN(".drive", ".drive", "J", "work of drives since the start", SEE_NOTHING, drive)},
-    {COLUMN(".damper", ".damper", "J", "work of dampers since the start (negative: taken)", SEE_NOTHING, damper)},
-    {COLUMN(".friction", ".friction", "J", "work of friction since the start", SEE_NOTHING, friction)},
-    {COLUMN(".numerical", ".numerical", "J", "taken by the scheme's own damping since the start", SEE_NOTHING,
+    {COLUMN(".kinetic", ".kinetic", "J", "kinetic energy", EVALUATE_NOTHING, kinetic)},
+    {COLUMN(".elastic", ".elastic", "J", "energy in springs and in flexible bodies", EVALUATE_NOTHING, elastic)},
+    {COLUMN(".gravity", ".gravity", "J", "energy in the field of gravity", EVALUATE_NOTHING, gravity)},
+    {COLUMN(".external", ".external", "J", "work of external forces since the start", EVALUATE_NOTHING, external)},
+    {COLUMN(".drive", ".drive", "J", "work of drives since the start", EVALUATE_NOTHING, drive)},
+    {COLUMN(".damper", ".damper", "J", "work of dampers since the start (negative: taken)", EVALUATE_NOTHING, damper)},
+    {COLUMN(".friction", ".friction", "J", "work of friction since the start", EVALUATE_NOTHING, friction)},
+    {COLUMN(".numerical", ".numerical", "J", "taken by the scheme's own damping since the start", EVALUATE_NOTHING,
             numerical)},
-    {COLUMN(".residual", ".residual", "J", "W_kin + W_int - W_ext of (2-26)", SEE_NOTHING, residual),
+    {COLUMN(".residual", ".residual", "J", "W_kin + W_int - W_ext of (2-26)", EVALUATE_NOTHING, residual),
      .use = USE_WRITTEN},
     {0},
 };
@@ -56,8 +56,8 @@ static double angular_momentum(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_momentum[] = {
-    {COLUMN(".x .y", ".x .y .z", "N s", "momentum of all bodies", SEE_MOTION, momentum)},
-    {COLUMN(".lz", ".lx .ly .lz", "N m s", "angular momentum of all bodies about the world's origin", SEE_MOTION,
+    {COLUMN(".x .y", ".x .y .z", "N s", "momentum of all bodies", EVALUATE_MOTION, momentum)},
+    {COLUMN(".lz", ".lx .ly .lz", "N m s", "angular momentum of all bodies about the world's origin", EVALUATE_MOTION,
             angular_momentum)},
     {0},
 };
@@ -68,9 +68,9 @@ FIGURE(ratio, sim->plan.ratio)
 FIGURE(sweeps, sim->stepper.last_sweeps)
 
 const struct column_kind columns_step[] = {
-    {COLUMN(".h", ".h", "s", "minor step of the last step", SEE_NOTHING, minor_step)},
-    {COLUMN(".H", ".H", "s", "major step of the last step", SEE_NOTHING, major_step)},
-    {COLUMN(".ratio", ".ratio", NULL, "minor steps in it", SEE_NOTHING, ratio)},
-    {COLUMN(".sweeps", ".sweeps", NULL, "Newton sweeps of the last step", SEE_NOTHING, sweeps)},
+    {COLUMN(".h", ".h", "s", "minor step of the last step", EVALUATE_NOTHING, minor_step)},
+    {COLUMN(".H", ".H", "s", "major step of the last step", EVALUATE_NOTHING, major_step)},
+    {COLUMN(".ratio", ".ratio", NULL, "minor steps in it", EVALUATE_NOTHING, ratio)},
+    {COLUMN(".sweeps", ".sweeps", NULL, "Newton sweeps of the last step", EVALUATE_NOTHING, sweeps)},
     {0},
 };

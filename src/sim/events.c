@@ -50,7 +50,7 @@ static enum status tell(struct sim *sim, struct sink *sink, const char *kind, co
     return sink ? sink->ops->event(sink, sim->x.t, kind, text, report) : OK;
 }
 
-static enum status look_at_range(struct sim *sim, struct watched_range *r, struct sink *sink, struct report *report)
+static enum status check_range(struct sim *sim, struct watched_range *r, struct sink *sink, struct report *report)
 {
     char text[200];
     const double *range = r->joint->range, x = record_value(sim, r->place);
@@ -65,7 +65,7 @@ static enum status look_at_range(struct sim *sim, struct watched_range *r, struc
 }
 
 /* Does the condition turn true?  What is true from the start has not turned. */
-static enum status look_at_condition(struct sim *sim, struct sink *sink, struct report *report)
+static enum status check_condition(struct sim *sim, struct sink *sink, struct report *report)
 {
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
@@ -74,18 +74,18 @@ static enum status look_at_condition(struct sim *sim, struct sink *sink, struct 
     w->was = is;
     bool start = sim->stepper.effort.majors == 0;
     if (start && is && sim->options.say) {
-        say_condition(sim, sim->options.say);
+        print_condition(sim, sim->options.say);
         fputs("is true at the start: the run ends when it turns true again\n", sim->options.say);
     }
     w->met = turned && !start;
     return w->met ? tell(sim, sink, "until", when->node->text, report) : OK;
 }
 
-enum status events_look(struct sim *sim, struct sink *sink, struct report *report)
+enum status events_check(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct watch *w = &sim->watch;
     if (!w->slot && w->nrange == 0) return OK;
-    TRY(record_see(sim, w->needs));
-    for (int i = 0; i < w->nrange; i++) TRY(look_at_range(sim, &w->range[i], sink, report));
-    return w->slot ? look_at_condition(sim, sink, report) : OK;
+    TRY(record_evaluate(sim, w->needs));
+    for (int i = 0; i < w->nrange; i++) TRY(check_range(sim, &w->range[i], sink, report));
+    return w->slot ? check_condition(sim, sink, report) : OK;
 }

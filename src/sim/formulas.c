@@ -16,7 +16,7 @@ static double formula_value(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_formula[] = {
-    {COLUMN("", "", NULL, "expression of the deck", SEE_NOTHING, formula_value)},
+    {COLUMN("", "", NULL, "expression of the deck", EVALUATE_NOTHING, formula_value)},
     {0},
 };
 

@@ -33,33 +33,33 @@ enum status state_turns(struct sim *sim, struct diags *diags);
 
 /* events.c: the end that the deck describes, joints that leave their range */
 void events_open(struct sim *sim, struct arena *life);
-enum status events_look(struct sim *sim, struct sink *sink, struct report *report);
+enum status events_check(struct sim *sim, struct sink *sink, struct report *report);
 
-/* turns.c: the farthest turn of a ball or free joint in one step */
-void turns_note(struct sim *sim, double h, int ratio);
-void say_turns(const struct sim *sim, FILE *to);
+/* rotations.c: the farthest turn of a ball or free joint in one step */
+void rotations_note(struct sim *sim, double h, int ratio);
+void print_rotations(const struct sim *sim, FILE *to);
 
-/* bends.c: the largest deflections of flexible bodies */
-void bends_open(struct sim *sim, struct arena *life);
-enum status bends_note(struct sim *sim);
-void say_bends(const struct sim *sim, FILE *to);
+/* deflections.c: the largest deflections of flexible bodies */
+void deflections_open(struct sim *sim, struct arena *life);
+enum status deflections_note(struct sim *sim);
+void print_deflections(const struct sim *sim, FILE *to);
 
 /* spins.c: the fastest turns of flexible bodies without geometric stiffening */
 void spins_open(struct sim *sim, struct arena *life);
 void spins_note(struct sim *sim);
 bool spins_passed(const struct sim *sim);
-void say_spins(const struct sim *sim, FILE *to);
+void print_spins(const struct sim *sim, FILE *to);
 
-/* leaps.c: drives that jump in the major step that ends at `to` */
-void leaps_open(struct sim *sim, struct arena *life);
-enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report);
+/* jumps.c: drives that jump in the major step that ends at `to` */
+void jumps_open(struct sim *sim, struct arena *life);
+enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);
 
 /* formulas.c: the deck's expressions of columns join the catalogue */
 enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *life);
 
 /* record.c: what columns need (SEE_... of their rows) at the present state; one column, after that; all that are
  * written */
-enum status record_see(struct sim *sim, unsigned needs);
+enum status record_evaluate(struct sim *sim, unsigned needs);
 double record_value(const struct sim *sim, const struct origin *o);
 enum status record_fill(struct sim *sim);
 
@@ -68,10 +68,11 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
 
 /* words.c: what is said to people */
 /* What ends the run, in quotes and with a blank behind. */
-void say_condition(const struct sim *sim, FILE *to);
-void say_plan(const struct sim *sim);
-void say_end(const struct sim *sim, double wall);
-enum status say_trouble(const struct sim *sim, const struct trouble *why, enum status status, struct report *report);
+void print_condition(const struct sim *sim, FILE *to);
+void print_plan(const struct sim *sim);
+void print_end(const struct sim *sim, double wall);
+enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
+                             struct report *report);
 
 /* progress.c: a line on a terminal, rewritten a few times a second */
 struct progress {

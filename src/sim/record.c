@@ -7,15 +7,15 @@ double record_value(const struct sim *sim, const struct origin *o)
     return o->kind->value(sim, o);
 }
 
-enum status record_see(struct sim *sim, unsigned needs)
+enum status record_evaluate(struct sim *sim, unsigned needs)
 {
     if (!needs && !sim->model->nloop) return OK; /* with loops even rates of the state are to be found */
-    return system_see(sim->system, sim->x.q, sim->x.v, sim->x.t, needs, &sim->trouble);
+    return system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, needs, &sim->trouble);
 }
 
 enum status record_fill(struct sim *sim)
 {
-    TRY(record_see(sim, sim->needs));
+    TRY(record_evaluate(sim, sim->needs));
     for (int i = 0; i < sim->chosen.n; i++)
         sim->row[i] = record_value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
     return OK;
@@ -25,8 +25,8 @@ enum status sim_mass(double *mass, double *centre, struct sim *sim, struct repor
 {
     const struct model *m = sim->model;
     *mass = centre[0] = centre[1] = centre[2] = 0;
-    enum status status = record_see(sim, SEE_MOTION);
-    if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
+    enum status status = record_evaluate(sim, EVALUATE_MOTION);
+    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
     for (int i = 1; i < m->nbody; i++) {
         struct pose p;
         system_pose(sim->system, &p, i);

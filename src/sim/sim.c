@@ -50,7 +50,7 @@ static enum status start(struct sim *sim, struct report *report)
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK ||
         system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
-        return say_trouble(sim, &why, E_MODEL, report);
+        return describe_trouble(sim, &why, E_MODEL, report);
     ledger_open(&sim->ledger, sim->scene->delta, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
@@ -69,9 +69,9 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
     events_open(sim, life);
-    bends_open(sim, life);
+    deflections_open(sim, life);
     spins_open(sim, life);
-    leaps_open(sim, life);
+    jumps_open(sim, life);
     sim->system = system_build(m, life);
     if (follows_turns(sim)) system_follow_turns(sim->system, life);
     TRY(state_turns(sim, diags));
@@ -126,7 +126,7 @@ static enum status tell_row(struct sim *sim, struct sink *sink, struct report *r
 {
     if (!sink) return OK;
     enum status status = record_fill(sim);
-    if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
+    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
     sim->rows++;
     return sink->ops->row(sink, sim->row, report);
 }
@@ -160,8 +160,8 @@ static enum status major(struct sim *sim, long k)
 
 static enum status look(struct sim *sim, struct sink *sink, struct report *report)
 {
-    enum status status = events_look(sim, sink, report);
-    return status == E_NUMERIC ? say_trouble(sim, &sim->trouble, status, report) : status;
+    enum status status = events_check(sim, sink, report);
+    return status == E_NUMERIC ? describe_trouble(sim, &sim->trouble, status, report) : status;
 }
 
 /* Who sends a signal knows of it; a limit has to be told. */
@@ -175,17 +175,17 @@ static enum status stopped(const struct sim *sim, struct report *report)
 /* Steps from record to record: the clock is read there and every so many steps, not at each. */
 static enum status step_on(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
-    enum { LOOK_EVERY = 64 };
+    enum { CHECK_EVERY = 64 };
     for (long k = 1; k <= sim->majors; k++) {
         long charts = system_charts(sim->system);
-        if (sim->nleap) TRY(leaps_look(sim, end_of(sim, k), sink, report));
+        if (sim->njump) TRY(jumps_check(sim, end_of(sim, k), sink, report));
         enum status status = major(sim, k);
-        if (status != OK) return say_trouble(sim, &sim->trouble, status, report);
+        if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));
         TRY(look(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(tell_row(sim, sink, report));
-        if (due || k % LOOK_EVERY == 0) {
+        if (due || k % CHECK_EVERY == 0) {
             double now = clock_wall();
             progress_show(progress, now, sim->x.t, sim->plan.until);
             if (sink) TRY(sink->ops->tick(sink, now, report));
@@ -217,7 +217,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     struct progress progress;
     double wall = clock_wall(), cpu = clock_cpu();
     progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall, sim->x.t);
-    say_plan(sim);
+    print_plan(sim);
     sim_print_assembly(sim, sim->options.say);
     TRY(tell_meta(sim, sink, report));
     enum status status = tell_row(sim, sink, report);
@@ -231,6 +231,6 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
         enum status told = tell_end(sim, sink, report);
         if (told != OK) status = sim->status = told;
     }
-    if (status != E_SIGPIPE) say_end(sim, clock_wall() - wall);
+    if (status != E_SIGPIPE) print_end(sim, clock_wall() - wall);
     return status;
 }

@@ -78,24 +78,24 @@ struct sim {
     double min_h;        /* smallest minor step taken */
     double turn, t_turn; /* farthest turn of a ball or free joint in one step [rad], when */
     int turn_joint;      /* and whose */
-    int nbend;
-    struct bending {
+    int ndeflection;
+    struct deflection {
         int body, node; /* of the model: flexible; its node farthest from the reference */
         double size;    /* how far [m] */
         double most, t; /* largest displacement there at the end of a step [m], when */
-    } * bend;           /* [nbend] */
+    } * deflection;     /* [ndeflection] */
     int nspin;
     struct turning {
         int body;                /* of the model: flexible, without geometric stiffening */
         double most, axis[3], t; /* fastest turn of its frame at the end of a step [rad/s], about what, when */
     } * spin;                    /* [nspin] */
-    int nleap;
-    struct leaping {
+    int njump;
+    struct jumping {
         int loop;    /* of the model: a drive that may jump */
         double x[3]; /* it and its rates at the end of the last step */
         double most; /* its largest value so far [m] or [rad] */
         bool told;
-    } * leap;               /* [nleap] */
+    } * jump;               /* [njump] */
     double cpu;             /* seconds of stepping, without records */
     struct trouble trouble; /* why it stopped */
     enum status status;     /* how it ended */

@@ -44,7 +44,7 @@ bool spins_passed(const struct sim *sim)
     return false;
 }
 
-void say_spins(const struct sim *sim, FILE *to)
+void print_spins(const struct sim *sim, FILE *to)
 {
     for (int i = 0; i < sim->nspin; i++) {
         const struct turning *s = &sim->spin[i];

@@ -157,7 +157,7 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i])) last = i;
     if (sim->model->nloop || count_angles(sim)) /* the rates of what follows */
-        TRY(record_see(sim, SEE_MOTION));
+        TRY(record_evaluate(sim, EVALUATE_MOTION));
     TRY(stream_put(stream, head, sizeof head - 1, report));
     TRY(put(stream, "t", sim->x.t, ",", report));
     TRY(put_angles(sim, stream, report));

@@ -96,7 +96,7 @@ static long records(const struct sim *sim)
     return 1 + end / sim->every - sim->before / sim->every + (end % sim->every != 0);
 }
 
-void say_plan(const struct sim *sim)
+void print_plan(const struct sim *sim)
 {
     FILE *to = sim->options.say;
     const struct integrate *p = &sim->plan;
@@ -121,7 +121,7 @@ void say_plan(const struct sim *sim)
             sim->watch.slot ? " at the latest" : "", records(sim), sim->chosen.n);
 }
 
-void say_condition(const struct sim *sim, FILE *to)
+void print_condition(const struct sim *sim, FILE *to)
 {
     char text[81];
     snprintf(text, sizeof text, "%s", sim->scene->when.node->text);
@@ -130,17 +130,17 @@ void say_condition(const struct sim *sim, FILE *to)
     fputs("' ", to);
 }
 
-void say_end(const struct sim *sim, double wall)
+void print_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.say;
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     if (!to) return;
-    say_turns(sim, to);
-    say_spins(sim, to);
-    say_bends(sim, to);
+    print_rotations(sim, to);
+    print_spins(sim, to);
+    print_deflections(sim, to);
     if (sim->watch.slot && (sim->watch.met || sim->status == OK)) {
-        say_condition(sim, to);
+        print_condition(sim, to);
         fputs(sim->watch.met ? "turned true\n" : "has not turned true until the latest end\n", to);
     }
     fprintf(to, "%s at t = %.12g s: %ld major, %ld minor steps", status_word(sim), sim->x.t, e->majors, e->minors);
@@ -198,7 +198,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     return sim->plan.ratio > 1 ? "try a smaller ratio or step" : "try a smaller step";
 }
 
-enum status say_trouble(const struct sim *sim, const struct trouble *why, enum status status, struct report *report)
+enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
+                             struct report *report)
 {
     char what[200];
     if (status != E_NUMERIC && status != E_MODEL) return status;

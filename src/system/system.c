@@ -44,7 +44,7 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->model = m;
     open_build(&s->tree, m, life);
     s->ops = s->tree.ops;
-    s->view = s->ops->build(m, SEEN, NULL, life);
+    s->view = s->ops->build(m, FOR_RECORDS, NULL, life);
     s->q = TAKE(life, double, m->nq);
     s->v = TAKE(life, double, m->n);
     s->a = TAKE(life, double, m->n);
@@ -93,14 +93,15 @@ double system_constraint_worst(const struct system *s)
 
 /* --- at an output instant ------------------------------------------------------------------------ */
 
-static void see_energies(struct system *s, struct energies *e, struct sweep *sweep, const double *q, const double *v)
+static void evaluate_energies(struct system *s, struct energies *e, struct sweep *sweep, const double *q,
+                              const double *v)
 {
     s->ops->energy(sweep, &e->kinetic, &e->gravity);
     e->elastic = elements_stored(s->tree.elements, sweep, q, v) + elastic_stored(&s->tree.elastic, q);
 }
 
 /* v of all coordinates. */
-static enum status see_rates(struct system *s, const double *q, const double *v, double t, struct trouble *why)
+static enum status evaluate_rates(struct system *s, const double *q, const double *v, double t, struct trouble *why)
 {
     memcpy(s->q, q, sizeof *q * (size_t)s->model->nq);
     if (!s->loops) {
@@ -112,7 +113,8 @@ static enum status see_rates(struct system *s, const double *q, const double *v,
     return OK;
 }
 
-static enum status see_accelerations(struct system *s, const double *q, const double *v, double t, struct trouble *why)
+static enum status evaluate_accelerations(struct system *s, const double *q, const double *v, double t,
+                                          struct trouble *why)
 {
     if (s->loops) return condense_accel(s->loops, s->v, s->a, s->lambda, q, v, t, why);
     return s->tree.direct.accel(&s->tree.ode, s->a, NULL, q, v, t, why);
@@ -126,13 +128,14 @@ static void push_loops(struct system *s, double t)
     loops_push(s->shown, s->view, s->lambda);
 }
 
-enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what, struct trouble *why)
+enum status system_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
+                            struct trouble *why)
 {
     const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
-    const bool reactions = what & SEE_REACTION, forces = reactions || what & SEE_FORCE,
-               accelerations = reactions || what & SEE_ACCELERATION;
-    TRY(see_rates(s, q, v, t, why));
-    if (accelerations) TRY(see_accelerations(s, q, v, t, why));
+    const bool reactions = what & EVALUATE_REACTION, forces = reactions || what & EVALUATE_FORCE,
+               accelerations = reactions || what & EVALUATE_ACCELERATION;
+    TRY(evaluate_rates(s, q, v, t, why));
+    if (accelerations) TRY(evaluate_accelerations(s, q, v, t, why));
     if (accelerations || forces)
         s->ops->forward(s->view, s->q, s->v, accelerations ? s->a : NULL, ALL);
     else
@@ -143,7 +146,7 @@ enum status system_see(struct system *s, const double *q, const double *v, doubl
     }
     if (reactions && s->loops) push_loops(s, t);
     if (reactions) s->ops->backward(s->view, s->r, ALL);
-    if (what & SEE_ENERGY) see_energies(s, &s->energies, s->view, s->q, s->v);
+    if (what & EVALUATE_ENERGY) evaluate_energies(s, &s->energies, s->view, s->q, s->v);
     return OK;
 }
 
@@ -284,7 +287,7 @@ enum status system_energy_at(struct system *s, struct energies *e, const double 
         v = s->v;
     }
     open_move(&s->tree, q, v);
-    see_energies(s, e, s->tree.sweep, q, v);
+    evaluate_energies(s, e, s->tree.sweep, q, v);
     return OK;
 }
 

@@ -24,16 +24,17 @@ struct ode2 *system_ode2(struct system *s);
 
 /* What is wanted of one instant, and no more; kept until the next call. */
 enum {
-    SEE_NOTHING = 0,
-    SEE_MOTION = 1,       /* rates, poses, measures, momenta, stresses */
-    SEE_ACCELERATION = 2, /* the same with accelerations, by one fresh solve of (2-4), and the loops' multipliers */
-    SEE_FORCE = 4,        /* motion, and what each force does */
-    SEE_REACTION = 8,     /* reactions of the tree's joints; accelerations and forces with them */
-    SEE_ENERGY = 16,      /* of motion, springs and gravity */
-    SEE_ALL = 31
+    EVALUATE_NOTHING = 0,
+    EVALUATE_MOTION = 1, /* rates, poses, measures, momenta, stresses */
+    EVALUATE_ACCELERATION =
+        2,                 /* the same with accelerations, by one fresh solve of (2-4), and the loops' multipliers */
+    EVALUATE_FORCE = 4,    /* motion, and what each force does */
+    EVALUATE_REACTION = 8, /* reactions of the tree's joints; accelerations and forces with them */
+    EVALUATE_ENERGY = 16,  /* of motion, springs and gravity */
+    EVALUATE_ALL = 31
 };
-enum status system_see(struct system *s, const double *q, const double *v, double t, unsigned what,
-                       struct trouble *why);
+enum status system_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
+                            struct trouble *why);
 
 const double *system_rates(const struct system *s);         /* [n of the model] */
 const double *system_accelerations(const struct system *s); /* [n of the model] */

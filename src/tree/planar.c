@@ -64,8 +64,8 @@ TWICE void move_on(struct part *restrict x, const struct part *restrict p, const
         }
 }
 
-TWICE void speed_up(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
-                    const double *v, const double *a)
+TWICE void accelerate_part(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                           const double *v, const double *a)
 {
     double ww_p = p->w * p->w, ww = x->w * x->w;
     x->al = p->al;
@@ -97,10 +97,10 @@ TWICE void place_all(struct sweep *s, const double *q, const struct roster *o, b
         const struct link *l = &s->link[body];
         struct part *x = &s->part[body], *p = &s->part[l->parent];
         if (flexible && s->stand[body])
-            planar_stand_place(x, s->stand[body], p);
+            planar_node_body_place(x, s->stand[body], p);
         else
             place(x, p, l, q);
-        if (flexible && s->bend[body]) planar_bend_place(s->bend[body], x, q);
+        if (flexible && s->bend[body]) planar_flexible_place(s->bend[body], x, q);
     }
 }
 
@@ -111,24 +111,24 @@ TWICE void move_all(struct sweep *s, const double *v, const struct roster *o, bo
         const struct link *l = &s->link[body];
         struct part *x = &s->part[body], *p = &s->part[l->parent];
         if (flexible && s->stand[body])
-            planar_stand_move(x, s->stand[body], p);
+            planar_node_body_move(x, s->stand[body], p);
         else
             move_on(x, p, l, v);
-        if (flexible && s->bend[body]) planar_bend_move(s->bend[body], v);
+        if (flexible && s->bend[body]) planar_flexible_move(s->bend[body], v);
     }
 }
 
-TWICE void speed_up_all(struct sweep *s, const double *v, const double *a, const struct roster *o, bool flexible)
+TWICE void accelerate_all(struct sweep *s, const double *v, const double *a, const struct roster *o, bool flexible)
 {
     for (int i = 0; i < o->n; i++) {
         const int body = o->body[i];
         const struct link *l = &s->link[body];
         struct part *x = &s->part[body], *p = &s->part[l->parent];
         if (flexible && s->stand[body])
-            planar_stand_speed_up(x, s->stand[body], p);
+            planar_node_body_accelerate(x, s->stand[body], p);
         else
-            speed_up(x, p, l, v, a);
-        if (flexible && s->bend[body]) planar_bend_speed_up(s->bend[body], a);
+            accelerate_part(x, p, l, v, a);
+        if (flexible && s->bend[body]) planar_flexible_accelerate(s->bend[body], a);
     }
 }
 
@@ -141,7 +141,7 @@ TWICE void at_once(struct sweep *s, const double *q, const double *v, const doub
         place(x, p, l, q);
         move_on(x, p, l, v);
         if (!a) continue;
-        speed_up(x, p, l, v, a);
+        accelerate_part(x, p, l, v, a);
         bear(x, l, o->bears[i]);
     }
 }
@@ -169,13 +169,13 @@ void planar_move(struct sweep *s, const double *q, const double *v, unsigned cls
         move_all(s, v, &s->rosters.of[cls], false);
 }
 
-void planar_speed_up(struct sweep *s, const double *v, const double *a, unsigned cls)
+void planar_accelerate(struct sweep *s, const double *v, const double *a, unsigned cls)
 {
     s->accelerated = true;
     if (s->bend)
-        speed_up_all(s, v, a, &s->rosters.of[cls], true);
+        accelerate_all(s, v, a, &s->rosters.of[cls], true);
     else
-        speed_up_all(s, v, a, &s->rosters.of[cls], false);
+        accelerate_all(s, v, a, &s->rosters.of[cls], false);
 }
 
 static void load(struct sweep *s, unsigned cls)
@@ -183,9 +183,9 @@ static void load(struct sweep *s, unsigned cls)
     const struct roster *o = &s->rosters.of[cls];
     for (int i = 0; i < o->n; i++) {
         const int body = o->body[i];
-        struct bend *b = planar_bend(s, body);
+        struct flexible *b = planar_flexible(s, body);
         if (b)
-            planar_bend_load(&s->part[body], b, o->bears[i]);
+            planar_flexible_load(&s->part[body], b, o->bears[i]);
         else
             bear(&s->part[body], &s->link[body], o->bears[i]);
     }
@@ -201,13 +201,13 @@ void planar_forward(struct sweep *s, const double *q, const double *v, const dou
         return;
     }
     if (q) planar_move(s, q, v, cls);
-    planar_speed_up(s, v, a, cls);
+    planar_accelerate(s, v, a, cls);
     load(s, cls);
 }
 
 /* --- forces inwards ---------------------------------------------------------------------------- */
 
-TWICE void bring_up(double *r, const struct part *x, struct part *p, const struct link *l)
+TWICE void collect_forces(double *r, const struct part *x, struct part *p, const struct link *l)
 {
     switch (l->type) {
     case GLIDE:
@@ -235,9 +235,9 @@ TWICE void backward(struct sweep *s, double *r, const struct roster *o, bool fle
         const int body = o->body[i];
         const struct link *l = &s->link[body];
         const struct part *x = &s->part[body];
-        if (flexible && s->stand[body]) planar_stand_bring_up(s->stand[body], x);
-        if (flexible && s->bend[body]) planar_bend_bring_up(r, s->bend[body]);
-        bring_up(r, x, &s->part[l->parent], l);
+        if (flexible && s->stand[body]) planar_node_body_collect_forces(s->stand[body], x);
+        if (flexible && s->bend[body]) planar_flexible_collect_forces(r, s->bend[body]);
+        collect_forces(r, x, &s->part[l->parent], l);
     }
 }
 

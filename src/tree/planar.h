@@ -59,10 +59,10 @@ struct sweep {
     double (*bias)[3]; /* [nbody] work of solve(): moment and force, then twist */
     double *zero;      /* [n] */
     struct routes routes;
-    struct bend **bend;   /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
-    struct stand **stand; /* [nbody] NULL: not at a node; likewise */
-    size_t for_modes;     /* numbers that they take in a factor */
-    bool accelerated;     /* the last motion had accelerations */
+    struct flexible **bend;   /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
+    struct node_body **stand; /* [nbody] NULL: not at a node; likewise */
+    size_t for_modes;         /* numbers that they take in a factor */
+    bool accelerated;         /* the last motion had accelerations */
 };
 
 static inline void planar_turn(double *y, double c, double s, const double *x)
@@ -89,7 +89,7 @@ static inline void planar_unit(double *u, const struct part *x, const struct lin
 /* See sweep.h. */
 void planar_place(struct sweep *s, const double *q, unsigned cls);
 void planar_move(struct sweep *s, const double *q, const double *v, unsigned cls);
-void planar_speed_up(struct sweep *s, const double *v, const double *a, unsigned cls);
+void planar_accelerate(struct sweep *s, const double *v, const double *a, unsigned cls);
 void planar_forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
 void planar_backward(struct sweep *s, double *r, unsigned cls);
 void planar_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
@@ -106,7 +106,8 @@ void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t planar_factor_size(const struct sweep *s);
 int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void planar_solve(const struct sweep *s, const void *F, double *x);
-void planar_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what);
-void planar_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
+void planar_aggregate(struct sweep *s, struct aggregate *o, const int *body, int n, int what);
+void planar_adjust_motion(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,
+                          int n);
 
 #endif

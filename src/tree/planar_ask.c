@@ -111,11 +111,11 @@ void planar_row(const struct sweep *s, double *g, int body, int from, const doub
     const double moment = n ? n[2] : 0;
     if (!f) f = none;
     for (int at = s->routes.npath[body] - from; at > 0; body = s->link[body].parent) {
-        const struct stand *node = planar_stand(s, body);
+        const struct node_body *node = planar_node_body(s, body);
         const int k = node ? node->of->n : s->link[body].nv;
         at -= k;
         if (node)
-            planar_stand_row(g + at, node, &s->part[body], x, f, moment);
+            planar_node_body_row(g + at, node, &s->part[body], x, f, moment);
         else
             joint_row(g + at, &s->part[body], &s->link[body], x, f, moment);
     }

@@ -75,7 +75,7 @@ static struct sweep *build(const struct model *m, enum purpose purpose, const bo
 const struct sweep_ops sweep_planar = {.build = build,
                                        .place = planar_place,
                                        .move = planar_move,
-                                       .speed_up = planar_speed_up,
+                                       .accelerate = planar_accelerate,
                                        .forward = planar_forward,
                                        .point = planar_point,
                                        .pose = planar_pose,
@@ -91,5 +91,5 @@ const struct sweep_ops sweep_planar = {.build = build,
                                        .solve = planar_solve,
                                        .energy = planar_energy,
                                        .reaction = planar_reaction,
-                                       .gather = planar_gather,
-                                       .hasten = planar_hasten};
+                                       .aggregate = planar_aggregate,
+                                       .adjust_motion = planar_adjust_motion};

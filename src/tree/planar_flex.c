@@ -25,7 +25,7 @@ static void gather(double *x, const int *i, const double *from, int n)
 /* --- motion ------------------------------------------------------------------------------------- */
 
 /* Body axes and modes. */
-void planar_bend_place(struct bend *b, const struct part *x, const double *q)
+void planar_flexible_place(struct flexible *b, const struct part *x, const double *q)
 {
     bool moved = b->change == 0;
     v2_turn(b->cs, (double[]){x->c, x->s}, b->drawn);
@@ -36,19 +36,19 @@ void planar_bend_place(struct bend *b, const struct part *x, const double *q)
     b->change += moved;
 }
 
-void planar_bend_move(struct bend *b, const double *v)
+void planar_flexible_move(struct flexible *b, const double *v)
 {
     gather(b->v, b->iv, v, b->n);
 }
 
-void planar_bend_speed_up(struct bend *b, const double *a)
+void planar_flexible_accelerate(struct flexible *b, const double *a)
 {
     gather(b->a, b->iv, a, b->n);
 }
 
-void planar_stand_place(struct part *x, struct stand *o, const struct part *p)
+void planar_node_body_place(struct part *x, struct node_body *o, const struct part *p)
 {
-    const struct bend *b = o->of;
+    const struct flexible *b = o->of;
     const struct flex_planar_place *d = &o->place;
     if (o->change != b->change) {
         flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
@@ -63,9 +63,9 @@ void planar_stand_place(struct part *x, struct stand *o, const struct part *p)
     for (int i = 0; i < 2; i++) x->r[i] = p->r[i] + x->arm[i];
 }
 
-void planar_stand_move(struct part *x, struct stand *o, const struct part *p)
+void planar_node_body_move(struct part *x, struct node_body *o, const struct part *p)
 {
-    const struct bend *b = o->of;
+    const struct flexible *b = o->of;
     double u[2];
     flex_planar_place_move(&o->place, b->kernel, b->v);
     o->biased = false;
@@ -75,14 +75,14 @@ void planar_stand_move(struct part *x, struct stand *o, const struct part *p)
     x->v[1] = p->v[1] + p->w * x->arm[0] + u[1];
 }
 
-void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p)
+void planar_node_body_accelerate(struct part *x, struct node_body *o, const struct part *p)
 {
-    const struct bend *b = o->of;
+    const struct flexible *b = o->of;
     const double ww = p->w * p->w, w2 = 2 * p->w;
     double u[2];
     if (!o->biased) flex_planar_place_bias(&o->place, b->kernel, o->node, b->v);
     o->biased = true;
-    flex_planar_place_speed_up(&o->place, b->kernel, b->a);
+    flex_planar_place_accelerate(&o->place, b->kernel, b->a);
     v2_turn(u, b->cs, o->place.v);
     v2_turn(x->a, b->cs, o->place.a);
     x->al = p->al + o->place.al;
@@ -98,7 +98,7 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
     const int o = s->routes.owner[k], mode = s->routes.local[k] - s->link[o].nv;
     if (body == o) return;
     while (s->link[body].parent != o) body = s->link[body].parent;
-    const struct stand *node = s->stand[body];
+    const struct node_body *node = s->stand[body];
     const struct part *at = &s->part[body];
     if (!node) return;
     v2_turn(xv, node->of->cs, (double[]){node->place.dx[mode], node->place.dy[mode]});
@@ -107,8 +107,8 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
     xv[1] += w[2] * (x[0] - at->r[0]);
 }
 
-void planar_stand_row(double *restrict g, const struct stand *o, const struct part *at, const double *x,
-                      const double *f, double n)
+void planar_node_body_row(double *restrict g, const struct node_body *o, const struct part *at, const double *x,
+                          const double *f, double n)
 {
     const double *restrict dx = o->place.dx, *restrict dy = o->place.dy, *restrict dw = o->place.dw;
     const double arm[2] = {x[0] - at->r[0], x[1] - at->r[1]}, moment = n + v2_cross(arm, f);
@@ -121,7 +121,7 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
 {
     const double *g = s->model->gravity;
     for (int i = 1; i < s->nbody; i++) {
-        struct bend *b = s->bend[i];
+        struct flexible *b = s->bend[i];
         if (!b) continue;
         const struct part *x = &s->part[i];
         double v[2], h[2], m = s->model->body[i].mass;
@@ -135,7 +135,7 @@ void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
 
 /* --- forces ------------------------------------------------------------------------------------- */
 
-void planar_bend_load(struct part *x, struct bend *b, bool bears)
+void planar_flexible_load(struct part *x, struct flexible *b, bool bears)
 {
     double a[2], F[2] = {0, 0};
     x->N = 0;
@@ -151,14 +151,14 @@ void planar_bend_load(struct part *x, struct bend *b, bool bears)
 }
 
 /* The modes' rows of force F and moment N at the node, both in the world. */
-void planar_stand_bring_up(struct stand *o, const struct part *x)
+void planar_node_body_collect_forces(struct node_body *o, const struct part *x)
 {
     double f[2], *Q = o->of->Q;
     v2_turn_back(f, o->of->cs, x->F);
     for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * x->N;
 }
 
-void planar_bend_bring_up(double *r, const struct bend *b)
+void planar_flexible_collect_forces(double *r, const struct flexible *b)
 {
     for (int k = 0; k < b->n; k++) r[b->iv[k]] += b->Q[k];
 }
@@ -166,9 +166,10 @@ void planar_bend_bring_up(double *r, const struct bend *b)
 /* --- building ----------------------------------------------------------------------------------- */
 
 /* A factor keeps L and Z of a flexible body, B of a body at a node. */
-static struct bend *build_bend(struct sweep *s, const struct model_body *body, const struct link *l, struct arena *life)
+static struct flexible *build_flexible(struct sweep *s, const struct model_body *body, const struct link *l,
+                                       struct arena *life)
 {
-    struct bend *b = TAKE(life, struct bend, 1);
+    struct flexible *b = TAKE(life, struct flexible, 1);
     const int n = b->n = body->nmode;
     b->kernel = flex_planar_build(body->flex, life);
     flex_planar_shape_take(&b->shape, b->kernel, life);
@@ -186,9 +187,10 @@ static struct bend *build_bend(struct sweep *s, const struct model_body *body, c
     return b;
 }
 
-static struct stand *build_stand(struct sweep *s, const struct model_body *body, struct bend *of, struct arena *life)
+static struct node_body *build_stand(struct sweep *s, const struct model_body *body, struct flexible *of,
+                                     struct arena *life)
 {
-    struct stand *o = TAKE(life, struct stand, 1);
+    struct node_body *o = TAKE(life, struct node_body, 1);
     o->of = of;
     o->node = body->node;
     flex_planar_place_take(&o->place, of->kernel, o->node, life);
@@ -208,13 +210,13 @@ void planar_flex_build(struct sweep *s, struct arena *life)
 {
     const struct model *m = s->model;
     if (!any_flexible(m)) return;
-    s->bend = TAKE(life, struct bend *, m->nbody);
-    s->stand = TAKE(life, struct stand *, m->nbody);
+    s->bend = TAKE(life, struct flexible *, m->nbody);
+    s->stand = TAKE(life, struct node_body *, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *body = &m->body[i];
         if (body->at_node) s->stand[i] = build_stand(s, body, s->bend[body->parent], life);
         if (!body->flex) continue;
         s->link[i].mass = s->link[i].inertia = 0;
-        s->bend[i] = build_bend(s, body, &s->link[i], life);
+        s->bend[i] = build_flexible(s, body, &s->link[i], life);
     }
 }

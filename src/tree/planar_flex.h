@@ -6,7 +6,7 @@
 #include "tree/planar.h"
 
 /* A flexible body: its frame is a part like all others, whose link has no mass; this is the rest. */
-struct bend {
+struct flexible {
     const struct flex_planar *kernel;
     struct flex_planar_shape shape;
     int n;
@@ -20,8 +20,8 @@ struct bend {
 };
 
 /* A body at a node of `of`. */
-struct stand {
-    struct bend *of;
+struct node_body {
+    struct flexible *of;
     int node;
     struct flex_planar_place place;
     double cs[2]; /* cos, sin of its angle against the frame */
@@ -33,32 +33,32 @@ struct stand {
 /* Leaves bend and stand NULL in a model without flexible bodies; none of the others is then called. */
 void planar_flex_build(struct sweep *s, struct arena *life);
 
-static inline struct bend *planar_bend(const struct sweep *s, int body)
+static inline struct flexible *planar_flexible(const struct sweep *s, int body)
 {
     return s->bend ? s->bend[body] : NULL;
 }
 
-static inline struct stand *planar_stand(const struct sweep *s, int body)
+static inline struct node_body *planar_node_body(const struct sweep *s, int body)
 {
     return s->stand ? s->stand[body] : NULL;
 }
 
 /* The three passes of motion for what is not in x, the frame; then its inertia into x and the modes' Q, which go to
  * the rows of r. */
-void planar_bend_place(struct bend *b, const struct part *x, const double *q);
-void planar_bend_move(struct bend *b, const double *v);
-void planar_bend_speed_up(struct bend *b, const double *a);
-void planar_bend_load(struct part *x, struct bend *b, bool bears);
-void planar_bend_bring_up(double *r, const struct bend *b);
+void planar_flexible_place(struct flexible *b, const struct part *x, const double *q);
+void planar_flexible_move(struct flexible *b, const double *v);
+void planar_flexible_accelerate(struct flexible *b, const double *a);
+void planar_flexible_load(struct part *x, struct flexible *b, bool bears);
+void planar_flexible_collect_forces(double *r, const struct flexible *b);
 
 /* The three passes for x at its node of p; its force and moment to the modes' Q. */
-void planar_stand_place(struct part *x, struct stand *o, const struct part *p);
-void planar_stand_move(struct part *x, struct stand *o, const struct part *p);
-void planar_stand_speed_up(struct part *x, struct stand *o, const struct part *p);
-void planar_stand_bring_up(struct stand *o, const struct part *x);
+void planar_node_body_place(struct part *x, struct node_body *o, const struct part *p);
+void planar_node_body_move(struct part *x, struct node_body *o, const struct part *p);
+void planar_node_body_accelerate(struct part *x, struct node_body *o, const struct part *p);
+void planar_node_body_collect_forces(struct node_body *o, const struct part *x);
 /* row() of the modes that move x, which stands there. */
-void planar_stand_row(double *g, const struct stand *o, const struct part *at, const double *x, const double *f,
-                      double n);
+void planar_node_body_row(double *g, const struct node_body *o, const struct part *at, const double *x, const double *f,
+                          double n);
 
 /* partial() of a mode; energies of the flexible bodies are added. */
 void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
@@ -69,8 +69,8 @@ void planar_flex_compose(struct sweep *s, const struct roster *o);
 void planar_flex_columns(double *M, struct sweep *s, const struct roster *o);
 
 /* U and M of the body alone; what is added by that which hangs on the node with inertia I (ww wx wy xx xy yy). */
-void planar_flex_own(struct bend *b);
-void planar_flex_couple(const struct stand *o, const double *I, const double *arm);
+void planar_flex_own(struct flexible *b);
+void planar_flex_couple(const struct node_body *o, const double *I, const double *arm);
 
 /* Articulated bodies: I, U, M of the bodies alone; the modes of a body eliminated (0: no pivot), or their part in
  * what hangs on a node added to the body there; then the same with forces p inwards and twists V outwards.  F is
@@ -81,7 +81,7 @@ void planar_flex_forces(const struct sweep *s, const double *F, double *p, doubl
 void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body);
 
 /* What depends on q alone, once for each q, where it is wanted. */
-static inline void planar_flex_shape(struct bend *b)
+static inline void planar_flex_shape(struct flexible *b)
 {
     if (b->shaped == b->change) return;
     flex_planar_shape_at(&b->shape, b->kernel, b->q);
@@ -89,14 +89,14 @@ static inline void planar_flex_shape(struct bend *b)
 }
 
 /* First moment in the world. */
-static inline void planar_flex_first_moment(double *h, const struct bend *b)
+static inline void planar_flex_first_moment(double *h, const struct flexible *b)
 {
     h[0] = b->cs[0] * b->shape.h[0] - b->cs[1] * b->shape.h[1];
     h[1] = b->cs[1] * b->shape.h[0] + b->cs[0] * b->shape.h[1];
 }
 
 /* The twist of a body at a node by the k-th mode there. */
-static inline void planar_stand_unit(double *u, const struct stand *o, int k)
+static inline void planar_node_body_unit(double *u, const struct node_body *o, int k)
 {
     const double *cs = o->of->cs, dx = o->place.dx[k], dy = o->place.dy[k];
     u[0] = o->place.dw[k];

@@ -23,7 +23,7 @@
 void planar_flex_start(struct sweep *s, double cm, const double *d)
 {
     for (int i = 1; i < s->nbody; i++) {
-        struct bend *b = s->bend[i];
+        struct flexible *b = s->bend[i];
         double h[2], *I = s->part[i].I;
         if (!b) continue;
         planar_flex_shape(b);
@@ -56,7 +56,7 @@ static void take_out(double *I, const double *U, const double *Z, int n)
         for (int k = 0; k < n; k++) I[e] -= U[row[e] + 3 * k] * Z[k + n * col[e]];
 }
 
-static int eliminate(double *F, double *I, struct bend *b, const double *d)
+static int eliminate(double *F, double *I, struct flexible *b, const double *d)
 {
     const int n = b->n;
     double *L = F + b->at, *Z = L + n * n; /* [n x n], [n x 3] */
@@ -77,10 +77,10 @@ static int eliminate(double *F, double *I, struct bend *b, const double *d)
 int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d)
 {
     struct part *x = &s->part[body];
-    const struct stand *o = s->stand[body];
+    const struct node_body *o = s->stand[body];
     if (o) {
         planar_flex_couple(o, x->I, x->arm);
-        for (int k = 0; k < o->of->n; k++) planar_stand_unit(F + o->at + 3 * k, o, k);
+        for (int k = 0; k < o->of->n; k++) planar_node_body_unit(F + o->at + 3 * k, o, k);
     }
     return s->bend[body] ? eliminate(F, x->I, s->bend[body], d) : 1;
 }
@@ -88,8 +88,8 @@ int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d)
 /* The modes' right sides stand in x until their body's turn comes. */
 void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body)
 {
-    const struct stand *o = s->stand[body];
-    const struct bend *b = s->bend[body];
+    const struct node_body *o = s->stand[body];
+    const struct flexible *b = s->bend[body];
     for (int k = 0; o && k < o->of->n; k++) x[o->of->iv[k]] -= v3_dot(F + o->at + 3 * k, p);
     if (!b) return;
     const int n = b->n;
@@ -104,8 +104,8 @@ void planar_flex_forces(const struct sweep *s, const double *F, double *p, doubl
 
 void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body)
 {
-    const struct stand *o = s->stand[body];
-    const struct bend *b = s->bend[body];
+    const struct node_body *o = s->stand[body];
+    const struct flexible *b = s->bend[body];
     for (int k = 0; o && k < o->of->n; k++)
         for (int c = 0; c < 3; c++) V[c] += F[o->at + (size_t)(3 * k + c)] * x[o->of->iv[k]];
     if (!b) return;

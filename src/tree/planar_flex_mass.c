@@ -17,7 +17,7 @@
 void planar_flex_compose(struct sweep *s, const struct roster *o)
 {
     for (int i = 0; i < o->n; i++) {
-        struct bend *b = s->bend[o->body[i]];
+        struct flexible *b = s->bend[o->body[i]];
         struct part *x = &s->part[o->body[i]];
         if (!b || !o->bears[i]) continue;
         planar_flex_shape(b);
@@ -48,20 +48,20 @@ static void rise(double *M, const struct sweep *s, double *f, int body, int col)
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
-        const struct stand *o = s->stand[i];
+        const struct node_body *o = s->stand[i];
         for (int k = 0; k < l->nv; k++) {
             planar_unit(u, x, l, k);
             put(M, s->n, l->iv[k], col, v3_dot(u, f));
         }
         for (int k = 0; o && k < o->of->n; k++) {
-            planar_stand_unit(u, o, k);
+            planar_node_body_unit(u, o, k);
             put(M, s->n, o->of->iv[k], col, v3_dot(u, f));
         }
         f[0] += x->arm[0] * f[2] - x->arm[1] * f[1];
     }
 }
 
-void planar_flex_own(struct bend *b)
+void planar_flex_own(struct flexible *b)
 {
     flex_planar_mass(b->M, b->U, b->kernel, &b->shape);
     for (int k = 0; k < b->n; k++) {
@@ -71,17 +71,17 @@ void planar_flex_own(struct bend *b)
     }
 }
 
-void planar_flex_couple(const struct stand *o, const double *I, const double *arm)
+void planar_flex_couple(const struct node_body *o, const double *I, const double *arm)
 {
-    const struct bend *b = o->of;
+    const struct flexible *b = o->of;
     for (int k = 0; k < b->n; k++) {
         double u[3], f[3], *U = b->U + 3 * k;
-        planar_stand_unit(u, o, k);
+        planar_node_body_unit(u, o, k);
         f[0] = I[0] * u[0] + I[1] * u[1] + I[2] * u[2];
         f[1] = I[1] * u[0] + I[3] * u[1] + I[4] * u[2];
         f[2] = I[2] * u[0] + I[4] * u[1] + I[5] * u[2];
         for (int i = k; i < b->n; i++) {
-            planar_stand_unit(u, o, i);
+            planar_node_body_unit(u, o, i);
             b->M[i + b->n * k] += v3_dot(u, f);
         }
         U[0] += f[0] + arm[0] * f[2] - arm[1] * f[1];
@@ -94,7 +94,7 @@ void planar_flex_couple(const struct stand *o, const double *I, const double *ar
 static void collect(struct sweep *s, const struct roster *o)
 {
     for (int i = 0; i < o->n; i++) {
-        struct bend *b = s->bend[o->body[i]];
+        struct flexible *b = s->bend[o->body[i]];
         const struct part *x = &s->part[o->body[i]];
         const double I[6] = {x->cj, -x->cs[1], x->cs[0], x->cm, 0, x->cm};
         if (s->stand[o->body[i]]) planar_flex_couple(s->stand[o->body[i]], I, x->arm);
@@ -107,7 +107,7 @@ static void collect(struct sweep *s, const struct roster *o)
 
 static void mode_columns(double *M, const struct sweep *s, int body)
 {
-    const struct bend *b = s->bend[body];
+    const struct flexible *b = s->bend[body];
     for (int k = 0; k < b->n; k++) {
         for (int i = k; i < b->n; i++) put(M, s->n, b->iv[i], b->iv[k], b->M[i + b->n * k]);
         rise(M, s, b->U + 3 * k, body, b->iv[k]);

@@ -55,7 +55,7 @@ void rosters_build(struct rosters *o, const struct model *m, enum purpose purpos
     bool *fast = TAKE(life, bool, m->nbody), *slow = TAKE(life, bool, m->nbody), *all = TAKE(life, bool, m->nbody);
     bool *moves = TAKE(life, bool, m->nbody), *none = TAKE(life, bool, m->nbody);
     memset(o, 0, sizeof *o);
-    if (purpose == STEPPED)
+    if (purpose == FOR_STEPS)
         find_wanted(all, m);
     else
         memset(all, true, sizeof *all * (size_t)m->nbody);

@@ -131,10 +131,10 @@ void spatial_place(struct sweep *s, const double *q, unsigned cls)
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct node_body *stand = spatial_node_body(s, o->body[i]);
         struct flexible *flexible = spatial_flexible(s, o->body[i]);
         if (stand)
-            spatial_stand_place(x, stand, p);
+            spatial_node_body_place(x, stand, p);
         else
             place(x, p, l, q);
         if (flexible) spatial_flex_place(flexible, x, l, q);
@@ -201,8 +201,9 @@ static inline void crossed_bias(double *al, const struct part *x, const struct l
     v3_axpy(al, v[l->iv[l->turn]] * v[l->iv[l->turn + 1]], both);
 }
 
-static inline void speed_up(struct part *restrict x, const struct motion *restrict o, const struct part *restrict p,
-                            const struct link *restrict l, const double *restrict v, const double *restrict a)
+static inline void accelerate_part(struct part *restrict x, const struct motion *restrict o,
+                                   const struct part *restrict p, const struct link *restrict l,
+                                   const double *restrict v, const double *restrict a)
 {
     double al[3], da[3];
     joint_sums(al, da, x, l, a);
@@ -230,11 +231,11 @@ static void move(struct sweep *s, const double *q, const double *v, unsigned cls
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct node_body *stand = spatial_node_body(s, o->body[i]);
         struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
         if (stand) {
-            spatial_stand_move(x, stand, p);
+            spatial_node_body_move(x, stand, p);
         } else {
             turn_on(x, &joint, p, l, v);
             move_on(x, &joint, p, l);
@@ -250,21 +251,21 @@ static void accelerate(struct sweep *s, const double *v, const double *a, unsign
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct node_body *stand = spatial_node_body(s, o->body[i]);
         struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
         if (stand) {
-            spatial_stand_speed_up(x, stand, p);
+            spatial_node_body_accelerate(x, stand, p);
         } else {
             turn_on(x, &joint, p, l, v);
-            speed_up(x, &joint, p, l, v, a);
+            accelerate_part(x, &joint, p, l, v, a);
         }
-        if (flexible) spatial_flex_speed_up(flexible, a);
+        if (flexible) spatial_flex_accelerate(flexible, a);
     }
 }
 
 /* F = m a, N = I al + w x I w, the latter in the inner frame, where I stands still. */
-static inline void bring_up(struct part *restrict x, const struct link *restrict l)
+static inline void collect_forces(struct part *restrict x, const struct link *restrict l)
 {
     double w[3], al[3], L[3], N[3];
     m3_tmul(w, x->R, x->w);
@@ -287,12 +288,12 @@ static inline void load(struct sweep *s, int body, bool bears)
 {
     struct part *x = &s->part[body];
     struct flexible *flexible = spatial_flexible(s, body);
-    if (!bears || spatial_stand(s, body))
+    if (!bears || spatial_node_body(s, body))
         stay_light(x, flexible);
     else if (flexible)
-        spatial_flex_bring_up(x, flexible);
+        spatial_flex_collect_forces(x, flexible);
     else
-        bring_up(x, &s->link[body]);
+        collect_forces(x, &s->link[body]);
 }
 
 /* The last two passes and the loads at once, where every body is rigid. */
@@ -306,9 +307,9 @@ static void at_once(struct sweep *s, const double *v, const double *a, unsigned 
         struct motion joint;
         turn_on(x, &joint, p, l, v);
         move_on(x, &joint, p, l);
-        speed_up(x, &joint, p, l, v, a);
+        accelerate_part(x, &joint, p, l, v, a);
         if (o->bears[i])
-            bring_up(x, l);
+            collect_forces(x, l);
         else
             stay_light(x, NULL);
     }
@@ -346,9 +347,9 @@ static void backward(struct sweep *s, double *r, unsigned cls)
         const struct link *l = &s->link[o->body[i]];
         const struct part *x = &s->part[o->body[i]];
         struct part *p = &s->part[l->parent];
-        struct stand *stand = spatial_stand(s, o->body[i]);
+        struct node_body *stand = spatial_node_body(s, o->body[i]);
         const struct flexible *flexible = spatial_flexible(s, o->body[i]);
-        if (stand) spatial_stand_load(stand, x);
+        if (stand) spatial_node_body_load(stand, x);
         if (flexible) spatial_flex_rows(r, flexible);
         rows(r, x, l);
         v3_add(p->F, x->F);
@@ -360,7 +361,7 @@ static void backward(struct sweep *s, double *r, unsigned cls)
 const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .place = spatial_place,
                                         .move = move,
-                                        .speed_up = accelerate,
+                                        .accelerate = accelerate,
                                         .forward = forward,
                                         .point = spatial_point,
                                         .pose = spatial_pose,
@@ -376,5 +377,5 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .solve = spatial_solve,
                                         .energy = spatial_energy,
                                         .reaction = spatial_reaction,
-                                        .gather = spatial_gather,
-                                        .hasten = spatial_hasten};
+                                        .aggregate = spatial_aggregate,
+                                        .adjust_motion = spatial_adjust_motion};

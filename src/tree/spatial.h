@@ -70,13 +70,13 @@ struct flexible {
     const int *iq, *iv;     /* [n] its coordinates */
     double *q, *q1, *q2;    /* [n] at hand */
     double *Q;              /* [n] what the rows of its coordinates need */
-    double *dQ;             /* [n] work of spatial_hasten() */
+    double *dQ;             /* [n] work of spatial_adjust_motion() */
     double R[9];            /* body axes to world */
     int nnode[4], *node[4]; /* bodies at its nodes by class, as the rosters have them */
 };
 
 /* A body that stands at a node of a flexible one. */
-struct stand {
+struct node_body {
     const struct flexible *on; /* NULL: it hangs on a joint */
     int node;
     struct flex_place place;
@@ -98,7 +98,7 @@ struct sweep {
     int nflexible;
     struct flexible *flexible;     /* [nflexible], parents first */
     struct flexible **flexible_of; /* [nbody] NULL: rigid; itself NULL where all are, like the next */
-    struct stand *stand;           /* [nbody] */
+    struct node_body *stand;       /* [nbody] */
     bool accelerated;              /* the last motion had accelerations */
 };
 
@@ -146,7 +146,7 @@ static inline struct flexible *spatial_flexible(const struct sweep *s, int body)
     return s->nflexible ? s->flexible_of[body] : NULL;
 }
 
-static inline struct stand *spatial_stand(const struct sweep *s, int body)
+static inline struct node_body *spatial_node_body(const struct sweep *s, int body)
 {
     return s->nflexible && s->stand[body].on ? &s->stand[body] : NULL;
 }
@@ -155,22 +155,22 @@ static inline struct stand *spatial_stand(const struct sweep *s, int body)
 void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *life);
 void spatial_flex_place(struct flexible *f, const struct part *x, const struct link *l, const double *q);
 void spatial_flex_move(struct flexible *f, const double *v);
-void spatial_flex_speed_up(struct flexible *f, const double *a);
-void spatial_flex_bring_up(struct part *x, struct flexible *f);
+void spatial_flex_accelerate(struct flexible *f, const double *a);
+void spatial_flex_collect_forces(struct part *x, struct flexible *f);
 void spatial_flex_rows(double *r, const struct flexible *f);
 /* Its shape, once for each q, where it is wanted. */
 void spatial_flex_shape(struct flexible *f);
 void spatial_flex_energy(double *T, double *V, const struct part *x, struct flexible *f, const double *gravity);
-void spatial_stand_place(struct part *x, struct stand *o, const struct part *p);
-void spatial_stand_move(struct part *x, struct stand *o, const struct part *p);
-void spatial_stand_speed_up(struct part *x, struct stand *o, const struct part *p);
-void spatial_stand_load(struct stand *o, const struct part *x);
+void spatial_node_body_place(struct part *x, struct node_body *o, const struct part *p);
+void spatial_node_body_move(struct part *x, struct node_body *o, const struct part *p);
+void spatial_node_body_accelerate(struct part *x, struct node_body *o, const struct part *p);
+void spatial_node_body_load(struct node_body *o, const struct part *x);
 /* The body at a node that i hangs on, or is; both of one flexible body f. */
-int spatial_stand_below(const struct sweep *s, const struct flexible *f, int i);
+int spatial_node_body_below(const struct sweep *s, const struct flexible *f, int i);
 /* Velocity of the node (v) and angular velocity for a unit rate of the j-th coordinate, world axes. */
-void spatial_stand_unit(struct twist *u, const struct stand *o, int j);
+void spatial_node_body_unit(struct twist *u, const struct node_body *o, int j);
 /* The same the other way: what force F and moment N at the node do on the j-th coordinate; both in body axes. */
-static inline double spatial_stand_row(const struct stand *o, int j, const double *F, const double *N)
+static inline double spatial_node_body_row(const struct node_body *o, int j, const double *F, const double *N)
 {
     return v3_dot(o->place.dx + 3 * j, F) + v3_dot(o->place.dw + 3 * j, N);
 }
@@ -190,7 +190,8 @@ void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t spatial_factor_size(const struct sweep *s);
 int spatial_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void spatial_solve(const struct sweep *s, const void *F, double *x);
-void spatial_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what);
-void spatial_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
+void spatial_aggregate(struct sweep *s, struct aggregate *o, const int *body, int n, int what);
+void spatial_adjust_motion(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,
+                           int n);
 
 #endif

@@ -54,9 +54,9 @@ static void partial_flexible(const struct sweep *s, double *xv, double *w, int b
 {
     struct twist u;
     double d[3];
-    int node = spatial_stand_below(s, f, body);
+    int node = spatial_node_body_below(s, f, body);
     if (!node) return;
-    spatial_stand_unit(&u, &s->stand[node], j);
+    spatial_node_body_unit(&u, &s->stand[node], j);
     v3_diff(d, x, s->part[node].r);
     v3_copy(w, u.w);
     v3_copy(xv, u.v);
@@ -98,7 +98,7 @@ static void joint_row(double *g, const struct part *p, const struct link *l, con
     for (int k = 0; k < l->nv; k++) g[k] = spatial_power(p, l, k, f, moment);
 }
 
-static void stand_row(double *g, const struct part *p, const struct stand *o, const double *x, const double *f,
+static void stand_row(double *g, const struct part *p, const struct node_body *o, const double *x, const double *f,
                       const double *n)
 {
     double arm[3], moment[3], F[3], N[3];
@@ -107,7 +107,7 @@ static void stand_row(double *g, const struct part *p, const struct stand *o, co
     v3_cross_add(moment, arm, f);
     m3_tmul(F, o->on->R, f);
     m3_tmul(N, o->on->R, moment);
-    for (int k = 0; k < o->on->n; k++) g[k] = spatial_stand_row(o, k, F, N);
+    for (int k = 0; k < o->on->n; k++) g[k] = spatial_node_body_row(o, k, F, N);
 }
 
 void spatial_row(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
@@ -117,7 +117,7 @@ void spatial_row(const struct sweep *s, double *g, int body, int from, const dou
     if (!f) f = none;
     if (!n) n = none;
     for (int at = s->routes.npath[body] - from; at > 0; body = s->link[body].parent) {
-        const struct stand *stand = spatial_stand(s, body);
+        const struct node_body *stand = spatial_node_body(s, body);
         at -= stand ? stand->on->n : s->link[body].nv;
         if (stand)
             stand_row(g + at, &s->part[body], stand, x, f, n);

@@ -31,8 +31,8 @@ static void build_flexible(struct flexible *f, const struct model_body *b, int b
     f->dQ = TAKE(life, double, f->n);
 }
 
-static void build_stand(struct stand *o, const struct flexible *f, const struct link *l, const struct model_joint *j,
-                        const struct model_body *b, struct arena *life)
+static void build_stand(struct node_body *o, const struct flexible *f, const struct link *l,
+                        const struct model_joint *j, const struct model_body *b, struct arena *life)
 {
     double drawn[9];
     o->on = f;
@@ -61,7 +61,7 @@ void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *li
     if (!s->nflexible) return;
     s->flexible = TAKE(life, struct flexible, s->nflexible);
     s->flexible_of = TAKE(life, struct flexible *, m->nbody);
-    s->stand = TAKE(life, struct stand, m->nbody);
+    s->stand = TAKE(life, struct node_body, m->nbody);
     struct flexible *f = s->flexible;
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *b = &m->body[i];
@@ -101,12 +101,12 @@ void spatial_flex_move(struct flexible *f, const double *v)
     pick(f->q1, v, f->iv, f->n);
 }
 
-void spatial_flex_speed_up(struct flexible *f, const double *a)
+void spatial_flex_accelerate(struct flexible *f, const double *a)
 {
     pick(f->q2, a, f->iv, f->n);
 }
 
-void spatial_stand_place(struct part *x, struct stand *o, const struct part *p)
+void spatial_node_body_place(struct part *x, struct node_body *o, const struct part *p)
 {
     const struct flexible *f = o->on;
     double R[9];
@@ -120,7 +120,7 @@ void spatial_stand_place(struct part *x, struct stand *o, const struct part *p)
     m3_mulm(x->R, R, o->E);
 }
 
-void spatial_stand_move(struct part *x, struct stand *o, const struct part *p)
+void spatial_node_body_move(struct part *x, struct node_body *o, const struct part *p)
 {
     const struct flexible *f = o->on;
     double w[3], v[3];
@@ -132,11 +132,11 @@ void spatial_stand_move(struct part *x, struct stand *o, const struct part *p)
     v3_cross_add(x->v, p->w, x->arm);
 }
 
-void spatial_stand_speed_up(struct part *x, struct stand *o, const struct part *p)
+void spatial_node_body_accelerate(struct part *x, struct node_body *o, const struct part *p)
 {
     const struct flexible *f = o->on;
     double w[3], v[3], turned[3];
-    flex_place_speed_up(&o->place, f->kernel, f->q2);
+    flex_place_accelerate(&o->place, f->kernel, f->q2);
     m3_mul(w, f->R, o->place.w);
     m3_mul(v, f->R, o->place.v);
     v3_copy(x->al, p->al);
@@ -150,7 +150,7 @@ void spatial_stand_speed_up(struct part *x, struct stand *o, const struct part *
     v3_cross_add(x->a, p->w, turned);
 }
 
-void spatial_flex_bring_up(struct part *x, struct flexible *f)
+void spatial_flex_collect_forces(struct part *x, struct flexible *f)
 {
     double a[3], w[3], al[3], F[3], N[3];
     m3_tmul(a, f->R, x->a);
@@ -164,13 +164,13 @@ void spatial_flex_bring_up(struct part *x, struct flexible *f)
 
 /* --- forces inwards ----------------------------------------------------------------------------- */
 
-void spatial_stand_load(struct stand *o, const struct part *x)
+void spatial_node_body_load(struct node_body *o, const struct part *x)
 {
     const struct flexible *f = o->on;
     double F[3], N[3];
     m3_tmul(F, f->R, x->F);
     m3_tmul(N, f->R, x->N);
-    for (int j = 0; j < f->n; j++) f->Q[j] += spatial_stand_row(o, j, F, N);
+    for (int j = 0; j < f->n; j++) f->Q[j] += spatial_node_body_row(o, j, F, N);
 }
 
 void spatial_flex_rows(double *r, const struct flexible *f)
@@ -180,13 +180,13 @@ void spatial_flex_rows(double *r, const struct flexible *f)
 
 /* --- what is asked ------------------------------------------------------------------------------ */
 
-void spatial_stand_unit(struct twist *u, const struct stand *o, int j)
+void spatial_node_body_unit(struct twist *u, const struct node_body *o, int j)
 {
     m3_mul(u->w, o->on->R, o->place.dw + 3 * j);
     m3_mul(u->v, o->on->R, o->place.dx + 3 * j);
 }
 
-int spatial_stand_below(const struct sweep *s, const struct flexible *f, int i)
+int spatial_node_body_below(const struct sweep *s, const struct flexible *f, int i)
 {
     for (int k = 0; k < f->nnode[ALL]; k++)
         if (routes_above(&s->routes, f->node[ALL][k], i)) return f->node[ALL][k];

@@ -81,10 +81,10 @@ static inline double row(const struct part *x, const struct link *l, int k, cons
 }
 
 /* Rows of the first m coordinates of the body on which o stands, of F and N in its axes. */
-static void flexible_rows(double *M, size_t n, size_t col, const struct stand *o, int m, const double *F,
+static void flexible_rows(double *M, size_t n, size_t col, const struct node_body *o, int m, const double *F,
                           const double *N)
 {
-    for (int i = 0; i < m; i++) M[(size_t)o->on->iv[i] + n * col] += spatial_stand_row(o, i, F, N);
+    for (int i = 0; i < m; i++) M[(size_t)o->on->iv[i] + n * col] += spatial_node_body_row(o, i, F, N);
 }
 
 static void mirror(double *M, size_t n, size_t col, const struct flexible *f, int m)
@@ -103,7 +103,7 @@ static inline void carry(double *M, const struct sweep *s, int body, int last, s
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
-        const struct stand *stand = spatial_stand(s, i);
+        const struct node_body *stand = spatial_node_body(s, i);
         int m = i == body ? last : l->nv;
         for (int o = 0; o < m; o++) {
             size_t at = (size_t)l->iv[o];
@@ -144,7 +144,7 @@ static void flexible_column(double *M, const struct sweep *s, struct flexible *f
         int node = f->node[cls][i];
         double Fi[3], Ni[3], force[3], moment[3];
         struct twist u;
-        spatial_stand_unit(&u, &s->stand[node], j);
+        spatial_node_body_unit(&u, &s->stand[node], j);
         start(Fi, Ni, &s->composite[node], &u);
         m3_tmul(force, f->R, Fi);
         m3_tmul(moment, f->R, Ni);

@@ -22,25 +22,25 @@ struct pose {
 };
 
 /* Some bodies as one; world axes. */
-struct bulk {
+struct aggregate {
     double m, c[3];       /* mass, centre of mass */
     double p[3], L[3];    /* momentum, angular momentum about the centre */
     double T;             /* kinetic energy of the motion about the centre: without p.p/(2 m) */
     double J[6];          /* inertia about the centre, xx yy zz xy xz yz; in the plane zz, and xx = yy = 1 */
     double F[3], N[3], W; /* what their inertia takes: force, moment about the centre, power in the motion about it */
 };
-enum { BULK_MOTION, BULK_INERTIA, BULK_FORCES }; /* as far as T, J, W */
+enum { AGGREGATE_MOTION, AGGREGATE_INERTIA, AGGREGATE_FORCES }; /* as far as T, J, W */
 
 /* A change of their motion: displacement dr and velocity dv of all of them; accelerations a + al x (r - c) + k v,
  * al + k w, k q', with velocities v against that of the centre. */
-struct change {
+struct motion_change {
     double dr[3], dv[3], a[3], al[3], k;
 };
 
 struct sweep;
 
 /* Nodes of flexible bodies that only the output looks at stand still in sweeps of the step loop. */
-enum purpose { STEPPED, SEEN };
+enum purpose { FOR_STEPS, FOR_RECORDS };
 
 struct sweep_ops {
     /* Takes work memory for forward() and everything that does not depend on the state.  bodies [nbody]: those that are
@@ -52,7 +52,7 @@ struct sweep_ops {
     /* Motion only down to velocities (measures, energies); q NULL: where place() has left the bodies. */
     void (*move)(struct sweep *s, const double *q, const double *v, unsigned cls);
     /* Accelerations where move() has been, with its v (gravity taken as upward acceleration of the ground). */
-    void (*speed_up)(struct sweep *s, const double *v, const double *a, unsigned cls);
+    void (*accelerate)(struct sweep *s, const double *v, const double *a, unsigned cls);
     /* All three, a NULL: zero; q NULL: where move() has been, with its v.  Then the body forces are those of their
      * inertia alone. */
     void (*forward)(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
@@ -98,10 +98,11 @@ struct sweep_ops {
 
     /* The n bodies `body` as one, the first of them a tree's root, at the last move() or forward(); forces after
      * forward() and before anything is pushed. */
-    void (*gather)(struct sweep *s, struct bulk *o, const int *body, int n, int what);
+    void (*aggregate)(struct sweep *s, struct aggregate *o, const int *body, int n, int what);
     /* Changes their motion between forward() and backward(): places, velocities, and for the accelerations what they
      * need. */
-    void (*hasten)(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n);
+    void (*adjust_motion)(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,
+                          int n);
 };
 
 extern const struct sweep_ops sweep_planar, sweep_spatial;

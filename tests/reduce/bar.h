@@ -51,13 +51,13 @@ static inline void bench_make(struct bench *b, const char *job, bool tip, bool r
                               int modes)
 {
     const struct fe_source source = {.job = job, .units = {1, 1, 1}};
-    const struct tie_wish wish[] = {{.name = "root", .where = "root", .rigid = true},
+    const struct tie_options options[] = {{.name = "root", .where = "root", .rigid = true},
                                     {.name = "tip", .where = "tip", .rigid = rigid}};
     memset(b, 0, sizeof *b);
     b->life = arena_open();
     must(fe_read(&b->fe, &source, b->life, &b->report), b);
-    for (int t = 0; t < 1 + tip; t++) must(tie_make(b->tie + t, wish + t, &b->fe, b->life, &b->report), b);
-    const struct basis_wish want = {.method = method, .modes = modes};
+    for (int t = 0; t < 1 + tip; t++) must(tie_make(b->tie + t, options + t, &b->fe, b->life, &b->report), b);
+    const struct basis_options want = {.method = method, .modes = modes};
     must(basis_make(&b->basis, &b->fe, b->tie, 1 + tip, &want, b->life, &b->report), b);
 }
 

@@ -68,12 +68,12 @@ static void test_static(void **state)
 static void test_average_reference(void **state)
 {
     const struct fe_source source = {.job = BAR, .units = {1, 1, 1}};
-    const struct tie_wish wish = {.name = "root", .where = "root", .rigid = false};
+    const struct tie_options options = {.name = "root", .where = "root", .rigid = false};
     struct bench b = {.life = arena_open()};
     (void)state;
     must(fe_read(&b.fe, &source, b.life, &b.report), &b);
-    must(tie_make(b.tie, &wish, &b.fe, b.life, &b.report), &b);
-    must(basis_make(&b.basis, &b.fe, b.tie, 1, &(struct basis_wish){.method = EIGENMODES, .modes = 6}, b.life,
+    must(tie_make(b.tie, &options, &b.fe, b.life, &b.report), &b);
+    must(basis_make(&b.basis, &b.fe, b.tie, 1, &(struct basis_options){.method = EIGENMODES, .modes = 6}, b.life,
                     &b.report),
          &b);
     double *Kv = TAKE(b.life, double, b.basis.size);
@@ -108,7 +108,7 @@ static void test_load_modes(void **state)
     (void)state;
     for (int with = 0; with <= 2; with += 2) {
         bench_make(&b, BAR, false, true, CRAIG_BAMPTON, 3);
-        const struct basis_wish want = {.modes = 3, .nload = with, .load = kinds};
+        const struct basis_options want = {.modes = 3, .nload = with, .load = kinds};
         root = b.tie;
         must(basis_make(&b.basis, &b.fe, b.tie, 1, &want, b.life, &b.report), &b);
         must(hold_make(&hold, &b.fe, &root, 1, b.life, &b.report), &b);
@@ -182,12 +182,12 @@ static void test_momentum(void **state)
 static void test_units(void **state)
 {
     const struct fe_source source = {.job = BAR, .units = {.length = 1e-3, .mass = 1e3, .time = 1}};
-    const struct tie_wish wish = {.name = "root", .where = "root", .rigid = true};
+    const struct tie_options options = {.name = "root", .where = "root", .rigid = true};
     struct bench b = {.life = arena_open()};
     (void)state;
     must(fe_read(&b.fe, &source, b.life, &b.report), &b);
-    must(tie_make(b.tie, &wish, &b.fe, b.life, &b.report), &b);
-    must(basis_make(&b.basis, &b.fe, b.tie, 1, &(struct basis_wish){.method = EIGENMODES, .modes = 3}, b.life,
+    must(tie_make(b.tie, &options, &b.fe, b.life, &b.report), &b);
+    must(basis_make(&b.basis, &b.fe, b.tie, 1, &(struct basis_options){.method = EIGENMODES, .modes = 3}, b.life,
                     &b.report),
          &b);
     close_to(b.fe.mass, 16680, 1e-6, "mass in kg");

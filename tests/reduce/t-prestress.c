@@ -14,18 +14,18 @@ static void bar_body(struct bench *b, struct flex_body **o, bool tip, int modes)
     *o = body_make(&b->fe, &b->basis, b->tie, 1 + tip, 0, true, &none, b->life);
 }
 
-static struct wish *bar_loads(struct bench *b)
+static struct options *bar_loads(struct bench *b)
 {
-    static const struct load_wish loads[] = {{"accel-x", 10, BAR "-accel-x.sti"},
-                                             {"spin-xx", 1e4, BAR "-spin-xx.sti"},
-                                             {"spin-yy", 100, BAR "-spin-yy.sti"},
-                                             {"spin-zz", 100, BAR "-spin-zz.sti"}};
-    struct wish *wish = TAKE(b->life, struct wish, 1);
-    wish->ntie = 1;
-    wish->nload = 4;
-    memcpy(wish->load, loads, sizeof loads);
-    wish->quiet = true;
-    return wish;
+    static const struct load_options loads[] = {{"accel-x", 10, BAR "-accel-x.sti"},
+                                                {"spin-xx", 1e4, BAR "-spin-xx.sti"},
+                                                {"spin-yy", 100, BAR "-spin-yy.sti"},
+                                                {"spin-zz", 100, BAR "-spin-zz.sti"}};
+    struct options *options = TAKE(b->life, struct options, 1);
+    options->ntie = 1;
+    options->nload = 4;
+    memcpy(options->load, loads, sizeof loads);
+    options->quiet = true;
+    return options;
 }
 
 /* The body turning about the axis k through x = 0 at W: K + W2 (Kgeo - softening), with
@@ -47,14 +47,14 @@ static void spun(double *lambda, const struct flex_body *o, double c, int k, dou
 
 static void stress_loads(struct bench *b, struct flex_body *o, int ntie)
 {
-    struct wish *wish = TAKE(b->life, struct wish, 1);
-    wish->ntie = ntie;
-    wish->stiffening = true;
-    wish->material = true;
-    wish->E = bar_E;
-    wish->nu = bar_nu;
-    wish->quiet = true;
-    must(prestress_read(o, wish, &b->fe, &b->basis, b->tie, b->life, &b->report), b);
+    struct options *options = TAKE(b->life, struct options, 1);
+    options->ntie = ntie;
+    options->stiffening = true;
+    options->material = true;
+    options->E = bar_E;
+    options->nu = bar_nu;
+    options->quiet = true;
+    must(prestress_read(o, options, &b->fe, &b->basis, b->tie, b->life, &b->report), b);
 }
 
 /* From stress: the same for bending; torsion and stretch also feel that the bar is longer, by strains of 2e-4. */
@@ -229,12 +229,13 @@ static void market_bench(struct bench *m, const char *folder, int modes)
     mass.fe.K = b.fe.M;
     write_market(M, &mass, NULL);
     const struct fe_source source = {.K = K, .M = M, .table = table, .units = {1, 1, 1}};
-    const struct tie_wish wish[] = {{.name = "root", .where = "root", .rigid = true}, {.name = "tip", .where = "tip"}};
+    const struct tie_options options[] = {{.name = "root", .where = "root", .rigid = true},
+                                          {.name = "tip", .where = "tip"}};
     *m = (struct bench){.life = arena_open()};
     must(fe_read(&m->fe, &source, m->life, &m->report), m);
-    for (int t = 0; t < 2; t++) must(tie_make(m->tie + t, wish + t, &m->fe, m->life, &m->report), m);
-    must(basis_make(&m->basis, &m->fe, m->tie, 2, &(struct basis_wish){.method = EIGENMODES, .modes = modes}, m->life,
-                    &m->report),
+    for (int t = 0; t < 2; t++) must(tie_make(m->tie + t, options + t, &m->fe, m->life, &m->report), m);
+    must(basis_make(&m->basis, &m->fe, m->tie, 2, &(struct basis_options){.method = EIGENMODES, .modes = modes},
+                    m->life, &m->report),
          m);
     for (int j = 0; j < modes; j++)
         close_to(m->basis.lambda[j], b.basis.lambda[j], 1e-7 * b.basis.lambda[j], "omega^2");
@@ -256,17 +257,17 @@ static void test_all_loads(void **state)
     (void)state;
     assert_non_null(mkdtemp(folder));
     market_bench(&b, folder, N);
-    struct wish *wish = TAKE(b.life, struct wish, 1);
-    wish->quiet = true;
-    wish->ntie = 2;
-    wish->nload = 15;
+    struct options *options = TAKE(b.life, struct options, 1);
+    options->quiet = true;
+    options->ntie = 2;
+    options->nload = 15;
     for (int k = 0; k < 15; k++) {
-        wish->load[k] = (struct load_wish){kinds[k], 1e5, arena_print(b.life, "%s/%d.mtx", folder, k)};
+        options->load[k] = (struct load_options){kinds[k], 1e5, arena_print(b.life, "%s/%d.mtx", folder, k)};
         geometric(G, &b, k, 1e5);
-        write_market(wish->load[k].path, &b, G);
+        write_market(options->load[k].path, &b, G);
     }
     struct flex_body *o = body_make(&b.fe, &b.basis, b.tie, 2, 0, true, &none, b.life);
-    must(prestress_read(o, wish, &b.fe, &b.basis, b.tie, b.life, &b.report), &b);
+    must(prestress_read(o, options, &b.fe, &b.basis, b.tie, b.life, &b.report), &b);
     double *S = TAKE(b.life, double, b.basis.size), *MS = TAKE(b.life, double, b.basis.size);
     for (int at = 0; at < N * N; at++) {
         double s[3] = {0}, xs[9] = {0};
@@ -295,14 +296,14 @@ static void test_refused(void **state)
     struct flex_body *o;
     (void)state;
     bar_body(&b, &o, false, 4);
-    struct wish *wish = bar_loads(&b);
-    wish->nload = 3; /* without spin-zz */
-    assert_int_equal(prestress_read(o, wish, &b.fe, &b.basis, b.tie, b.life, &b.report), E_USAGE);
+    struct options *options = bar_loads(&b);
+    options->nload = 3; /* without spin-zz */
+    assert_int_equal(prestress_read(o, options, &b.fe, &b.basis, b.tie, b.life, &b.report), E_USAGE);
     assert_non_null(strstr(b.report.text, "go together"));
     memset(&b.report, 0, sizeof b.report);
-    wish->nload = 2;
-    wish->load[1] = wish->load[0];
-    assert_int_equal(prestress_read(o, wish, &b.fe, &b.basis, b.tie, b.life, &b.report), E_USAGE);
+    options->nload = 2;
+    options->load[1] = options->load[0];
+    assert_int_equal(prestress_read(o, options, &b.fe, &b.basis, b.tie, b.life, &b.report), E_USAGE);
     assert_non_null(strstr(b.report.text, "twice"));
     bench_end(&b);
 }

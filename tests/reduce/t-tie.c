@@ -14,7 +14,7 @@ static void bar(struct bench *b)
 /* Every kind of interface reads a rigid motion of the body about its own point exactly. */
 static void test_motion(void **state)
 {
-    static const struct tie_wish wishes[] = {
+    static const struct tie_options wishes[] = {
         {.name = "a", .where = "root", .rigid = true},
         {.name = "b", .where = "tip"},
         {.name = "c", .where = "TIP", .placed = true, .at = {1.3, 0.2, -0.1}},
@@ -42,11 +42,11 @@ static void test_motion(void **state)
 /* A single node has its own displacement, not its neighbours'. */
 static void test_node(void **state)
 {
-    static const struct tie_wish wish = {.name = "e", .where = "5"};
+    static const struct tie_options options = {.name = "e", .where = "5"};
     struct bench b;
     (void)state;
     bar(&b);
-    must(tie_make(b.tie, &wish, &b.fe, b.life, &b.report), &b);
+    must(tie_make(b.tie, &options, &b.fe, b.life, &b.report), &b);
     double *u = TAKE(b.life, double, 3 * b.fe.n), m[6];
     for (int i = 0; i < 3 * b.fe.n; i++) u[i] = cos(i);
     tie_motion(m, b.tie, u);
@@ -60,9 +60,9 @@ static void test_constraint_modes(void **state)
 {
     (void)state;
     for (int mix = 0; mix < 8; mix++) {
-        const struct tie_wish wishes[] = {{.name = "root", .where = "root", .rigid = mix & 1},
-                                          {.name = "tip", .where = "tip", .rigid = mix & 2},
-                                          {.name = "middle", .where = "25+30+35+40", .rigid = mix & 4}};
+        const struct tie_options wishes[] = {{.name = "root", .where = "root", .rigid = mix & 1},
+                                             {.name = "tip", .where = "tip", .rigid = mix & 2},
+                                             {.name = "middle", .where = "25+30+35+40", .rigid = mix & 4}};
         struct bench b;
         struct tie tie[3];
         const struct tie *held[] = {tie, tie + 1, tie + 2};
@@ -100,12 +100,12 @@ static void test_symmetric(void **state)
 {
     (void)state;
     for (int rigid = 0; rigid < 2; rigid++) {
-        const struct tie_wish wish = {.name = "root", .where = "root", .rigid = rigid};
+        const struct tie_options options = {.name = "root", .where = "root", .rigid = rigid};
         struct bench b;
         const struct tie *held = b.tie;
         struct hold hold;
         bar(&b);
-        must(tie_make(b.tie, &wish, &b.fe, b.life, &b.report), &b);
+        must(tie_make(b.tie, &options, &b.fe, b.life, &b.report), &b);
         must(hold_make(&hold, &b.fe, &held, 1, b.life, &b.report), &b);
         double *f = TAKE(b.life, double, hold.size), *g = TAKE(b.life, double, hold.size);
         double *u = TAKE(b.life, double, hold.size), *v = TAKE(b.life, double, hold.size), fv = 0, gu = 0, fu = 0;

@@ -136,7 +136,7 @@ static inline void open_grove(struct fixture *f, int nbody, unsigned seed, unsig
     f->arena = arena_open();
     f->grove = random_grove(nbody, seed, flags, f->arena);
     f->m = &f->grove->m;
-    f->s = sweep_planar.build(f->m, SEEN, NULL, f->arena);
+    f->s = sweep_planar.build(f->m, FOR_RECORDS, NULL, f->arena);
     f->n = f->m->n;
     assert(f->n <= MOST && f->m->nbody <= MOST);
     memcpy(f->q, f->m->q0, sizeof *f->q * (size_t)f->n);

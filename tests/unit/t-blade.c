@@ -244,7 +244,7 @@ static double column(struct opened *o, const char *name)
     struct trouble why;
     const struct catalogue *c = &o->sim.catalogue;
     struct sim *s = &o->sim;
-    assert_int_equal(system_see(s->system, s->x.q, s->x.v, s->x.t, SEE_ALL, &why), OK);
+    assert_int_equal(system_evaluate(s->system, s->x.q, s->x.v, s->x.t, EVALUATE_ALL, &why), OK);
     for (int i = 0; i < c->n; i++)
         if (strcmp(c->column[i].name, name) == 0) return record_value(s, &c->origin[i]);
     fail_msg("no column %s", name);

@@ -79,7 +79,7 @@ static void compare(struct figures *g, const struct mechanism *o, struct system 
     struct trouble why;
     struct pose pose;
     double x[MOST], C1[MOST_ROWS], C2[MOST_ROWS], worst = 0, most = 10, speed = 1, force, power;
-    assert_int_equal(system_see(s, q, v, t, SEE_ALL, &why), OK);
+    assert_int_equal(system_evaluate(s, q, v, t, EVALUATE_ALL, &why), OK);
     stand(p, s, m->nbody);
     int rows = rates(C1, C2, o, p, t), lambda = 6 * (m->nbody - 1) + rows - m->ndrive;
     for (int b = 1; b < m->nbody; b++)
@@ -198,12 +198,12 @@ static void try_corner(struct figures *g, int space, unsigned seed)
     if (found && isfinite(q[0]) && condense_ratio(system_loops(s)) > 1e-2) {
         int met;
         const double T = CORNER, behind = CORNER * (1 + 1e-12), energy = kinetic(s, q, v, T);
-        assert_int_equal(system_see(s, q, v, T, SEE_MOTION, &why), OK);
+        assert_int_equal(system_evaluate(s, q, v, T, EVALUATE_MOTION, &why), OK);
         stand(before, s, o.model.nbody);
         impulses(x, &o, before);
         assert_int_equal(ode->breaks->jump(ode, &met, v, &work, q, T, 1.01 * T, &why), OK);
         assert_int_equal(met, 1);
-        assert_int_equal(system_see(s, q, v, behind, SEE_MOTION, &why), OK);
+        assert_int_equal(system_evaluate(s, q, v, behind, EVALUATE_MOTION, &why), OK);
         stand(after, s, o.model.nbody);
         for (int b = 1; b < o.model.nbody; b++)
             for (int k = 0; k < 3; k++) {

@@ -179,7 +179,7 @@ static void slopes_of_unloaded_measures(void **state)
         keep_forces(&f, point_laws);
         start(&f);
         memset(f.v, 0, sizeof f.v);
-        assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_MOTION, NULL), OK);
+        assert_int_equal(system_evaluate(f.s, f.q, f.v, 0, EVALUATE_MOTION, NULL), OK);
         for (int i = 0; i < f.m->nforce; i++) {
             struct spring *par = (struct spring *)f.m->force[i].par;
             double rate;
@@ -361,7 +361,7 @@ static void loads_act_where_they_stand(void **state)
             f.m->force = &load, f.m->nforce = 1;
             start(&f);
             const struct sweep_ops *ops = space == 2 ? &sweep_planar : &sweep_spatial;
-            struct sweep *s = ops->build(f.m, STEPPED, NULL, f.arena);
+            struct sweep *s = ops->build(f.m, FOR_STEPS, NULL, f.arena);
             struct pose b;
             ops->move(s, f.q, f.v, ALL);
             ops->point(s, x, xv, 5, load.b.p);
@@ -596,7 +596,7 @@ static void a_stiff_spring_keeps_energy(void **state)
             f.m->measure = &s, f.m->nmeasure = 1, f.m->force = &force, f.m->nforce = 1;
             start(&f);
             double rate;
-            assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_MOTION, NULL), OK);
+            assert_int_equal(system_evaluate(f.s, f.q, f.v, 0, EVALUATE_MOTION, NULL), OK);
             system_measure(f.s, &par.rest, &rate, 0);
             par.rest *= .98;
             start(&f);
@@ -605,14 +605,14 @@ static void a_stiff_spring_keeps_energy(void **state)
                 for (int k = space; k < f.m->joint[j].nv; k++) f.v[f.m->joint[j].iv[k]] = 0;
             if (space == 2) f.v[f.m->joint[0].iv[2]] = f.v[f.m->joint[1].iv[2]] = 0;
             double E0 = total(&f), E = E0, wander = 0;
-            assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_MOTION, NULL), OK);
+            assert_int_equal(system_evaluate(f.s, f.q, f.v, 0, EVALUATE_MOTION, NULL), OK);
             system_momentum(f.s, P0, P0 + 3);
             for (int step = 0; step < 300; step++) {
                 midpoint(&f, .01);
                 E = total(&f);
                 wander = fmax(wander, fabs(E - E0));
             }
-            assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_MOTION, NULL), OK);
+            assert_int_equal(system_evaluate(f.s, f.q, f.v, 0, EVALUATE_MOTION, NULL), OK);
             system_momentum(f.s, P, P + 3);
             assert_true(wander < 1e-12 * E0);
             for (int i = 0; i < 6; i++) assert_true(fabs(P[i] - P0[i]) < 1e-11);

@@ -302,7 +302,7 @@ static void nodes_move_like_particles(void **state)
             flex_planar_place_at(&o, f.k, i, f.q);
             flex_planar_place_move(&o, f.k, f.q1);
             flex_planar_place_bias(&o, f.k, i, f.q1);
-            flex_planar_place_speed_up(&o, f.k, f.q2);
+            flex_planar_place_accelerate(&o, f.k, f.q2);
             relative(u, u1, u2, &p, &f);
             for (int c = 0; c < 2; c++) {
                 near(o.x[c], u[c], 1e-14);

@@ -611,7 +611,7 @@ static void test_reactions(void **state)
             q[i] = o.sim.x.q[i] + t * v0[i] + t * t / 2 * a0[i];
             v[i] = v0[i] + t * a0[i];
         }
-        assert_int_equal(system_see(o.sim.system, q, v, o.sim.x.t, SEE_MOTION, &why), OK);
+        assert_int_equal(system_evaluate(o.sim.system, q, v, o.sim.x.t, EVALUATE_MOTION, &why), OK);
         system_momentum(o.sim.system, p[k], p[k] + 3);
     }
     static const int row[] = {0, 1, 5};

@@ -59,7 +59,7 @@ static void open_tree(struct scene *o, unsigned seed, unsigned flags, unsigned c
     o->arena = arena_open();
     o->tree = bent_tree(1 + (int)(seed % BODIES), MODES, seed, flags, cloud_flags, o->arena);
     o->m = o->tree.m;
-    o->s = ops->build(o->m, SEEN, NULL, o->arena);
+    o->s = ops->build(o->m, FOR_RECORDS, NULL, o->arena);
     random_state(o, &d, cloud_flags & CLOUD_S ? .15 : .5);
 }
 
@@ -563,7 +563,7 @@ static void test_held(void **state)
         }
         rigid = o;
         rigid.m = m;
-        rigid.s = ops->build(m, SEEN, NULL, o.arena);
+        rigid.s = ops->build(m, FOR_RECORDS, NULL, o.arena);
         resid(r, &o, o.v, o.a, ALL);
         resid(of_r, &rigid, o.v, o.a, ALL);
         ops->mass(o.s, M, o.q, ALL);
@@ -658,7 +658,7 @@ static void test_momentum(void **state)
         assert_int_equal(
             ode->ops->resid(ode, r, NULL, NULL, &(struct instant){.q = o.q, .v = o.v, .a = o.a}, ALL, NULL), OK);
         for (int k = 0; k < o.m->n; k++) assert_true(fabs(r[k]) < 1e-10 * size(o.a, o.m->n));
-        assert_int_equal(system_see(s, o.q, o.v, 0, SEE_MOTION, NULL), OK);
+        assert_int_equal(system_evaluate(s, o.q, o.v, 0, EVALUATE_MOTION, NULL), OK);
         system_momentum(s, P, L);
         int points = see(p, turn, &o, o.q, o.v);
         needed(force, torque, &o);

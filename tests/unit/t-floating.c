@@ -108,7 +108,7 @@ static void look(double *p, double *E, struct opened *o)
     struct sim *s = &o->sim;
     struct trouble why;
     struct energies e;
-    assert_int_equal(system_see(s->system, s->x.q, s->x.v, s->x.t, SEE_MOTION | SEE_ENERGY, &why), OK);
+    assert_int_equal(system_evaluate(s->system, s->x.q, s->x.v, s->x.t, EVALUATE_MOTION | EVALUATE_ENERGY, &why), OK);
     system_momentum(s->system, p, p + 3);
     system_energies(s->system, &e);
     E[0] = e.kinetic;
@@ -158,7 +158,7 @@ struct bodies {
     struct sweep *s;
     int n, list[20], root;
     double q[50], v[50], a[50], M[50 * 50];
-    struct bulk now;
+    struct aggregate now;
 };
 
 /* At a random state, after forward(). */
@@ -168,7 +168,7 @@ static void open_bodies(struct bodies *b, const char *mechanism, const char *mor
     begin(&b->o, mechanism, more, "scheme: midpoint, step: 1.0e-3, until: 1");
     b->m = b->o.sim.model;
     b->ops = b->m->space == 2 ? &sweep_planar : &sweep_spatial;
-    b->s = b->ops->build(b->m, SEEN, NULL, b->o.life);
+    b->s = b->ops->build(b->m, FOR_RECORDS, NULL, b->o.life);
     b->n = b->m->nbody - 1;
     for (int i = 0; i < b->n; i++) b->list[i] = i + 1;
     memcpy(b->q, b->m->q0, sizeof *b->q * (size_t)b->m->nq);
@@ -179,7 +179,7 @@ static void open_bodies(struct bodies *b, const char *mechanism, const char *mor
     }
     b->ops->mass(b->s, b->M, b->q, ALL);
     b->ops->forward(b->s, b->q, b->v, b->a, ALL);
-    b->ops->gather(b->s, &b->now, b->list, b->n, BULK_FORCES);
+    b->ops->aggregate(b->s, &b->now, b->list, b->n, AGGREGATE_FORCES);
 }
 
 /* The velocities of the tree, which stands still inside, for velocity u of the centre and turning with w. */
@@ -222,7 +222,7 @@ static double inner(const double *x, const double *y, int n)
 static void check_bulk(struct bodies *b)
 {
     static const double none[3] = {0, 0, 0}, skew[3] = {.3, -.5, .8};
-    const struct bulk *o = &b->now;
+    const struct aggregate *o = &b->now;
     const int n = b->m->n;
     const bool plane = b->m->space == 2;
     double x[50], y[50], r[50] = {0}, elastic = 0, u[3], Jw[3], weight[3];
@@ -259,18 +259,18 @@ static void check_hasten(struct bodies *b)
 {
     const int n = b->m->n;
     const bool plane = b->m->space == 2;
-    struct change o = {.dr = {.3, -.1, 0},
-                       .dv = {.1, .2, 0},
-                       .a = {.7, -.4, plane ? 0 : .2},
-                       .al = {plane ? 0 : .5, plane ? 0 : -.3, .6},
-                       .k = .8};
+    struct motion_change o = {.dr = {.3, -.1, 0},
+                              .dv = {.1, .2, 0},
+                              .a = {.7, -.4, plane ? 0 : .2},
+                              .al = {plane ? 0 : .5, plane ? 0 : -.3, .6},
+                              .k = .8};
     double r0[50] = {0}, r1[50] = {0}, x[50], u[3];
     struct pose before, after;
     b->ops->forward(b->s, b->q, b->v, b->a, ALL);
     b->ops->backward(b->s, r0, ALL);
     b->ops->forward(b->s, b->q, b->v, b->a, ALL);
     b->ops->pose(b->s, &before, b->n);
-    b->ops->hasten(b->s, &o, &b->now, b->list, b->n);
+    b->ops->adjust_motion(b->s, &o, &b->now, b->list, b->n);
     b->ops->pose(b->s, &after, b->n);
     for (int i = 0; i < 3; i++) near(after.r[i], before.r[i] + o.dr[i], 1e-14);
     for (int i = 0; i < 3; i++) near(after.v[i], before.v[i] + o.dv[i], 1e-14);

@@ -247,7 +247,7 @@ static double leap(double *at, const char *text, double ta, double tb)
     struct arena *arena = arena_open();
     const struct signal s = formula(arena, text);
     double before, behind;
-    const bool any = signal_leap(&s, at, &before, &behind, ta, tb);
+    const bool any = signal_jump(&s, at, &before, &behind, ta, tb);
     arena_close(arena);
     return any ? behind - before : NAN;
 }

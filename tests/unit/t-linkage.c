@@ -411,7 +411,7 @@ static void compare(struct figures *g, const struct linkage *o, struct system *s
     struct place p[MOST_BODIES];
     double x[MOST], worst = 0, most = 10;
     struct trouble why;
-    assert_int_equal(system_see(s, q, v, 0, SEE_ALL, &why), OK);
+    assert_int_equal(system_evaluate(s, q, v, 0, EVALUATE_ALL, &why), OK);
     for (int b = 0; b < o->model.nbody; b++) {
         struct pose pose;
         system_pose(s, &pose, b);

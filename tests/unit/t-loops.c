@@ -47,7 +47,7 @@ static double coordinate(struct opened *o, const char *name, bool rate)
 {
     const struct model *m = o->sim.model;
     struct trouble why;
-    assert_int_equal(system_see(o->sim.system, o->sim.x.q, o->sim.x.v, o->sim.x.t, SEE_MOTION, &why), OK);
+    assert_int_equal(system_evaluate(o->sim.system, o->sim.x.q, o->sim.x.v, o->sim.x.t, EVALUATE_MOTION, &why), OK);
     for (int i = 0; i < m->ncoordinate; i++)
         if (strcmp(m->coordinate[i].name, name) == 0)
             return rate ? system_rates(o->sim.system)[m->coordinate[i].iv] : o->sim.x.q[m->coordinate[i].iq];
@@ -350,7 +350,7 @@ static void bricard_any_way(void **state)
         assert_int_equal(condense_loops(system_loops(o.sim.system))->nrow, 5);
         run(&o);
         assert_int_equal(o.status, OK);
-        assert_int_equal(system_see(o.sim.system, o.sim.x.q, o.sim.x.v, 1, SEE_MOTION, &why), OK);
+        assert_int_equal(system_evaluate(o.sim.system, o.sim.x.q, o.sim.x.v, 1, EVALUATE_MOTION, &why), OK);
         for (int b = 1; b < o.sim.model->nbody; b++)
             if (strcmp(o.sim.model->body[b].name, "bar3") == 0) system_pose(o.sim.system, &p, b);
         x[i] = p.r[0] + 2 * p.r[1] + 3 * p.r[2];
@@ -395,7 +395,7 @@ static void close_to_singular_postures(void **state)
         open_path(&o, "decks/windows.yaml", 1, &step[i]);
         run(&o);
         assert_int_equal(o.status, OK);
-        assert_int_equal(system_see(o.sim.system, o.sim.x.q, o.sim.x.v, 10, SEE_MOTION, &why), OK);
+        assert_int_equal(system_evaluate(o.sim.system, o.sim.x.q, o.sim.x.v, 10, EVALUATE_MOTION, &why), OK);
         system_pose(o.sim.system, &p, 1);
         near_to(2 * p.r[0], .3284581115, 1e-6);
         near_to(2 * p.r[1], .9445185382, 1e-6);

@@ -277,7 +277,7 @@ static void short_loops(void **state)
     run(&o);
     const double wide = 1 + angle_of(&o, "base.displacement"), high = sqrt(2 - wide * wide);
     assert_true(wide > 1.01);
-    assert_int_equal(system_see(o.sim.system, o.sim.x.q, o.sim.x.v, o.sim.x.t, SEE_MOTION, &why), OK);
+    assert_int_equal(system_evaluate(o.sim.system, o.sim.x.q, o.sim.x.v, o.sim.x.t, EVALUATE_MOTION, &why), OK);
     for (int i = 1; i < o.sim.model->nbody; i++) {
         struct pose p;
         int stage;

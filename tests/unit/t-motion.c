@@ -385,7 +385,7 @@ static void test_places(void **state)
         flex_place_take(&at, o.k, o.arena);
         flex_place_at(&p, o.k, 2, o.q);
         flex_place_move(&p, o.k, 2, o.q1);
-        flex_place_speed_up(&p, o.k, o.q2);
+        flex_place_accelerate(&p, o.k, o.q2);
         for (int i = 0; i < 4; i++) {
             later(&there, &o, (i < 2 ? i - 2 : i - 1) * h);
             flex_place_at(&at, o.k, 2, there.q);

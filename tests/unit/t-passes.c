@@ -39,12 +39,12 @@ static void same_poses(const struct sweep_ops *ops, const struct sweep *a, const
     }
 }
 
-/* One sweep does all at once; the other place(), move(), speed_up(), forward(), each where the last has been. */
+/* One sweep does all at once; the other place(), move(), accelerate(), forward(), each where the last has been. */
 static void try_passes(const struct model *m, const double *q, const double *v, const double *a)
 {
     const struct sweep_ops *ops = ops_of(m);
     struct arena *life = arena_open();
-    struct sweep *once = ops->build(m, SEEN, NULL, life), *by_pass = ops->build(m, SEEN, NULL, life);
+    struct sweep *once = ops->build(m, FOR_RECORDS, NULL, life), *by_pass = ops->build(m, FOR_RECORDS, NULL, life);
     for (unsigned cls = FAST; cls <= ALL; cls++) {
         double r[MOST] = {0}, s[MOST] = {0};
         ops->forward(once, q, v, a, ALL);
@@ -52,11 +52,11 @@ static void try_passes(const struct model *m, const double *q, const double *v, 
         ops->forward(once, q, v, a, cls);
         ops->place(by_pass, q, ALL);
         ops->move(by_pass, NULL, v, ALL);
-        ops->speed_up(by_pass, v, a, ALL);
+        ops->accelerate(by_pass, v, a, ALL);
         same_poses(ops, by_pass, once, m);
         memset(r, 0, sizeof r);
         ops->backward(once, r, cls);
-        ops->speed_up(by_pass, v, v, ALL); /* others that forward() does not keep */
+        ops->accelerate(by_pass, v, v, ALL); /* others that forward() does not keep */
         ops->forward(by_pass, NULL, v, a, cls);
         ops->backward(by_pass, s, cls);
         near_all(s, r, m->n, 1 + largest(r, m->n));
@@ -73,7 +73,7 @@ static void try_rows(const struct model *m, const double *q, const double *f, co
 {
     const struct sweep_ops *ops = ops_of(m);
     struct arena *life = arena_open();
-    struct sweep *s = ops->build(m, SEEN, NULL, life);
+    struct sweep *s = ops->build(m, FOR_RECORDS, NULL, life);
     ops->place(s, q, ALL);
     for (int body = 0; body < m->nbody; body++) {
         const int *k, *up, count = ops->path(s, &k, body);

@@ -259,7 +259,7 @@ static void modes_at_rest_are_a_rigid_body(void **state)
             for (int k = 0; k < f.m->body[i].nmode; k++) mode[f.m->body[i].mode_v[k]] = true;
         }
         rigid.body = body;
-        struct sweep *s = sweep_planar.build(&rigid, SEEN, NULL, f.arena);
+        struct sweep *s = sweep_planar.build(&rigid, FOR_RECORDS, NULL, f.arena);
         for (int k = 0; k < f.n; k++)
             if (mode[k]) f.q[k] = f.v[k] = f.a[k] = 0;
         sweep_resid(r, &f, f.a, ALL);
@@ -330,7 +330,7 @@ static void massless_modes_have_no_pivot(void **state)
             memset(o->ff, 0, sizeof *o->ff * 9 * (size_t)(n * n));
             memset(o->rpsi, 0, sizeof *o->rpsi * 3 * (size_t)n);
             memset(o->ppsi, 0, sizeof *o->ppsi * (size_t)(n * n));
-            struct sweep *s = sweep_planar.build(f.m, SEEN, NULL, f.arena);
+            struct sweep *s = sweep_planar.build(f.m, FOR_RECORDS, NULL, f.arena);
             void *F = arena_take(f.arena, 1, sweep_planar.factor_size(s));
             assert_false(sweep_planar.factor(s, F, 1, d, f.q));
             for (int k = 0; k < n; k++) d[body->mode_v[k]] = 1;

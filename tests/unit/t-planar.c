@@ -184,7 +184,7 @@ static void open_tree(struct fixture *f, int nbody, unsigned seed, unsigned flag
     struct tree_dice d = {seed + 77};
     f->arena = arena_open();
     f->m = random_tree(2, nbody, seed, flags, f->arena);
-    f->s = sweep_planar.build(f->m, SEEN, NULL, f->arena);
+    f->s = sweep_planar.build(f->m, FOR_RECORDS, NULL, f->arena);
     assert_true(f->m->n <= MOST && f->m->nbody <= MOST);
     memcpy(f->q, f->m->q0, sizeof *f->q * (size_t)f->m->nq);
     memcpy(f->v, f->m->v0, sizeof *f->v * (size_t)f->m->n);
@@ -398,7 +398,7 @@ static void a_massless_freedom_has_no_pivot(void **state)
     open_tree(&f, 4, 3, TREE_CHAIN | TREE_REVOLUTE);
     struct model_body *last = (struct model_body *)&f.m->body[4];
     last->mass = last->inertia[2] = 0;
-    struct sweep *s = sweep_planar.build(f.m, SEEN, NULL, f.arena);
+    struct sweep *s = sweep_planar.build(f.m, FOR_RECORDS, NULL, f.arena);
     void *F = arena_take(f.arena, 1, sweep_planar.factor_size(s));
     double d[MOST] = {0};
     assert_false(sweep_planar.factor(s, F, 1, d, f.q));

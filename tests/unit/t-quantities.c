@@ -242,10 +242,10 @@ static void an_expression_needs_what_its_columns_need(void **state)
     static const struct {
         const char *of;
         unsigned needs;
-    } tries[] = {{"2*pin.angle", SEE_NOTHING},
-                 {"ball.x + t", SEE_MOTION},
-                 {"ball.ax", SEE_ACCELERATION},
-                 {"pin.fx*ball.x", SEE_REACTION | SEE_MOTION}};
+    } tries[] = {{"2*pin.angle", EVALUATE_NOTHING},
+                 {"ball.x + t", EVALUATE_MOTION},
+                 {"ball.ax", EVALUATE_ACCELERATION},
+                 {"pin.fx*ball.x", EVALUATE_REACTION | EVALUATE_MOTION}};
     (void)state;
     for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {
         struct ride r;

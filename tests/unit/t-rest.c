@@ -22,7 +22,7 @@ static void test_hangs(void **state)
         assert_int_equal(o.status, OK);
         struct pose p;
         struct trouble why;
-        assert_int_equal(system_see(o.sim.system, o.sim.x.q, o.sim.x.v, 0, SEE_MOTION, &why), OK);
+        assert_int_equal(system_evaluate(o.sim.system, o.sim.x.q, o.sim.x.v, 0, EVALUATE_MOTION, &why), OK);
         system_pose(o.sim.system, &p, 2);
         assert_true(fabs(p.r[0]) < 1e-9 && fabs(p.r[1] + 1.5) < 1e-9);
         for (int k = 0; k < 2; k++) assert_true(fabs(o.sim.x.a[k]) < 1e-9);
@@ -41,7 +41,7 @@ static void test_spring(void **state)
     struct pose p;
     struct trouble why;
     int ball = o.sim.model->nbody - 1;
-    assert_int_equal(system_see(o.sim.system, o.sim.x.q, o.sim.x.v, 0, SEE_MOTION, &why), OK);
+    assert_int_equal(system_evaluate(o.sim.system, o.sim.x.q, o.sim.x.v, 0, EVALUATE_MOTION, &why), OK);
     system_pose(o.sim.system, &p, ball);
     assert_true(fabs(p.r[0]) < 1e-9 && fabs(p.r[1] + 1 + 9.81 / 1e4) < 1e-9);
     shut(&o);

@@ -66,7 +66,7 @@ static void open_bench(struct bench *o, int space, unsigned seed)
     o->model.loop = o->loop;
     for (int i = 0; i < LOOPS; i++) add_loop(o, &dice, kinds[i]);
     o->ops = space == 2 ? &sweep_planar : &sweep_spatial;
-    o->sweep = o->ops->build(&o->model, SEEN, NULL, o->arena);
+    o->sweep = o->ops->build(&o->model, FOR_RECORDS, NULL, o->arena);
     o->loops = loops_build(&o->model, o->ops, o->arena);
 }
 
@@ -201,8 +201,8 @@ static void open_closely(struct opened *o, const char *path, const char *also, d
 static void see(struct opened *o)
 {
     struct trouble why;
-    const unsigned all = SEE_ALL;
-    assert_int_equal(system_see(o->sim.system, o->sim.x.q, o->sim.x.v, o->sim.x.t, all, &why), OK);
+    const unsigned all = EVALUATE_ALL;
+    assert_int_equal(system_evaluate(o->sim.system, o->sim.x.q, o->sim.x.v, o->sim.x.t, all, &why), OK);
 }
 
 static void run(struct opened *o)

@@ -66,11 +66,11 @@ static void test_free_body(void **state)
     (void)state;
     open_deck(&o, "decks/free-top.yaml", 6, set, false);
     struct sim *s = &o.sim;
-    assert_int_equal(system_see(s->system, s->x.q, s->x.v, 0, SEE_MOTION, &why), OK);
+    assert_int_equal(system_evaluate(s->system, s->x.q, s->x.v, 0, EVALUATE_MOTION, &why), OK);
     system_momentum(s->system, p, L0);
     assert_int_equal(system_energy_at(s->system, &e0, s->x.q, s->x.v, 0, &(struct trouble){0}), OK);
     assert_int_equal(sim_run(s, NULL, &report), OK);
-    assert_int_equal(system_see(s->system, s->x.q, s->x.v, s->x.t, SEE_MOTION, &why), OK);
+    assert_int_equal(system_evaluate(s->system, s->x.q, s->x.v, s->x.t, EVALUATE_MOTION, &why), OK);
     system_momentum(s->system, p, L1);
     assert_int_equal(system_energy_at(s->system, &e1, s->x.q, s->x.v, s->x.t, &(struct trouble){0}), OK);
     for (int i = 0; i < 3; i++) d[i] = L1[i] - L0[i];

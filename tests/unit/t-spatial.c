@@ -226,7 +226,7 @@ static void open_model(struct scene *o, const struct model *m, unsigned seed)
 {
     struct tree_dice d = {seed + 77};
     o->m = m;
-    o->s = ops->build(m, SEEN, NULL, o->arena);
+    o->s = ops->build(m, FOR_RECORDS, NULL, o->arena);
     tree_state(o->q, o->v, m, &d);
     for (int i = 0; i < m->n; i++) o->a[i] = tree_roll(&d, -3, 3);
     for (int i = 1; i < m->nbody; i++) {
@@ -320,7 +320,7 @@ static void test_drawn_position(void **state)
     for (unsigned seed = 0; seed < SEEDS; seed++) {
         struct arena *arena = arena_open();
         const struct model *m = random_tree(3, BODIES, seed, 0, arena);
-        struct sweep *s = ops->build(m, SEEN, NULL, arena);
+        struct sweep *s = ops->build(m, FOR_RECORDS, NULL, arena);
         double zero[MOST_Q] = {0};
         for (int i = 0; i < m->njoint; i++) {
             const struct model_joint *j = &m->joint[i];
@@ -678,7 +678,7 @@ static void test_factor_without_mass(void **state)
         const struct model_joint *joint = &m->joint[last->joint];
         last->mass = 0;
         memset(last->inertia, 0, sizeof last->inertia);
-        struct sweep *s = ops->build(m, SEEN, NULL, arena);
+        struct sweep *s = ops->build(m, FOR_RECORDS, NULL, arena);
         void *F = arena_take(arena, 1, ops->factor_size(s));
         double d[MOST] = {0};
         if (joint->nv) {

@@ -146,7 +146,7 @@ static void the_same_bits_twice(void **state)
         open_tree(&f, space, 6, seed, TREE_FORCES | TREE_FAST_LEAVES);
         resid(r, w, &f, f.a, ALL);
         assert_int_equal(f.o->direct->accel(f.o, other, NULL, f.q, f.a, 2, NULL), OK);
-        assert_int_equal(system_see(f.s, f.q, f.a, 1, SEE_ACCELERATION | SEE_ENERGY, NULL), OK);
+        assert_int_equal(system_evaluate(f.s, f.q, f.a, 1, EVALUATE_ACCELERATION | EVALUATE_ENERGY, NULL), OK);
         assert_int_equal(system_energy_at(f.s, &e, f.q, f.a, 0, &(struct trouble){0}), OK);
         resid(other, NULL, &f, NULL, FAST);
         resid(again, w2, &f, f.a, ALL);
@@ -191,7 +191,7 @@ static void nothing_is_allocated(void **state)
         assert_int_equal(f.o->ops->slopes(f.o, K, C, &x, ALL, NULL), OK);
         assert_int_equal(f.o->ops->mass(f.o, K, f.q, 0, ALL, NULL), OK);
         assert_int_equal(f.o->direct->accel(f.o, r, NULL, f.q, f.v, 0, NULL), OK);
-        assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_ACCELERATION | SEE_ENERGY, NULL), OK);
+        assert_int_equal(system_evaluate(f.s, f.q, f.v, 0, EVALUATE_ACCELERATION | EVALUATE_ENERGY, NULL), OK);
         assert_int_equal(arena_used(f.arena), used);
         close_tree(&f);
     }
@@ -281,7 +281,7 @@ static void power_is_the_rate_of_energy(void **state)
             fail_msg("space %d seed %u: dE/dt %.12g, power %.12g", space, seed, rate, power);
         assert_true(w[POWER_DAMPER] <= 0 && w[POWER_DRIVE] == 0 && w[POWER_FRICTION] == 0);
         double sum = 0;
-        assert_int_equal(system_see(f.s, f.q, f.v, f.t, SEE_ALL, NULL), OK);
+        assert_int_equal(system_evaluate(f.s, f.q, f.v, f.t, EVALUATE_ALL, NULL), OK);
         assert_true(all_near(system_accelerations(f.s), a, f.m->n, 0));
         for (int i = 0; i < f.m->nforce; i++) {
             double force, s, p;
@@ -326,7 +326,7 @@ static void momenta_are_kept(void **state)
             double h = side ? e : -e;
             for (int i = 0; i < f.m->n; i++) dx[i] = h * (f.v[i] + .5 * h * a[i]), v[i] = f.v[i] + h * a[i];
             along(q, &f, dx, 1);
-            assert_int_equal(system_see(f.s, q, v, f.t, SEE_MOTION, NULL), OK);
+            assert_int_equal(system_evaluate(f.s, q, v, f.t, EVALUATE_MOTION, NULL), OK);
             system_momentum(f.s, P[side], P[side] + 3);
         }
         for (int i = 0; i < f.m->n; i++) scale = fmax(scale, fabs(a[i]));
@@ -350,7 +350,7 @@ static void what_is_seen_is_consistent(void **state)
         struct model_point p = {.body = 5, .p = {.2, -.4, 0}};
         open_tree(&f, space, 5, seed, TREE_FORCES);
         if (space == 3) p.p[2] = .7;
-        assert_int_equal(system_see(f.s, f.q, f.v, f.t, SEE_ACCELERATION, NULL), OK);
+        assert_int_equal(system_evaluate(f.s, f.q, f.v, f.t, EVALUATE_ACCELERATION, NULL), OK);
         memcpy(a, system_accelerations(f.s), sizeof *a * (size_t)f.m->n);
         system_point(f.s, x[2], xv[2], xa, &p);
         for (int side = 0; side < 2; side++) {
@@ -358,7 +358,7 @@ static void what_is_seen_is_consistent(void **state)
             for (int i = 0; i < f.m->n; i++) dx[i] = h * (f.v[i] + .5 * h * a[i]), v[i] = f.v[i] + h * a[i];
             along(q, &f, dx, 1);
             double none[3];
-            assert_int_equal(system_see(f.s, q, v, f.t, SEE_MOTION, NULL), OK);
+            assert_int_equal(system_evaluate(f.s, q, v, f.t, EVALUATE_MOTION, NULL), OK);
             system_point(f.s, x[side], xv[side], none, &p);
         }
         for (int i = 0; i < 3; i++) {
@@ -368,12 +368,12 @@ static void what_is_seen_is_consistent(void **state)
         }
         for (int m = 0; m < f.m->nmeasure; m++) {
             double value, here;
-            assert_int_equal(system_see(f.s, f.q, f.v, f.t, SEE_MOTION, NULL), OK);
+            assert_int_equal(system_evaluate(f.s, f.q, f.v, f.t, EVALUATE_MOTION, NULL), OK);
             system_measure(f.s, &value, &here, m);
             for (int side = 0; side < 2; side++) {
                 for (int i = 0; i < f.m->n; i++) dx[i] = (side ? 1e-6 : -1e-6) * f.v[i];
                 along(q, &f, dx, 1);
-                assert_int_equal(system_see(f.s, q, f.v, f.t, SEE_MOTION, NULL), OK);
+                assert_int_equal(system_evaluate(f.s, q, f.v, f.t, EVALUATE_MOTION, NULL), OK);
                 system_measure(f.s, &s[side], &rate[side], m);
             }
             if (!(fabs((s[1] - s[0]) / 2e-6 - here) < 1e-6 * (1 + fabs(here))))
@@ -393,7 +393,7 @@ static void reversed_joints_report_the_other_side(void **state)
     struct model_joint *j = (struct model_joint *)&f.m->joint[1];
     double one[6], other[6];
     j->reversed = false;
-    assert_int_equal(system_see(f.s, f.q, f.v, 0, SEE_ALL, NULL), OK);
+    assert_int_equal(system_evaluate(f.s, f.q, f.v, 0, EVALUATE_ALL, NULL), OK);
     system_reaction(f.s, one, one + 3, 1);
     j->reversed = true;
     system_reaction(f.s, other, other + 3, 1);
@@ -440,7 +440,7 @@ static void a_hanging_weight(void **state)
                       .v0 = zero};
     struct system *sys = system_build(&m, arena);
     double q = -2 * 10 * .8 / 100, v = 0, f[3], n[3], pull, stretch, power;
-    assert_int_equal(system_see(sys, &q, &v, 0, SEE_ALL, NULL), OK);
+    assert_int_equal(system_evaluate(sys, &q, &v, 0, EVALUATE_ALL, NULL), OK);
     assert_true(fabs(system_accelerations(sys)[0]) < 1e-14);
     system_force(sys, &pull, &stretch, &power, 0);
     system_reaction(sys, f, n, 0);

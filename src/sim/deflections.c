@@ -1,4 +1,4 @@
-/* bends.c -- how far flexible bodies bend in their frames.
+/* deflections.c -- how far flexible bodies bend in their frames.
  *
  * One frame with second-order displacements follows a body as long as it bends little: what is left out is of third
  * order, so that the deflection v of a body of length L is wrong by a share of about (v/L)^2/5 (a beam spun up, peak
@@ -9,13 +9,13 @@
 #include "la/vec3.h"
 #include "sim/parts.h"
 
-void bends_open(struct sim *sim, struct arena *life)
+void deflections_open(struct sim *sim, struct arena *life)
 {
     const struct model *m = sim->model;
-    sim->bend = TAKE(life, struct bending, m->nbody);
+    sim->deflection = TAKE(life, struct deflection, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
         const struct flex_body *flex = m->body[i].flex;
-        struct bending o = {.body = i};
+        struct deflection o = {.body = i};
         for (int k = 0; flex && k < flex->nnode; k++) {
             double arm[3];
             v3_diff(arm, flex->node[k].x, flex->node[flex->reference].x);
@@ -23,14 +23,14 @@ void bends_open(struct sim *sim, struct arena *life)
             o.node = k;
             o.size = v3_norm(arm);
         }
-        if (o.size > 0) sim->bend[sim->nbend++] = o;
+        if (o.size > 0) sim->deflection[sim->ndeflection++] = o;
     }
 }
 
-enum status bends_note(struct sim *sim)
+enum status deflections_note(struct sim *sim)
 {
-    for (int i = 0; i < sim->nbend; i++) {
-        struct bending *o = &sim->bend[i];
+    for (int i = 0; i < sim->ndeflection; i++) {
+        struct deflection *o = &sim->deflection[i];
         const struct model_body *body = &sim->model->body[o->body];
         const double *phi = body->flex->node[o->node].phi;
         double u[3] = {0, 0, 0};
@@ -44,11 +44,11 @@ enum status bends_note(struct sim *sim)
     return OK;
 }
 
-void say_bends(const struct sim *sim, FILE *to)
+void print_deflections(const struct sim *sim, FILE *to)
 {
     static const double followed = 0.2; /* of its length: beyond it more than a per cent is wrong */
-    for (int i = 0; i < sim->nbend; i++) {
-        const struct bending *o = &sim->bend[i];
+    for (int i = 0; i < sim->ndeflection; i++) {
+        const struct deflection *o = &sim->deflection[i];
         if (!(o->most > followed * o->size)) continue;
         fprintf(to,
                 "warning: '%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per "

@@ -1,4 +1,4 @@
-/* leaps.c -- drives whose value itself jumps, such as if(t < 1, 0, 0.1).
+/* jumps.c -- drives whose value itself jumps, such as if(t < 1, 0, 0.1).
  *
  * A step in position is an infinite speed: over a step h it would run at jump/h, so that what follows depends on h
  * alone.  The run stops before the step in which that happens.  Where two pieces of an expression all but meet, as with
@@ -13,28 +13,28 @@ static const double PATCHED = 1e-3; /* of the largest value so far: a jump that 
 static const double ROUNDED = 1e-9; /* of that, or less than the next in m or rad: round-off of the expression */
 static const double NOTHING = 1e-12;
 
-void leaps_open(struct sim *sim, struct arena *life)
+void jumps_open(struct sim *sim, struct arena *life)
 {
     const struct model *m = sim->model;
-    sim->leap = TAKE(life, struct leaping, m->ndrive);
+    sim->jump = TAKE(life, struct jumping, m->ndrive);
     for (int i = 0; i < m->ndrive; i++) {
         const struct signal *s = m->loop[model_first_drive(m) + i].drive;
-        struct leaping o = {.loop = model_first_drive(m) + i};
+        struct jumping o = {.loop = model_first_drive(m) + i};
         if (!s->expr || expr_is_smooth(s->expr)) continue;
         signal_motion(s, o.x, m->t0);
         o.most = fabs(o.x[0]);
-        sim->leap[sim->nleap++] = o;
+        sim->jump[sim->njump++] = o;
     }
 }
 
-static double unseen(const struct leaping *o)
+static double unseen(const struct jumping *o)
 {
     return fmax(NOTHING, ROUNDED * o->most);
 }
 
 /* Does the value at b stand where its rates since a lead, but for what is not seen (Simpson)?  Then nothing jumps
  * between.  Goes on to b. */
-static bool follows(struct leaping *o, const struct signal *s, double a, double b)
+static bool follows(struct jumping *o, const struct signal *s, double a, double b)
 {
     double m[3], x[3];
     signal_motion(s, m, a + (b - a) / 2);
@@ -46,7 +46,7 @@ static bool follows(struct leaping *o, const struct signal *s, double a, double 
 }
 
 /* Where the deck has the drive's value. */
-static const char *place_of(const struct sim *sim, const struct leaping *o, char *text, size_t size)
+static const char *place_of(const struct sim *sim, const struct jumping *o, char *text, size_t size)
 {
     const struct node *n = node_find(sim->scene->drive[o->loop - model_first_drive(sim->model)].node, "value");
     const struct source *s = diags_source(sim->scene->deck->diags, n->file);
@@ -54,7 +54,7 @@ static const char *place_of(const struct sim *sim, const struct leaping *o, char
     return text;
 }
 
-static enum status judge(struct sim *sim, struct leaping *o, double at, double before, double behind, struct sink *sink,
+static enum status judge(struct sim *sim, struct jumping *o, double at, double before, double behind, struct sink *sink,
                          struct report *report)
 {
     const char *name = sim->model->loop[o->loop].name;
@@ -76,19 +76,19 @@ static enum status judge(struct sim *sim, struct leaping *o, double at, double b
     return sink ? sink->ops->event(sink, sim->x.t, "drive", text, report) : OK;
 }
 
-enum status leaps_look(struct sim *sim, double to, struct sink *sink, struct report *report)
+enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report)
 {
     enum { OWN_STEPS = 16 };
     const double from = sim->x.t;
     const int pieces = sim->stepper.kind->adaptive ? OWN_STEPS : sim->plan.ratio;
-    for (int i = 0; i < sim->nleap; i++) {
-        struct leaping *o = &sim->leap[i];
+    for (int i = 0; i < sim->njump; i++) {
+        struct jumping *o = &sim->jump[i];
         const struct signal *s = sim->model->loop[o->loop].drive;
         double at, before, behind;
         for (int k = 0; k < pieces; k++) {
             const double a = from + k * ((to - from) / pieces),
                          b = k + 1 < pieces ? from + (k + 1) * ((to - from) / pieces) : to;
-            if (!follows(o, s, a, b) && signal_leap(s, &at, &before, &behind, a, b))
+            if (!follows(o, s, a, b) && signal_jump(s, &at, &before, &behind, a, b))
                 TRY(judge(sim, o, at, before, behind, sink, report));
         }
     }

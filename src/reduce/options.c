@@ -1,5 +1,5 @@
-/* wish.c -- options, by getopt_long, with our own words for what is wrong; see wish.h */
-#include "reduce/wish.h"
+/* options.c -- options, by getopt_long, with our own words for what is wrong; see options.h */
+#include "reduce/options.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -32,7 +32,7 @@ static const struct option options[] = {
     {0},
 };
 
-const char *wish_help(void)
+const char *options_help(void)
 {
     return "usage: fmdsub-reduce -i NAME=NODES [options] JOB\n"
            "       fmdsub-reduce -i NAME=NODES [options] K.mtx M.mtx NODES.csv\n\n"
@@ -108,12 +108,12 @@ static enum status read_point(double *x, char *at, struct report *report)
     return word_end(at) ? OK : fail(report, E_USAGE, "--interface: the place behind '@' should be x,y,z");
 }
 
-static enum status read_tie(struct wish *o, struct arena *life, struct report *report)
+static enum status read_tie(struct options *o, struct arena *life, struct report *report)
 {
     char *rest;
     if (o->ntie == MOST_TIES) return fail(report, E_LIMIT, "more than %d interfaces", MOST_TIES);
-    struct tie_wish *tie = o->tie + o->ntie;
-    *tie = (struct tie_wish){.rigid = true};
+    struct tie_options *tie = o->tie + o->ntie;
+    *tie = (struct tie_options){.rigid = true};
     TRY(named(&tie->name, &rest, 'i', life, report));
     for (int i = 0; i < o->ntie; i++)
         if (strcmp(o->tie[i].name, tie->name) == 0)
@@ -136,10 +136,10 @@ static enum status read_tie(struct wish *o, struct arena *life, struct report *r
     return OK;
 }
 
-static enum status read_load(struct wish *o, struct arena *life, struct report *report)
+static enum status read_load(struct options *o, struct arena *life, struct report *report)
 {
     if (o->nload == MOST_LOADS) return fail(report, E_LIMIT, "more than %d prestressed matrices", MOST_LOADS);
-    struct load_wish *load = o->load + o->nload++;
+    struct load_options *load = o->load + o->nload++;
     char *text = arena_copy(life, optarg, strlen(optarg)), *path = strchr(text, '='), *end;
     if (!path || !path[1]) return fail(report, E_USAGE, "--prestress expects KIND[:SCALE]=FILE, not '%.60s'", optarg);
     *path++ = 0;
@@ -156,18 +156,18 @@ static enum status read_load(struct wish *o, struct arena *life, struct report *
     return OK;
 }
 
-static enum status read_probe(struct wish *o, struct arena *life, struct report *report)
+static enum status read_probe(struct options *o, struct arena *life, struct report *report)
 {
     char *rest;
     if (o->nprobe == MOST_PROBES) return fail(report, E_LIMIT, "more than %d stress points", MOST_PROBES);
-    struct probe_wish *probe = o->probe + o->nprobe++;
+    struct probe_options *probe = o->probe + o->nprobe++;
     TRY(named(&probe->name, &rest, 's', life, report));
     if (!word_int(&rest, &probe->node) || !word_end(rest))
         return fail(report, E_USAGE, "--stress expects NAME=NODE, a node number, not '%.60s'", optarg);
     return OK;
 }
 
-static enum status read_material(struct wish *o, struct arena *life, struct report *report)
+static enum status read_material(struct options *o, struct arena *life, struct report *report)
 {
     char *at = arena_copy(life, optarg, strlen(optarg));
     o->material = word_real(&at, &o->E) && word_mark(&at, ',') && word_real(&at, &o->nu) && word_end(at);
@@ -176,7 +176,7 @@ static enum status read_material(struct wish *o, struct arena *life, struct repo
     return OK;
 }
 
-static enum status read_load_mode(struct wish *o, struct report *report)
+static enum status read_load_mode(struct options *o, struct report *report)
 {
     int kind = load_kind(optarg);
     if (kind < 0) return fail(report, E_USAGE, "--load-mode: '%.60s' is none of %s", optarg, load_list());
@@ -186,14 +186,14 @@ static enum status read_load_mode(struct wish *o, struct report *report)
     return OK;
 }
 
-static enum status read_method(struct wish *o, struct report *report)
+static enum status read_method(struct options *o, struct report *report)
 {
     if (strcmp(optarg, "craig-bampton") == 0) return o->basis.method = CRAIG_BAMPTON, OK;
     if (strcmp(optarg, "eigenmodes") == 0) return o->basis.method = EIGENMODES, OK;
     return fail(report, E_USAGE, "--method is craig-bampton or eigenmodes, not '%.60s'", optarg);
 }
 
-static enum status read_option(struct wish *o, int code, struct arena *life, struct report *report)
+static enum status read_option(struct options *o, int code, struct arena *life, struct report *report)
 {
     switch (code) {
     case 'i':
@@ -250,7 +250,7 @@ static enum status unknown(int code, char **argv, struct report *report)
     return fail(report, E_USAGE, "unknown option '%.60s' (fmdsub-reduce --help)", word);
 }
 
-static enum status read_words(struct wish *o, int n, char **word, struct report *report)
+static enum status read_words(struct options *o, int n, char **word, struct report *report)
 {
     if (o->help || o->version) return OK;
     if (n == 1)
@@ -269,9 +269,9 @@ static enum status read_words(struct wish *o, int n, char **word, struct report 
     return OK;
 }
 
-enum status wish_read(struct wish *o, int argc, char **argv, struct arena *life, struct report *report)
+enum status options_read(struct options *o, int argc, char **argv, struct arena *life, struct report *report)
 {
-    *o = (struct wish){.source.units = {1, 1, 1}, .basis = {.modes = 10, .load = o->extra}};
+    *o = (struct options){.source.units = {1, 1, 1}, .basis = {.modes = 10, .load = o->extra}};
     opterr = 0;
     for (int code; (code = getopt_long(argc, argv, ":i:n:o:qh", options, NULL)) != -1;) {
         if (code == '?' || code == ':') return unknown(code, argv, report);

@@ -1,6 +1,6 @@
-/* wish.h -- what the command line of fmdsub-reduce asks for. */
-#ifndef FMDSUB_REDUCE_WISH_H
-#define FMDSUB_REDUCE_WISH_H
+/* options.h -- what the command line of fmdsub-reduce asks for. */
+#ifndef FMDSUB_REDUCE_OPTIONS_H
+#define FMDSUB_REDUCE_OPTIONS_H
 
 #include "reduce/basis.h"
 #include "reduce/body.h"
@@ -9,29 +9,29 @@
 enum { MOST_TIES = 64, MOST_LOADS = 512, MOST_PROBES = 256 };
 
 /* A prestressed stiffness: KIND[:SCALE]=FILE. */
-struct load_wish {
+struct load_options {
     const char *kind;
     double scale; /* of the load it was made with, in units of the load */
     const char *path;
 };
 
-struct probe_wish {
+struct probe_options {
     const char *name;
     int node; /* number */
 };
 
-struct wish {
+struct options {
     struct fe_source source;
     int ntie;
-    struct tie_wish tie[MOST_TIES];
-    struct basis_wish basis;
+    struct tie_options tie[MOST_TIES];
+    struct basis_options basis;
     int extra[LOAD_KINDS]; /* basis.load */
     struct body_damping damping;
     int nload;
-    struct load_wish load[MOST_LOADS];
+    struct load_options load[MOST_LOADS];
     const char *write_loads; /* files PREFIX-KIND.inp */
     int nprobe;
-    struct probe_wish probe[MOST_PROBES];
+    struct probe_options probe[MOST_PROBES];
     bool stiffening; /* geometric stiffness from stresses */
     bool material;   /* given: */
     double E, nu;    /* E in units of the input */
@@ -39,7 +39,7 @@ struct wish {
     bool quiet, help, version;
 };
 
-enum status wish_read(struct wish *o, int argc, char **argv, struct arena *life, struct report *report);
-const char *wish_help(void);
+enum status options_read(struct options *o, int argc, char **argv, struct arena *life, struct report *report);
+const char *options_help(void);
 
 #endif

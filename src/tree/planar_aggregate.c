@@ -1,4 +1,4 @@
-/* planar_bulk.c -- bodies of the plane as one: momenta, what their inertia takes, changes of their motion; see sweep.h.
+/* planar_aggregate.c -- bodies of the plane as one: momenta, what their inertia takes, changes of their motion; see sweep.h.
  *
  * About the root's frame o, with d = r - o and u = v - v_o, so that little is lost where the bodies are far from the
  * world's origin or fast:
@@ -20,7 +20,8 @@ struct sums {
     double m, S[2], P[2], L, J, T, F[2], N, W;
 };
 
-static inline void add_flexible(struct sums *o, struct bend *b, double m, const double *d, const double *u, double w)
+static inline void add_flexible(struct sums *o, struct flexible *b, double m, const double *d, const double *u,
+                                double w)
 {
     double ub[2], pb[2], p[2], h[2], L, T;
     planar_flex_shape(b);
@@ -51,7 +52,7 @@ static inline void add_rigid(struct sums *o, const struct link *l, const double 
 }
 
 /* Power of the modes' rows, without that of stiffness and damping. */
-static double power_of_modes(const struct bend *b)
+static double power_of_modes(const struct flexible *b)
 {
     double W = 0;
     for (int k = 0; k < b->n; k++) b->U[k] = 0;
@@ -68,7 +69,7 @@ static inline void add_forces(struct sums *o, const struct part *x, const double
     o->W += v2_dot(u, x->F) + x->w * x->N;
 }
 
-void planar_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what)
+void planar_aggregate(struct sweep *s, struct aggregate *o, const int *body, int n, int what)
 {
     const struct part *root = &s->part[body[0]];
     const double *g = s->model->gravity;
@@ -77,28 +78,29 @@ void planar_gather(struct sweep *s, struct bulk *o, const int *body, int n, int 
         const struct part *x = &s->part[body[i]];
         const double d[2] = {x->r[0] - root->r[0], x->r[1] - root->r[1]};
         const double u[2] = {x->v[0] - root->v[0], x->v[1] - root->v[1]};
-        struct bend *b = s->bend ? s->bend[body[i]] : NULL;
+        struct flexible *b = s->bend ? s->bend[body[i]] : NULL;
         if (b)
             add_flexible(&y, b, s->model->body[body[i]].mass, d, u, x->w);
         else
             add_rigid(&y, &s->link[body[i]], d, u, x->w);
-        if (what < BULK_FORCES) continue;
+        if (what < AGGREGATE_FORCES) continue;
         add_forces(&y, x, d, u);
         if (b) y.W += power_of_modes(b);
     }
     const double c[2] = {y.S[0] / y.m, y.S[1] / y.m}, v[2] = {y.P[0] / y.m, y.P[1] / y.m};
-    *o = (struct bulk){.m = y.m,
-                       .c = {root->r[0] + c[0], root->r[1] + c[1]},
-                       .p = {y.m * root->v[0] + y.P[0], y.m * root->v[1] + y.P[1]},
-                       .L = {0, 0, y.L - v2_cross(c, y.P)},
-                       .T = y.T - .5 * v2_dot(v, y.P),
-                       .J = {1, 1, y.J - v2_dot(c, y.S)},
-                       .F = {y.F[0] + y.m * g[0], y.F[1] + y.m * g[1]},
-                       .N = {0, 0, y.N - v2_cross(c, y.F)},
-                       .W = y.W - v2_dot(v, y.F)};
+    *o = (struct aggregate){.m = y.m,
+                            .c = {root->r[0] + c[0], root->r[1] + c[1]},
+                            .p = {y.m * root->v[0] + y.P[0], y.m * root->v[1] + y.P[1]},
+                            .L = {0, 0, y.L - v2_cross(c, y.P)},
+                            .T = y.T - .5 * v2_dot(v, y.P),
+                            .J = {1, 1, y.J - v2_dot(c, y.S)},
+                            .F = {y.F[0] + y.m * g[0], y.F[1] + y.m * g[1]},
+                            .N = {0, 0, y.N - v2_cross(c, y.F)},
+                            .W = y.W - v2_dot(v, y.F)};
 }
 
-static void hasten_flexible(struct part *x, struct bend *b, const double *zero, const double *a, double al, double k)
+static void adjust_flexible(struct part *x, struct flexible *b, const double *zero, const double *a, double al,
+                            double k)
 {
     double ab[2], Fb[2], F[2], N;
     v2_turn_back(ab, b->cs, a);
@@ -111,13 +113,14 @@ static void hasten_flexible(struct part *x, struct bend *b, const double *zero, 
     for (int i = 0; i < b->n; i++) b->Q[i] += b->U[i];
 }
 
-void planar_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n)
+void planar_adjust_motion(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,
+                          int n)
 {
     const double per = 1 / now->m;
     for (int i = 0; i < n; i++) {
         struct part *x = &s->part[body[i]];
         const struct link *l = &s->link[body[i]];
-        struct bend *b = s->bend ? s->bend[body[i]] : NULL;
+        struct flexible *b = s->bend ? s->bend[body[i]] : NULL;
         const double d[2] = {x->r[0] - now->c[0], x->r[1] - now->c[1]}, al = o->al[2] + o->k * x->w;
         const double a[2] = {o->a[0] - o->al[2] * d[1] + o->k * (x->v[0] - per * now->p[0]),
                              o->a[1] + o->al[2] * d[0] + o->k * (x->v[1] - per * now->p[1])};
@@ -126,7 +129,7 @@ void planar_hasten(struct sweep *s, const struct change *o, const struct bulk *n
             x->v[j] += o->dv[j];
         }
         if (b) {
-            hasten_flexible(x, b, s->zero, a, al, o->k);
+            adjust_flexible(x, b, s->zero, a, al, o->k);
             continue;
         }
         x->F[0] += l->mass * a[0];

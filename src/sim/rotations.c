@@ -1,4 +1,4 @@
-/* turns.c -- how far a ball or free joint turns in one step.
+/* rotations.c -- how far a ball or free joint turns in one step.
  *
  * The implicit schemes turn a body about one axis by the Cayley map, by 2 atan(|omega| h/2) in place of |omega| h: a
  * seventh is lost at pi/2, and of 10 rad 2.75 are left.  Energy and momenta are kept all the same, so the balance
@@ -9,7 +9,7 @@
 static const double quarter_turn = 1.57079632679489662;
 
 /* After an accepted step of `ratio` minor steps h; rates as the last system_energy_at left them. */
-void turns_note(struct sim *sim, double h, int ratio)
+void rotations_note(struct sim *sim, double h, int ratio)
 {
     const struct model *m = sim->model;
     const double *v = m->nloop ? system_rates(sim->system) : sim->x.v;
@@ -27,7 +27,7 @@ void turns_note(struct sim *sim, double h, int ratio)
     }
 }
 
-void say_turns(const struct sim *sim, FILE *to)
+void print_rotations(const struct sim *sim, FILE *to)
 {
     if (!(sim->turn > quarter_turn)) return;
     fprintf(to,

@@ -1,7 +1,7 @@
-/* swing.c -- see swing.h
+/* damped_mode.c -- see damped_mode.h
  *
  * The eigenvalues of y' = A y, y = (w p, p'), with w of the order of the frequencies. */
-#include "probe/swing.h"
+#include "probe/damped_mode.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,7 +34,7 @@ static int by_value(const void *x, const void *y)
 
 static int by_frequency(const void *x, const void *y)
 {
-    const struct swing *a = x, *b = y;
+    const struct damped_mode *a = x, *b = y;
     return a->omega > b->omega ? 1 : a->omega < b->omega ? -1 : 0;
 }
 
@@ -50,17 +50,17 @@ static double *shape(const double complex *y, const double *w, int n, struct are
 }
 
 /* Of two eigenvalues by their sum and product. */
-static struct swing pair(double sum, double product, double *p)
+static struct damped_mode pair(double sum, double product, double *p)
 {
     static const double nothing = 1e-9;
-    struct swing o = {.omega = sqrt(product), .p = p};
+    struct damped_mode o = {.omega = sqrt(product), .p = p};
     if (o.omega > 0) o.damping = -sum / (2 * o.omega);
     if (fabs(o.damping) < nothing) o.damping = 0;
     return o;
 }
 
-static void sort_out(struct swing *o, const double complex *s, const double complex *Y, const double *w, double top,
-                     int n, struct arena *life)
+static void sort_out(struct damped_mode *o, const double complex *s, const double complex *Y, const double *w,
+                     double top, int n, struct arena *life)
 {
     static const double nothing = 1e-6; /* of the highest frequency: zero twice is found to the root of round-off */
     const int m = 2 * n;
@@ -77,12 +77,12 @@ static void sort_out(struct swing *o, const double complex *s, const double comp
     for (int i = 0; 2 * i + 1 < k && count < n; i++) {
         const struct found *a = &real[k - 1 - i], *b = &real[i];
         double *p = shape(Y + (long)m * a->column, w, n, life);
-        o[count++] = a->s > 0 ? (struct swing){-a->s, 0, p} : pair(a->s + b->s, a->s * b->s, p);
+        o[count++] = a->s > 0 ? (struct damped_mode){-a->s, 0, p} : pair(a->s + b->s, a->s * b->s, p);
     }
     qsort(o, (size_t)count, sizeof *o, by_frequency);
 }
 
-bool swing_find(struct swing *o, const double *K, const double *D, int n, struct arena *life)
+bool damped_modes_find(struct damped_mode *o, const double *K, const double *D, int n, struct arena *life)
 {
     const int m = 2 * n;
     double *A = TAKE(life, double, m *m), *w = TAKE(life, double, n), top = 0;
@@ -91,7 +91,7 @@ bool swing_find(struct swing *o, const double *K, const double *D, int n, struct
     for (int j = 0; j < n; j++) w[j] = fmax(sqrt(fabs(K[j * (n + 1)])), 1e-6 * top + (top == 0));
     first_order(A, w, K, D, n);
     if (!schur_eigen(s, Y, A, m, life)) return false;
-    for (int j = 0; j < n; j++) o[j] = (struct swing){.p = w}; /* where pairs are torn by round-off */
+    for (int j = 0; j < n; j++) o[j] = (struct damped_mode){.p = w}; /* where pairs are torn by round-off */
     sort_out(o, s, Y, w, top, n, life);
     return true;
 }

@@ -1,4 +1,4 @@
-/* spatial_bulk.c -- bodies in space as one: momenta, what their inertia takes, changes of their motion; see sweep.h.
+/* spatial_aggregate.c -- bodies in space as one: momenta, what their inertia takes, changes of their motion; see sweep.h.
  *
  * About the root's frame o, with d = r - o and u = v - v_o, so that little is lost where the bodies are far from the
  * world's origin or fast:
@@ -26,7 +26,7 @@ static inline void add_arms(double *J, double m, const double *x, const double *
     J[5] -= m / 2 * (x[1] * y[2] + x[2] * y[1]);
 }
 
-static inline void add_momenta(struct bulk *o, const double *p, const double *L, const double *d)
+static inline void add_momenta(struct aggregate *o, const double *p, const double *L, const double *d)
 {
     v3_add(o->p, p);
     v3_add(o->L, L);
@@ -42,8 +42,8 @@ static inline void add_inertia(double *J, const double *I, const double *R, doub
     add_arms(J, m, d, d);
 }
 
-static void add_flexible(struct bulk *o, struct flexible *f, const double *d, const double *u, const double *world_w,
-                         int what)
+static void add_flexible(struct aggregate *o, struct flexible *f, const double *d, const double *u,
+                         const double *world_w, int what)
 {
     double v[3], w[3], p[3], L[3], P[3], N[3], h[3], T;
     spatial_flex_shape(f);
@@ -58,12 +58,12 @@ static void add_flexible(struct bulk *o, struct flexible *f, const double *d, co
     v3_axpy(o->c, f->mass, d);
     v3_add(o->c, h);
     o->T += T;
-    if (what < BULK_INERTIA) return;
+    if (what < AGGREGATE_INERTIA) return;
     add_inertia(o->J, f->shape.J, f->R, f->mass, d);
     add_arms(o->J, 2, d, h);
 }
 
-static inline void add_rigid(struct bulk *o, const struct link *l, const struct part *x, const double *d,
+static inline void add_rigid(struct aggregate *o, const struct link *l, const struct part *x, const double *d,
                              const double *u, int what)
 {
     double p[3], w[3], spin[3], L[3];
@@ -75,7 +75,7 @@ static inline void add_rigid(struct bulk *o, const struct link *l, const struct 
     o->m += l->mass;
     v3_axpy(o->c, l->mass, d);
     o->T += .5 * (v3_dot(p, u) + v3_dot(spin, w));
-    if (what >= BULK_INERTIA) add_inertia(o->J, l->inertia, x->R, l->mass, d);
+    if (what >= AGGREGATE_INERTIA) add_inertia(o->J, l->inertia, x->R, l->mass, d);
 }
 
 /* Power of the modes' rows, without that of stiffness and damping. */
@@ -89,7 +89,7 @@ static double power_of_modes(const struct flexible *f, const struct flex_body *b
     return W;
 }
 
-static inline void add_forces(struct bulk *o, const struct part *x, const double *d, const double *u)
+static inline void add_forces(struct aggregate *o, const struct part *x, const double *d, const double *u)
 {
     v3_add(o->F, x->F);
     v3_add(o->N, x->N);
@@ -98,7 +98,7 @@ static inline void add_forces(struct bulk *o, const struct part *x, const double
 }
 
 /* From sums about the root's frame, with S in c. */
-static void about_centre(struct bulk *o, const struct part *root, const double *gravity)
+static void about_centre(struct aggregate *o, const struct part *root, const double *gravity)
 {
     double c[3], v[3];
     v3_scale(c, 1 / o->m, o->c);
@@ -113,10 +113,10 @@ static void about_centre(struct bulk *o, const struct part *root, const double *
     v3_axpy(o->p, o->m, root->v);
 }
 
-void spatial_gather(struct sweep *s, struct bulk *o, const int *body, int n, int what)
+void spatial_aggregate(struct sweep *s, struct aggregate *o, const int *body, int n, int what)
 {
     const struct part *root = &s->part[body[0]];
-    *o = (struct bulk){.m = 0};
+    *o = (struct aggregate){.m = 0};
     for (int i = 0; i < n; i++) {
         const struct part *x = &s->part[body[i]];
         struct flexible *f = spatial_flexible(s, body[i]);
@@ -127,14 +127,14 @@ void spatial_gather(struct sweep *s, struct bulk *o, const int *body, int n, int
             add_flexible(o, f, d, u, x->w, what);
         else
             add_rigid(o, &s->link[body[i]], x, d, u, what);
-        if (what < BULK_FORCES) continue;
+        if (what < AGGREGATE_FORCES) continue;
         add_forces(o, x, d, u);
         if (f) o->W += power_of_modes(f, s->model->body[body[i]].flex);
     }
     about_centre(o, root, s->model->gravity);
 }
 
-static void hasten_flexible(struct part *x, struct flexible *f, const double *a, const double *al, double k)
+static void adjust_flexible(struct part *x, struct flexible *f, const double *a, const double *al, double k)
 {
     static const double still[3] = {0, 0, 0};
     double ab[3], alb[3], F[3], N[3];
@@ -147,7 +147,8 @@ static void hasten_flexible(struct part *x, struct flexible *f, const double *a,
     for (int j = 0; j < f->n; j++) f->Q[j] += f->dQ[j];
 }
 
-void spatial_hasten(struct sweep *s, const struct change *o, const struct bulk *now, const int *body, int n)
+void spatial_adjust_motion(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,
+                           int n)
 {
     for (int i = 0; i < n; i++) {
         struct part *x = &s->part[body[i]];
@@ -164,7 +165,7 @@ void spatial_hasten(struct sweep *s, const struct change *o, const struct bulk *
         v3_add(x->r, o->dr);
         v3_add(x->v, o->dv);
         if (f) {
-            hasten_flexible(x, f, a, al, o->k);
+            adjust_flexible(x, f, a, al, o->k);
             continue;
         }
         v3_axpy(x->F, l->mass, a);
