@@ -55,7 +55,7 @@ double solve_gain(struct solve *o, int i);
  * the drives. */
 void solve_follow(const struct solve *o, double *xt, const double *drive);
 /* Velocities, accelerations (at NULL: not wanted) of the whole tree, of the independent v, a (NULL: zero), with drives
- * as they have been set for t; with accelerations the tree's sweep moves so. */
+ * as they have been set for t; where accelerations are wanted the tree's bodies then move with vt. */
 enum status solve_motion(struct solve *o, double *vt, double *at, const double *q, const double *v, const double *a,
                          double t, struct trouble *why);
 /* Where solve_factor() has been, of the tree's rt: lambda [rows], redundant rows 0; r [n] = r_i + C_qi' lambda. */
