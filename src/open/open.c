@@ -1,4 +1,4 @@
-/* open.c -- see tree.h */
+/* open.c -- see open.h */
 #include "open/open.h"
 
 #include <assert.h>
