@@ -85,7 +85,7 @@ static void motion_keeps_the_rows(void **state)
                 assert_true(o.y[o.split.ind[i]] == o.a[i]);
             }
             for (int i = 0; i < o.n; i++) most = fmax(most, fmax(fabs(o.x[i]), fabs(o.y[i])));
-            o.tree.ops->speed_up(o.tree.sweep, o.x, o.y, ALL);
+            o.tree.ops->accelerate(o.tree.sweep, o.x, o.y, ALL);
             loops_second(o.C, o.rows.loops, o.tree.sweep, o.y);
             for (int r = 0; r < p->nr; r++) {
                 double rate = -o.rows.loops->c1[p->row[r]];
