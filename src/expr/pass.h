@@ -23,7 +23,7 @@
 static void two(enum op op, struct number *x, const struct number *y)
 {
     double a = x->x, b = y->x;
-    switch (op) {
+    switch ((int)op) { /* those of two operands */
     PAIRS(PAIR)
     CHOICES(CHOICE)
     TRUTHS(STEP)
@@ -35,7 +35,7 @@ static void two(enum op op, struct number *x, const struct number *y)
 static void one(enum op op, struct number *x)
 {
     double a = x->x;
-    switch (op) {
+    switch ((int)op) { /* those of one */
     FUNCTIONS(FUNCTION)
     STEPS(STEP)
     default:

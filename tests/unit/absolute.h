@@ -120,9 +120,20 @@ static inline double coordinate_value(const struct any_joint *j, int k, const st
         return k ? atan2(inner(E, G + 6), inner(E, G)) : atan2(inner(E + 6, G + 3), inner(E + 3, G + 3));
     case JOINT_PLANAR:
         return k < 2 ? inner(E + 3 * k, d) : turn;
-    default:
-        return turn;
+    case JOINT_REVOLUTE:
+    case JOINT_SCREW:
+        break;
+    case JOINT_FREE: /* of these and of those below none is asked for */
+    case JOINT_SPHERICAL:
+    case JOINT_FIXED:
+    case JOINT_DISTANCE:
+    case JOINT_POINT_ON_LINE:
+    case JOINT_GEAR:
+    case JOINT_RACK:
+    case JOINT_TYPES:
+        break;
     }
+    return turn;
 }
 
 static inline double measure_value(const struct mechanism *o, int measure, const struct place *p)

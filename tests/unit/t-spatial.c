@@ -87,7 +87,12 @@ static void place_joint(struct places *o, const struct model_joint *j, const dou
     case JOINT_FREE:
         for (int k = 0; k < 6; k++) freedom(o, j, k, k > 2, k < 3 ? base : x, k % 3, x);
         break;
-    default:
+    case JOINT_FIXED:
+    case JOINT_DISTANCE:
+    case JOINT_POINT_ON_LINE:
+    case JOINT_GEAR:
+    case JOINT_RACK:
+    case JOINT_TYPES:
         break;
     }
 }

@@ -102,7 +102,12 @@ static inline struct transform hang(struct transform *base_out, struct transform
         x = times(base, times(shift(q[0], q[1], q[2]), times(turned_back(j->Eb), of_quaternion(q + 3))));
         back = from_b;
         break;
-    default:
+    case JOINT_FIXED:
+    case JOINT_DISTANCE:
+    case JOINT_POINT_ON_LINE:
+    case JOINT_GEAR:
+    case JOINT_RACK:
+    case JOINT_TYPES:
         break;
     }
     *base_out = base;
