@@ -30,6 +30,11 @@ static void strains_at(struct strains *o, const struct elements *e, const struct
     frame_of(&x.a, &angle, e, s, &f->a, on->Ea);
     frame_of(&x.b, &x.angle, e, s, &f->b, on->Eb);
     x.angle -= angle;
+    if (f->nslot > 1) {
+        struct action turn;
+        measure_at(&turn, &e->measures, s, f->slot[1].index, NULL, NULL);
+        x.twist = turn.s;
+    }
     f->kind->strains(o, f->par, &x);
 }
 

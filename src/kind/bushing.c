@@ -6,7 +6,7 @@
  * Rotation.  What takes the first marker's axes A to the second's, B, is a twist psi about the axis z, then a swing by
  * the shortest way from z_a to z_b, with c = z_a x z_b, theta the angle of z_a and z_b, g = theta/sin theta:
  *
- *     psi = atan2(y_a.x_b - x_a.y_b, x_a.x_b + y_a.y_b),     swing vector g c
+ *     psi = atan2(y_a.x_b - x_a.y_b, x_a.x_b + y_a.y_b) and whole turns,     swing vector g c
  *
  * The swing does not depend on the twist, so that V = (kx theta_x^2 + ky theta_y^2 + kz psi^2)/2 with kz = 0 is the
  * same at any angle about z.  (A quadratic form of the rotation vector is not: its stiffness against tilt grows with
@@ -50,8 +50,9 @@ static int odd_one(const double *x)
 }
 
 /* The axis of twist; -1: isotropic. */
-static int twist_axis(const struct bushing *p)
+static int twist_axis(const void *par)
 {
+    const struct bushing *p = par;
     const double *const by[] = {p->kr, p->cr, p->preload_r, p->rest_r};
     int odd = -1;
     for (int i = 0; i < 4 && odd < 0; i++) odd = odd_one(by[i]);
@@ -65,8 +66,9 @@ struct turn {
     double c[3], sine, cosine, theta, g, psi;
 };
 
-static void find_turn(struct turn *o, int z)
+static void find_turn(struct turn *o, int z, double counted)
 {
+    static const double TURN = 6.283185307179586;
     o->x = (z + 1) % 3, o->y = (z + 2) % 3, o->z = z;
     const double *xa = o->A + 3 * o->x, *ya = o->A + 3 * o->y, *xb = o->B + 3 * o->x, *yb = o->B + 3 * o->y;
     v3_cross(o->c, o->A + 3 * z, o->B + 3 * z);
@@ -75,6 +77,7 @@ static void find_turn(struct turn *o, int z)
     o->theta = atan2(o->sine, o->cosine);
     o->g = o->sine > 0 ? o->theta / o->sine : 1;
     o->psi = atan2(v3_dot(ya, xb) - v3_dot(xa, yb), v3_dot(xa, xb) + v3_dot(ya, yb));
+    o->psi += TURN * round((counted - o->psi) / TURN);
 }
 
 /* Below this angle g1 and G1 are by their series: their differences lose digits [rad]. */
@@ -300,7 +303,7 @@ static void take_turn(struct turn *o, const struct bushing *p, const struct betw
         memcpy(o->A, p->on.drawn, sizeof o->A);
         m3_mulm(o->B, Q, o->A);
     }
-    find_turn(o, z);
+    find_turn(o, z, x->twist);
 }
 
 static void strains(struct strains *o, const void *par, const struct between *x)
@@ -348,4 +351,5 @@ const struct force_kind force_bushing = {.name = "bushing",
                                          .brief = "springs and dampers in all directions between two bodies",
                                          .keys = keys,
                                          .size = sizeof(struct bushing),
-                                         .strains = strains};
+                                         .strains = strains,
+                                         .twist = twist_axis};

@@ -48,6 +48,7 @@ struct between {
     int space;
     struct frame a, b;
     double angle; /* plane: of b against a since drawn, continuous [rad] */
+    double twist; /* space: about the axis twist(), with the turns it has taken, to within less than half a turn */
 };
 
 /* A scalar of their relative motion: with v_a, v_b the velocities of the places at_a, at_b on the two bodies
@@ -115,6 +116,10 @@ struct force_kind {
     /* The scalars between two markers; par begins with struct markers.  What k and preload of their laws do is stored,
      * what c does is lost. */
     void (*strains)(struct strains *o, const void *par, const struct between *x);
+
+    /* Optional.  In space: the axis of the markers (0, 1, 2) about which turns are counted, as a measure NAME.twist;
+     * -1: none. */
+    int (*twist)(const void *par);
 };
 
 /* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */

@@ -265,6 +265,18 @@ static int marker_axes(struct builder *b, double *E, const struct node *axis, co
     return 0;
 }
 
+/* What counts its turns, a measure that it reads. */
+static void count_turns(struct builder *b, struct scene_force *f, const struct markers *on, int axis)
+{
+    struct scene_slot *slot = TAKE(b->life, struct scene_slot, 2);
+    struct scene_measure m = {.node = f->node, .type = MEASURE_ANGLE, .angular = true, .a = f->a, .b = f->b};
+    m.name = arena_print(b->life, "%s.twist", f->name);
+    v3_copy(m.axis, on->Ea + 3 * axis);
+    slot[1] = (struct scene_slot){.type = SCENE_MEASURE, .index = measure_add(b, &m)};
+    f->slot = slot;
+    f->nslot = 2;
+}
+
 /* Between markers on two bodies. */
 static int read_between(struct builder *b, struct scene_force *f, const struct node *n, const struct force_kind *kind,
                         const char *what)
@@ -281,6 +293,7 @@ static int read_between(struct builder *b, struct scene_force *f, const struct n
     marker_at(&f->b, b->scene, second, world);
     m3_tmulm(on->Ea, b->scene->body[first].R, E);
     m3_tmulm(on->Eb, b->scene->body[second].R, E);
+    if (kind->twist && b->scene->space == 3 && kind->twist(on) >= 0) count_turns(b, f, on, kind->twist(on));
     f->type = FORCE_BETWEEN;
     f->measure = -1;
     f->kind = kind;

@@ -289,6 +289,30 @@ static void energy_of_a_spinning_disc(void **state)
         }
 }
 
+/* A soft twist goes on through four turns and winds back: psi = w0/w sin(w t), w^2 = k/J. */
+static void a_twist_winds_up(void **state)
+{
+    static const char *const words[] = {"first", "second", "middle", "world"};
+    (void)state;
+    for (int axes = 0; axes < 4; axes++) {
+        struct opened o;
+        char text[600];
+        snprintf(text, sizeof text,
+                 DISC "forces: {b: {bushing: [ground, d], at: [0, 0, 0], rotation: [100, 100, 0.1], axes: %s}}\n"
+                      "initial: {f.omega: [0, 0, 60]}\n"
+                      "integrate: {scheme: midpoint, step: 2.0e-4, until: 0.9}\n"
+                      "output: {every: 0.1, columns: [b.twist]}\n",
+                 words[axes]);
+        open_deck(&o, text);
+        run(&o);
+        const double w = sqrt(5), psi = 60 / w * sin(.9 * w);
+        near(value(&o, "b.twist"), psi, 2e-4);
+        near(value(&o, "b.twist_rate"), 60 * cos(.9 * w), 2e-3);
+        near(value(&o, "energy.elastic"), .05 * psi * psi, 1e-3);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -299,6 +323,7 @@ int main(void)
         cmocka_unit_test(small_rotations),
         cmocka_unit_test(tilt_frequency),
         cmocka_unit_test(energy_of_a_spinning_disc),
+        cmocka_unit_test(a_twist_winds_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
