@@ -49,7 +49,7 @@ static void rows_are_slopes(void **state)
     (void)state;
     double worst[2] = {0, 0};
     int turned = 0;
-    for (unsigned seed = 1; seed <= 100; seed++) {
+    for (unsigned seed = 1; seed <= 300; seed++) {
         struct bench o;
         struct tree_dice d = {seed};
         open_bench(&o, seed % 4 ? 3 : 2, seed);
