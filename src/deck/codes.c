@@ -181,6 +181,11 @@ const struct diag_help diag_helps[] = {
     {"W-bending",
      "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
      "followed by several: give the beam 'segments', or more of them."},
+    {"W-bushing",
+     "A bushing with different stiffnesses about its axes tilted by more than 0.5 rad. Large rotations are measured as "
+     "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
+     "meant to "
+     "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
     {"W-modes",
      "Two modes of a beam have one frequency, as those of a round shaft in its two planes, and 'modes' cuts between "
      "them: with one of the two the beam bends differently in the two planes, and what whirls, whirls wrongly. "

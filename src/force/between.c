@@ -35,6 +35,7 @@ static void strains_at(struct strains *o, const struct elements *e, const struct
         measure_at(&turn, &e->measures, s, f->slot[1].index, NULL, NULL);
         x.twist = turn.s;
     }
+    o->tilt = 0;
     f->kind->strains(o, f->par, &x);
 }
 
@@ -128,6 +129,15 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
 {
     (void)m, (void)f;
     p->stores = p->ends = true;
+}
+
+double elements_tilt(const struct elements *e, const struct sweep *s, int force)
+{
+    const struct model_force *f = &e->model->force[force];
+    struct strains strains;
+    if (f->type != FORCE_BETWEEN) return 0;
+    strains_at(&strains, e, s, f);
+    return strains.tilt;
 }
 
 const struct element_kind element_between = {

@@ -55,6 +55,8 @@ double elements_stored(const struct elements *e, const struct sweep *s, const do
 bool elements_turn(const struct elements *e);
 void elements_turned(struct elements *e, const struct sweep *s, double t);
 void elements_stand(struct elements *e, int measure, double x);
+/* The tilt of a force between markers, see strains in kind/force.h [rad]; 0: it has none. */
+double elements_tilt(const struct elements *e, const struct sweep *s, int force);
 void elements_measure(const struct elements *e, const struct sweep *s, double *value, double *rate, int measure,
                       const double *q, const double *v);
 

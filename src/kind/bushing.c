@@ -254,6 +254,12 @@ static void damp(struct strains *o, const struct bushing *p, const struct betwee
     for (int i = 0; i < 3; i++) add_turn(o, 0, D + 3 * i, (struct affine){.c = p->cr[i]}, x, still);
 }
 
+/* Where the stiffnesses against tilt are the same and that against twist is none, no other law is thinkable. */
+static bool by_convention(const struct bushing *p, const struct turn *t)
+{
+    return p->kr[t->x] != p->kr[t->y] || p->kr[t->z] != 0;
+}
+
 static void swing_and_twist(struct strains *o, const struct bushing *p, const struct between *x, const struct turn *t)
 {
     const bool still = p->axes == AXES_WORLD, middle = p->axes == AXES_MIDDLE, second = p->axes == AXES_SECOND;
@@ -277,6 +283,7 @@ static void swing_and_twist(struct strains *o, const struct bushing *p, const st
     v3_scale(row, 1 / (1 + t->cosine), row);
     add_turn(o, t->psi, row, spring_about(p, t->z), x, still);
     damp(o, p, x, D, still);
+    if (by_convention(p, t)) o->tilt = t->theta;
 }
 
 /* Along the rotation vector. */

@@ -68,6 +68,7 @@ enum { MOST_STRAINS = 9 };
 struct strains {
     int n;
     double at_a[3], at_b[3]; /* [m] world */
+    double tilt;             /* a rotation whose large values stiffnesses share by convention [rad]; 0 by default */
     struct strain of[MOST_STRAINS];
 };
 

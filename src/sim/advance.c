@@ -20,6 +20,7 @@ static enum status push(struct sim *sim, double h, int ratio)
     if (h < sim->min_h) sim->min_h = h;
     rotations_note(sim, h, ratio);
     spins_note(sim);
+    tilts_note(sim);
     return deflections_note(sim);
 }
 

@@ -50,6 +50,11 @@ void spins_note(struct sim *sim);
 bool spins_passed(const struct sim *sim);
 void print_spins(const struct sim *sim, FILE *to);
 
+/* tilts.c: the largest rotations of bushings that are shared by convention */
+void tilts_open(struct sim *sim, struct arena *life);
+void tilts_note(struct sim *sim);
+void print_tilts(const struct sim *sim, FILE *to);
+
 /* jumps.c: drives that jump in the major step that ends at `to` */
 void jumps_open(struct sim *sim, struct arena *life);
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);

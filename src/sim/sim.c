@@ -71,6 +71,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     events_open(sim, life);
     deflections_open(sim, life);
     spins_open(sim, life);
+    tilts_open(sim, life);
     jumps_open(sim, life);
     sim->system = system_build(m, life);
     if (follows_turns(sim)) system_follow_turns(sim->system, life);

@@ -89,6 +89,11 @@ struct sim {
         int body;                /* of the model: flexible, without geometric stiffening */
         double most, axis[3], t; /* fastest turn of its frame at the end of a step [rad/s], about what, when */
     } * spin;                    /* [nspin] */
+    int ntilt;
+    struct tilting {
+        int force;
+        double most, t; /* largest tilt at the end of a step [rad], when */
+    } * tilt;           /* [ntilt] */
     int njump;
     struct jumping {
         int loop;    /* of the model: a drive that may jump */

@@ -138,6 +138,7 @@ void print_end(const struct sim *sim, double wall)
     if (!to) return;
     print_rotations(sim, to);
     print_spins(sim, to);
+    print_tilts(sim, to);
     print_deflections(sim, to);
     if (sim->watch.slot && (sim->watch.met || sim->status == OK)) {
         print_condition(sim, to);

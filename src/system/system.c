@@ -298,6 +298,11 @@ void system_frame_spin(const struct system *s, double *w, int body)
     m3_tmul(w, frame.R, frame.w);
 }
 
+double system_tilt(const struct system *s, int force)
+{
+    return elements_tilt(s->tree.elements, s->tree.sweep, force);
+}
+
 /* p = sum m v,  L = sum (r x m v + I w) */
 void system_momentum(const struct system *s, double *p, double *L)
 {

@@ -79,6 +79,9 @@ enum status system_energy_at(struct system *s, struct energies *e, const double 
 /* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
 void system_frame_spin(const struct system *s, double *w, int body);
 
+/* elements_tilt(), at the last system_energy_at(). */
+double system_tilt(const struct system *s, int force);
+
 /* Linear momentum and angular momentum about the world's origin [3] each, at the last see(). */
 void system_momentum(const struct system *s, double *p, double *L);
 

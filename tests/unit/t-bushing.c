@@ -313,6 +313,38 @@ static void a_twist_winds_up(void **state)
     }
 }
 
+/* Tilted farther than half a radian: told where stiffnesses differ, not where they are the same all round the axis. */
+static void large_tilts_are_told(void **state)
+{
+    static const struct {
+        const char *rotation, *omega, *words;
+    } runs[] = {{"[1, 2, 0]", "[9, 0, 6]", "'b' tilts by 0.76 rad"},
+                {"[2, 2, 0.1]", "[9, 0, 6]", "[W-bushing]"},
+                {"[2, 2, 0]", "[9, 0, 6]", NULL},
+                {"[1, 1, 1]", "[9, 0, 6]", NULL},
+                {"[1, 2, 0]", "[4, 0, 6]", NULL}};
+    (void)state;
+    for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
+        struct opened o;
+        char text[600], *words;
+        size_t size;
+        snprintf(text, sizeof text,
+                 DISC "forces: {b: {bushing: [ground, d], at: [0, 0, 0], rotation: %s}}\n"
+                      "initial: {f.omega: %s}\n"
+                      "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n"
+                      "output: {every: 0.1, columns: [t]}\n",
+                 runs[i].rotation, runs[i].omega);
+        open_deck(&o, text);
+        run(&o);
+        FILE *to = open_memstream(&words, &size);
+        print_tilts(&o.sim, to);
+        fclose(to);
+        if (runs[i].words ? !strstr(words, runs[i].words) : size > 0) fail_msg("%s: %s", runs[i].rotation, words);
+        free(words);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -324,6 +356,7 @@ int main(void)
         cmocka_unit_test(tilt_frequency),
         cmocka_unit_test(energy_of_a_spinning_disc),
         cmocka_unit_test(a_twist_winds_up),
+        cmocka_unit_test(large_tilts_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
