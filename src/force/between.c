@@ -1,8 +1,8 @@
-/* between.c -- kinds that work between two markers: along the strains that they name, each with an affine law.
+/* between.c -- kinds that work between two markers: along the strains that they name.
  *
- * With rows g_i of the strains' rates, s_i' = g_i u,
+ * With rows g_i of the strains' rates, s_i' = g_i u, of f_i with what is lost,
  *
- *     Q = g_i' f_i,   V = sum (k x^2/2 - preload x), x = s - rest,   K += g_i' k_i g_i,   C += g_i' c_i g_i
+ *     Q = g_i' f_i,   V = sum V_i,   K += g_i' ks_i g_i,   C += g_i' kv_i g_i
  *
  * where K leaves out how the rows turn: that counts with the force.  Over an interval the work is -(V_b - V_a) to
  * round-off: the remainder, of third order, is given to the rotations (see law.c). */
@@ -35,20 +35,9 @@ static void strains_at(struct strains *o, const struct elements *e, const struct
         measure_at(&turn, &e->measures, s, f->slot[1].index, NULL, NULL);
         x.twist = turn.s;
     }
+    o->n = 0;
     o->tilt = 0;
     f->kind->strains(o, f->par, &x);
-}
-
-static double energy(const struct strains *o)
-{
-    double twice = 0, preloaded = 0;
-    for (int i = 0; i < o->n; i++) {
-        const struct affine *p = &o->of[i].law;
-        const double x = o->of[i].s - p->rest;
-        twice += p->k * x * x;
-        preloaded += p->preload * x;
-    }
-    return .5 * twice - preloaded;
 }
 
 /* Resultant on b: force at at_b, torque; torque on a, whose force is the opposite. */
@@ -60,10 +49,9 @@ struct wrench {
 
 static void add(struct wrench *o, const struct strain *s)
 {
-    const struct affine *p = &s->law;
-    const double kept = p->preload - p->k * (s->s - p->rest), lost = -p->c * s->rate, f = kept + lost;
-    o->kept += kept * s->rate;
-    o->lost += lost * s->rate;
+    const double f = s->f + s->lost;
+    o->kept += s->f * s->rate;
+    o->lost += s->lost * s->rate;
     if (s->slides) {
         v3_axpy(o->F, f, s->dir);
         o->force += f * f;
@@ -111,8 +99,8 @@ static void slopes(struct elements *e, struct sweep *s, struct part_of *p, doubl
         if (g->slides) row_add_body(&e->row, m, s, f->a.body, strains.at_a, g->dir, -1);
         if (g->turns) row_add_body(&e->row, m, s, f->b.body, NULL, g->on_b, 1);
         if (g->turns) row_add_body(&e->row, m, s, f->a.body, NULL, g->on_a, 1);
-        outer(e, K, &e->row, &e->row, g->law.k);
-        outer(e, C, &e->row, &e->row, g->law.c);
+        outer(e, K, &e->row, &e->row, g->ks);
+        outer(e, C, &e->row, &e->row, g->kv);
     }
 }
 
@@ -120,9 +108,11 @@ static double stored(const struct elements *e, const struct sweep *s, const stru
                      const double *v)
 {
     struct strains strains;
+    double V = 0;
     (void)q, (void)v;
     strains_at(&strains, e, s, f);
-    return energy(&strains);
+    for (int i = 0; i < strains.n; i++) V += strains.of[i].V;
+    return V;
 }
 
 static void sort(struct part_of *p, const struct model *m, const struct model_force *f)

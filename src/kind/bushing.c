@@ -138,6 +138,17 @@ static void find_middle(double *M, const struct turn *o)
 
 /* --- strains ----------------------------------------------------------------------------------- */
 
+/* What a spring and damper does along s. */
+static void spring(struct strain *s, struct affine law)
+{
+    const double x = s->s - law.rest;
+    s->V = .5 * law.k * x * x - law.preload * x;
+    s->f = law.preload - law.k * x;
+    s->lost = -law.c * s->rate;
+    s->ks = law.k;
+    s->kv = law.c;
+}
+
 /* The axes that displacements are measured along; world. */
 struct axes {
     double E[9], w[3];           /* by column; their angular velocity [rad/s] */
@@ -214,7 +225,7 @@ static void slide(struct strains *o, const struct bushing *p, const struct betwe
         s->slides = true;
         s->turns = m.own;
         if (s->turns) couple(s, &m, d);
-        s->law = (struct affine){p->k[i], p->c[i], p->rest[i], p->preload[i]};
+        spring(s, (struct affine){p->k[i], p->c[i], p->rest[i], p->preload[i]});
     }
 }
 
@@ -240,7 +251,7 @@ static void add_turn(struct strains *o, double s, const double *row, struct affi
     to->rate = v3_dot(to->on_b, x->b.w) + v3_dot(to->on_a, x->a.w);
     to->slides = false;
     to->turns = true;
-    to->law = law;
+    spring(to, law);
 }
 
 static struct affine spring_about(const struct bushing *p, int i)
@@ -320,7 +331,6 @@ static void strains(struct strains *o, const void *par, const struct between *x)
     struct turn t;
     take_turn(&t, p, x, z < 0 ? 2 : z);
     if (x->space == 2) t.psi = x->a.E[8] * x->angle;
-    o->n = 0;
     slide(o, p, x, &t);
     if (x->space == 2)
         add_turn(o, t.psi, x->a.E + 6, (struct affine){p->kr[2], p->cr[2], p->rest_r[2], p->preload_r[2]}, x, false);

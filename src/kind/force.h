@@ -2,7 +2,7 @@
  *
  * A law acts along a measure s: a joint coordinate, the distance of two points, an angle.  It is told
  * s and its rate and answers with the force and its slopes.  Between two markers, one on each of two bodies, a kind
- * says which scalars of their relative motion it works along, and with what law each.  force/ does the rest, the same
+ * says which scalars of their relative motion it works along, and with what force each.  force/ does the rest, the same
  * for all kinds: the load
  *
  *     Q_F += (ds/dq)' f                                                      (2-1)
@@ -51,7 +51,8 @@ struct between {
     double twist; /* space: about the axis twist(), with the turns it has taken, to within less than half a turn */
 };
 
-/* A scalar of their relative motion: with v_a, v_b the velocities of the places at_a, at_b on the two bodies
+/* A scalar of their relative motion and what works along it.  With v_a, v_b the velocities of the places at_a, at_b on
+ * the two bodies
  *
  *     s' = dir . (v_b - v_a) + on_a . w_a + on_b . w_b
  *
@@ -61,12 +62,14 @@ struct strain {
     bool slides, turns;      /* are there forces, torques? */
     double dir[3];           /* unit; world axes */
     double on_a[3], on_b[3]; /* [1] or [m]; world axes */
-    struct affine law;
+    double V;                /* stored energy [J] */
+    double f, lost; /* its force -dV/ds, positive when it drives s upwards; what is added to it and lost or put in */
+    double ks, kv;  /* -d(f + lost)/ds, -d(f + lost)/ds' */
 };
 
 enum { MOST_STRAINS = 9 };
 struct strains {
-    int n;
+    int n;                   /* 0 when the kind is asked */
     double at_a[3], at_b[3]; /* [m] world */
     double tilt;             /* a rotation whose large values stiffnesses share by convention [rad]; 0 by default */
     struct strain of[MOST_STRAINS];
@@ -114,8 +117,7 @@ struct force_kind {
      * slopes never change and its discrete gradient is the midpoint force. */
     bool (*affine)(struct affine *o, const void *par);
 
-    /* The scalars between two markers; par begins with struct markers.  What k and preload of their laws do is stored,
-     * what c does is lost. */
+    /* The scalars between two markers, all members; par begins with struct markers. */
     void (*strains)(struct strains *o, const void *par, const struct between *x);
 
     /* Optional.  In space: the axis of the markers (0, 1, 2) about which turns are counted, as a measure NAME.twist;
