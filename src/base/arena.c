@@ -14,7 +14,7 @@
 
 struct block {
     struct block *before;
-    size_t room, used;
+    size_t capacity, used;
     alignas(max_align_t) unsigned char bytes[];
 };
 
@@ -50,11 +50,11 @@ static void *system_memory(size_t bytes)
 
 static void grow(struct arena *arena, size_t bytes)
 {
-    size_t room = arena->block ? 2 * arena->block->room : FIRST_BLOCK;
-    while (room < bytes + ALIGNMENT) room *= 2;
-    struct block *block = system_memory(sizeof *block + room);
+    size_t capacity = arena->block ? 2 * arena->block->capacity : FIRST_BLOCK;
+    while (capacity < bytes + ALIGNMENT) capacity *= 2;
+    struct block *block = system_memory(sizeof *block + capacity);
     block->before = arena->block;
-    block->room = room;
+    block->capacity = capacity;
     block->used = 0;
     arena->block = block;
     arena->grown++;
@@ -90,7 +90,7 @@ void *arena_take(struct arena *arena, size_t count, size_t bytes)
 {
     if (bytes && count > (SIZE_MAX / 4) / bytes) out_of_memory();
     size_t size = count * bytes;
-    if (aligned(arena->block) + size > arena->block->room) grow(arena, size);
+    if (aligned(arena->block) + size > arena->block->capacity) grow(arena, size);
     size_t start = aligned(arena->block);
     void *memory = arena->block->bytes + start;
     arena->block->used = start + size;
@@ -99,12 +99,12 @@ void *arena_take(struct arena *arena, size_t count, size_t bytes)
     return memory;
 }
 
-void *arena_more(struct arena *arena, void *list, int n, int *room, size_t bytes)
+void *arena_more(struct arena *arena, void *list, int n, int *capacity, size_t bytes)
 {
-    if (n < *room) return list;
-    if (*room > INT_MAX / 2) out_of_memory();
-    *room = *room ? 2 * *room : FIRST_ITEMS;
-    void *more = arena_take(arena, (size_t)*room, bytes);
+    if (n < *capacity) return list;
+    if (*capacity > INT_MAX / 2) out_of_memory();
+    *capacity = *capacity ? 2 * *capacity : FIRST_ITEMS;
+    void *more = arena_take(arena, (size_t)*capacity, bytes);
     if (n) memcpy(more, list, (size_t)n * bytes);
     return more;
 }

@@ -25,7 +25,7 @@ void *arena_take(struct arena *arena, size_t count, size_t bytes);
 #define TAKE(arena, type, n) ((type *)arena_take(arena, (size_t)(n), sizeof(type)))
 
 /* A list of n items of `bytes` with room for one more: itself, or in a place of twice the room. */
-void *arena_more(struct arena *arena, void *list, int n, int *room, size_t bytes);
+void *arena_more(struct arena *arena, void *list, int n, int *capacity, size_t bytes);
 
 /* A copy of len bytes with a 0 after them. */
 char *arena_copy(struct arena *arena, const char *text, size_t len);

@@ -27,7 +27,7 @@ bool file_same(const struct file_id *a, const struct file_id *b)
 
 static void add(struct files *files, struct file_id id)
 {
-    files->id = arena_more(files->arena, files->id, files->n, &files->room, sizeof *files->id);
+    files->id = arena_more(files->arena, files->id, files->n, &files->capacity, sizeof *files->id);
     files->id[files->n++] = id;
 }
 

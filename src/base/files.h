@@ -21,7 +21,7 @@ bool file_same(const struct file_id *a, const struct file_id *b);
 /* A list of files; starts zeroed but for its arena. */
 struct files {
     struct arena *arena;
-    int n, room;
+    int n, capacity;
     struct file_id *id; /* [n] */
 };
 

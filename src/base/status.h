@@ -8,7 +8,7 @@
 #ifndef FMDSUB_BASE_STATUS_H
 #define FMDSUB_BASE_STATUS_H
 
-/* A call that drops its status is told by the compiler, through pointers, too. */
+/* A call that drops its status is reported by the compiler, through pointers, too. */
 #if defined(__clang__)
 #define NOT_DROPPED __attribute__((warn_unused_result))
 #elif defined(__GNUC__) && __GNUC__ >= 11

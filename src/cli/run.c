@@ -114,7 +114,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     struct sim sim;
     const struct sim_options options = {
         .version = FMDSUB_VERSION,
-        .say = request->quiet ? NULL : stderr,
+        .log = request->quiet ? NULL : stderr,
         .progress = shows_progress(request) ? PROGRESS_ALWAYS : PROGRESS_NEVER,
     };
     enum status status = cli_load(&scene, &diags, request, life, report);
@@ -125,13 +125,13 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     status = stream_run(&sim, request, life, report);
     if (request->final_state && status != E_SIGPIPE) {
         struct report failed = {0};
-        enum status told = write_state(&sim, request, life, &failed);
-        if (told != OK && status == OK) status = fail(report, told, "%s", failed.text);
+        enum status written = write_state(&sim, request, life, &failed);
+        if (written != OK && status == OK) status = fail(report, written, "%s", failed.text);
     }
     if (status == OK && request->strict) status = strict_verdict(&sim, diags, report);
     if ((request->want_stats || request->verbose) && status != E_SIGPIPE) {
-        enum status told = write_stats(&sim, request, report);
-        if (status == OK) status = told;
+        enum status written = write_stats(&sim, request, report);
+        if (status == OK) status = written;
     }
     return status;
 }

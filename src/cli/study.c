@@ -100,7 +100,7 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     struct choices choices;
     struct table *table = NULL;
     struct study_options o = {.version = FMDSUB_VERSION,
-                              .say = request->quiet ? NULL : stderr,
+                              .log = request->quiet ? NULL : stderr,
                               .scheme = choices.scheme,
                               .ratio = choices.ratio,
                               .step = choices.step};

@@ -6,8 +6,8 @@
 struct csv {
     struct deck *deck;
     const struct source *source;
-    int file, columns, rows, room, told, lean;
-    double *x; /* [room x columns] */
+    int file, columns, rows, capacity, reported, lean;
+    double *x; /* [capacity x columns] */
 };
 
 /* A field without the blanks around it. */
@@ -39,17 +39,17 @@ static bool number(double *out, const char *text, struct field f)
 
 static double *new_row(struct csv *c)
 {
-    c->x = arena_more(c->deck->arena, c->x, c->rows, &c->room, (size_t)c->columns * sizeof *c->x);
+    c->x = arena_more(c->deck->arena, c->x, c->rows, &c->capacity, (size_t)c->columns * sizeof *c->x);
     return c->x + (size_t)c->rows * (size_t)c->columns;
 }
 
-static void tell_field(struct csv *c, struct field f)
+static void report_field(struct csv *c, struct field f)
 {
     const char *text = c->source->text;
     struct diags *d = c->deck->diags;
     const char *found =
         arena_print(c->deck->arena, "%.*s", (int)(f.to - f.from < 200 ? f.to - f.from : 200), text + f.from);
-    c->told++;
+    c->reported++;
     diag_error_in(d, field_span(c, f), "E-csv",
                   *found ? "expected a number, found '%s'" : "expected a number, found nothing%s", diag_clip(d, found));
     if (memchr(text + f.from, ';', f.to - f.from)) diag_hint(d, "columns are separated by commas");
@@ -82,14 +82,14 @@ static void read_line(struct csv *c, struct field line, bool may_be_names)
     bool fine = split(c, new_row(c), line, &count, &bad);
     if (count != c->columns) {
         if (c->lean++) return; /* rows of one file are wrong in the same way */
-        c->told++;
+        c->reported++;
         diag_error_in(c->deck->diags, field_span(c, line), "E-csv", "expected %d columns, found %d", c->columns, count);
         if (memchr(c->source->text + line.from, ';', line.to - line.from))
             diag_hint(c->deck->diags, "columns are separated by commas");
     } else if (fine) {
         c->rows++;
     } else if (!may_be_names) {
-        tell_field(c, bad);
+        report_field(c, bad);
     }
 }
 
@@ -111,7 +111,7 @@ static bool names(const struct csv *c, struct field line)
 static void read_lines(struct csv *c)
 {
     bool first = true;
-    for (int i = 1; i <= c->source->lines && c->told < DIAGS_SHOWN; i++) {
+    for (int i = 1; i <= c->source->lines && c->reported < DIAGS_SHOWN; i++) {
         struct field line = trimmed(c->source->text, c->source->line[i - 1], source_line_end(c->source, i));
         if (line.from == line.to || c->source->text[line.from] == '#') continue;
         read_line(c, line, first && names(c, line));
@@ -130,10 +130,10 @@ enum status deck_csv(double **x, int *rows, int columns, const struct node *file
     c.file = diags_add_source(deck->diags, s);
     hash_text(deck, s->text, s->len + 1);
     read_lines(&c);
-    if (c.rows == 0 && !c.told)
+    if (c.rows == 0 && !c.reported)
         diag_error(deck->diags, file, AT_VALUE, "E-csv", "'%s' holds no rows", diag_clip(deck->diags, file->text)),
-            c.told++;
+            c.reported++;
     *x = c.x;
     *rows = c.rows;
-    return c.told ? E_DECK : OK;
+    return c.reported ? E_DECK : OK;
 }

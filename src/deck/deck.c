@@ -89,7 +89,7 @@ static bool clean(struct deck *deck, int file, const struct source *s)
 static bool is_map(struct deck *deck, const struct node *root, const char *what)
 {
     if (root->type == NODE_MAP) return true;
-    if (root->told) return false;
+    if (root->reported) return false;
     if (node_is_null(root)) {
         diag_error(deck->diags, root, AT_VALUE, "E-empty", "%s is empty", what);
         return false;
@@ -114,7 +114,7 @@ int deck_open_file(const struct node *n, struct deck *deck)
 {
     const char *why = "its name is empty or too long";
     int fd = -1;
-    if (n->told) return -1;
+    if (n->reported) return -1;
     if (n->type != NODE_SCALAR)
         why = "its name is not a text";
     else if (n->len > 0 && n->len < 4096)

@@ -53,10 +53,10 @@ struct deck {
 enum status deck_load(struct deck **out, const char *path, const struct deck_options *options, struct diags *diags,
                       struct arena *arena, struct report *report);
 
-/* A number, or an expression of parameters and loop variables.  E_DECK: told, here or before. */
+/* A number, or an expression of parameters and loop variables.  E_DECK: reported, here or before. */
 enum status deck_number(double *out, const struct node *n, struct deck *deck);
 
-/* An expression of parameters, loop variables, and names of the caller's, in this order.  E_DECK: told.  Marks the node
+/* An expression of parameters, loop variables, and names of the caller's, in this order.  E_DECK: reported.  Marks the node
  * as a formula. */
 enum status deck_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
 
@@ -79,10 +79,10 @@ void deck_print(FILE *to, const struct deck *deck);
 /* Rows of numbers from a file beside the deck: x [rows x columns] by row. */
 enum status deck_csv(double **x, int *rows, int columns, const struct node *file, struct deck *deck);
 
-/* The map in a YAML file beside the deck, without include: or parameters: of its own; NULL: told. */
+/* The map in a YAML file beside the deck, without include: or parameters: of its own; NULL: reported. */
 const struct node *deck_yaml(const struct node *file, struct deck *deck);
 
-/* The path of a file beside the deck, which joins the deck's hash; NULL: told. */
+/* The path of a file beside the deck, which joins the deck's hash; NULL: reported. */
 const char *deck_file(const struct node *n, struct deck *deck);
 
 #endif

@@ -23,7 +23,7 @@ struct diag {
 
 struct diags {
     struct arena *arena;
-    int nsource, source_room;
+    int nsource, source_capacity;
     const struct source **source;
     int n, errors, warnings;
     bool limit;
@@ -40,7 +40,7 @@ struct diags *diags_open(struct arena *arena)
 
 int diags_add_source(struct diags *d, const struct source *s)
 {
-    d->source = arena_more(d->arena, d->source, d->nsource, &d->source_room, sizeof *d->source);
+    d->source = arena_more(d->arena, d->source, d->nsource, &d->source_capacity, sizeof *d->source);
     d->source[d->nsource] = s;
     return d->nsource++;
 }

@@ -107,7 +107,7 @@ static struct node *read_part(int fd, const struct node *n, const char *path, co
 static struct node *include_file(const struct node *n, const struct chain *c, struct deck *deck)
 {
     struct stat st;
-    if (n->told) return NULL;
+    if (n->reported) return NULL;
     if (n->type != NODE_SCALAR || n->len == 0) {
         diag_error(deck->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-include", "expected a file name, found %s",
                    node_type_name(n));

@@ -42,10 +42,10 @@ struct node {
     int height; /* of the tree below as it was read: 0 for a scalar */
 
     const struct scope *scope;
-    bool flow;    /* list or map inside [ ] or { }; members then too */
-    bool implied; /* a default that the reader filled in */
-    bool told;    /* what is wrong with it has been said: readers fail silently */
-    bool formula; /* read as an expression of more than parameters: its names stay names */
+    bool flow;     /* list or map inside [ ] or { }; members then too */
+    bool implied;  /* a default that the reader filled in */
+    bool reported; /* what is wrong with it has been said: readers fail silently */
+    bool formula;  /* read as an expression of more than parameters: its names stay names */
     bool has_value;
     double value; /* the number it was read as */
 };

@@ -31,13 +31,13 @@ int deck_parameter(double *out, const char *name, const struct deck *deck)
 }
 
 /* Asks the caller's names last; a near miss may come from parameters and loop variables. */
-static int not_here(struct lookup *look, int *slot, double *value, const char *name, struct expr_error *error)
+static int not_here(struct lookup *lookup, int *slot, double *value, const char *name, struct expr_error *error)
 {
-    int unknown = look->more ? look->more->find(look->more->self, slot, value, name, error) : 1;
+    int unknown = lookup->more ? lookup->more->find(lookup->more->self, slot, value, name, error) : 1;
     if (unknown == 0) return 0;
-    if (unknown == 2) look->broken = true;
-    const char *near = diag_nearest(name, look->deck->parameter_name, look->deck->nparameter);
-    for (const struct scope *s = look->scope; s && !near; s = s->up)
+    if (unknown == 2) lookup->broken = true;
+    const char *near = diag_nearest(name, lookup->deck->parameter_name, lookup->deck->nparameter);
+    for (const struct scope *s = lookup->scope; s && !near; s = s->up)
         if (diag_nearest(name, &s->name, 1)) near = s->name;
     if (near && !error->hint[0]) snprintf(error->hint, sizeof error->hint, "did you mean '%.100s'?", near);
     return 1;
@@ -45,16 +45,16 @@ static int not_here(struct lookup *look, int *slot, double *value, const char *n
 
 int lookup_find(void *self, int *slot, double *value, const char *name, struct expr_error *error)
 {
-    struct lookup *look = self;
+    struct lookup *lookup = self;
     *slot = -1;
-    for (const struct scope *s = look->scope; s; s = s->up)
+    for (const struct scope *s = lookup->scope; s; s = s->up)
         if (!strcmp(s->name, name)) return *value = s->value, 0;
-    struct parameter *p = parameter_find(look->deck, name);
-    if (!p) return not_here(look, slot, value, name, error);
+    struct parameter *p = parameter_find(lookup->deck, name);
+    if (!p) return not_here(lookup, slot, value, name, error);
     *value = p->value;
     p->used = true;
-    if (p->state == WAITING || p->state == BUSY) look->pending = (int)(p - look->deck->parameter);
-    if (p->state == BROKEN) look->broken = true;
+    if (p->state == WAITING || p->state == BUSY) lookup->pending = (int)(p - lookup->deck->parameter);
+    if (p->state == BROKEN) lookup->broken = true;
     return p->state != KNOWN;
 }
 
@@ -89,9 +89,9 @@ static bool is_exact(const struct deck *deck, const struct node *n)
 
 /* ---- what is wrong ---- */
 
-static enum status tell(const struct node *n)
+static enum status reported(const struct node *n)
 {
-    ((struct node *)n)->told = true; /* nodes are the deck's: never const themselves */
+    ((struct node *)n)->reported = true; /* nodes are the deck's: never const themselves */
     return E_DECK;
 }
 
@@ -123,13 +123,13 @@ static const char *numeral_hint(const char *text, const struct expr_error *error
     return error->hint;
 }
 
-static enum status tell_numeral(const struct node *n, const struct expr_error *error, struct deck *deck)
+static enum status report_numeral(const struct node *n, const struct expr_error *error, struct deck *deck)
 {
     const char *hint = numeral_hint(n->text, error);
     diag_error(deck->diags, n, AT_VALUE, error->limit ? "E-limit-expression" : "E-number", "'%s' is not a number: %s",
                diag_clip(deck->diags, n->text), error->text);
     if (*hint) diag_hint(deck->diags, "%s", hint);
-    return tell(n);
+    return reported(n);
 }
 
 static bool doubled_star(const char *text, size_t at)
@@ -138,21 +138,21 @@ static bool doubled_star(const char *text, size_t at)
 }
 
 /* state: more than parameters may be read here. */
-static enum status tell_error(const struct node *n, const struct expr_error *error, bool state, struct deck *deck)
+static enum status report_error(const struct node *n, const struct expr_error *error, bool state, struct deck *deck)
 {
     struct diags *d = deck->diags;
     const char *code = error->limit ? "E-limit-expression" : "E-expression";
     if (endless(n->text)) {
         diag_error(d, n, AT_VALUE, "E-number", "'%s' is not a number: it is not finite", diag_clip(d, n->text));
-        return tell(n);
+        return reported(n);
     }
-    if (numeral(n->text)) return tell_numeral(n, error, deck);
+    if (numeral(n->text)) return report_numeral(n, error, deck);
     if (text_is_name(n->text) && !expr_is_word(n->text) && !state) {
         diag_error(d, n, AT_VALUE, "E-number", "expected a number, found '%s'", diag_clip(d, n->text));
         diag_hint(d, "%s", error->hint[0] ? error->hint : "no parameter has this name");
-        return tell(n);
+        return reported(n);
     }
-    /* Through a node at the place, so that copies of a repeat are told once. */
+    /* Through a node at the place, so that copies of a repeat are reported once. */
     struct node at = *n;
     struct span span = place(deck, n, error->offset, error->length);
     at.mark = span.from;
@@ -161,14 +161,14 @@ static enum status tell_error(const struct node *n, const struct expr_error *err
     const char *hint = doubled_star(n->text, error->offset) ? "a power is written x^2" : error->hint;
     if (*hint) diag_hint(d, "%s", hint);
     if (!is_exact(deck, n)) diag_hint(d, "in \"%s\"", diag_clip(d, n->text));
-    return tell(n);
+    return reported(n);
 }
 
-static enum status tell_type(const struct node *n, const char *expected, struct deck *deck)
+static enum status report_type(const struct node *n, const char *expected, struct deck *deck)
 {
     const char *found = n->type == NODE_SCALAR && n->quoted ? "an empty text" : node_type_name(n);
     diag_error(deck->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-type", "expected %s, found %s", expected, found);
-    return tell(n);
+    return reported(n);
 }
 
 /* ---- evaluating ---- */
@@ -185,33 +185,34 @@ static bool plain(double *out, const struct node *n)
     return true;
 }
 
-enum evaluated evaluate(double *out, const struct node *n, struct lookup *look)
+enum evaluated evaluate(double *out, const struct node *n, struct lookup *lookup)
 {
-    struct deck *deck = look->deck;
+    struct deck *deck = lookup->deck;
     struct expr *e;
     struct expr_error error;
-    look->pending = -1;
-    look->broken = false;
+    lookup->pending = -1;
+    lookup->broken = false;
     *out = 0;
-    if (n->told) return TOLD;
-    if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0) return (void)tell_type(n, "a number", deck), TOLD;
+    if (n->reported) return REPORTED;
+    if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0)
+        return (void)report_type(n, "a number", deck), REPORTED;
     if (plain(out, n)) return EVALUATED;
     struct arena_mark mark = arena_mark(deck->scratch);
-    int bad = expr_parse(&e, n->text, n->len, &(struct expr_names){lookup_find, look}, deck->scratch, &error);
+    int bad = expr_parse(&e, n->text, n->len, &(struct expr_names){lookup_find, lookup}, deck->scratch, &error);
     if (!bad) *out = expr_value(e, NULL);
     arena_rewind(deck->scratch, mark);
     if (!bad) return EVALUATED;
-    if (look->pending >= 0) return PENDING;
-    if (look->broken) return (void)tell(n), TOLD;
-    return (void)tell_error(n, &error, false, deck), TOLD;
+    if (lookup->pending >= 0) return PENDING;
+    if (lookup->broken) return (void)reported(n), REPORTED;
+    return (void)report_error(n, &error, false, deck), REPORTED;
 }
 
 enum status deck_number(double *out, const struct node *n, struct deck *deck)
 {
-    struct lookup look = {.deck = deck, .scope = n->scope};
+    struct lookup lookup = {.deck = deck, .scope = n->scope};
     *out = n->value;
     if (n->has_value) return OK;
-    if (evaluate(out, n, &look) != EVALUATED) return E_DECK;
+    if (evaluate(out, n, &lookup) != EVALUATED) return E_DECK;
     if (*out != 0 && fabs(*out) < DBL_MIN)
         diag_warn(deck->diags, n, AT_VALUE, "W-denormal", "%g has lost digits: it is below 2.2e-308", *out);
     ((struct node *)n)->has_value = true;
@@ -222,16 +223,16 @@ enum status deck_number(double *out, const struct node *n, struct deck *deck)
 static enum status compile(struct expr **out, const struct node *n, const struct expr_names *names, bool truth,
                            struct deck *deck)
 {
-    struct lookup look = {.deck = deck, .scope = n->scope, .more = names, .pending = -1};
+    struct lookup lookup = {.deck = deck, .scope = n->scope, .more = names, .pending = -1};
     struct expr_error error;
     *out = NULL;
-    if (n->told) return E_DECK;
+    if (n->reported) return E_DECK;
     if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0)
-        return tell_type(n, truth ? "a condition" : "a number or an expression", deck);
-    if ((truth ? expr_parse_truth : expr_parse)(out, n->text, n->len, &(struct expr_names){lookup_find, &look},
+        return report_type(n, truth ? "a condition" : "a number or an expression", deck);
+    if ((truth ? expr_parse_truth : expr_parse)(out, n->text, n->len, &(struct expr_names){lookup_find, &lookup},
                                                 deck->arena, &error)) {
-        if (look.broken) return tell(n);
-        return tell_error(n, &error, names != NULL, deck);
+        if (lookup.broken) return reported(n);
+        return report_error(n, &error, names != NULL, deck);
     }
     ((struct node *)n)->formula = true;
     return OK;

@@ -37,7 +37,7 @@ static void collect(struct deck *deck, struct node *map)
 }
 
 /* stack[from..n) wait for each other. */
-static void tell_circle(struct deck *deck, const int *stack, int from, int n)
+static void report_circle(struct deck *deck, const int *stack, int from, int n)
 {
     const struct parameter *p = deck->parameter;
     char *chain = arena_print(deck->arena, "%s", p[stack[from]].name);
@@ -61,18 +61,18 @@ static void resolve(struct deck *deck, int i, int *stack)
     stack[n++] = i;
     while (n > 0) {
         struct parameter *p = &deck->parameter[stack[n - 1]];
-        struct lookup look = {.deck = deck};
+        struct lookup lookup = {.deck = deck};
         p->state = BUSY;
-        enum evaluated how = evaluate(&p->value, p->node, &look);
+        enum evaluated how = evaluate(&p->value, p->node, &lookup);
         if (how != PENDING) {
             settle(deck, p, how);
             n--;
-        } else if (deck->parameter[look.pending].state == WAITING) {
-            stack[n++] = look.pending;
+        } else if (deck->parameter[lookup.pending].state == WAITING) {
+            stack[n++] = lookup.pending;
         } else {
             int from = n - 1;
-            while (stack[from] != look.pending) from--;
-            tell_circle(deck, stack, from, n);
+            while (stack[from] != lookup.pending) from--;
+            report_circle(deck, stack, from, n);
             for (; n > from; n--) deck->parameter[stack[n - 1]].state = BROKEN;
         }
     }
@@ -93,10 +93,10 @@ void deck_warn_unused(struct deck *deck)
 void parameters_evaluate(struct deck *deck)
 {
     struct node *map = node_find(deck->root, "parameters");
-    if (!map || map->told || node_is_null(map)) return;
+    if (!map || map->reported || node_is_null(map)) return;
     if (map->type != NODE_MAP) {
         diag_error(deck->diags, map, AT_VALUE, "E-type", "parameters: expected a map, found %s", node_type_name(map));
-        map->told = true;
+        map->reported = true;
         return;
     }
     collect(deck, map);

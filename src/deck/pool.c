@@ -21,13 +21,13 @@ static char *pool_bytes(struct pool *pool, size_t n)
     enum { CHUNK = 1 << 14 };
     n = (n + 7) & ~(size_t)7;
     if (n > CHUNK / 4) return TAKE(pool->arena, char, n);
-    if (n > pool->room) {
+    if (n > pool->capacity) {
         pool->byte = TAKE(pool->arena, char, CHUNK);
-        pool->room = CHUNK;
+        pool->capacity = CHUNK;
     }
     char *bytes = pool->byte;
     pool->byte += n;
-    pool->room -= n;
+    pool->capacity -= n;
     return bytes;
 }
 

@@ -14,9 +14,9 @@
 enum { WORDS = 256 };
 
 /* Nodes are the deck's and never const themselves; readers mark them. */
-static void mark_told(const struct node *n)
+static void mark_reported(const struct node *n)
 {
-    ((struct node *)n)->told = true;
+    ((struct node *)n)->reported = true;
 }
 
 static const char *name_of(const struct node *n, const struct key *key)
@@ -34,8 +34,8 @@ static const char *found_text(const struct node *n, struct reader *rd)
 
 static int wrong_type(const struct node *n, const char *what, const char *expected, struct reader *rd)
 {
-    if (n->told) return 1;
-    mark_told(n);
+    if (n->reported) return 1;
+    mark_reported(n);
     diag_error(rd->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-type", "%s%sexpected %s, found %s",
                what ? what : "", what ? ": " : "", expected, found_text(n, rd));
     const char *colon = n->type == NODE_SCALAR ? strchr(n->text, ':') : NULL;
@@ -55,7 +55,7 @@ int read_list(const struct node *n, const char *what, struct reader *rd)
 
 static int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
 {
-    if (n->told) return 1;
+    if (n->reported) return 1;
     if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, what, "a text", rd);
     *out = n->text;
     return 0;
@@ -90,14 +90,14 @@ static int check_range(double x, const struct node *n, const struct key *key, st
     if (!low && !high) return 0;
     diag_error(rd->diags, n, AT_VALUE, "E-range", "'%s' must be %s, not %s", name_of(n, key), interval(key, rd->deck),
                number_text(number, x));
-    mark_told(n);
+    mark_reported(n);
     return 1;
 }
 
 int read_number(double *out, const struct node *n, const struct key *key, struct reader *rd)
 {
     double x;
-    if (deck_number(&x, n, rd->deck) != OK || n->told || check_range(x, n, key, rd)) return 1;
+    if (deck_number(&x, n, rd->deck) != OK || n->reported || check_range(x, n, key, rd)) return 1;
     *out = x;
     return 0;
 }
@@ -106,13 +106,13 @@ int read_int(int *out, const struct node *n, const struct key *key, struct reade
 {
     double x;
     char number[40];
-    if (deck_number(&x, n, rd->deck) != OK || n->told) return 1;
+    if (deck_number(&x, n, rd->deck) != OK || n->reported) return 1;
     if (x != floor(x) || fabs(x) > INT_MAX) {
         diag_error(rd->diags, n, AT_VALUE, "E-integer",
                    x == floor(x) ? "'%s' must be at most 2147483647 in size, not %s"
                                  : "'%s' must be a whole number, not %s",
                    name_of(n, key), number_text(number, x));
-        mark_told(n);
+        mark_reported(n);
         return 1;
     }
     if (check_range(x, n, key, rd)) return 1;
@@ -123,12 +123,12 @@ int read_int(int *out, const struct node *n, const struct key *key, struct reade
 int read_bool(int *out, const struct node *n, struct reader *rd)
 {
     static const char *const yes[] = {"yes", "on", "y", "1"}, *const no[] = {"no", "off", "n", "0"};
-    if (n->told) return 1;
+    if (n->reported) return 1;
     if (n->type == NODE_SCALAR && !n->quoted) {
         if (!strcmp(n->text, "true")) return *out = 1, 0;
         if (!strcmp(n->text, "false")) return *out = 0, 0;
     }
-    mark_told(n);
+    mark_reported(n);
     diag_error(rd->diags, n, node_is_null(n) ? AT_KEY : AT_VALUE, "E-boolean", "expected true or false, found %s",
                found_text(n, rd));
     if (n->type != NODE_SCALAR) return 1;
@@ -163,7 +163,7 @@ static int read_word(int *out, const struct node *n, const char *words, struct r
     int count = split_words(list, words, rd->deck->arena);
     for (int i = 0; i < count; i++)
         if (!strcmp(text, list[i])) return *out = i, 0;
-    mark_told(n);
+    mark_reported(n);
     diag_error(rd->diags, n, AT_VALUE, "E-choice", "unknown word '%s' for '%s'", diag_clip(rd->diags, text),
                name_of(n, NULL));
     diag_suggest(rd->diags, text, list, count);
@@ -176,7 +176,7 @@ static int wrong_count(const struct node *list, const char *what, const char *ex
 {
     diag_error(rd->diags, list, AT_VALUE, "E-count", "%s%sexpected %s, found %d", what ? what : "", what ? ": " : "",
                expected, list->count);
-    mark_told(list);
+    mark_reported(list);
     return 1;
 }
 
@@ -184,7 +184,7 @@ int read_vector(double *x, int n, const struct node *list, const char *what, str
 {
     const char *numbers = arena_print(rd->deck->arena, "a list of %d numbers", n);
     int errors = 0;
-    if (list->told) return 1;
+    if (list->reported) return 1;
     if (list->type != NODE_LIST) return wrong_type(list, what, numbers, rd);
     if (list->count != n) return wrong_count(list, what, arena_print(rd->deck->arena, "%d numbers", n), rd);
     for (int i = 0; i < n; i++) errors += read_number(&x[i], list->item[i], NULL, rd);
@@ -275,7 +275,7 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
         break;
     }
     *(const struct node **)member = n;
-    return n->told;
+    return n->reported;
 }
 
 /* The default of a key as a node of the map, so that printing shows it. */
@@ -343,7 +343,7 @@ static int refuse_unknown(const struct key *keys, const struct node *map, const 
     return errors;
 }
 
-/* Is there an unknown key that was meant to be this one?  Then that has been told. */
+/* Is there an unknown key that was meant to be this one?  Then that has been reported. */
 static bool misspelt(const struct key *key, const struct key *keys, const struct node *map)
 {
     for (int i = 0; i < map->count; i++) {

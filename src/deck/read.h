@@ -17,7 +17,7 @@ struct reader {
 /* Fills the struct at out from map: unknown keys (with a near miss among the table and `also`), missing ones, types,
  * ranges, keys of the other space.  Defaults are read from their deck text and join the map as implied nodes.
  * also: further keys the caller reads itself, ends with NULL; may be NULL.  what: "body 'rod'", for messages.
- * KEY_NODE members are set to the node (const struct node *).  Returns the number of errors told. */
+ * KEY_NODE members are set to the node (const struct node *).  Returns the number of errors reported. */
 int read_keys(void *out, const struct key *keys, const struct node *map, const char *const *also, const char *what,
               struct reader *rd);
 

@@ -15,12 +15,12 @@ enum { RANGE = 1000000000 };
 
 struct list {
     struct node **item;
-    int n, room;
+    int n, capacity;
 };
 
 static void append(struct list *list, struct node *n, struct arena *arena)
 {
-    list->item = arena_more(arena, list->item, list->n, &list->room, sizeof *list->item);
+    list->item = arena_more(arena, list->item, list->n, &list->capacity, sizeof *list->item);
     list->item[list->n++] = n;
 }
 
@@ -53,10 +53,10 @@ static size_t dollar_word(const char *p, const char **word, size_t *len)
 static int dollar_value(double *out, const char *word, size_t len, const struct scope *scope, struct deck *deck,
                         struct expr_error *error)
 {
-    struct lookup look = {.deck = deck, .scope = scope, .pending = -1};
+    struct lookup lookup = {.deck = deck, .scope = scope, .pending = -1};
     struct expr *e;
     struct arena_mark mark = arena_mark(deck->scratch);
-    int bad = expr_parse(&e, word, len, &(struct expr_names){lookup_find, &look}, deck->scratch, error);
+    int bad = expr_parse(&e, word, len, &(struct expr_names){lookup_find, &lookup}, deck->scratch, error);
     if (!bad) *out = expr_value(e, NULL);
     arena_rewind(deck->scratch, mark);
     if (bad || (*out == floor(*out) && fabs(*out) <= RANGE)) return bad;
@@ -68,16 +68,16 @@ static int dollar_value(double *out, const char *word, size_t len, const struct 
 static const char *substitute(const char *text, const struct scope *scope, struct deck *deck)
 {
     if (!strchr(text, '$')) return text;
-    size_t room = strlen(text) + 1, n = 0;
-    for (const char *p = text; *p; p++) room += *p == '$' ? 12 : 0;
-    char *out = TAKE(deck->arena, char, room);
+    size_t capacity = strlen(text) + 1, n = 0;
+    for (const char *p = text; *p; p++) capacity += *p == '$' ? 12 : 0;
+    char *out = TAKE(deck->arena, char, capacity);
     for (const char *p = text; *p;) {
         const char *word;
         size_t len, skip = *p == '$' ? dollar_word(p, &word, &len) : 0;
         struct expr_error error;
         double value;
         if (skip && dollar_value(&value, word, len, scope, deck, &error) == 0) {
-            n += (size_t)snprintf(out + n, room - n, "%.0f", value);
+            n += (size_t)snprintf(out + n, capacity - n, "%.0f", value);
             p += skip;
         } else {
             out[n++] = *p++;
@@ -103,7 +103,7 @@ struct loop {
     const struct node *pattern, *repeat;
     long size; /* nodes of one copy */
     struct list *out;
-    bool stop; /* a limit was reached, or an error told */
+    bool stop; /* a limit was reached, or an error reported */
 };
 
 static void drop_member(struct node *map, const char *key)
@@ -136,9 +136,9 @@ static void copy_once(struct loop *l, const struct scope *scope)
 static bool whole(double *out, const struct node *n, const struct scope *scope, struct deck *deck)
 {
     struct node here = *n; /* the range of an inner variable may depend on the outer ones */
-    struct lookup look = {.deck = deck, .scope = scope};
+    struct lookup lookup = {.deck = deck, .scope = scope};
     here.scope = scope;
-    if (evaluate(out, &here, &look) != EVALUATED) return false;
+    if (evaluate(out, &here, &lookup) != EVALUATED) return false;
     if (*out == floor(*out) && fabs(*out) <= RANGE) return true;
     diag_error(deck->diags, &here, AT_VALUE, "E-integer", "expected a whole number, found %g", *out);
     return false;
@@ -146,7 +146,7 @@ static bool whole(double *out, const struct node *n, const struct scope *scope, 
 
 static bool range(double *from, double *to, const struct node *n, const struct scope *scope, struct deck *deck)
 {
-    if (n->told) return false;
+    if (n->reported) return false;
     if (n->type != NODE_LIST || n->count != 2) {
         diag_error(deck->diags, n, AT_VALUE, "E-repeat", "expected the first and last value of '%s': [1, 10]",
                    diag_clip(deck->diags, n->key));
@@ -186,7 +186,7 @@ static bool usable(const struct node *pattern, const struct node *repeat, struct
         diag_hint(deck->diags, "add, for instance, repeat: {i: [1, 10]}");
         return false;
     }
-    if (repeat->told) return false;
+    if (repeat->reported) return false;
     if (repeat->type != NODE_MAP || repeat->count == 0 || repeat->count > 4) {
         diag_error(deck->diags, repeat, AT_VALUE, "E-repeat",
                    "expected one to four variables with ranges: {i: [1, 10]}");
@@ -249,7 +249,7 @@ static void expand(struct node *n, struct deck *deck)
 /* ---- what is left ---- */
 
 /* Why the first $ of a text that should have none stays; "" if it is no word at all. */
-static void tell_left(const struct node *n, enum diag_at which, const char *text, struct deck *deck)
+static void report_left(const struct node *n, enum diag_at which, const char *text, struct deck *deck)
 {
     const char *word, *p = strchr(text, '$');
     size_t len, skip = dollar_word(p, &word, &len);
@@ -262,14 +262,15 @@ static void tell_left(const struct node *n, enum diag_at which, const char *text
 
 static void check_left(struct node *n, struct deck *deck)
 {
-    if (n->key && strchr(n->key, '$')) tell_left(n, AT_KEY, n->key, deck);
-    if (n->scope && !n->told && n->type == NODE_SCALAR && strchr(n->text, '$')) tell_left(n, AT_VALUE, n->text, deck);
+    if (n->key && strchr(n->key, '$')) report_left(n, AT_KEY, n->key, deck);
+    if (n->scope && !n->reported && n->type == NODE_SCALAR && strchr(n->text, '$'))
+        report_left(n, AT_VALUE, n->text, deck);
     for (int i = 0; i < n->count; i++) check_left(n->item[i], deck);
 }
 
 void repeat_all(struct deck *deck)
 {
-    int told = diags_errors(deck->diags);
+    int before = diags_errors(deck->diags);
     expand(deck->root, deck);
-    if (diags_errors(deck->diags) == told) check_left(deck->root, deck);
+    if (diags_errors(deck->diags) == before) check_left(deck->root, deck);
 }

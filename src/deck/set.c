@@ -12,7 +12,7 @@
 struct setting {
     const char *text, *path; /* path=value; the path alone */
     int file;
-    struct node *value; /* NULL: told */
+    struct node *value; /* NULL: reported */
     bool done;
 };
 
@@ -137,7 +137,7 @@ static void replace(const struct setting *s, struct node *n, struct deck *deck)
     if (key) with_key(s, key, n);
 }
 
-static void tell_no_place(const struct setting *s, const struct node *n, const char *rest, struct deck *deck)
+static void report_no_place(const struct setting *s, const struct node *n, const char *rest, struct deck *deck)
 {
     struct diags *d = deck->diags;
     if (n->type == NODE_LIST)
@@ -169,7 +169,7 @@ static void make(const struct setting *s, struct node *n, const char *rest, stru
         if (!*rest) return;
         n = value;
     }
-    tell_no_place(s, n, rest, deck);
+    report_no_place(s, n, rest, deck);
 }
 
 /* What is to be made waits for repeat:, unless it is for repeat: itself. */
@@ -195,7 +195,7 @@ static void apply(struct setting *s, bool late, struct deck *deck)
     else if (n->type == NODE_MAP)
         make(s, n, rest, deck);
     else
-        tell_no_place(s, n, rest, deck);
+        report_no_place(s, n, rest, deck);
 }
 
 void set_early(struct set *set, struct deck *deck)

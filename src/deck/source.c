@@ -132,18 +132,18 @@ static enum status refuse_folder(int fd, const char *path, struct report *report
 enum status source_read(struct source **out, int fd, const char *path, size_t max, struct arena *arena,
                         struct report *report)
 {
-    size_t room = 1 << 16, len = 0;
-    char *text = TAKE(arena, char, room + 1);
+    size_t capacity = 1 << 16, len = 0;
+    char *text = TAKE(arena, char, capacity + 1);
     *out = NULL;
     TRY(refuse_folder(fd, path, report));
     for (;;) {
-        if (len == room) {
-            char *more = TAKE(arena, char, 2 * room + 1);
+        if (len == capacity) {
+            char *more = TAKE(arena, char, 2 * capacity + 1);
             memcpy(more, text, len);
             text = more;
-            room *= 2;
+            capacity *= 2;
         }
-        ssize_t n = read(fd, text + len, room - len);
+        ssize_t n = read(fd, text + len, capacity - len);
         if (n == 0) break;
         if (n < 0 && errno == EINTR && stop) return stop_status();
         if (n < 0 && errno == EINTR) continue;

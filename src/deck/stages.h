@@ -10,15 +10,15 @@
 /* include: of the deck's root; `self` is the deck's own file. */
 void include_all(struct deck *deck, const struct stat *self);
 
-/* Checks a text and makes its tree; NULL: told. */
+/* Checks a text and makes its tree; NULL: reported. */
 struct node *deck_parse(struct deck *deck, const struct source *s, const char *what);
 
 /* All of an open file, which joins deck->read. */
 enum status deck_read(struct source **out, int fd, const char *path, struct deck *deck, struct report *report);
 
-/* Opens a file named by a node, inside the deck's folder; -1: told. */
+/* Opens a file named by a node, inside the deck's folder; -1: reported. */
 int deck_open_file(const struct node *n, struct deck *deck);
-/* The same as a source; NULL: told. */
+/* The same as a source; NULL: reported. */
 struct source *source_beside(const struct node *file, struct deck *deck);
 
 void hash_text(struct deck *deck, const char *text, size_t len);
@@ -40,12 +40,12 @@ struct lookup {
     const struct scope *scope;
     const struct expr_names *more; /* NULL: none */
     int pending;                   /* a parameter that has no value yet; -1: none */
-    bool broken;                   /* a parameter whose error has been told */
+    bool broken;                   /* a parameter whose error has been reported */
 };
 int lookup_find(void *self, int *slot, double *value, const char *name, struct expr_error *error);
 
-enum evaluated { EVALUATED, TOLD, PENDING };
-enum evaluated evaluate(double *out, const struct node *n, struct lookup *look);
+enum evaluated { EVALUATED, REPORTED, PENDING };
+enum evaluated evaluate(double *out, const struct node *n, struct lookup *lookup);
 
 /* One parameter. */
 enum parameter_state { WAITING, BUSY, KNOWN, BROKEN };

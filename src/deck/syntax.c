@@ -1,7 +1,7 @@
 /* syntax.c -- what libyaml stopped at, in words a user of decks can act on.
  *
  * libyaml knows where it stopped and where the construct began, not what was meant; the commonest slips (a space
- * missing after ':', a tab, a bracket left open) are found again in the text and told where they are. */
+ * missing after ':', a tab, a bracket left open) are found again in the text and reported where they are. */
 #include "deck/syntax.h"
 
 #include <stdint.h>
@@ -37,8 +37,8 @@ bool syntax_lacks_space(const char *text, size_t len)
            !memchr(text, ' ', (size_t)(colon - text));
 }
 
-/* A key where none can be mostly means that the line above lacks a space: that line is told. */
-static bool tell_space(const struct syntax *b, int line)
+/* A key where none can be mostly means that the line above lacks a space: that line is reported. */
+static bool report_space(const struct syntax *b, int line)
 {
     size_t end, start = line_above(b->source, line, &end);
     if (end <= start || !syntax_lacks_space(b->source->text + start, end - start)) return false;
@@ -88,7 +88,7 @@ static void wrong_character(const struct syntax *b, struct span at)
 }
 
 /* What libyaml stopped at. */
-void syntax_tell(const struct syntax *b, const yaml_parser_t *p)
+void syntax_report(const struct syntax *b, const yaml_parser_t *p)
 {
     if (p->error == YAML_MEMORY_ERROR) arena_take(b->arena, SIZE_MAX, 2); /* says so and ends */
     struct span at = syntax_span(b, p->problem_mark, p->problem_mark);
@@ -98,7 +98,7 @@ void syntax_tell(const struct syntax *b, const yaml_parser_t *p)
         return;
     }
     bool key = strstr(problem, "not allowed in this context") || strstr(problem, "expected ':'");
-    if (key && tell_space(b, at.from.line)) return;
+    if (key && report_space(b, at.from.line)) return;
     const struct complaint *c = complaints, *end = complaints + sizeof complaints / sizeof *complaints;
     while (c < end && strcmp(c->problem, problem)) c++;
     diag_error_in(b->diags, at, c < end ? c->code : "E-yaml", "%s", c < end ? c->says : problem);

@@ -23,6 +23,6 @@ struct span syntax_span(const struct syntax *b, yaml_mark_t from, yaml_mark_t to
 bool syntax_lacks_space(const char *text, size_t len);
 
 /* Tells the error that p stopped at.  Out of memory ends the program. */
-void syntax_tell(const struct syntax *b, const yaml_parser_t *p);
+void syntax_report(const struct syntax *b, const yaml_parser_t *p);
 
 #endif

@@ -1,6 +1,6 @@
 /* tree.c -- libyaml's events become nodes; see tree.h.
  *
- * Recursive, 64 deep at most.  NULL on the way up means that there is no way on; all else that is wrong is told and
+ * Recursive, 64 deep at most.  NULL on the way up means that there is no way on; all else that is wrong is reported and
  * left out of the tree. */
 #include "deck/tree.h"
 
@@ -31,14 +31,14 @@ bool tree_shallow(struct builder *b, int height, struct span at)
 
 static void push(struct builder *b, struct node *n)
 {
-    b->stack = arena_more(b->pool->arena, b->stack, b->top, &b->room, sizeof *b->stack);
+    b->stack = arena_more(b->pool->arena, b->stack, b->top, &b->capacity, sizeof *b->stack);
     b->stack[b->top++] = n;
 }
 
 static bool next_event(struct builder *b, yaml_event_t *e)
 {
     if (yaml_parser_parse(&b->parser, e)) return true;
-    syntax_tell(&b->syntax, &b->parser);
+    syntax_report(&b->syntax, &b->parser);
     return false;
 }
 
@@ -74,7 +74,7 @@ static struct node *scalar(struct builder *b, const yaml_event_t *e)
     if (strlen(n->text) != len) {
         diag_error_in(b->diags, at, "E-character", "a zero byte in a text");
         n->len = strlen(n->text);
-        n->told = true;
+        n->reported = true;
     }
     return n;
 }
@@ -88,7 +88,7 @@ static int parentheses(const struct node *n)
     return open;
 }
 
-/* In a flow collection a comma has cut an expression in pieces: the first is told, those up to its ')' are dropped.
+/* In a flow collection a comma has cut an expression in pieces: the first is reported, those up to its ')' are dropped.
  * *open: brackets still open; a piece is a value and, in a map, a key before it. */
 static bool is_piece(struct builder *b, int *open, struct node *n, int brackets)
 {
@@ -98,7 +98,7 @@ static bool is_piece(struct builder *b, int *open, struct node *n, int brackets)
     }
     if (brackets <= 0) return false;
     *open = brackets;
-    n->told = true;
+    n->reported = true;
     diag_error(b->diags, n, AT_VALUE, "E-comma", "'%s' has no ')'", diag_clip(b->diags, n->text));
     diag_hint(b->diags, "an expression with a comma must be quoted inside { } and [ ]");
     return false;
@@ -133,12 +133,12 @@ static bool fill_list(struct builder *b, struct node *n)
     }
 }
 
-/* The key of a member; *fine = false: told, and the member is to be dropped.  NULL: no way on. */
+/* The key of a member; *fine = false: reported, and the member is to be dropped.  NULL: no way on. */
 static struct node *build_key(struct builder *b, const yaml_event_t *e, bool *fine)
 {
     struct node *key = build(b, e);
     *fine = false;
-    if (!key || key->told) return key;
+    if (!key || key->reported) return key;
     if (e->type != YAML_SCALAR_EVENT)
         diag_error(b->diags, key, AT_VALUE, "E-key", "expected a plain key, found %s",
                    e->type == YAML_ALIAS_EVENT ? "an alias" : node_type_name(key));
@@ -250,7 +250,7 @@ static struct node *anchored_scalar(struct builder *b, const yaml_event_t *e)
     return n;
 }
 
-/* The node that starts with an event.  NULL: told, no way on. */
+/* The node that starts with an event.  NULL: reported, no way on. */
 static struct node *build(struct builder *b, const yaml_event_t *e)
 {
     struct span at = tree_span(b, e);

@@ -24,7 +24,7 @@ struct pool {
     struct node *node; /* free ones */
     int left;
     char *byte;
-    size_t room;
+    size_t capacity;
     long nodes; /* in the deck so far */
 };
 
@@ -38,7 +38,7 @@ struct node *tree_copy(struct pool *pool, const struct node *n, const struct sco
 long tree_size(const struct node *n);
 
 /* The document that starts at byte `from` of a source.  NULL: no tree could be made, diags say why.  What can be gone
- * past (a duplicate, a tag) is told and left out. */
+ * past (a duplicate, a tag) is reported and left out. */
 struct node *tree_parse(struct pool *pool, struct diags *diags, int file, size_t from);
 
 /* Refuses keys given twice; the first stays. */

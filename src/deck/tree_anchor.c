@@ -43,7 +43,8 @@ struct node *alias_node(struct builder *b, const yaml_event_t *e)
     const char *name = (const char *)e->data.alias.anchor;
     struct span at = tree_span(b, e);
     struct node *n = pool_node(b->pool);
-    *n = (struct node){.type = NODE_SCALAR, .file = b->file, .mark = at.from, .end = at.to, .text = "", .told = true};
+    *n = (struct node){
+        .type = NODE_SCALAR, .file = b->file, .mark = at.from, .end = at.to, .text = "", .reported = true};
     const struct anchor *a = find_anchor(b, name);
     if (!a || a->open) {
         diag_error_in(b->diags, at, "E-anchor",

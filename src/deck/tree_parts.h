@@ -28,13 +28,13 @@ struct builder {
     struct anchor *anchor; /* [MAX_ANCHORS], once there is one */
     struct node **alias;   /* [MAX_ANCHORS] copies whose children are still the anchor's */
     struct node **stack;   /* items of the open collections */
-    int top, room;
+    int top, capacity;
     yaml_parser_t parser;
 };
 
 /* Where an event stands. */
 struct span tree_span(const struct builder *b, const yaml_event_t *e);
-/* Are there places for so many more nodes, so many more levels?  Else told. */
+/* Are there places for so many more nodes, so many more levels?  Else reported. */
 bool tree_within(struct builder *b, long nodes, struct span at);
 bool tree_shallow(struct builder *b, int height, struct span at);
 

@@ -2,7 +2,7 @@
  *
  * The norm of the corrections need not fall evenly: what is large at first may vanish at once and leave a small part
  * that converges slowly, and errors may go round between blocks of unknowns.  So what is left after an iteration is
- * not told by the last quotient theta_k = |dz_k| / |dz_k-1|, but by theta_k+1.  After the first two iterations the
+ * not given by the last quotient theta_k = |dz_k| / |dz_k-1|, but by theta_k+1.  After the first two iterations the
  * largest stands for it that the steps before have shown at the same place, older ones fading; and that much more as
  * this step has come out worse than foreseen so far; or, where it has come out far better, what was foreseen: the slow
  * part of the error is still there.  What has not been seen for some steps is trusted less and less, and what was never

@@ -6,7 +6,7 @@
  *
  * where v and dx are the scheme's: linear in z.  There are two families:
  *
- *     middle    s = 1/2.  The residual is that of the step as a whole: it is told the ends (discrete gradients; drives
+ *     middle    s = 1/2.  The residual is that of the step as a whole: it is given the ends (discrete gradients; drives
  *               move by their means), and its power by channel times h is the work of the step.
  *     end       s = 1.  The residual is that of a point of time, work is taken by the trapezoidal rule.  The kind of
  *               such a scheme has `points`.

@@ -73,7 +73,7 @@ void newton_scale(struct newton *nt, const double *v, const double *a, double H)
 }
 
 /* What the last step has shown; nothing bad where it has come down to round-off. */
-static void look_back(struct newton *nt)
+static void judge_last_step(struct newton *nt)
 {
     if (nt->count == 0 || nt->pairs || nt->matrix_free) return;
     const int norm = nt->first_square > 0 && nt->square > 0;
@@ -85,7 +85,7 @@ static void look_back(struct newton *nt)
 
 void newton_begin(struct newton *nt, double local)
 {
-    look_back(nt);
+    judge_last_step(nt);
     contraction_begin(&nt->contraction);
     nt->tol = nt->tolerance;
     if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : fmin(1e-8, fmax(1e-13, 1e-3 * local));

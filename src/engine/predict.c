@@ -51,10 +51,10 @@ void predict_make(struct predict *p, double *a1, const struct matrix *J, double 
     p->modelled = ask(p, J, h, a0);
     for (int i = 0; i < p->n; i++) {
         struct course *c = &p->course[i];
-        double da = c->said_plain = s * fit_next(&c->plain);
+        double da = c->foreseen_plain = s * fit_next(&c->plain);
         if (p->modelled) {
-            c->said_model = s * fit_next(&c->model) - p->drift[i];
-            if (c->miss_model < c->miss_plain) da = c->said_model;
+            c->foreseen_model = s * fit_next(&c->model) - p->drift[i];
+            if (c->miss_model < c->miss_plain) da = c->foreseen_model;
         }
         a1[i] = a0[i] + da;
     }
@@ -84,8 +84,8 @@ void predict_keep(struct predict *p, const double *a1, const double *a0, double 
         fit_learn(&c->plain, da);
         if (!p->modelled) continue;
         fit_learn(&c->model, da + p->drift[i]);
-        c->miss_plain = faded(c->miss_plain, da - c->said_plain);
-        c->miss_model = faded(c->miss_model, da - c->said_model);
+        c->miss_plain = faded(c->miss_plain, da - c->foreseen_plain);
+        c->miss_model = faded(c->miss_model, da - c->foreseen_model);
         double miss = c->miss_model < c->miss_plain ? c->miss_model : c->miss_plain;
         if (unit * c->miss_plain > plain) plain = unit * c->miss_plain;
         if (unit * miss > best) best = unit * miss;

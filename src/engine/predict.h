@@ -32,9 +32,9 @@
 #include "engine/matrix.h"
 
 struct course {
-    struct fit plain, model;       /* of a1 - a0, of g */
-    double said_plain, said_model; /* a1 - a0 as foreseen */
-    double miss_plain, miss_model; /* squares of what was missed, older ones fading */
+    struct fit plain, model;               /* of a1 - a0, of g */
+    double foreseen_plain, foreseen_model; /* a1 - a0 as foreseen */
+    double miss_plain, miss_model;         /* squares of what was missed, older ones fading */
 };
 
 struct predict {

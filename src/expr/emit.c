@@ -8,7 +8,7 @@
 
 void emit_code(struct parser *p, struct instruction x)
 {
-    p->code = arena_more(p->arena, p->code, p->n, &p->room, sizeof *p->code);
+    p->code = arena_more(p->arena, p->code, p->n, &p->capacity, sizeof *p->code);
     p->code[p->n++] = x;
 }
 
@@ -40,7 +40,7 @@ static double run(struct instruction *code, int n)
     return expr_value(&(struct expr){n + 1, program}, NULL);
 }
 
-/* The last operation has constants as operands: it becomes their result, told by offset if not finite. */
+/* The last operation has constants as operands: it becomes their result, reported by offset if not finite. */
 static void fold(struct parser *p, int operands, size_t offset)
 {
     int from = p->n - 1 - operands;

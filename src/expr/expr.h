@@ -36,7 +36,7 @@ struct expr_error {
 
 /* Names are the caller's: find() resolves a name (letters, digits, '_', dots: "hub.angle_rate"), either to a
  * constant (*slot = -1, *value) or to a slot (*slot >= 0).  0 if known; else 1, and it may write text and
- * hint of error, or 2: what is wrong with it was told elsewhere. */
+ * hint of error, or 2: what is wrong with it was reported elsewhere. */
 struct expr_names {
     int (*find)(void *self, int *slot, double *value, const char *name, struct expr_error *error);
     void *self;

@@ -1,7 +1,7 @@
 /* parse.c -- the text of an expression becomes code; see expr.h for the grammar.
  *
  * Recursive descent, one function a rule.  Each rule leaves its code at the end of the growing
- * program and returns what it made: a number, a truth, or a failure that is already told. */
+ * program and returns what it made: a number, a truth, or a failure that is already reported. */
 #include <math.h>
 #include <string.h>
 

@@ -11,7 +11,7 @@
 #include "expr/code.h"
 #include "expr/expr.h"
 
-/* What a rule has made; FAILED: told. */
+/* What a rule has made; FAILED: reported. */
 enum made { FAILED, NUMBER, TRUTH };
 
 struct parser {
@@ -24,7 +24,7 @@ struct parser {
     struct arena *arena;
     struct expr_error *error;
     struct instruction *code;
-    int n, room;
+    int n, capacity;
 };
 
 /* --- the text ----------------------------------------------------------------------------------- */
@@ -63,7 +63,7 @@ void emit_code(struct parser *p, struct instruction x);
 enum made emit_operand(struct parser *p, struct instruction x);
 enum made emit_constant(struct parser *p, double value, size_t offset);
 /* Of an operand whose code begins at `from`; of two, with code [left, right) and [right, n).  What constants give is
- * told by offset if it is not finite. */
+ * reported by offset if it is not finite. */
 void emit_unary(struct parser *p, enum op op, int from, size_t offset);
 void emit_binary(struct parser *p, enum op op, int left, int right, size_t offset);
 /* Is the code from here on one constant? */

@@ -10,15 +10,15 @@ enum { NUMBER = 32, PER_LINE = 9 };
 /* Text that grows. */
 struct writer {
     char *text;
-    size_t used, room;
+    size_t used, capacity;
     struct arena *scratch;
 };
 
 static char *reserve(struct writer *w, size_t more)
 {
-    if (w->used + more >= w->room) {
-        w->room = 2 * (w->room + more);
-        char *text = TAKE(w->scratch, char, w->room);
+    if (w->used + more >= w->capacity) {
+        w->capacity = 2 * (w->capacity + more);
+        char *text = TAKE(w->scratch, char, w->capacity);
         if (w->used) memcpy(text, w->text, w->used);
         w->text = text;
     }

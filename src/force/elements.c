@@ -11,7 +11,7 @@ static void load_plain(const struct plain *p, double *r, double *w, struct effec
     if (effect) effect[p->force] = (struct effect){f, s, f * v};
 }
 
-void look_at_end(struct elements *e, const struct instant *x, int end, enum rate cls)
+void measure_end(struct elements *e, const struct instant *x, int end, enum rate cls)
 {
     const double *q = end ? x->qb : x->qa;
     e->ops->move(e->there, q, x->v, FAST);
@@ -26,8 +26,8 @@ void elements_load(struct elements *e, struct sweep *s, double *r, double *w, do
 {
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) load_plain(&e->plain[i], r, w, effect, x);
     if (x->qa && x->qb && e->ends[cls]) {
-        look_at_end(e, x, 0, cls);
-        look_at_end(e, x, 1, cls);
+        measure_end(e, x, 0, cls);
+        measure_end(e, x, 1, cls);
     }
     for (int i = first_of(e->nother, cls); i < last_of(e->nother, cls); i++) {
         struct part_of *p = &e->other[i];
@@ -65,9 +65,9 @@ bool elements_turn(const struct elements *e)
     return e->measures.turns;
 }
 
-void elements_stand(struct elements *e, int measure, double x)
+void elements_set_measure(struct elements *e, int measure, double x)
 {
-    measures_stand(&e->measures, measure, x);
+    measures_set(&e->measures, measure, x);
 }
 
 void elements_turned(struct elements *e, const struct sweep *s, double t)

@@ -54,7 +54,7 @@ double elements_stored(const struct elements *e, const struct sweep *s, const do
 /* Angles in space, known up to whole turns, go on from where they are at s; false: there are none to settle. */
 bool elements_turn(const struct elements *e);
 void elements_turned(struct elements *e, const struct sweep *s, double t);
-void elements_stand(struct elements *e, int measure, double x);
+void elements_set_measure(struct elements *e, int measure, double x);
 /* The tilt of a force between markers, see strains in kind/force.h [rad]; 0: it has none. */
 double elements_tilt(const struct elements *e, const struct sweep *s, int force);
 void elements_measure(const struct elements *e, const struct sweep *s, double *value, double *rate, int measure,

@@ -131,7 +131,7 @@ void measures_turned(struct measures *o, const struct sweep *s, double t)
     o->t = t;
 }
 
-void measures_stand(struct measures *o, int i, double x)
+void measures_set(struct measures *o, int i, double x)
 {
     o->stood[i] = x;
 }

@@ -59,7 +59,7 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
 void measures_turned(struct measures *o, const struct sweep *s, double t);
 
 /* Angle i in space stands at x [rad], or nearby. */
-void measures_stand(struct measures *o, int i, double x);
+void measures_set(struct measures *o, int i, double x);
 
 /* Pushes the sweep's bodies with f along the measure (not for coordinates). */
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f);

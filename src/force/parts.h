@@ -89,7 +89,7 @@ static inline int last_of(const int *n, enum rate cls)
 }
 
 /* What stood at one end (0: qa, 1: qb) of the interval, for the elements that want to know. */
-void look_at_end(struct elements *e, const struct instant *x, int end, enum rate cls);
+void measure_end(struct elements *e, const struct instant *x, int end, enum rate cls);
 
 /* The remainder E of work, of terms of the size `scale`, given to the rotations. */
 void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x);

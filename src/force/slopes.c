@@ -45,8 +45,8 @@ void row_between(struct row *o, const struct elements *e, const struct sweep *s,
 void elements_slopes(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x, enum rate cls)
 {
     if (x->qa && x->qb && e->ends[cls]) {
-        look_at_end(e, x, 0, cls);
-        look_at_end(e, x, 1, cls);
+        measure_end(e, x, 0, cls);
+        measure_end(e, x, 1, cls);
     }
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) {
         const struct plain *p = &e->plain[i];

@@ -1,6 +1,6 @@
 /* force.h -- what a kind of force promises.
  *
- * A law acts along a measure s: a joint coordinate, the distance of two points, an angle.  It is told
+ * A law acts along a measure s: a joint coordinate, the distance of two points, an angle.  It is given
  * s and its rate and answers with the force and its slopes.  Between two markers, one on each of two bodies, a kind
  * says which scalars of their relative motion it works along, and with what force each.  force/ does the rest, the same
  * for all kinds: the load

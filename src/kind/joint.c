@@ -11,7 +11,7 @@
 #define AXIS2(flags, brief) PARAM_NODE(struct joint_keys, axis2, "axis2", "vector", flags, brief)
 #define RANGE(unit)                                                                                                    \
     PARAM_NODE(struct joint_keys, range, "range", "[lowest, highest] [" unit "]", 0,                                   \
-               "where the coordinate should stay: leaving it is told, nothing holds it")
+               "where the coordinate should stay: leaving it is reported, nothing holds it")
 #define FRAME                                                                                                          \
     PARAM_WORD(struct joint_keys, frame, "frame", "world|joint", 0, "world",                                           \
                "axes of its reaction columns; joint: the joint's own, which go with the first body")

@@ -11,7 +11,7 @@
 
 /* Numbers of a row by column, or the rows that have had one in a column. */
 struct list {
-    int n, room, *at;
+    int n, capacity, *at;
     double *x; /* of rows */
 };
 
@@ -35,12 +35,12 @@ struct elimination {
 
 static void append(struct list *o, struct arena *scratch, int at, double x, bool numbers)
 {
-    if (o->n == o->room) {
+    if (o->n == o->capacity) {
         struct list old = *o;
-        o->room = 2 * old.room + 4;
-        o->at = TAKE(scratch, int, o->room);
+        o->capacity = 2 * old.capacity + 4;
+        o->at = TAKE(scratch, int, o->capacity);
         if (old.n) memcpy(o->at, old.at, sizeof *o->at * (size_t)old.n);
-        if (numbers) o->x = TAKE(scratch, double, o->room);
+        if (numbers) o->x = TAKE(scratch, double, o->capacity);
         if (numbers && old.n) memcpy(o->x, old.x, sizeof *o->x * (size_t)old.n);
     }
     if (numbers) o->x[o->n] = x;

@@ -26,7 +26,8 @@ enum status condense_own_rows(const struct condense *o, enum status status, stru
 }
 
 /* The velocities of the whole tree at the ends of the interval, if they are asked for. */
-static enum status look_at_ends(struct condense *o, struct instant *whole, const struct instant *x, struct trouble *why)
+static enum status end_velocities(struct condense *o, struct instant *whole, const struct instant *x,
+                                  struct trouble *why)
 {
     if (!x->va || !o->tree->ode.settle) return OK;
     TRY(condense_rates(o, o->va, NULL, x->qa, x->va, NULL, x->ta, why));
@@ -54,7 +55,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
                                unsigned cls, struct trouble *why)
 {
     struct instant whole = *x;
-    TRY(look_at_ends(o, &whole, x, why));
+    TRY(end_velocities(o, &whole, x, why));
     condense_time(o, x->t, x->ta, x->tb);
     whole.jump = condense_jumps(o);
     TRY(condense_driven(o, false, x->t, why));
@@ -109,7 +110,7 @@ static enum status settle(const struct ode2 *ode, double *q1, double *v1, const 
 {
     struct condense *o = ode->self;
     struct instant whole = *x;
-    TRY(look_at_ends(o, &whole, x, why));
+    TRY(end_velocities(o, &whole, x, why));
     TRY(o->tree->ode.settle(&o->tree->ode, q1, o->vb, &whole, why));
     for (int i = 0; i < ode->n; i++) v1[i] = o->vb[o->split.ind[i]];
     return OK;

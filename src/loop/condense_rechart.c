@@ -27,7 +27,7 @@ void condense_number(struct condense *o)
 
 /* Have dependent coordinates come to run away from the independent ones?  Where all splits are singular alike, as in a
  * flat posture, the rates stay moderate.  At the base of the tangent. */
-static bool look_at_gain(struct condense *o, int i)
+static bool gain_too_large(struct condense *o, int i)
 {
     static const double LARGE = 3; /* rate of a dependent coordinate per unit: time to look for a better split */
     struct part *p = &o->split.part[i];
@@ -59,7 +59,7 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (!closing_tangent(&o->closing, q)) return 0;
-    for (int i = 0; i < o->split.npart; i++) wanted += look_at_gain(o, i);
+    for (int i = 0; i < o->split.npart; i++) wanted += gain_too_large(o, i);
     if (!wanted || condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) != OK) return 0;
     for (int i = 0; i < o->split.npart; i++)
         if (o->split.part[i].resplit_due) changed |= improve(o, i);

@@ -128,7 +128,7 @@ static int go_off(struct condense *o, double *q1, unsigned trial)
 
 /* Do redundant rows still hold a small way off?  Where C_q has lost rank at this very posture only, the way along a
  * direction that is too many leaves them at second order. */
-static enum status look_for_branches(struct condense *o)
+static enum status search_branches(struct condense *o)
 {
     static const double MISS = 1e-7;
     int row, worst = 0, lost = 0;
@@ -184,7 +184,7 @@ static enum status assemble(struct condense *o)
             return fail(&s->report, E_MODEL, "constraint '%s' contradicts the others by %.3g of the mechanism's size",
                         row_name(o, row), miss);
     }
-    return look_for_branches(o);
+    return search_branches(o);
 }
 
 /* How far it is from o->q to q0, drives too, in scales; the way goes to `way`. */
@@ -248,10 +248,10 @@ static enum status agrees(struct condense *o, const double *q0, const double *v0
     for (int i = 0; i < m->ncoordinate; i++) {
         int iv = m->coordinate[i].iv;
         if (iv < 0 || o->split.slot[iv] >= 0) continue;
-        if (m->said_q && m->said_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
+        if (m->given_q && m->given_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
             return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
                         m->coordinate[i].name, q0[i], drives, o->q[i]);
-        if (m->said_v && m->said_v[iv] && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
+        if (m->given_v && m->given_v[iv] && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
             return fail(&o->start.report, E_MODEL,
                         "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g", m->coordinate[i].name,
                         v0[iv], drives, o->vt[iv]);
@@ -353,7 +353,7 @@ static enum status project_start(struct condense *o, const double *q0, const dou
     TRY(condense_assemble(o, o->to, q0, v0));
     TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = o->to[o->split.ind[i]];
-    return look_for_branches(o);
+    return search_branches(o);
 }
 
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)

@@ -174,7 +174,7 @@ double windings_angle(const struct windings *o, int loop, int k, double x)
     return angle_near(x, find(o, loop, k)->stood);
 }
 
-void windings_stand(struct windings *o, int loop, int k, double x)
+void windings_set(struct windings *o, int loop, int k, double x)
 {
     find(o, loop, k)->stood = x;
 }

@@ -29,7 +29,7 @@ void windings_note(void *windings, const struct sweep *s, double t);
 /* The angle k of a loop, in [-pi, pi], with its whole turns. */
 double windings_angle(const struct windings *o, int loop, int k, double x);
 /* It stands at x at the start. */
-void windings_stand(struct windings *o, int loop, int k, double x);
+void windings_set(struct windings *o, int loop, int k, double x);
 /* Is the k-th position of the joint such an angle? */
 bool loop_winds(const struct model *m, int loop, int k);
 

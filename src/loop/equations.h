@@ -9,7 +9,7 @@
 enum { FIRST = 1, SECOND = 2, SEEN_POINT = 4 };
 enum { FORCE = 1, MOMENT = 2 };
 
-/* Row i of the loops, whose bodies loops_look() has looked at. */
+/* Row i of the loops, whose bodies loops_place() has looked at. */
 struct equation {
     unsigned needs, bears;
     double (*value)(const struct loops *o, int i);

@@ -7,7 +7,7 @@
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
-static void look(struct loops *o, const struct sweep *s, int loop)
+static void place(struct loops *o, const struct sweep *s, int loop)
 {
     const struct model_loop *l = &o->model->loop[loop];
     struct loop_place *p = &o->place[loop];
@@ -26,7 +26,7 @@ static void look(struct loops *o, const struct sweep *s, int loop)
     }
 }
 
-static void look_at_terms(struct loop_place *p, const struct model *m, const struct model_loop *l, const double *q)
+static void place_terms(struct loop_place *p, const struct model *m, const struct model_loop *l, const double *q)
 {
     p->sum = 0;
     for (int i = 0; i < l->nterm; i++) {
@@ -46,15 +46,15 @@ static void check_drive(struct loops *o, const struct sweep *s, int l, const dou
         measure_at(&o->act[l], &o->measures, s, i, q, at_rest);
 }
 
-void loops_look(struct loops *o, const struct sweep *s, const double *q)
+void loops_place(struct loops *o, const struct sweep *s, const double *q)
 {
     const int joints = model_first_drive(o->model);
     for (int l = 0; l < joints; l++) {
         const struct model_loop *loop = &o->model->loop[l];
         if (loop->nterm)
-            look_at_terms(&o->place[l], o->model, loop, q);
+            place_terms(&o->place[l], o->model, loop, q);
         else
-            look(o, s, l);
+            place(o, s, l);
     }
     for (int l = joints; l < o->model->nloop; l++) check_drive(o, s, l, q);
 }
@@ -177,7 +177,7 @@ void loops_jacobian(struct loops *o, const struct sweep *s)
 }
 
 /* Motion of the bodies of a loop, if its rows ask for it. */
-static void look_at_motion(struct loops *o, const struct sweep *s, int l)
+static void place_motion(struct loops *o, const struct sweep *s, int l)
 {
     const struct model_loop *loop = &o->model->loop[l];
     struct loop_place *p = &o->place[l];
@@ -190,7 +190,7 @@ static void look_at_motion(struct loops *o, const struct sweep *s, int l)
 
 void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a)
 {
-    for (int l = 0; l < o->model->nloop; l++) look_at_motion(o, s, l);
+    for (int l = 0; l < o->model->nloop; l++) place_motion(o, s, l);
     for (int i = 0; i < o->nrow; i++) C2[i] = o->row[i].says->rate2(o, i, a);
 }
 

@@ -80,7 +80,7 @@ void loops_partly(struct loops *o, double t, double share);
 /* jump [nrow] of drives := by how much their rates jump at corners in [ta, tb); 0: nowhere. */
 int loops_corners(double *jump, const struct loops *o, double ta, double tb);
 /* Looks at the bodies where they stand: first of all, after each place(). */
-void loops_look(struct loops *o, const struct sweep *s, const double *q);
+void loops_place(struct loops *o, const struct sweep *s, const double *q);
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
 void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
 /* C'' [nrow], after accelerate(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v

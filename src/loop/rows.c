@@ -98,7 +98,7 @@ void rows_build(struct rows *o, struct open_tree *tree, struct arena *life)
 long rows_place(struct rows *o, const double *q)
 {
     const long posture = open_place(o->tree, q);
-    if (posture != o->placed) loops_look(o->loops, o->tree->sweep, q);
+    if (posture != o->placed) loops_place(o->loops, o->tree->sweep, q);
     return o->placed = posture;
 }
 

@@ -146,7 +146,7 @@ struct model {
     int ncoordinate;
     const struct model_coordinate *coordinate; /* every position, in q order */
     const double *q0, *v0;                     /* [nq], [n] initial state */
-    const bool *said_q, *said_v;               /* [nq], [n] does the deck say so? NULL: of none */
+    const bool *given_q, *given_v;             /* [nq], [n] does the deck say so? NULL: of none */
     double t0;                                 /* when it starts [s] */
     bool assemble;                             /* it need not fit the loops: the nearest one that does */
     const int *body_of;                        /* model's index of the scene's body i (body 0: ground) */

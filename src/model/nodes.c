@@ -28,7 +28,7 @@ static void hold(struct making *o, int parent, int node)
     m->nbody++;
 }
 
-int stand(struct making *o, int scene_body, const double *world)
+int body_at_node(struct making *o, int scene_body, const double *world)
 {
     const struct scene_body *sb = &o->scene->body[scene_body];
     int parent = o->body_of[scene_body];
@@ -44,7 +44,7 @@ int stand(struct making *o, int scene_body, const double *world)
 
 int place_on(double *p, struct making *o, int scene_body, const double *world)
 {
-    int body = stand(o, scene_body, world);
+    int body = body_at_node(o, scene_body, world);
     double arm[3];
     v3_diff(arm, world, o->body[body].at);
     m3_tmul(p, o->body[body].R, arm);

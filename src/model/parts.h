@@ -33,7 +33,7 @@ enum status make_tree(struct making *o);
 bool make_short(const struct making *o, const struct threads *threads, int *wish);
 /* nodes.c: bodies at the nodes of flexible ones */
 /* The model's body that a world place, drawn, on the scene's body belongs to; made where there is none yet. */
-int stand(struct making *o, int scene_body, const double *world);
+int body_at_node(struct making *o, int scene_body, const double *world);
 /* That body, and the place p from its centre in its axes; of a world place, of a marker. */
 int place_on(double *p, struct making *o, int scene_body, const double *world);
 int marker_on(double *p, struct making *o, const struct marker *m);

@@ -1,6 +1,6 @@
 /* spin.c -- flexible bodies whose geometric stiffening the deck has turned off: what that means for them.
  *
- * A body that joints let turn has a speed from which its linear elasticity gives way (flex/spin.h); it is told at the
+ * A body that joints let turn has a speed from which its linear elasticity gives way (flex/spin.h); it is reported at the
  * start, whether or not the run will reach it. */
 #include "flex/spin.h"
 
@@ -16,7 +16,7 @@ static bool may_turn(const struct making *o, int body)
     return false;
 }
 
-static void tell(struct making *o, const struct scene_body *sb, const struct node *at, double limit)
+static void warn(struct making *o, const struct scene_body *sb, const struct node *at, double limit)
 {
     char what[100];
     snprintf(what, sizeof what, "body '%.60s'", sb->node->key);
@@ -41,7 +41,7 @@ void warn_of_spin(struct making *o)
             if (may_turn(o, k)) limit = fmin(limit, flex_spin_worst(e, o->body[k].flex, o->m->space, scratch));
         }
         i--;
-        tell(o, sb, at, limit);
+        warn(o, sb, at, limit);
     }
     arena_close(scratch);
 }

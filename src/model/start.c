@@ -89,10 +89,10 @@ static void put_omega(double *v, const struct model_joint *j, const double *R, c
     for (int k = 0; k < 3; k++) v[j->iv[j->nv - 3 + k]] = j->reversed ? -omega[k] : omega[k];
 }
 
-static void say(double *x, bool *said, int i, double value)
+static void give(double *x, bool *given, int i, double value)
 {
     x[i] = value;
-    said[i] = true;
+    given[i] = true;
 }
 
 void make_start(struct making *o)
@@ -100,19 +100,19 @@ void make_start(struct making *o)
     struct model *m = o->m;
     const struct scene *scene = o->scene;
     double *q = TAKE(o->life, double, m->nq), *v = TAKE(o->life, double, m->n);
-    bool *said_q = TAKE(o->life, bool, m->nq), *said_v = TAKE(o->life, bool, m->n);
+    bool *given_q = TAKE(o->life, bool, m->nq), *given_v = TAKE(o->life, bool, m->n);
     for (int i = 0; i < m->njoint; i++)
         if (o->joint[i].nq > o->joint[i].nv) q[o->joint[i].iq[o->joint[i].nq - 4]] = 1;
     for (int i = 0; i < scene->ninitial; i++) {
         const struct scene_initial *s = &scene->initial[i];
         if (s->joint < 0) {
             const struct model_body *b = &o->body[o->body_of[s->body]];
-            if (s->type == INITIAL_POSITION) say(q, said_q, b->mode_q[s->k], s->x[0]);
-            if (s->type == INITIAL_RATE) say(v, said_v, b->mode_v[s->k], s->x[0]);
+            if (s->type == INITIAL_POSITION) give(q, given_q, b->mode_q[s->k], s->x[0]);
+            if (s->type == INITIAL_RATE) give(v, given_v, b->mode_v[s->k], s->x[0]);
             continue;
         }
-        if (s->type == INITIAL_POSITION) say(q, said_q, position_place(o, s->joint, s->k), s->x[0]);
-        if (s->type == INITIAL_RATE) say(v, said_v, rate_place(o, s->joint, s->k), s->x[0]);
+        if (s->type == INITIAL_POSITION) give(q, given_q, position_place(o, s->joint, s->k), s->x[0]);
+        if (s->type == INITIAL_RATE) give(v, given_v, rate_place(o, s->joint, s->k), s->x[0]);
         if (s->type == INITIAL_ROTATION) put_rotation(o, q, &o->joint[o->joint_of[s->joint]], s->x);
     }
     struct arena_mark mark = arena_mark(o->life);
@@ -127,8 +127,8 @@ void make_start(struct making *o)
     arena_rewind(o->life, mark);
     m->q0 = q;
     m->v0 = v;
-    m->said_q = said_q;
-    m->said_v = said_v;
+    m->given_q = given_q;
+    m->given_v = given_v;
     m->t0 = scene->start;
     m->assemble = scene->assemble;
 }

@@ -262,7 +262,7 @@ static void fell(struct making *o)
     o->m->njoint = 0;
 }
 
-/* Gears and racks; a joint that is not in the tree has no coordinate to tie, and is told elsewhere. */
+/* Gears and racks; a joint that is not in the tree has no coordinate to tie, and is reported elsewhere. */
 static void add_terms(struct making *o, struct model_loop *l, const struct scene_joint *sj)
 {
     l->nterm = sj->nterm;
@@ -333,13 +333,13 @@ static enum status add_loops(struct making *o)
 enum status make_tree(struct making *o)
 {
     const struct scene *scene = o->scene;
-    int n = scene->nbody, room = n + most_nodes(scene);
-    o->body = TAKE(o->life, struct model_body, room);
-    o->joint = TAKE(o->life, struct model_joint, room);
+    int n = scene->nbody, capacity = n + most_nodes(scene);
+    o->body = TAKE(o->life, struct model_body, capacity);
+    o->joint = TAKE(o->life, struct model_joint, capacity);
     o->body_of = TAKE(o->life, int, n);
     o->joint_of = TAKE(o->life, int, scene->njoint);
     o->loop_of = TAKE(o->life, int, scene->njoint);
-    o->scene_joint = TAKE(o->life, int, room);
+    o->scene_joint = TAKE(o->life, int, capacity);
     for (int i = 1; i < n; i++) o->body_of[i] = -1;
     for (int i = 0; i < scene->njoint; i++) o->joint_of[i] = o->loop_of[i] = -1;
     o->body[0] = (struct model_body){.name = "ground", .parent = -1, .joint = -1, .component = -1};

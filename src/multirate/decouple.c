@@ -97,7 +97,7 @@ static enum status by_matrix(struct decouple *p, const struct instant *x, struct
     return OK;
 }
 
-/* A power of two that makes inertial forces as large as the forces r that they are told from by a difference. */
+/* A power of two that makes inertial forces as large as the forces r that a difference tells them apart. */
 static double as_large(const struct decouple *p, const double *r, int m)
 {
     double force = 0, mass = INFINITY;

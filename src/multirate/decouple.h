@@ -18,7 +18,7 @@
  *
  *     M_s W = (M_f P_S)_L,   W' M_s W,
  *
- * so that no slow body is asked.  The rows are told one by one where there are fewer slow coordinates than fast ones,
+ * so that no slow body is asked.  The rows are given one by one where there are fewer slow coordinates than fast ones,
  * by (M_f P_S)_L = (M_f)_LS - (M_f)_LL W and the symmetry of M_f. */
 #ifndef FMDSUB_MULTIRATE_DECOUPLE_H
 #define FMDSUB_MULTIRATE_DECOUPLE_H

@@ -44,14 +44,14 @@
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
-enum { ROOM = 64, PASSES = 2, SWEEPS = 16 };
+enum { LEAST_CAPACITY = 64, PASSES = 2, SWEEPS = 16 };
 
-static void room_for(struct subcycle *c, int ratio, struct arena *life)
+static void reserve(struct subcycle *c, int ratio, struct arena *life)
 {
-    if (ratio <= c->room) return;
-    c->room = ratio < ROOM ? ROOM : ratio;
-    c->d = TAKE(life, double, (size_t)c->ns *(size_t)c->room);
-    c->dbefore = TAKE(life, double, (size_t)c->ns *(size_t)c->room);
+    if (ratio <= c->capacity) return;
+    c->capacity = ratio < LEAST_CAPACITY ? LEAST_CAPACITY : ratio;
+    c->d = TAKE(life, double, (size_t)c->ns *(size_t)c->capacity);
+    c->dbefore = TAKE(life, double, (size_t)c->ns *(size_t)c->capacity);
 }
 
 static void take_vectors(struct subcycle *c, struct arena *life)
@@ -89,7 +89,7 @@ static void open(struct stepper *s, struct arena *life)
     forecast_open(&c->forecast, &c->dec, life);
     c->near = o->move ? c->nl : c->dec.ml;
     take_vectors(c, life);
-    room_for(c, ROOM, life);
+    reserve(c, LEAST_CAPACITY, life);
 }
 
 /* ---- the iteration ----------------------------------------------------------------------------- */
@@ -278,7 +278,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
         s->effort.minors++;
         return OK;
     }
-    room_for(c, ratio, s->life);
+    reserve(c, ratio, s->life);
     begin(c, x, h, ratio, to);
     TRY(subcycle_decouple(c, x->q, x->t, why));
     if (s->fresh) forget(c);

@@ -43,7 +43,7 @@ struct subcycle {
     struct instant centre; /* where W stands */
 
     /* unknowns, from sweep to sweep */
-    int room;                    /* minor steps that d has room for */
+    int capacity;                /* minor steps that d has room for */
     double *d, *dbefore;         /* [ns x ratio] d_k; before the sweep */
     double *du, *u0, *w;         /* [nl] */
     double *vs, *xn, *xbefore;   /* [ns] v_S,k and x_k on the way, at its end v_S,n and x_n; x_n before the sweep */

@@ -167,7 +167,7 @@ static void keep(struct floating *o, int end, const double *q, const double *v)
     o->known[end] = true;
 }
 
-static void look(struct floating *o, int end, const double *q, const double *v)
+static void sample(struct floating *o, int end, const double *q, const double *v)
 {
     keep(o, end, q, v);
     o->ops->move(o->there, o->q[end], o->v[end], FAST);
@@ -176,21 +176,21 @@ static void look(struct floating *o, int end, const double *q, const double *v)
 }
 
 /* A step starts where the last one has ended. */
-static void look_at_start(struct floating *o, const double *q, const double *v)
+static void sample_start(struct floating *o, const double *q, const double *v)
 {
     if (is_at(o, 0, q, v)) return;
     if (!is_at(o, 1, q, v)) {
-        look(o, 0, q, v);
+        sample(o, 0, q, v);
         return;
     }
     keep(o, 0, q, v);
     for (int i = 0; i < o->n; i++) o->part[i].end[0] = o->part[i].end[1];
 }
 
-static void look_at_ends(struct floating *o, const struct instant *x)
+static void sample_ends(struct floating *o, const struct instant *x)
 {
-    look_at_start(o, x->qa, x->va);
-    look(o, 1, x->qb, x->vb);
+    sample_start(o, x->qa, x->va);
+    sample(o, 1, x->qb, x->vb);
 }
 
 /* --- the centre of mass ------------------------------------------------------------------------- */
@@ -220,7 +220,7 @@ static void slide(double *q, const struct floater *f, const double *d)
 
 void floating_place(struct floating *o, struct instant *settled, const struct instant *x)
 {
-    look_at_ends(o, x);
+    sample_ends(o, x);
     *settled = *x;
     settled->q = memcpy(o->at, x->q, sizeof *o->at * (size_t)o->model->nq);
     settled->v = memcpy(o->moving, x->v, sizeof *o->moving * (size_t)o->model->n);
@@ -323,7 +323,7 @@ static void finish(struct floating *o, double *v1, struct floater *f, double h)
 
 void floating_settle(struct floating *o, double *q1, double *v1, const struct instant *x)
 {
-    look_at_ends(o, x);
+    sample_ends(o, x);
     for (int i = 0; i < o->n; i++) {
         struct floater *f = &o->part[i];
         double d[3];

@@ -16,23 +16,23 @@ static struct open_tree *tree_of(const struct ode2 *o)
 
 /* --- where the bodies stand --------------------------------------------------------------------- */
 
-static bool stands_at(const struct open_tree *s, const double *q)
+static bool placed_at(const struct open_tree *s, const double *q)
 {
-    return s->stands && posture_is(&s->posture, q, s->model->nq);
+    return s->placed && posture_is(&s->posture, q, s->model->nq);
 }
 
 /* Takes q; do the bodies stand there already? */
-static bool stand(struct open_tree *s, const double *q)
+static bool take_posture(struct open_tree *s, const double *q)
 {
     const long before = s->posture.number;
-    const bool there = posture_take(&s->posture, q, s->model->nq) == before && s->stands;
-    s->stands = true;
+    const bool there = posture_take(&s->posture, q, s->model->nq) == before && s->placed;
+    s->placed = true;
     return there;
 }
 
 long open_place(struct open_tree *s, const double *q)
 {
-    if (stand(s, q)) return s->posture.number;
+    if (take_posture(s, q)) return s->posture.number;
     s->ops->place(s->sweep, q, ALL);
     s->moved = 0;
     return s->posture.number;
@@ -40,7 +40,7 @@ long open_place(struct open_tree *s, const double *q)
 
 long open_move(struct open_tree *s, const double *q, const double *v)
 {
-    s->ops->move(s->sweep, stand(s, q) ? NULL : q, v, ALL);
+    s->ops->move(s->sweep, take_posture(s, q) ? NULL : q, v, ALL);
     return s->moved = s->posture.number;
 }
 
@@ -52,7 +52,7 @@ static enum status not_finite(struct open_tree *s, const double *r, const struct
 {
     const struct model *m = s->model;
     memset(s->suspect, 0, sizeof *s->suspect * (size_t)m->nforce);
-    s->stands = false;
+    s->placed = false;
     s->ops->forward(s->sweep, x->q, x->v, x->a, cls);
     elements_load(s->elements, s->sweep, s->d, NULL, NULL, s->suspect, x, cls);
     for (int i = 0; i < m->nforce; i++) {
@@ -97,7 +97,7 @@ INTO static inline enum status residual(struct open_tree *o, double *r, double *
     if (w)
         for (int i = 0; i < POWER_CHANNELS; i++) w[i] = 0;
     if (dk) *dk = 0;
-    if (!moved || balanced) o->stands = false;
+    if (!moved || balanced) o->placed = false;
     o->ops->forward(o->sweep, moved ? NULL : x->q, x->v, x->a, cls);
     if (balanced) floating_balance(&o->floating, o->sweep, &settled);
     elements_load(o->elements, o->sweep, r, w, dk, NULL, x, cls);
@@ -109,7 +109,7 @@ INTO static inline enum status residual(struct open_tree *o, double *r, double *
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
                        struct trouble *why)
 {
-    assert(o->stands && o->moved == o->posture.number);
+    assert(o->placed && o->moved == o->posture.number);
     return residual(o, r, w, dk, x, cls, true, why);
 }
 
@@ -122,8 +122,8 @@ static enum status resid(const struct ode2 *o, double *r, double *w, double *dk,
 static enum status mass(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why)
 {
     struct open_tree *s = tree_of(o);
-    const bool there = stands_at(s, q);
-    s->stands = there;
+    const bool there = placed_at(s, q);
+    s->placed = there;
     s->ops->mass(s->sweep, M, there ? NULL : q, cls);
     /* all that enters M enters its diagonal */
     return all_finite(M, o->n, o->n + 1) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
@@ -137,8 +137,8 @@ static enum status slopes(const struct ode2 *o, double *K, double *C, const stru
     if (K) memset(K, 0, nn * sizeof *K);
     if (C) memset(C, 0, nn * sizeof *C);
     if (!s->diagonal) {
-        const bool there = stands_at(s, x->q);
-        s->stands = there;
+        const bool there = placed_at(s, x->q);
+        s->placed = there;
         s->ops->move(s->sweep, there ? NULL : x->q, x->v, cls);
     }
     elements_slopes(s->elements, s->sweep, K, C, x, (enum rate)cls);
@@ -215,7 +215,7 @@ static enum status factor(const struct ode2 *o, void *F, double cm, double cc, d
     if (!s->diagonal || s->elastic.n) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
     memset(s->d, 0, sizeof *s->d * (size_t)o->n);
     elements_diagonal(s->elements, s->d, cc, ck, x);
-    s->stands = false;
+    s->placed = false;
     return s->ops->factor(s->sweep, F, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
 }
 
@@ -223,8 +223,8 @@ static enum status stiffen(const struct ode2 *o, void *F, const double *d, const
                            struct trouble *why)
 {
     struct open_tree *s = tree_of(o);
-    s->stands = stands_at(s, q);
-    return s->ops->factor(s->sweep, F, 1, d, s->stands ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
+    s->placed = placed_at(s, q);
+    return s->ops->factor(s->sweep, F, 1, d, s->placed ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
 }
 
 static void solve(const struct ode2 *o, const void *F, double *x)

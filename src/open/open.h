@@ -20,7 +20,7 @@ struct open_tree {
     const struct sweep_ops *ops;
     struct sweep *sweep;
     struct posture posture; /* where all of its bodies were placed last */
-    bool stands;            /* they still stand there */
+    bool placed;            /* they still stand there */
     long moved;             /* and move as open_move() has been told: number of the posture, else 0 */
     struct elements *elements;
     bool diagonal;          /* elements_are_diagonal() */

@@ -1,7 +1,7 @@
 /* sink.h -- what a run writes into.
  *
  * A run tells a sink, in this order: meta once, then rows and events as they come, end once, also
- * when the run was stopped; tick now and then between.  Nothing told depends on the clock or the
+ * when the run was stopped; tick now and then between.  Nothing reported depends on the clock or the
  * machine: same deck, same bytes.  The writers below are sinks on a stream; a study is another.
  *
  * csv      One header line of plain names, then one line a row; a value that is not finite is an
@@ -39,7 +39,7 @@
 #include "out/columns.h"
 #include "out/stream.h"
 
-/* A fact with its name, in the order it is to be told. */
+/* A fact with its name, in the order it is to be reported. */
 enum pair_kind { PAIR_NUMBER, PAIR_TEXT, PAIR_BOOL };
 
 struct pair {
@@ -84,7 +84,7 @@ struct run_summary {
 struct sink;
 
 /* All required.  Texts and arrays belong to the caller and are read before the call returns.  A
- * failure stays: whatever is told after it returns it again. */
+ * failure stays: whatever is reported after it returns it again. */
 struct sink_ops {
     enum status (*meta)(struct sink *sink, const struct run_meta *meta, struct report *report);
     /* x [n]: the chosen columns.  Allocates nothing. */

@@ -112,17 +112,17 @@ enum status stream_create(struct stream *s, const char *path, struct arena *life
 
 void stream_reserve(struct stream *s, size_t most)
 {
-    if (s->room >= STREAM_FULL + most) return;
+    if (s->capacity >= STREAM_FULL + most) return;
     char *wider = TAKE(s->life, char, STREAM_FULL + most);
     if (s->used) memcpy(wider, s->bytes, s->used);
     s->bytes = wider;
-    s->room = STREAM_FULL + most;
+    s->capacity = STREAM_FULL + most;
 }
 
 /* Between records less than STREAM_FULL bytes wait, so what stream_reserve made is enough. */
 char *stream_begin(struct stream *s, size_t most)
 {
-    if (s->used + most > s->room) stream_reserve(s, 2 * most);
+    if (s->used + most > s->capacity) stream_reserve(s, 2 * most);
     return s->bytes + s->used;
 }
 

@@ -33,8 +33,8 @@ struct stream {
     const char *part;   /* [path] where it is written; NULL: the target itself, or renamed */
     bool pipe;          /* write in atomic pieces */
     enum status status; /* of the first failure */
-    char *bytes;        /* [room] */
-    size_t room, used;
+    char *bytes;        /* [capacity] */
+    size_t capacity, used;
     double flushed;    /* [s] monotonic time of the last flush by stream_tick */
     long long written; /* bytes that left */
     struct arena *life;

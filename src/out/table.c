@@ -17,8 +17,8 @@ struct cell {
 struct table {
     const struct table_column *columns; /* [n] */
     int n;
-    struct cell *cells; /* [room] by row */
-    int used, room;
+    struct cell *cells; /* [capacity] by row */
+    int used, capacity;
     struct arena *life;
 };
 
@@ -32,7 +32,7 @@ struct table *table_open(const struct table_column *columns, int n, struct arena
 
 static void append(struct table *table, struct cell cell)
 {
-    table->cells = arena_more(table->life, table->cells, table->used, &table->room, sizeof *table->cells);
+    table->cells = arena_more(table->life, table->cells, table->used, &table->capacity, sizeof *table->cells);
     table->cells[table->used++] = cell;
 }
 

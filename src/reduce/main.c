@@ -13,7 +13,7 @@
 #include "reduce/options.h"
 #include "reduce/prestress.h"
 #include "reduce/stress.h"
-#include "reduce/words.h"
+#include "reduce/summary.h"
 
 #define REDUCE_VERSION "0.1.0"
 
@@ -60,7 +60,7 @@ static enum status reduce(const struct options *options, struct arena *life, str
                                        options->nload > 0 || options->stiffening, &options->damping, life);
     TRY(prestress_read(body, options, &fe, &basis, tie, life, report));
     TRY(stress_make(body, options, &fe, &basis, report));
-    words_say(&fe, &basis, tie, options->quiet, life);
+    summary_print(&fe, &basis, tie, options->quiet, life);
     return put(body, options, &fe, life, report);
 }
 

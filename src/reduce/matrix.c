@@ -8,16 +8,16 @@
 
 enum { MOST_ENTRIES = 500000000 };
 
-static enum status take(struct triplets *o, int room, struct text *text, struct arena *scratch)
+static enum status take(struct triplets *o, int capacity, struct text *text, struct arena *scratch)
 {
-    if (room > MOST_ENTRIES) {
+    if (capacity > MOST_ENTRIES) {
         return fail(text->report, E_LIMIT, "%s: more than %d entries", text->path, MOST_ENTRIES);
     }
-    o->room = room;
-    o->i = TAKE(scratch, int, room);
-    o->j = TAKE(scratch, int, room);
-    o->v = TAKE(scratch, double, room);
-    o->line = TAKE(scratch, int, room);
+    o->capacity = capacity;
+    o->i = TAKE(scratch, int, capacity);
+    o->j = TAKE(scratch, int, capacity);
+    o->v = TAKE(scratch, double, capacity);
+    o->line = TAKE(scratch, int, capacity);
     return OK;
 }
 
@@ -31,7 +31,7 @@ static enum status read_entry(struct triplets *o, char *at, const struct matrix_
         return text_bad(text, "row %d, column %d: the matrix has %d rows", i, j, rows->n);
     if (!isfinite(v)) return text_bad(text, "row %d, column %d: the value is not finite", i, j);
     if (i == j && v < 0) return text_bad(text, "row %d: the diagonal is negative, %.6g", i, v);
-    assert(o->count < o->room);
+    assert(o->count < o->capacity);
     int at_entry = o->count++;
     o->i[at_entry] = rows->to[i - 1];
     o->j[at_entry] = rows->to[j - 1];

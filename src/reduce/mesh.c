@@ -9,9 +9,9 @@
 
 void mesh_add_node(struct mesh *o, int id, const double *x, struct arena *life)
 {
-    int room = o->room;
-    o->id = arena_more(life, o->id, o->n, &room, sizeof *o->id);
-    o->x = arena_more(life, o->x, o->n, &o->room, 3 * sizeof *o->x);
+    int capacity = o->capacity;
+    o->id = arena_more(life, o->id, o->n, &capacity, sizeof *o->id);
+    o->x = arena_more(life, o->x, o->n, &o->capacity, 3 * sizeof *o->x);
     o->id[o->n] = id;
     memcpy(o->x + 3 * (size_t)o->n++, x, 3 * sizeof *x);
 }
@@ -20,20 +20,20 @@ struct mesh_set *mesh_add_set(struct mesh *o, const char *name, size_t len, stru
 {
     for (int i = 0; i < o->nset; i++)
         if (strlen(o->set[i].name) == len && strncasecmp(o->set[i].name, name, len) == 0) return o->set + i;
-    o->set = arena_more(life, o->set, o->nset, &o->set_room, sizeof *o->set);
+    o->set = arena_more(life, o->set, o->nset, &o->set_capacity, sizeof *o->set);
     o->set[o->nset] = (struct mesh_set){.name = arena_copy(life, name, len)};
     return o->set + o->nset++;
 }
 
 void mesh_add_member(struct mesh_set *set, int id, struct arena *life)
 {
-    set->id = arena_more(life, set->id, set->n, &set->room, sizeof *set->id);
+    set->id = arena_more(life, set->id, set->n, &set->capacity, sizeof *set->id);
     set->id[set->n++] = id;
 }
 
 struct mesh_element *mesh_add_element(struct mesh *o, struct arena *life)
 {
-    o->element = arena_more(life, o->element, o->nelement, &o->element_room, sizeof *o->element);
+    o->element = arena_more(life, o->element, o->nelement, &o->element_capacity, sizeof *o->element);
     return o->element + o->nelement++;
 }
 

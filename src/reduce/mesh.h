@@ -12,7 +12,7 @@
 
 struct mesh_set {
     const char *name;
-    int n, room;
+    int n, capacity;
     int *id; /* [n] numbers of nodes, ascending once the file is read */
 };
 
@@ -25,13 +25,13 @@ struct mesh_element {
 };
 
 struct mesh {
-    int n, room;
+    int n, capacity;
     int *id;   /* [n] ascending once the file is read */
     double *x; /* [3 x n] in the units of the file */
     int *rows; /* [3 x n] CSV: rows of the freedoms, from 0; else NULL */
-    int nset, set_room;
+    int nset, set_capacity;
     struct mesh_set *set;
-    int nelement, element_room;
+    int nelement, element_capacity;
     struct mesh_element *element; /* the solid ones */
     const char *path;
     struct files read; /* that file, and those it includes */

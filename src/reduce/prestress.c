@@ -129,7 +129,7 @@ static void solve(double *X, const struct parts *p, int at)
     }
 }
 
-static void say_missing(const struct parts *p, const struct options *options, const struct tie *tie)
+static void print_missing(const struct parts *p, const struct options *options, const struct tie *tie)
 {
     int missing = 0;
     for (int k = 0; k < LOAD_KINDS; k++)
@@ -171,6 +171,6 @@ enum status prestress_read(struct flex_body *body, const struct options *options
             body->s[k + 3 * at] = parts.kind[LOAD_ACCEL + k] ? parts.kind[LOAD_ACCEL + k][at] : 0;
         solve(body->xs + 9 * at, &parts, at);
     }
-    if (!options->quiet) say_missing(&parts, options, tie);
+    if (!options->quiet) print_missing(&parts, options, tie);
     return OK;
 }

@@ -21,12 +21,12 @@ static void sort_by(int *order, size_t *start, const int *key, const int *from, 
 /* Entries with their mirror images. */
 static void mirror(struct triplets *o, const struct triplets *from, struct arena *scratch)
 {
-    int room = from->half ? 2 * from->count : from->count;
+    int capacity = from->half ? 2 * from->count : from->count;
     *o = (struct triplets){.n = from->n,
-                           .i = TAKE(scratch, int, room),
-                           .j = TAKE(scratch, int, room),
-                           .v = TAKE(scratch, double, room),
-                           .line = TAKE(scratch, int, room)};
+                           .i = TAKE(scratch, int, capacity),
+                           .j = TAKE(scratch, int, capacity),
+                           .v = TAKE(scratch, double, capacity),
+                           .line = TAKE(scratch, int, capacity)};
     for (int k = 0; k < from->count; k++)
         for (int turn = 0; turn < (from->half && from->i[k] != from->j[k] ? 2 : 1); turn++) {
             o->i[o->count] = turn ? from->j[k] : from->i[k];

@@ -14,7 +14,7 @@ struct sparse {
 /* Entries as a file gives them. */
 struct triplets {
     int n; /* rows and columns */
-    int count, room;
+    int count, capacity;
     int *i, *j; /* [count] from 0 */
     double *v;
     int *line; /* where each stands */

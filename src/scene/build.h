@@ -61,7 +61,7 @@ bool may_own_columns(const char *name);
 /* Has a body a key that only one from a file has?  Its own word may be misspelt. */
 bool is_from_file(const struct node *n);
 
-/* Does the deck name it, but in a way that is wrong and was told? */
+/* Does the deck name it, but in a way that is wrong and was reported? */
 bool known_but_wrong(const struct builder *b, const char *name);
 
 /* plausible.c: warnings about numbers that look like other units */

@@ -57,8 +57,8 @@ bool known_but_wrong(const struct builder *b, const char *name)
 }
 
 /* The beam of this name is there in parts only. */
-static bool tell_segments(struct builder *b, const struct node *n, enum diag_at which, const char *code,
-                          const char *name)
+static bool report_segments(struct builder *b, const struct node *n, enum diag_at which, const char *code,
+                            const char *name)
 {
     int first = 0, last = 0;
     for (int i = 1; i < b->scene->nbody; i++) {
@@ -74,7 +74,8 @@ static bool tell_segments(struct builder *b, const struct node *n, enum diag_at 
 }
 
 /* A mode beyond those of its body. */
-static bool tell_modes(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *name)
+static bool report_modes(struct builder *b, const struct node *n, enum diag_at which, const char *code,
+                         const char *name)
 {
     const size_t len = strcspn(name, ".");
     const char *number = name + len + 5;
@@ -92,8 +93,8 @@ static bool tell_modes(struct builder *b, const struct node *n, enum diag_at whi
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count)
 {
-    if (known_but_wrong(b, name) || tell_segments(b, n, which, code, name)) return;
-    if (tell_modes(b, n, which, code, name)) return;
+    if (known_but_wrong(b, name) || report_segments(b, n, which, code, name)) return;
+    if (report_modes(b, n, which, code, name)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
 }

@@ -145,7 +145,7 @@ struct integrate {
     const char *scheme;      /* deck word */
     double step;             /* minor step h [s] */
     int ratio;               /* n, H = n h */
-    double until;            /* [s]; 0: the section is wrong, and that was told */
+    double until;            /* [s]; 0: the section is wrong, and that was reported */
     const void *options;     /* the schemes' own, see scene_read() */
     const struct node *end;  /* until as the deck gives it */
     const struct node *node; /* the section */

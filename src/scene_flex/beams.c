@@ -204,7 +204,7 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     o->to = 1;
     o->beam.space = b->scene->space;
     int errors = read_keys(&k, keys_beam_body, n, NULL, what, &b->reader);
-    o->beam.G = NAN; /* sections are read without, too: their own errors are told */
+    o->beam.G = NAN; /* sections are read without, too: their own errors are reported */
     if (k.beam) errors += read_axis(b, body, o, &k, what);
     if (k.material) errors += read_material(b, o, k.material, what);
     errors += read_sections(b, o, &k, n, what);

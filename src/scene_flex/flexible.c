@@ -10,11 +10,11 @@
 #include "scene_flex/flexible.h"
 
 static const double SAME = 1e-9;  /* stations that are one */
-static const double FAR = 0.1;    /* from the axis, in lengths: more is told */
-static const double CLOSE = 1e-3; /* from a node, in sizes of the body: more is told */
+static const double FAR = 0.1;    /* from the axis, in lengths: more is reported */
+static const double CLOSE = 1e-3; /* from a node, in sizes of the body: more is reported */
 
 struct stations {
-    int n, room;
+    int n, capacity;
     double *at;
 };
 
@@ -28,10 +28,10 @@ static bool holds(const struct stations *o, double s)
 static void take_station(struct stations *o, double s, struct arena *life)
 {
     if (holds(o, s)) return;
-    if (o->n == o->room) {
-        double *more = TAKE(life, double, o->room ? 2 * o->room : 8);
+    if (o->n == o->capacity) {
+        double *more = TAKE(life, double, o->capacity ? 2 * o->capacity : 8);
         if (o->n) memcpy(more, o->at, (size_t)o->n * sizeof *more);
-        o->room = o->room ? 2 * o->room : 8;
+        o->capacity = o->capacity ? 2 * o->capacity : 8;
         o->at = more;
     }
     o->at[o->n++] = s;
@@ -45,7 +45,7 @@ struct collecting {
 };
 
 /* The same of a body from a file: its nodes are what they are. */
-static void look_at_node(struct collecting *c, const double *world, const struct node *at)
+static void consider_node(struct collecting *c, const double *world, const struct node *at)
 {
     const struct scene_body *body = &c->b->scene->body[c->body];
     double offset[3], size = 0;
@@ -81,7 +81,7 @@ static void take_place(struct collecting *c, struct stations *to, const double *
     if (c->b->draft[c->body])
         take_station(to, foot(c, world, at), c->b->life);
     else
-        look_at_node(c, world, at);
+        consider_node(c, world, at);
 }
 
 static void take_marker(struct collecting *c, struct stations *to, const struct marker *m, const struct node *at)

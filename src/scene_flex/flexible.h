@@ -52,7 +52,7 @@ struct draft {
     struct flex_beam beam;
     bool round;               /* sections are circles: corners lie on them */
     bool shear, rotary;       /* as the deck wants them */
-    bool wrong;               /* and that was told: no stress is judged by its sections */
+    bool wrong;               /* and that was reported: no stress is judged by its sections */
     double length;            /* [m] */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */

@@ -18,7 +18,7 @@ void warn_of_beam(struct builder *b, const struct draft *o, const struct node *m
     const double speed = sqrt(o->beam.E / o->beam.density);
     double most = 0;
     for (int i = 0; i < o->beam.nsection; i++) most = fmax(most, side(&o->beam.section[i]));
-    if (density_is_usual(o->beam.density) && (speed < LEAST_SPEED || speed > MOST_SPEED)) { /* else it was told */
+    if (density_is_usual(o->beam.density) && (speed < LEAST_SPEED || speed > MOST_SPEED)) { /* else it was reported */
         diag_warn(b->diags, material, AT_VALUE, "W-units", "%s: sound runs at %.3g m/s through this material", what,
                   speed);
         diag_hint(b->diags, "numbers are SI: Pa and kg/m3; steel has E 210.0e+9, density 7850, and 5170 m/s");

@@ -26,7 +26,7 @@ bool holds_point(const struct builder *b, int body, const struct node *n)
     double station;
     if (!o || !b->scene->body[body].whole) return true;
     const struct node *at = n->type == NODE_MAP ? node_find(n, "station") : NULL;
-    if (!at || at->told || deck_number(&station, at, b->reader.deck) != OK || !(station >= 0 && station <= 1))
+    if (!at || at->reported || deck_number(&station, at, b->reader.deck) != OK || !(station >= 0 && station <= 1))
         return o->from == 0; /* the first tells what is wrong with it */
     return owns(o, station);
 }

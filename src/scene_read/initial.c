@@ -126,10 +126,10 @@ static const struct node *first_of_time(const struct scene *scene)
 /* The deck does not say how the clock goes on, where it matters. */
 static void warn_of_clock(struct builder *b, const struct node *initial, const struct node *n, double t)
 {
-    const struct node *told = first_of_time(b->scene);
-    if (t == 0 || !node_find(initial, "time")->implied || !told) return;
+    const struct node *first = first_of_time(b->scene);
+    if (t == 0 || !node_find(initial, "time")->implied || !first) return;
     diag_warn(b->diags, n, AT_VALUE, "W-time",
-              "the state is from t = %.9g s, and the run starts at t = 0: so does '%.60s'", t, told->key);
+              "the state is from t = %.9g s, and the run starts at t = 0: so does '%.60s'", t, first->key);
     diag_hint(b->diags, "'time: keep' goes on from there, 'time: zero' says that this is meant");
 }
 

@@ -16,7 +16,7 @@ static bool is_key(const char *word)
     return false;
 }
 
-static void say_no_kind(struct builder *b, const struct node *map)
+static void report_no_kind(struct builder *b, const struct node *map)
 {
     const char *names[JOINT_WORDS], *all = "";
     int n = 0;
@@ -51,7 +51,7 @@ static const struct joint_kind *joint_word(struct builder *b, const struct node 
         *word = map->item[i];
     }
     if (kind) return kind;
-    say_no_kind(b, map);
+    report_no_kind(b, map);
     return NULL;
 }
 

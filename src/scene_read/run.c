@@ -18,7 +18,7 @@ static bool choose_modes(const struct scene *scene, struct scene_choice *o, cons
 }
 
 /* A rigid body is moved by joints, and has no coordinates of its own. */
-static bool tell_rigid(struct builder *b, const struct node *n)
+static bool report_rigid(struct builder *b, const struct node *n)
 {
     const struct scene *scene = b->scene;
     int body = 0;
@@ -53,7 +53,7 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
             return 1;
         }
     }
-    if (n->type == NODE_SCALAR && tell_rigid(b, n)) return 1;
+    if (n->type == NODE_SCALAR && report_rigid(b, n)) return 1;
     int count = 0;
     for (int i = 1; i < scene->nbody; i++) modes += scene->body[i].nmode;
     const char **list = TAKE(b->life, const char *, scene->njoint *(1 + JOINT_MAX_Q) + scene->nbody + modes);
@@ -81,7 +81,7 @@ static int read_band(struct builder *b, struct scene_choice *list, int *count, c
     int index = find_body(b, k.modes), found = 0;
     if (index < 0) return 1;
     const struct scene_body *body = &b->scene->body[index];
-    if (body->nmode && !body->flex) return 0; /* it could not be made, and that was told */
+    if (body->nmode && !body->flex) return 0; /* it could not be made, and that was reported */
     if (!body->flex || !body->flex->hertz) {
         diag_error(b->diags, k.modes, AT_VALUE, "E-partition", "'%s' has no modes with frequencies", body->name);
         return 1;

@@ -9,7 +9,7 @@
 
 enum { MOST_HALVINGS = 10 };
 
-/* Books the step that was just accepted.  A state whose energy cannot be told ends the run: it is no step to halve. */
+/* Books the step that was just accepted.  A state whose energy is unknown ends the run: it is no step to halve. */
 static enum status push(struct sim *sim, double h, int ratio)
 {
     struct energies e;

@@ -16,9 +16,9 @@ struct listing {
 void catalogue_add(struct catalogue *o, const char *name, const char *unit, const struct origin *origin,
                    struct arena *life)
 {
-    int room = o->room;
-    o->column = arena_more(life, o->column, o->n, &room, sizeof *o->column);
-    o->origin = arena_more(life, o->origin, o->n, &o->room, sizeof *o->origin);
+    int capacity = o->capacity;
+    o->column = arena_more(life, o->column, o->n, &capacity, sizeof *o->column);
+    o->origin = arena_more(life, o->origin, o->n, &o->capacity, sizeof *o->origin);
     o->column[o->n] = (struct column){name, unit, origin->kind->brief};
     o->origin[o->n++] = *origin;
 }

@@ -78,7 +78,7 @@ struct origin {
 };
 
 struct catalogue {
-    int n, room;
+    int n, capacity;
     struct column *column; /* [n], t first */
     struct origin *origin; /* [n] */
 };

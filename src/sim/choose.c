@@ -56,7 +56,7 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
     const struct catalogue *c = &sim->catalogue;
     const char **patterns = TAKE(life, const char *, out->ncolumn);
     enum status status = formulas_open(sim, diags, life);
-    for (int i = 0; i < out->ncolumn; i++) { /* every wrong pattern is told */
+    for (int i = 0; i < out->ncolumn; i++) { /* every wrong pattern is reported */
         struct report report = {0};
         struct selection one;
         patterns[i] = out->column[i].name ? out->column[i].name : out->column[i].node->text;
@@ -90,7 +90,7 @@ static enum status refuse_twins(const struct sim *sim, struct diags *diags, stru
     const struct catalogue *c = &sim->catalogue;
     const struct column **sorted = TAKE(life, const struct column *, c->n);
     enum status status = OK;
-    const struct node *told = NULL;
+    const struct node *last = NULL;
     for (int i = 0; i < c->n; i++) sorted[i] = &c->column[i];
     qsort(sorted, (size_t)c->n, sizeof *sorted, by_name);
     for (int i = 1; i < c->n; i++) {
@@ -98,10 +98,10 @@ static enum status refuse_twins(const struct sim *sim, struct diags *diags, stru
         const struct node *at =
             later(c->origin[sorted[i - 1] - c->column].of->node, c->origin[sorted[i] - c->column].of->node);
         if (!at) at = sim->scene->deck->root;
-        if (at != told)
+        if (at != last)
             diag_error(diags, at, AT_KEY, "E-duplicate-name", "column '%.80s' has two meanings: %s, and %s",
                        sorted[i]->name, sorted[i - 1]->brief, sorted[i]->brief);
-        told = at;
+        last = at;
         status = E_DECK;
     }
     return status;

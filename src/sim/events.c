@@ -1,7 +1,7 @@
 /* events.c -- what is looked for at the end of every major step: the condition of `until: {when: ...}`, and joints that
  * leave their `range:`.
  *
- * Both are told at the end of the step in which they happen; the step is not cut there. */
+ * Both are reported at the end of the step in which they happen; the step is not cut there. */
 #include <assert.h>
 #include <stdio.h>
 
@@ -45,7 +45,8 @@ void events_open(struct sim *sim, struct arena *life)
     open_ranges(sim, life);
 }
 
-static enum status tell(struct sim *sim, struct sink *sink, const char *kind, const char *text, struct report *report)
+static enum status write_event(struct sim *sim, struct sink *sink, const char *kind, const char *text,
+                               struct report *report)
 {
     return sink ? sink->ops->event(sink, sim->x.t, kind, text, report) : OK;
 }
@@ -59,9 +60,9 @@ static enum status check_range(struct sim *sim, struct watched_range *r, struct 
     r->side = side;
     snprintf(text, sizeof text, "%.80s %s %.6g ... %.6g: %.6g", r->name, side ? "is outside its range" : "is back in",
              range[0], range[1], x);
-    if (sim->options.say && !r->told) fprintf(sim->options.say, "t = %.6g s: %s\n", sim->x.t, text);
-    r->told = true;
-    return tell(sim, sink, "range", text, report);
+    if (sim->options.log && !r->reported) fprintf(sim->options.log, "t = %.6g s: %s\n", sim->x.t, text);
+    r->reported = true;
+    return write_event(sim, sink, "range", text, report);
 }
 
 /* Does the condition turn true?  What is true from the start has not turned. */
@@ -73,12 +74,12 @@ static enum status check_condition(struct sim *sim, struct sink *sink, struct re
     bool is = expr_value(when->expr, w->value) != 0, turned = is && !w->was;
     w->was = is;
     bool start = sim->stepper.effort.majors == 0;
-    if (start && is && sim->options.say) {
-        print_condition(sim, sim->options.say);
-        fputs("is true at the start: the run ends when it turns true again\n", sim->options.say);
+    if (start && is && sim->options.log) {
+        print_condition(sim, sim->options.log);
+        fputs("is true at the start: the run ends when it turns true again\n", sim->options.log);
     }
     w->met = turned && !start;
-    return w->met ? tell(sim, sink, "until", when->node->text, report) : OK;
+    return w->met ? write_event(sim, sink, "until", when->node->text, report) : OK;
 }
 
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report)

@@ -47,7 +47,7 @@ static int unknown(const struct naming *o, const char *name, struct expr_error *
 {
     const struct catalogue *c = o->catalogue;
     const struct output_column *own = own_column(o->output, name);
-    if (own && own->node->told) return 2;
+    if (own && own->node->reported) return 2;
     const char **names = TAKE(o->life, const char *, c->n);
     for (int i = 0; i < c->n; i++) names[i] = c->column[i].name;
     const char *nearest = text_nearest(name, names, c->n);
@@ -71,7 +71,7 @@ static int find_slot(void *self, int *slot, double *value, const char *name, str
     if (column < 0) return unknown(o, name, error);
     for (int i = 0; i < f->n; i++)
         if (f->from[i] == column) return *slot = i, 0;
-    f->from = arena_more(o->life, f->from, f->n, &f->room, sizeof *f->from);
+    f->from = arena_more(o->life, f->from, f->n, &f->capacity, sizeof *f->from);
     f->from[f->n] = column;
     *slot = f->n++;
     return 0;

@@ -2,7 +2,7 @@
  *
  * A step in position is an infinite speed: over a step h it would run at jump/h, so that what follows depends on h
  * alone.  The run stops before the step in which that happens.  Where two pieces of an expression all but meet, as with
- * constants of a few digits, it goes on, and the jump is told. */
+ * constants of a few digits, it goes on, and the jump is reported. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -69,10 +69,10 @@ static enum status judge(struct sim *sim, struct jumping *o, double at, double b
             report, E_NUMERIC,
             "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some time",
             sim->x.t, text, place_of(sim, o, place, sizeof place));
-    if (sim->options.say && !o->told)
-        fprintf(sim->options.say, "warning: %s (%s): its pieces do not quite meet\n", text,
+    if (sim->options.log && !o->reported)
+        fprintf(sim->options.log, "warning: %s (%s): its pieces do not quite meet\n", text,
                 place_of(sim, o, place, sizeof place));
-    o->told = true;
+    o->reported = true;
     return sink ? sink->ops->event(sink, sim->x.t, "drive", text, report) : OK;
 }
 

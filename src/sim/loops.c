@@ -54,7 +54,7 @@ void sim_print_assembly(const struct sim *sim, FILE *to)
     fputc('\n', to);
 }
 
-enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report)
+enum status write_partition(struct sim *sim, struct sink *sink, struct report *report)
 {
     char text[400] = "independent:";
     const struct ode2 *o = system_ode2(sim->system);

@@ -19,7 +19,7 @@ enum status advance(struct sim *sim, double h, int ratio, double to);
 /* loops.c: warnings about the start; the event of a new partition */
 void warn_of_loops(const struct sim *sim, struct diags *diags);
 const char *sim_loop_kind(const struct sim *sim, int l); /* "constraint" or "drive" */
-enum status tell_partition(struct sim *sim, struct sink *sink, struct report *report);
+enum status write_partition(struct sim *sim, struct sink *sink, struct report *report);
 
 /* Do records or conditions read angles of loop joints? */
 static inline bool follows_turns(const struct sim *sim)
@@ -71,7 +71,7 @@ enum status record_fill(struct sim *sim);
 /* rest.c: moves sim->x to a stable static equilibrium near it, at rest */
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);
 
-/* words.c: what is said to people */
+/* messages.c: what is said to people */
 /* What ends the run, in quotes and with a blank behind. */
 void print_condition(const struct sim *sim, FILE *to);
 void print_plan(const struct sim *sim);

@@ -105,7 +105,7 @@ int sim_column_rate(const struct sim *sim, int i)
     return o->kind->use == USE_POSITION ? sim->model->coordinate[o->index].fast : -1;
 }
 
-static enum status tell_meta(const struct sim *sim, struct sink *sink, struct report *report)
+static enum status write_meta(const struct sim *sim, struct sink *sink, struct report *report)
 {
     struct pair settings[24];
     char hash[20];
@@ -123,7 +123,7 @@ static enum status tell_meta(const struct sim *sim, struct sink *sink, struct re
     return sink ? sink->ops->meta(sink, &meta, report) : OK;
 }
 
-static enum status tell_row(struct sim *sim, struct sink *sink, struct report *report)
+static enum status write_row(struct sim *sim, struct sink *sink, struct report *report)
 {
     if (!sink) return OK;
     enum status status = record_fill(sim);
@@ -132,7 +132,7 @@ static enum status tell_row(struct sim *sim, struct sink *sink, struct report *r
     return sink->ops->row(sink, sim->row, report);
 }
 
-static enum status tell_end(struct sim *sim, struct sink *sink, struct report *report)
+static enum status write_end(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct pair facts[32];
     struct run_summary summary = {.facts = facts};
@@ -159,13 +159,13 @@ static enum status major(struct sim *sim, long k)
     return advance(sim, h, p->ratio, to);
 }
 
-static enum status look(struct sim *sim, struct sink *sink, struct report *report)
+static enum status check_events(struct sim *sim, struct sink *sink, struct report *report)
 {
     enum status status = events_check(sim, sink, report);
     return status == E_NUMERIC ? describe_trouble(sim, &sim->trouble, status, report) : status;
 }
 
-/* Who sends a signal knows of it; a limit has to be told. */
+/* Who sends a signal knows of it; a limit has to be reported. */
 static enum status stopped(const struct sim *sim, struct report *report)
 {
     const char *limit = stop_limit();
@@ -182,10 +182,10 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->njump) TRY(jumps_check(sim, end_of(sim, k), sink, report));
         enum status status = major(sim, k);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
-        if (system_charts(sim->system) != charts) TRY(tell_partition(sim, sink, report));
-        TRY(look(sim, sink, report));
+        if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
+        TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
-        if (due) TRY(tell_row(sim, sink, report));
+        if (due) TRY(write_row(sim, sink, report));
         if (due || k % CHECK_EVERY == 0) {
             double now = clock_wall();
             progress_show(progress, now, sim->x.t, sim->plan.until);
@@ -193,7 +193,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         }
         if (sim->watch.met) return OK;
         if (stop && k < sim->majors) {
-            if (!due) TRY(tell_row(sim, sink, report));
+            if (!due) TRY(write_row(sim, sink, report));
             return stopped(sim, report);
         }
     }
@@ -217,20 +217,20 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct progress progress;
     double wall = clock_wall(), cpu = clock_cpu();
-    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.say : NULL, wall, sim->x.t);
+    progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.log : NULL, wall, sim->x.t);
     print_plan(sim);
-    sim_print_assembly(sim, sim->options.say);
-    TRY(tell_meta(sim, sink, report));
-    enum status status = tell_row(sim, sink, report);
-    if (status == OK) status = look(sim, sink, report);
+    sim_print_assembly(sim, sim->options.log);
+    TRY(write_meta(sim, sink, report));
+    enum status status = write_row(sim, sink, report);
+    if (status == OK) status = check_events(sim, sink, report);
     if (status == OK) status = step_on(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;
     sim->status = status;
     progress_close(&progress);
     if (status != E_FILE && status != E_SIGPIPE) {
-        enum status told = tell_end(sim, sink, report);
-        if (told != OK) status = sim->status = told;
+        enum status ended = write_end(sim, sink, report);
+        if (ended != OK) status = sim->status = ended;
     }
     if (status != E_SIGPIPE) print_end(sim, clock_wall() - wall);
     return status;

@@ -20,7 +20,7 @@ enum sim_progress { PROGRESS_NEVER, PROGRESS_ALWAYS };
 /* What the caller may say besides the deck. */
 struct sim_options {
     const char *version;
-    FILE *say; /* plan line, progress, end summary; NULL: silent */
+    FILE *log; /* plan line, progress, end summary; NULL: silent */
     enum sim_progress progress;
     bool general;  /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
     bool counting; /* columns are all coordinates, rates and measures, whatever the deck says, and it runs to the latest
@@ -39,15 +39,15 @@ struct watch {
         const struct scene_joint *joint;
         const char *name; /* of the coordinate */
         const struct origin *place;
-        int side;  /* -1 below, 0 inside, 1 above */
-        bool told; /* to people */
-    } * range;     /* [nrange] */
+        int side;      /* -1 below, 0 inside, 1 above */
+        bool reported; /* to people */
+    } * range;         /* [nrange] */
 };
 
 /* formulas.c: a column that is an expression of others. */
 struct formula {
     const struct expr *expr;
-    int n, room;
+    int n, capacity;
     int *from; /* [n] the columns that it reads, of the catalogue */
     double *x; /* [n] their values */
 };
@@ -99,7 +99,7 @@ struct sim {
         int loop;    /* of the model: a drive that may jump */
         double x[3]; /* it and its rates at the end of the last step */
         double most; /* its largest value so far [m] or [rad] */
-        bool told;
+        bool reported;
     } * jump;               /* [njump] */
     double cpu;             /* seconds of stepping, without records */
     struct trouble trouble; /* why it stopped */

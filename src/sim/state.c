@@ -25,7 +25,7 @@ static int place(const struct catalogue *c, const char *name)
     return -1;
 }
 
-static void tell_unknown(const struct catalogue *c, const struct node *n, struct reader *rd, struct arena *life)
+static void report_unknown(const struct catalogue *c, const struct node *n, struct reader *rd, struct arena *life)
 {
     const char **names = TAKE(life, const char *, c->n);
     int count = 0;
@@ -34,7 +34,7 @@ static void tell_unknown(const struct catalogue *c, const struct node *n, struct
     read_unknown(n, AT_KEY, "E-unknown-coordinate", "coordinate or rate", n->key, names, count, rd);
 }
 
-static void tell_missing(const struct catalogue *c, const bool *given, const struct node *at, struct diags *diags)
+static void report_missing(const struct catalogue *c, const bool *given, const struct node *at, struct diags *diags)
 {
     const char *first = NULL;
     int missing = 0;
@@ -76,19 +76,19 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
         int i = place(c, n->key);
         double x = 0;
         if (i < 0) { /* the state of another deck: one word is enough */
-            tell_unknown(c, n, &rd, life);
+            report_unknown(c, n, &rd, life);
             return diags_status(diags);
         }
         read_number(&x, n, NULL, &rd);
         given[i] = true;
         (c->origin[i].kind->use == USE_POSITION ? q : v)[c->origin[i].index] = x;
     }
-    if (diags_status(diags) == OK) tell_missing(c, given, from, diags);
+    if (diags_status(diags) == OK) report_missing(c, given, from, diags);
     if (diags_status(diags) == OK) check_quaternions(m, q, from, diags);
     m->q0 = q;
     m->v0 = v;
-    m->said_q = memset(TAKE(life, bool, m->nq), true, (size_t)m->nq * sizeof(bool));
-    m->said_v = memset(TAKE(life, bool, m->n), true, (size_t)m->n * sizeof(bool));
+    m->given_q = memset(TAKE(life, bool, m->nq), true, (size_t)m->nq * sizeof(bool));
+    m->given_v = memset(TAKE(life, bool, m->n), true, (size_t)m->n * sizeof(bool));
     return diags_status(diags);
 }
 
@@ -112,9 +112,9 @@ enum status state_turns(struct sim *sim, struct diags *diags)
         if (!n) continue;
         read_number(&x, n, NULL, &rd);
         if (o->kind->use == USE_TURNS)
-            system_stand_loop(sim->system, o->index, o->k, x);
+            system_set_loop_coordinate(sim->system, o->index, o->k, x);
         else
-            system_stand(sim->system, o->index, x);
+            system_set_measure(sim->system, o->index, x);
     }
     return diags_status(diags);
 }

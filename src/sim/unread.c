@@ -1,6 +1,6 @@
 /* unread.c -- keys that are right, but mean nothing to the scheme that runs.
  *
- * They are told where the scheme and they are the deck's, or the key is the command line's: a scheme that --set has put
+ * They are reported where the scheme and they are the deck's, or the key is the command line's: a scheme that --set has put
  * in place of the deck's is there to be compared, and the deck's keys then wait for their own. */
 #include <string.h>
 
@@ -15,7 +15,7 @@ static bool reads(const struct stepper_kind *kind, const char *key)
 }
 
 /* Does it say what every scheme does without it? */
-static bool says_nothing(const struct integrate *p, const char *key)
+static bool is_default(const struct integrate *p, const char *key)
 {
     if (strcmp(key, "ratio") == 0) return p->ratio == 1;
     for (int i = 0; stepper_kinds[i]; i++) {
@@ -38,7 +38,7 @@ static bool compared(const struct sim *sim, const struct node *key)
     return deck_was_set(deck, node_find(sim->plan.node, "scheme")) && !deck_was_set(deck, key);
 }
 
-static void tell(const struct sim *sim, const struct node *n, bool (*wanted)(const struct stepper_kind *, const char *),
+static void warn(const struct sim *sim, const struct node *n, bool (*wanted)(const struct stepper_kind *, const char *),
                  struct diags *diags)
 {
     char readers[200] = "";
@@ -84,10 +84,10 @@ void warn_of_unread(const struct sim *sim, struct diags *diags)
     for (int i = 0; i < p->node->count; i++) {
         const struct node *n = p->node->item[i];
         if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0) continue;
-        if (reads(kind, n->key) || says_nothing(p, n->key) || paces_records(sim, n->key) || compared(sim, n)) continue;
-        tell(sim, n, reads, diags);
+        if (reads(kind, n->key) || is_default(p, n->key) || paces_records(sim, n->key) || compared(sim, n)) continue;
+        warn(sim, n, reads, diags);
     }
     warn_of_partition(sim, diags);
     const struct node *fast = node_find(node_find(sim->scene->deck->root, "partition"), "fast");
-    if (fast && !has_rates(kind, fast->key) && !compared(sim, fast)) tell(sim, fast, has_rates, diags);
+    if (fast && !has_rates(kind, fast->key) && !compared(sim, fast)) warn(sim, fast, has_rates, diags);
 }

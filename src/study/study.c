@@ -10,7 +10,7 @@
 /* ---- records kept in memory ---- */
 
 struct memory {
-    int n, rows, room;
+    int n, rows, capacity;
     double *x; /* [rows x n] by row */
     struct arena *life;
 };
@@ -28,7 +28,7 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
 {
     struct memory *m = sink->self;
     (void)report;
-    m->x = arena_more(m->life, m->x, m->rows, &m->room, (size_t)m->n * sizeof *m->x);
+    m->x = arena_more(m->life, m->x, m->rows, &m->capacity, (size_t)m->n * sizeof *m->x);
     memcpy(m->x + (size_t)m->rows++ * (size_t)m->n, x, (size_t)m->n * sizeof *x);
     return OK;
 }
@@ -236,8 +236,8 @@ enum status study_run(struct table **out, const struct scene *scene, const struc
     struct outcome reference;
     double apart = NAN, first_cpu = NAN;
     TRY(make_reference(&reference, &apart, scene, options, diags, life, report));
-    if (options->say)
-        fprintf(options->say, "reference: dopri5 to 1e-12; rk4 differs from it by %.2g (relative, worst coordinate)\n",
+    if (options->log)
+        fprintf(options->log, "reference: dopri5 to 1e-12; rk4 differs from it by %.2g (relative, worst coordinate)\n",
                 apart);
     *out = table_open(columns, sizeof columns / sizeof *columns, life);
     for (int i = 0; i < options->nscheme; i++)

@@ -13,7 +13,7 @@
 
 struct study_options {
     const char *version;
-    FILE *say; /* progress of the study in words; NULL: silent */
+    FILE *log; /* progress of the study in words; NULL: silent */
     int nscheme, nratio, nstep;
     const char *const *scheme; /* [nscheme] */
     const int *ratio;          /* [nratio] for schemes of two rates; the others run at 1 */

@@ -124,7 +124,7 @@ static enum status evaluate_accelerations(struct system *s, const double *q, con
 static void push_loops(struct system *s, double t)
 {
     loops_when(s->shown, t, 0);
-    loops_look(s->shown, s->view, s->q);
+    loops_place(s->shown, s->view, s->q);
     loops_push(s->shown, s->view, s->lambda);
 }
 
@@ -211,9 +211,9 @@ double system_stress(const struct system *s, int body, int stress, enum bent_str
     return bent_stress(&s->model->body[body], stress, part, s->q);
 }
 
-void system_stand(struct system *s, int measure, double x)
+void system_set_measure(struct system *s, int measure, double x)
 {
-    elements_stand(s->tree.elements, measure, x);
+    elements_set_measure(s->tree.elements, measure, x);
 }
 
 void system_measure(const struct system *s, double *value, double *rate, int measure)
@@ -252,9 +252,9 @@ void system_follow_turns(struct system *s, struct arena *life)
     open_follow(&s->tree, windings_note, s->windings);
 }
 
-void system_stand_loop(struct system *s, int loop, int k, double x)
+void system_set_loop_coordinate(struct system *s, int loop, int k, double x)
 {
-    windings_stand(s->windings, loop, k, x);
+    windings_set(s->windings, loop, k, x);
 }
 
 void system_drive(const struct system *s, double *force, double *power, int loop)

@@ -48,7 +48,7 @@ void system_displacement(const struct system *s, double *d, const struct model_p
 void system_rotation(const struct system *s, double *turn, const struct model_point *p);
 double system_stress(const struct system *s, int body, int stress, enum bent_stress part);
 /* A measured angle in space, known up to whole turns, stands at x [rad]: for the start. */
-void system_stand(struct system *s, int measure, double x);
+void system_set_measure(struct system *s, int measure, double x);
 void system_measure(const struct system *s, double *value, double *rate, int measure);
 void system_reaction(const struct system *s, double *f, double *n, int joint); /* on the deck's second body */
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop);
@@ -57,7 +57,7 @@ double system_loop_coordinate(const struct system *s, int loop, int order, int k
 /* From the start on, such angles in space keep their whole turns; before the first step. */
 void system_follow_turns(struct system *s, struct arena *life);
 /* And one of them stands at x [rad] there. */
-void system_stand_loop(struct system *s, int loop, int k, double x);
+void system_set_loop_coordinate(struct system *s, int loop, int k, double x);
 /* Of drive `loop`: its force along its measure, its power [W]. */
 void system_drive(const struct system *s, double *force, double *power, int loop);
 double system_loop_force(const struct system *s, int loop); /* of a tie: see loops_force() */

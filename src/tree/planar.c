@@ -96,8 +96,8 @@ TWICE void place_all(struct sweep *s, const double *q, const struct roster *o, b
         const int body = o->body[i];
         const struct link *l = &s->link[body];
         struct part *x = &s->part[body], *p = &s->part[l->parent];
-        if (flexible && s->stand[body])
-            planar_node_body_place(x, s->stand[body], p);
+        if (flexible && s->node_body[body])
+            planar_node_body_place(x, s->node_body[body], p);
         else
             place(x, p, l, q);
         if (flexible && s->bend[body]) planar_flexible_place(s->bend[body], x, q);
@@ -110,8 +110,8 @@ TWICE void move_all(struct sweep *s, const double *v, const struct roster *o, bo
         const int body = o->body[i];
         const struct link *l = &s->link[body];
         struct part *x = &s->part[body], *p = &s->part[l->parent];
-        if (flexible && s->stand[body])
-            planar_node_body_move(x, s->stand[body], p);
+        if (flexible && s->node_body[body])
+            planar_node_body_move(x, s->node_body[body], p);
         else
             move_on(x, p, l, v);
         if (flexible && s->bend[body]) planar_flexible_move(s->bend[body], v);
@@ -124,8 +124,8 @@ TWICE void accelerate_all(struct sweep *s, const double *v, const double *a, con
         const int body = o->body[i];
         const struct link *l = &s->link[body];
         struct part *x = &s->part[body], *p = &s->part[l->parent];
-        if (flexible && s->stand[body])
-            planar_node_body_accelerate(x, s->stand[body], p);
+        if (flexible && s->node_body[body])
+            planar_node_body_accelerate(x, s->node_body[body], p);
         else
             accelerate_part(x, p, l, v, a);
         if (flexible && s->bend[body]) planar_flexible_accelerate(s->bend[body], a);
@@ -235,7 +235,7 @@ TWICE void backward(struct sweep *s, double *r, const struct roster *o, bool fle
         const int body = o->body[i];
         const struct link *l = &s->link[body];
         const struct part *x = &s->part[body];
-        if (flexible && s->stand[body]) planar_node_body_collect_forces(s->stand[body], x);
+        if (flexible && s->node_body[body]) planar_node_body_collect_forces(s->node_body[body], x);
         if (flexible && s->bend[body]) planar_flexible_collect_forces(r, s->bend[body]);
         collect_forces(r, x, &s->part[l->parent], l);
     }

@@ -59,10 +59,10 @@ struct sweep {
     double (*bias)[3]; /* [nbody] work of solve(): moment and force, then twist */
     double *zero;      /* [n] */
     struct routes routes;
-    struct flexible **bend;   /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
-    struct node_body **stand; /* [nbody] NULL: not at a node; likewise */
-    size_t for_modes;         /* numbers that they take in a factor */
-    bool accelerated;         /* the last motion had accelerations */
+    struct flexible **bend;       /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
+    struct node_body **node_body; /* [nbody] NULL: not at a node; likewise */
+    size_t for_modes;             /* numbers that they take in a factor */
+    bool accelerated;             /* the last motion had accelerations */
 };
 
 static inline void planar_turn(double *y, double c, double s, const double *x)

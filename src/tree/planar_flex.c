@@ -98,7 +98,7 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
     const int o = s->routes.owner[k], mode = s->routes.local[k] - s->link[o].nv;
     if (body == o) return;
     while (s->link[body].parent != o) body = s->link[body].parent;
-    const struct node_body *node = s->stand[body];
+    const struct node_body *node = s->node_body[body];
     const struct part *at = &s->part[body];
     if (!node) return;
     v2_turn(xv, node->of->cs, (double[]){node->place.dx[mode], node->place.dy[mode]});
@@ -187,8 +187,8 @@ static struct flexible *build_flexible(struct sweep *s, const struct model_body 
     return b;
 }
 
-static struct node_body *build_stand(struct sweep *s, const struct model_body *body, struct flexible *of,
-                                     struct arena *life)
+static struct node_body *build_node_body(struct sweep *s, const struct model_body *body, struct flexible *of,
+                                         struct arena *life)
 {
     struct node_body *o = TAKE(life, struct node_body, 1);
     o->of = of;
@@ -211,10 +211,10 @@ void planar_flex_build(struct sweep *s, struct arena *life)
     const struct model *m = s->model;
     if (!any_flexible(m)) return;
     s->bend = TAKE(life, struct flexible *, m->nbody);
-    s->stand = TAKE(life, struct node_body *, m->nbody);
+    s->node_body = TAKE(life, struct node_body *, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *body = &m->body[i];
-        if (body->at_node) s->stand[i] = build_stand(s, body, s->bend[body->parent], life);
+        if (body->at_node) s->node_body[i] = build_node_body(s, body, s->bend[body->parent], life);
         if (!body->flex) continue;
         s->link[i].mass = s->link[i].inertia = 0;
         s->bend[i] = build_flexible(s, body, &s->link[i], life);

@@ -30,7 +30,7 @@ struct node_body {
     size_t at;    /* its place in a factor */
 };
 
-/* Leaves bend and stand NULL in a model without flexible bodies; none of the others is then called. */
+/* Leaves bend and node_body NULL in a model without flexible bodies; none of the others is then called. */
 void planar_flex_build(struct sweep *s, struct arena *life);
 
 static inline struct flexible *planar_flexible(const struct sweep *s, int body)
@@ -40,7 +40,7 @@ static inline struct flexible *planar_flexible(const struct sweep *s, int body)
 
 static inline struct node_body *planar_node_body(const struct sweep *s, int body)
 {
-    return s->stand ? s->stand[body] : NULL;
+    return s->node_body ? s->node_body[body] : NULL;
 }
 
 /* The three passes of motion for what is not in x, the frame; then its inertia into x and the modes' Q, which go to

@@ -77,7 +77,7 @@ static int eliminate(double *F, double *I, struct flexible *b, const double *d)
 int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d)
 {
     struct part *x = &s->part[body];
-    const struct node_body *o = s->stand[body];
+    const struct node_body *o = s->node_body[body];
     if (o) {
         planar_flex_couple(o, x->I, x->arm);
         for (int k = 0; k < o->of->n; k++) planar_node_body_unit(F + o->at + 3 * k, o, k);
@@ -88,7 +88,7 @@ int planar_flex_eliminate(struct sweep *s, double *F, int body, const double *d)
 /* The modes' right sides stand in x until their body's turn comes. */
 void planar_flex_forces(const struct sweep *s, const double *F, double *p, double *x, int body)
 {
-    const struct node_body *o = s->stand[body];
+    const struct node_body *o = s->node_body[body];
     const struct flexible *b = s->bend[body];
     for (int k = 0; o && k < o->of->n; k++) x[o->of->iv[k]] -= v3_dot(F + o->at + 3 * k, p);
     if (!b) return;
@@ -104,7 +104,7 @@ void planar_flex_forces(const struct sweep *s, const double *F, double *p, doubl
 
 void planar_flex_twist(const struct sweep *s, const double *F, double *V, double *x, int body)
 {
-    const struct node_body *o = s->stand[body];
+    const struct node_body *o = s->node_body[body];
     const struct flexible *b = s->bend[body];
     for (int k = 0; o && k < o->of->n; k++)
         for (int c = 0; c < 3; c++) V[c] += F[o->at + (size_t)(3 * k + c)] * x[o->of->iv[k]];

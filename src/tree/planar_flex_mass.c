@@ -48,7 +48,7 @@ static void rise(double *M, const struct sweep *s, double *f, int body, int col)
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
-        const struct node_body *o = s->stand[i];
+        const struct node_body *o = s->node_body[i];
         for (int k = 0; k < l->nv; k++) {
             planar_unit(u, x, l, k);
             put(M, s->n, l->iv[k], col, v3_dot(u, f));
@@ -97,7 +97,7 @@ static void collect(struct sweep *s, const struct roster *o)
         struct flexible *b = s->bend[o->body[i]];
         const struct part *x = &s->part[o->body[i]];
         const double I[6] = {x->cj, -x->cs[1], x->cs[0], x->cm, 0, x->cm};
-        if (s->stand[o->body[i]]) planar_flex_couple(s->stand[o->body[i]], I, x->arm);
+        if (s->node_body[o->body[i]]) planar_flex_couple(s->node_body[o->body[i]], I, x->arm);
         if (!b) continue;
         memset(b->U, 0, sizeof *b->U * 3 * (size_t)b->n);
         memset(b->M, 0, sizeof *b->M * (size_t)(b->n * b->n));

@@ -131,10 +131,10 @@ void spatial_place(struct sweep *s, const double *q, unsigned cls)
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        struct node_body *stand = spatial_node_body(s, o->body[i]);
+        struct node_body *node_body = spatial_node_body(s, o->body[i]);
         struct flexible *flexible = spatial_flexible(s, o->body[i]);
-        if (stand)
-            spatial_node_body_place(x, stand, p);
+        if (node_body)
+            spatial_node_body_place(x, node_body, p);
         else
             place(x, p, l, q);
         if (flexible) spatial_flex_place(flexible, x, l, q);
@@ -231,11 +231,11 @@ static void move(struct sweep *s, const double *q, const double *v, unsigned cls
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        struct node_body *stand = spatial_node_body(s, o->body[i]);
+        struct node_body *node_body = spatial_node_body(s, o->body[i]);
         struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
-        if (stand) {
-            spatial_node_body_move(x, stand, p);
+        if (node_body) {
+            spatial_node_body_move(x, node_body, p);
         } else {
             turn_on(x, &joint, p, l, v);
             move_on(x, &joint, p, l);
@@ -251,11 +251,11 @@ static void accelerate(struct sweep *s, const double *v, const double *a, unsign
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
-        struct node_body *stand = spatial_node_body(s, o->body[i]);
+        struct node_body *node_body = spatial_node_body(s, o->body[i]);
         struct flexible *flexible = spatial_flexible(s, o->body[i]);
         struct motion joint;
-        if (stand) {
-            spatial_node_body_accelerate(x, stand, p);
+        if (node_body) {
+            spatial_node_body_accelerate(x, node_body, p);
         } else {
             turn_on(x, &joint, p, l, v);
             accelerate_part(x, &joint, p, l, v, a);
@@ -347,9 +347,9 @@ static void backward(struct sweep *s, double *r, unsigned cls)
         const struct link *l = &s->link[o->body[i]];
         const struct part *x = &s->part[o->body[i]];
         struct part *p = &s->part[l->parent];
-        struct node_body *stand = spatial_node_body(s, o->body[i]);
+        struct node_body *node_body = spatial_node_body(s, o->body[i]);
         const struct flexible *flexible = spatial_flexible(s, o->body[i]);
-        if (stand) spatial_node_body_load(stand, x);
+        if (node_body) spatial_node_body_load(node_body, x);
         if (flexible) spatial_flex_rows(r, flexible);
         rows(r, x, l);
         v3_add(p->F, x->F);

@@ -98,7 +98,7 @@ struct sweep {
     int nflexible;
     struct flexible *flexible;     /* [nflexible], parents first */
     struct flexible **flexible_of; /* [nbody] NULL: rigid; itself NULL where all are, like the next */
-    struct node_body *stand;       /* [nbody] */
+    struct node_body *node_body;   /* [nbody] */
     bool accelerated;              /* the last motion had accelerations */
 };
 
@@ -148,7 +148,7 @@ static inline struct flexible *spatial_flexible(const struct sweep *s, int body)
 
 static inline struct node_body *spatial_node_body(const struct sweep *s, int body)
 {
-    return s->nflexible && s->stand[body].on ? &s->stand[body] : NULL;
+    return s->nflexible && s->node_body[body].on ? &s->node_body[body] : NULL;
 }
 
 /* Flexible bodies: see spatial_flex.c. */

@@ -56,7 +56,7 @@ static void partial_flexible(const struct sweep *s, double *xv, double *w, int b
     double d[3];
     int node = spatial_node_body_below(s, f, body);
     if (!node) return;
-    spatial_node_body_unit(&u, &s->stand[node], j);
+    spatial_node_body_unit(&u, &s->node_body[node], j);
     v3_diff(d, x, s->part[node].r);
     v3_copy(w, u.w);
     v3_copy(xv, u.v);
@@ -98,8 +98,8 @@ static void joint_row(double *g, const struct part *p, const struct link *l, con
     for (int k = 0; k < l->nv; k++) g[k] = spatial_power(p, l, k, f, moment);
 }
 
-static void stand_row(double *g, const struct part *p, const struct node_body *o, const double *x, const double *f,
-                      const double *n)
+static void node_body_row(double *g, const struct part *p, const struct node_body *o, const double *x, const double *f,
+                          const double *n)
 {
     double arm[3], moment[3], F[3], N[3];
     v3_diff(arm, x, p->r);
@@ -117,10 +117,10 @@ void spatial_row(const struct sweep *s, double *g, int body, int from, const dou
     if (!f) f = none;
     if (!n) n = none;
     for (int at = s->routes.npath[body] - from; at > 0; body = s->link[body].parent) {
-        const struct node_body *stand = spatial_node_body(s, body);
-        at -= stand ? stand->on->n : s->link[body].nv;
-        if (stand)
-            stand_row(g + at, &s->part[body], stand, x, f, n);
+        const struct node_body *node_body = spatial_node_body(s, body);
+        at -= node_body ? node_body->on->n : s->link[body].nv;
+        if (node_body)
+            node_body_row(g + at, &s->part[body], node_body, x, f, n);
         else
             joint_row(g + at, &s->part[body], &s->link[body], x, f, n);
     }

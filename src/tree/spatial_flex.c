@@ -31,8 +31,8 @@ static void build_flexible(struct flexible *f, const struct model_body *b, int b
     f->dQ = TAKE(life, double, f->n);
 }
 
-static void build_stand(struct node_body *o, const struct flexible *f, const struct link *l,
-                        const struct model_joint *j, const struct model_body *b, struct arena *life)
+static void build_node_body(struct node_body *o, const struct flexible *f, const struct link *l,
+                            const struct model_joint *j, const struct model_body *b, struct arena *life)
 {
     double drawn[9];
     o->on = f;
@@ -49,7 +49,7 @@ static void list_nodes(struct sweep *s, const struct model *m, unsigned cls, str
     for (int i = 0; i < s->nflexible; i++) s->flexible[i].node[cls] = TAKE(life, int, o->n);
     for (int i = 0; i < o->n; i++) {
         int body = o->body[i];
-        if (!s->stand[body].on) continue;
+        if (!s->node_body[body].on) continue;
         struct flexible *f = s->flexible_of[m->body[body].parent];
         f->node[cls][f->nnode[cls]++] = body;
     }
@@ -61,12 +61,13 @@ void spatial_flex_build(struct sweep *s, const struct model *m, struct arena *li
     if (!s->nflexible) return;
     s->flexible = TAKE(life, struct flexible, s->nflexible);
     s->flexible_of = TAKE(life, struct flexible *, m->nbody);
-    s->stand = TAKE(life, struct node_body, m->nbody);
+    s->node_body = TAKE(life, struct node_body, m->nbody);
     struct flexible *f = s->flexible;
     for (int i = 1; i < m->nbody; i++) {
         const struct model_body *b = &m->body[i];
         if (b->flex) build_flexible(s->flexible_of[i] = f++, b, i, life);
-        if (b->at_node) build_stand(&s->stand[i], s->flexible_of[b->parent], &s->link[i], &m->joint[b->joint], b, life);
+        if (b->at_node)
+            build_node_body(&s->node_body[i], s->flexible_of[b->parent], &s->link[i], &m->joint[b->joint], b, life);
     }
     for (unsigned cls = FAST; cls <= ALL; cls++) list_nodes(s, m, cls, life);
 }

@@ -103,17 +103,17 @@ static inline void carry(double *M, const struct sweep *s, int body, int last, s
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
-        const struct node_body *stand = spatial_node_body(s, i);
+        const struct node_body *node_body = spatial_node_body(s, i);
         int m = i == body ? last : l->nv;
         for (int o = 0; o < m; o++) {
             size_t at = (size_t)l->iv[o];
             M[at + n * col] = M[col + n * at] = row(x, l, o, F, N);
         }
-        if (stand) {
-            m3_tmul(f, stand->on->R, F);
-            m3_tmul(moment, stand->on->R, N);
-            flexible_rows(M, n, col, stand, stand->on->n, f, moment);
-            mirror(M, n, col, stand->on, stand->on->n);
+        if (node_body) {
+            m3_tmul(f, node_body->on->R, F);
+            m3_tmul(moment, node_body->on->R, N);
+            flexible_rows(M, n, col, node_body, node_body->on->n, f, moment);
+            mirror(M, n, col, node_body->on, node_body->on->n);
         }
         v3_cross_add(N, x->arm, F);
     }
@@ -144,11 +144,11 @@ static void flexible_column(double *M, const struct sweep *s, struct flexible *f
         int node = f->node[cls][i];
         double Fi[3], Ni[3], force[3], moment[3];
         struct twist u;
-        spatial_node_body_unit(&u, &s->stand[node], j);
+        spatial_node_body_unit(&u, &s->node_body[node], j);
         start(Fi, Ni, &s->composite[node], &u);
         m3_tmul(force, f->R, Fi);
         m3_tmul(moment, f->R, Ni);
-        flexible_rows(M, n, col, &s->stand[node], j + 1, force, moment);
+        flexible_rows(M, n, col, &s->node_body[node], j + 1, force, moment);
         v3_add(F, Fi);
         v3_add(N, Ni);
         v3_cross_add(N, s->part[node].arm, Fi);

@@ -11,7 +11,7 @@
 #include "reduce/body.h"
 #include "reduce/prestress.h"
 #include "reduce/stress.h"
-#include "reduce/words.h"
+#include "reduce/summary.h"
 
 /* the harness has a macro of that name */
 #include <setjmp.h>
@@ -52,7 +52,7 @@ static inline void bench_make(struct bench *b, const char *job, bool tip, bool r
 {
     const struct fe_source source = {.job = job, .units = {1, 1, 1}};
     const struct tie_options options[] = {{.name = "root", .where = "root", .rigid = true},
-                                    {.name = "tip", .where = "tip", .rigid = rigid}};
+                                          {.name = "tip", .where = "tip", .rigid = rigid}};
     memset(b, 0, sizeof *b);
     b->life = arena_open();
     must(fe_read(&b->fe, &source, b->life, &b->report), b);

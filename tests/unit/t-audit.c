@@ -53,7 +53,7 @@ static struct arena *open_run(struct sim *sim, const char *path, int nset, const
     struct report report = {0};
     struct scene *scene;
     const struct deck_options options = {.nset = nset, .set = set};
-    const struct sim_options how = {.version = "test", .say = say};
+    const struct sim_options how = {.version = "test", .log = say};
     struct arena *life = arena_open();
     struct diags *diags = diags_open(life);
     enum status status = sim_load(&scene, path, &options, diags, life, &report);

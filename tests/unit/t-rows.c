@@ -73,7 +73,7 @@ static void open_bench(struct bench *o, int space, unsigned seed)
 static void values_at(struct bench *o, double *C, const double *q)
 {
     o->ops->place(o->sweep, q, ALL);
-    loops_look(o->loops, o->sweep, q);
+    loops_place(o->loops, o->sweep, q);
     loops_values(C, o->loops);
 }
 
@@ -117,7 +117,7 @@ static void try_rows(int space, unsigned seed, double *worst)
         q[i] = tree_roll(&dice, -1, 1), v[i] = tree_roll(&dice, -1, 1), a[i] = tree_roll(&dice, -1, 1);
     rates(&o, C1, C2, q, v, a);
     o.ops->forward(o.sweep, q, v, a, ALL);
-    loops_look(o.loops, o.sweep, q);
+    loops_place(o.loops, o.sweep, q);
     loops_jacobian(o.loops, o.sweep);
     loops_second(second, o.loops, o.sweep, a);
     apply(o.loops, first, v);
@@ -155,7 +155,7 @@ static void try_push(int space, unsigned seed, double *worst)
     for (int with = 0; with < 2; with++) {
         memset(r[with], 0, sizeof r[with]);
         o.ops->forward(o.sweep, q, v, NULL, ALL);
-        loops_look(o.loops, o.sweep, q);
+        loops_place(o.loops, o.sweep, q);
         loops_jacobian(o.loops, o.sweep);
         if (with) loops_push(o.loops, o.sweep, lambda);
         o.ops->backward(o.sweep, r[with], ALL);

@@ -74,7 +74,7 @@ static void run(struct history *o, FILE *said, const char *path, double length, 
     static const struct sink_ops ops = {no_meta, keep_row, no_event, keep_facts, no_tick};
     const char *set[MOST_SETS];
     const struct deck_options options = {.nset = nset + 1, .set = set};
-    const struct sim_options say = {.version = "test", .say = said};
+    const struct sim_options say = {.version = "test", .log = said};
     struct arena *life = arena_open();
     struct diags *diags = diags_open(life);
     struct report report = {0};

@@ -603,7 +603,7 @@ static void rows_take_no_memory(void **state)
         assert_int_equal(stream_create(&stream, "/dev/null", life, &report), OK);
         struct sink sink = f->open(&stream, life);
         assert_int_equal(sink.ops->meta(&sink, &meta, &report), OK);
-        size_t used = arena_used(life), room = stream.room;
+        size_t used = arena_used(life), room = stream.capacity;
         for (int i = 0; i < 30; i++) {
             assert_int_equal(sink.ops->row(&sink, x, &report), OK);
             assert_int_equal(sink.ops->event(&sink, i, "stop", "words", &report), OK);
@@ -611,7 +611,7 @@ static void rows_take_no_memory(void **state)
             assert_true(stream.used < STREAM_FULL);
         }
         assert_int_equal(arena_used(life), used);
-        assert_int_equal(stream.room, room);
+        assert_int_equal(stream.capacity, room);
         assert_int_equal(stream_close(&stream, true, &report), OK);
         assert_true(stream.written > 30 * N * 24);
     }

@@ -1,4 +1,4 @@
-/* words.h -- what a reduction says of itself on stderr: frequencies, effective masses, what is left out. */
+/* summary.h -- what a reduction says of itself on stderr: frequencies, effective masses, what is left out. */
 #ifndef FMDSUB_REDUCE_WORDS_H
 #define FMDSUB_REDUCE_WORDS_H
 
@@ -11,7 +11,7 @@ void words_effective(double *e, const struct fe *fe, const struct basis *basis, 
                      struct arena *life);
 
 /* Table of the modes unless quiet, and warnings. */
-void words_say(const struct fe *fe, const struct basis *basis, const struct tie *reference, bool quiet,
-               struct arena *life);
+void summary_print(const struct fe *fe, const struct basis *basis, const struct tie *reference, bool quiet,
+                   struct arena *life);
 
 #endif

@@ -1,4 +1,4 @@
-/* words.c -- a run in words: the plan, the end, why it stopped; and the same as facts for the stream */
+/* messages.c -- a run in words: the plan, the end, why it stopped; and the same as facts for the stream */
 #include <math.h>
 #include <string.h>
 
@@ -98,7 +98,7 @@ static long records(const struct sim *sim)
 
 void print_plan(const struct sim *sim)
 {
-    FILE *to = sim->options.say;
+    FILE *to = sim->options.log;
     const struct integrate *p = &sim->plan;
     const struct step_options *o = p->options;
     const struct model *m = sim->model;
@@ -132,7 +132,7 @@ void print_condition(const struct sim *sim, FILE *to)
 
 void print_end(const struct sim *sim, double wall)
 {
-    FILE *to = sim->options.say;
+    FILE *to = sim->options.log;
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     if (!to) return;

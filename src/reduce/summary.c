@@ -1,5 +1,5 @@
-/* words.c -- see words.h */
-#include "reduce/words.h"
+/* summary.c -- see summary.h */
+#include "reduce/summary.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -67,8 +67,8 @@ static void print_table(const double *e, const double *left, const struct basis 
             table_draw(table, life));
 }
 
-void words_say(const struct fe *fe, const struct basis *basis, const struct tie *reference, bool quiet,
-               struct arena *life)
+void summary_print(const struct fe *fe, const struct basis *basis, const struct tie *reference, bool quiet,
+                   struct arena *life)
 {
     double *e = TAKE(life, double, 6 * basis->n), left[6] = {1, 1, 1, 1, 1, 1};
     words_effective(e, fe, basis, reference, life);
