@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/status.h"
@@ -31,12 +32,20 @@ struct arena {
     long grown;
 };
 
-enum { FIRST_BLOCK = 1 << 16, ALIGNMENT = 64, FIRST_ITEMS = 32 };
+enum { FIRST_BLOCK = 1 << 16, MOST_BLOCK = 1 << 24, ALIGNMENT = 64, FIRST_ITEMS = 32 };
 
-static void out_of_memory(void)
+/* Nothing is allocated to say so. */
+static void out_of_memory(double wanted)
 {
-    static const char words[] = "fmdsub: out of memory\n";
-    ssize_t sent = write(STDERR_FILENO, words, sizeof words - 1);
+    char words[200];
+    struct rlimit limit = {.rlim_cur = RLIM_INFINITY};
+    (void)getrlimit(RLIMIT_AS, &limit);
+    int n = snprintf(words, sizeof words, "fmdsub: out of memory: %.3g MB more were needed", wanted / 1e6);
+    if (limit.rlim_cur != RLIM_INFINITY)
+        n += snprintf(words + n, sizeof words - (size_t)n,
+                      ", and the limit is %.3g MB in all (--max-memory, ulimit -v)", (double)limit.rlim_cur / 1e6);
+    words[n++] = '\n';
+    ssize_t sent = write(STDERR_FILENO, words, (size_t)n);
     (void)sent;
     _exit(E_LIMIT);
 }
@@ -44,14 +53,16 @@ static void out_of_memory(void)
 static void *system_memory(size_t bytes)
 {
     void *memory = malloc(bytes);
-    if (!memory) out_of_memory();
+    if (!memory) out_of_memory((double)bytes);
     return memory;
 }
 
+/* Blocks double up to a size; what is larger gets a block of its own. */
 static void grow(struct arena *arena, size_t bytes)
 {
     size_t capacity = arena->block ? 2 * arena->block->capacity : FIRST_BLOCK;
-    while (capacity < bytes + ALIGNMENT) capacity *= 2;
+    if (capacity > MOST_BLOCK) capacity = MOST_BLOCK;
+    if (capacity < bytes + ALIGNMENT) capacity = bytes + ALIGNMENT;
     struct block *block = system_memory(sizeof *block + capacity);
     block->before = arena->block;
     block->capacity = capacity;
@@ -88,7 +99,7 @@ static size_t aligned(const struct block *block)
 
 void *arena_take(struct arena *arena, size_t count, size_t bytes)
 {
-    if (bytes && count > (SIZE_MAX / 4) / bytes) out_of_memory();
+    if (bytes && count > (SIZE_MAX / 4) / bytes) out_of_memory((double)count * (double)bytes);
     size_t size = count * bytes;
     if (aligned(arena->block) + size > arena->block->capacity) grow(arena, size);
     size_t start = aligned(arena->block);
@@ -99,10 +110,24 @@ void *arena_take(struct arena *arena, size_t count, size_t bytes)
     return memory;
 }
 
+void *arena_take_matrix(struct arena *arena, size_t rows, size_t columns, size_t bytes)
+{
+    if (columns && rows > INT_MAX / columns) out_of_memory((double)rows * (double)columns * (double)bytes);
+    return arena_take(arena, rows * columns, bytes);
+}
+
+bool arena_allows(size_t count, size_t bytes)
+{
+    if (bytes && count > (SIZE_MAX / 4) / bytes) return false;
+    void *memory = malloc(count * bytes);
+    free(memory);
+    return memory != NULL;
+}
+
 void *arena_more(struct arena *arena, void *list, int n, int *capacity, size_t bytes)
 {
     if (n < *capacity) return list;
-    if (*capacity > INT_MAX / 2) out_of_memory();
+    if (*capacity > INT_MAX / 2) out_of_memory(2.0 * *capacity * (double)bytes);
     *capacity = *capacity ? 2 * *capacity : FIRST_ITEMS;
     void *more = arena_take(arena, (size_t)*capacity, bytes);
     if (n) memcpy(more, list, (size_t)n * bytes);

@@ -2,10 +2,11 @@
  *
  * Two arenas: one for the life of a run, one for scratch inside a step.  Everything is taken from
  * them and nothing is freed singly; building takes everything, stepping takes nothing.  Out of
- * memory is one line on stderr and exit 7, here and nowhere else. */
+ * memory is one line on stderr and exit 7, here and nowhere else; how much there is, base/limits.h tells the system. */
 #ifndef FMDSUB_BASE_ARENA_H
 #define FMDSUB_BASE_ARENA_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 struct arena;
@@ -23,6 +24,14 @@ void arena_close(struct arena *arena);
 /* Zeroed, aligned for any type, never NULL.  bytes = 0 gives a valid pointer. */
 void *arena_take(struct arena *arena, size_t count, size_t bytes);
 #define TAKE(arena, type, n) ((type *)arena_take(arena, (size_t)(n), sizeof(type)))
+/* rows x columns, both counts: no product of them overflows, here or in an int that counts the elements. */
+#define TAKE_MATRIX(arena, type, rows, columns)                                                                        \
+    ((type *)arena_take_matrix(arena, (size_t)(rows), (size_t)(columns), sizeof(type)))
+void *arena_take_matrix(struct arena *arena, size_t rows, size_t columns, size_t bytes);
+
+/* May so many bytes more be taken?  For what is needed only where nothing better serves, so that a run can end in good
+ * order instead. */
+bool arena_allows(size_t count, size_t bytes);
 
 /* A list of n items of `bytes` with room for one more: itself, or in a place of twice the room. */
 void *arena_more(struct arena *arena, void *list, int n, int *capacity, size_t bytes);

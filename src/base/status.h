@@ -63,6 +63,7 @@ enum trouble_code {
     TROUBLE_LAW,        /* a force is not finite; kind: element kind, index: element */
     TROUBLE_CLOSURE,    /* a loop cannot be closed, or its equations are singular; index: loop joint */
     TROUBLE_DRIVE,      /* a drive or a rate of it is not finite; index: loop joint */
+    TROUBLE_MEMORY,     /* a matrix is larger than what is left; value: its bytes; the status is E_LIMIT */
     TROUBLE_DEFLECTION  /* a flexible body is displaced by more than its length; index: body, value: in lengths */
 };
 

@@ -21,5 +21,5 @@ enum status stop_status(void)
 
 const char *stop_limit(void)
 {
-    return stop == SIGXCPU ? "CPU time" : NULL;
+    return stop == SIGXCPU ? "CPU time" : stop == SIGALRM ? "time (--max-time)" : NULL;
 }

@@ -8,7 +8,7 @@
 
 extern volatile sig_atomic_t stop;
 
-/* How it ends what is under way: E_SIGHUP, E_SIGINT, E_SIGTERM, E_LIMIT (CPU time); OK: there was none. */
+/* How it ends what is under way: E_SIGHUP, E_SIGINT, E_SIGTERM, E_LIMIT (CPU time, --max-time); OK: there was none. */
 enum status stop_status(void);
 
 /* The limit that it tells of, such as "CPU time"; NULL: it is somebody's wish. */

@@ -23,7 +23,7 @@ struct request {
     const char *set[MOST_SETS]; /* --set, and --columns, --every, --until as such */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats, *at, *final_state;
     bool quiet, verbose, want_stats, strict, expanded, help, version;
-    const char *progress, *color;
+    const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
 };
 

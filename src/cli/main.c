@@ -1,6 +1,7 @@
 /* main.c -- fmdsub: verbs, signals, the last word and the exit status */
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/limits.h"
 #include "base/stop.h"
 #include "base/text.h"
 #include "cli/cli.h"
@@ -128,6 +130,39 @@ static enum status dispatch(const struct request *request, struct arena *life, s
     return fail(report, E_USAGE, "unknown verb '%.40s' (fmdsub --help)", request->verb);
 }
 
+/* "500M"; 0: it is no size.  Units are those of disks: k, M, G, T of 1000. */
+static double read_size(const char *word)
+{
+    static const char units[] = "kMGT";
+    char *end;
+    double size = strtod(word, &end);
+    const char *unit = *end ? strchr(units, *end) : NULL;
+    if (unit) size *= pow(1000, (double)(unit - units + 1)), end++;
+    if (*end == 'B') end++;
+    return end > word && !*end && size > 0 && size < 1e18 ? size : 0;
+}
+
+/* Nothing of a deck has been looked at yet. */
+static enum status set_limits(const struct request *request, struct report *report)
+{
+    double bytes = limit_memory_default(), seconds = 0;
+    char *end;
+    if (request->max_memory) {
+        bytes = read_size(request->max_memory);
+        if (!(bytes >= 1e7))
+            return fail(report, E_USAGE, "--max-memory takes a size from 10M, such as 500M or 4G, not '%.40s'",
+                        request->max_memory);
+    }
+    if (isfinite(bytes) && !limit_memory(bytes) && request->max_memory)
+        return fail(report, E_USAGE, "--max-memory: this system takes no such limit");
+    if (!request->max_time) return OK;
+    seconds = strtod(request->max_time, &end);
+    if (*end || !(seconds > 0 && seconds < 1e9))
+        return fail(report, E_USAGE, "--max-time takes seconds, not '%.40s'", request->max_time);
+    if (!limit_time(seconds)) return fail(report, E_USAGE, "--max-time: this system takes no such limit");
+    return OK;
+}
+
 int main(int argc, char **argv)
 {
     struct arena *life = arena_open();
@@ -136,6 +171,7 @@ int main(int argc, char **argv)
     hold_descriptors();
     set_signals();
     enum status status = request_read(&request, argc, argv, life, &report);
+    if (status == OK) status = set_limits(&request, &report);
     if (status == OK) status = dispatch(&request, life, &report);
     if (status == OK) status = flush_words(&report);
     if (report.text[0] && status != E_SIGPIPE) {

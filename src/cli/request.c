@@ -27,6 +27,8 @@ const struct cli_option cli_options[] = {
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
     {"quiet", NULL, 'q', NULL, "no plan line, no summary"},
     {"verbose", NULL, 'v', "run", "the counts of --stats on stderr"},
+    {"max-memory", "SIZE", 0, NULL, "exit 7 rather than take more: 500M, 4G (default: 3/4 of the machine's)"},
+    {"max-time", "SECONDS", 0, NULL, "end in good order after so long by the clock, exit 7"},
     {"color", "auto|always|never", 0, NULL, "colours in messages (auto: on a terminal)"},
     {"version", NULL, 0, NULL, "print the version"},
     {"help", NULL, 'h', NULL, "print this"},
@@ -132,10 +134,18 @@ static enum status take(struct request *o, const char *name, const char *value, 
     struct {
         const char *name;
         const char **to;
-    } texts[] = {
-        {"format", &o->format},   {"output", &o->output},          {"progress", &o->progress}, {"color", &o->color},
-        {"schemes", &o->schemes}, {"ratios", &o->ratios},          {"steps", &o->steps},       {"repeats", &o->repeats},
-        {"at", &o->at},           {"final-state", &o->final_state}};
+    } texts[] = {{"format", &o->format},
+                 {"output", &o->output},
+                 {"progress", &o->progress},
+                 {"color", &o->color},
+                 {"schemes", &o->schemes},
+                 {"ratios", &o->ratios},
+                 {"steps", &o->steps},
+                 {"repeats", &o->repeats},
+                 {"at", &o->at},
+                 {"final-state", &o->final_state},
+                 {"max-memory", &o->max_memory},
+                 {"max-time", &o->max_time}};
     struct {
         const char *name;
         bool *to;

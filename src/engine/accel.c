@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "engine/matrix.h"
 #include "engine/motion.h"
 #include "la/dense.h"
 
@@ -11,13 +12,15 @@ void accel_open(struct accel *c, const struct ode2 *ode, struct effort *effort, 
 {
     c->ode = ode;
     c->effort = effort;
-    c->M = TAKE(life, double, ode->n * ode->n);
+    c->life = life;
+    if (!ode->direct || !ode->direct->accel) c->M = TAKE_MATRIX(life, double, ode->n, ode->n);
     c->r = TAKE(life, double, ode->n);
 }
 
 static enum status dense(struct accel *c, double *a, double *w, const struct instant *x, struct trouble *why)
 {
     const struct ode2 *o = c->ode;
+    TRY(matrix_need(&c->M, o->n, o->n, c->life, x->t, why));
     TRY(o->ops->resid(o, a, w, NULL, x, ALL, why));
     TRY(o->ops->mass(o, c->M, x->q, x->t, ALL, why));
     c->effort->slow++;

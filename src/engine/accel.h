@@ -8,8 +8,9 @@
 struct accel {
     const struct ode2 *ode;
     struct effort *effort;
+    struct arena *life;
     double *r; /* [n] */
-    double *M; /* [n x n] */
+    double *M; /* [n x n]; NULL as long as the owner's solver serves */
 };
 
 void accel_open(struct accel *c, const struct ode2 *ode, struct effort *effort, struct arena *life);

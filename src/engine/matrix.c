@@ -6,18 +6,34 @@
 
 enum { SMALL = 12 }; /* up to here dense is no slower than any structure */
 
+enum status matrix_need(double **A, int rows, int columns, struct arena *life, double t, struct trouble *why)
+{
+    if (*A) return OK;
+    if (!arena_allows((size_t)rows * (size_t)columns, sizeof **A)) {
+        (void)trouble_set(why, TROUBLE_MEMORY, -1, (double)rows * columns * (double)sizeof **A, t);
+        return E_LIMIT;
+    }
+    *A = TAKE_MATRIX(life, double, rows, columns);
+    return OK;
+}
+
 void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
     int n = ode->n;
-    *m = (struct matrix){.ode = ode, .effort = effort};
-    m->J = TAKE(life, double, (size_t)n *(size_t)n);
-    m->K = TAKE(life, double, (size_t)n *(size_t)n);
-    m->C = TAKE(life, double, (size_t)n *(size_t)n);
-    m->spare = TAKE(life, double, (size_t)n *(size_t)n);
+    *m = (struct matrix){.ode = ode, .effort = effort, .life = life};
     m->swap = TAKE(life, int, n);
     m->live = TAKE(life, struct live, n);
     m->structured = n > SMALL && ode->direct && ode->direct->factor && ode->direct->solve;
     if (m->structured) m->F = arena_take(life, 1, ode->direct->factor_size);
+    double **dense[] = {&m->J, &m->K, &m->C, &m->spare};
+    for (int i = 0; i < 4 && !m->structured; i++) *dense[i] = TAKE_MATRIX(life, double, n, n);
+}
+
+static enum status need_dense(struct matrix *m, double t, struct trouble *why)
+{
+    double **dense[] = {&m->J, &m->K, &m->C, &m->spare};
+    for (int i = 0; i < 4; i++) TRY(matrix_need(dense[i], m->ode->n, m->ode->n, m->life, t, why));
+    return OK;
 }
 
 int factor_dense(double *J, int *swap, double *spare, enum matrix_form *form, int n)
@@ -58,6 +74,7 @@ static enum status factor_full(struct matrix *m, double cc, double ck, const str
 {
     const struct ode2 *o = m->ode;
     int n = o->n;
+    TRY(need_dense(m, x->t, why));
     TRY(o->ops->slopes(o, m->K, m->C, x, ALL, why));
     if (o->ops->turning) TRY(o->ops->turning(o, m->K, m->C, x, ALL, why));
     TRY(o->ops->mass(o, m->J, x->q, x->t, ALL, why));

@@ -13,16 +13,21 @@ struct live {
 
 struct matrix {
     const struct ode2 *ode;
+    struct arena *life;
     struct effort *effort;
     enum matrix_form form;
     int structured;    /* the owner's solver works here */
-    double *J, *K, *C; /* [n x n]; K and C as they are in J, but for a structured one */
-    double *spare;     /* [n x n] */
+    double *J, *K, *C; /* [n x n]; K and C as they are in J; NULL as long as the owner's solver serves */
+    double *spare;     /* [n x n], as J */
     int *swap;         /* [n] */
     int nlive;         /* columns of K and C that are not zero, as far as known, and their rows that are not */
     struct live *live; /* [n] */
     void *F;           /* the owner's factor */
 };
+
+/* *A [rows x columns], where it is not there yet: what only dense algebra reads is taken when it first serves, for n x n
+ * is most of the memory of a large model and none of its work.  E_LIMIT: there is not so much. */
+enum status matrix_need(double **A, int rows, int columns, struct arena *life, double t, struct trouble *why);
 
 void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort, struct arena *life);
 /* Forms and factors J at x. */

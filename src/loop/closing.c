@@ -161,7 +161,7 @@ static void build_tangent(struct tangent *o, const struct part *p, const struct 
     const struct component *c = p->of;
     int drives = 0;
     for (int r = 0; r < c->nrow; r++) drives += l->model->loop[l->row[c->row[r]].loop].drive != NULL;
-    o->T = TAKE(life, double, drives * c->nrow);
+    o->T = TAKE_MATRIX(life, double, drives, c->nrow);
     o->s = TAKE(life, double, drives);
     if (p->whole)
         store_for(&o->store, (size_t)c->nrow * (size_t)c->nk, life);

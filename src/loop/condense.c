@@ -163,9 +163,9 @@ static void build_matrices(struct condense *o, struct arena *life)
 {
     const size_t n = (size_t)o->ode.n, nt = (size_t)o->rows.n;
     o->few = are_few(o);
-    if (!o->few) o->M = TAKE(life, double, nt *nt);
-    o->M_side = TAKE(life, double, n *n);
-    o->M_solve = TAKE(life, double, n *n);
+    if (!o->few) o->M = TAKE_MATRIX(life, double, nt, nt);
+    o->M_side = TAKE_MATRIX(life, double, n, n);
+    o->M_solve = TAKE_MATRIX(life, double, n, n);
     o->Ty = TAKE(life, double, 2 * n);
 }
 

@@ -31,10 +31,10 @@ struct projection {
 static struct projection make(const struct condense *o, struct arena *life)
 {
     const int n = o->rows.n, rows = o->rows.loops->nrow;
-    return (struct projection){.M = TAKE(life, double, (size_t)n *(size_t)n),
-                               .Cq = TAKE(life, double, (size_t)rows *(size_t)n),
-                               .Y = TAKE(life, double, (size_t)n *(size_t)rows),
-                               .S = TAKE(life, double, (size_t)rows *(size_t)rows),
+    return (struct projection){.M = TAKE_MATRIX(life, double, n, n),
+                               .Cq = TAKE_MATRIX(life, double, rows, n),
+                               .Y = TAKE_MATRIX(life, double, n, rows),
+                               .S = TAKE_MATRIX(life, double, rows, rows),
                                .row = TAKE(life, int, rows),
                                .col = TAKE(life, int, rows),
                                .x = TAKE(life, double, rows),

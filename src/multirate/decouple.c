@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "engine/matrix.h"
 #include "engine/motion.h"
 #include "la/dense.h"
 
@@ -12,16 +13,16 @@ void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *ef
 {
     const struct ode2_direct *direct = ode->direct;
     int n = ode->n, ns = ode->ns, nl = n - ns;
-    *p = (struct decouple){.ode = ode, .effort = effort, .n = n, .ns = ns, .nl = nl};
+    *p = (struct decouple){.ode = ode, .effort = effort, .life = life, .n = n, .ns = ns, .nl = nl};
     p->ml = ode->near > 0 ? ode->near - ns : nl;
     p->structured = n > SMALL && direct && direct->stiffen && direct->solve;
-    p->M = TAKE(life, double, (size_t)n *(size_t)n);
-    p->L = TAKE(life, double, (size_t)nl *(size_t)nl);
-    p->W = TAKE(life, double, (size_t)nl *(size_t)ns);
-    p->Mss = TAKE(life, double, (size_t)ns *(size_t)ns);
-    p->MsW = TAKE(life, double, (size_t)p->ml *(size_t)ns);
-    p->WMW = TAKE(life, double, (size_t)ns *(size_t)ns);
-    p->Z = TAKE(life, double, (size_t)ns *(size_t)ns);
+    if (!p->structured) p->M = TAKE_MATRIX(life, double, n, n);
+    if (!p->structured) p->L = TAKE_MATRIX(life, double, nl, nl);
+    p->W = TAKE_MATRIX(life, double, nl, ns);
+    p->Mss = TAKE_MATRIX(life, double, ns, ns);
+    p->MsW = TAKE_MATRIX(life, double, p->ml, ns);
+    p->WMW = TAKE_MATRIX(life, double, ns, ns);
+    p->Z = TAKE_MATRIX(life, double, ns, ns);
     p->row = TAKE(life, double, ns);
     p->none = TAKE(life, double, n);
     p->z = TAKE(life, double, n);
@@ -83,6 +84,8 @@ static enum status by_structure(struct decouple *p, const struct instant *x, str
 static enum status by_matrix(struct decouple *p, const struct instant *x, struct trouble *why)
 {
     int n = p->n, ns = p->ns, nl = p->nl;
+    TRY(matrix_need(&p->M, n, n, p->life, x->t, why));
+    TRY(matrix_need(&p->L, nl, nl, p->life, x->t, why));
     TRY(p->ode->ops->mass(p->ode, p->M, x->q, x->t, ALL, why));
     dense_copy(p->Mss, p->M, ns, ns, ns, n);
     dense_copy(p->W, p->M + ns, nl, ns, nl, n);

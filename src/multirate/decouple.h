@@ -29,6 +29,7 @@
 struct decouple {
     const struct ode2 *ode;
     struct effort *effort;
+    struct arena *life;
     int n, ns, nl;
     int ml;            /* slow coordinates that fast bodies and elements know */
     int structured;    /* M^ is factored by its owner; M and L are not used */
@@ -37,7 +38,7 @@ struct decouple {
     double *Mss;       /* [ns x ns] M~_SS */
     double *MsW;       /* [ml x ns] */
     double *WMW;       /* [ns x ns] W' M_s W */
-    double *M;         /* [n x n] */
+    double *M;         /* [n x n]; as L, NULL as long as the owner's structure serves */
     double *L;         /* [nl x nl] Cholesky factor of M_LL */
     void *F;           /* the owner's factor of M^ */
     double *none;      /* [n] zeros */

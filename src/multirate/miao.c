@@ -62,7 +62,7 @@ struct miao {
 
 static void block_open(struct block *b, int m, struct arena *life)
 {
-    b->J = TAKE(life, double, (size_t)m *(size_t)m);
+    b->J = TAKE_MATRIX(life, double, m, m);
     b->swap = TAKE(life, int, m);
 }
 
@@ -82,7 +82,7 @@ static void open(struct stepper *s, struct arena *life)
     double **square[] = {&m->M, &m->K, &m->C, &m->spare};
     double **whole[] = {&m->z, &m->hs, &m->vi, &m->ai, &m->dx, &m->dn, &m->vn, &m->v, &m->a, &m->r, &m->part, &m->aold};
     double **place[] = {&m->qi, &m->q, &m->qkeep, &m->target};
-    for (size_t i = 0; i < sizeof square / sizeof *square; i++) *square[i] = TAKE(life, double, (size_t)n *(size_t)n);
+    for (size_t i = 0; i < sizeof square / sizeof *square; i++) *square[i] = TAKE_MATRIX(life, double, n, n);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) *whole[i] = TAKE(life, double, n);
     for (size_t i = 0; i < sizeof place / sizeof *place; i++) *place[i] = TAKE(life, double, o->nq);
     block_open(&m->common, n, life);

@@ -13,8 +13,8 @@ static void take_minor(struct minor *m, int n, int ns, struct arena *life)
 {
     double **square[] = {&m->K, &m->C}, **fast[] = {&m->J, &m->S, &m->V, &m->spare};
     *m = (struct minor){.n = n, .ns = ns};
-    for (int i = 0; i < 2; i++) *square[i] = TAKE(life, double, (size_t)n *(size_t)n);
-    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, (size_t)ns *(size_t)ns);
+    for (int i = 0; i < 2; i++) *square[i] = TAKE_MATRIX(life, double, n, n);
+    for (int i = 0; i < 4; i++) *fast[i] = TAKE_MATRIX(life, double, ns, ns);
     m->swap = TAKE(life, int, ns);
 }
 
@@ -80,23 +80,23 @@ void minor_solve(const struct minor *m, double *x)
 void response_open(struct response *p, const struct decouple *dec, struct arena *life)
 {
     int n = dec->n, ns = dec->ns, nl = dec->nl;
-    *p = (struct response){.n = n, .ns = ns, .nl = nl, .ml = dec->ml};
-    double **slow[] = {&p->MLL, &p->F, &p->Gk, &p->G, &p->spare};
+    *p = (struct response){.n = n, .ns = ns, .nl = nl, .ml = dec->ml, .life = life};
+    double **slow[] = {&p->F, &p->Gk, &p->MLL, &p->G, &p->spare}; /* the last three dense only */
     double **fast[] = {&p->A, &p->D, &p->Mss, &p->WFW};
     double **wide[] = {&p->X, &p->Y, &p->v, &p->dx, &p->dd};
     double **mixed[] = {&p->U, &p->GU, &p->V};
     double **pair[] = {&p->E, &p->T};
-    for (int i = 0; i < 5; i++) *slow[i] = TAKE(life, double, (size_t)nl *(size_t)nl);
-    for (int i = 0; i < 4; i++) *fast[i] = TAKE(life, double, (size_t)ns *(size_t)ns);
-    for (int i = 0; i < 5; i++) *wide[i] = TAKE(life, double, 2 * ns * ns);
-    for (int i = 0; i < 3; i++) *mixed[i] = TAKE(life, double, 2 * ns * nl);
-    for (int i = 0; i < 2; i++) *pair[i] = TAKE(life, double, 4 * ns * ns);
+    for (int i = 0; i < (dec->structured ? 2 : 5); i++) *slow[i] = TAKE_MATRIX(life, double, nl, nl);
+    for (int i = 0; i < 4; i++) *fast[i] = TAKE_MATRIX(life, double, ns, ns);
+    for (int i = 0; i < 5; i++) *wide[i] = TAKE_MATRIX(life, double, 2 * ns, ns);
+    for (int i = 0; i < 3; i++) *mixed[i] = TAKE_MATRIX(life, double, 2 * ns, nl);
+    for (int i = 0; i < 2; i++) *pair[i] = TAKE_MATRIX(life, double, 4 * ns, ns);
     take_minor(&p->one, n, ns, life);
     p->one.Mss = p->Mss;
     p->one.A = p->A;
     p->one.D = p->D;
-    p->FW = TAKE(life, double, (size_t)nl *(size_t)ns);
-    p->Q = TAKE(life, double, (size_t)p->ml *(size_t)ns);
+    p->FW = TAKE_MATRIX(life, double, nl, ns);
+    p->Q = TAKE_MATRIX(life, double, p->ml, ns);
     p->d = TAKE(life, double, n);
     p->z = TAKE(life, double, n);
     p->s = TAKE(life, double, 2 * ns);
@@ -219,15 +219,33 @@ static int differs(const double *A, const double *B, int rows, int cols, int lda
     return 0;
 }
 
+/* M_LL [nl x nl], leading dimension n. */
+static const double *slow_mass(const struct response *p, const struct decouple *dec)
+{
+    return dec->M + p->ns + (long)p->ns * p->n;
+}
+
 int response_masses(struct response *p, const struct decouple *dec)
 {
     int n = p->n, ns = p->ns, nl = p->nl;
-    const double *MLL = dec->M + ns + (long)ns * n;
-    int changed = dec->structured || differs(dec->Mss, p->Mss, ns, ns, ns, ns) || differs(MLL, p->MLL, nl, nl, n, nl);
+    int changed = dec->structured || !p->MLL || differs(dec->Mss, p->Mss, ns, ns, ns, ns) ||
+                  differs(slow_mass(p, dec), p->MLL, nl, nl, n, nl);
     if (!changed) return 0;
     copy(p->Mss, dec->Mss, ns * ns);
-    if (!dec->structured) dense_copy(p->MLL, MLL, nl, nl, nl, n);
+    if (!dec->structured && p->MLL) dense_copy(p->MLL, slow_mass(p, dec), nl, nl, nl, n);
     return 1;
+}
+
+/* What only the dense way reads; M_LL as it is now. */
+static enum status need_dense(struct response *p, const struct decouple *dec, double t, struct trouble *why)
+{
+    const int nl = p->nl;
+    if (p->MLL) return OK;
+    TRY(matrix_need(&p->G, nl, nl, p->life, t, why));
+    TRY(matrix_need(&p->spare, nl, nl, p->life, t, why));
+    TRY(matrix_need(&p->MLL, nl, nl, p->life, t, why));
+    dense_copy(p->MLL, slow_mass(p, dec), nl, nl, nl, p->n);
+    return OK;
 }
 
 /* x [nl] := G^-1 x. */
@@ -250,6 +268,7 @@ static enum status factor_slow(struct response *p, struct decouple *dec, const d
     int nl = p->nl;
     if (dec->structured && !p->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
     if (dec->structured) return p->stiff ? dec->ode->direct->stiffen(dec->ode, p->GF, p->d, q, t, why) : OK;
+    TRY(need_dense(p, dec, t, why));
     for (int i = 0; i < nl * nl; i++) p->G[i] = p->Gk[i] + p->MLL[i];
     int pivot = factor_dense(p->G, p->swapG, p->spare, &p->form, nl);
     return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);

@@ -46,11 +46,12 @@ struct minor {
 
 struct response {
     struct minor one;
+    struct arena *life;
     int n, ns, nl, ml, ratio; /* ml: slow coordinates that the fast class knows */
     double h, H;
     double *A, *D;       /* [ns x ns] */
     double *Mss;         /* [ns x ns] as in J */
-    double *MLL;         /* [nl x nl] as in G; dense only */
+    double *MLL;         /* [nl x nl] as in G; dense only: it, G and spare are taken when they first serve */
     double *F;           /* [nl x nl] */
     double *FW;          /* [nl x ns] */
     double *WFW;         /* [ns x ns] */

@@ -50,8 +50,8 @@ static void reserve(struct subcycle *c, int ratio, struct arena *life)
 {
     if (ratio <= c->capacity) return;
     c->capacity = ratio < LEAST_CAPACITY ? LEAST_CAPACITY : ratio;
-    c->d = TAKE(life, double, (size_t)c->ns *(size_t)c->capacity);
-    c->dbefore = TAKE(life, double, (size_t)c->ns *(size_t)c->capacity);
+    c->d = TAKE_MATRIX(life, double, c->ns, c->capacity);
+    c->dbefore = TAKE_MATRIX(life, double, c->ns, c->capacity);
 }
 
 static void take_vectors(struct subcycle *c, struct arena *life)

@@ -33,8 +33,8 @@ void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
         e->q1 = TAKE(life, double, b->nmode);
         e->q2 = TAKE(life, double, b->nmode);
         e->Q = TAKE(life, double, b->nmode);
-        e->K = TAKE(life, double, b->nmode * b->nmode);
-        e->C = TAKE(life, double, b->nmode * b->nmode);
+        e->K = TAKE_MATRIX(life, double, b->nmode, b->nmode);
+        e->C = TAKE_MATRIX(life, double, b->nmode, b->nmode);
     }
 }
 

@@ -280,7 +280,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     o->elements = elements_build(m, o->ops, life);
     o->diagonal = elements_are_diagonal(o->elements);
     elastic_build(&o->elastic, m, life);
-    if (o->elastic.n) o->M = TAKE(life, double, m->n * m->n);
+    if (o->elastic.n) o->M = TAKE_MATRIX(life, double, m->n, m->n);
     moves_build(&o->moves, m, life);
     floating_build(&o->floating, m, o->ops, life);
     const size_t bytes = o->ops->factor_size(o->sweep);

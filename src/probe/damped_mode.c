@@ -85,8 +85,8 @@ static void sort_out(struct damped_mode *o, const double complex *s, const doubl
 bool damped_modes_find(struct damped_mode *o, const double *K, const double *D, int n, struct arena *life)
 {
     const int m = 2 * n;
-    double *A = TAKE(life, double, m *m), *w = TAKE(life, double, n), top = 0;
-    double complex *s = TAKE(life, double complex, m), *Y = TAKE(life, double complex, m *m);
+    double *A = TAKE_MATRIX(life, double, m, m), *w = TAKE(life, double, n), top = 0;
+    double complex *s = TAKE(life, double complex, m), *Y = TAKE_MATRIX(life, double complex, m, m);
     for (int j = 0; j < n; j++) top = fmax(top, sqrt(fabs(K[j * (n + 1)])));
     for (int j = 0; j < n; j++) w[j] = fmax(sqrt(fabs(K[j * (n + 1)])), 1e-6 * top + (top == 0));
     first_order(A, w, K, D, n);

@@ -117,11 +117,11 @@ static enum status linearise(struct linear *l, struct arena *life, struct troubl
 {
     int n = l->n;
     double *zero = TAKE(life, double, n);
-    l->M = TAKE(life, double, n *n);
-    l->K = TAKE(life, double, n *n);
-    l->C = TAKE(life, double, n *n);
-    l->G = TAKE(life, double, n *n);
-    l->N = TAKE(life, double, n *n);
+    l->M = TAKE_MATRIX(life, double, n, n);
+    l->K = TAKE_MATRIX(life, double, n, n);
+    l->C = TAKE_MATRIX(life, double, n, n);
+    l->G = TAKE_MATRIX(life, double, n, n);
+    l->N = TAKE_MATRIX(life, double, n, n);
     struct instant x = {.t = l->t, .q = l->q, .v = zero, .ta = l->t, .tb = l->t};
     TRY(l->ode->ops->mass(l->ode, l->M, l->q, l->t, ALL, why));
     TRY(l->ode->ops->slopes(l->ode, l->K, l->C, &x, ALL, why));
@@ -268,7 +268,8 @@ static void gyroscopic_group(struct mode *o, const struct linear *l, const doubl
                              const double *g, int count, struct arena *life)
 {
     const int n = l->n, m = 2 * count;
-    double *S = TAKE(life, double, m *m), *A = TAKE(life, double, m *m), *Y = TAKE(life, double, m *m);
+    double *S = TAKE_MATRIX(life, double, m, m), *A = TAKE_MATRIX(life, double, m, m),
+           *Y = TAKE_MATRIX(life, double, m, m);
     double *square = TAKE(life, double, m), *work = TAKE(life, double, 2 * (n + m));
     antisymmetric(S, g, lambda, count, n);
     for (int j = 0; j < m; j++)
@@ -291,7 +292,8 @@ static bool whole_group(struct mode *o, const struct linear *l, const double *X,
                         int count, struct arena *life)
 {
     const int n = l->n;
-    double *x = TAKE(life, double, 2 * n), *G = TAKE(life, double, count *count), *K = TAKE(life, double, count *count);
+    double *x = TAKE(life, double, 2 * n), *G = TAKE_MATRIX(life, double, count, count),
+           *K = TAKE_MATRIX(life, double, count, count);
     struct damped_mode *damped_mode = TAKE(life, struct damped_mode, count);
     for (int j = 0; j < count; j++)
         for (int i = 0; i < count; i++) {
@@ -371,9 +373,9 @@ static bool describe_all(struct modes *o, const struct linear *l, const double *
     double *work = TAKE(life, double, n);
     struct spectrum s = {X,
                          lambda,
-                         TAKE(life, double, n *n),
-                         TAKE(life, double, n *n),
-                         TAKE(life, double, n *n),
+                         TAKE_MATRIX(life, double, n, n),
+                         TAKE_MATRIX(life, double, n, n),
+                         TAKE_MATRIX(life, double, n, n),
                          fmax(fabs(lambda[0]), fabs(lambda[n - 1]))};
     in_modes(s.g, l->G, X, n, work);
     in_modes(s.c, l->N, X, n, work);
@@ -397,7 +399,7 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     if (n == 0) return OK;
     if (linearise(&l, life, &why) != OK)
         return fail(report, E_NUMERIC, "no linearisation at t = %g s: the residual is not a number", l.t);
-    double *lambda = TAKE(life, double, n), *X = TAKE(life, double, n *n), *M = TAKE(life, double, n *n);
+    double *lambda = TAKE(life, double, n), *X = TAKE_MATRIX(life, double, n, n), *M = TAKE_MATRIX(life, double, n, n);
     memcpy(M, l.M, sizeof *M * (size_t)(n * n));
     int pivot = eigen_general(lambda, X, l.K, M, n);
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));

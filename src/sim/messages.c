@@ -44,7 +44,10 @@ static const char *status_word(const struct sim *sim)
     case E_SIGTERM:
         return "terminated";
     case E_LIMIT:
-        return stop_limit() ? "CPU time limit reached" : "limit reached";
+        return stop == SIGXCPU                       ? "CPU time limit reached"
+               : stop == SIGALRM                     ? "time limit reached"
+               : sim->trouble.code == TROUBLE_MEMORY ? "memory limit reached"
+                                                     : "limit reached";
     case E_USAGE:
     case E_DECK:
     case E_MODEL:
@@ -190,6 +193,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         return "the mechanism may be locked here, or the step too large";
     case TROUBLE_SINGULAR:
         return "look for a body without mass or inertia";
+    case TROUBLE_MEMORY:
+        return "raise '--max-memory'; forces across joints and freedoms without mass are what asks for it";
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
     case TROUBLE_TOO_SMALL:
@@ -203,10 +208,14 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
                              struct report *report)
 {
     char what[200];
-    if (status != E_NUMERIC && status != E_MODEL) return status;
+    if (why->code == TROUBLE_MEMORY) status = E_LIMIT;
+    if (status != E_NUMERIC && status != E_MODEL && why->code != TROUBLE_MEMORY) return status;
     const char *coordinate =
         why->index >= 0 && why->index < sim->stepper.ode->n ? sim_coordinate_name(sim, why->index) : "?";
     switch (why->code) {
+    case TROUBLE_MEMORY:
+        snprintf(what, sizeof what, "a matrix of all freedoms would take %.3g MB, more than is left", why->value / 1e6);
+        break;
     case TROUBLE_NOT_FINITE:
         if (*coordinate == '?')
             snprintf(what, sizeof what, "the state has a part that is not a number");

@@ -33,7 +33,7 @@ static struct rest open_rest(const struct sim *sim, struct arena *scratch)
     s.q = TAKE(scratch, double, o->nq);
     s.q1 = TAKE(scratch, double, o->nq);
     for (int i = 0; i < 6; i++) *vectors[i] = TAKE(scratch, double, o->n);
-    for (int i = 0; i < 3; i++) *matrices[i] = TAKE(scratch, double, o->n * o->n);
+    for (int i = 0; i < 3; i++) *matrices[i] = TAKE_MATRIX(scratch, double, o->n, o->n);
     memcpy(s.q, sim->x.q, sizeof *s.q * (size_t)o->nq);
     return s;
 }

@@ -4,8 +4,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "base/arena.h"
+#include "base/status.h"
 
 #include <cmocka.h>
 
@@ -80,9 +83,39 @@ static void deferred(void **state)
     arena_close(NULL);
 }
 
+/* What cannot be is told before it is taken; a product that overflows is too much, whatever is left of it. */
+static void allowed(void **state)
+{
+    (void)state;
+    assert_true(arena_allows(1000, 1000));
+    assert_false(arena_allows(SIZE_MAX / 8 + 2, 8));
+    assert_false(arena_allows(SIZE_MAX / 16, 8));
+    struct arena *a = arena_open();
+    double *M = TAKE_MATRIX(a, double, 30, 20);
+    for (int i = 0; i < 600; i++) assert_true(M[i] == 0);
+    arena_close(a);
+}
+
+/* 46341 squared is no int: the process ends with the code of a limit, in a child. */
+static void too_large(void **state)
+{
+    (void)state;
+    const pid_t child = fork();
+    if (child == 0) {
+        close(STDERR_FILENO);
+        struct arena *a = arena_open();
+        (void)TAKE_MATRIX(a, char, 46341, 46341);
+        _exit(0);
+    }
+    int how;
+    assert_int_equal(waitpid(child, &how, 0), child);
+    assert_true(WIFEXITED(how) && WEXITSTATUS(how) == E_LIMIT);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(taken), cmocka_unit_test(marks), cmocka_unit_test(lists),
-                                       cmocka_unit_test(deferred)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(taken),   cmocka_unit_test(marks),
+                                       cmocka_unit_test(lists),   cmocka_unit_test(deferred),
+                                       cmocka_unit_test(allowed), cmocka_unit_test(too_large)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
