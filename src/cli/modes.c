@@ -48,7 +48,7 @@ static enum status at_time(struct sim *sim, const struct request *request, struc
     if (*end || !(t >= 0) || !isfinite(t)) return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
     if (t == sim->x.t) return OK;
     if (t < sim->x.t) return fail(report, E_USAGE, "--at %.40s is before the start, t = %g s", request->at, sim->x.t);
-    double majors = ceil((t - sim->origin) / (sim->plan.step * sim->plan.ratio) - 1e-9) - (double)sim->before;
+    double majors = ceil((t - sim->origin.x) / (sim->plan.step * sim->plan.ratio) - 1e-9) - (double)sim->before;
     if (!(majors <= MOST_MAJORS))
         return fail(report, E_LIMIT, "--at %.40s is %.3g major steps away: the limit is %g", request->at, majors,
                     MOST_MAJORS);

@@ -99,8 +99,9 @@ static enum status count_steps(struct sim *sim, double H, struct report *report)
         return fail(report, E_LIMIT, "%.3g major steps to t = %g s: the limit is %g", until / H, until, MOST_STEPS);
     const bool along = near_whole(past);
     sim->before = along ? lround(past) : 0;
-    sim->origin = along ? 0 : start;
-    const double steps = (until - sim->origin) / H;
+    const double origin = along ? 0 : start, steps = (until - origin) / H;
+    sim->origin = meant_by(origin);
+    sim->step = meant_by(sim->plan.step);
     sim->majors = (near_whole(steps) ? lround(steps) : (long)ceil(steps)) - sim->before;
     if (sim->majors < 1) sim->majors = 1;
     return OK;

@@ -141,12 +141,17 @@ static enum status write_end(struct sim *sim, struct sink *sink, struct report *
     return sink->ops->end(sink, &summary, report);
 }
 
-/* The exact time at the end of major step k (from 1): i * h from the whole number of minor steps since t = 0, or since
- * the start where that is no end of a step; the last one ends at `until`. */
+/* When major step k (from 1) ends: the double nearest to i h, i the whole number of minor steps since t = 0, or since the
+ * start where that is no end of a step. */
+static double whole_step(const struct sim *sim, long k)
+{
+    return meant_sum(&sim->origin, (double)((sim->before + k) * sim->plan.ratio), &sim->step);
+}
+
+/* The last one ends at `until`. */
 static double end_of(const struct sim *sim, long k)
 {
-    const struct integrate *p = &sim->plan;
-    return k == sim->majors ? p->until : sim->origin + (double)((sim->before + k) * p->ratio) * p->step;
+    return k == sim->majors ? sim->plan.until : whole_step(sim, k);
 }
 
 /* Major step k; the last may be cut: same ratio, a smaller minor step. */
@@ -154,8 +159,7 @@ static enum status major(struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
     double to = end_of(sim, k), h = p->step;
-    const double whole = sim->origin + (double)((sim->before + k) * p->ratio) * h;
-    if (k == sim->majors && fabs(to - whole) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
+    if (k == sim->majors && fabs(to - whole_step(sim, k)) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
     return advance(sim, h, p->ratio, to);
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/stepper.h"
 #include "ledger/ledger.h"
+#include "out/meant.h"
 #include "out/sink.h"
 #include "scene/scene.h"
 #include "sim/catalogue.h"
@@ -71,7 +72,8 @@ struct sim {
     unsigned needs;         /* SEE_... */
     long majors, every;     /* major steps in all; between records */
     long before;            /* major steps from t = 0 to the start, where it is the end of one */
-    double origin;          /* when steps are counted from [s]: 0, or the start */
+    struct meant origin;    /* when steps are counted from [s]: 0, or the start */
+    struct meant step;      /* plan.step as the deck means it */
     struct watch watch;
     double last_h; /* minor step of the last step */
     long rows;
