@@ -63,6 +63,31 @@ int expr_reads(const struct expr *e, int *slots, int max);
 /* Has it no function that may bend or jump: are all its slopes continuous wherever it is finite?  true is sure. */
 bool expr_is_smooth(const struct expr *e);
 
+/* Bounds of the value while each slot goes from lo[i] to hi[i] or back, and its degree as a polynomial of those that move.
+ * False where it may bend, jump or leave its domain in the inside of that box: sure of a smooth one that is narrow, and
+ * said in vain of some that are wide. */
+enum { EXPR_NO_POLYNOMIAL = 99 };
+struct expr_span {
+    double lo, hi;
+    int degree;
+};
+bool expr_span(struct expr_span *o, const struct expr *e, const double *lo, const double *hi);
+
+/* A straight way of all slots, from a to b [n, at most EXPR_SLOTS]. */
+enum { EXPR_SLOTS = 64 };
+struct expr_way {
+    const struct expr *e;
+    const double *a, *b;
+    int n;
+};
+/* Has the value a corner, a jump or a pole on the way? */
+bool expr_bends(const struct expr_way *o);
+/* Has it one of which the integral has no end, as 1/x has at 0?  *at: where, as a share of the way. */
+bool expr_pole(double *at, const struct expr_way *o);
+/* The mean of the value over a way on which one slot alone moves, to round-off: cut at corners and jumps, with poles NAN;
+ * *slope: what it gains with the end b of that slot.  Where the way is a point, the value and half its slope. */
+double expr_mean(double *slope, const struct expr_way *o, int slot);
+
 /* The functions there are, for messages and the manual; ends with a NULL name. */
 struct expr_function {
     const char *name;

@@ -104,7 +104,7 @@ static void slopes(struct elements *e, struct sweep *s, struct part_of *p, doubl
     }
 }
 
-static double stored(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
+static double energy(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
                      const double *v)
 {
     struct strains strains;
@@ -113,6 +113,12 @@ static double stored(const struct elements *e, const struct sweep *s, const stru
     strains_at(&strains, e, s, f);
     for (int i = 0; i < strains.n; i++) V += strains.of[i].V;
     return V;
+}
+
+static double stored(const struct elements *e, const struct sweep *s, const struct part_of *p, const double *q,
+                     const double *v)
+{
+    return energy(e, s, &e->model->force[p->force], q, v);
 }
 
 static void sort(struct part_of *p, const struct model *m, const struct model_force *f)
@@ -131,4 +137,4 @@ double elements_tilt(const struct elements *e, const struct sweep *s, int force)
 }
 
 const struct element_kind element_between = {
-    .sort = sort, .load = load, .slopes = slopes, .stored = stored, .end = stored};
+    .sort = sort, .load = load, .slopes = slopes, .stored = stored, .end = energy};

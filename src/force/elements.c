@@ -46,7 +46,7 @@ double elements_stored(const struct elements *e, const struct sweep *s, const do
     }
     for (int i = 0; i < e->nother[ALL]; i++) {
         const struct part_of *p = &e->other[i];
-        if (p->stores) V += p->kind->stored(e, s, &e->model->force[p->force], q, v);
+        if (p->stores) V += p->kind->stored(e, s, p, q, v);
     }
     return V;
 }
@@ -60,8 +60,10 @@ void elements_measure(const struct elements *e, const struct sweep *s, double *v
     *rate = act.rate;
 }
 
-bool elements_turn(const struct elements *e)
+bool elements_follow(const struct elements *e)
 {
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].follows) return true;
     return e->measures.turns;
 }
 
@@ -70,7 +72,29 @@ void elements_set_measure(struct elements *e, int measure, double x)
     measures_set(&e->measures, measure, x);
 }
 
-void elements_turned(struct elements *e, const struct sweep *s, double t)
+void elements_begin(struct elements *e, const struct sweep *s, const double *q, const double *v)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].follows) law_begin(e, s, &e->other[i], q, v);
+}
+
+void elements_stepped(struct elements *e, const struct sweep *s, const double *q, const double *v, double t)
 {
     measures_turned(&e->measures, s, t);
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].follows) law_stepped(e, s, &e->other[i], q, v);
+}
+
+bool elements_may_bend(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].bends) return true;
+    return false;
+}
+
+bool elements_bent(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (law_bent(e, &e->other[i])) return true;
+    return false;
 }

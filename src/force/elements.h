@@ -51,9 +51,13 @@ void elements_diagonal(struct elements *e, double *d, double cc, double ck, cons
 
 /* Sum of stored energies; after move(ALL). */
 double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v);
-/* Angles in space, known up to whole turns, go on from where they are at s; false: there are none to settle. */
-bool elements_turn(const struct elements *e);
-void elements_turned(struct elements *e, const struct sweep *s, double t);
+/* Of what is known only from step to step, angles in space up to whole turns and energies that are sums: is there any?
+ * At the start, and at the end of each step, after move() there.  Did a law have a corner or a jump in the last one? */
+bool elements_follow(const struct elements *e);
+void elements_begin(struct elements *e, const struct sweep *s, const double *q, const double *v);
+void elements_stepped(struct elements *e, const struct sweep *s, const double *q, const double *v, double t);
+bool elements_may_bend(const struct elements *e);
+bool elements_bent(const struct elements *e);
 void elements_set_measure(struct elements *e, int measure, double x);
 /* The tilt of a force between markers, see strains in kind/force.h [rad]; 0: it has none. */
 double elements_tilt(const struct elements *e, const struct sweep *s, int force);

@@ -151,20 +151,59 @@ static void diagonal(struct elements *e, struct part_of *p, double *d, double cc
     d[def->iv] += cc * law.kv + ck * law.ks;
 }
 
-static double stored(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
-                     const double *v)
+static double measured(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
+                       const double *v)
 {
     struct action act;
     measure_at(&act, &e->measures, s, f->measure, q, v);
-    return f->kind->stored(f->par, act.s);
+    return act.s;
 }
 
-static double end(const struct elements *e, const struct sweep *there, const struct model_force *f, const double *q,
-                  const double *v)
+/* What the measure takes out of the energy on its way from p->stood to s. */
+static double taken(const struct part_of *p, const struct model_force *f, double s)
 {
-    struct action act;
-    measure_at(&act, &e->measures, there, f->measure, q, v);
-    return act.s;
+    struct law mean;
+    f->kind->mean(&mean, f->par, p->stood, s);
+    return mean.f * (s - p->stood);
+}
+
+static double stored(const struct elements *e, const struct sweep *s, const struct part_of *p, const double *q,
+                     const double *v)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    const double x = measured(e, s, f, q, v);
+    return p->sums ? p->V - taken(p, f, x) : f->kind->stored(f->par, x);
+}
+
+static void stand(struct part_of *p, const struct model_force *f, double s)
+{
+    if (p->sums) {
+        const double V = p->V - taken(p, f, s);
+        if (isfinite(V)) p->V = V;
+    }
+    p->stood = s;
+}
+
+/* Energy is counted from where the measure is 0, or from the start where that is out of reach. */
+void law_begin(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    p->stood = p->V = 0;
+    stand(p, f, measured(e, s, f, q, v));
+    p->came = p->stood;
+}
+
+void law_stepped(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    p->came = p->stood;
+    stand(p, f, measured(e, s, f, q, v));
+}
+
+bool law_bent(const struct elements *e, const struct part_of *p)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    return p->bends && f->kind->bends(f->par, p->came, p->stood);
 }
 
 static void sort(struct part_of *p, const struct model *m, const struct model_force *f)
@@ -173,11 +212,14 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     const bool along = def->type == MEASURE_COORDINATE;
     const bool straight = along || (def->type == MEASURE_ANGLE && m->space == 2);
     struct affine law;
-    p->stores = f->kind->stored;
+    p->stores = f->kind->mean;
+    p->sums = p->stores && !f->kind->stored;
+    p->bends = f->kind->bends;
+    p->follows = p->sums || p->bends;
     p->linear = f->kind->affine && f->kind->affine(&law, f->par);
     p->diagonal = along;
     p->ends = p->stores && !along && !(straight && p->linear);
 }
 
 const struct element_kind element_law = {
-    .sort = sort, .load = load, .slopes = slopes, .diagonal = diagonal, .stored = stored, .end = end};
+    .sort = sort, .load = load, .slopes = slopes, .diagonal = diagonal, .stored = stored, .end = measured};

@@ -29,6 +29,12 @@ struct part_of {
     bool ends;     /* keeps energy by what stood at the interval's ends (see law.c) */
     double end[2]; /* what end() says of these */
     double kref;   /* a law's slope at the last slopes() */
+    bool bends;    /* its law may have corners */
+    bool sums;     /* its energy is summed from step to step */
+    bool follows;  /* it knows where the last step went: */
+    double came;   /* the measure at its start */
+    double stood;  /* and at its end */
+    double V;      /* of one that sums: the energy there [J] */
     int nturn;
     const int *turn; /* [nturn] rotations that change the measure: on one body's path and not on the other's */
 };
@@ -52,7 +58,7 @@ struct element_kind {
     /* Required where diagonal is set and there are slopes. */
     void (*diagonal)(struct elements *e, struct part_of *p, double *d, double cc, double ck, const struct instant *x);
     /* Required where stores is set [J]. */
-    double (*stored)(const struct elements *e, const struct sweep *s, const struct model_force *f, const double *q,
+    double (*stored)(const struct elements *e, const struct sweep *s, const struct part_of *p, const double *q,
                      const double *v);
     /* Required where ends is set: the measure, or the energy, at an end of the interval. */
     double (*end)(const struct elements *e, const struct sweep *there, const struct model_force *f, const double *q,
@@ -87,6 +93,11 @@ static inline int last_of(const int *n, enum rate cls)
 {
     return cls == FAST ? n[FAST] : n[ALL];
 }
+
+/* law.c: what follows begins at the start, goes on at the end of a step; has the law a corner between? */
+void law_begin(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v);
+void law_stepped(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v);
+bool law_bent(const struct elements *e, const struct part_of *p);
 
 /* What stood at one end (0: qa, 1: qb) of the interval, for the elements that want to know. */
 void measure_end(struct elements *e, const struct instant *x, int end, enum rate cls);

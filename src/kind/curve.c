@@ -80,6 +80,12 @@ static void curve_mean(struct law *o, const void *par, double s0, double s1)
     o->f = -mean_of(&o->ks, &p->table, s0 - p->rest, s1 - p->rest);
 }
 
+static bool curve_bends(const void *par, double s0, double s1)
+{
+    const struct curve *p = par;
+    return piece(&p->table, s0 - p->rest) != piece(&p->table, s1 - p->rest);
+}
+
 static void rate_law(struct law *o, const void *par, double s, double v, double t)
 {
     const struct curve *p = par;
@@ -114,7 +120,8 @@ const struct force_kind force_curve = {.name = "curve",
                                        .size = sizeof(struct curve),
                                        .law = curve_law,
                                        .stored = curve_stored,
-                                       .mean = curve_mean};
+                                       .mean = curve_mean,
+                                       .bends = curve_bends};
 
 const struct force_kind force_curve_rate = {.name = "curve",
                                             .brief = "of a rate, NAME_rate: damper by a table, likewise",

@@ -102,13 +102,16 @@ struct force_kind {
      * The force at measure s, rate v, time t. */
     void (*law)(struct law *o, const void *par, double s, double v, double t);
 
-    /* Optional.  Stored energy [J] for W_int of (2-26); without it the power f v is booked as loss
-     * (dissipative) or work. */
-    double (*stored)(const void *par, double s);
-
-    /* Required with stored().  The mean force -(V(s1) - V(s0))/(s1 - s0) in f, without the difference of large numbers
+    /* Optional.  There is a stored energy V for W_int of (2-26); without it the power f v is booked as loss
+     * (dissipative) or work.  The mean force -(V(s1) - V(s0))/(s1 - s0) in f, without the difference of large numbers
      * and also at s1 = s0, and its slope along the middle of s0 and s1 in ks: -2 df/ds1. */
     void (*mean)(struct law *o, const void *par, double s0, double s1);
+
+    /* Optional, with mean().  V [J]; without it V is summed by mean(), from step to step. */
+    double (*stored)(const void *par, double s);
+
+    /* Optional, with mean().  Is there a corner or a jump of f between s0 and s1? */
+    bool (*bends)(const void *par, double s0, double s1);
 
     /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
     double (*dissipative)(const void *par, double s, double v, double t);

@@ -2,6 +2,7 @@
  *
  * A force is fast if it reads, or acts on the relative motion of, anything fast; a load that depends on t
  * alone is always fast: it is cheap. */
+#include "kind/potential.h"
 #include "la/vec3.h"
 #include "model/parts.h"
 #include "model/touch.h"
@@ -87,6 +88,25 @@ static enum rate class_of(const struct making *o, const struct model_force *f)
     return f->nslot == 1 && reads_time(f) ? FAST : SLOW;
 }
 
+/* Does an expression read the measure that it acts along, and nothing else? */
+static bool is_potential(const struct making *o, const struct model_force *f)
+{
+    const struct model_slot *own = &f->slot[1];
+    if (f->type != FORCE_VALUE || !f->value[0].expr || f->nslot != 2 || signal_reads_time(&f->value[0])) return false;
+    if (own->type == SLOT_MEASURE) return own->index == f->measure;
+    return own->type == SLOT_Q && own->index == o->m->measure[f->measure].iq;
+}
+
+/* Then it has an energy. */
+static void take_potential(struct making *o, struct model_force *f)
+{
+    struct potential *p = TAKE(o->life, struct potential, 1);
+    p->expr = f->value[0].expr;
+    f->type = FORCE_LAW;
+    f->kind = &force_potential;
+    f->par = p;
+}
+
 static void make_force(struct making *o, struct model_force *to, const struct scene_force *from)
 {
     *to = (struct model_force){
@@ -105,6 +125,7 @@ static void make_force(struct making *o, struct model_force *to, const struct sc
     struct model_slot *slot = TAKE(o->life, struct model_slot, from->nslot);
     for (int i = 0; i < from->nslot; i++) slot[i] = make_slot(o, &from->slot[i]);
     to->slot = slot;
+    if (is_potential(o, to)) take_potential(o, to);
     to->cls = class_of(o, to);
 }
 

@@ -235,12 +235,12 @@ static void solve(const struct ode2 *o, const void *F, double *x)
 
 /* --- after a step ------------------------------------------------------------------------------- */
 
-/* Angles in space go on from q; v [n of the tree].  The coordinates stay. */
+/* Angles in space and sums of energy go on from q; v [n of the tree].  The coordinates stay. */
 static int count_turns(struct ode2 *o, double *q, double *v, double t)
 {
     struct open_tree *s = tree_of(o);
     open_move(s, q, v);
-    elements_turned(s->elements, s->sweep, t);
+    elements_stepped(s->elements, s->sweep, q, v, t);
     if (s->follow) s->follow(s->follower, s->sweep, t);
     return 0;
 }
@@ -305,7 +305,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &o->direct,
-                           .chart = elements_turn(o->elements) ? &turns : NULL,
+                           .chart = elements_follow(o->elements) ? &turns : NULL,
                            .breaks = isinf(first) ? NULL : &o->breaks,
                            .size = size_of,
                            .settle = o->floating.n ? settle : NULL,

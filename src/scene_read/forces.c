@@ -8,7 +8,7 @@
 #include "la/vec3.h"
 #include "scene_read/parts.h"
 
-enum { MOST_SLOTS = 64 };
+enum { MOST_SLOTS = EXPR_SLOTS };
 
 /* Slots of one force while its expressions are compiled. */
 struct slots {

@@ -1,21 +1,37 @@
 /* advance.c -- a major step, and what is done when it will not converge.
  *
  * First the major step is halved with the minor step kept (ratio n into n/2 and the rest), then, at
- * ratio 1, the minor step itself.  Nothing unconverged is accepted; at 2^-10 of the deck's step the run stops. */
+ * ratio 1, the minor step itself.  Nothing unconverged is accepted; at 2^-10 of the deck's step the run stops.
+ *
+ * A scheme that looks at points of time gains or loses energy where a law has a corner within a step: as much as a
+ * stop's stiffness brings in a part of the step.  Such a step is halved, too, while it spoils the balance. */
 #include <math.h>
 #include <string.h>
 
+#include "engine/single.h"
 #include "sim/parts.h"
 
 enum { MOST_HALVINGS = 10 };
+static const double SPOILT = 1e-3; /* of what the balance may be off by, in one step */
+
+void advance_open(struct sim *sim, struct arena *life)
+{
+    sim->keep = TAKE(life, struct single, 1);
+    single_open(sim->keep, sim->stepper.ode, life);
+}
 
 /* Books the step that was just accepted.  A state whose energy is unknown ends the run: it is no step to halve. */
-static enum status push(struct sim *sim, double h, int ratio)
+static enum status book(struct sim *sim)
 {
     struct energies e;
     const struct stepper *s = &sim->stepper;
     TRY(system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &sim->trouble));
     ledger_push(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity, s->work, s->lost, s->left);
+    return OK;
+}
+
+static enum status note(struct sim *sim, double h, int ratio)
+{
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
     rotations_note(sim, h, ratio);
@@ -26,12 +42,38 @@ static enum status push(struct sim *sim, double h, int ratio)
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);
 
+/* Has the step that was booked last gone over a corner that it had better met? */
+static bool spoilt(const struct sim *sim, const struct ledger *before)
+{
+    const struct ledger *l = &sim->ledger;
+    return fabs(l->residual - before->residual) > SPOILT * l->delta * l->norm && system_bent(sim->system);
+}
+
+/* To the state before that step. */
+static enum status undo(struct sim *sim, const struct ledger *before, double t)
+{
+    single_restore(sim->keep, sim->stepper.ode, &sim->x, t);
+    sim->ledger = *before;
+    sim->stepper.effort.rejected++;
+    TRY(system_back(sim->system, sim->x.q, sim->x.v, t, &sim->trouble));
+    return stepper_start(&sim->stepper, &sim->x, &sim->trouble);
+}
+
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
+    const bool divisible = depth < MOST_HALVINGS;
+    const bool watched = divisible && sim->stepper.kind->points && system_may_bend(sim->system);
+    const struct ledger before = sim->ledger;
+    const double t = sim->x.t;
+    const long charts = system_charts(sim->system);
+    if (watched) single_save(sim->keep, sim->stepper.ode, &sim->x);
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
-    if (status == OK) return push(sim, h, ratio);
-    if (status == E_NUMERIC && depth < MOST_HALVINGS) return halve(sim, h, ratio, to, depth);
-    return status;
+    if (status == E_NUMERIC && divisible) return halve(sim, h, ratio, to, depth);
+    TRY(status);
+    TRY(book(sim));
+    if (!watched || !spoilt(sim, &before) || charts != system_charts(sim->system)) return note(sim, h, ratio);
+    TRY(undo(sim, &before, t));
+    return halve(sim, h, ratio, to, depth);
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth)

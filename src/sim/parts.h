@@ -13,7 +13,8 @@ enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *l
 /* unread.c: warnings of keys that the scheme does not read */
 void warn_of_unread(const struct sim *sim, struct diags *diags);
 
-/* advance.c: one major step to `to`, halved where it must be */
+/* advance.c: one major step to `to`, halved where it must be; after the stepper is open */
+void advance_open(struct sim *sim, struct arena *life);
 enum status advance(struct sim *sim, double h, int ratio, double to);
 
 /* loops.c: warnings about the start; the event of a new partition */

@@ -61,7 +61,7 @@ struct sim {
     struct system *system;
     struct stepper stepper;
     struct state x;
-    struct state keep; /* the state before a step that is being halved */
+    struct single *keep; /* the state before a step that may be undone */
     struct ledger ledger;
     struct catalogue catalogue;
     int nformula;

@@ -68,6 +68,8 @@ enum status system_start(struct system *s, double *q, double *v, struct report *
     }
     memcpy(q, s->loops ? condense_q(s->loops) : s->model->q0, sizeof *q * (size_t)o->nq);
     memcpy(v, s->loops ? condense_v(s->loops) : s->model->v0, sizeof *v * (size_t)o->n);
+    open_move(&s->tree, q, s->v);
+    elements_begin(s->tree.elements, s->tree.sweep, q, s->v);
     return OK;
 }
 
@@ -296,6 +298,24 @@ void system_frame_spin(const struct system *s, double *w, int body)
     struct pose frame;
     s->ops->pose(s->tree.sweep, &frame, body);
     m3_tmul(w, frame.R, frame.w);
+}
+
+bool system_may_bend(const struct system *s)
+{
+    return elements_may_bend(s->tree.elements);
+}
+
+enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why)
+{
+    struct ode2 *tree = &s->tree.ode;
+    TRY(evaluate_rates(s, q, v, t, why));
+    if (tree->chart) tree->chart->rechart(tree, q, s->v, t);
+    return OK;
+}
+
+bool system_bent(const struct system *s)
+{
+    return elements_bent(s->tree.elements);
 }
 
 double system_tilt(const struct system *s, int force)

@@ -79,6 +79,12 @@ enum status system_energy_at(struct system *s, struct energies *e, const double 
 /* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
 void system_frame_spin(const struct system *s, double *w, int body);
 
+/* Have forces along measures laws with corners or jumps?  Was there one in the last step?  That step is undone: q and v
+ * at t are those before it. */
+bool system_may_bend(const struct system *s);
+bool system_bent(const struct system *s);
+enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why);
+
 /* elements_tilt(), at the last system_energy_at(). */
 double system_tilt(const struct system *s, int force);
 

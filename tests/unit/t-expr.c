@@ -245,6 +245,51 @@ static void random_trees(void **state)
     arena_close(arena);
 }
 
+/* In a box where a tree is said to be smooth its values stay between the bounds. */
+static void spans(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_open();
+    long smooth = 0, rough = 0;
+    seed = 7;
+    for (int trial = 0; trial < 20000; trial++) {
+        struct arena_mark mark = arena_mark(arena);
+        struct tree *x = grow(arena, 1 + dice(4));
+        char *text = TAKE(arena, char, 20000);
+        FILE *to = fmemopen(text, 20000, "w");
+        write(to, x, 0);
+        fclose(to);
+        struct expr *e;
+        struct expr_error error;
+        struct expr_span span;
+        double a[SLOTS], b[SLOTS], slot[SLOTS];
+        const double width = pow(10, -3 * uniform());
+        for (int i = 0; i < SLOTS; i++) {
+            a[i] = uniform() * 4 - 2;
+            b[i] = dice(3) ? a[i] + (dice(2) ? width : -width) : a[i];
+        }
+        if (expr_parse(&e, text, strlen(text), &names, arena, &error)) {
+            arena_rewind(arena, mark);
+            continue;
+        }
+        const bool is = expr_span(&span, e, a, b);
+        long double most = 0, lslot[SLOTS];
+        for (int k = 0; k < 40 && is; k++) {
+            for (int i = 0; i < SLOTS; i++) lslot[i] = slot[i] = a[i] + uniform() * (b[i] - a[i]);
+            most = fmaxl(most, largest(x, lslot));
+            const double f = expr_value(e, slot), room = 1e-12 * (1 + (double)most);
+            if (!(f >= span.lo - room && f <= span.hi + room))
+                fail_msg("%s: %.17g, outside of [%.17g, %.17g]", text, f, span.lo, span.hi);
+        }
+        smooth += is;
+        rough += !is;
+        arena_rewind(arena, mark);
+    }
+    print_message("%ld smooth, %ld not\n", smooth, rough);
+    assert_true(smooth > 8000 && rough > 1000);
+    arena_close(arena);
+}
+
 /* ---- single facts ---- */
 
 static struct expr *parsed(struct arena *arena, const char *text)
@@ -593,7 +638,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values), cmocka_unit_test(errors), cmocka_unit_test(limits),       cmocka_unit_test(corners),
         cmocka_unit_test(slots),  cmocka_unit_test(speed),  cmocka_unit_test(random_trees), cmocka_unit_test(truths),
-        cmocka_unit_test(jets),   cmocka_unit_test(smooth),
+        cmocka_unit_test(jets),   cmocka_unit_test(smooth), cmocka_unit_test(spans),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
