@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/scalar.h"
+
 static const double FADE = .8;      /* a step */
 static const double GROWTH = .05;   /* a step, of what is not seen but for the first place */
 static const double LEAVES = .5;    /* any matrix that is kept, at most */
@@ -20,7 +22,7 @@ static void learn_place(struct prospect *o, double seen, int first)
 {
     double x = o->ahead;
     if (seen > 0)
-        o->ahead = o->known = fmax(seen, FADE * o->known);
+        o->ahead = o->known = larger(seen, FADE * o->known);
     else
         o->ahead = first ? sqrt(x) * sqrt(sqrt(x)) : x + GROWTH * x * (1 - x);
 }
@@ -53,16 +55,16 @@ void contraction_renewed(struct contraction *o)
 double contraction_after(struct contraction *o, double theta)
 {
     const int k = o->at++;
-    const double now = fmin(1, fmax(theta, LEAST)), before = o->theta;
+    const double now = smaller(1, larger(theta, LEAST)), before = o->theta;
     double ahead = k < CONTRACTION_PLACES ? o->old[k].ahead : 0, worse = 1;
-    if (k == 0) return ahead > 0 ? fmin(LEAVES, fmax(HEARSAY, ahead)) : LEAVES;
+    if (k == 0) return ahead > 0 ? smaller(LEAVES, larger(HEARSAY, ahead)) : LEAVES;
     if (k <= CONTRACTION_PLACES) {
         const struct prospect *said = &o->old[k - 1];
         o->seen[k - 1] = now;
-        if (said->known > 0) worse = fmax(1, now / said->known);
-        if (now < SURPRISE * said->known) ahead = fmax(ahead, said->known);
+        if (said->known > 0) worse = larger(1, now / said->known);
+        if (now < SURPRISE * said->known) ahead = larger(ahead, said->known);
         if (ahead == 0) ahead = sqrt(now);
     }
     o->theta = now;
-    return k > 1 ? fmax(now, before) : fmin(1, fmax(now, worse * ahead));
+    return k > 1 ? larger(now, before) : smaller(1, larger(now, worse * ahead));
 }

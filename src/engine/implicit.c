@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/scalar.h"
 #include "engine/motion.h"
 
 /* ---- the equations --------------------------------------------------------------------------------------------- */
@@ -31,6 +32,13 @@ enum status implicit_resid(struct implicit *m, double *r, const double *a, struc
     return m->ode->ops->resid(m->ode, r, NULL, NULL, &there, ALL, why);
 }
 
+static bool any_power(const double *w)
+{
+    for (int c = 0; c < POWER_CHANNELS; c++)
+        if (w[c] != 0) return true;
+    return false;
+}
+
 static enum status resid(void *self, double *r, double *dk, const double *z, struct trouble *why)
 {
     struct implicit *m = self;
@@ -39,7 +47,7 @@ static enum status resid(void *self, double *r, double *dk, const double *z, str
     m->effort->slow++;
     m->effort->fast++;
     enum status status = m->ode->ops->resid(m->ode, r, m->w, dk, &m->x, ALL, why);
-    for (int c = 0; c < POWER_CHANNELS && m->scheme->middle; c++) m->newton.powered |= m->w[c] != 0;
+    if (m->scheme->middle && !m->newton.powered) m->newton.powered = any_power(m->w);
     return status;
 }
 
@@ -130,11 +138,11 @@ static enum status iterate(struct implicit *m, struct trouble *why)
 /* Works, and what Newton has left over: at the last residual. */
 static void book(struct implicit *m, struct stepper *s)
 {
-    s->left += fabs(m->h * dot(m->newton.r, m->v, m->ode->n)) * fmin(1, m->newton.remain);
+    s->left += fabs(m->h * dot(m->newton.r, m->v, m->ode->n)) * smaller(1, m->newton.remain);
     s->last_sweeps += m->newton.count;
     for (int c = 0; c < POWER_CHANNELS; c++)
         s->work[c] += m->scheme->middle ? m->h * m->w[c] : m->h / 2 * (m->w0[c] + m->w[c]);
-    copy(m->w0, m->w, POWER_CHANNELS);
+    if (!m->scheme->middle) copy(m->w0, m->w, POWER_CHANNELS);
 }
 
 static enum status move_to_end(struct implicit *m, struct trouble *why)

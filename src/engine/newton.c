@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/scalar.h"
 #include "engine/motion.h"
 
 /* What other values of these constants change: evaluations in the mean of the twelve decks of renewal.h, in percent.
@@ -61,15 +62,15 @@ void newton_scale(struct newton *nt, const double *v, const double *a, double H)
 {
     int grown = 0;
     for (int i = 0; i < nt->ode->n; i++) {
-        double s = fmax(fabs(v[i]), fabs(H * a[i]));
+        double s = larger(fabs(v[i]), fabs(H * a[i]));
         if (s > nt->scale[i]) {
             nt->scale[i] = s;
-            nt->top = fmax(nt->top, s);
+            nt->top = larger(nt->top, s);
             grown = 1;
         }
     }
     if (!grown && nt->top > 0) return;
-    for (int i = 0; i < nt->ode->n; i++) nt->per[i] = 1 / fmax(nt->scale[i], fmax(AT_REST * nt->top, DBL_MIN));
+    for (int i = 0; i < nt->ode->n; i++) nt->per[i] = 1 / larger(nt->scale[i], larger(AT_REST * nt->top, DBL_MIN));
 }
 
 /* What the last step has shown; nothing bad where it has come down to round-off. */
@@ -77,9 +78,9 @@ static void judge_last_step(struct newton *nt)
 {
     if (nt->count == 0 || nt->pairs || nt->matrix_free) return;
     const int norm = nt->first_square > 0 && nt->square > 0;
-    const double fall = norm ? sqrt(nt->first_square / nt->square) : nt->first / fmax(nt->last, DBL_MIN);
-    double need = renewal_need(nt->first, nt->tol, fmin(fall, 1 / DBL_EPSILON), nt->count);
-    if (nt->rounding && nt->renewal.need > 0) need = fmin(need, nt->renewal.need);
+    const double fall = norm ? sqrt(nt->first_square / nt->square) : nt->first / larger(nt->last, DBL_MIN);
+    double need = renewal_need(nt->first, nt->tol, smaller(fall, 1 / DBL_EPSILON), nt->count);
+    if (nt->rounding && nt->renewal.need > 0) need = smaller(need, nt->renewal.need);
     if (renewal_due(&nt->renewal, need, nt->refreshed > 0)) nt->stale = 1;
 }
 
@@ -88,7 +89,7 @@ void newton_begin(struct newton *nt, double local)
     judge_last_step(nt);
     contraction_begin(&nt->contraction);
     nt->tol = nt->tolerance;
-    if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : fmin(1e-8, fmax(1e-13, 1e-3 * local));
+    if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : smaller(1e-8, larger(1e-13, 1e-3 * local));
     nt->theta = sqrt(nt->theta) * sqrt(sqrt(nt->theta)); /* a theta not measured anew grows towards 1 */
     nt->count = nt->bad = nt->refreshed = nt->fresh = nt->powered = 0;
     nt->newest = false;
@@ -123,7 +124,7 @@ static double kinetic(struct newton *nt, const struct instant *x)
 void newton_energy(struct newton *nt, const struct instant *x)
 {
     if (nt->age < ENERGY_LIFE) return;
-    nt->energy = fmax(nt->energy, kinetic(nt, x));
+    nt->energy = larger(nt->energy, kinetic(nt, x));
     nt->age = 0;
 }
 
@@ -155,17 +156,17 @@ static enum verdict later_iterate(struct newton *nt, double err, double small, d
 /* Of pairs: theta as far as it is believed. */
 static double believed(const struct newton *nt, double theta, double err)
 {
-    theta = fmax(theta, nt->count > 2 ? LATER * nt->trust : nt->trust);
-    return nt->count > 2 ? fmax(theta, sqrt(err / nt->last2)) : theta;
+    theta = larger(theta, nt->count > 2 ? LATER * nt->trust : nt->trust);
+    return nt->count > 2 ? larger(theta, sqrt(err / nt->last2)) : theta;
 }
 
 /* theta of the iteration, but no larger than in the norm of energy: corrections of coordinates that others move while
  * they rest themselves come late, however good the matrix is. */
 static double rate_of(const struct newton *nt, double err, double square)
 {
-    if (nt->pairs) return nt->count > 2 ? sqrt(err / nt->last2) : fmax(nt->trust, err / nt->last);
+    if (nt->pairs) return nt->count > 2 ? sqrt(err / nt->last2) : larger(nt->trust, err / nt->last);
     double theta = err / nt->last;
-    return square > 0 && nt->square > 0 ? fmin(theta, sqrt(square / nt->square)) : theta;
+    return square > 0 && nt->square > 0 ? smaller(theta, sqrt(square / nt->square)) : theta;
 }
 
 /* The contraction to expect next. */
@@ -175,7 +176,7 @@ static double expected(struct newton *nt, double err)
     double theta = first ? nt->theta : err / nt->last;
     if (!nt->pairs) return contraction_after(&nt->contraction, first ? 1 : theta);
     theta = believed(nt, theta, err);
-    if (!first && err > 0) nt->theta = fmin(1, fmax(theta, 1e-10));
+    if (!first && err > 0) nt->theta = smaller(1, larger(theta, 1e-10));
     return theta;
 }
 
@@ -193,7 +194,7 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     if (err == 0) nt->remain = 0;
     if (first) {
         nt->first = err;
-        nt->first_square = fmax(0, square);
+        nt->first_square = larger(0, square);
     }
     if (!first && rate > SLUGGISH && nt->last > ROUGH && !nt->rounding) nt->stale = 1;
     nt->last2 = nt->last;

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "base/scalar.h"
+
 /* Half and twice of each: evaluations in the mean of the twelve decks of renewal.h, and the most of one, in percent. */
 static const double MOST = 30;   /* iterations that a step is counted for; -0.2 and 0 (whip -2.5) */
 static const double LEAST = .7;  /* halvings by which corrections fall, at least; 0 and 0 */
@@ -24,7 +26,7 @@ static double lg(double x)
 double renewal_need(double first, double tolerance, double fall, int count)
 {
     if (count < 2 || first <= tolerance) return 1;
-    return fmin(MOST, 1 + lg(first / tolerance) * (count - 1) / fmax(LEAST, lg(fall)));
+    return smaller(MOST, 1 + lg(first / tolerance) * (count - 1) / larger(LEAST, lg(fall)));
 }
 
 int renewal_due(struct renewal *o, double need, int fresh)
@@ -35,7 +37,7 @@ int renewal_due(struct renewal *o, double need, int fresh)
         return 0;
     }
     if (o->need == 0) o->need = need;
-    o->wasted = fmax(0, o->wasted + need - o->need);
+    o->wasted = larger(0, o->wasted + need - o->need);
     o->need -= HOPE * (o->need - 1);
     return o->wasted > o->price;
 }

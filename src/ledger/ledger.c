@@ -7,6 +7,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/scalar.h"
+
 void ledger_open(struct ledger *o, double delta, double kinetic, double elastic, double gravity)
 {
     *o = (struct ledger){.delta = delta};
@@ -20,8 +22,8 @@ void ledger_open(struct ledger *o, double delta, double kinetic, double elastic,
 static double least_norm(const struct ledger *o)
 {
     static const double share = 1e-2, round_off = 1e4 * DBL_EPSILON;
-    return fmax(share * (o->kinetic0 + fabs(o->elastic0)),
-                round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
+    return larger(share * (o->kinetic0 + fabs(o->elastic0)),
+                  round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 
 void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
@@ -38,7 +40,7 @@ void ledger_push(struct ledger *o, double t, double kinetic, double elastic, dou
     double internal = elastic - o->elastic0 + taken;
     double drive = o->work[LEDGER_DRIVE], external = o->work[LEDGER_EXTERNAL] - (gravity - o->gravity0);
     o->residual = kin + internal - external - drive;
-    o->norm = fmax(o->norm, fmax(fabs(kin) + fabs(internal) + fabs(external) + fabs(drive), least_norm(o)));
+    o->norm = larger(o->norm, larger(fabs(kin) + fabs(internal) + fabs(external) + fabs(drive), least_norm(o)));
     if (fabs(o->residual) > o->worst || isnan(o->residual)) {
         o->worst = fabs(o->residual);
         o->t_worst = t;

@@ -92,16 +92,17 @@ void closing_put(const struct closing *o, double *q1, const struct way *way)
 
 double closing_correct(const struct closing *o, double *dx, const double *C)
 {
-    double most = 0;
+    double most = 0, *x = o->x;
+    const double *per = o->rows->per;
     assert(o->solve->factored.split == o->split->number);
     for (int i = 0; i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
-        for (int r = 0; r < p->nr; r++) o->x[r] = -C[p->row[r]];
-        factor_solve(&o->solve->block[i].C_qd, o->x);
-        for (int r = 0; r < p->nr; r++) {
-            const int k = p->dep[r];
-            const double size = fabs(o->x[r]) * o->rows->per[k];
-            dx[k] += o->x[r];
+        const int n = p->nr, *row = p->row, *dep = p->dep;
+        for (int r = 0; r < n; r++) x[r] = -C[row[r]];
+        factor_solve(&o->solve->block[i].C_qd, x);
+        for (int r = 0; r < n; r++) {
+            const double size = fabs(x[r]) * per[dep[r]];
+            dx[dep[r]] += x[r];
             if (size > most || isnan(size)) most = size;
         }
     }

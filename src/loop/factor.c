@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/scalar.h"
+
 double *store_for(struct store *o, size_t size, struct arena *life)
 {
     if (size <= o->size) return o->x;
@@ -51,8 +53,8 @@ double factor_ratio(const struct factor *o, const double *size)
     double least = INFINITY, most = 0;
     for (int j = 0; j < p->nr; j++) {
         double x = fabs(o->A[(size_t)j * (size_t)(p->ld + 1)]) * size[p->dep[j]];
-        least = fmin(least, x);
-        most = fmax(most, x);
+        least = smaller(least, x);
+        most = larger(most, x);
     }
     return p->nr == 0 ? 1 : most > 0 ? least / most : 0;
 }

@@ -4,6 +4,7 @@
  * iterates by itself. */
 #include <math.h>
 
+#include "base/scalar.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -35,7 +36,7 @@ static enum status minor_rows(struct subcycle *c, const double *d, double *power
 static double minor_error(const struct subcycle *c)
 {
     double err = 0;
-    for (int i = 0; i < c->ns; i++) err = fmax(err, fabs(c->es[i]) * c->newton.per[i] * c->ratio);
+    for (int i = 0; i < c->ns; i++) err = larger(err, fabs(c->es[i]) * c->newton.per[i] * c->ratio);
     return err;
 }
 

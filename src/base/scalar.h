@@ -1,0 +1,17 @@
+/* scalar.h -- the larger and the smaller of two numbers, in an instruction each.
+ *
+ * fmax() and fmin() are calls, a dozen of them in a step.  NaN as b is passed over, as by them; NaN as a stays. */
+#ifndef FMDSUB_BASE_SCALAR_H
+#define FMDSUB_BASE_SCALAR_H
+
+static inline double larger(double a, double b)
+{
+    return b > a ? b : a;
+}
+
+static inline double smaller(double a, double b)
+{
+    return b < a ? b : a;
+}
+
+#endif
