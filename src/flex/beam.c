@@ -139,6 +139,20 @@ static void stiffness(struct flex_body *o, const struct flex_beam *beam, const d
     if (!damped) o->D = NULL;
 }
 
+/* At all nodes of the mesh. */
+static void farthest(struct flex_body *o, const struct work *w, struct arena *life)
+{
+    const int size = w->K.n, per = w->rod.per, straight = per == 3 ? 2 : 3;
+    o->far = TAKE(life, double, 2 * o->n);
+    for (int j = 0; j < o->n; j++)
+        for (int i = 0; i < size; i += per) {
+            const double *x = w->Phi + (long)size * j + i, *turn = x + straight;
+            const double moved = straight == 2 ? hypot(x[0], x[1]) : v3_norm(x);
+            o->far[2 * j] = fmax(o->far[2 * j], moved);
+            o->far[2 * j + 1] = fmax(o->far[2 * j + 1], straight == 2 ? fabs(turn[0]) : v3_norm(turn));
+        }
+}
+
 /* ---- second order, along the beam ---- */
 
 struct march {
@@ -367,6 +381,7 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
         flex_body_take(w->n, beam->ninterface + beam->npoint + 2, beam->nprobe, beam->stiffening, life);
     o->reference = 0;
     stiffness(o, beam, w->lambda);
+    farthest(o, w, life);
     for (int k = 0; k < 2; k++) o->edge[k] = sqrt(w->edge[k]) / (2 * acos(-1));
     fill(o, w, scratch);
     double *Q = TAKE(scratch, double, 6 * w->n);

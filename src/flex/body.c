@@ -306,6 +306,22 @@ static bool moves(const struct flex_node *o, int n)
     return false;
 }
 
+/* At most: the rigid motion is added where it is farthest. */
+static void refer_far(struct flex_body *o, const struct flex_body *old, const struct rigid *r, struct arena *life)
+{
+    double arm = 0, d[3];
+    for (int k = 0; k < old->nnode; k++) {
+        v3_diff(d, old->node[k].x, r->x0);
+        arm = fmax(arm, v3_norm(d));
+    }
+    o->far = TAKE(life, double, 2 * o->n);
+    for (int j = 0; j < o->n; j++) {
+        const double turn = v3_norm(r->psi + 3 * j);
+        o->far[2 * j] = old->far[2 * j] + v3_norm(r->phi + 3 * j) + turn * arm;
+        o->far[2 * j + 1] = old->far[2 * j + 1] + turn;
+    }
+}
+
 struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena *life)
 {
     int n = old->n;
@@ -320,6 +336,7 @@ struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena
     for (int k = 0; k < n * n; k++) o->K[k] = old->K[k];
     for (int k = 0; old->D && k < n * n; k++) o->D[k] = old->D[k];
     if (!old->D) o->D = NULL;
+    if (old->far) refer_far(o, old, &r, life);
     if (moves(&old->node[node], n) || !old->hertz)
         o->hertz = NULL;
     else

@@ -61,6 +61,8 @@ struct flex_body {
     double
         edge[2]; /* of the modes with all joints clamped the highest frequency that is kept and the lowest that is left
                      * out [Hz]; 0, 0: not known */
+    double *far; /* [2 x n] how far a coordinate moves [m] and turns [rad] a particle at most, per unit; NULL: no
+                    * farther than nodes, as far as is known */
     double *hertz; /* [n] frequencies with the reference node clamped, by coordinate, where coordinates are modes;
                     * NULL: they are not */
 };

@@ -142,7 +142,10 @@ static enum status diagonal(double *lambda, double *Phi, const struct craig *o, 
     project(K, o->K, Phi, n, work);
     project(M, o->M, Phi, n, work);
     if (eigen_general(lambda, Q, K, M, n) >= 0)
-        return fail(report, E_MODEL, "the mass matrix of the beam is not positive");
+        return fail(report, E_MODEL,
+                    "with %d modes the beam's mass matrix is not positive: beside the masses that it carries its own "
+                    "is lost in round-off; take fewer modes, or a density nearer to a real one",
+                    o->modes);
     turn(Phi, Q, size, n, work);
     return OK;
 }

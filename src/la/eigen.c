@@ -3,6 +3,8 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
+#include <string.h>
 
 #include "la/dense.h"
 
@@ -74,33 +76,137 @@ void eigen_symmetric(double *lambda, double *X, double *A, int n)
     arrange(lambda, X, n);
 }
 
+/* A := L^-1 A L^-T, symmetric. */
+static void both_sides(double *A, const double *L, int n)
+{
+    for (int pass = 0; pass < 2; pass++) { /* A := (L^-1 A)' twice */
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i++) {
+                double sum = A[i + j * n];
+                for (int k = 0; k < i; k++) sum -= L[i + k * n] * A[k + j * n];
+                A[i + j * n] = sum / L[i + i * n];
+            }
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < j; i++) {
+                double x = A[i + j * n];
+                A[i + j * n] = A[j + i * n];
+                A[j + i * n] = x;
+            }
+    }
+    for (int j = 0; j < n; j++) /* round-off of the products */
+        for (int i = 0; i < j; i++) A[i + j * n] = A[j + i * n] = (A[i + j * n] + A[j + i * n]) / 2;
+}
+
+/* X := L^-T X. */
+static void back(double *X, const double *L, int n)
+{
+    for (int j = 0; j < n; j++)
+        for (int i = n - 1; i >= 0; i--) {
+            double sum = X[i + j * n];
+            for (int k = i + 1; k < n; k++) sum -= L[k + i * n] * X[k + j * n];
+            X[i + j * n] = sum / L[i + i * n];
+        }
+}
+
 /* With M = L L': the symmetric problem of L^-1 K L^-T, and X := L^-T X. */
 int eigen_general(double *lambda, double *X, double *K, double *M, int n)
 {
     int pivot = dense_cholesky(M, n, n);
     if (pivot >= 0) return pivot;
-    for (int pass = 0; pass < 2; pass++) { /* K := (L^-1 K)' twice */
-        for (int j = 0; j < n; j++)
-            for (int i = 0; i < n; i++) {
-                double sum = K[i + j * n];
-                for (int k = 0; k < i; k++) sum -= M[i + k * n] * K[k + j * n];
-                K[i + j * n] = sum / M[i + i * n];
-            }
-        for (int j = 0; j < n; j++)
-            for (int i = 0; i < j; i++) {
-                double x = K[i + j * n];
-                K[i + j * n] = K[j + i * n];
-                K[j + i * n] = x;
-            }
-    }
-    for (int j = 0; j < n; j++) /* round-off of the products */
-        for (int i = 0; i < j; i++) K[i + j * n] = K[j + i * n] = (K[i + j * n] + K[j + i * n]) / 2;
+    both_sides(K, M, n);
     eigen_symmetric(lambda, X, K, n);
+    back(X, M, n);
+    return -1;
+}
+
+/* ---- graded ---- */
+
+/* A := D (K + sigma M) D factored, D [n] such that its diagonal is one.  Positive, and not by round-off alone? */
+static bool shifted_cholesky(double *A, double *D, const double *K, const double *M, double sigma, int n)
+{
+    static const double least = 1e-6;
+    for (int i = 0; i < n; i++) {
+        const double k = K[i + i * n] + sigma * M[i + i * n];
+        if (!(k > 0)) return false;
+        D[i] = 1 / sqrt(k);
+    }
     for (int j = 0; j < n; j++)
-        for (int i = n - 1; i >= 0; i--) {
-            double sum = X[i + j * n];
-            for (int k = i + 1; k < n; k++) sum -= M[k + i * n] * X[k + j * n];
-            X[i + j * n] = sum / M[i + i * n];
-        }
+        for (int i = 0; i < n; i++) A[i + j * n] = (K[i + j * n] + sigma * M[i + j * n]) * D[i] * D[j];
+    if (dense_cholesky(A, n, n) >= 0) return false;
+    for (int i = 0; i < n; i++)
+        if (A[i + i * n] * A[i + i * n] < least) return false;
+    return true;
+}
+
+/* The least shift, by decades; -1: there is none. */
+static double shift(double *A, double *D, const double *K, const double *M, int n)
+{
+    double most = 0;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) most = fmax(most, fabs(K[i + j * n]) / sqrt(M[i + i * n] * M[j + j * n]));
+    if (most == 0) most = 1;
+    if (shifted_cholesky(A, D, K, M, 0, n)) return 0;
+    for (double part = 1e-14; part < 1e6; part *= 10)
+        if (shifted_cholesky(A, D, K, M, part * most, n)) return part * most;
+    return -1;
+}
+
+static double form(const double *A, const double *x, int n)
+{
+    double sum = 0;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) sum += x[i] * A[i + j * n] * x[j];
+    return sum;
+}
+
+static int largest(const double *x, int n)
+{
+    int top = 0;
+    for (int i = 1; i < n; i++)
+        if (fabs(x[i]) > fabs(x[top])) top = i;
+    return top;
+}
+
+/* Unit mass, Rayleigh's quotient, round-off of its terms is nothing; false: the motion has no mass. */
+static bool finish(double *lambda, double *x, const double *K, const double *M, double sigma, int n)
+{
+    static const double nothing = 1e-15;
+    double terms = sigma;
+    const double mass = form(M, x, n);
+    if (!(mass > 0)) return false;
+    for (int i = 0; i < n; i++) x[i] /= sqrt(mass);
+    *lambda = form(K, x, n);
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) terms += fabs(x[i] * K[i + j * n] * x[j]);
+    if (fabs(*lambda) <= nothing * terms) *lambda = 0;
+    return true;
+}
+
+/* Columns of X and lambda from the last to the first. */
+static void turn_round(double *lambda, double *X, int n)
+{
+    for (int a = 0, b = n - 1; a < b; a++, b--) swap_columns(lambda, X, a, b, n);
+}
+
+int eigen_graded(double *lambda, double *X, const double *K, const double *M, int n, double *work)
+{
+    double *L = work, *H = work + (long)n * n, *D = H + (long)n * n;
+    memcpy(L, M, sizeof *L * (size_t)n * (size_t)n);
+    const int pivot = dense_cholesky(L, n, n);
+    if (pivot >= 0) return pivot;
+    const double sigma = shift(L, D, K, M, n);
+    if (!(sigma >= 0)) return n - 1;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) H[i + j * n] = M[i + j * n] * D[i] * D[j];
+    both_sides(H, L, n);
+    eigen_symmetric(lambda, X, H, n);
+    turn_round(lambda, X, n);
+    back(X, L, n);
+    for (int j = 0; j < n; j++) {
+        double *x = X + (long)j * n;
+        for (int i = 0; i < n; i++) x[i] *= D[i];
+        if (!finish(lambda + j, x, K, M, sigma, n)) return largest(x, n);
+    }
+    arrange(lambda, X, n);
     return -1;
 }

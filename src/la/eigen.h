@@ -11,4 +11,11 @@ void eigen_symmetric(double *lambda, double *X, double *A, int n);
  * Returns -1, or the column where M is not positive. */
 int eigen_general(double *lambda, double *X, double *K, double *M, int n);
 
+/* The same where stiffnesses or masses differ by many decades: lambda small against the largest keeps its digits, as
+ * far as K and M have them.  Solved as M z = mu (K + sigma M) z in coordinates of like stiffness, sigma as small as
+ * makes K + sigma M positive, by Jacobi rotations, which keep small eigenvalues of scaled positive matrices (Demmel &
+ * Veselic, SIAM J. Matrix Anal. Appl. 13 (1992) 1204); lambda by Rayleigh's quotient.  K and M are kept; work [2 n n + n].
+ * Returns -1, or a coordinate that moves no mass. */
+int eigen_graded(double *lambda, double *X, const double *K, const double *M, int n, double *work);
+
 #endif

@@ -155,6 +155,14 @@ static double form(const double *A, const double *x, int n)
     return sum;
 }
 
+static double terms(const double *A, const double *x, int n)
+{
+    double sum = 0;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) sum += fabs(x[i] * A[i + j * n] * x[j]);
+    return sum;
+}
+
 /* Who moves: shares x_i (M x)_i of the kinetic energy, the sum of both parts of x [n x parts]. */
 static void shares(struct mode *o, const struct linear *l, const double *x, int parts)
 {
@@ -316,7 +324,7 @@ static bool whole_group(struct mode *o, const struct linear *l, const double *X,
 struct spectrum {
     const double *X, *lambda; /* [n x n], [n] ascending */
     double *g, *c, *d;
-    double top; /* largest |lambda| */
+    double *size; /* [n] of the terms that lambda is the sum of */
 };
 
 /* Where the group of modes that begins at `from` ends.  What modes j far above do to a slower mode i is of the order
@@ -336,11 +344,11 @@ static int group_end(const double *g, const double *c, const double *lambda, int
     return end;
 }
 
-/* Is there a mode that stiffness alone does not hold?  Round-off is that of the group and of the whole. */
-static bool unstable(const double *lambda, int count, double top)
+/* Is there a mode that stiffness alone does not hold?  Round-off is that of the group and of the mode's own terms. */
+static bool unstable(const double *lambda, const double *size, int count)
 {
     const double most = fmax(fabs(lambda[0]), fabs(lambda[count - 1]));
-    return lambda[0] < -(1e-9 * most + 1e-15 * top);
+    return lambda[0] < -(1e-9 * most + 1e-11 * size[0]);
 }
 
 /* `count` modes from `from` on.  False: no convergence. */
@@ -352,7 +360,7 @@ static bool describe_group(struct mode *o, const struct linear *l, const struct 
     double *g = s->g + from * (n + 1), *c = s->c + from * (n + 1), *d = s->d + from * (n + 1);
     const double top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[count - 1])));
     const bool turns = turned(g, top, count, n);
-    if (circulated(c, lambda, count, n) || (turns && unstable(lambda, count, s->top))) {
+    if (circulated(c, lambda, count, n) || (turns && unstable(lambda, s->size + from, count))) {
         for (int j = 0; j < count; j++) {
             for (int i = 0; i < count; i++) g[i + j * n] += d[i + j * n];
             c[j + n * j] += lambda[j];
@@ -376,7 +384,8 @@ static bool describe_all(struct modes *o, const struct linear *l, const double *
                          TAKE_MATRIX(life, double, n, n),
                          TAKE_MATRIX(life, double, n, n),
                          TAKE_MATRIX(life, double, n, n),
-                         fmax(fabs(lambda[0]), fabs(lambda[n - 1]))};
+                         TAKE(life, double, n)};
+    for (int j = 0; j < n; j++) s.size[j] = terms(l->K, X + j * n, n);
     in_modes(s.g, l->G, X, n, work);
     in_modes(s.c, l->N, X, n, work);
     in_modes(s.d, l->C, X, n, work);
@@ -399,9 +408,8 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     if (n == 0) return OK;
     if (linearise(&l, life, &why) != OK)
         return fail(report, E_NUMERIC, "no linearisation at t = %g s: the residual is not a number", l.t);
-    double *lambda = TAKE(life, double, n), *X = TAKE_MATRIX(life, double, n, n), *M = TAKE_MATRIX(life, double, n, n);
-    memcpy(M, l.M, sizeof *M * (size_t)(n * n));
-    int pivot = eigen_general(lambda, X, l.K, M, n);
+    double *lambda = TAKE(life, double, n), *X = TAKE_MATRIX(life, double, n, n);
+    int pivot = eigen_graded(lambda, X, l.K, l.M, n, TAKE_MATRIX(life, double, n, 2 * n + 1));
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));
     o->n = n;
     o->mode = TAKE(life, struct mode, n);

@@ -167,6 +167,20 @@ static bool is_flexible(const struct sim *sim)
     return false;
 }
 
+/* A flexible body whose own mass is round-off beside what it carries; NULL: none. */
+static const struct model_body *lightest(const struct sim *sim)
+{
+    static const double lost = 1e-10; /* of the mass of all */
+    const struct model *m = sim->model;
+    const struct model_body *light = NULL;
+    double all = 0;
+    for (int i = 1; i < m->nbody; i++) {
+        all += m->body[i].mass;
+        if (m->body[i].flex && (!light || m->body[i].mass < light->mass)) light = &m->body[i];
+    }
+    return light && light->mass < lost * all ? light : NULL;
+}
+
 /* What to try, by the code and by what is already in use. */
 static const char *advice(const struct sim *sim, const struct trouble *why)
 {
@@ -208,6 +222,7 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
                              struct report *report)
 {
     char what[200];
+    const struct model_body *light = lightest(sim);
     if (why->code == TROUBLE_MEMORY) status = E_LIMIT;
     if (status != E_NUMERIC && status != E_MODEL && why->code != TROUBLE_MEMORY) return status;
     const char *coordinate =
@@ -227,6 +242,12 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
         break;
     case TROUBLE_MASS:
         snprintf(what, sizeof what, "coordinate '%s' moves no mass: the mass matrix is singular", coordinate);
+        if (light)
+            return fail(report, status,
+                        "%s at t = %.12g s: %s; beside the masses that it carries the %.3g kg of flexible body '%s' "
+                        "are lost in round-off: take fewer modes than its %d, or a density nearer to a real one",
+                        status == E_MODEL ? "no start" : "stopped", sim->x.t, what, light->mass, light->name,
+                        light->nmode);
         break;
     case TROUBLE_SINGULAR:
         snprintf(what, sizeof what, "the iteration matrix is singular at '%s' (pivot ratio %.2g)", coordinate,

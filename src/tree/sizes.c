@@ -63,16 +63,17 @@ double sizes_length(const struct model *m)
     return length > 0 ? length : 1;
 }
 
-/* The farthest that elastic coordinate k moves a node of its body, per unit, in lengths; where it only turns them, as
+/* The farthest that elastic coordinate k moves a place of its body, per unit, in lengths; where it only turns them, as
  * torsion does, in rad. */
 static double reach(const struct flex_body *f, int k, double length)
 {
-    double most = 0, turn = 0;
+    static const double little = 1e-6; /* round-off of a turn */
+    double most = f->far ? f->far[2 * k] : 0, turn = f->far ? f->far[2 * k + 1] : 0;
     for (int i = 0; i < f->nnode; i++) {
         most = fmax(most, v3_norm(f->node[i].phi + 3 * k));
         turn = fmax(turn, v3_norm(f->node[i].psi + 3 * k));
     }
-    return most > 0 ? most / length : turn;
+    return most > little * length * turn ? most / length : turn;
 }
 
 void sizes_fill(double *size, const struct model *m)
