@@ -9,14 +9,14 @@
 #include "base/text.h"
 
 enum level { ERROR, WARNING, NOTE };
-enum { KEPT = 1000, TEXT = 600, WIDTH = 100 };
+enum { KEPT = 1000, TEXT = 600, WIDTH = 100, PLACES = 1 << 10, COMPARED = 300000 };
 
 struct diag {
     enum level level;
     struct span at;
     const char *code, *text, *format;
     const struct scope *scope;
-    int order;
+    int order, next;               /* next: of the same place in the table, -1: none */
     struct diag *note, *last_note; /* further places */
     const char *hints;             /* lines */
 };
@@ -26,9 +26,11 @@ struct diags {
     int nsource, source_capacity;
     const struct source **source;
     int n, errors, warnings;
+    int compared; /* words, for suggestions: there is an end to it */
     bool limit;
     struct diag *item[KEPT];
     struct diag *last; /* NULL: the last one was not kept */
+    int first[PLACES]; /* 1 + the newest message by the hash of its place; 0: none */
 };
 
 struct diags *diags_open(struct arena *arena)
@@ -63,10 +65,15 @@ static bool same_mark(struct mark a, struct mark b)
     return a.line == b.line && a.col == b.col;
 }
 
+static unsigned hash(const struct span *at)
+{
+    return ((unsigned)at->from.line * 40503u + (unsigned)at->from.col * 97u + (unsigned)at->file) % PLACES;
+}
+
 /* The same words at the same place, or for a further copy of a repeat, have been said. */
 static bool said(const struct diags *d, const struct diag *x)
 {
-    for (int i = 0; i < d->n; i++) {
+    for (int i = d->first[hash(&x->at)] - 1; i >= 0; i = d->item[i]->next) {
         const struct diag *y = d->item[i];
         if (y->at.file != x->at.file || !same_mark(y->at.from, x->at.from) || strcmp(x->code, y->code)) continue;
         if (y->format == x->format && y->scope != x->scope) return true;
@@ -97,19 +104,26 @@ static struct diag *make(struct diags *d, enum level level, struct span at, cons
 static void add(struct diags *d, enum level level, struct span at, const struct scope *scope, const char *code,
                 const char *format, va_list args)
 {
+    int *count = level == ERROR ? &d->errors : &d->warnings;
+    d->last = NULL;
+    if (!strncmp(code, "E-limit", 7)) d->limit = true;
+    if (d->n == KEPT) {
+        ++*count;
+        return;
+    }
     struct arena_mark mark = arena_mark(d->arena);
     struct diag *x = make(d, level, at, format, args);
     x->code = code;
     x->scope = scope;
-    d->last = NULL;
-    if (!strncmp(code, "E-limit", 7)) d->limit = true;
-    bool again = said(d, x);
-    if (!again) *(level == ERROR ? &d->errors : &d->warnings) += 1;
-    if (again || d->n == KEPT) {
+    if (said(d, x)) {
         arena_rewind(d->arena, mark);
         return;
     }
+    ++*count;
+    int *first = &d->first[hash(&x->at)];
     x->order = d->n;
+    x->next = *first - 1;
+    *first = d->n + 1;
     d->item[d->n++] = d->last = x;
 }
 
@@ -160,8 +174,8 @@ void diag_note_in(struct diags *d, struct span at, const char *format, ...)
 void diag_hint(struct diags *d, const char *format, ...)
 {
     char text[TEXT];
-    WITH_ARGS(format, vsnprintf(text, sizeof text, format, args));
     if (!d->last) return;
+    WITH_ARGS(format, vsnprintf(text, sizeof text, format, args));
     const char *before = d->last->hints;
     d->last->hints = arena_print(d->arena, "%s%s%s", before ? before : "", before ? "\n" : "", text);
 }
@@ -195,6 +209,8 @@ void diag_suggest(struct diags *d, const char *word, const char *const *words, i
 {
     char text[TEXT];
     size_t len = 0;
+    if (!d->last || d->compared > COMPARED) return;
+    d->compared += n;
     const char *near = diag_nearest(word, words, n);
     diag_foreign(d, word);
     if (near) {
@@ -222,6 +238,11 @@ enum status diags_status(const struct diags *d)
 int diags_errors(const struct diags *d)
 {
     return d->errors;
+}
+
+bool diags_full(const struct diags *d)
+{
+    return d->errors >= KEPT;
 }
 
 int diags_warnings(const struct diags *d)
@@ -325,5 +346,6 @@ void diags_print(FILE *to, const struct diags *d, bool color)
     for (int i = 0; i < d->n; i++)
         if (shown[sorted[i]->level]++ < DIAGS_SHOWN) put_diag(to, d, sorted[i], color);
     put_more(to, d->errors - DIAGS_SHOWN, "error");
+    if (diags_full(d)) fprintf(to, "after %d errors the rest of the deck was not looked at\n", KEPT);
     put_more(to, d->warnings - DIAGS_SHOWN, "warning");
 }

@@ -68,6 +68,8 @@ const char *diag_clip(struct diags *d, const char *text);
 /* OK, E_DECK, or E_LIMIT.  Warnings do not count. */
 enum status diags_status(const struct diags *d);
 int diags_errors(const struct diags *d);
+/* So many errors that no more are kept: loops over what a deck holds may end. */
+bool diags_full(const struct diags *d);
 int diags_warnings(const struct diags *d);
 void diags_print(FILE *to, const struct diags *d, bool color);
 

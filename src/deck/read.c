@@ -330,7 +330,7 @@ static int refuse_unknown(const struct key *keys, const struct node *map, const 
 {
     const char *words[WORDS];
     int n = list_words(words, keys, also), errors = 0;
-    for (int i = 0; i < map->count; i++) {
+    for (int i = 0; i < map->count && !diags_full(rd->diags); i++) {
         const struct node *member = map->item[i];
         bool known = member->implied;
         for (int k = 0; k < n && !known; k++) known = !strcmp(member->key, words[k]);
@@ -361,7 +361,8 @@ int read_keys(void *out, const struct key *keys, const struct node *map, const c
     if (read_map(map, what, rd)) return 1;
     int errors = refuse_unknown(keys, map, also, what, rd);
     for (const struct key *k = keys; k->name; k++)
-        if (!errors || !(k->flags & KEY_REQUIRED) || node_find(map, k->name) || !misspelt(k, keys, map))
+        if (!errors || !(k->flags & KEY_REQUIRED) || node_find(map, k->name) ||
+            !(diags_full(rd->diags) || misspelt(k, keys, map)))
             errors += read_key(out, k, map, what, rd);
     return errors;
 }

@@ -121,21 +121,17 @@ enum source_flaw source_check(const struct source *s, size_t *offset)
 
 /* ---- files ---- */
 
-static enum status refuse_folder(int fd, const char *path, struct report *report)
-{
-    struct stat st;
-    if (fstat(fd, &st)) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
-    if (S_ISDIR(st.st_mode)) return fail(report, E_FILE, "%s: is a directory", path);
-    return OK;
-}
-
 enum status source_read(struct source **out, int fd, const char *path, size_t max, struct arena *arena,
                         struct report *report)
 {
+    struct stat st;
     size_t capacity = 1 << 16, len = 0;
-    char *text = TAKE(arena, char, capacity + 1);
     *out = NULL;
-    TRY(refuse_folder(fd, path, report));
+    if (fstat(fd, &st)) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
+    if (S_ISDIR(st.st_mode)) return fail(report, E_FILE, "%s: is a directory", path);
+    if (S_ISREG(st.st_mode) && st.st_size > (off_t)capacity) capacity = (size_t)st.st_size + 1;
+    if (capacity > max) capacity = max + 1;
+    char *text = TAKE(arena, char, capacity + 1);
     for (;;) {
         if (len == capacity) {
             char *more = TAKE(arena, char, 2 * capacity + 1);

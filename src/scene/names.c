@@ -115,9 +115,11 @@ int find_body(struct builder *b, const struct node *n)
     }
     int body = body_index(scene, n->text, n->len);
     if (body >= 0) return body;
-    const char **list = TAKE(b->life, const char *, scene->nbody);
+    struct arena *scratch = arena_open();
+    const char **list = TAKE(scratch, const char *, scene->nbody);
     for (int i = 0; i < scene->nbody; i++) list[i] = scene->body[i].name;
     unknown_name(b, n, AT_VALUE, "E-unknown-body", "body", n->text, list, scene->nbody);
+    arena_close(scratch);
     return -1;
 }
 

@@ -116,7 +116,7 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
     if (!n) return 0;
     if (read_map(n, what, &b->reader)) return 1;
     int errors = 0;
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_point *p = &scene->point[scene->npoint];
         if (!text_is_name(n->item[i]->key)) {
             diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' is not a name", n->item[i]->key);
@@ -231,7 +231,7 @@ int read_bodies(struct builder *b, const struct node *n)
     scene->nbody = 1;
     if (read_map(n, "'bodies'", &b->reader)) return 1;
     int errors = 0;
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         const struct node *item = n->item[i];
         if (strcmp(item->key, "ground") == 0) continue;
         struct scene_body *body = &scene->body[scene->nbody];

@@ -28,7 +28,7 @@ int read_drives(struct builder *b, const struct node *n)
     if (read_map(n, "'drives'", &b->reader)) return 1;
     struct scene *scene = b->scene;
     scene->drive = TAKE(b->life, struct scene_drive, n->count);
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_drive d;
         if (!may_own_columns(n->item[i]->key)) {
             diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a drive", n->item[i]->key);

@@ -330,7 +330,7 @@ int read_forces(struct builder *b, const struct node *n)
     if (read_map(n, "'forces'", &b->reader)) return 1;
     struct scene *scene = b->scene;
     scene->force = TAKE(b->life, struct scene_force, n->count);
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_force f = {0};
         if (!may_own_columns(n->item[i]->key)) {
             diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a force", n->item[i]->key);

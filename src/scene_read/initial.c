@@ -175,7 +175,7 @@ int read_initial(struct builder *b, const struct node *n)
     if (node_find(n, "from")) return read_from(b, n, node_find(n, "from"));
     struct scene *scene = b->scene;
     scene->initial = TAKE(b->life, struct scene_initial, n->count);
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_initial start = {0};
         if (strcmp(n->item[i]->key, "static") == 0)
             errors += read_options(b, &scene->at_rest, n->item[i]);

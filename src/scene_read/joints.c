@@ -152,7 +152,7 @@ int read_joints(struct builder *b, const struct node *n)
     struct scene *scene = b->scene;
     if (n && read_map(n, "'constraints'", &b->reader)) return 1;
     scene->joint = TAKE(b->life, struct scene_joint, count + scene->nbody);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !diags_full(b->diags); i++) {
         struct scene_joint joint = {0};
         if (!may_own_columns(n->item[i]->key)) {
             diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a joint", n->item[i]->key);

@@ -124,7 +124,7 @@ int read_measures(struct builder *b, const struct node *n)
     int errors = 0;
     if (!n) return 0;
     if (read_map(n, "'measures'", &b->reader)) return 1;
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         const struct node *m = n->item[i];
         if (!text_is_name(m->key) || strcmp(m->key, "t") == 0 || strcmp(m->key, "type") == 0 || expr_is_word(m->key)) {
             diag_error(b->diags, m, AT_KEY, "E-name", "'%.60s' cannot name a measure", m->key);

@@ -86,7 +86,7 @@ static int read_columns(struct builder *b, struct output *o, const struct node *
     }
     for (int i = 0; i < n->count; i++) most += n->item[i]->type == NODE_MAP ? n->item[i]->count : 1;
     struct output_column *list = TAKE(b->life, struct output_column, most);
-    for (int i = 0; i < n->count; i++) errors += read_column(b, list, &o->ncolumn, n->item[i]);
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) errors += read_column(b, list, &o->ncolumn, n->item[i]);
     o->column = list;
     return errors;
 }

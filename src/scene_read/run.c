@@ -106,7 +106,7 @@ static int read_choices(struct builder *b, struct scene_choice **list, int *coun
     for (int i = 0; i < n->count; i++) /* a map names a body's modes */
         for (int k = 1; n->item[i]->type == NODE_MAP && k < b->scene->nbody; k++) most += b->scene->body[k].nmode;
     *list = TAKE(b->life, struct scene_choice, most);
-    for (int i = 0; i < n->count; i++) {
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         if (n->item[i]->type == NODE_MAP)
             errors += read_band(b, *list, count, n->item[i]);
         else if (read_choice(b, &(*list)[*count], n->item[i]))

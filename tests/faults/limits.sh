@@ -61,3 +61,19 @@ for wrong in "--max-memory 5" "--max-memory much" "--max-memory -1G" "--max-memo
     expect "$wrong: status" 2 $? err
     grep -q "$(echo "$wrong" | cut -d ' ' -f 1 | sed 's/^--//') takes" err && ok "$wrong: told" || not_ok "$wrong: told" "stderr:" err
 done
+
+# Wrong decks as large as a deck may be: an answer within seconds of CPU time, memory in proportion.
+wrong() { # NAME STATUS
+    (ulimit -t 4; exec "$FMDSUB" check --max-memory 220M wrong.yaml) >out 2>err
+    expect "$1: status" "$2" $? err
+}
+{ echo 'fmdsub: 1'; awk 'BEGIN { for (i = 0; i < 900000; i++) print "k" i ": 1" }'; } >wrong.yaml
+wrong "900 000 unknown keys" 3
+grep -q '^after 1000 errors the rest of the deck was not looked at$' err && ok "900 000 unknown keys: told" || not_ok "900 000 unknown keys: told" "stderr:" err
+{ echo 'fmdsub: 1'; echo 'bodies:'; awk 'BEGIN { for (i = 0; i < 300000; i++) print "  b" i ": {masss: 1}" }'; } >wrong.yaml
+wrong "300 000 wrong bodies" 3
+{ echo 'fmdsub: 1'; echo 'bodies: {'; awk 'BEGIN { for (i = 0; i < 8000; i++) print "  b" i ": {mass: 1, at: [0, 0]}," }'; echo '}'; echo 'constraints:'
+    awk 'BEGIN { for (i = 0; i < 8000; i++) print "  j" i ": {free: [ground, c" i "]}" }'; } >wrong.yaml
+wrong "8000 joints of unknown bodies" 3
+{ echo 'fmdsub: 1'; printf 'x: ['; awk 'BEGIN { for (i = 0; i < 8000000; i++) printf "1," }'; echo '1]'; } >wrong.yaml
+wrong "8 000 000 values" 7
