@@ -129,8 +129,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
                     "'fmdsub check' prints words, or one object by --format json, or a deck by --expanded");
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
-    if (diags) diags_print(stderr, diags, cli_color(request));
-    TRY(status);
+    TRY(cli_told(diags, request, status));
     if (request->expanded) {
         deck_print(stdout, scene->deck);
     } else if (request->format && strcmp(request->format, "json") == 0) {

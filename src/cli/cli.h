@@ -20,7 +20,8 @@ struct request {
     int nword;
     char **word; /* what is not an option */
     int nset;
-    const char *set[MOST_SETS]; /* --set, and --columns, --every, --until as such */
+    const char *set[MOST_SETS];    /* --set, and --columns, --every, --until as such */
+    const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *repeats, *at, *final_state;
     bool quiet, verbose, want_stats, strict, expanded, help, version;
     const char *progress, *color, *max_memory, *max_time;
@@ -58,6 +59,8 @@ enum status verb_new(const struct request *request, struct arena *life, struct r
 /* The only deck named, read and checked; its warnings and errors are printed. */
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report);
+/* Prints what has been found; the status, as it is if that was found in options. */
+enum status cli_told(const struct diags *diags, const struct request *request, enum status status);
 bool cli_color(const struct request *request);
 
 /* check --format json */

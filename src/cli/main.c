@@ -51,6 +51,13 @@ bool cli_color(const struct request *request)
     return isatty(STDERR_FILENO) && !getenv("NO_COLOR") && term && strcmp(term, "dumb") != 0;
 }
 
+enum status cli_told(const struct diags *diags, const struct request *request, enum status status)
+{
+    if (!diags) return status;
+    diags_print(stderr, diags, cli_color(request));
+    return status == E_DECK && diags_status(diags) == E_USAGE ? E_USAGE : status;
+}
+
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report)
 {
@@ -58,7 +65,7 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
         return fail(report, E_USAGE, "'fmdsub %s' takes one deck%s", request->verb,
                     request->nword ? "" : "; '-' is standard input");
     *diags = diags_open(life);
-    const struct deck_options options = {.nset = request->nset, .set = request->set};
+    const struct deck_options options = {.nset = request->nset, .set = request->set, .option = request->option};
     return sim_load(scene, request->word[0], &options, *diags, life, report);
 }
 

@@ -77,8 +77,7 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     const struct sim_options options = {.version = FMDSUB_VERSION, .counting = true};
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
-    if (diags) diags_print(stderr, diags, cli_color(request));
-    TRY(status);
+    TRY(cli_told(diags, request, status));
     TRY(at_time(&sim, request, report));
     TRY(modes_find(&modes, &sim, life, report));
     if (!request->quiet) warn_of_growth(&modes);

@@ -83,9 +83,10 @@ static enum status unknown_option(const char *word, struct report *report)
     return fail(report, E_USAGE, "unknown option '%.80s' (fmdsub --help)", word);
 }
 
-static enum status add_set(struct request *o, const char *set, struct report *report)
+static enum status add_set(struct request *o, const char *option, const char *set, struct report *report)
 {
     if (o->nset == MOST_SETS) return fail(report, E_USAGE, "more than %d settings", MOST_SETS);
+    o->option[o->nset] = option;
     o->set[o->nset++] = set;
     return OK;
 }
@@ -110,12 +111,14 @@ static const char *columns_set(const char *list, struct arena *life)
     char *text = arena_print(life, "output.columns=[%*s", (int)(4 * strlen(list)) + 12 * items + 8, "");
     char *to = text + strlen("output.columns=[");
     for (int i = 0; i < items; i++) {
-        const size_t name = strcspn(item[i], "=");
+        const size_t equal = strcspn(item[i], "=");
+        size_t name = equal;
+        while (name && (item[i][name - 1] == ' ' || item[i][name - 1] == '\t')) name--;
         if (i) to += sprintf(to, ", ");
-        if (item[i][name]) *to++ = '{';
+        if (item[i][equal]) *to++ = '{';
         to = put_quoted(to, item[i], name);
-        if (!item[i][name]) continue;
-        to = put_quoted(to + sprintf(to, ": "), item[i] + name + 1, strlen(item[i] + name + 1));
+        if (!item[i][equal]) continue;
+        to = put_quoted(to + sprintf(to, ": "), item[i] + equal + 1, strlen(item[i] + equal + 1));
         *to++ = '}';
     }
     strcpy(to, "]");
@@ -125,7 +128,7 @@ static const char *columns_set(const char *list, struct arena *life)
 static enum status add_columns(struct request *o, const char *list, struct arena *life, struct report *report)
 {
     const char *set = columns_set(list, life);
-    return set ? add_set(o, set, report) : fail(report, E_USAGE, "--columns names no column");
+    return set ? add_set(o, "--columns", set, report) : fail(report, E_USAGE, "--columns names no column");
 }
 
 static enum status take(struct request *o, const char *name, const char *value, struct arena *life,
@@ -155,12 +158,13 @@ static enum status take(struct request *o, const char *name, const char *value, 
         if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (strcmp(flags[i].name, name) == 0) return *flags[i].to = true, OK;
-    if (strcmp(name, "set") == 0) return add_set(o, value, report);
+    if (strcmp(name, "set") == 0) return add_set(o, NULL, value, report);
     if (strcmp(name, "columns") == 0) return add_columns(o, value, life, report);
-    if (strcmp(name, "every") == 0) return add_set(o, arena_print(life, "output.every=%s", value), report);
+    if (strcmp(name, "every") == 0) return add_set(o, "--every", arena_print(life, "output.every=%s", value), report);
     if (strcmp(name, "every-steps") == 0)
-        return add_set(o, arena_print(life, "output.every={steps: %s}", value), report);
-    if (strcmp(name, "until") == 0) return add_set(o, arena_print(life, "integrate.until=%s", value), report);
+        return add_set(o, "--every-steps", arena_print(life, "output.every={steps: %s}", value), report);
+    if (strcmp(name, "until") == 0)
+        return add_set(o, "--until", arena_print(life, "integrate.until=%s", value), report);
     o->want_stats = true; /* stats */
     o->stats = value;
     return OK;

@@ -120,8 +120,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = check_targets(request, scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
-    if (diags) diags_print(stderr, diags, cli_color(request));
-    TRY(status);
+    TRY(cli_told(diags, request, status));
     status = stream_run(&sim, request, life, report);
     if (request->final_state && status != E_SIGPIPE) {
         struct report failed = {0};

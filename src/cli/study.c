@@ -110,8 +110,7 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     if (status == OK) status = choose_schemes(&o, &choices, scene, request, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, scene, request, life, report);
     if (status == OK) status = study_run(&table, scene, &o, diags, life, report);
-    if (diags) diags_print(stderr, diags, cli_color(request));
-    TRY(status);
+    TRY(cli_told(diags, request, status));
     if (request->output) return write_file(table, request->output, life, report);
     return table_print(table, !isatty(STDOUT_FILENO), stdout, report);
 }

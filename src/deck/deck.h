@@ -23,7 +23,9 @@ enum { DECK_BYTES = 1 << 24, INCLUDE_DEPTH = 16 };
 struct deck_options {
     int nset;
     const char *const *set; /* "path=value" */
-    size_t max_bytes;       /* of one file; 0: DECK_BYTES */
+    const char *const
+        *option;      /* [nset] the option that a setting came by, "--until"; NULL: --set, or all of them are */
+    size_t max_bytes; /* of one file; 0: DECK_BYTES */
 };
 
 struct parameter;

@@ -26,6 +26,7 @@ struct diags {
     int nsource, source_capacity;
     const struct source **source;
     int n, errors, warnings;
+    int usage;    /* errors in options of the command line */
     int compared; /* words, for suggestions: there is an end to it */
     bool limit;
     struct diag *item[KEPT];
@@ -101,6 +102,12 @@ static struct diag *make(struct diags *d, enum level level, struct span at, cons
     return x;
 }
 
+static bool by_option(const struct diags *d, int file)
+{
+    const struct source *s = diags_source(d, file);
+    return s && s->option;
+}
+
 static void add(struct diags *d, enum level level, struct span at, const struct scope *scope, const char *code,
                 const char *format, va_list args)
 {
@@ -120,6 +127,7 @@ static void add(struct diags *d, enum level level, struct span at, const struct 
         return;
     }
     ++*count;
+    d->usage += level == ERROR && by_option(d, at.file);
     int *first = &d->first[hash(&x->at)];
     x->order = d->n;
     x->next = *first - 1;
@@ -232,7 +240,7 @@ const char *diag_clip(struct diags *d, const char *text)
 
 enum status diags_status(const struct diags *d)
 {
-    return d->limit ? E_LIMIT : d->errors ? E_DECK : OK;
+    return d->limit ? E_LIMIT : !d->errors ? OK : d->usage == d->errors ? E_USAGE : E_DECK;
 }
 
 int diags_errors(const struct diags *d)
@@ -312,13 +320,14 @@ static void put_diag(FILE *to, const struct diags *d, const struct diag *x, bool
     static const char *const words[] = {"error", "warning", "note"}, *const colors[] = {"\033[31m", "\033[35m",
                                                                                         "\033[36m"};
     const struct source *s = diags_source(d, x->at.file);
+    const bool placed = s && !s->option && x->at.from.line;
     if (s) text_put(to, s->path);
-    if (s && x->at.from.line) fprintf(to, ":%d:%d", x->at.from.line, x->at.from.col);
+    if (placed) fprintf(to, ":%d:%d", x->at.from.line, x->at.from.col);
     fprintf(to, "%s%s%s%s: ", s ? ": " : "", color ? colors[x->level] : "", words[x->level], color ? "\033[0m" : "");
     text_put(to, x->text);
     if (x->code) fprintf(to, " [%s]", x->code);
     fputc('\n', to);
-    if (s && x->at.from.line) put_line(to, s, &x->at, color);
+    if (placed) put_line(to, s, &x->at, color);
     put_hints(to, x->hints);
     if (x->note) put_diag(to, d, x->note, color);
 }

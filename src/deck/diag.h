@@ -65,7 +65,7 @@ void diag_foreign(struct diags *d, const char *word);
 /* Text of a deck for a message: at most 40 characters, no control characters. */
 const char *diag_clip(struct diags *d, const char *text);
 
-/* OK, E_DECK, or E_LIMIT.  Warnings do not count. */
+/* OK, E_DECK, or E_LIMIT; E_USAGE: all that is wrong came by options.  Warnings do not count. */
 enum status diags_status(const struct diags *d);
 int diags_errors(const struct diags *d);
 /* So many errors that no more are kept: loops over what a deck holds may end. */

@@ -44,7 +44,7 @@ struct node {
     const struct scope *scope;
     bool flow;     /* list or map inside [ ] or { }; members then too */
     bool implied;  /* a default that the reader filled in */
-    bool reported; /* what is wrong with it has been said: readers fail silently */
+    bool reported; /* what is wrong with it has been said: readers fail silently; of a map that a member is lost */
     bool formula;  /* read as an expression of more than parameters: its names stay names */
     bool has_value;
     double value; /* the number it was read as */

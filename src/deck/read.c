@@ -305,6 +305,7 @@ static int read_key(void *out, const struct key *key, const struct node *map, co
     }
     if (n) return read_value(out, key, n, rd);
     if (other_space(key, rd)) return 0;
+    if (key->flags & KEY_REQUIRED && map->reported) return 1; /* that may be what it lacks */
     if (key->flags & KEY_REQUIRED) {
         diag_error(rd->diags, map, AT_KEY, "E-missing-key", "%s has no '%s'", what, key->name);
         if (key->brief)
@@ -359,7 +360,7 @@ int read_keys(void *out, const struct key *keys, const struct node *map, const c
               struct reader *rd)
 {
     if (read_map(map, what, rd)) return 1;
-    int errors = refuse_unknown(keys, map, also, what, rd);
+    int errors = map->reported + refuse_unknown(keys, map, also, what, rd);
     for (const struct key *k = keys; k->name; k++)
         if (!errors || !(k->flags & KEY_REQUIRED) || node_find(map, k->name) ||
             !(diags_full(rd->diags) || misspelt(k, keys, map)))

@@ -21,13 +21,10 @@ struct set {
     struct setting *item;
 };
 
-/* The name of such sources: this text itself, which no file's name is. */
-static const char SET[] = "--set";
-
 bool deck_was_set(const struct deck *deck, const struct node *n)
 {
     const struct source *s = diags_source(deck->diags, n->file);
-    return s && s->path == SET;
+    return s && s->set;
 }
 
 static struct span path_span(const struct setting *s)
@@ -35,10 +32,12 @@ static struct span path_span(const struct setting *s)
     return (struct span){s->file, {1, 1}, {1, (int)strlen(s->path) + 1}};
 }
 
-static void parse_setting(struct setting *s, const char *text, struct deck *deck)
+static void parse_setting(struct setting *s, const char *text, const char *option, struct deck *deck)
 {
     const char *equal = strchr(text, '=');
-    struct source *source = source_of(SET, text, strlen(text), deck->arena);
+    struct source *source = source_of(option ? option : "--set", text, strlen(text), deck->arena);
+    source->set = true;
+    source->option = option != NULL;
     size_t flaw;
     *s = (struct setting){.text = text, .done = true, .file = diags_add_source(deck->diags, source)};
     hash_text(deck, text, strlen(text) + 1);
@@ -57,7 +56,8 @@ struct set *set_open(const struct deck_options *options, struct deck *deck)
     struct set *set = TAKE(deck->arena, struct set, 1);
     set->n = options ? options->nset : 0;
     set->item = TAKE(deck->arena, struct setting, set->n);
-    for (int i = 0; i < set->n; i++) parse_setting(&set->item[i], options->set[i], deck);
+    for (int i = 0; i < set->n; i++)
+        parse_setting(&set->item[i], options->set[i], options->option ? options->option[i] : NULL, deck);
     return set;
 }
 

@@ -11,6 +11,8 @@
 
 struct source {
     const char *path; /* as the user gave it */
+    bool set;         /* from the command line: --set, or an option that is short for it */
+    bool option;      /* that option, path: its name.  What is wrong there is wrong usage */
     const char *text; /* without a byte order mark, 0-terminated */
     size_t len;
     int lines;

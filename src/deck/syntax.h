@@ -20,6 +20,8 @@ struct syntax {
 struct span syntax_span(const struct syntax *b, yaml_mark_t from, yaml_mark_t to);
 
 /* `key:value` without the space, which YAML takes for one text. */
+/* `key:{` or `key:[`: the beginning of a text, for YAML. */
+bool syntax_opens(const char *text);
 bool syntax_lacks_space(const char *text, size_t len);
 
 /* Tells the error that p stopped at.  Out of memory ends the program. */

@@ -133,6 +133,13 @@ static bool fill_list(struct builder *b, struct node *n)
     }
 }
 
+/* len: as much of the text as is shown. */
+static void report_colon(struct builder *b, const struct node *key, size_t len)
+{
+    diag_error(b->diags, key, AT_VALUE, "E-colon", "a space is missing after ':' in '%s'",
+               diag_clip(b->diags, pool_text(b->pool, key->text, len)));
+}
+
 /* The key of a member; *fine = false: reported, and the member is to be dropped.  NULL: no way on. */
 static struct node *build_key(struct builder *b, const yaml_event_t *e, bool *fine)
 {
@@ -146,6 +153,8 @@ static struct node *build_key(struct builder *b, const yaml_event_t *e, bool *fi
         diag_error(b->diags, key, AT_VALUE, "E-key", "a key is missing before ':'");
     else if (!key->quoted && !strcmp(key->text, "<<"))
         diag_error(b->diags, key, AT_VALUE, "E-merge", "'<<' is not read in decks");
+    else if (!key->quoted && syntax_opens(key->text))
+        report_colon(b, key, strcspn(key->text, ":") + 2);
     else
         *fine = true;
     return key;
@@ -173,8 +182,7 @@ static bool joined(struct builder *b, const struct node *key, const struct node 
     if (key->quoted || value->type != NODE_SCALAR || value->quoted || value->len ||
         !syntax_lacks_space(key->text, key->len))
         return false;
-    diag_error(b->diags, key, AT_VALUE, "E-colon", "a space is missing after ':' in '%s'",
-               diag_clip(b->diags, key->text));
+    report_colon(b, key, key->len);
     return true;
 }
 
@@ -194,7 +202,10 @@ static bool member(struct builder *b, struct node *map, const yaml_event_t *key_
         is_piece(b, open, value, parentheses(&key) + parentheses(value));
         return true;
     }
-    if (!fine || (map->flow && joined(b, &key, value))) return true;
+    if (!fine || (map->flow && joined(b, &key, value))) {
+        map->reported = true; /* it lacks a member now: enough has been said */
+        return true;
+    }
     if (map->flow) is_piece(b, open, value, parentheses(value));
     set_key(value, &key);
     push(b, value);

@@ -55,6 +55,10 @@ int quantity_names(struct builder *b, const char *const **list);
 /* A quantity by name: fills a slot; 0 if unknown. */
 int find_quantity(const struct scene *scene, struct scene_slot *o, const char *name);
 
+/* Did --set make this member of a section by what it sets inside?  It was meant for one that is there: told, with the
+ * nearest of them. */
+bool not_there(struct builder *b, const struct node *n, const char *section, const char *kind);
+
 /* A name, and not one of those that columns of the program's own begin with. */
 bool may_own_columns(const char *name);
 

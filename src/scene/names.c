@@ -5,6 +5,8 @@
 #include "base/text.h"
 #include "scene/build.h"
 
+enum { WORDS = 1000 };
+
 static bool same(const char *name, const char *text, size_t len)
 {
     return name && strlen(name) == len && memcmp(name, text, len) == 0;
@@ -52,6 +54,8 @@ bool known_but_wrong(const struct builder *b, const char *name)
     if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
     for (int i = 0; i < root->count; i++)
+        if (root->item[i]->type == NODE_MAP && root->item[i]->reported) return true;
+    for (int i = 0; i < root->count; i++)
         if (may_hold_names(b->sections, root->item[i]) && node_find(root->item[i], lead)) return true;
     return false;
 }
@@ -97,6 +101,19 @@ void unknown_name(struct builder *b, const struct node *n, enum diag_at which, c
     if (report_modes(b, n, which, code, name)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
+}
+
+bool not_there(struct builder *b, const struct node *n, const char *section, const char *kind)
+{
+    const struct node *all = node_find(b->reader.deck->root, section);
+    const char *names[WORDS];
+    int count = 0;
+    if (!deck_was_set(b->reader.deck, n) || !all) return false;
+    for (int i = 0; i < all->count && count < WORDS; i++)
+        if (all->item[i] != n) names[count++] = all->item[i]->key;
+    diag_error(b->diags, n, AT_KEY, "E-set", "the deck has no %s '%s'", kind, diag_clip(b->diags, n->key));
+    diag_suggest(b->diags, n->key, names, count);
+    return true;
 }
 
 static int body_index(const struct scene *scene, const char *name, size_t len)

@@ -33,9 +33,10 @@ int read_place(struct builder *b, double *o, const struct node *n, const char *w
 int read_direction(struct builder *b, double *o, const struct node *n, const char *what)
 {
     if (read_place(b, o, n, what)) return 1;
-    double length = sqrt(v3_dot(o, o));
-    if (length > 0) {
-        v3_scale(o, 1 / length, o);
+    const double most = fmax(fabs(o[0]), fmax(fabs(o[1]), fabs(o[2])));
+    if (most > 0) { /* squares of what is very long or short are no numbers */
+        for (int i = 0; i < 3; i++) o[i] /= most;
+        v3_scale(o, 1 / v3_norm(o), o);
         return 0;
     }
     diag_error(b->diags, n, AT_VALUE, "E-direction", "%s: a direction of length 0", what);

@@ -176,6 +176,8 @@ static bool is_both(const struct node *n)
 static int read_body(struct builder *b, int index, const struct node *n)
 {
     struct scene_body *body = &b->scene->body[index];
+    const bool placed = n->type != NODE_MAP || node_find(n, "at") || is_beam(n) || is_from_file(n);
+    if (!placed && not_there(b, n, "bodies", "body")) return 1;
     if (is_both(n)) {
         diag_error(b->diags, node_find(n, "flexible"), AT_KEY, "E-two-kinds",
                    "body '%.60s' is a beam, or from a file: expected 'beam' or 'flexible'", n->key);
@@ -243,7 +245,6 @@ int read_bodies(struct builder *b, const struct node *n)
             diag_hint(b->diags,
                       "names are letters, digits and '_', a letter first; energy, momentum and step are taken");
             errors++;
-            continue;
         }
         scene->nbody++; /* kept, right or wrong: joints may name it */
         errors += read_body(b, scene->nbody - 1, item);
@@ -258,7 +259,7 @@ int read_bodies(struct builder *b, const struct node *n)
         errors += read_points(b, i, points, "'points'");
     }
     if (most > n->count + 1) errors += refuse_same_names(b);
-    if (scene->nbody == 1) {
+    if (scene->nbody == 1 && !n->reported) {
         diag_error(b->diags, n, AT_KEY, "E-no-bodies", "no bodies: nothing to simulate");
         errors++;
     }

@@ -9,7 +9,9 @@ static int read_drive(struct builder *b, struct scene_drive *o, const struct nod
     struct drive_keys k = {0};
     snprintf(what, sizeof what, "drive '%.60s'", n->key);
     *o = (struct scene_drive){.name = n->key, .node = n};
-    if (read_map(n, what, &b->reader) || read_keys(&k, keys_drive, n, NULL, what, &b->reader)) return 1;
+    if (read_map(n, what, &b->reader)) return 1;
+    if (!node_find(n, "drive") && not_there(b, n, "drives", "drive")) return 1;
+    if (read_keys(&k, keys_drive, n, NULL, what, &b->reader)) return 1;
     o->measure = measure_of(b, k.drive, what);
     int errors = read_time_signal(b, &o->value, k.value, what);
     if (o->measure < 0) return 1;

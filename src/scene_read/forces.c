@@ -318,6 +318,7 @@ static int read_force(struct builder *b, struct scene_force *f, const struct nod
         if (!kind->rate) words[count++] = kind->name;
         if (node_find(n, kind->name)) return (kind->strains ? read_between : read_law)(b, f, n, kind, what);
     }
+    if (not_there(b, n, "forces", "force")) return 1;
     unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-force", "kind of force",
                  n->count ? n->item[0]->key : "", words, count);
     return 1;

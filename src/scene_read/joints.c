@@ -24,6 +24,7 @@ static void report_no_kind(struct builder *b, const struct node *map)
         names[n] = joint_kind_at(n)->name;
         all = arena_print(b->life, "%s%s%s", all, n ? ", " : "", names[n]);
     }
+    if (not_there(b, map, "constraints", "constraint")) return;
     for (int i = 0; i < map->count; i++) {
         const struct node *member = map->item[i];
         if (is_key(member->key)) continue;

@@ -84,6 +84,7 @@ static int read_measure(struct builder *b, const struct node *n)
     for (int i = 0; i < 3; i++)
         if (node_find(n, kinds[i].word)) kind = i;
     if (kind < 0) {
+        if (not_there(b, n, "measures", "measure")) return 1;
         unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-measure", "kind of measure",
                      n->count ? n->item[0]->key : "", words, 3);
         return 1;

@@ -24,7 +24,7 @@ clean "condition that ends the run" 0 '"$FMDSUB" run -o out.csv -s "integrate.un
 clean "condition that does not" 0 '"$FMDSUB" run -o out.csv -s "integrate.until={when: \"t >\\n 2\", latest: 1}" "$name.yaml"'
 clean "verb" 2 '"$FMDSUB" "$name"'
 clean "option" 2 '"$FMDSUB" run "--$name"'
-clean "column" 3 '"$FMDSUB" run --columns "$name" "$name.yaml"'
+clean "column" 2 '"$FMDSUB" run --columns "$name" "$name.yaml"'
 clean "code" 2 '"$FMDSUB" explain "$name"'
 [ -x "$BUILD/fmdsub-reduce" ] && clean "fmdsub-reduce: name of a job" 6 '"$BUILD/fmdsub-reduce" -i root=root "$name"'
 grep -q '\\x1b\]0;x' out && ok "the characters are shown as escapes" || not_ok "the characters are shown as escapes" "got:" out
