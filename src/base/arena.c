@@ -118,7 +118,8 @@ void *arena_take_matrix(struct arena *arena, size_t rows, size_t columns, size_t
 
 bool arena_allows(size_t count, size_t bytes)
 {
-    if (bytes && count > (SIZE_MAX / 4) / bytes) return false;
+    if (count == 0 || bytes == 0) return true;
+    if (count > (SIZE_MAX / 4) / bytes) return false;
     void *memory = malloc(count * bytes);
     free(memory);
     return memory != NULL;

@@ -208,7 +208,7 @@ static void take_drawn(void *par, const struct key *keys, const struct node *n, 
 {
     for (const struct key *k = keys; k->name; k++)
         if (k->flags & KEY_DRAWN && !node_find(n, k->name))
-            *(double *)((char *)par + k->offset) = m->type == MEASURE_DISTANCE ? m->drawn : 0;
+            *(double *)(void *)((char *)par + k->offset) = m->type == MEASURE_DISTANCE ? m->drawn : 0;
 }
 
 /* `gap_rate`: the node `gap`, in the same place; NULL: no rate. */

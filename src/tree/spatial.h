@@ -105,7 +105,7 @@ struct sweep {
 /* Unit axis of the k-th velocity of l, world axes. */
 static inline const double *spatial_axis(const struct part *x, const struct link *l, int k)
 {
-    return (const double *)((const char *)x + l->axis[k]);
+    return (const double *)(const void *)((const char *)x + l->axis[k]);
 }
 
 /* Twist of the child about its centre for unit rate of the k-th velocity. */
