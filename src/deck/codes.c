@@ -180,16 +180,17 @@ const struct diag_help diag_helps[] = {
                 "smaller ratio would let it be slow."},
     {"W-bending",
      "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
-     "followed by several: give the beam 'segments', or more of them."},
+     "followed by several: give the beam 'segments', or more of them. A beam with 'stiffening: false' bends too far as "
+     "soon as it turns or carries loads along its axis: take that out first."},
     {"W-bushing",
      "A bushing with different stiffnesses about its axes tilted by more than 0.5 rad. Large rotations are measured as "
      "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
      "meant to "
      "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
     {"W-modes",
-     "Two modes of a beam have one frequency, as those of a round shaft in its two planes, and 'modes' cuts between "
-     "them: with one of the two the beam bends differently in the two planes, and what whirls, whirls wrongly. "
-     "Take one mode more or one less."},
+     "Modes of a beam have one frequency, as those of a round shaft in its two planes or of its equal spans, and "
+     "'modes' cuts between them: with some of them the beam bends differently in its planes or spans, and what whirls, "
+     "whirls wrongly. Take one of the two numbers that the message names."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     {NULL, NULL},

@@ -29,7 +29,7 @@ struct work {
     double *inertia;          /* [9 x nlump] of lumps, beam axes */
     int reference, n;         /* mesh node; coordinates */
     double *lambda, *Phi;     /* [n], [freedoms x n] beam axes */
-    double edge[2];           /* of craig_reduce() */
+    struct craig_edge edge;
 };
 
 /* ---- place and axes ---- */
@@ -119,7 +119,7 @@ static enum status modes(struct work *w, struct arena *scratch, struct report *r
     w->n = craig_count(&c);
     w->lambda = TAKE(scratch, double, w->n);
     w->Phi = TAKE(scratch, double, size * w->n);
-    TRY(craig_reduce(w->lambda, w->Phi, w->edge, &c, scratch, report));
+    TRY(craig_reduce(w->lambda, w->Phi, &w->edge, &c, scratch, report));
     for (int j = 0; j < w->n; j++) {
         double *x = w->Phi + (long)size * j, sign = sign_of(x, &w->rod);
         for (int i = 0; i < size; i++) x[i] *= sign;
@@ -382,7 +382,8 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
     o->reference = 0;
     stiffness(o, beam, w->lambda);
     farthest(o, w, life);
-    for (int k = 0; k < 2; k++) o->edge[k] = sqrt(w->edge[k]) / (2 * acos(-1));
+    o->edge = (struct flex_edge){.parted = w->edge.parted, .whole = {w->edge.whole[0], w->edge.whole[1]}};
+    for (int k = 0; k < 2; k++) o->edge.hertz[k] = sqrt(w->edge.lambda[k]) / (2 * acos(-1));
     fill(o, w, scratch);
     double *Q = TAKE(scratch, double, 6 * w->n);
     for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], Q, report));

@@ -39,6 +39,13 @@ struct flex_stress {
     bool shear;      /* a beam's: xy and xz are known */
 };
 
+/* Where the modes with all joints clamped end. */
+struct flex_edge {
+    double hertz[2]; /* the highest that is kept and the lowest that is left out; 0, 0: not known */
+    bool parted;     /* they are one frequency, of which some modes are kept and some are not */
+    int whole[2];    /* then: numbers of modes below and above that keep all or none; 0: there are no more */
+};
+
 struct flex_body {
     int n;         /* elastic coordinates */
     int reference; /* number of the reference node */
@@ -58,10 +65,8 @@ struct flex_body {
     double *xs;    /* [9 x n x n]     int x S_ij' dm */
     double *K;     /* [n x n] stiffness; symmetric >= 0 [N/m] */
     double *D;     /* [n x n] damping; NULL: none */
-    double
-        edge[2]; /* of the modes with all joints clamped the highest frequency that is kept and the lowest that is left
-                     * out [Hz]; 0, 0: not known */
-    double *far; /* [2 x n] how far a coordinate moves [m] and turns [rad] a particle at most, per unit; NULL: no
+    struct flex_edge edge;
+    double *far;   /* [2 x n] how far a coordinate moves [m] and turns [rad] a particle at most, per unit; NULL: no
                     * farther than nodes, as far as is known */
     double *hertz; /* [n] frequencies with the reference node clamped, by coordinate, where coordinates are modes;
                     * NULL: they are not */

@@ -63,14 +63,13 @@ static void keep(double *lambda, double *Phi, double *next, int *n, int most, in
     if (*n < most) ++*n;
 }
 
-/* Phi [size x modes]: the lowest modes with all interfaces clamped, family by family; edge: the highest of these, the
- * lowest left out of all that were found. */
-static enum status fixed_modes(double *Phi, double *edge, const struct craig *o, const struct band *L,
+/* lambda [modes], Phi [size x modes]: the lowest modes with all interfaces clamped, family by family; edge: the highest
+ * of these, the lowest left out of all that were found. */
+static enum status fixed_modes(double *lambda, double *Phi, double *edge, const struct craig *o, const struct band *L,
                                const struct band *M, const bool *held, struct arena *scratch, struct report *report)
 {
     int size = M->n, family[MOST_PER], n = 0;
     double *l = TAKE(scratch, double, o->modes), *X = TAKE(scratch, double, o->modes *size);
-    double *lambda = TAKE(scratch, double, o->modes);
     bool *use = TAKE(scratch, bool, size);
     families(family, o);
     edge[1] = INFINITY;
@@ -88,6 +87,37 @@ static enum status fixed_modes(double *Phi, double *edge, const struct craig *o,
     }
     edge[0] = n ? lambda[n - 1] : 0;
     return OK;
+}
+
+/* Are these one frequency, as of a round shaft in its two planes, or of its equal spans? */
+static bool same(double low, double high)
+{
+    static const double apart = 2e-6; /* in squares */
+    return low > 0 && high - low <= apart * low;
+}
+
+/* whole: the numbers of modes next to `modes` that keep all of one frequency or none; the second 0 where there are too
+ * few freedoms.  More modes are looked at than are kept, until a frequency ends. */
+static enum status whole_groups(int *whole, const double *lambda, const struct craig *o, const struct band *L,
+                                const struct band *M, const bool *held, int inner, struct arena *scratch,
+                                struct report *report)
+{
+    enum { FIRST_MORE = 6 };
+    double edge[2];
+    whole[0] = o->modes - 1;
+    while (whole[0] > 0 && same(lambda[whole[0] - 1], lambda[whole[0]])) whole[0]--;
+    for (int more = FIRST_MORE;; more *= 2) {
+        struct arena_mark mark = arena_mark(scratch);
+        struct craig wide = *o;
+        wide.modes = o->modes + more < inner ? o->modes + more : inner;
+        double *l = TAKE(scratch, double, wide.modes), *Phi = TAKE_MATRIX(scratch, double, M->n, wide.modes);
+        TRY(fixed_modes(l, Phi, edge, &wide, L, M, held, scratch, report));
+        int end = o->modes;
+        while (end < wide.modes && same(l[end - 1], l[end])) end++;
+        arena_rewind(scratch, mark);
+        whole[1] = end < wide.modes ? end : 0;
+        if (whole[1] || wide.modes == inner) return OK;
+    }
 }
 
 /* Phi [size x ...]: L L' x = -K_b where free, one at freedom b of an interface, zero at the others. */
@@ -150,8 +180,8 @@ static enum status diagonal(double *lambda, double *Phi, const struct craig *o, 
     return OK;
 }
 
-enum status craig_reduce(double *lambda, double *Phi, double *edge, const struct craig *o, struct arena *scratch,
-                         struct report *report)
+enum status craig_reduce(double *lambda, double *Phi, struct craig_edge *edge, const struct craig *o,
+                         struct arena *scratch, struct report *report)
 {
     int size = o->K->n, inner = size - o->per * o->ninterface;
     struct band L = band_copy(o->K, scratch), M = band_copy(o->M, scratch);
@@ -161,7 +191,10 @@ enum status craig_reduce(double *lambda, double *Phi, double *edge, const struct
                     o->modes, inner);
     hold(held, &L, &M, o);
     if (band_cholesky(&L) >= 0) return fail(report, E_MODEL, "the stiffness matrix of the beam is not positive");
-    TRY(fixed_modes(Phi, edge, o, &L, &M, held, scratch, report));
+    double *fixed = TAKE(scratch, double, o->modes);
+    TRY(fixed_modes(fixed, Phi, edge->lambda, o, &L, &M, held, scratch, report));
+    edge->parted = same(edge->lambda[0], edge->lambda[1]);
+    if (edge->parted) TRY(whole_groups(edge->whole, fixed, o, &L, &M, held, inner, scratch, report));
     constraint_modes(Phi + (long)o->modes * size, o, &L, held);
     return diagonal(lambda, Phi, o, scratch, report);
 }

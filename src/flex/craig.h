@@ -6,6 +6,8 @@
 #ifndef FMDSUB_FLEX_CRAIG_H
 #define FMDSUB_FLEX_CRAIG_H
 
+#include <stdbool.h>
+
 #include "base/status.h"
 #include "la/band.h"
 
@@ -19,11 +21,17 @@ struct craig {
 /* Coordinates of the result. */
 int craig_count(const struct craig *o);
 
-/* lambda [n] ascending, Phi [freedoms x n]: Phi' M Phi = 1, Phi' K Phi = diag(lambda).  edge [2]: of the modes with all
- * interfaces clamped the highest lambda that is kept (none: 0) and the lowest that is left out (none: infinity); of
- * families that nothing couples each is looked at as far as the number of modes.  E_MODEL: more modes than
+/* Where the modes with all interfaces clamped end. */
+struct craig_edge {
+    double lambda[2]; /* the highest that is kept (none: 0) and the lowest that is left out (none: infinity); of
+                       * families that nothing couples each is looked at as far as the number of modes */
+    bool parted;      /* they are one frequency */
+    int whole[2];     /* then: the numbers of modes next below and above that part none; 0: the mesh has no more */
+};
+
+/* lambda [n] ascending, Phi [freedoms x n]: Phi' M Phi = 1, Phi' K Phi = diag(lambda).  E_MODEL: more modes than
  * freedoms, or a matrix is not positive. */
-enum status craig_reduce(double *lambda, double *Phi, double *edge, const struct craig *o, struct arena *scratch,
-                         struct report *report);
+enum status craig_reduce(double *lambda, double *Phi, struct craig_edge *edge, const struct craig *o,
+                         struct arena *scratch, struct report *report);
 
 #endif

@@ -135,16 +135,22 @@ static void weigh(struct scene_body *body)
     for (int i = 0; i < 6; i++) body->inertia[i] = (i < 3 ? trace : 0) - A[at[i]] + r[at[i]];
 }
 
-/* Of two modes of one frequency, as a round shaft has them, one alone bends in one plane only. */
+/* Of modes of one frequency, as a round shaft has them in its two planes, some alone bend in one plane only. */
 static void warn_of_halved_pair(struct builder *b, const struct scene_body *body, const struct node *modes)
 {
-    static const double same = 1e-6;
-    const double *edge = body->flex->edge;
-    if (!modes || !(edge[0] > 0) || !(edge[1] - edge[0] <= same * edge[0])) return;
-    diag_warn(b->diags, modes, AT_VALUE, "W-modes", "body '%s': of two modes of %.4g Hz one is left out", body->name,
-              edge[0]);
-    diag_hint(b->diags, "they are a pair: take both, %d modes, or neither, %d",
-              b->draft[body - b->scene->body]->beam.modes + 1, b->draft[body - b->scene->body]->beam.modes - 1);
+    const struct flex_edge *edge = &body->flex->edge;
+    if (!modes || !edge->parted) return;
+    const int kept = b->draft[body - b->scene->body]->beam.modes - edge->whole[0];
+    if (!edge->whole[1]) {
+        diag_warn(b->diags, modes, AT_VALUE, "W-modes", "body '%s': of the modes of %.4g Hz %d %s left out", body->name,
+                  edge->hertz[0], kept, kept == 1 ? "is kept, others are" : "are kept, others are");
+        diag_hint(b->diags, "they belong together: take none of them, %d modes, or more elements", edge->whole[0]);
+        return;
+    }
+    const int all = edge->whole[1] - edge->whole[0];
+    diag_warn(b->diags, modes, AT_VALUE, "W-modes", "body '%s': of %d modes of %.4g Hz %d %s left out", body->name, all,
+              edge->hertz[0], all - kept, all - kept == 1 ? "is" : "are");
+    diag_hint(b->diags, "they belong together: take all, %d modes, or none, %d", edge->whole[1], edge->whole[0]);
 }
 
 static int make(struct builder *b, int index)

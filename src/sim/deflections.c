@@ -44,15 +44,24 @@ enum status deflections_note(struct sim *sim)
     return OK;
 }
 
+const char *bending_advice(const struct flex_body *flex)
+{
+    return flex->s ? "cut it into 'segments', or into more, or look at its loads"
+                   : "turn on geometric stiffening: 'stiffening: true'; if it bends as far with it, cut it into "
+                     "'segments'";
+}
+
+/* What bends beyond its own length has stopped the run, which said so. */
 void print_deflections(const struct sim *sim, FILE *to)
 {
     static const double followed = 0.2; /* of its length: beyond it more than a per cent is wrong */
     for (int i = 0; i < sim->ndeflection; i++) {
         const struct deflection *o = &sim->deflection[i];
-        if (!(o->most > followed * o->size)) continue;
+        if (!(o->most > followed * o->size) || o->most > o->size) continue;
         fprintf(to,
                 "warning: '%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per "
-                "cent; cut it into segments, or into more [W-bending]\n",
-                sim->model->body[o->body].name, o->most / o->size, o->t);
+                "cent; %s [W-bending]\n",
+                sim->model->body[o->body].name, o->most / o->size, o->t,
+                bending_advice(sim->model->body[o->body].flex));
     }
 }

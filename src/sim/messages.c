@@ -201,8 +201,7 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
                    "'segments', take fewer modes, or 'stiffening: false'";
         return "give the bodies it moves mass and inertia";
     case TROUBLE_DEFLECTION:
-        return sim->model->body[why->index].flex->s ? "cut it into 'segments', or look at its loads"
-                                                    : "turn on geometric stiffening: 'stiffening: true'";
+        return bending_advice(sim->model->body[why->index].flex);
     case TROUBLE_CLOSURE:
         return "the mechanism may be locked here, or the step too large";
     case TROUBLE_SINGULAR:

@@ -44,6 +44,8 @@ void print_rotations(const struct sim *sim, FILE *to);
 void deflections_open(struct sim *sim, struct arena *life);
 enum status deflections_note(struct sim *sim);
 void print_deflections(const struct sim *sim, FILE *to);
+/* What helps a body that bends too far. */
+const char *bending_advice(const struct flex_body *flex);
 
 /* spins.c: the fastest turns of flexible bodies without geometric stiffening */
 void spins_open(struct sim *sim, struct arena *life);

@@ -69,4 +69,34 @@ bodies:
 constraints: {root: {fixed: [ground, shaft], at: [0, 0, 0]}}
 integrate: {scheme: midpoint, step: 1.0e-4, until: 1.0e-3}'
 silent "whole pairs of a round shaft's modes" "$shaft"
-warned "half a pair" "$shaft" "body 'shaft': of two modes of [0-9.]* Hz one is left out \[W-modes\]" 'bodies.shaft.modes=3'
+warned "half a pair" "$shaft" "body 'shaft': of 2 modes of [0-9.]* Hz 1 is left out \[W-modes\]" 'bodies.shaft.modes=3'
+# The advice is good at once: neither of its two numbers parts anything.
+spans='fmdsub: 1
+bodies:
+  shaft:
+    beam: {from: [0, 0, 0], to: [1, 0, 0]}
+    section: {circle: 0.01}
+    material: steel
+    modes: 7
+    masses: {disc: {station: 0.5, mass: 1, inertia: [0.02, 0.01, 0.01]}}
+    points: {middle: {station: 0.5, static: true}}
+constraints:
+  root: {revolute: [ground, shaft], at: [0, 0, 0], axis: [1, 0, 0]}
+  far: {cylindrical: [ground, shaft], at: [1, 0, 0], axis: [1, 0, 0]}
+integrate: {scheme: midpoint, step: 1.0e-4, until: 1.0e-3}'
+warned "two spans in two planes" "$spans" "body 'shaft': of 4 modes of [0-9.]* Hz 1 is left out \[W-modes\]"
+"$FMDSUB" check deck.yaml 2>&1 | grep -q 'they belong together: take all, 8 modes, or none, 4$' && ok "two spans: the advice" ||
+    not_ok "two spans: the advice" "the deck:" deck.yaml
+silent "two spans: all of them" "$spans" 'bodies.shaft.modes=8'
+silent "two spans: none of them" "$spans" 'bodies.shaft.modes=4'
+
+# What bends too far for its frame gets one advice, whether it is told at the end or stops the run.
+bends() { # UNTIL: what the run says of bending
+    "$FMDSUB" run --until "$1" -s bodies.arm.stiffening=false "$ROOT/decks/spin-up.yaml" 2>&1 >out | grep -e W-bending -e 'fmdsub: stopped'
+}
+advice="turn on geometric stiffening: 'stiffening: true'; if it bends as far with it, cut it into 'segments'"
+for until in 7.6 20; do
+    bends $until >said
+    [ "$(wc -l <said)" = 1 ] && grep -qF "; $advice" said && ok "bending too far until $until: one advice" ||
+        not_ok "bending too far until $until: one advice" "expected one line with: $advice" said
+done
