@@ -57,6 +57,7 @@ enum trouble_code {
     TROUBLE_NONE,
     TROUBLE_NOT_FINITE, /* a residual is not a number; index: row */
     TROUBLE_SINGULAR,   /* a matrix could not be factored; index: pivot; value: its ratio */
+    TROUBLE_IDLE,       /* a turn that moves no mass has been set going; index: of it; value: its energy */
     TROUBLE_DIVERGED,   /* the iteration does not converge; index: worst row; value: error over tolerance */
     TROUBLE_TOO_SMALL,  /* the step fell below what t can resolve; value: the step */
     TROUBLE_MASS,       /* M^ not positive definite; index: coordinate */

@@ -187,6 +187,11 @@ const struct diag_help diag_helps[] = {
      "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
      "meant to "
      "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
+    {"W-idle",
+     "A body can turn about an axis for which it has no inertia, as a slender rod between two spherical joints about "
+     "itself, or a point mass on one. The turn moves nothing and nothing moves it: it is held still, and the body's "
+     "angles and its rate about that axis say nothing. Give the body inertia there, or a joint that does not let it "
+     "turn (universal for spherical), if that matters."},
     {"W-modes",
      "Modes of a beam have one frequency, as those of a round shaft in its two planes or of its equal spans, and "
      "'modes' cuts between them: with some of them the beam bends differently in its planes or spans, and what whirls, "

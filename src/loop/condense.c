@@ -133,6 +133,13 @@ enum status condense_accel(struct condense *o, double *vt, double *at, double *l
     return OK;
 }
 
+void condense_reduce(struct condense *o, double *r, const double *rt, const double *q, double t)
+{
+    memset(r, 0, sizeof *r * (size_t)o->ode.n);
+    condense_time(o, t, t, t);
+    if (solve_factor(&o->solve, q, t, NULL) == OK) solve_reduce(&o->solve, r, o->lambda, rt);
+}
+
 /* --- building ----------------------------------------------------------------------------------- */
 
 static void build_workspace(struct condense *o, struct arena *life)

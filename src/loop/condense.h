@@ -46,6 +46,10 @@ enum status condense_rates(struct condense *c, double *vt, double *at, const dou
 enum status condense_accel(struct condense *c, double *vt, double *at, double *lambda, const double *q, const double *v,
                            double t, struct trouble *why);
 
+/* r [n] := T' rt, generalized forces rt [m->n] of the tree as those of the independents, at a closed q; 0 where C_qd is
+ * singular. */
+void condense_reduce(struct condense *c, double *r, const double *rt, const double *q, double t);
+
 const struct loops *condense_loops(const struct condense *c);
 double condense_worst(struct condense *c, const double *q, double t); /* max |C| */
 int condense_place(const struct condense *c, int i);                  /* place in the tree's v of independent i */

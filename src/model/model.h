@@ -20,6 +20,7 @@ struct model_body {
     double inertia[6];            /* xx yy zz xy xz yz: tensor about the centre of mass, body axes [kg m2] */
     double at[3];                 /* drawn position of the centre of mass, world [m] */
     double R[9];                  /* drawn orientation, body to world, by column */
+    double *held;                 /* [6] likewise: holds turns that move no mass, see system/idle.h; NULL: flexible */
     int parent;                   /* -1 for the ground */
     int joint;                    /* its tree joint; -1 for the ground */
     bool fast;                    /* a fast coordinate moves it */

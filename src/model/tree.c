@@ -47,6 +47,7 @@ static struct model_joint *hang(struct making *o, int parent, int child, enum jo
     *body =
         (struct model_body){.name = cb->name, .mass = cb->mass, .parent = on, .joint = m->njoint++, .component = -1};
     memcpy(body->inertia, cb->inertia, sizeof cb->inertia);
+    if (!cb->flex) body->held = TAKE(o->life, double, 6);
     v3_copy(body->at, cb->at);
     memcpy(body->R, cb->R, sizeof cb->R);
     if (cb->flex) make_flexible_body(o, i, cb, at);

@@ -130,6 +130,13 @@ static enum status linearise(struct linear *l, struct arena *life, struct troubl
     return steady(l, life, why);
 }
 
+/* Turns that move no mass have no frequency: what round-off would make of one is taken out. */
+static void clear_idle(const struct linear *l, const struct sim *sim)
+{
+    double *const of[] = {l->K, l->C, l->G, l->N};
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) sim_clear_idle(sim, of[i]);
+}
+
 /* Local frequencies: one coordinate moves, the others recoil, w_i^2 = |(M^-1 K)_ii|. */
 static void local(struct modes *o, const struct linear *l, const double *X, const double *lambda)
 {
@@ -408,6 +415,7 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     if (n == 0) return OK;
     if (linearise(&l, life, &why) != OK)
         return fail(report, E_NUMERIC, "no linearisation at t = %g s: the residual is not a number", l.t);
+    clear_idle(&l, sim);
     double *lambda = TAKE(life, double, n), *X = TAKE_MATRIX(life, double, n, n);
     int pivot = eigen_graded(lambda, X, l.K, l.M, n, TAKE_MATRIX(life, double, n, 2 * n + 1));
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));

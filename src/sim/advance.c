@@ -37,6 +37,7 @@ static enum status note(struct sim *sim, double h, int ratio)
     rotations_note(sim, h, ratio);
     spins_note(sim);
     tilts_note(sim);
+    TRY(idle_note(sim));
     return deflections_note(sim);
 }
 

@@ -208,6 +208,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         return "look for a body without mass or inertia";
     case TROUBLE_MEMORY:
         return "raise '--max-memory'; forces across joints and freedoms without mass are what asks for it";
+    case TROUBLE_IDLE:
+        return "give it inertia there if a force acts along that turn, else try a smaller step";
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
     case TROUBLE_TOO_SMALL:
@@ -265,6 +267,9 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
     case TROUBLE_DEFLECTION:
         snprintf(what, sizeof what, "the end of '%s' is displaced by more than its length",
                  sim->model->body[why->index].name);
+        break;
+    case TROUBLE_IDLE:
+        idle_describe(what, sizeof what, sim, why->index);
         break;
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);

@@ -53,6 +53,12 @@ void spins_note(struct sim *sim);
 bool spins_passed(const struct sim *sim);
 void print_spins(const struct sim *sim, FILE *to);
 
+/* idle.c: turns that move no mass: held, told and refused where something acts along them, watched */
+void idle_open(struct sim *sim, struct arena *life);
+enum status idle_begin(struct sim *sim, struct diags *diags, struct report *report);
+enum status idle_note(struct sim *sim);
+void idle_describe(char *what, size_t size, const struct sim *sim, int turn);
+
 /* tilts.c: the largest rotations of bushings that are shared by convention */
 void tilts_open(struct sim *sim, struct arena *life);
 void tilts_note(struct sim *sim);

@@ -72,6 +72,13 @@ static enum status stiffness(struct rest *s, struct trouble *why)
     return OK;
 }
 
+static double largest(const double *K, int n)
+{
+    double most = 0;
+    for (int i = 0; i < n * n; i++) most = fmax(most, fabs(K[i]));
+    return most > 0 ? most : 1;
+}
+
 /* mu M + K factored: a mu that makes it positive. */
 static bool factor(struct rest *s)
 {
@@ -139,6 +146,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
     for (int i = 0; i < MOST_STEPS; i++) {
         TRY(s.ode->ops->mass(s.ode, s.M, s.q, s.t, ALL, why));
         TRY(stiffness(&s, why));
+        idle_clear(&sim->idle, sim->system, s.K, largest(s.K, s.n), s.q, s.t); /* any posture of them will do */
         if (!settled(&s)) {
             TRY(descend(&s, &size, why));
             continue;

@@ -42,11 +42,12 @@ static enum status place(struct sim *sim, struct report *report)
 }
 
 /* Consistent accelerations at the start; a massless freedom shows here. */
-static enum status start(struct sim *sim, struct report *report)
+static enum status start(struct sim *sim, struct diags *diags, struct report *report)
 {
     struct energies e;
     struct trouble why = {0};
     TRY(place(sim, report));
+    TRY(idle_begin(sim, diags, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK ||
         system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
@@ -74,6 +75,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     tilts_open(sim, life);
     jumps_open(sim, life);
     sim->system = system_build(m, life);
+    idle_open(sim, life);
     if (follows_turns(sim)) system_follow_turns(sim->system, life);
     TRY(state_turns(sim, diags));
     sim->x = new_state(m, life);
@@ -81,7 +83,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     warn_of_loops(sim, diags);
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), sim->plan.options, life);
     advance_open(sim, life);
-    return start(sim, report);
+    return start(sim, diags, report);
 }
 
 const char *sim_coordinate_name(const struct sim *sim, int i)

@@ -14,7 +14,7 @@
 #include "out/sink.h"
 #include "scene/scene.h"
 #include "sim/catalogue.h"
-#include "system/system.h"
+#include "system/idle.h"
 
 enum sim_progress { PROGRESS_NEVER, PROGRESS_ALWAYS };
 
@@ -59,6 +59,7 @@ struct sim {
     struct sim_options options;
     struct integrate plan; /* as run: scheme, step, ratio, until */
     struct system *system;
+    struct idle idle; /* turns that move no mass */
     struct stepper stepper;
     struct state x;
     struct single *keep; /* the state before a step that may be undone */
@@ -139,6 +140,9 @@ struct closures {
 void sim_closures(struct closures *o, const struct sim *sim, struct arena *life);
 /* What `initial: {assemble: true}` has changed, in words; nothing without it. */
 void sim_print_assembly(const struct sim *sim, FILE *to);
+
+/* K [n x n] := K without what it says of turns that move no mass, where the run stands (idle_clear()). */
+void sim_clear_idle(const struct sim *sim, double *K);
 
 /* Mass, and centre of mass as the bodies stand [3], world axes. */
 enum status sim_mass(double *mass, double *centre, struct sim *sim, struct report *report);

@@ -293,6 +293,23 @@ enum status system_energy_at(struct system *s, struct energies *e, const double 
     return OK;
 }
 
+void system_spin_row(struct system *s, double *row, const double *q, double t, int body, const double *axis)
+{
+    struct pose b;
+    double e[3];
+    const int *k, n = s->ops->path(s->tree.sweep, &k, body);
+    memset(s->r, 0, sizeof *s->r * (size_t)s->model->n);
+    open_place(&s->tree, q);
+    s->ops->pose(s->tree.sweep, &b, body);
+    m3_mul(e, b.R, axis);
+    s->ops->row(s->tree.sweep, s->v, body, 0, b.r, NULL, e);
+    for (int i = 0; i < n; i++) s->r[k[i]] = s->v[i];
+    if (s->loops)
+        condense_reduce(s->loops, row, s->r, q, t);
+    else
+        memcpy(row, s->r, sizeof *row * (size_t)s->model->n);
+}
+
 void system_frame_spin(const struct system *s, double *w, int body)
 {
     struct pose frame;

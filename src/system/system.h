@@ -76,6 +76,10 @@ long system_charts(const struct system *s); /* partitions chosen since the start
 enum status system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t,
                              struct trouble *why);
 
+/* Where positions are q: row [n of the door] := how fast the body turns about an axis of its own per unit of each
+ * velocity. */
+void system_spin_row(struct system *s, double *row, const double *q, double t, int body, const double *axis);
+
 /* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
 void system_frame_spin(const struct system *s, double *w, int body);
 

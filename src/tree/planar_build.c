@@ -26,7 +26,7 @@ static void build_link(struct link *l, const struct link *parent, const struct m
     build_freedoms(l, parent, j, kind->freedom);
     for (int k = 0; k < j->nv; k++) l->iq[k] = j->iq[k], l->iv[k] = j->iv[k];
     l->mass = body->mass;
-    l->inertia = body->inertia[2];
+    l->inertia = body->inertia[2] + (body->held ? body->held[2] : 0);
     l->turn = j->Ea[8] < 0 ? -1 : 1;
     /* drawn orientation: the parent's, then Ea Eb' */
     double c = 0, s = 0, turned[2];

@@ -57,7 +57,7 @@ static void turn_inertia(double *inner, const double *T, const double *inertia)
 static void build_link(struct link *l, const struct link *parent, const struct model_joint *j,
                        const struct joint_kind *kind, const struct model_body *body)
 {
-    double drawn[9];
+    double drawn[9], inertia[6];
     l->parent = j->parent;
     l->nv = j->nv;
     build_freedoms(l, j, kind);
@@ -72,7 +72,8 @@ static void build_link(struct link *l, const struct link *parent, const struct m
     m3_tmul(l->a, parent->turned, j->a);
     m3_tmul(l->b, l->turned, j->b);
     l->mass = body->mass;
-    turn_inertia(l->inertia, l->turned, body->inertia);
+    for (int k = 0; k < 6; k++) inertia[k] = body->inertia[k] + (body->held ? body->held[k] : 0);
+    turn_inertia(l->inertia, l->turned, inertia);
 }
 
 static void build_ground(struct sweep *s, const struct model *m)
