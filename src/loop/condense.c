@@ -2,7 +2,7 @@
  *
  *     r = r_i + G' r_d                                                        (2-4)
  *
- * Where C_qd is nearly singular, r and M^ are means over two postures on either side. */
+ * Where C_qd is nearly singular, r and M^ are found from postures on either side. */
 #include <math.h>
 #include <string.h>
 
@@ -71,21 +71,41 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     return OK;
 }
 
-/* Where C_qd is nearly singular, round-off eps of the closure would come into r as eps/ratio^3.  r and M^ pass smoothly
- * through such a posture, and their mean over the two sides differs from them by ASIDE^2 only.  Drives, too, have their
- * mechanism beside where it is; not where they must agree with each other. */
-int condense_sides(struct condense *o, double *const side[2], const double *q, double t)
+const double condense_share[SIDES] = {4. / 5, 4. / 5, -2. / 5, -2. / 5, 4. / 35, 4. / 35, -1. / 70, -1. / 70};
+
+/* Is C_qd, as it is factored, singular but for a small way, against what it was when it was chosen? */
+static bool nearly_singular(const struct condense *o)
 {
-    static const double NEARLY = 3e-4, ASIDE = 2e-3; /* rad, or of the mechanism's length */
-    const double here = solve_ratio(&o->solve);
-    if (here >= NEARLY) return 0;
-    for (int k = 0; k < 2; k++) {
-        const double way = k ? ASIDE : -ASIDE;
+    static const double NEARLY = 2e-2, SURELY = 3e-4;
+    for (int i = 0; i < o->split.npart; i++)
+        if (factor_ratio(&o->solve.block[i].C_qd, o->rows.size) < fmax(SURELY, NEARLY * o->split.part[i].chosen))
+            return true;
+    return false;
+}
+
+static bool go_beside(struct condense *o, double *const side[SIDES], const double *q, double t, double aside,
+                      double here)
+{
+    for (int k = 0; k < SIDES; k++) {
+        const double way = (k % 2 ? aside : -aside) * (1 + k / 2);
         for (int i = 0; i < o->ode.n; i++) o->beside[i] = way * o->rows.size[o->split.ind[i]];
         condense_point(o, side[k], q, o->beside, 1, t, o->holds == 0 ? way : 0);
-        if (solve_factor(&o->solve, side[k], t, NULL) != OK || solve_ratio(&o->solve) < 2 * here) return 0;
+        if (solve_factor(&o->solve, side[k], t, NULL) != OK || solve_ratio(&o->solve) < 2 * here) return false;
     }
-    return 1;
+    return true;
+}
+
+/* Where C_qd is nearly singular, round-off eps of the closure would come into r as eps/ratio^3.  r and M^ pass smoothly
+ * through such a posture: there they are interpolated, by a polynomial of seventh degree, from eight postures beside it.
+ * Drives, too, have their mechanism beside where it is; not where they must agree with each other. */
+int condense_sides(struct condense *o, double *const side[SIDES], const double *q, double t)
+{
+    static const double ASIDE = 3e-2, LEAST = 1e-3; /* rad, or of the mechanism's length */
+    if (!nearly_singular(o)) return 0;
+    const double here = solve_ratio(&o->solve);
+    for (double aside = ASIDE; aside > LEAST; aside /= 4)
+        if (go_beside(o, side, q, t, aside, here)) return 1;
+    return 0;
 }
 
 static enum status resid(const struct ode2 *ode, double *r, double *w, double *dk, const struct instant *x,
@@ -95,14 +115,16 @@ static enum status resid(const struct ode2 *ode, double *r, double *w, double *d
     if (isnan(x->q[0])) return condense_lost(o, x->t, why);
     TRY(resid_there(o, r, w, dk, x, cls, why));
     if (!condense_sides(o, o->side, x->q, x->t)) return OK;
-    double w_side[2][POWER_CHANNELS] = {{0}};
-    for (int side = 0; side < 2; side++) {
+    double w_side[POWER_CHANNELS] = {0};
+    memset(r, 0, sizeof *r * (size_t)ode->n);
+    if (w) memset(w, 0, sizeof w_side);
+    for (int k = 0; k < SIDES; k++) {
         struct instant there = *x;
-        there.q = o->side[side];
-        TRY(resid_there(o, side ? o->mean : r, w ? w_side[side] : NULL, dk, &there, cls, why));
+        there.q = o->side[k];
+        TRY(resid_there(o, o->mean, w ? w_side : NULL, dk, &there, cls, why));
+        for (int i = 0; i < ode->n; i++) r[i] += condense_share[k] * o->mean[i];
+        for (int i = 0; w && i < POWER_CHANNELS; i++) w[i] += condense_share[k] * w_side[i];
     }
-    for (int i = 0; i < ode->n; i++) r[i] = (r[i] + o->mean[i]) / 2;
-    for (int i = 0; w && i < POWER_CHANNELS; i++) w[i] = (w_side[0][i] + w_side[1][i]) / 2;
     return OK;
 }
 
@@ -147,10 +169,11 @@ static void build_workspace(struct condense *o, struct arena *life)
     double **of_rows[] = {&o->C, &o->lambda, &o->jump};
     double **of_tree[] = {&o->vt, &o->at,    &o->rt, &o->va, &o->vb,     &o->zero, &o->dx,
                           &o->to, &o->still, &o->Tx, &o->a,  &o->beside, &o->mean, &o->v};
-    double **of_places[] = {&o->q, &o->qtry, &o->side[0], &o->side[1]};
+    double **of_places[] = {&o->q, &o->qtry};
     for (size_t i = 0; i < sizeof of_rows / sizeof *of_rows; i++) *of_rows[i] = TAKE(life, double, o->rows.loops->nrow);
     for (size_t i = 0; i < sizeof of_tree / sizeof *of_tree; i++) *of_tree[i] = TAKE(life, double, o->rows.n);
     for (size_t i = 0; i < sizeof of_places / sizeof *of_places; i++) *of_places[i] = TAKE(life, double, o->model->nq);
+    for (int k = 0; k < SIDES; k++) o->side[k] = TAKE(life, double, o->model->nq);
 }
 
 /* Are columns by momentum cheaper than the tree's matrix and its congruence?  In flops, from timings; slopes of

@@ -18,6 +18,8 @@
 #include "loop/closing.h"
 #include "loop/condense.h"
 
+enum { SIDES = 8 };
+
 struct condense {
     struct open_tree *tree;
     const struct model *model;
@@ -35,16 +37,16 @@ struct condense {
     bool few;         /* independents, against the tree: M^ and slopes without its own matrices */
     long charts;
     /* workspace */
-    double *C, *lambda, *jump; /* [rows] */
-    double *vt, *at, *rt;      /* [nt] of the tree */
-    double *va, *vb;           /* [nt] at the ends of an interval */
-    double *zero, *dx, *to;    /* [nt] */
-    double *still, *Tx;        /* [nt] */
-    double *a, *beside, *mean; /* [n] */
-    double *qtry, *side[2];    /* [nq] */
-    double *M;                 /* [nt x nt]; few: NULL */
-    double *M_side, *M_solve;  /* [n x n] */
-    double *Ty;                /* [2][n] */
+    double *C, *lambda, *jump;  /* [rows] */
+    double *vt, *at, *rt;       /* [nt] of the tree */
+    double *va, *vb;            /* [nt] at the ends of an interval */
+    double *zero, *dx, *to;     /* [nt] */
+    double *still, *Tx;         /* [nt] */
+    double *a, *beside, *mean;  /* [n] */
+    double *qtry, *side[SIDES]; /* [nq] */
+    double *M;                  /* [nt x nt]; few: NULL */
+    double *M_side, *M_solve;   /* [n x n] */
+    double *Ty;                 /* [2][n] */
 };
 
 /* --- drives: condense_drive.c ---------------------------------------------------------------------- */
@@ -75,8 +77,10 @@ enum status condense_lost(const struct condense *o, double t, struct trouble *wh
 
 /* The tree names a row by its place in the whole v; but first it may be a drive that is to blame. */
 enum status condense_own_rows(const struct condense *o, enum status status, struct trouble *why);
-/* Postures on both sides of q, where C_qd is nearly singular; 0: it is not, or the sides are no better. */
-int condense_sides(struct condense *o, double *const side[2], const double *q, double t);
+/* Postures on both sides of q, where C_qd is nearly singular, and the shares of what is found there; 0: it is not, or the
+ * sides are no better. */
+extern const double condense_share[SIDES];
+int condense_sides(struct condense *o, double *const side[SIDES], const double *q, double t);
 enum status condense_mass(const struct ode2 *ode, double *M, const double *q, double t, unsigned cls,
                           struct trouble *why);
 enum status condense_slopes(const struct ode2 *ode, double *K, double *C, const struct instant *x, unsigned cls,
@@ -91,8 +95,8 @@ double condense_price(struct condense *o);
 
 /* --- splits: condense_rechart.c -------------------------------------------------------------------- */
 
-/* The best split of component i for C_q as it is; its pivot ratio. */
-double condense_choose(struct condense *o, int i);
+/* The best split of component i for C_q as it is, as split_choose() has it; its pivot ratio. */
+double condense_choose(struct condense *o, int i, const double *unit, double fast);
 /* The independent coordinates by the splits. */
 void condense_number(struct condense *o);
 /* Between major steps: a better split, if one is needed; 1: changed. */

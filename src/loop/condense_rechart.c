@@ -5,17 +5,22 @@
 
 #include "loop/condense_parts.h"
 
+/* Rate of a dependent coordinate per unit of an independent one: time to look for a better split.  Errors of a step grow
+ * with the square of it, or so: equal-armed slider-crank, slider first: of 3 (and of twice the least, and half of it to
+ * be worth a change) 2.5 to 5 times the error. */
+static const double LARGE = 2;
+
 static void fit(struct condense *o, int i)
 {
     solve_fit(&o->solve, i);
     closing_fit(&o->closing, i);
 }
 
-double condense_choose(struct condense *o, int i)
+double condense_choose(struct condense *o, int i, const double *unit, double fast)
 {
-    split_choose(&o->split, &o->split.part[i]);
+    split_choose(&o->split, &o->split.part[i], unit, fast);
     fit(o, i);
-    return solve_try(&o->solve, i);
+    return o->split.part[i].chosen = solve_try(&o->solve, i);
 }
 
 void condense_number(struct condense *o)
@@ -29,20 +34,33 @@ void condense_number(struct condense *o)
  * flat posture, the rates stay moderate.  At the base of the tangent. */
 static bool gain_too_large(struct condense *o, int i)
 {
-    static const double LARGE = 3; /* rate of a dependent coordinate per unit: time to look for a better split */
+    static const double WORSE = 1.5; /* than it has been since the last look */
     struct part *p = &o->split.part[i];
     p->gain = closing_gain(&o->closing, i);
     p->least_gain = fmin(p->least_gain, p->gain);
-    return p->resplit_due = p->gain > fmax(LARGE, 2 * p->least_gain);
+    return p->resplit_due = p->gain > fmax(LARGE, WORSE * p->least_gain);
 }
 
-/* A new split, if there is a better one. */
+/* Another split: is its gain this much less? */
+static bool gains(struct condense *o, int i, double fast)
+{
+    static const double WORTH = 1.5;
+    struct part *p = &o->split.part[i];
+    p->least_gain = condense_choose(o, i, o->split.reach, fast) > 0 ? solve_gain(&o->solve, i) : INFINITY;
+    return p->least_gain < p->gain / WORTH;
+}
+
+/* A new split, if there is a better one: with the fast coordinates of the deck independent, where such a one is good. */
 static int improve(struct condense *o, int i)
 {
+    static const double KEEP_FAST = 1e-2;
     struct part *p = &o->split.part[i];
     split_keep(&o->split, p);
-    p->least_gain = condense_choose(o, i) > 0 ? solve_gain(&o->solve, i) : INFINITY;
-    if (p->least_gain < p->gain / 2) return 1;
+    const bool keeps = p->nfast > 0 && gains(o, i, KEEP_FAST) && p->least_gain <= LARGE;
+    if (keeps || gains(o, i, 1)) {
+        split_succeed(&o->split, p, &o->solve.block[i].C_qd);
+        return 1;
+    }
     split_return(&o->split, p);
     fit(o, i);
     p->least_gain = p->gain;
@@ -63,8 +81,8 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     if (!wanted || condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) != OK) return 0;
     for (int i = 0; i < o->split.npart; i++)
         if (o->split.part[i].resplit_due) changed |= improve(o, i);
+    condense_number(o); /* also where all have come back to the split that they had */
     if (!changed) return 0;
-    condense_number(o);
     o->charts++;
     for (int i = 0; i < o->ode.n; i++) v[i] = o->vt[o->split.ind[i]];
     return 1;

@@ -178,9 +178,11 @@ enum status condense_mass(const struct ode2 *ode, double *M, const double *q, do
     if (isnan(q[0])) return condense_lost(o, t, why);
     TRY(mass_there(o, M, q, t, cls, why));
     if (!condense_sides(o, o->side, q, t)) return OK;
-    TRY(mass_there(o, M, o->side[0], t, cls, why));
-    TRY(mass_there(o, o->M_side, o->side[1], t, cls, why));
-    for (int i = 0; i < nn; i++) M[i] = (M[i] + o->M_side[i]) / 2;
+    memset(M, 0, sizeof *M * (size_t)nn);
+    for (int k = 0; k < SIDES; k++) {
+        TRY(mass_there(o, o->M_side, o->side[k], t, cls, why));
+        for (int i = 0; i < nn; i++) M[i] += condense_share[k] * o->M_side[i];
+    }
     return OK;
 }
 

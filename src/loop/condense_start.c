@@ -9,11 +9,10 @@
 
 #include "loop/condense_parts.h"
 
-static const double RANK = 1e-8;      /* least pivot over the first one */
-static const double ASSEMBLY = 1e-3;  /* |C| closed at all */
-static const double KEEP_FAST = 1e-2; /* weight of fast columns in later choices */
-static const double WATCHED = 1e-5;   /* |C| up to which dropped rows hold on the way */
-static const double HOLDS = 1e-9;     /* |C| of a whole state that is closed as it is */
+static const double RANK = 1e-8;     /* least pivot over the first one */
+static const double ASSEMBLY = 1e-3; /* |C| closed at all */
+static const double WATCHED = 1e-5;  /* |C| up to which dropped rows hold on the way */
+static const double HOLDS = 1e-9;    /* |C| of a whole state that is closed as it is */
 
 static const char *row_name(const struct condense *o, int row)
 {
@@ -41,7 +40,7 @@ static enum status refuse_choice(struct condense *o, struct part *p, int asked)
 {
     int instead = -1;
     for (int k = 0; k < p->of->nk; k++) p->weight[k] = 1;
-    split_choose(&o->split, p);
+    split_choose(&o->split, p, o->rows.size, 1);
     for (int j = 0; j < p->ni && instead < 0; j++)
         if (!chosen_by_deck(o, p->ind[j])) instead = p->ind[j];
     if (instead < 0)
@@ -64,8 +63,8 @@ static int to_blame(const struct condense *o, const struct part *p)
     return -1;
 }
 
-/* Ranks and splits at q, where the loops miss by so much. */
-static enum status split_all(struct condense *o, const double *q, double miss)
+/* Ranks and splits at q, where the loops miss by so much, of coordinates that follow readily or not. */
+static enum status split_all(struct condense *o, const double *follow, const double *q, double miss)
 {
     rows_linearize(&o->rows, q);
     o->start.redundant = 0;
@@ -76,10 +75,10 @@ static enum status split_all(struct condense *o, const double *q, double miss)
         p->ni = p->of->nk - p->nr;
         for (int k = 0; k < p->of->nk; k++) urgent += o->model->urgent[p->of->k[k]];
         p->nfast = urgent < p->ni ? urgent : p->ni;
-        for (int k = 0; k < p->of->nk; k++) p->weight[k] = o->model->follow[p->of->k[k]];
-        p->chosen = condense_choose(o, i);
+        for (int k = 0; k < p->of->nk; k++) p->weight[k] = follow[p->of->k[k]];
+        condense_choose(o, i, o->rows.size, 1);
         o->start.redundant += p->of->nrow - p->nr;
-        int asked = to_blame(o, p);
+        const int asked = follow == o->model->follow ? to_blame(o, p) : -1;
         if (asked >= 0) return refuse_choice(o, p, asked);
     }
     condense_number(o);
@@ -171,7 +170,7 @@ static enum status assemble(struct condense *o)
                     "size; at most %g is closed without 'initial: {assemble: true}'",
                     row_name(o, s->misfit_row), miss, ASSEMBLY);
     for (int pass = 0; pass < 2; pass++) {
-        TRY(split_all(o, o->q, miss));
+        TRY(split_all(o, o->model->follow_q, o->q, miss));
         memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
         if (!step_to(o, o->dx))
             return fail(&s->report, E_MODEL, "the loop of constraint '%s' cannot be closed",
@@ -237,24 +236,23 @@ static enum status start_rates(struct condense *o, double *vt)
     return fail(&o->start.report, E_MODEL, "the loops are singular at the start");
 }
 
-/* What `initial:` says of coordinates that follow others must fit. */
-static enum status agrees(struct condense *o, const double *q0, const double *v0)
+/* What `initial:` says must fit the start o->q and its velocities vt. */
+static enum status agrees(struct condense *o, const double *vt, const double *q0, const double *v0)
 {
     static const double FITS = 1e-6;
     char drives[60] = "";
     const struct model *m = o->model;
-    TRY(start_rates(o, o->vt));
     if (m->ndrive) snprintf(drives, sizeof drives, " and drives at t = %.9g", m->t0);
     for (int i = 0; i < m->ncoordinate; i++) {
         int iv = m->coordinate[i].iv;
-        if (iv < 0 || o->split.slot[iv] >= 0) continue;
+        if (iv < 0) continue;
         if (m->given_q && m->given_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
             return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
                         m->coordinate[i].name, q0[i], drives, o->q[i]);
-        if (m->given_v && m->given_v[iv] && fabs(v0[iv] - o->vt[iv]) > FITS * (1 + fabs(v0[iv])))
+        if (m->given_v && m->given_v[iv] && fabs(v0[iv] - vt[iv]) > FITS * (1 + fabs(v0[iv])))
             return fail(&o->start.report, E_MODEL,
                         "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g", m->coordinate[i].name,
-                        v0[iv], drives, o->vt[iv]);
+                        v0[iv], drives, vt[iv]);
     }
     return OK;
 }
@@ -335,15 +333,30 @@ static bool is_contested(const struct condense *o)
     return any;
 }
 
-/* The deck's start, which fits or is refused. */
+/* o->to [nt]: the velocities of the whole tree at o->q, those that the deck gives leading. */
+static enum status lead_rates(struct condense *o, const double *v0, double miss)
+{
+    TRY(split_all(o, o->model->follow_v, o->q, miss));
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->split.ind[i]];
+    return start_rates(o, o->to);
+}
+
+/* The deck's start, which fits or is refused.  What it gives leads the way there, whatever is independent then. */
 static enum status place_start(struct condense *o, const double *q0, const double *v0)
 {
+    const struct model *m = o->model;
     int row;
     TRY(assemble(o));
     TRY(go_to_start(o, q0));
-    TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
-    for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->split.ind[i]];
-    return agrees(o, q0, v0);
+    const double miss = rows_misfit(o->C, &row, &o->rows, o->q);
+    TRY(lead_rates(o, v0, miss));
+    TRY(agrees(o, o->to, q0, v0));
+    TRY(split_all(o, m->follow, o->q, miss));
+    for (int i = 0; i < o->ode.n; i++) {
+        const int iv = o->split.ind[i];
+        o->v[i] = m->given_v && m->given_v[iv] ? v0[iv] : o->to[iv];
+    }
+    return OK;
 }
 
 /* The deck's start, made to fit. */
@@ -351,7 +364,7 @@ static enum status project_start(struct condense *o, const double *q0, const dou
 {
     int row;
     TRY(condense_assemble(o, o->to, q0, v0));
-    TRY(split_all(o, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
+    TRY(split_all(o, o->model->follow, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = o->to[o->split.ind[i]];
     return search_branches(o);
 }
@@ -368,7 +381,7 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
     o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
     for (int i = 0; i < o->split.npart; i++) {
         struct part *p = &o->split.part[i];
-        for (int k = 0; k < p->of->nk; k++) p->weight[k] = o->model->urgent[p->of->k[k]] ? KEEP_FAST : 1;
+        for (int k = 0; k < p->of->nk; k++) p->weight[k] = 1;
         p->least_gain = solve_gain(&o->solve, i);
     }
     keep_elastic(o);

@@ -10,29 +10,30 @@
 /* --- pivots ------------------------------------------------------------------------------------- */
 
 /* Columns of displacements times the length: all numbers of C_q are then of like size. */
-static void whole_matrix(const struct split *o, struct part *p)
+static void whole_matrix(struct part *p, const double *unit)
 {
     const struct component *c = p->of;
     memset(p->whole, 0, sizeof *p->whole * (size_t)c->nrow * (size_t)c->nk);
     for (int r = 0; r < c->nrow; r++)
         for (int e = c->start[r]; e < c->start[r + 1]; e++)
-            p->whole[r + (size_t)c->at[e] * (size_t)c->nrow] = c->F[e] * o->rows->size[c->k[c->at[e]]];
+            p->whole[r + (size_t)c->at[e] * (size_t)c->nrow] = c->F[e] * unit[c->k[c->at[e]]];
 }
 
 /* Pivots of the component's C_q; returns how many. */
-static int find_pivots(struct split *o, struct part *p, const double *weight, int most, double least)
+static int find_pivots(struct split *o, struct part *p, const double *unit, const double *weight, int most,
+                       double least)
 {
     const struct component *c = p->of;
     int n;
     if (p->whole) {
-        whole_matrix(o, p);
+        whole_matrix(p, unit);
         n = pivot_lu(p->whole, p->prow, p->pcol, c->nrow, c->nk, c->nrow, weight, most, least);
         for (int k = 0; k < n; k++) p->pivot[k] = p->whole[(size_t)k * (size_t)(c->nrow + 1)];
         return n;
     }
     const struct arena_mark mark = arena_mark(o->scratch);
     double *value = TAKE(o->scratch, double, c->start[c->nrow]);
-    for (int e = 0; e < c->start[c->nrow]; e++) value[e] = c->F[e] * o->rows->size[c->k[c->at[e]]];
+    for (int e = 0; e < c->start[c->nrow]; e++) value[e] = c->F[e] * unit[c->k[c->at[e]]];
     n = sparse_pivot(p->prow, p->pcol, p->pivot, c->start, c->at, value, c->nrow, c->nk, weight, most, least,
                      o->scratch);
     arena_rewind(o->scratch, mark);
@@ -42,7 +43,7 @@ static int find_pivots(struct split *o, struct part *p, const double *weight, in
 int split_rank(struct split *o, struct part *p, double least)
 {
     static const double NOTHING = 1e-10; /* a pivot of round-off: C_q is scaled to numbers of order 1 */
-    int rank = find_pivots(o, p, NULL, p->of->nrow, least);
+    int rank = find_pivots(o, p, o->rows->size, NULL, p->of->nrow, least);
     while (rank > 0 && fabs(p->pivot[rank - 1]) < NOTHING) rank--;
     return rank;
 }
@@ -113,8 +114,7 @@ static void list_rows(const struct split *o, struct part *p)
     }
 }
 
-/* Everything that follows from kept, dep and ind. */
-static void arrange(struct split *o, struct part *p)
+void split_arrange(struct split *o, struct part *p)
 {
     for (int j = 0; j < p->nr; j++) p->place[o->rows->column[p->dep[j]]] = j;
     for (int j = 0; j < p->ni; j++) p->place[o->rows->column[p->ind[j]]] = -1 - j;
@@ -140,12 +140,14 @@ static void take_split(struct split *o, struct part *p)
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < c->nk; k++)
             if (p->place[k] < 0 && urgent[c->k[k]] == (pass == 0)) p->ind[n++] = c->k[k];
-    arrange(o, p);
+    split_arrange(o, p);
 }
 
-void split_choose(struct split *o, struct part *p)
+void split_choose(struct split *o, struct part *p, const double *unit, double fast)
 {
-    find_pivots(o, p, p->weight, p->nr, 0);
+    const bool *urgent = o->rows->tree->model->urgent;
+    for (int k = 0; k < p->of->nk; k++) o->claim[k] = p->weight[k] * (urgent[p->of->k[k]] ? fast : 1);
+    find_pivots(o, p, unit, o->claim, p->nr, 0);
     take_split(o, p);
 }
 
@@ -163,7 +165,7 @@ void split_return(struct split *o, struct part *p)
     memcpy(p->kept, from, sizeof *from * (size_t)p->of->nrow);
     memcpy(p->dep, from + p->of->nrow, sizeof *from * (size_t)p->nr);
     memcpy(p->ind, from + p->of->nrow + p->nr, sizeof *from * (size_t)p->ni);
-    arrange(o, p);
+    split_arrange(o, p);
 }
 
 /* --- all components ----------------------------------------------------------------------------- */
@@ -252,11 +254,14 @@ void split_build(struct split *o, const struct rows *rows, struct arena *life)
     o->part = TAKE(life, struct part, o->npart);
     o->ind = TAKE(life, int, rows->n);
     o->slot = TAKE(life, int, rows->n);
+    o->reach = TAKE(life, double, rows->n);
     o->follows = TAKE(life, bool, rows->tree->moves.nturn);
     o->kept = TAKE(life, int, 2 * rows->n + rows->loops->nrow);
     o->work = TAKE(life, int, most);
+    o->claim = TAKE(life, double, rows->n);
     o->x = TAKE(life, double, most);
     o->y = TAKE(life, double, most);
+    split_reach(o);
     for (int i = 0; i < o->npart; i++) {
         o->part[i].of = &rows->component[i];
         build_part(o, &o->part[i], life);

@@ -32,20 +32,24 @@ struct part {
     int *from; /* [nr + 1] where the rows of of_ind begin */
     bool wide; /* many independents: G is not kept */
     /* the choice */
-    double *weight;           /* [nk] of the columns */
-    double chosen;            /* pivot ratio when the rows were chosen */
-    double gain, least_gain;  /* split_gain() between the last two steps; the least since the last choice */
-    bool resplit_due;         /* dependents run away: it is time for a better one */
+    double *weight; /* [nk] of the columns */
+    double chosen;  /* pivot ratio when the rows were chosen */
+    double gain,
+        least_gain;   /* split_gain() between the last two steps; the least since the last look for a better one */
+    bool resplit_due; /* dependents run away: it is time for a better one */
     int *loop_of, *row_order; /* [nk], [nrow] the first loop that a coordinate is in, rows: by the order of loops */
     int *prow, *pcol;         /* [nrow], [nk] as the pivots have sorted them */
     double *pivot;            /* [min(nrow, nk)] */
     double *whole;            /* [nrow x nk] C_q of a small component; NULL: pivots are found by rows */
 };
 
+struct factor;
+
 struct split {
     const struct rows *rows;
     int npart;
     struct part *part; /* one for each component */
+    double *reach;     /* [of the tree's v] a usual change of a coordinate in its loops: split_reach.c */
     int n, ns;         /* independent coordinates, the first ns fast */
     int *ind;          /* [n] their places in v */
     int *slot;         /* [of the tree's v] number in ind; -1: dependent */
@@ -53,6 +57,7 @@ struct split {
     long number;       /* of this split: another after each choice; 0: none yet */
     int *kept;         /* a part's split, to go back to */
     int *work;
+    double *claim; /* [of a part's coordinates] */
     double *x, *y; /* [of a part's rows or coordinates] */
     struct arena *scratch;
 };
@@ -61,18 +66,20 @@ void split_build(struct split *o, const struct rows *rows, struct arena *life);
 
 /* Rank of a component's C_q as it is: pivots at least `least` times the first. */
 int split_rank(struct split *o, struct part *p, double least);
-/* The best split of a component for C_q as it is. */
-void split_choose(struct split *o, struct part *p);
+/* The best split of a component for C_q as it is, in rows->size or in reach as units; the weights of fast coordinates
+ * times `fast`. */
+void split_choose(struct split *o, struct part *p, const double *unit, double fast);
 /* The split as it is now, to go back to by split_return(): one at a time. */
 void split_keep(struct split *o, const struct part *p);
 void split_return(struct split *o, struct part *p);
+/* Everything that follows from a part's kept, dep and ind. */
+void split_arrange(struct split *o, struct part *p);
 /* Numbers the independent coordinates by the splits of all components. */
 void split_number(struct split *o);
 bool split_drops(const struct split *o, int row);
 
-/* Largest rate of a dependent coordinate per unit of an independent one, in scales: exactly by G [nr x ni], or, where
+/* Largest rate of a dependent coordinate per unit of an independent one, in reaches: exactly by G [nr x ni], or, where
  * they are many, an estimate by C_qd factored. */
-struct factor;
 double split_gain(const struct split *o, const struct part *p, const double *G);
 double split_gain_estimate(const struct split *o, const struct part *p, const struct factor *at);
 
@@ -81,5 +88,11 @@ void split_spread(const struct split *o, double *xt, const double *x);
 
 /* Loops in order, for loop_of and row_order: split_order.c. */
 void split_order(struct split *o, struct part *p);
+/* Fills o->reach. */
+void split_reach(struct split *o);
+
+/* After a choice by which some of the fast coordinates, those before it in o->kept, have become dependent: who is fast
+ * in their place, by C_qd factored; split_fast.c. */
+void split_succeed(struct split *o, struct part *p, const struct factor *at);
 
 #endif

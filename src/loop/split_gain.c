@@ -1,4 +1,4 @@
-/* split_gain.c -- how fast dependent coordinates go: the largest number of G, in scales.
+/* split_gain.c -- how fast dependent coordinates go: the largest number of G, in reaches.
  *
  * Where the independents are many, G = -C_qd^-1 C_qi is not made, which would cost a solution for each of them; its
  * largest number is found from a few columns and rows: from a row to the column of its largest number, from there to
@@ -12,9 +12,9 @@
 
 double split_gain(const struct split *o, const struct part *p, const double *G)
 {
-    const double *scale = o->rows->size;
+    const double *scale = o->reach;
     double most = 0;
-    for (int r = 0; r < p->nr; r++) o->x[r] = o->rows->per[p->dep[r]];
+    for (int r = 0; r < p->nr; r++) o->x[r] = 1 / scale[p->dep[r]];
     for (int j = 0; j < p->ni; j++, G += p->nr) {
         const double size = scale[p->ind[j]];
         for (int r = 0; r < p->nr; r++) {
@@ -40,7 +40,7 @@ static double largest(const double *scale, const double *x, const int *of, int n
 static double climb(const struct split *o, const struct part *p, const struct factor *at, int row)
 {
     enum { MOST = 4 };
-    const double *scale = o->rows->size;
+    const double *scale = o->reach;
     double most = 0;
     for (int i = 0; i < MOST; i++) {
         int column = 0;
@@ -65,10 +65,10 @@ double split_gain_estimate(const struct split *o, const struct part *p, const st
         int row = 0;
         for (int j = 0; j < p->ni; j++) {
             const unsigned sign = ((unsigned)j + 1000 * trial) * 2654435761u >> 16;
-            o->y[j] = (sign & 1 ? 1 : -1) * o->rows->size[p->ind[j]];
+            o->y[j] = (sign & 1 ? 1 : -1) * o->reach[p->ind[j]];
         }
         factor_times_G(at, o->x, o->y);
-        largest(o->rows->size, o->x, p->dep, p->nr, false, &row);
+        largest(o->reach, o->x, p->dep, p->nr, false, &row);
         most = fmax(most, climb(o, p, at, row));
     }
     return most;

@@ -167,6 +167,31 @@ static double mode_readiness(const struct making *o, int body, int k)
     return x;
 }
 
+/* What `initial:` gives leads on the way to the start, before all else: its positions in *q, its rates in *v. */
+static void note_starts(const struct making *o, double *q, double *v)
+{
+    static const double GIVEN = 1e-9;
+    for (int i = 0; i < o->scene->ninitial; i++) {
+        const struct scene_initial *c = &o->scene->initial[i];
+        const bool whole = c->type == INITIAL_OMEGA || c->type == INITIAL_ROTATION;
+        double *x = c->type == INITIAL_POSITION || c->type == INITIAL_ROTATION ? q : v;
+        if (c->joint < 0) {
+            at_most(&x[o->body[o->body_of[c->body]].mode_v[c->k]], GIVEN);
+        } else if (whole) {
+            const struct model_joint *j = &o->joint[o->joint_of[c->joint]];
+            for (int k = j->nv - 3; k < j->nv; k++) at_most(&x[j->iv[k]], GIVEN);
+        } else {
+            at_most(&x[rate_place(o, c->joint, c->k)], GIVEN);
+        }
+    }
+}
+
+static double *copy_of(const struct making *o, const double *x)
+{
+    const size_t n = (size_t)o->m->n;
+    return memcpy(TAKE(o->life, double, n), x, n * sizeof *x);
+}
+
 void make_choice(struct making *o)
 {
     struct model *m = o->m;
@@ -183,6 +208,10 @@ void make_choice(struct making *o)
             urgent[o->body[i].mode_v[k]] = mode_is_fast(o, i, k);
             follow[o->body[i].mode_v[k]] = mode_readiness(o, i, k);
         }
+    double *q = copy_of(o, follow), *v = copy_of(o, follow);
+    note_starts(o, q, v);
     m->urgent = urgent;
     m->follow = follow;
+    m->follow_q = q;
+    m->follow_v = v;
 }

@@ -138,6 +138,8 @@ struct model {
     const int *component; /* [njoint] of a tree joint, NULL without loops; -1: in no loop */
     const bool *urgent;   /* [n], NULL without loops: the deck calls the coordinate fast */
     const double *follow; /* [n], NULL without loops: how readily it becomes dependent at the start, (0, 1] */
+    const double *follow_q,
+        *follow_v; /* [n] the same for the way there: positions and rates that the deck gives lead */
     int nmeasure;
     const struct model_measure *measure;
     int nforce;

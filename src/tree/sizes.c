@@ -22,8 +22,7 @@ static double longest_arm(const struct model *m)
     return most;
 }
 
-/* Is the k-th rate of a joint along a length? */
-static bool is_length(const struct model *m, const struct model_joint *j, int k)
+bool sizes_is_length(const struct model *m, const struct model_joint *j, int k)
 {
     return !model_kind(m, j->type)->freedom[k].turns;
 }
@@ -50,7 +49,7 @@ static double displaced(const struct model *m)
     for (int i = 0; i < m->njoint && m->q0; i++) {
         const struct model_joint *j = &m->joint[i];
         for (int k = 0; k < j->nv; k++)
-            if (is_length(m, j, k)) most = fmax(most, fabs(m->q0[j->iq[k]]));
+            if (sizes_is_length(m, j, k)) most = fmax(most, fabs(m->q0[j->iq[k]]));
     }
     return most;
 }
@@ -83,7 +82,7 @@ void sizes_fill(double *size, const struct model *m)
     for (int i = 0; i < m->njoint; i++) {
         const struct model_joint *j = &m->joint[i];
         for (int k = 0; k < j->nv; k++)
-            if (is_length(m, j, k)) size[j->iv[k]] = length;
+            if (sizes_is_length(m, j, k)) size[j->iv[k]] = length;
     }
     for (int i = 1; i < m->nbody; i++)
         for (int k = 0; k < m->body[i].nmode; k++) {

@@ -8,6 +8,9 @@
  * count.  Without any, how far bodies stand from each other, or what the start displaces; 1 where nothing tells. */
 double sizes_length(const struct model *m);
 
+/* Is the k-th rate of a joint along a length? */
+bool sizes_is_length(const struct model *m, const struct model_joint *j, int k);
+
 /* size [m->n] */
 void sizes_fill(double *size, const struct model *m);
 

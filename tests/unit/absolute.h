@@ -372,7 +372,8 @@ static inline void make(struct mechanism *o, struct place *drawn, int space, uns
     for (int i = 0; i < tree->n; i++) o->follow[i] = 1;
     o->model.q0 = q, o->model.v0 = v;
     o->model.loop = o->loop, o->model.component = o->component, o->model.ncomponent = 1;
-    o->model.urgent = o->urgent, o->model.follow = o->follow;
+    o->model.urgent = o->urgent;
+    o->model.follow = o->model.follow_q = o->model.follow_v = o->follow;
     for (int b = 0; b < tree->nbody; b++) {
         memcpy(drawn[b].r, tree->body[b].at, sizeof drawn[b].r);
         memcpy(drawn[b].R, tree->body[b].R, sizeof drawn[b].R);

@@ -56,7 +56,7 @@ static inline double choose(struct bench *o, const double *q)
     rows_linearize(&o->rows, q);
     p->nr = split_rank(&o->split, p, 1e-8);
     p->ni = p->of->nk - p->nr;
-    split_choose(&o->split, p);
+    split_choose(&o->split, p, o->rows.size, 1);
     solve_fit(&o->solve, 0);
     closing_fit(&o->closing, 0);
     split_number(&o->split);

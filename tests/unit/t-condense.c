@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "loop/condense.h"
+#include "loop/condense_parts.h"
 #include "sim/load.h"
 #include "sim/sim.h"
 #include "unit/trees.h"
@@ -322,6 +322,40 @@ static void ways_from_another(void **state)
     }
 }
 
+/* A look for a better split that finds none, because only the present one is good enough, leaves everything as it
+ * was. */
+static void a_look_in_vain(void **state)
+{
+    (void)state;
+    struct opened o;
+    open_text(&o, room);
+    struct condense *c = system_loops(o.sim.system);
+    struct ode2 *ode = condense_ode2(c);
+    struct part *p = &c->split.part[0];
+    struct tree_dice d = {5};
+    int looks = 0;
+    scatter(&o, 1);
+    for (int k = 0; k < p->of->nk; k++) p->weight[k] = p->place[k] < 0 ? 1e-9 : 1;
+    for (int step = 0; step < 1000; step++) { /* a walk at random */
+        double before[MOST], after[MOST], q[MOST], v[MOST], dx[MOST];
+        for (int i = 0; i < o.n; i++) dx[i] = tree_roll(&d, -.1, .1);
+        ode->move->point(ode, q, o.q, dx, 1, .3);
+        if (isnan(q[0])) continue;
+        memcpy(o.q, q, sizeof q);
+        memcpy(v, o.v, sizeof v);
+        resid(&o, before, o.a, ALL);
+        p->least_gain = p->resplit_due = 0;
+        assert_int_equal(ode->chart->rechart(ode, o.q, o.v, .3), 0);
+        looks += p->resplit_due;
+        assert_memory_equal(o.q, q, sizeof *q * (size_t)ode->nq);
+        assert_memory_equal(o.v, v, sizeof *v * (size_t)o.n);
+        resid(&o, after, o.a, ALL);
+        assert_memory_equal(after, before, sizeof *after * (size_t)o.n);
+    }
+    assert_true(looks >= 10);
+    arena_close(o.life);
+}
+
 /* A posture that cannot be reached is not a number, and the residual says which loop. */
 static void out_of_reach(void **state)
 {
@@ -399,6 +433,7 @@ int main(void)
         cmocka_unit_test(rates),
         cmocka_unit_test(ways),
         cmocka_unit_test(ways_from_another),
+        cmocka_unit_test(a_look_in_vain),
         cmocka_unit_test(out_of_reach),
         cmocka_unit_test(velocities_out_of_reach),
         cmocka_unit_test(energy),

@@ -150,7 +150,8 @@ static void make_linkage(struct linkage *o, int space, unsigned seed, bool redun
     for (int i = 0; i < tree->n; i++) o->follow[i] = 1, o->urgent[i] = false;
     o->model.q0 = q, o->model.v0 = v;
     o->model.loop = o->loop, o->model.component = o->component;
-    o->model.urgent = o->urgent, o->model.follow = o->follow;
+    o->model.urgent = o->urgent;
+    o->model.follow = o->model.follow_q = o->model.follow_v = o->follow;
     o->model.ncomponent = 1;
     memset(o->component, 0, sizeof o->component);
     int loops = 1 + tree_pick(d, 2);

@@ -100,7 +100,7 @@ static void choose(struct bench *o)
 {
     o->part->nr = split_rank(&o->split, o->part, 1e-8);
     o->part->ni = o->component.nk - o->part->nr;
-    split_choose(&o->split, o->part);
+    split_choose(&o->split, o->part, o->rows.size, 1);
     split_number(&o->split);
 }
 
@@ -209,7 +209,7 @@ static void weights_choose(void **state)
         memcpy(kept, p->kept, sizeof *kept * (size_t)o.component.nrow);
         split_keep(&o.split, p);
         p->weight[wanted] = 1e-6;
-        split_choose(&o.split, p);
+        split_choose(&o.split, p, o.rows.size, 1);
         assert_true(o.split.number > number);
         is_sorted_out(&o);
         could += p->ni > 0;
@@ -289,6 +289,65 @@ static void a_factor_solves(void **state)
     }
 }
 
+static bool is_among(const int *x, int n, int k)
+{
+    for (int i = 0; i < n; i++)
+        if (x[i] == k) return true;
+    return false;
+}
+
+/* Chooses anew, fast ones with that weight, and finds who is fast then. */
+static void choose_again(struct bench *o, struct factor *f, double fast)
+{
+    split_keep(&o->split, o->part);
+    split_choose(&o->split, o->part, o->rows.size, fast);
+    factor_fit(f, o->arena);
+    assert_int_equal(factor_make(f), 1);
+    split_succeed(&o->split, o->part, f);
+    split_number(&o->split);
+}
+
+/* Where fast coordinates become dependent, others are fast: no fewer; first those that stay, then new ones, before any
+ * that was slow; and that is so until they are back. */
+static void fast_ones_have_successors(void **state)
+{
+    (void)state;
+    int gone = 0, stood_in = 0;
+    for (unsigned seed = 1; seed <= 20 * SIZES; seed++) {
+        struct bench o;
+        struct factor f;
+        open_bench(&o, sizes[seed % SIZES].nloop, sizes[seed % SIZES].reach, seed);
+        const bool *urgent = o.model.urgent;
+        struct part *p = o.part;
+        p->nr = split_rank(&o.split, p, 1e-8);
+        p->ni = o.component.nk - p->nr;
+        factor_build(&f, p, o.component.F, o.arena);
+        split_choose(&o.split, p, o.rows.size, 1e-6);
+        while (p->nfast < p->ni && urgent[p->ind[p->nfast]]) p->nfast++;
+        int *before = TAKE(o.arena, int, p->ni + 1), *first = TAKE(o.arena, int, p->ni + 1);
+        memcpy(before, p->ind, sizeof *before * (size_t)p->ni);
+        choose_again(&o, &f, 1e6);
+        bool new_left = false;
+        for (int j = p->nfast; j < p->ni; j++) new_left |= !is_among(before, p->ni, p->ind[j]);
+        for (int j = 0; j < p->ni; j++) {
+            const int k = p->ind[j];
+            const bool fast = j < p->nfast, was = is_among(before, p->nfast, k),
+                       slow = is_among(before, p->ni, k) && !was;
+            if (was) assert_true(fast);
+            if (slow && fast && !urgent[k]) assert_false(new_left);
+            gone += fast && !urgent[k];
+        }
+        memcpy(first, p->ind, sizeof *first * (size_t)p->ni);
+        choose_again(&o, &f, 1e6); /* the same once more: who stands in goes on */
+        for (int j = 0; j < p->nfast; j++) stood_in += is_among(p->ind, p->nfast, first[j]) && !urgent[first[j]];
+        choose_again(&o, &f, 1e-6); /* and back */
+        for (int j = 0; j < p->nfast; j++) assert_true(urgent[p->ind[j]]);
+        arena_close(o.arena);
+    }
+    assert_true(gone > 100);
+    assert_int_equal(stood_in, gone);
+}
+
 /* The largest number of G in scales; the estimate is never above it, and seldom far below. */
 static void gain_is_the_largest_number(void **state)
 {
@@ -327,6 +386,7 @@ int main(void)
         cmocka_unit_test(rank_is_found),
         cmocka_unit_test(weights_choose),
         cmocka_unit_test(a_factor_solves),
+        cmocka_unit_test(fast_ones_have_successors),
         cmocka_unit_test(gain_is_the_largest_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
