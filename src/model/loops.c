@@ -167,21 +167,23 @@ static double mode_readiness(const struct making *o, int body, int k)
     return x;
 }
 
-/* What `initial:` gives leads on the way to the start, before all else: its positions in *q, its rates in *v. */
+/* What `initial:` gives leads on the way to the start, before all else: its positions in *q, its rates in *v.  Of what
+ * is alike the first goes before. */
 static void note_starts(const struct making *o, double *q, double *v)
 {
-    static const double GIVEN = 1e-9;
-    for (int i = 0; i < o->scene->ninitial; i++) {
+    const int n = o->scene->ninitial;
+    for (int i = 0; i < n; i++) {
         const struct scene_initial *c = &o->scene->initial[i];
+        const double given = 1e-9 * (1 + (double)i / n);
         const bool whole = c->type == INITIAL_OMEGA || c->type == INITIAL_ROTATION;
         double *x = c->type == INITIAL_POSITION || c->type == INITIAL_ROTATION ? q : v;
         if (c->joint < 0) {
-            at_most(&x[o->body[o->body_of[c->body]].mode_v[c->k]], GIVEN);
+            at_most(&x[o->body[o->body_of[c->body]].mode_v[c->k]], given);
         } else if (whole) {
             const struct model_joint *j = &o->joint[o->joint_of[c->joint]];
-            for (int k = j->nv - 3; k < j->nv; k++) at_most(&x[j->iv[k]], GIVEN);
+            for (int k = j->nv - 3; k < j->nv; k++) at_most(&x[j->iv[k]], given);
         } else {
-            at_most(&x[rate_place(o, c->joint, c->k)], GIVEN);
+            at_most(&x[rate_place(o, c->joint, c->k)], given);
         }
     }
 }

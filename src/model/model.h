@@ -135,11 +135,11 @@ struct model {
     int nloop;
     const struct model_loop *loop; /* [nloop] */
     int ncomponent;
-    const int *component; /* [njoint] of a tree joint, NULL without loops; -1: in no loop */
-    const bool *urgent;   /* [n], NULL without loops: the deck calls the coordinate fast */
-    const double *follow; /* [n], NULL without loops: how readily it becomes dependent at the start, (0, 1] */
-    const double *follow_q,
-        *follow_v; /* [n] the same for the way there: positions and rates that the deck gives lead */
+    const int *component;   /* [njoint] of a tree joint, NULL without loops; -1: in no loop */
+    const bool *urgent;     /* [n], NULL without loops: the deck calls the coordinate fast */
+    const double *follow;   /* [n], NULL without loops: how readily it becomes dependent at the start, (0, 1] */
+    const double *follow_q; /* [n] the same on the way there: positions that the deck gives lead */
+    const double *follow_v; /* [n] likewise rates */
     int nmeasure;
     const struct model_measure *measure;
     int nforce;
