@@ -25,7 +25,8 @@ PREFIX   ?= /usr/local
 ## NO_INSTALL    NO_INSTALL=1: deps only says what is missing
 # The same bits everywhere: no contraction to fused multiply-add, never fast-math.
 EXACT     = -ffp-contract=off -fno-math-errno
-ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(CFLAGS)
+COVERAGE  = $(if $(findstring coverage,$(CFLAGS)),-DCOVERAGE)
+ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(COVERAGE) $(CFLAGS)
 LDLIBS    = -lyaml -lcjson -lm
 
 SOURCES  := $(sort $(filter-out src/reduce/%,$(wildcard src/*/*.c)))
@@ -47,7 +48,7 @@ UNITS    := $(foreach u,$(patsubst t-%,%,$(subst $(comma), ,$(U))),$(or $(filter
 endif
 UNITS    := $(UNITS:%=$(BUILD)/unit/t-%)
 REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
-TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so
+TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
 EXAMPLES := $(sort $(wildcard decks/*.*))

@@ -128,7 +128,7 @@ enum status check_json(struct sim *sim, struct arena *life, struct report *repor
     double mass, centre[3];
     TRY(sim_mass(&mass, centre, sim, report));
     cJSON *o = cJSON_CreateObject();
-    cJSON_AddStringToObject(o, "deck", sim->scene->deck->name);
+    facts_add(o, "deck", facts_text(sim->scene->deck->name, life));
     facts_add(o, "title", facts_text(sim->scene->title, life));
     facts_add(o, "space", facts_number(sim->model->space));
     facts_add(o, "freedoms", facts_number(sim->stepper.ode->n));

@@ -59,6 +59,8 @@ enum status verb_new(const struct request *request, struct arena *life, struct r
 /* The only deck named, read and checked; its warnings and errors are printed. */
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report);
+/* Files are read below the deck's folder only, and written where the outputs are, where the system can see to it. */
+void cli_confine(const struct request *request, struct arena *life);
 /* Prints what has been found; the status, as it is if that was found in options. */
 enum status cli_told(const struct diags *diags, const struct request *request, enum status status);
 bool cli_color(const struct request *request);

@@ -14,6 +14,13 @@
 #include "base/text.h"
 #include "cli/cli.h"
 
+/* Sanitizers and coverage read and write files of their own at the end. */
+#if defined(__SANITIZE_ADDRESS__) || defined(COVERAGE)
+enum { UNCONFINED = 1 };
+#else
+enum { UNCONFINED = 0 };
+#endif
+
 const struct verb verbs[] = {
     {"run", "DECK", "simulate; records to stdout", verb_run},
     {"check", "DECK", "check a deck and print what it makes", verb_check},
@@ -65,6 +72,7 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
         return fail(report, E_USAGE, "'fmdsub %s' takes one deck%s", request->verb,
                     request->nword ? "" : "; '-' is standard input");
     *diags = diags_open(life);
+    if (!UNCONFINED) cli_confine(request, life);
     const struct deck_options options = {.nset = request->nset, .set = request->set, .option = request->option};
     return sim_load(scene, request->word[0], &options, *diags, life, report);
 }

@@ -14,19 +14,29 @@ bool facts_add(cJSON *to, const char *key, cJSON *item)
     return added;
 }
 
-static const char *clean(const char *text, struct arena *scratch)
+/* One character of a JSON string: what a terminal would obey goes out as its number, as control characters must. */
+static char *put_character(char *to, unsigned code, const char *text, size_t length)
 {
-    char *copy = TAKE(scratch, char, 3 * strlen(text) + 1), *to = copy;
+    static const char plain[] = "\"\\\b\f\n\r\t", letter[] = "\"\\bfnrt";
+    const char *known = code < 0x80 ? memchr(plain, (int)code, sizeof plain - 1) : NULL;
+    if (known) return *to++ = '\\', *to++ = letter[known - plain], to;
+    if (text_hidden(code)) return to + sprintf(to, "\\u%04x", code);
+    memcpy(to, text, length);
+    return to + length;
+}
+
+/* The text as a JSON string; bytes that are no character become U+FFFD. */
+static const char *quoted(const char *text, struct arena *scratch)
+{
+    char *copy = TAKE(scratch, char, 6 * strlen(text) + 3), *to = copy;
+    *to++ = '"';
     for (const char *end = text + strlen(text); text < end;) {
         unsigned code;
         size_t length = text_character(&code, text, end);
-        if (length > 0)
-            memcpy(to, text, length);
-        else
-            memcpy(to, "\xef\xbf\xbd", 3);
-        to += length > 0 ? length : 3;
-        text += length > 0 ? length : 1;
+        to = length ? put_character(to, code, text, length) : put_character(to, 0xfffd, "\xef\xbf\xbd", 3);
+        text += length ? length : 1;
     }
+    *to = '"';
     return copy;
 }
 
@@ -34,7 +44,7 @@ cJSON *facts_text(const char *text, struct arena *scratch)
 {
     if (!text) return cJSON_CreateNull();
     struct arena_mark mark = arena_mark(scratch);
-    cJSON *item = cJSON_CreateString(clean(text, scratch));
+    cJSON *item = cJSON_CreateRaw(quoted(text, scratch));
     arena_rewind(scratch, mark);
     return item;
 }

@@ -75,11 +75,30 @@ static int open_part(const char *part)
     }
 }
 
-/* Where the file really is, through links. */
+/* Where a link to nothing leads; NULL: it is none. */
+static const char *linked(const char *path, struct arena *life)
+{
+    char to[PATH_MAX];
+    const ssize_t n = readlink(path, to, sizeof to - 1);
+    const char *slash = strrchr(path, '/');
+    if (n <= 0) return NULL;
+    to[n] = 0;
+    if (*to == '/' || !slash) return arena_copy(life, to, (size_t)n);
+    return arena_print(life, "%.*s%s", (int)(slash + 1 - path), path, to);
+}
+
+/* Where the file really is, through links; where it will be, if it is not there yet. */
 static const char *target_of(const char *path, struct arena *life)
 {
+    enum { MOST_LINKS = 40 };
     char real[PATH_MAX];
-    const char *target = realpath(path, real) ? real : path;
+    const char *target = path;
+    for (int i = 0; i < MOST_LINKS; i++) {
+        if (realpath(target, real)) return arena_copy(life, real, strlen(real));
+        const char *next = linked(target, life);
+        if (!next) break;
+        target = next;
+    }
     return arena_copy(life, target, strlen(target));
 }
 

@@ -24,15 +24,23 @@ static bool meet(const struct target *a, const struct target *b, struct arena *l
     return false;
 }
 
+static enum status overwrites(const struct target *t, bool part, struct arena *life, struct report *report)
+{
+    if (!part)
+        return fail(report, E_USAGE, "%s '%.200s' would overwrite an input file: choose another name", t->option,
+                    t->path);
+    return fail(report, E_USAGE,
+                "%s '%.200s' is written as '%.200s' first, which would overwrite an input file: choose another name",
+                t->option, t->path, stream_part(t->path, life));
+}
+
 enum status targets_check(const struct target *target, int n, const struct files *read, struct arena *life,
                           struct report *report)
 {
     for (int i = 0; i < n; i++) {
         struct file_id id[2];
         for (int k = identify(id, &target[i], life); k-- > 0;)
-            if (files_hold(read, &id[k]))
-                return fail(report, E_USAGE, "%s '%.200s' would overwrite an input file: choose another name",
-                            target[i].option, target[i].path);
+            if (files_hold(read, &id[k])) return overwrites(&target[i], k > 0, life, report);
         for (int j = 0; j < i; j++)
             if (meet(&target[i], &target[j], life))
                 return fail(report, E_USAGE, "%s and %s name one file, '%.200s': give each its own", target[j].option,

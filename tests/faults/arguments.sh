@@ -57,6 +57,9 @@ grep -q "'it's' cannot name a column" err && ok "--columns with expressions: nam
 awk -F , 'NR == 1 && $0 != "t,speed,pin.angle_rate" || NR > 1 && ($2 - ($3 < 0 ? -$3 : $3))^2 > 1e-20 { exit 1 } END { exit NR < 2 }' out &&
     ok "--columns with expressions" || not_ok "--columns with expressions" "the records:" out
 
+"$FMDSUB" run -q --until 0.5 --columns "speed = hypot(ball.vx, ball.vy), pin.*_rate" "$deck" >blanks 2>err
+same "--columns with expressions: blanks around '='" out blanks
+
 # Steps that a scheme of own steps rejects are its way of working, no verdict.
 "$FMDSUB" run --strict --stats=stats -s "integrate={scheme: dopri5, tolerance: 1.0e-12, until: 30}" -s "output={every: 30}" -s 'forces={f: {torque: pin, value: "if(t < 1, 0, 100)"}}' "$deck" >out 2>err
 expect "--strict, own steps" 0 $? err
@@ -68,9 +71,6 @@ for words in list schema explain new "list columns $deck" "check --expanded $dec
     { sleep 0.1; "$FMDSUB" $words 2>err; echo $? >rc; } | true
     expect "reader left: ${words%$deck}" "141 0" "$(cat rc) $(wc -l <err)" err
 done
-"$FMDSUB" run -q --until 0.5 --columns "speed = hypot(ball.vx, ball.vy), pin.*_rate" "$deck" >blanks 2>err
-same "--columns with expressions: blanks around '='" out blanks
-
 # Axes of any length: squares of their components are no numbers.
 for length in 1 1.0e+200 1.0e-200; do
     cat >axis.yaml <<EOF

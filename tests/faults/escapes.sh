@@ -3,7 +3,7 @@
 cd "$work" || exit 1
 esc=$(printf '\033')
 name="q$esc]0;x"
-sed 's/^title:.*/title: "\\e]0;x\\a \\u009b31m \\u202e"/' "$ROOT/decks/pendulum.yaml" >"$name.yaml"
+sed 's/^title:.*/title: "\\e]0;x\\a \\u009b31m \\u202e \\u2028 \\x7f"/' "$ROOT/decks/pendulum.yaml" >"$name.yaml"
 
 # clean NAME STATUS COMMAND: no control byte but the newline, neither as one byte nor in UTF-8.
 clean() {
@@ -16,6 +16,11 @@ clean() {
     else ok "$1"; fi
 }
 clean "title and name of the deck, check" 0 '"$FMDSUB" check "$name.yaml"'
+for form in json ndjson; do
+    clean "title and name of the deck, $form" 0 '"$FMDSUB" run -q -f '$form' "$name.yaml"'
+    grep -q 'u001b\]0;x\\u0007 \\u009b31m \\u202e \\u2028 \\u007f"' out && ok "the title in $form" || not_ok "the title in $form" "got:" out
+done
+clean "title and name of the deck, check -f json" 0 '"$FMDSUB" check -f json "$name.yaml" | tr -d "\\t"'
 clean "name of the deck, plan line" 0 '"$FMDSUB" run -o out.csv "$name.yaml"'
 clean "name of the deck, modes" 0 '"$FMDSUB" modes "$name.yaml"'
 clean "name of the deck, not there" 6 '"$FMDSUB" check "no$name"'

@@ -36,7 +36,7 @@ refuse "-o the deck by a soft link" "would overwrite" '"$FMDSUB" run -q -o soft 
 refuse "-o the deck that comes by standard input" "would overwrite" '"$FMDSUB" run -q -o q.yaml - <q.yaml'
 refuse "-o what the deck includes" "would overwrite" '"$FMDSUB" run -q -o part.yaml whole.yaml'
 refuse "-o a table of the deck" "would overwrite" '"$FMDSUB" run -q -o pull.csv whole.yaml'
-refuse "-o whose part file is the deck" "would overwrite" '"$FMDSUB" run -q -o out out.part'
+refuse "-o whose part file is the deck" "is written as .*out.part. first, which would overwrite" '"$FMDSUB" run -q -o out out.part'
 refuse "study -o the deck" "would overwrite" '"$FMDSUB" study -q -o q.yaml q.yaml'
 refuse "-o and --final-state" "--output and --final-state name one file, 'x'" '"$FMDSUB" run -q -o x --final-state x q.yaml'
 refuse "-o and --stats" "--output and --stats name one file, 'x'" '"$FMDSUB" run -q -o ./x --stats=x q.yaml'
