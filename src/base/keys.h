@@ -51,18 +51,25 @@ struct key {
     const char *brief;    /* one line for the manual */
 };
 
+/* A table of keys and where it belongs. */
+struct section {
+    const char *path; /* "bodies.NAME", "constraints.NAME", "integrate" */
+    const char *word; /* the kind's own key, "revolute", "spring"; NULL: the section has one kind only */
+    const char *brief;
+    const struct key *keys; /* ends with KEYS_END */
+};
+
 /* Values that are right one by one, but not together. */
 struct misfit {
-    const char *code, *key; /* of the message; the key to blame */
+    const char *code, *key, *other; /* of the message; the keys to blame, the first that is given */
     char text[160];
     const char *hint;
 };
 
-/* A block that is read for its owner: its keys, and whether the values that they have given it go together. */
+/* A block that is read for its owner. */
 struct key_block {
     const struct key *keys; /* ends with KEYS_END */
     size_t size;
-    bool (*fits)(const void *block, struct misfit *why);
 };
 
 /* The value in block of a key that is no text and no node, as a number: 0 or 1, the index of a word. */

@@ -65,6 +65,19 @@ static enum status print_mass(FILE *to, struct sim *sim, struct report *report)
     return OK;
 }
 
+/* In lines of a terminal's width. */
+static void print_independent(FILE *to, const struct sim *sim)
+{
+    enum { WIDTH = 96 };
+    size_t used = (size_t)fprintf(to, "  independent:");
+    for (int i = 0; i < sim->stepper.ode->n; i++) {
+        const char *name = sim_coordinate_name(sim, i);
+        if (used + strlen(name) + 1 > WIDTH) used = (size_t)fprintf(to, "\n              ") - 1;
+        used += (size_t)fprintf(to, " %s", name);
+    }
+    fputc('\n', to);
+}
+
 static void print_closures(FILE *to, const struct sim *sim, struct arena *life)
 {
     struct closures o;
@@ -79,9 +92,8 @@ static void print_closures(FILE *to, const struct sim *sim, struct arena *life)
         fprintf(to, "%s\n", c->unique ? "" : "; reactions not unique");
     }
     for (int i = 0; i < o.nloose; i++) fprintf(to, "  %-16s of the tree; reactions not unique\n", o.loose[i]);
-    fprintf(to, "  independent:");
-    for (int i = 0; i < sim->stepper.ode->n; i++) fprintf(to, " %s", sim_coordinate_name(sim, i));
-    fprintf(to, "\n  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", o.pivots, o.drawn,
+    print_independent(to, sim);
+    fprintf(to, "  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", o.pivots, o.drawn,
             o.closed);
     sim_print_assembly(sim, to);
 }
@@ -113,9 +125,22 @@ static void print_frequencies(FILE *to, const struct sim *sim, struct arena *lif
     print_quickest(to, sim, "fast", modes.fast_worst, modes.fast_top);
     print_quickest(to, sim, "slow", modes.slow_worst, modes.slow_top);
     if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;
+    if (sim->stepper.kind->adaptive) {
+        fprintf(to, "  scheme %s chooses its own steps\n", sim->stepper.kind->name);
+        return;
+    }
     modes_suggest(&h, &ratio, &modes, sim);
     fprintf(to, "  to resolve them (omega h = 0.1): step %.3g, ratio %d; the deck has %.3g, %d\n", h, ratio,
             sim->plan.step, sim->plan.ratio);
+}
+
+static void print_records(FILE *to, const struct sim *sim)
+{
+    fprintf(to, "records: %d columns of %d", sim->chosen.n, sim->catalogue.n);
+    if (sim->stepper.kind->adaptive)
+        fprintf(to, ", every %g s\n", sim->plan.step * (double)sim->every);
+    else
+        fprintf(to, ", every %ld major steps, %ld major steps in all\n", sim->every, sim->majors);
 }
 
 enum status verb_check(const struct request *request, struct arena *life, struct report *report)
@@ -142,8 +167,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         print_closures(stdout, &sim, life);
         print_forces(stdout, sim.model);
         print_frequencies(stdout, &sim, life);
-        printf("records: %ld columns of %d, every %ld major steps, %ld major steps in all\n", (long)sim.chosen.n,
-               sim.catalogue.n, sim.every, sim.majors);
+        print_records(stdout, &sim);
     }
     if (request->strict && diags_warnings(diags))
         return fail(report, E_VERDICT, "--strict: %d warning(s) about the deck", diags_warnings(diags));

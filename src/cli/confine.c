@@ -14,7 +14,15 @@
 #include "out/stream.h"
 
 enum { CREATE_RULESET = 444, ADD_RULE, RESTRICT_SELF };
-enum { EXECUTE = 1 << 0, WRITE = 1 << 1, READ = 1 << 2, REMOVE = 1 << 5, MAKE = 1 << 8, TRUNCATE = 1 << 14 };
+enum {
+    EXECUTE = 1 << 0,
+    WRITE = 1 << 1,
+    READ = 1 << 2,
+    READ_FOLDER = 1 << 3,
+    REMOVE = 1 << 5,
+    MAKE = 1 << 8,
+    TRUNCATE = 1 << 14
+};
 enum { HANDLED_1 = 0x1fff, HANDLED_2 = 0x3fff, HANDLED_3 = 0x7fff }; /* by version of the interface */
 
 struct ruleset {
@@ -58,7 +66,7 @@ void cli_confine(const struct request *request, struct arena *life)
     o.fd = (int)syscall(CREATE_RULESET, &o.handled, sizeof o.handled, 0);
     if (o.fd < 0) return;
     if (strcmp(deck, "-") != 0) allow(&o, deck, READ);
-    allow_folder(&o, strcmp(deck, "-") != 0 ? deck : "", READ, life);
+    allow_folder(&o, strcmp(deck, "-") != 0 ? deck : "", READ | READ_FOLDER, life);
     allow_output(&o, request->output, life);
     allow_output(&o, request->final_state, life);
     allow_output(&o, request->stats, life);

@@ -102,6 +102,7 @@ static enum status strict_verdict(const struct sim *sim, const struct diags *dia
 {
     if (diags_warnings(diags))
         return fail(report, E_VERDICT, "--strict: %d warning(s) about the deck", diags_warnings(diags));
+    if (sim->warnings) return fail(report, E_VERDICT, "--strict: %d warning(s) about the run", sim->warnings);
     if (sim->stepper.effort.rejected && !sim->stepper.kind->adaptive) /* there it is the way of working */
         return fail(report, E_VERDICT, "--strict: %ld steps were rejected", sim->stepper.effort.rejected);
     return OK;
@@ -115,6 +116,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     const struct sim_options options = {
         .version = FMDSUB_VERSION,
         .log = request->quiet ? NULL : stderr,
+        .warnings = stderr,
         .progress = shows_progress(request) ? PROGRESS_ALWAYS : PROGRESS_NEVER,
     };
     enum status status = cli_load(&scene, &diags, request, life, report);

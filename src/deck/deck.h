@@ -29,6 +29,7 @@ struct deck_options {
 };
 
 struct parameter;
+struct replaced;
 
 struct deck {
     struct arena *arena;
@@ -41,6 +42,8 @@ struct deck {
     struct files read;  /* the deck and all files that it names */
     uint64_t hash;      /* FNV-1a of all texts that made the deck: files, --set */
     size_t max_bytes;
+
+    const struct replaced *replaced; /* by --set */
 
     int nparameter;
     struct parameter *parameter; /* by name */

@@ -78,11 +78,36 @@ static void resolve(struct deck *deck, int i, int *stack)
     }
 }
 
+static bool is_name_part(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+}
+
+/* Does a text below n hold the name as a word? */
+static bool mentions(const struct node *n, const char *name)
+{
+    const size_t len = strlen(name);
+    const char *text = n->type == NODE_SCALAR ? n->text : "";
+    for (const char *p = text; (p = strstr(p, name)); p += len)
+        if ((p == text || !is_name_part(p[-1])) && !is_name_part(p[len])) return true;
+    for (int i = 0; i < n->count; i++)
+        if (mentions(n->item[i], name)) return true;
+    return false;
+}
+
+static bool was_used(const struct deck *deck, const char *name)
+{
+    for (const struct replaced *r = deck->replaced; r; r = r->before)
+        if (mentions(&r->node, name)) return true;
+    return false;
+}
+
 void deck_warn_unused(struct deck *deck)
 {
     for (int i = 0; i < deck->nparameter; i++) {
         const struct parameter *p = &deck->parameter[i];
         if (p->used || (p->node->file != deck->root->file && !deck_was_set(deck, p->node))) continue;
+        if (was_used(deck, p->name)) continue;
         diag_warn(deck->diags, p->node, AT_KEY, "W-unused", "parameter '%s' is used nowhere", p->name);
         const char *near = diag_nearest(p->name, deck->parameter_name, i);
         if (!near) near = diag_nearest(p->name, deck->parameter_name + i + 1, deck->nparameter - i - 1);

@@ -326,6 +326,21 @@ static int list_words(const char **words, const struct key *keys, const char *co
     return n;
 }
 
+/* A key of a map that one of words[0..n) holds: "'elements' belongs into 'beam'". */
+static bool suggest_inside(const char *key, const char *const *words, int n, struct reader *rd)
+{
+    for (const struct section *s = rd->sections; s && s < rd->sections + rd->nsection; s++) {
+        const char *dot = strrchr(s->path, '.'), *name = dot ? dot + 1 : s->path;
+        if (s->word || !key_find(s->keys, key)) continue;
+        for (int i = 0; i < n; i++) {
+            if (strcmp(words[i], name) != 0) continue;
+            diag_hint(rd->diags, "it belongs into '%s': %s: {%s: ...}", name, name, key);
+            return true;
+        }
+    }
+    return false;
+}
+
 static int refuse_unknown(const struct key *keys, const struct node *map, const char *const *also, const char *what,
                           struct reader *rd)
 {
@@ -339,7 +354,7 @@ static int refuse_unknown(const struct key *keys, const struct node *map, const 
         errors++;
         diag_error(rd->diags, member, AT_KEY, "E-unknown-key", "unknown key '%s' in %s",
                    diag_clip(rd->diags, member->key), what);
-        diag_suggest(rd->diags, member->key, words, n);
+        if (!suggest_inside(member->key, words, n, rd)) diag_suggest(rd->diags, member->key, words, n);
     }
     return errors;
 }

@@ -12,6 +12,9 @@ struct reader {
     struct diags *diags;
     struct deck *deck;
     int space; /* 2 or 3; 0: not known yet, then keys of one space only are taken */
+    const struct section
+        *sections; /* [nsection] to tell where a key belongs that is unknown here; NULL: not asked for */
+    int nsection;
 };
 
 /* Fills the struct at out from map: unknown keys (with a near miss among the table and `also`), missing ones, types,

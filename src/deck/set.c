@@ -133,6 +133,9 @@ static struct node *with_key(const struct setting *s, const char *key, struct no
 static void replace(const struct setting *s, struct node *n, struct deck *deck)
 {
     const char *key = n->key;
+    struct replaced *old = TAKE(deck->arena, struct replaced, 1);
+    *old = (struct replaced){deck->replaced, *n};
+    deck->replaced = old;
     *n = *tree_copy(&deck->pool, s->value, n->scope);
     if (key) with_key(s, key, n);
 }

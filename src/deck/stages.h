@@ -30,6 +30,12 @@ struct set *set_open(const struct deck_options *options, struct deck *deck);
 void set_early(struct set *set, struct deck *deck);
 void set_late(struct set *set, struct deck *deck);
 
+/* What --set has put something else in the place of: its parameters are not unused for that. */
+struct replaced {
+    const struct replaced *before;
+    struct node node;
+};
+
 void parameters_evaluate(struct deck *deck);
 
 void repeat_all(struct deck *deck);

@@ -58,7 +58,7 @@ static const struct implicit_scheme newmark = {.begin = begin, .rates = rates, .
 bool newmark_fits(const struct step_options *o, struct misfit *why)
 {
     if (2 * o->beta >= o->gamma) return true;
-    *why = (struct misfit){.code = "E-newmark", .key = "beta"};
+    *why = (struct misfit){.code = "E-newmark", .key = "beta", .other = "gamma"};
     snprintf(why->text, sizeof why->text, "beta %g and gamma %g: not stable for every step", o->beta, o->gamma);
     why->hint = "the rule is 2 beta >= gamma >= 1/2; beta 1/4, gamma 1/2 keep energy";
     return false;

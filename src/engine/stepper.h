@@ -42,7 +42,7 @@ struct stepper_kind {
                              * adaptive reads step, one of two rates ratio, and all read until */
     /* Optional.  Do the options go together?  false: *why is filled. */
     bool (*fits)(const struct step_options *o, struct misfit *why);
-    bool two_rates;                    /* sub-cycling; else ratio means nothing but H = ratio h */
+    bool two_rates;                    /* sub-cycling; else ratio plain steps are one major step */
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
     int order;
     int adaptive; /* chooses its own steps inside H */

@@ -137,16 +137,10 @@ static struct threads thread_joints(struct making *o)
 }
 
 /* Does the output ask for one of its coordinates by name? */
-static bool is_printed(const struct making *o, const struct scene_joint *joint)
+static bool is_printed(const struct output *out, int joint)
 {
-    const struct output *out = &o->scene->output;
-    const size_t len = strlen(joint->name);
-    for (int i = 0; i < out->ncolumn; i++) {
-        const char *text = out->column[i].name ? "" : out->column[i].node->text;
-        int k;
-        if (strncmp(text, joint->name, len) == 0 && text[len] == '.' && scene_coordinate(joint, text + len + 1, &k))
-            return true;
-    }
+    for (int i = 0; i < out->ncolumn; i++)
+        if (out->column[i].joint == joint) return true;
     return false;
 }
 
@@ -172,7 +166,7 @@ static int wish(const struct making *o, int joint)
         }
     if (s->joint[joint].loop) return AVOIDED;
     if (joint_is_fixed(s->joint[joint].kind)) return WANTED;
-    return is_printed(o, &s->joint[joint]) ? LIKED : PLAIN;
+    return is_printed(&s->output, joint) ? LIKED : PLAIN;
 }
 
 /* The bodies met so far, in the order they are to be looked at. */

@@ -42,14 +42,6 @@ static void insert(struct key *table, int *n, const struct key *key)
     ++*n;
 }
 
-/* An option is checked whether or not the scheme of the deck reads it, as its range is. */
-static bool fit(const void *block, struct misfit *why)
-{
-    for (int i = 0; i < KINDS; i++)
-        if (stepper_kinds[i]->fits && !stepper_kinds[i]->fits(block, why)) return false;
-    return true;
-}
-
 struct key_block stepper_options(struct arena *life)
 {
     int n = 0, most = 0;
@@ -58,5 +50,5 @@ struct key_block stepper_options(struct arena *life)
     struct key *table = TAKE(life, struct key, most + 1);
     for (int i = 0; i < KINDS; i++)
         for (const struct key *k = stepper_kinds[i]->keys; k && k->name; k++) insert(table, &n, k);
-    return (struct key_block){table, sizeof(struct step_options), fit};
+    return (struct key_block){table, sizeof(struct step_options)};
 }

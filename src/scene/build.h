@@ -52,6 +52,8 @@ void unknown_name(struct builder *b, const struct node *n, enum diag_at which, c
 int coordinate_names(const char **list, struct builder *b, const struct scene_joint *j);
 /* All names that an expression or a measure may use, for near misses. */
 int quantity_names(struct builder *b, const char *const **list);
+/* The joint whose coordinate, rate or acceleration is called so; -1: none. */
+int find_owner(const struct scene *scene, const char *name);
 /* A quantity by name: fills a slot; 0 if unknown. */
 int find_quantity(const struct scene *scene, struct scene_slot *o, const char *name);
 

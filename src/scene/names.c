@@ -187,6 +187,13 @@ int scene_coordinate(const struct scene_joint *joint, const char *word, int *k)
     return 0;
 }
 
+int find_owner(const struct scene *scene, const char *name)
+{
+    const char *dot = strchr(name, '.');
+    int k, joint = dot ? find_joint(scene, name, (size_t)(dot - name)) : -1;
+    return joint >= 0 && scene_coordinate(&scene->joint[joint], dot + 1, &k) ? joint : -1;
+}
+
 int scene_mode(const struct scene *scene, const char *name, int *body, int *k)
 {
     const char *dot = strchr(name, '.');

@@ -155,6 +155,7 @@ struct integrate {
 struct output_column {
     const char *name;        /* of an expression; NULL: node is the pattern */
     const struct node *node; /* the expression */
+    int joint;               /* whose coordinate, rate or acceleration the pattern names outright; -1: no one's */
 };
 
 struct output {
@@ -216,12 +217,6 @@ int scene_mode(const struct scene *scene, const char *name, int *body, int *k);
 int scene_node(double *offset, const struct scene_body *body, const double *world);
 
 /* The key tables by section, for `fmdsub list`, `fmdsub schema` and the manual. */
-struct section {
-    const char *path; /* "bodies.NAME", "constraints.NAME", "integrate" */
-    const char *word; /* the kind's own key, "revolute", "spring"; NULL: the section has one kind only */
-    const char *brief;
-    const struct key *keys; /* ends with KEYS_END */
-};
 /* The i-th section; false past the end. */
 bool scene_section(struct section *o, int i);
 

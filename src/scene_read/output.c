@@ -35,7 +35,7 @@ static int read_formula(struct builder *b, struct output_column *o, const struct
     const struct expr_names names = {any_name, NULL};
     struct expr *expr;
     double x;
-    *o = (struct output_column){n->key, n};
+    *o = (struct output_column){n->key, n, -1};
     if (!text_is_name(n->key) || strcmp(n->key, "type") == 0 || expr_is_word(n->key)) {
         diag_error(b->diags, n, AT_KEY, "E-name", "'%.60s' cannot name a column", n->key);
         return 1;
@@ -61,7 +61,7 @@ static int read_column(struct builder *b, struct output_column *list, int *count
 {
     int errors = 0;
     if (n->type == NODE_SCALAR) {
-        list[(*count)++] = (struct output_column){NULL, n};
+        list[(*count)++] = (struct output_column){NULL, n, find_owner(b->scene, n->text)};
         return 0;
     }
     if (n->type == NODE_LIST || n->count == 0) {

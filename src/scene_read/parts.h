@@ -4,7 +4,8 @@
 
 #include "scene/build.h"
 
-/* sections.c: the tables */
+/* sections.c: the tables; the sections that are the same for all joints and forces [*n] */
+const struct section *sections_fixed(int *n);
 struct deck_keys {
     int version;
     const char *title;

@@ -68,10 +68,11 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
 {
     struct scene *scene = TAKE(life, struct scene, 1);
     struct builder b = {
-        .scene = scene, .diags = diags, .reader = {diags, deck, 0}, .sections = keys_deck, .life = life};
+        .scene = scene, .diags = diags, .reader = {.diags = diags, .deck = deck}, .sections = keys_deck, .life = life};
     struct deck_keys k = {.space = -1};
     scene->deck = deck;
     *out = scene;
+    b.reader.sections = sections_fixed(&b.reader.nsection);
     read_keys(&k, keys_deck, deck->root, NULL, "the deck", &b.reader);
     scene->title = k.title ? k.title : "";
     if (k.bodies) {

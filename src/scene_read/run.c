@@ -132,15 +132,6 @@ int read_partition(struct builder *b, const struct node *n)
 
 /* ---- integrate ---- */
 
-static int check_options(struct builder *b, const struct integrate *o, const struct key_block *schemes)
-{
-    struct misfit why;
-    if (schemes->fits(o->options, &why)) return 0;
-    diag_error(b->diags, node_find(o->node, why.key), AT_VALUE, why.code, "%s", why.text);
-    diag_hint(b->diags, "%s", why.hint);
-    return 1;
-}
-
 static int check_steps(struct builder *b, const struct integrate *o, const struct node *n)
 {
     const struct node *step = node_find(n, "step");
@@ -203,8 +194,7 @@ int read_integrate(struct builder *b, const struct node *n, const struct key_blo
         o->until = 0;
         return 1;
     }
-    int errors = check_options(b, o, schemes);
-    errors += read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
+    int errors = read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
     if (errors) o->until = 0;
     return errors;
 }

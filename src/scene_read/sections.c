@@ -227,6 +227,12 @@ static const struct section fixed[] = {
 };
 enum { FIXED = sizeof fixed / sizeof *fixed };
 
+const struct section *sections_fixed(int *n)
+{
+    *n = FIXED;
+    return fixed;
+}
+
 bool scene_section(struct section *o, int i)
 {
     if (i < FIXED) {

@@ -52,16 +52,16 @@ const char *bending_advice(const struct flex_body *flex)
 }
 
 /* What bends beyond its own length has stopped the run, which said so. */
-void print_deflections(const struct sim *sim, FILE *to)
+void warn_of_deflections(struct sim *sim)
 {
     static const double followed = 0.2; /* of its length: beyond it more than a per cent is wrong */
     for (int i = 0; i < sim->ndeflection; i++) {
         const struct deflection *o = &sim->deflection[i];
         if (!(o->most > followed * o->size) || o->most > o->size) continue;
-        fprintf(to,
-                "warning: '%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per "
-                "cent; %s [W-bending]\n",
-                sim->model->body[o->body].name, o->most / o->size, o->t,
-                bending_advice(sim->model->body[o->body].flex));
+        sim_warn(sim,
+                 "'%s' bends by %.3g of its length (at t = %.6g s), farther than one frame follows to a per "
+                 "cent; %s [W-bending]",
+                 sim->model->body[o->body].name, o->most / o->size, o->t,
+                 bending_advice(sim->model->body[o->body].flex));
     }
 }

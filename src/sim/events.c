@@ -60,7 +60,7 @@ static enum status check_range(struct sim *sim, struct watched_range *r, struct 
     r->side = side;
     snprintf(text, sizeof text, "%.80s %s %.6g ... %.6g: %.6g", r->name, side ? "is outside its range" : "is back in",
              range[0], range[1], x);
-    if (sim->options.log && !r->reported) fprintf(sim->options.log, "t = %.6g s: %s\n", sim->x.t, text);
+    if (!r->reported) sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
     r->reported = true;
     return write_event(sim, sink, "range", text, report);
 }

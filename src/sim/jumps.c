@@ -69,9 +69,8 @@ static enum status judge(struct sim *sim, struct jumping *o, double at, double b
             report, E_NUMERIC,
             "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some time",
             sim->x.t, text, place_of(sim, o, place, sizeof place));
-    if (sim->options.log && !o->reported)
-        fprintf(sim->options.log, "warning: %s (%s): its pieces do not quite meet\n", text,
-                place_of(sim, o, place, sizeof place));
+    if (!o->reported)
+        sim_warn(sim, "%s (%s): its pieces do not quite meet", text, place_of(sim, o, place, sizeof place));
     o->reported = true;
     return sink ? sink->ops->event(sink, sim->x.t, "drive", text, report) : OK;
 }

@@ -1,5 +1,6 @@
 /* messages.c -- a run in words: the plan, the end, why it stopped; and the same as facts for the stream */
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "base/stop.h"
@@ -133,16 +134,35 @@ void print_condition(const struct sim *sim, FILE *to)
     fputs("' ", to);
 }
 
+void sim_warn(struct sim *sim, const char *format, ...)
+{
+    FILE *to = sim->options.warnings ? sim->options.warnings : sim->options.log;
+    char text[600];
+    va_list args;
+    sim->warnings++;
+    if (!to) return;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    fputs("warning: ", to);
+    text_put(to, text);
+    fputc('\n', to);
+}
+
+void warn_at_end(struct sim *sim)
+{
+    warn_of_rotations(sim);
+    warn_of_spins(sim);
+    warn_of_tilts(sim);
+    warn_of_deflections(sim);
+}
+
 void print_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.log;
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     if (!to) return;
-    print_rotations(sim, to);
-    print_spins(sim, to);
-    print_tilts(sim, to);
-    print_deflections(sim, to);
     if (sim->watch.slot && (sim->watch.met || sim->status == OK)) {
         print_condition(sim, to);
         fputs(sim->watch.met ? "turned true\n" : "has not turned true until the latest end\n", to);

@@ -38,12 +38,12 @@ enum status events_check(struct sim *sim, struct sink *sink, struct report *repo
 
 /* rotations.c: the farthest turn of a ball or free joint in one step */
 void rotations_note(struct sim *sim, double h, int ratio);
-void print_rotations(const struct sim *sim, FILE *to);
+void warn_of_rotations(struct sim *sim);
 
 /* deflections.c: the largest deflections of flexible bodies */
 void deflections_open(struct sim *sim, struct arena *life);
 enum status deflections_note(struct sim *sim);
-void print_deflections(const struct sim *sim, FILE *to);
+void warn_of_deflections(struct sim *sim);
 /* What helps a body that bends too far. */
 const char *bending_advice(const struct flex_body *flex);
 
@@ -51,7 +51,7 @@ const char *bending_advice(const struct flex_body *flex);
 void spins_open(struct sim *sim, struct arena *life);
 void spins_note(struct sim *sim);
 bool spins_passed(const struct sim *sim);
-void print_spins(const struct sim *sim, FILE *to);
+void warn_of_spins(struct sim *sim);
 
 /* idle.c: turns that move no mass: held, told and refused where something acts along them, watched */
 void idle_open(struct sim *sim, struct arena *life);
@@ -62,7 +62,7 @@ void idle_describe(char *what, size_t size, const struct sim *sim, int turn);
 /* tilts.c: the largest rotations of bushings that are shared by convention */
 void tilts_open(struct sim *sim, struct arena *life);
 void tilts_note(struct sim *sim);
-void print_tilts(const struct sim *sim, FILE *to);
+void warn_of_tilts(struct sim *sim);
 
 /* jumps.c: drives that jump in the major step that ends at `to` */
 void jumps_open(struct sim *sim, struct arena *life);
@@ -84,6 +84,10 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
 /* What ends the run, in quotes and with a blank behind. */
 void print_condition(const struct sim *sim, FILE *to);
 void print_plan(const struct sim *sim);
+/* A warning about the run: one line, counted for --strict. */
+__attribute__((format(printf, 2, 3))) void sim_warn(struct sim *sim, const char *format, ...);
+/* What has been noted of the run and is too much. */
+void warn_at_end(struct sim *sim);
 void print_end(const struct sim *sim, double wall);
 enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
                              struct report *report);

@@ -13,6 +13,19 @@ static bool near_whole(double x)
     return fabs(x - round(x)) <= 1e-9 * fmax(1, fabs(x));
 }
 
+/* Do the options that the scheme reads go together? */
+static enum status check_options(const struct sim *sim, const struct stepper_kind *kind, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    struct misfit why;
+    if (!kind->fits || kind->fits(p->options, &why)) return OK;
+    const struct node *at = node_find(p->node, why.key), *other = node_find(p->node, why.other);
+    if ((!at || at->implied) && other && !other->implied) at = other;
+    diag_error(diags, at ? at : p->node, AT_VALUE, why.code, "%s", why.text);
+    diag_hint(diags, "%s", why.hint);
+    return E_DECK;
+}
+
 static enum status find_scheme(struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
@@ -22,7 +35,7 @@ static enum status find_scheme(struct sim *sim, struct diags *diags)
     const struct stepper_kind *kind = stepper_find(p->scheme);
     if (kind) {
         sim->stepper.kind = kind;
-        return OK;
+        return check_options(sim, kind, diags);
     }
     const struct node *at = node_find(p->node, "scheme");
     diag_error(diags, at, AT_VALUE, "E-unknown-scheme", "unknown scheme '%.60s'", p->scheme);

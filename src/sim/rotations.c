@@ -27,11 +27,11 @@ void rotations_note(struct sim *sim, double h, int ratio)
     }
 }
 
-void print_rotations(const struct sim *sim, FILE *to)
+void warn_of_rotations(struct sim *sim)
 {
     if (!(sim->turn > quarter_turn)) return;
-    fprintf(to,
-            "warning: '%s' turns by %.3g rad in one step at t = %.6g s: more than pi/2 is not resolved; try a smaller "
-            "step\n",
-            sim->model->joint[sim->turn_joint].name, sim->turn, sim->t_turn);
+    sim_warn(sim,
+             "'%s' turns by %.3g rad in one step at t = %.6g s: more than pi/2 is not resolved; try a smaller "
+             "step",
+             sim->model->joint[sim->turn_joint].name, sim->turn, sim->t_turn);
 }

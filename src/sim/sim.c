@@ -239,6 +239,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
         enum status ended = write_end(sim, sink, report);
         if (ended != OK) status = sim->status = ended;
     }
+    if (status != E_SIGPIPE) warn_at_end(sim);
     if (status != E_SIGPIPE) print_end(sim, clock_wall() - wall);
     return status;
 }

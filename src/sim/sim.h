@@ -21,7 +21,8 @@ enum sim_progress { PROGRESS_NEVER, PROGRESS_ALWAYS };
 /* What the caller may say besides the deck. */
 struct sim_options {
     const char *version;
-    FILE *log; /* plan line, progress, end summary; NULL: silent */
+    FILE *log;      /* plan line, progress, end summary; NULL: silent */
+    FILE *warnings; /* those of the run; NULL: log */
     enum sim_progress progress;
     bool general;  /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
     bool counting; /* columns are all coordinates, rates and measures, whatever the deck says, and it runs to the latest
@@ -105,6 +106,7 @@ struct sim {
         bool reported;
     } * jump;               /* [njump] */
     double cpu;             /* seconds of stepping, without records */
+    int warnings;           /* told in the course of the run and at its end */
     struct trouble trouble; /* why it stopped */
     enum status status;     /* how it ended */
 };

@@ -44,16 +44,16 @@ bool spins_passed(const struct sim *sim)
     return false;
 }
 
-void print_spins(const struct sim *sim, FILE *to)
+void warn_of_spins(struct sim *sim)
 {
     for (int i = 0; i < sim->nspin; i++) {
         const struct turning *s = &sim->spin[i];
         double limit = limit_of(sim, i);
         if (!(s->most > limit)) continue;
-        fprintf(to,
-                "warning: '%s' turned by up to %.4g rad/s (at t = %.6g s): without geometric stiffening it buckles "
-                "from Omega = %.4g rad/s about that axis, and what it did beyond is wrong; turn on geometric "
-                "stiffening [W-stiffening]\n",
-                sim->model->body[s->body].name, s->most, s->t, limit);
+        sim_warn(sim,
+                 "'%s' turned by up to %.4g rad/s (at t = %.6g s): without geometric stiffening it buckles "
+                 "from Omega = %.4g rad/s about that axis, and what it did beyond is wrong; turn on geometric "
+                 "stiffening [W-stiffening]",
+                 sim->model->body[s->body].name, s->most, s->t, limit);
     }
 }

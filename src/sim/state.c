@@ -68,7 +68,7 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
     const struct node *from = sim->scene->from;
     const struct catalogue *c = &sim->catalogue;
     if (!from) return OK;
-    struct reader rd = {diags, (struct deck *)sim->scene->deck, sim->scene->space};
+    struct reader rd = {.diags = diags, .deck = (struct deck *)sim->scene->deck, .space = sim->scene->space};
     double *q = TAKE(life, double, m->nq), *v = TAKE(life, double, m->n);
     bool *given = TAKE(life, bool, c->n);
     for (int k = 0; k < from->count; k++) {
@@ -104,7 +104,7 @@ enum status state_turns(struct sim *sim, struct diags *diags)
 {
     const struct node *angles = sim->scene->angles;
     const struct catalogue *c = &sim->catalogue;
-    struct reader rd = {diags, (struct deck *)sim->scene->deck, sim->scene->space};
+    struct reader rd = {.diags = diags, .deck = (struct deck *)sim->scene->deck, .space = sim->scene->space};
     for (int i = 0; angles && i < c->n; i++) {
         const struct origin *o = &c->origin[i];
         const struct node *n = counts_turns(sim, o) ? node_find(angles, c->column[i].name) : NULL;

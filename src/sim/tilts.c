@@ -24,15 +24,15 @@ void tilts_note(struct sim *sim)
     }
 }
 
-void print_tilts(const struct sim *sim, FILE *to)
+void warn_of_tilts(struct sim *sim)
 {
     static const double little = 0.5; /* [rad] */
     for (int i = 0; i < sim->ntilt; i++) {
         const struct tilting *o = &sim->tilt[i];
         if (!(o->most > little)) continue;
-        fprintf(to,
-                "warning: '%s' tilts by %.3g rad (at t = %.6g s), and its stiffnesses about its axes differ: how they "
-                "share so large a rotation is a convention [W-bushing]\n",
-                sim->model->force[o->force].name, o->most, o->t);
+        sim_warn(sim,
+                 "'%s' tilts by %.3g rad (at t = %.6g s), and its stiffnesses about its axes differ: how they "
+                 "share so large a rotation is a convention [W-bushing]",
+                 sim->model->force[o->force].name, o->most, o->t);
     }
 }

@@ -9,8 +9,8 @@
 
 static bool reads(const struct stepper_kind *kind, const char *key)
 {
-    if (strcmp(key, "step") == 0) return !kind->adaptive;
-    if (strcmp(key, "ratio") == 0) return kind->two_rates;
+    if (strcmp(key, "step") == 0 || strcmp(key, "ratio") == 0)
+        return !kind->adaptive; /* records fall on ratio * step */
     return key_find(kind->keys, key) != NULL;
 }
 

@@ -24,3 +24,22 @@ for deck in decks/cantilever.yaml "$work/alone.yaml"; do
     "$FMDSUB" run -q --until 0.01 "$deck" >"$work/$(basename "$deck" .yaml).csv" 2>"$work/err"
 done
 same "initial: static, alone and in a map" "$work/cantilever.csv" "$work/alone.csv"
+
+# A scheme that chooses its own steps has none to suggest.
+"$FMDSUB" check -s 'integrate={scheme: dopri5, tolerance: 1.0e-8, until: 1}' decks/pendulum.yaml >"$work/words" 2>"$work/err"
+grep -q '^  scheme dopri5 chooses its own steps$' "$work/words" && ! grep -q 'the deck has\|major steps' "$work/words" &&
+    ok "check: own steps" || not_ok "check: own steps" "words:" "$work/words" "$work/err"
+# Independent coordinates, many of them, in lines of a terminal's width.
+{ cat <<'EOF'
+fmdsub: 1
+bodies: {link$(i): {repeat: {i: [1, 60]}, mass: 1, inertia: 1/12, at: [cos(pi*(i - 0.5)/60), sin(pi*(i - 0.5)/60)]}}
+constraints:
+  pin: {revolute: [ground, link1], at: [1, 0]}
+  pin$(i): {repeat: {i: [2, 60]}, revolute: [link$(i-1), link$(i)], at: [cos(pi*(i - 1)/60), sin(pi*(i - 1)/60)]}
+  last: {revolute: [ground, link60], at: [-1, 0]}
+initial: {pin.angle_rate: 0}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+EOF
+} >"$work/many.yaml"
+"$FMDSUB" check "$work/many.yaml" >"$work/words" 2>"$work/err"
+expect "check: lines of independents" "yes" "$(sed -n '/independent:/,/pivot/p' "$work/words" | awk 'length > 100 { bad = 1 } END { print (bad ? "no" : NR > 3 ? "yes" : "few") }')" "$work/words" "$work/err"

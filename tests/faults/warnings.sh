@@ -100,3 +100,39 @@ for until in 7.6 20; do
     [ "$(wc -l <said)" = 1 ] && grep -qF "; $advice" said && ok "bending too far until $until: one advice" ||
         not_ok "bending too far until $until: one advice" "expected one line with: $advice" said
 done
+
+# What is told at the end of a run or in its course is told with -q, too, and --strict counts it.
+echo "$plane" >deck.yaml
+"$FMDSUB" run -q -s 'constraints.pin.range=[-1, 2]' --until 2 -s integrate.step=1.0e-2 deck.yaml >out 2>err
+expect "-q: a range that is left: status, lines" "0 1" "$? $(grep -c '^warning: t = .*is outside its range' err)" err
+"$FMDSUB" run -q --strict -s 'constraints.pin.range=[-1, 2]' --until 2 -s integrate.step=1.0e-2 deck.yaml >out 2>err
+expect "--strict: a range that is left" 1 $? err
+grep -q 'strict: 1 warning(s) about the run' err && ok "--strict: a range that is left: told" || not_ok "--strict: a range that is left: told" "stderr:" err
+cat >bent.yaml <<'EOF'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  arm:
+    beam: {from: [0, 0], to: [3, 0], elements: 8}
+    section: {rectangle: [0.004, 0.01]}
+    material: aluminium
+    modes: 4
+constraints: {clamp: {fixed: [ground, arm], at: [0, 0]}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+output: {every: 0.1}
+EOF
+"$FMDSUB" run -q bent.yaml >out 2>err
+expect "-q: bending: status, lines" "0 1" "$? $(grep -c 'W-bending' err)" err
+"$FMDSUB" run -q --strict bent.yaml >out 2>err
+expect "--strict: bending" 1 $? err
+
+# Parameters of what the command line has put something else in the place of are no longer asked for.
+formula='fmdsub: 1
+parameters: {L: 2, M: 3}
+bodies: {arm: {mass: 1, inertia: 0.1, at: [1, 0]}}
+constraints: {pin: {revolute: [ground, arm], at: [0, 0]}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}
+output: {columns: [{way: L*pin.angle}]}'
+echo "$formula" >deck.yaml
+"$FMDSUB" run -q --columns pin.angle deck.yaml >out 2>err
+expect "--columns: parameters of the deck's own columns" "1 M" "$(grep -c W-unused err) $(sed -n "s/.*parameter '\(.*\)' is used nowhere.*/\1/p" err)" err
