@@ -73,6 +73,9 @@ struct expr_span {
 };
 bool expr_span(struct expr_span *o, const struct expr *e, const double *lo, const double *hi);
 
+/* May it grow without bound: does it divide, raise to powers, take tangents?  false is sure. */
+bool expr_may_have_poles(const struct expr *e);
+
 /* A straight way of all slots, from a to b [n, at most EXPR_SLOTS]. */
 enum { EXPR_SLOTS = 64 };
 struct expr_way {
@@ -84,7 +87,7 @@ struct expr_way {
 bool expr_bends(const struct expr_way *o);
 /* Has it one of which the integral has no end, as 1/x has at 0?  *at: where, as a share of the way. */
 bool expr_pole(double *at, const struct expr_way *o);
-/* The mean of the value over a way on which one slot alone moves, to round-off: cut at corners and jumps, with poles NAN;
+/* The mean of the value over a way on which one slot alone moves, to round-off: cut at corners and jumps, with poles infinite;
  * *slope: what it gains with the end b of that slot.  Where the way is a point, the value and half its slope. */
 double expr_mean(double *slope, const struct expr_way *o, int slot);
 

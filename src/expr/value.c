@@ -136,3 +136,12 @@ bool expr_is_smooth(const struct expr *e)
         if (!is_smooth(e->code[i].op)) return false;
     return true;
 }
+
+bool expr_may_have_poles(const struct expr *e)
+{
+    for (int i = 0; i < e->n; i++)
+        if (e->code[i].op == OP_DIV || e->code[i].op == OP_DIV_SLOT || e->code[i].op == OP_POW ||
+            e->code[i].op == OP_TAN)
+            return true;
+    return false;
+}

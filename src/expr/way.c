@@ -3,7 +3,7 @@
  * With u in [0, 1] along the way, a piece is as long as span.c calls it smooth; behind its end lies a sliver of the size
  * of round-off with the corner in it.  Over a piece of low degree the mean is by a Gauss rule that is exact for it, else
  * by those of Gauss and Kronrod (7 and 15 points; Piessens et al., QUADPACK, 1983), halving until they agree: where
- * the former is right to 1e-9, the latter is to round-off.
+ * the former is right to 1e-9, the latter is to round-off.  What is noise, as next to a pole, is given up in time.
  *
  * A pole in a sliver: d |f| at the distance d from it falls with d where the integral has an end (as d, as the root of d
  * for 1/sqrt), and does not for 1/x and all that is worse. */
@@ -12,7 +12,7 @@
 
 #include "expr/expr.h"
 
-enum { MOST_PIECES = 256, MOST_EMPTY = 4, MOST_HALVINGS = 40 };
+enum { MOST_PIECES = 256, MOST_EMPTY = 4, MOST_HALVINGS = 40, MOST_PANELS = 500 };
 static const double SLIVER = 2 * DBL_EPSILON;
 
 static void place(double *x, const struct expr_way *o, double u)
@@ -119,12 +119,14 @@ static const double seven_weight[4] = {0.41795918367346939, 0.38183005050511894,
 /* Integrals over u of f, of u f' (f' along the slot, per its own unit), and of their sizes. */
 struct sums {
     double f, uf, size, usize;
+    int panels; /* of the rules that are halved */
 };
 
 /* What has been asked for: the way and the slot that moves on it. */
 struct asked {
     const struct expr_way *way;
     int slot;
+    double reach; /* largest |slot| */
 };
 
 static void add(struct sums *o, const struct asked *q, double u, double weight, double seventh, double *seven)
@@ -147,12 +149,14 @@ static void gauss(struct sums *o, const struct asked *q, double u, double v, int
     for (int i = 0; i < n; i++) add(o, q, middle + half * gauss_at[n - 1][i], half * gauss_weight[n - 1][i], 0, NULL);
 }
 
-/* Do both rules agree?  The slope need not be as good, nor have an end. */
-static bool agree(const struct sums *o, const double *seven, double whole)
+/* Do both rules agree, but for round-off of what f is asked for?  The slope need not be as good, nor have an end. */
+static bool agree(const struct sums *o, const struct asked *q, const double *seven, double whole, int depth)
 {
+    enum { DEEP = 8 };
     if (!isfinite(o->f)) return true;
-    return fabs(seven[0] - o->f) <= fmax(1e-9 * o->size, DBL_EPSILON * whole) &&
-           !(fabs(seven[1] - o->uf) > 1e-6 * o->usize);
+    const double noise = DBL_EPSILON * (whole + 8 * q->reach * o->usize);
+    if (!(fabs(seven[0] - o->f) <= fmax(1e-9 * o->size, noise))) return false;
+    return depth > DEEP || !(fabs(seven[1] - o->uf) > 1e-6 * o->usize);
 }
 
 static void kronrod(struct sums *o, const struct asked *q, double u, double v, int depth)
@@ -164,7 +168,7 @@ static void kronrod(struct sums *o, const struct asked *q, double u, double v, i
         for (int side = i ? -1 : 1; side <= 1; side += 2)
             add(&here, q, middle + side * half * kronrod_at[i], half * kronrod_weight[i],
                 i % 2 ? 0 : half * seven_weight[i / 2], seven);
-    if (!agree(&here, seven, o->size) && depth < MOST_HALVINGS) {
+    if (!agree(&here, q, seven, o->size, depth) && depth < MOST_HALVINGS && o->panels++ < MOST_PANELS) {
         kronrod(o, q, u, middle, depth + 1);
         kronrod(o, q, middle, v, depth + 1);
         return;
@@ -191,7 +195,7 @@ static double jump_at(const struct expr_way *o, double v, double w)
 
 double expr_mean(double *slope, const struct expr_way *o, int slot)
 {
-    const struct asked q = {o, slot};
+    const struct asked q = {o, slot, fmax(fabs(o->a[slot]), fabs(o->b[slot]))};
     const double length = o->b[slot] - o->a[slot];
     struct sums sums = {0};
     double u = 0, jumps = 0;
@@ -209,7 +213,7 @@ double expr_mean(double *slope, const struct expr_way *o, int slot)
         }
         over_piece(&sums, &q, u, v, degree);
         if (v >= 1) break;
-        if (pole_in(o, u, v, w)) return *slope = NAN;
+        if (pole_in(o, u, v, w)) return *slope = INFINITY;
         jumps += v * jump_at(o, v, w);
         u = w;
     }

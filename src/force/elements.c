@@ -72,17 +72,35 @@ void elements_set_measure(struct elements *e, int measure, double x)
     measures_set(&e->measures, measure, x);
 }
 
-void elements_begin(struct elements *e, const struct sweep *s, const double *q, const double *v)
+static void follow(struct elements *e, const struct sweep *s, const struct instant *x, bool begins)
 {
     for (int i = 0; i < e->nother[ALL]; i++)
-        if (e->other[i].follows) law_begin(e, s, &e->other[i], q, v);
+        if (e->other[i].follows) e->other[i].kind->follow(e, s, &e->other[i], x, begins);
 }
 
-void elements_stepped(struct elements *e, const struct sweep *s, const double *q, const double *v, double t)
+void elements_begin(struct elements *e, const struct sweep *s, const struct instant *x)
 {
-    measures_turned(&e->measures, s, t);
+    follow(e, s, x, true);
+}
+
+void elements_stepped(struct elements *e, const struct sweep *s, const struct instant *x)
+{
+    measures_turned(&e->measures, s, x->t);
+    follow(e, s, x, false);
+}
+
+bool elements_may_have_poles(const struct elements *e)
+{
     for (int i = 0; i < e->nother[ALL]; i++)
-        if (e->other[i].follows) law_stepped(e, s, &e->other[i], q, v);
+        if (e->other[i].poles) return true;
+    return false;
+}
+
+int elements_pole(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].pole) return e->other[i].force;
+    return -1;
 }
 
 bool elements_may_bend(const struct elements *e)

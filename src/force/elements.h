@@ -51,13 +51,16 @@ void elements_diagonal(struct elements *e, double *d, double cc, double ck, cons
 
 /* Sum of stored energies; after move(ALL). */
 double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v);
-/* Of what is known only from step to step, angles in space up to whole turns and energies that are sums: is there any?
- * At the start, and at the end of each step, after move() there.  Did a law have a corner or a jump in the last one? */
+/* Of what is known only from step to step, angles in space up to whole turns, energies that are sums, poles: is there any?
+ * At the start, and at the end of each step (x: t, q and v there), after move() there. */
 bool elements_follow(const struct elements *e);
-void elements_begin(struct elements *e, const struct sweep *s, const double *q, const double *v);
-void elements_stepped(struct elements *e, const struct sweep *s, const double *q, const double *v, double t);
+void elements_begin(struct elements *e, const struct sweep *s, const struct instant *x);
+void elements_stepped(struct elements *e, const struct sweep *s, const struct instant *x);
+/* Did a law have a corner or a jump in the last step?  Has a force grown without bound?  Which one; -1: none. */
 bool elements_may_bend(const struct elements *e);
 bool elements_bent(const struct elements *e);
+bool elements_may_have_poles(const struct elements *e);
+int elements_pole(const struct elements *e);
 void elements_set_measure(struct elements *e, int measure, double x);
 /* The tilt of a force between markers, see strains in kind/force.h [rad]; 0: it has none. */
 double elements_tilt(const struct elements *e, const struct sweep *s, int force);

@@ -70,6 +70,8 @@ static void add_other(struct elements *e, int force, const bool *turns, struct a
     struct touched on;
     *p = (struct part_of){.kind = kinds[f->type], .force = force};
     if (p->kind->sort) p->kind->sort(p, e->model, f);
+    if (p->reads) p->last = TAKE(life, double, f->nslot);
+    if (p->reads) p->now = TAKE(life, double, f->nslot);
     if (!p->ends) return;
     model_touched(&on, e->model, f, 0);
     find_rotations(p, e, on.a, on.b, turns, life);

@@ -175,29 +175,19 @@ static double stored(const struct elements *e, const struct sweep *s, const stru
     return p->sums ? p->V - taken(p, f, x) : f->kind->stored(f->par, x);
 }
 
-static void stand(struct part_of *p, const struct model_force *f, double s)
+/* Energy is counted from where the measure is 0, or from the start where that is out of reach. */
+static void follow(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins)
 {
+    const struct model_force *f = &e->model->force[p->force];
+    const double to = measured(e, s, f, x->q, x->v);
+    if (begins) p->stood = p->V = 0;
     if (p->sums) {
-        const double V = p->V - taken(p, f, s);
+        const double V = p->V - taken(p, f, to);
+        p->pole = !isfinite(V) && !begins;
         if (isfinite(V)) p->V = V;
     }
-    p->stood = s;
-}
-
-/* Energy is counted from where the measure is 0, or from the start where that is out of reach. */
-void law_begin(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v)
-{
-    const struct model_force *f = &e->model->force[p->force];
-    p->stood = p->V = 0;
-    stand(p, f, measured(e, s, f, q, v));
-    p->came = p->stood;
-}
-
-void law_stepped(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v)
-{
-    const struct model_force *f = &e->model->force[p->force];
-    p->came = p->stood;
-    stand(p, f, measured(e, s, f, q, v));
+    p->came = begins ? to : p->stood;
+    p->stood = to;
 }
 
 bool law_bent(const struct elements *e, const struct part_of *p)
@@ -214,6 +204,7 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     struct affine law;
     p->stores = f->kind->mean;
     p->sums = p->stores && !f->kind->stored;
+    p->poles = p->sums;
     p->bends = f->kind->bends;
     p->follows = p->sums || p->bends;
     p->linear = f->kind->affine && f->kind->affine(&law, f->par);
@@ -221,5 +212,10 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     p->ends = p->stores && !along && !(straight && p->linear);
 }
 
-const struct element_kind element_law = {
-    .sort = sort, .load = load, .slopes = slopes, .diagonal = diagonal, .stored = stored, .end = measured};
+const struct element_kind element_law = {.sort = sort,
+                                         .load = load,
+                                         .slopes = slopes,
+                                         .diagonal = diagonal,
+                                         .stored = stored,
+                                         .end = measured,
+                                         .follow = follow};

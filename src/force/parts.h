@@ -23,18 +23,22 @@ struct plain {
 struct part_of {
     const struct element_kind *kind;
     int force;
-    bool stores;   /* it has energy */
-    bool diagonal; /* its slopes, if any, are along joint coordinates one by one, for diagonal() */
-    bool linear;   /* its law is affine */
-    bool ends;     /* keeps energy by what stood at the interval's ends (see law.c) */
-    double end[2]; /* what end() says of these */
-    double kref;   /* a law's slope at the last slopes() */
-    bool bends;    /* its law may have corners */
-    bool sums;     /* its energy is summed from step to step */
-    bool follows;  /* it knows where the last step went: */
-    double came;   /* the measure at its start */
-    double stood;  /* and at its end */
-    double V;      /* of one that sums: the energy there [J] */
+    bool stores;        /* it has energy */
+    bool diagonal;      /* its slopes, if any, are along joint coordinates one by one, for diagonal() */
+    bool linear;        /* its law is affine */
+    bool ends;          /* keeps energy by what stood at the interval's ends (see law.c) */
+    double end[2];      /* what end() says of these */
+    double kref;        /* a law's slope at the last slopes() */
+    bool poles;         /* it may have poles */
+    bool bends;         /* its law may have corners */
+    bool sums;          /* its energy is summed from step to step */
+    bool follows;       /* it knows where the last step went: */
+    double came;        /* the measure at its start */
+    double stood;       /* and at its end */
+    double V;           /* of one that sums: the energy there [J] */
+    bool reads;         /* it knows what it has read: */
+    double *last, *now; /* [slots of the force] at the start of the last step, at its end */
+    bool pole;          /* it has grown without bound in the last step */
     int nturn;
     const int *turn; /* [nturn] rotations that change the measure: on one body's path and not on the other's */
 };
@@ -63,6 +67,8 @@ struct element_kind {
     /* Required where ends is set: the measure, or the energy, at an end of the interval. */
     double (*end)(const struct elements *e, const struct sweep *there, const struct model_force *f, const double *q,
                   const double *v);
+    /* Required where follows is set: at the start (begins), and at the end of each step. */
+    void (*follow)(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins);
 };
 extern const struct element_kind element_law, element_value, element_load, element_between;
 
@@ -94,9 +100,7 @@ static inline int last_of(const int *n, enum rate cls)
     return cls == FAST ? n[FAST] : n[ALL];
 }
 
-/* law.c: what follows begins at the start, goes on at the end of a step; has the law a corner between? */
-void law_begin(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v);
-void law_stepped(const struct elements *e, const struct sweep *s, struct part_of *p, const double *q, const double *v);
+/* law.c: had the law a corner in the last step? */
 bool law_bent(const struct elements *e, const struct part_of *p);
 
 /* What stood at one end (0: qa, 1: qb) of the interval, for the elements that want to know. */

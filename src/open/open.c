@@ -46,7 +46,7 @@ long open_move(struct open_tree *s, const double *q, const double *v)
 
 /* --- r, M, slopes ------------------------------------------------------------------------------- */
 
-/* Names the element, if one is to blame, else the row. */
+/* Names the element, if one is to blame, else the row of r, if that is known. */
 static enum status not_finite(struct open_tree *s, const double *r, const struct instant *x, enum rate cls,
                               struct trouble *why)
 {
@@ -61,6 +61,7 @@ static enum status not_finite(struct open_tree *s, const double *r, const struct
         if (why) why->kind = (int)m->force[i].type;
         return status;
     }
+    if (!r) return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
     int row = 0;
     while (row < m->n - 1 && isfinite(r[row])) row++;
     return trouble_set(why, TROUBLE_NOT_FINITE, row, r[row], x->t);
@@ -143,9 +144,8 @@ static enum status slopes(const struct ode2 *o, double *K, double *C, const stru
     }
     elements_slopes(s->elements, s->sweep, K, C, x, (enum rate)cls);
     elastic_slopes(&s->elastic, K, C, o->n, (enum rate)cls);
-    if ((K && !all_finite(K, o->n * o->n, 1)) || (C && !all_finite(C, o->n * o->n, 1)))
-        return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
-    return OK;
+    if ((!K || all_finite(K, o->n * o->n, 1)) && (!C || all_finite(C, o->n * o->n, 1))) return OK;
+    return x->v ? not_finite(s, NULL, x, (enum rate)cls, why) : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
 }
 
 static const struct ode2_ops ops = {.resid = resid, .mass = mass, .slopes = slopes};
@@ -240,7 +240,7 @@ static int count_turns(struct ode2 *o, double *q, double *v, double t)
 {
     struct open_tree *s = tree_of(o);
     open_move(s, q, v);
-    elements_stepped(s->elements, s->sweep, q, v, t);
+    elements_stepped(s->elements, s->sweep, &(struct instant){.t = t, .q = q, .v = v});
     if (s->follow) s->follow(s->follower, s->sweep, t);
     return 0;
 }

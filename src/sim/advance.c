@@ -4,7 +4,8 @@
  * ratio 1, the minor step itself.  Nothing unconverged is accepted; at 2^-10 of the deck's step the run stops.
  *
  * A scheme that looks at points of time gains or loses energy where a law has a corner within a step: as much as a
- * stop's stiffness brings in a part of the step.  Such a step is halved, too, while it spoils the balance. */
+ * stop's stiffness brings in a part of the step.  Such a step is halved, too, while it spoils the balance.  And no scheme
+ * steps over a pole of a force. */
 #include <math.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@ void advance_open(struct sim *sim, struct arena *life)
 {
     sim->keep = TAKE(life, struct single, 1);
     single_open(sim->keep, sim->stepper.ode, life);
+    sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
 }
 
 /* Books the step that was just accepted.  A state whose energy is unknown ends the run: it is no step to halve. */
@@ -47,6 +49,7 @@ static enum status halve(struct sim *sim, double h, int ratio, double to, int de
 static bool spoilt(const struct sim *sim, const struct ledger *before)
 {
     const struct ledger *l = &sim->ledger;
+    if (!sim->stepper.kind->points || !system_may_bend(sim->system)) return false;
     return fabs(l->residual - before->residual) > SPOILT * l->delta * l->norm && system_bent(sim->system);
 }
 
@@ -60,21 +63,30 @@ static enum status undo(struct sim *sim, const struct ledger *before, double t)
     return stepper_start(&sim->stepper, &sim->x, &sim->trouble);
 }
 
+/* Is a step to be undone that was taken from t, with the ledger `before`? */
+static bool wrong(const struct sim *sim, const struct ledger *before, long charts)
+{
+    return charts == system_charts(sim->system) && (system_pole(sim->system) >= 0 || spoilt(sim, before));
+}
+
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
     const bool divisible = depth < MOST_HALVINGS;
-    const bool watched = divisible && sim->stepper.kind->points && system_may_bend(sim->system);
     const struct ledger before = sim->ledger;
     const double t = sim->x.t;
     const long charts = system_charts(sim->system);
-    if (watched) single_save(sim->keep, sim->stepper.ode, &sim->x);
+    if (sim->watched) single_save(sim->keep, sim->stepper.ode, &sim->x);
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
     if (status == E_NUMERIC && divisible) return halve(sim, h, ratio, to, depth);
     TRY(status);
     TRY(book(sim));
-    if (!watched || !spoilt(sim, &before) || charts != system_charts(sim->system)) return note(sim, h, ratio);
-    TRY(undo(sim, &before, t));
-    return halve(sim, h, ratio, to, depth);
+    if (sim->watched && divisible && wrong(sim, &before, charts)) {
+        TRY(undo(sim, &before, t));
+        return halve(sim, h, ratio, to, depth);
+    }
+    const int pole = system_pole(sim->system);
+    if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
+    return note(sim, h, ratio);
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth)

@@ -63,7 +63,8 @@ struct sim {
     struct idle idle; /* turns that move no mass */
     struct stepper stepper;
     struct state x;
-    struct single *keep; /* the state before a step that may be undone */
+    bool watched;        /* steps may be undone */
+    struct single *keep; /* then the state before */
     struct ledger ledger;
     struct catalogue catalogue;
     int nformula;

@@ -69,7 +69,7 @@ enum status system_start(struct system *s, double *q, double *v, struct report *
     memcpy(q, s->loops ? condense_q(s->loops) : s->model->q0, sizeof *q * (size_t)o->nq);
     memcpy(v, s->loops ? condense_v(s->loops) : s->model->v0, sizeof *v * (size_t)o->n);
     open_move(&s->tree, q, s->v);
-    elements_begin(s->tree.elements, s->tree.sweep, q, s->v);
+    elements_begin(s->tree.elements, s->tree.sweep, &(struct instant){.t = s->model->t0, .q = q, .v = s->v});
     return OK;
 }
 
@@ -320,6 +320,16 @@ void system_frame_spin(const struct system *s, double *w, int body)
 bool system_may_bend(const struct system *s)
 {
     return elements_may_bend(s->tree.elements);
+}
+
+bool system_may_have_poles(const struct system *s)
+{
+    return elements_may_have_poles(s->tree.elements);
+}
+
+int system_pole(const struct system *s)
+{
+    return elements_pole(s->tree.elements);
 }
 
 enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why)

@@ -87,6 +87,9 @@ void system_frame_spin(const struct system *s, double *w, int body);
  * at t are those before it. */
 bool system_may_bend(const struct system *s);
 bool system_bent(const struct system *s);
+/* Forces given as expressions that divide?  Has one grown without bound in the last step?  Its number; -1: none. */
+bool system_may_have_poles(const struct system *s);
+int system_pole(const struct system *s);
 enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why);
 
 /* elements_tilt(), at the last system_energy_at(). */
