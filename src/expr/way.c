@@ -97,6 +97,36 @@ bool expr_pole(double *at, const struct expr_way *o)
     return false;
 }
 
+/* ---- jumps ---- */
+
+/* A jump has the same height at 1e-9 of the way from it as next to it, a steep slope has not. */
+static bool leap_at(double *before, double *behind, const struct expr_way *o, double v, double w)
+{
+    static const double NEAR = 8 * DBL_EPSILON, FAR = 1e-9, SAME = .5;
+    const double a = value_at(o, fmax(0, v - NEAR)), b = value_at(o, fmin(1, w + NEAR));
+    const double far = value_at(o, fmin(1, w + FAR)) - value_at(o, fmax(0, v - FAR)), size = fabs(a) + fabs(b);
+    *before = a;
+    *behind = b;
+    return fabs(b - a) > 1e-6 * size && fabs(b - a) > SAME * fabs(far);
+}
+
+bool expr_leap(double *before, double *behind, const struct expr_way *o)
+{
+    double u = 0, most = 0;
+    for (int i = 0, degree, empty = 0; u < 1 && i < MOST_PIECES; i++) {
+        double a, b;
+        const double v = piece_end(&degree, o, u), w = fmin(1, v + SLIVER);
+        if (v >= 1 || (empty += v == u) > MOST_EMPTY) break;
+        if (leap_at(&a, &b, o, v, w) && fabs(b - a) > most) {
+            *before = a;
+            *behind = b;
+            most = fabs(b - a);
+        }
+        u = w;
+    }
+    return most > 0;
+}
+
 /* ---- rules, on [-1, 1]; those that are symmetric by their half ---- */
 
 static const double gauss_at[3][3] = {

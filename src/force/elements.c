@@ -1,6 +1,8 @@
 /* elements.c -- all elements of a class; loads Q_F of (2-1), by the table of element kinds. */
 #include "force/elements.h"
 
+#include <math.h>
+
 #include "force/parts.h"
 
 static void load_plain(const struct plain *p, double *r, double *w, struct effect *effect, const struct instant *x)
@@ -115,4 +117,28 @@ bool elements_bent(const struct elements *e)
     for (int i = 0; i < e->nother[ALL]; i++)
         if (law_bent(e, &e->other[i])) return true;
     return false;
+}
+
+static void read_all(struct elements *e, struct sweep *s, const struct instant *x)
+{
+    e->ops->move(s, x->q, x->v, ALL);
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].reads) value_read(e, s, &e->other[i], x);
+}
+
+void elements_leap(struct leap *o, struct elements *e, struct sweep *s, const struct instant *a,
+                   const struct instant *b)
+{
+    *o = (struct leap){.force = -1};
+    read_all(e, s, a);
+    read_all(e, s, b);
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct part_of *p = &e->other[i];
+        const struct model_force *f = &e->model->force[p->force];
+        struct leap x = {.force = p->force};
+        for (int k = 0; k < 3 && p->reads; k++)
+            if (signal_leap(&f->value[k], &x.before, &x.behind, p->last, p->now, f->nslot) &&
+                fabs(x.behind - x.before) > fabs(o->behind - o->before))
+                *o = x;
+    }
 }

@@ -61,6 +61,13 @@ bool elements_may_bend(const struct elements *e);
 bool elements_bent(const struct elements *e);
 bool elements_may_have_poles(const struct elements *e);
 int elements_pole(const struct elements *e);
+/* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
+struct leap {
+    int force; /* -1: there is none */
+    double before, behind;
+};
+void elements_leap(struct leap *o, struct elements *e, struct sweep *s, const struct instant *a,
+                   const struct instant *b);
 void elements_set_measure(struct elements *e, int measure, double x);
 /* The tilt of a force between markers, see strains in kind/force.h [rad]; 0: it has none. */
 double elements_tilt(const struct elements *e, const struct sweep *s, int force);

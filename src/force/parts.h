@@ -100,6 +100,8 @@ static inline int last_of(const int *n, enum rate cls)
     return cls == FAST ? n[FAST] : n[ALL];
 }
 
+/* signal.c: what a force reads now, behind what it has read last. */
+void value_read(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x);
 /* law.c: had the law a corner in the last step? */
 bool law_bent(const struct elements *e, const struct part_of *p);
 

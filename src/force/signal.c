@@ -4,7 +4,6 @@
  * quasi-displacements: of a quaternion, x' = (w u + x cross u)/2, w' = -x.u/2. */
 #include <string.h>
 
-#include "expr/expr.h"
 #include "force/parts.h"
 #include "la/vec3.h"
 
@@ -159,22 +158,24 @@ static void slopes_body(struct elements *e, struct sweep *s, struct part_of *p, 
     }
 }
 
-/* --- poles --------------------------------------------------------------------------------------- */
+/* --- poles and jumps ----------------------------------------------------------------------------- */
+
+void value_read(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    read_slots(e, s, f, x);
+    memcpy(p->last, p->now, sizeof(double) * (size_t)f->nslot);
+    memcpy(p->now, e->slot, sizeof(double) * (size_t)f->nslot);
+}
 
 /* Does one of the values grow without bound on the straight way of the last step? */
 static void follow(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins)
 {
     const struct model_force *f = &e->model->force[p->force];
-    const size_t bytes = sizeof(double) * (size_t)f->nslot;
-    double at;
-    read_slots(e, s, f, x);
-    memcpy(p->last, begins ? e->slot : p->now, bytes);
-    memcpy(p->now, e->slot, bytes);
+    value_read(e, s, p, x);
+    if (begins) value_read(e, s, p, x);
     p->pole = false;
-    for (int i = 0; i < 3; i++) {
-        const struct expr_way way = {f->value[i].expr, p->last, p->now, f->nslot};
-        if (way.e && expr_may_have_poles(way.e)) p->pole |= expr_pole(&at, &way);
-    }
+    for (int i = 0; i < 3; i++) p->pole |= signal_pole(&f->value[i], p->last, p->now, f->nslot);
 }
 
 /* Of time alone there are no slopes. */
@@ -184,8 +185,12 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     p->diagonal = true;
     for (int k = 0; k < f->nslot; k++)
         if (f->slot[k].type != SLOT_TIME) p->diagonal = false;
-    for (int i = 0; i < 3; i++) p->poles |= f->value[i].expr && expr_may_have_poles(f->value[i].expr);
-    p->follows = p->reads = p->poles;
+    for (int i = 0; i < 3; i++) {
+        p->poles |= signal_may_have_poles(&f->value[i]);
+        p->reads |= signal_may_leap(&f->value[i]);
+    }
+    p->follows = p->poles;
+    p->reads |= p->poles;
 }
 
 const struct element_kind element_value = {.sort = sort, .load = load_value, .slopes = slopes_value, .follow = follow};

@@ -173,6 +173,12 @@ double signal_corner_time(const struct signal *s, double ta, double tb);
 /* Does the value itself jump in [ta, tb)?  Then *at is right before the first place found, *before and *behind are the
  * values there; no motion follows it. */
 bool signal_jump(const struct signal *s, double *at, double *before, double *behind, double ta, double tb);
+/* May the value grow without bound, and does it on the straight way of its slots [n] from a to b? */
+bool signal_may_have_poles(const struct signal *s);
+bool signal_pole(const struct signal *s, const double *a, const double *b, int n);
+/* May it jump; the largest jump on such a way, from *before to *behind: false: none. */
+bool signal_may_leap(const struct signal *s);
+bool signal_leap(const struct signal *s, double *before, double *behind, const double *a, const double *b, int n);
 /* The first point of a table after time t, where it may bend; infinity: none. */
 double signal_next(const struct signal *s, double t);
 

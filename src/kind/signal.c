@@ -187,3 +187,24 @@ double signal_next(const struct signal *s, double t)
     if (s->expr || s->n == 0 || t >= s->t[s->n - 1]) return INFINITY;
     return t < s->t[0] ? s->t[0] : s->t[piece(s, t) + 1];
 }
+
+bool signal_may_have_poles(const struct signal *s)
+{
+    return s->expr && expr_may_have_poles(s->expr);
+}
+
+bool signal_pole(const struct signal *s, const double *a, const double *b, int n)
+{
+    double at;
+    return signal_may_have_poles(s) && expr_pole(&at, &(struct expr_way){s->expr, a, b, n});
+}
+
+bool signal_may_leap(const struct signal *s)
+{
+    return s->expr && !expr_is_smooth(s->expr);
+}
+
+bool signal_leap(const struct signal *s, double *before, double *behind, const double *a, const double *b, int n)
+{
+    return signal_may_leap(s) && expr_leap(before, behind, &(struct expr_way){s->expr, a, b, n});
+}

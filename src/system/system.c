@@ -24,8 +24,9 @@ struct system {
     double *lambda;      /* [rows] at the last see() */
     double constraint_worst;
     /* at the last see() */
-    double *q, *v, *a, *r; /* [nq], [n] */
-    struct effect *effect; /* [nforce] */
+    double *q, *v, *a, *r;         /* [nq], [n] */
+    struct effect *effect;         /* [nforce] */
+    double *near_q[2], *near_v[2]; /* [nq], [n] two states of system_leap() */
     struct energies energies;
 };
 
@@ -50,6 +51,10 @@ struct system *system_build(const struct model *m, struct arena *life)
     s->a = TAKE(life, double, m->n);
     s->r = TAKE(life, double, m->n);
     s->effect = TAKE(life, struct effect, m->nforce);
+    for (int i = 0; i < 2; i++) {
+        s->near_q[i] = TAKE(life, double, m->nq);
+        s->near_v[i] = TAKE(life, double, m->n);
+    }
     if (m->nloop) build_loops(s, life);
     return s;
 }
@@ -374,4 +379,28 @@ void system_momentum(const struct system *s, double *p, double *L)
         m3_mul(world, b.R, spin);
         v3_add(L, world);
     }
+}
+
+/* q, v and t at s->q, s->v, s->a moved on by h, in q1 and v1. */
+static void move_on(const struct system *s, double *q1, double *v1, double h)
+{
+    const struct ode2 *tree = &s->tree.ode;
+    if (tree->move)
+        tree->move->point(tree, q1, s->q, s->v, h, 0);
+    else
+        for (int i = 0; i < s->model->n; i++) q1[i] = s->q[i] + h * s->v[i];
+    for (int i = 0; i < s->model->n; i++) v1[i] = s->v[i] + h * s->a[i];
+}
+
+void system_leap(struct system *s, struct leap *o, const double *q, const double *v, double t, double h)
+{
+    struct trouble why;
+    struct instant end[2];
+    *o = (struct leap){.force = -1};
+    if (evaluate_rates(s, q, v, t, &why) != OK || evaluate_accelerations(s, q, v, t, &why) != OK) return;
+    for (int i = 0; i < 2; i++) {
+        move_on(s, s->near_q[i], s->near_v[i], i ? h : -h);
+        end[i] = (struct instant){.t = i ? t + h : t - h, .q = s->near_q[i], .v = s->near_v[i]};
+    }
+    elements_leap(o, s->tree.elements, s->view, &end[0], &end[1]);
 }
