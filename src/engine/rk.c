@@ -4,11 +4,12 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-void rk_open(struct rk *k, const struct ode2 *ode, struct accel *accel, struct arena *life)
+void rk_open(struct rk *k, int stages, const struct ode2 *ode, struct accel *accel, struct arena *life)
 {
+    k->stages = stages;
     k->ode = ode;
     k->accel = accel;
-    for (int i = 0; i < RK_STAGES; i++) {
+    for (int i = 0; i < stages; i++) {
         k->du[i] = TAKE(life, double, ode->n);
         k->dv[i] = TAKE(life, double, ode->n);
     }

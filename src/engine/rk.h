@@ -12,7 +12,7 @@
 #include "base/arena.h"
 #include "engine/accel.h"
 
-enum { RK_STAGES = 7 };
+enum { RK_STAGES = 13 };
 
 struct rk_table {
     int stages;
@@ -22,6 +22,7 @@ struct rk_table {
 };
 
 struct rk {
+    int stages;
     const struct ode2 *ode;
     struct accel *accel;
     double *du[RK_STAGES], *dv[RK_STAGES]; /* [n] stage slopes */
@@ -29,7 +30,8 @@ struct rk {
     double *u, *v, *q; /* the stage under way */
 };
 
-void rk_open(struct rk *k, const struct ode2 *ode, struct accel *accel, struct arena *life);
+/* For tables of so many stages. */
+void rk_open(struct rk *k, int stages, const struct ode2 *ode, struct accel *accel, struct arena *life);
 
 /* Stage i from q0, v0 and the slopes before it; step h from t. */
 enum status rk_stage(struct rk *k, const struct rk_table *table, int i, const double *q0, const double *v0, double t,

@@ -17,7 +17,7 @@ struct rk4 {
 static void open(struct stepper *s, struct arena *life)
 {
     struct rk4 *m = TAKE(life, struct rk4, 1);
-    rk_open(&m->rk, s->ode, s->accel, life);
+    rk_open(&m->rk, table.stages, s->ode, s->accel, life);
     single_open(&m->keep, s->ode, life);
     s->self = m;
 }

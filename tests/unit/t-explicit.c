@@ -1,4 +1,4 @@
-/* t-explicit.c -- rk4 and dopri5: order on known solutions, also with rotations; error control; landing */
+/* t-explicit.c -- rk4, dopri5, dop853, radau5, radau9: order on known solutions, also with rotations; error control; landing */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -53,51 +53,63 @@ static void test_rk4_order(void **state)
     assert_true(order > 3.85 && order < 4.15);
 }
 
-/* Error against tolerance: steps grow as tol^(-1/5), the error follows down to 1e-10. */
-static void test_dopri5_linear(void **state)
+/* Error against tolerance: steps grow as tol^(-1/p), the error follows down to 1e-10. */
+static void test_tolerance(void **state)
 {
     (void)state;
-    struct linear s;
-    long steps[3];
-    oscillator(&s);
-    for (int k = 0; k < 3; k++) {
-        struct run r;
-        struct step_options o = step_defaults;
-        o.tolerance = pow(10, -6 - 3 * k);
-        assert_int_equal(run_open(&r, "dopri5", &s.ode, &o, start_q, start_v), OK);
-        assert_int_equal(run_steps(&r, .1, 1, 20), OK);
-        double err = oscillator_error(&r, 2);
-        assert_true(err < 60 * o.tolerance);
-        assert_true(k < 2 || err < 1e-10);
-        assert_true(r.x.t == 2.);
-        steps[k] = r.stepper.effort.minors;
-        run_close(&r);
-    }
-    for (int k = 0; k < 2; k++) { /* 10^(3/5) = 3.98 */
-        double ratio = (double)steps[k + 1] / (double)steps[k];
-        if (!(ratio > 3 && ratio < 5)) print_error("steps %ld %ld\n", steps[k], steps[k + 1]);
-        assert_true(ratio > 3 && ratio < 5);
+    static const struct {
+        const char *scheme;
+        double p;
+    } of[] = {{"dopri5", 5}, {"dop853", 8}, {"radau5", 6}, {"radau9", 10}};
+    for (int i = 0; i < 4; i++) {
+        struct linear s;
+        long steps[3];
+        oscillator(&s);
+        for (int k = 0; k < 3; k++) {
+            struct run r;
+            struct step_options o = step_defaults;
+            o.tolerance = pow(10, -6 - 3 * k);
+            assert_int_equal(run_open(&r, of[i].scheme, &s.ode, &o, start_q, start_v), OK);
+            assert_int_equal(run_steps(&r, 2, 1, 1), OK);
+            double err = oscillator_error(&r, 2);
+            if (!(err < 60 * o.tolerance)) print_error("%s: %g at %g\n", of[i].scheme, err, o.tolerance);
+            assert_true(err < 60 * o.tolerance);
+            assert_true(k < 2 || err < 1e-10);
+            assert_true(r.x.t == 2.);
+            steps[k] = r.stepper.effort.minors;
+            run_close(&r);
+        }
+        for (int k = 0; k < 2; k++) {
+            double ratio = (double)steps[k + 1] / (double)steps[k], wanted = pow(1000, 1 / of[i].p);
+            if (!(ratio > .75 * wanted && ratio < 1.3 * wanted))
+                print_error("%s: steps %ld %ld\n", of[i].scheme, steps[k], steps[k + 1]);
+            assert_true(ratio > .75 * wanted && ratio < 1.3 * wanted);
+        }
     }
 }
 
-/* dopri5 against rk4 with a step a hundred times smaller: two implementations, one answer. */
+/* Against rk4 with a step a hundred times smaller: two implementations, one answer. */
 static void test_rotations(void **state)
 {
     (void)state;
+    static const char *const scheme[] = {"dopri5", "dop853", "radau5", "radau9"};
     struct carrier top;
     struct step_options o = step_defaults;
-    struct run a, b;
+    struct run b;
     o.tolerance = 1e-12;
     carrier_open(&top, 1);
-    assert_int_equal(run_open(&a, "dopri5", &top.ode, &o, carrier_q, carrier_v), OK);
     assert_int_equal(run_open(&b, "rk4", &top.ode, &o, carrier_q, carrier_v), OK);
-    double E0 = carrier_energy(&top, a.q, a.v);
-    assert_int_equal(run_steps(&a, 1, 1, 2), OK);
+    double E0 = carrier_energy(&top, b.q, b.v);
     assert_int_equal(run_steps(&b, 1e-4, 100, 200), OK);
-    for (int i = 0; i < 5; i++) assert_true(fabs(a.q[i] - b.q[i]) < 1e-10);
-    for (int i = 0; i < 4; i++) assert_true(fabs(a.v[i] - b.v[i]) < 1e-9);
-    assert_true(fabs(carrier_energy(&top, a.q, a.v) / E0 - 1) < 1e-10);
-    run_close(&a);
+    for (int k = 0; k < 4; k++) {
+        struct run a;
+        assert_int_equal(run_open(&a, scheme[k], &top.ode, &o, carrier_q, carrier_v), OK);
+        assert_int_equal(run_steps(&a, 1, 1, 2), OK);
+        for (int i = 0; i < 5; i++) assert_true(fabs(a.q[i] - b.q[i]) < 1e-10);
+        for (int i = 0; i < 4; i++) assert_true(fabs(a.v[i] - b.v[i]) < 1e-9);
+        assert_true(fabs(carrier_energy(&top, a.q, a.v) / E0 - 1) < 1e-10);
+        run_close(&a);
+    }
     run_close(&b);
 }
 
@@ -105,8 +117,8 @@ static void test_rotations(void **state)
 static void test_work(void **state)
 {
     (void)state;
-    const char *schemes[] = {"rk4", "dopri5"};
-    for (int k = 0; k < 2; k++) {
+    const char *schemes[] = {"rk4", "dopri5", "dop853", "radau5", "radau9"};
+    for (int k = 0; k < 5; k++) {
         struct linear s;
         struct run r;
         struct step_options o = step_defaults;
@@ -235,8 +247,8 @@ static void test_pole(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rk4_order),  cmocka_unit_test(test_dopri5_linear), cmocka_unit_test(test_rotations),
-        cmocka_unit_test(test_work),       cmocka_unit_test(test_breaks),        cmocka_unit_test(test_pole),
+        cmocka_unit_test(test_rk4_order),  cmocka_unit_test(test_tolerance), cmocka_unit_test(test_rotations),
+        cmocka_unit_test(test_work),       cmocka_unit_test(test_breaks),    cmocka_unit_test(test_pole),
         cmocka_unit_test(test_jump_fails),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

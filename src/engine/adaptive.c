@@ -1,0 +1,237 @@
+/* adaptive.c -- see adaptive.h */
+#include "engine/adaptive.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+#include "engine/motion.h"
+
+static const struct rk_table euler = {.stages = 2, .c = {0, 1}, .a = {{0}, {1}}};
+
+void adaptive_open(struct stepper *s, struct arena *life)
+{
+    const struct ode2 *o = s->ode;
+    struct adaptive *m = TAKE(life, struct adaptive, 1);
+    m->scheme = s->kind->formulas;
+    m->tolerance = s->options.tolerance;
+    rk_open(&m->rk, m->scheme->stages, o, s->accel, life);
+    m->q = TAKE(life, double, o->nq);
+    m->q1 = TAKE(life, double, o->nq);
+    m->v = TAKE(life, double, o->n);
+    m->v1 = TAKE(life, double, o->n);
+    m->a = TAKE(life, double, o->n);
+    m->span = TAKE(life, double, o->n);
+    s->self = m;
+    m->scheme->open(s, m, life);
+}
+
+struct adaptive *adaptive_of(const struct stepper *s)
+{
+    return s->self;
+}
+
+static double usual(const struct stepper *s, int i)
+{
+    return s->ode->size ? s->ode->size(s->ode, i) : 1;
+}
+
+/* Size of position i.  A position that is moved by quasi-displacements has none of its own: what it
+ * has travelled, at most its usual size. */
+static double size(const struct stepper *s, const double *q, int i)
+{
+    const struct adaptive *m = s->self;
+    return s->ode->move ? fmin(usual(s, i), fabs(m->span[i])) : fabs(q[i]);
+}
+
+double adaptive_scale_q(const struct stepper *s, int i)
+{
+    const struct adaptive *m = s->self;
+    return m->tolerance * usual(s, i) + m->tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
+}
+
+/* What all but stands is not judged by its round-off. */
+double adaptive_scale_v(const struct stepper *s, int i)
+{
+    static const double PART = .01, SLOWEST = 1e-3; /* [1/s] */
+    const struct adaptive *m = s->self;
+    return m->tolerance * usual(s, i) * fmax(PART * m->pace, SLOWEST) +
+           m->tolerance * fmax(fabs(m->v[i]), fabs(m->v1[i]));
+}
+
+static void note_pace(struct stepper *s)
+{
+    struct adaptive *m = s->self;
+    for (int i = 0; i < s->ode->n; i++) m->pace = fmax(m->pace, fabs(m->v[i]) / usual(s, i));
+}
+
+static void forget(struct adaptive *m)
+{
+    if (m->scheme->forget) m->scheme->forget(m);
+}
+
+/* A first step: 1 % of the time in which the state moves by its own size, and an Euler step to see
+ * the second derivative (Hairer, Norsett & Wanner, II.4, starting step). */
+static enum status first_step(struct stepper *s, double t, double most, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    struct rk *k = &m->rk;
+    int n = s->ode->n;
+    double d0 = 0, d1 = 0, d2 = 0;
+    copy(m->q1, m->q, s->ode->nq);
+    copy(m->v1, m->v, n);
+    TRY(rk_stage(k, &euler, 0, m->q, m->v, t, 0, why));
+    for (int i = 0; i < n; i++) {
+        double sq = adaptive_scale_q(s, i), sv = adaptive_scale_v(s, i);
+        d0 += pow(size(s, m->q, i) / sq, 2) + pow(m->v[i] / sv, 2);
+        d1 += pow(m->v[i] / sq, 2) + pow(k->dv[0][i] / sv, 2);
+    }
+    d0 = sqrt(d0 / (2 * n));
+    d1 = sqrt(d1 / (2 * n));
+    double h0 = fmin(most, d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : .01 * d0 / d1);
+    TRY(rk_stage(k, &euler, 1, m->q, m->v, t, h0, why));
+    for (int i = 0; i < n; i++)
+        d2 += pow((k->du[1][i] - k->du[0][i]) / adaptive_scale_q(s, i), 2) +
+              pow((k->dv[1][i] - k->dv[0][i]) / adaptive_scale_v(s, i), 2);
+    d2 = sqrt(d2 / (2 * n)) / h0;
+    double top = fmax(d1, d2), h1 = top <= 1e-15 ? fmax(1e-6, 1e-3 * h0) : pow(.01 / top, 1. / m->scheme->order);
+    m->h = fmin(fmin(100 * h0, h1), most);
+    m->old = 1e-4;
+    return OK;
+}
+
+static void take(struct stepper *s, struct adaptive *m, double h)
+{
+    m->scheme->take(s, m, h);
+    copy(m->q, m->q1, s->ode->nq);
+    copy(m->v, m->v1, s->ode->n);
+    note_pace(s);
+    s->effort.minors++;
+}
+
+/* Better coordinates at t, where there are any: what is known in the old ones is made anew.  The state x goes along, as
+ * it cannot go back behind t. */
+static enum status recoordinate(struct stepper *s, struct state *x, double t, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    struct ode2 *o = s->ode;
+    if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
+    zero(m->span, o->n);
+    forget(m);
+    copy(x->q, m->q, o->nq);
+    copy(x->v, m->v, o->n);
+    x->t = t;
+    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, t, 0, why));
+    copy(m->a, m->rk.dv[0], o->n);
+    copy(x->a, m->a, o->n);
+    return OK;
+}
+
+/* From t to end, landing there; either may be the later one.  Where accelerations jump no step is short enough; a few
+ * of the round-off of t pass it, for what they miss is of that order. */
+static enum status advance(struct stepper *s, struct state *x, double t, double end, struct trouble *why)
+{
+    enum { MOST_PASSED = 4 };
+    struct adaptive *m = s->self;
+    const double least = 16 * DBL_EPSILON * fmax(fabs(t), fabs(end));
+    int passed = 0;
+    while (t != end) {
+        double left = fabs(end - t), h = m->h, err = 0, way = end > t ? 1 : -1;
+        int last = h >= left * (1 - 1e-10), cut = last && h > left;
+        if (last) h = left;
+        if (t + way * h == t) return trouble_set(why, TROUBLE_TOO_SMALL, -1, h, t);
+        enum status status = m->scheme->attempt(s, m, &err, t, way * h, why);
+        if (h > least && err <= 1) passed = 0;
+        const bool jump = status == OK && err > 1 && h <= least && passed++ < MOST_PASSED;
+        if (status != OK || (err > 1 && !jump)) {
+            m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
+            s->effort.rejected++;
+            continue;
+        }
+        take(s, m, way * h);
+        const double grow = m->scheme->grow(m, err);
+        if (!cut || grow < 1) m->h = h * grow;
+        m->old = fmax(err, 1e-4);
+        t = last ? end : t + way * h;
+        if (!last) TRY(recoordinate(s, x, t, why));
+    }
+    return OK;
+}
+
+/* The slopes at the start of H: kept from the last step, new after anything has changed. */
+static enum status begin(struct stepper *s, const struct state *x, double to, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    copy(m->q, x->q, s->ode->nq);
+    copy(m->v, x->v, s->ode->n);
+    zero(m->work, POWER_CHANNELS);
+    if (s->fresh) {
+        zero(m->span, s->ode->n);
+        note_pace(s);
+        TRY(first_step(s, x->t, fabs(to - x->t), why));
+    } else {
+        TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, x->t, 0, why));
+    }
+    copy(m->a, m->rk.dv[0], s->ode->n);
+    s->fresh = 0;
+    return OK;
+}
+
+/* The impulse of a corner in [*t, behind), and the slopes behind it. */
+static enum status take_impulse(struct stepper *s, double *t, double behind, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    const struct ode2 *o = s->ode;
+    int met;
+    TRY(o->breaks->jump(o, &met, m->v, &m->work[POWER_DRIVE], m->q, *t, behind, why));
+    if (!met) return OK;
+    *t = behind;
+    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, *t, 0, why));
+    copy(m->a, m->rk.dv[0], o->n);
+    return OK;
+}
+
+/* Where drives have corners in [t, end): the impulse of one at t; *end then is where the next one is.  Round-off before
+ * the end it is what jumps up to the end itself: the next interval begins with the rates there. */
+static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
+{
+    const struct ode2 *o = s->ode;
+    if (!o->breaks || !o->breaks->jump) return OK;
+    const double behind = motion_behind(*t, *end);
+    if (behind >= *end) return take_impulse(s, t, *end, why);
+    double first = o->breaks->corner(o, *t, *end);
+    if (first <= behind) TRY(take_impulse(s, t, behind, why));
+    if (first <= behind) first = o->breaks->corner(o, behind, *end);
+    *end = fmin(*end, first);
+    return OK;
+}
+
+enum status adaptive_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    const struct ode2 *o = s->ode;
+    (void)h, (void)ratio;
+    TRY(begin(s, x, to, why));
+    const int forth = to > x->t, breaks = forth && o->breaks && o->breaks->next;
+    for (double t = x->t, end; t != to; t = end) {
+        end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
+        if (forth) TRY(turn_corner(s, &t, &end, why));
+        TRY(advance(s, x, t, end, why));
+        if (end != to) { /* one-sided slopes beyond the kink */
+            TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, end, 0, why));
+            copy(m->a, m->rk.dv[0], o->n);
+        }
+    }
+    copy(x->q, m->q, o->nq);
+    copy(x->v, m->v, o->n);
+    copy(x->a, m->a, o->n);
+    for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->work[c];
+    x->t = to;
+    return OK;
+}
+
+const struct key adaptive_keys[] = {
+    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 0, 0.1, KEY_ABOVE | KEY_META, NULL,
+               "relative error of every step"),
+    KEYS_END,
+};

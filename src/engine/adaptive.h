@@ -1,0 +1,61 @@
+/* adaptive.h -- schemes that choose their own steps inside a major one: what they share, so that a scheme's file is its
+ * formulas.
+ *
+ * From t to the end of the major step, landing on it and on every known kink and corner in time between; the step used
+ * before such a cut is kept.  A step is accepted where its error is at most 1 in scales of the tolerance:
+ *
+ *     err = rms of e_i / (tol (Y_i + |y_i|))
+ *
+ * Y_i is what makes the tolerance a share in any units: of a position its usual size L_i (a radian, the mechanism's
+ * length), of a velocity L_i times a hundredth of the fastest |v_j|/L_j so far.  Starting step: Hairer, Norsett & Wanner,
+ * Solving Ordinary Differential Equations I, II.4. */
+#ifndef FMDSUB_ENGINE_ADAPTIVE_H
+#define FMDSUB_ENGINE_ADAPTIVE_H
+
+#include "engine/rk.h"
+#include "engine/stepper.h"
+
+struct adaptive {
+    const struct adaptive_scheme *scheme;
+    double *q, *v, *a; /* the state inside H: [nq], [n], and its accelerations [n] */
+    double *q1, *v1;   /* the end under trial */
+    double tolerance;  /* of the scales: the deck's, or what open() makes of it */
+    double pace;       /* largest |v|/L so far [1/s] */
+    double *span;      /* [n] displacement since the start, where positions have a move of their own */
+    double h, old;     /* next step; error of the last one */
+    double work[POWER_CHANNELS];
+    struct rk rk; /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
+    void *own;    /* the scheme's memory */
+};
+
+struct adaptive_scheme {
+    int stages; /* of rk, for an explicit method; 2 for the start of any other */
+    int order;  /* of the estimate + 1: the first step goes by err^(1/order) */
+    /* Required.  Once: memory into m->own. */
+    void (*open)(struct stepper *s, struct adaptive *m, struct arena *life);
+    /* Optional.  The state was changed from outside: what is known of steps before is of no use. */
+    void (*forget)(struct adaptive *m);
+    /* Required.  One trial from t to t + h: its error, in q1, v1 its end. */
+    enum status (*attempt)(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why);
+    /* Required.  The trial is the step: m->work, a, rk.w[0] and m->span follow; q and v are the caller's. */
+    void (*take)(struct stepper *s, struct adaptive *m, double h);
+    /* Required.  Times the step for the next one: of a trial with this error that failed; of one that was taken. */
+    double (*shrink)(const struct adaptive *m, double err);
+    double (*grow)(const struct adaptive *m, double err);
+};
+
+/* The block of a stepper of such a kind. */
+struct adaptive *adaptive_of(const struct stepper *s);
+
+/* Slots of a stepper_kind whose `formulas` are a struct adaptive_scheme. */
+void adaptive_open(struct stepper *s, struct arena *life);
+enum status adaptive_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+
+/* tol (Y_i + |y_i|) of position and of velocity i. */
+double adaptive_scale_q(const struct stepper *s, int i);
+double adaptive_scale_v(const struct stepper *s, int i);
+
+extern const struct key adaptive_keys[];
+#define ADAPTIVE .keys = adaptive_keys, .adaptive = 1, .open = adaptive_open, .step = adaptive_step
+
+#endif

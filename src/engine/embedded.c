@@ -1,0 +1,80 @@
+/* embedded.c -- see embedded.h */
+#include "engine/embedded.h"
+
+#include <math.h>
+
+#include "engine/motion.h"
+
+static const struct embedded_pair *pair_of(const struct adaptive *m)
+{
+    return (const struct embedded_pair *)m->scheme;
+}
+
+void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life)
+{
+    (void)s, (void)m, (void)life;
+}
+
+/* Mean square of h sum e_j k_j in scales. */
+static double mean_square(const struct stepper *s, const struct adaptive *m, const double *e, double h)
+{
+    const int n = s->ode->n, stages = m->rk.stages;
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+        double eq = 0, ev = 0;
+        for (int j = 0; j < stages; j++) {
+            eq += e[j] * m->rk.du[j][i];
+            ev += e[j] * m->rk.dv[j][i];
+        }
+        eq *= h / adaptive_scale_q(s, i);
+        ev *= h / adaptive_scale_v(s, i);
+        sum += eq * eq + ev * ev;
+    }
+    return sum / (2 * n);
+}
+
+static double error(const struct stepper *s, const struct adaptive *m, double h)
+{
+    const struct embedded_pair *p = pair_of(m);
+    const double square = mean_square(s, m, p->e, h);
+    if (!p->e2 || square == 0) return sqrt(square);
+    return square / sqrt(square + .01 * mean_square(s, m, p->e2, h));
+}
+
+enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
+                             struct trouble *why)
+{
+    const struct rk_table *table = &pair_of(m)->table;
+    copy(m->rk.dv[0], m->a, s->ode->n); /* first same as last; w[0] is kept likewise */
+    zero(m->rk.u, s->ode->n);
+    motion_rate(s->ode, m->rk.du[0], m->q, m->q, m->rk.u, m->v, t);
+    for (int i = 1; i < table->stages; i++) TRY(rk_stage(&m->rk, table, i, m->q, m->v, t, h, why));
+    copy(m->q1, m->q, s->ode->nq);
+    copy(m->v1, m->v, s->ode->n);
+    rk_end(&m->rk, table, m->q1, m->v1, NULL, t, h);
+    *err = error(s, m, h);
+    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
+}
+
+void embedded_take(struct stepper *s, struct adaptive *m, double h)
+{
+    const struct rk_table *table = &pair_of(m)->table;
+    const int n = s->ode->n, last = table->stages - 1;
+    for (int j = 0; j < table->stages; j++)
+        for (int c = 0; c < POWER_CHANNELS; c++) m->work[c] += h * table->b[j] * m->rk.w[j][c];
+    for (int i = 0; i < n; i++) m->span[i] += m->rk.u[i];
+    copy(m->a, m->rk.dv[last], n);
+    copy(m->rk.w[0], m->rk.w[last], POWER_CHANNELS);
+}
+
+double embedded_shrink(const struct adaptive *m, double err)
+{
+    const struct embedded_pair *p = pair_of(m);
+    return fmax(p->least, .9 * pow(err, -p->fail));
+}
+
+double embedded_grow(const struct adaptive *m, double err)
+{
+    const struct embedded_pair *p = pair_of(m);
+    return fmin(p->most, fmax(p->least, .9 * pow(fmax(err, 1e-10), -p->here) * pow(m->old, p->before)));
+}

@@ -1,0 +1,29 @@
+/* embedded.h -- explicit Runge-Kutta methods whose last stage is the first of the next step, with steps of their own by
+ * the error of embedded methods; see adaptive.h and rk.h */
+#ifndef FMDSUB_ENGINE_EMBEDDED_H
+#define FMDSUB_ENGINE_EMBEDDED_H
+
+#include "engine/adaptive.h"
+
+struct embedded_pair {
+    struct adaptive_scheme scheme; /* first */
+    struct rk_table table;
+    /* e: weights less those of the embedded method.  e2, where it is not NULL, of a second one of lower order: the error
+     * then is the first one's times |e| / sqrt(|e|^2 + |e2|^2 / 100), of an order higher than e alone would be. */
+    const double *e, *e2;
+    /* h := h clip(0.9 err^-here err_old^before, least, most); err^-fail after a step that failed. */
+    double here, before, fail, least, most;
+};
+
+/* All slots of the scheme but stages and order. */
+#define EMBEDDED                                                                                                       \
+    .open = embedded_open, .attempt = embedded_attempt, .take = embedded_take, .shrink = embedded_shrink,              \
+    .grow = embedded_grow
+void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life);
+enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
+                             struct trouble *why);
+void embedded_take(struct stepper *s, struct adaptive *m, double h);
+double embedded_shrink(const struct adaptive *m, double err);
+double embedded_grow(const struct adaptive *m, double err);
+
+#endif

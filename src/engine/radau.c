@@ -1,0 +1,394 @@
+/* radau.c -- Radau IIA collocation of order 5 and 9, implicit, steps of its own: for what is stiff
+ *
+ * The unknowns are the accelerations a_i of the s stages, at t_i = t0 + c_i h:
+ *
+ *     v_i = v0 + h sum A_ij a_j,   u_i = h sum A_ij rate(u_j, v_j),   r(q0 (+) u_i, v_i, a_i, t_i) = 0
+ *
+ * with rate() as in rk.h.  Simplified Newton with the matrices M, C, K of one point: T^-1 A T = diag(lambda) takes the s n
+ * equations apart into real and complex ones of n,
+ *
+ *     (M + h lambda C + h^2 lambda^2 K) (T^-1 da) = -T^-1 r
+ *
+ * (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8, for systems of second order), and u_i follows
+ * v_i through rate() once an iteration.  The error is that of IV.8, (8.19): with lambda the real eigenvalue
+ *
+ *     g_u = h (lambda v0 + sum d_i u'_i),   g_v = h (lambda a0 + sum d_i a_i)
+ *     (M + h lambda C + h^2 lambda^2 K) e_v = M g_v - h lambda K g_u,    e_u = g_u + h lambda e_v
+ *
+ * of order s, which bounds what stiff components make of it.  Step control: Gustafsson (IV.8, (8.24)). */
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/scalar.h"
+#include "engine/adaptive.h"
+#include "engine/collocation.h"
+#include "engine/matrix.h"
+#include "engine/motion.h"
+#include "la/complex.h"
+#include "la/dense.h"
+
+enum { STAGES = COLLOCATION_STAGES, PAIRS = COLLOCATION_MODES - 1, MOST_ITERATIONS = 10 };
+static const double KEPT = 1.2;     /* a step that may grow by less keeps h and its matrices */
+static const double WORN = .02;     /* contraction from which the next step takes another matrix */
+static const double REST = .02;     /* of the tolerance: what the iteration may leave */
+static const double SLUGGISH = .99; /* contraction that leads nowhere */
+
+struct radau {
+    struct collocation table;
+    double *a[STAGES], *v[STAGES], *u[STAGES], *du[STAGES], *r[STAGES]; /* [n] */
+    double *q[STAGES];                                                  /* [nq] */
+    double w[STAGES][POWER_CHANNELS];
+    double *before[STAGES]; /* [n] a of the last step */
+    double h_before;        /* its h; 0: there was none */
+    double longer;          /* h of the last step over that of the one before; 0: there was none */
+
+    double *M, *C, *K, *E, *spare; /* [n x n]; E = M + h lambda C + h^2 lambda^2 K, factored */
+    double *Ere[PAIRS], *Eim[PAIRS];
+    int *swap, *pairswap[PAIRS];
+    enum matrix_form form;
+    double h_factored; /* 0: not factored */
+    bool stale;        /* M, C, K are to be formed anew */
+    bool here;         /* they are of this step's start */
+    double *x, *y;     /* [n] */
+    double *gu, *gv;   /* [n] */
+    double theta;      /* contraction, last seen */
+    double fnewt;      /* what the iteration may leave, in scales of the tolerance */
+    int count;         /* iterations of the last trial */
+};
+
+static void open_stages(struct stepper *s, struct adaptive *m, int stages, struct arena *life)
+{
+    const struct ode2 *o = s->ode;
+    struct radau *x = TAKE(life, struct radau, 1);
+    collocation_radau(&x->table, stages);
+    for (int i = 0; i < stages; i++) {
+        double **vector[] = {&x->a[i], &x->v[i], &x->u[i], &x->du[i], &x->r[i], &x->before[i]};
+        for (int k = 0; k < 6; k++) *vector[k] = TAKE(life, double, o->n);
+        x->q[i] = TAKE(life, double, o->nq);
+    }
+    double **vector[] = {&x->x, &x->y, &x->gu, &x->gv};
+    for (int k = 0; k < 4; k++) *vector[k] = TAKE(life, double, o->n);
+    x->swap = TAKE(life, int, o->n);
+    for (int p = 0; p + 1 < x->table.nmode; p++) x->pairswap[p] = TAKE(life, int, o->n);
+    m->tolerance = .1 * pow(s->options.tolerance, (stages + 1) / (2. * stages));
+    x->fnewt = larger(10 * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)));
+    x->stale = true;
+    m->own = x;
+}
+
+static void open5(struct stepper *s, struct adaptive *m, struct arena *life)
+{
+    open_stages(s, m, 3, life);
+}
+
+static void open9(struct stepper *s, struct adaptive *m, struct arena *life)
+{
+    open_stages(s, m, 5, life);
+}
+
+static void forget(struct adaptive *m)
+{
+    struct radau *x = m->own;
+    x->h_before = x->h_factored = x->longer = 0;
+    x->stale = true;
+    x->here = false;
+}
+
+/* ---- the matrices ---------------------------------------------------------------------------------------------- */
+
+static enum status need(struct radau *x, struct stepper *s, double t, struct trouble *why)
+{
+    const int n = s->ode->n;
+    double **matrix[] = {&x->M, &x->C, &x->K, &x->E, &x->spare};
+    for (int i = 0; i < 5; i++) TRY(matrix_need(matrix[i], n, n, s->life, t, why));
+    for (int p = 0; p + 1 < x->table.nmode; p++) {
+        TRY(matrix_need(&x->Ere[p], n, n, s->life, t, why));
+        TRY(matrix_need(&x->Eim[p], n, n, s->life, t, why));
+    }
+    return OK;
+}
+
+static enum status linearize(struct stepper *s, struct adaptive *m, double t, struct trouble *why)
+{
+    const struct ode2 *o = s->ode;
+    struct radau *x = m->own;
+    const struct instant there = {.t = t, .q = m->q, .v = m->v, .a = m->a, .ta = t, .tb = t};
+    TRY(need(x, s, t, why));
+    TRY(o->ops->slopes(o, x->K, x->C, &there, ALL, why));
+    if (o->ops->turning) TRY(o->ops->turning(o, x->K, x->C, &there, ALL, why));
+    TRY(o->ops->mass(o, x->M, m->q, t, ALL, why));
+    s->effort.slow++;
+    s->effort.fast++;
+    x->stale = false;
+    x->here = true;
+    x->h_factored = 0;
+    return OK;
+}
+
+static enum status factor(struct stepper *s, struct radau *x, double t, double h, struct trouble *why)
+{
+    const int n = s->ode->n;
+    const double g = h * x->table.mode[0].re;
+    s->effort.factors++;
+    for (int i = 0; i < n * n; i++) x->E[i] = x->M[i] + g * x->C[i] + g * g * x->K[i];
+    int pivot = factor_dense(x->E, x->swap, x->spare, &x->form, n);
+    for (int p = 0; p + 1 < x->table.nmode && pivot < 0; p++) {
+        const struct collocation_mode *mode = &x->table.mode[p + 1];
+        const double re = h * mode->re, im = h * mode->im, re2 = re * re - im * im, im2 = 2 * re * im;
+        for (int i = 0; i < n * n; i++) {
+            x->Ere[p][i] = x->M[i] + re * x->C[i] + re2 * x->K[i];
+            x->Eim[p][i] = im * x->C[i] + im2 * x->K[i];
+        }
+        pivot = complex_lu(x->Ere[p], x->Eim[p], x->pairswap[p], n);
+    }
+    if (pivot >= 0) return trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
+    x->h_factored = h;
+    return OK;
+}
+
+/* r := da of all stages. */
+static void solve(struct radau *x, int n)
+{
+    const int s = x->table.s;
+    double *da[STAGES];
+    for (int i = 0; i < s; i++) zero(da[i] = x->du[i], n); /* du is made anew afterwards */
+    for (int k = 0; k < x->table.nmode; k++) {
+        const struct collocation_mode *mode = &x->table.mode[k];
+        for (int j = 0; j < n; j++) {
+            double re = 0, im = 0;
+            for (int i = 0; i < s; i++) re -= mode->lre[i] * x->r[i][j], im -= mode->lim[i] * x->r[i][j];
+            x->x[j] = re;
+            x->y[j] = im;
+        }
+        if (k == 0)
+            solve_dense(x->E, x->swap, x->form, x->x, n);
+        else
+            complex_lu_solve(x->Ere[k - 1], x->Eim[k - 1], x->pairswap[k - 1], x->x, x->y, n);
+        for (int i = 0; i < s; i++)
+            for (int j = 0; j < n; j++)
+                da[i][j] += k == 0 ? mode->tre[i] * x->x[j] : 2 * (mode->tre[i] * x->x[j] - mode->tim[i] * x->y[j]);
+    }
+    for (int i = 0; i < s; i++) copy(x->r[i], da[i], n);
+}
+
+/* ---- the stages ------------------------------------------------------------------------------------------------ */
+
+/* y_i = y0 + h sum A_ij f_j; y0 NULL: zero. */
+static void collocate(double *const *y, const struct radau *x, const double *y0, double *const *f, double h, int n)
+{
+    const int s = x->table.s;
+    for (int i = 0; i < s; i++) {
+        for (int k = 0; k < n; k++) y[i][k] = y0 ? y0[k] : 0;
+        for (int j = 0; j < s; j++)
+            for (int k = 0; k < n; k++) y[i][k] += h * x->table.A[i][j] * f[j][k];
+    }
+}
+
+/* Accelerations of the stages: the last step's polynomial goes on. */
+static void foresee(struct radau *x, const struct adaptive *m, double h, int n)
+{
+    const int s = x->table.s;
+    const double on = x->h_before != 0 ? h / x->h_before : 0;
+    for (int i = 0; i < s; i++) {
+        double w[STAGES];
+        copy(x->a[i], m->a, n);
+        if (!(on > 0 && on < 3)) continue;
+        collocation_through(&x->table, w, 1 + x->table.c[i] * on);
+        zero(x->a[i], n);
+        for (int j = 0; j < s; j++)
+            for (int k = 0; k < n; k++) x->a[i][k] += w[j] * x->before[j][k];
+    }
+}
+
+/* The largest of both rows, rms over all stages, of changes dv and du. */
+static double size(const struct stepper *s, const struct radau *x, double *const *da, double h)
+{
+    const int n = s->ode->n, stages = x->table.s;
+    double sum = 0;
+    for (int i = 0; i < stages; i++)
+        for (int k = 0; k < n; k++) {
+            const double e = h * x->table.c[i] * da[i][k];
+            const double ev = e / adaptive_scale_v(s, k), eq = h * x->table.c[i] * e / adaptive_scale_q(s, k);
+            sum += ev * ev + eq * eq;
+        }
+    return sqrt(sum / (2 * n * stages));
+}
+
+/* Places of the stages for their velocities. */
+static void place(const struct stepper *s, struct radau *x, const struct adaptive *m, double t, double h, bool first)
+{
+    const struct ode2 *o = s->ode;
+    for (int i = 0; i < x->table.s; i++) {
+        const double ti = t + x->table.c[i] * h;
+        if (first)
+            motion_point(o, x->q[i], m->q, x->u[i], 1, ti);
+        else
+            motion_again(o, x->q[i], m->q, x->u[i], 1, ti);
+    }
+}
+
+static void rates(const struct stepper *s, struct radau *x, const struct adaptive *m, double t, double h)
+{
+    for (int i = 0; i < x->table.s; i++)
+        motion_rate(s->ode, x->du[i], x->q[i], m->q, x->u[i], x->v[i], t + x->table.c[i] * h);
+}
+
+static enum status residuals(struct stepper *s, struct radau *x, double t, double h, struct trouble *why)
+{
+    for (int i = 0; i < x->table.s; i++) {
+        const double ti = t + x->table.c[i] * h;
+        const struct instant there = {.t = ti, .q = x->q[i], .v = x->v[i], .a = x->a[i], .ta = ti, .tb = ti};
+        TRY(s->ode->ops->resid(s->ode, x->r[i], x->w[i], NULL, &there, ALL, why));
+        s->effort.slow++;
+        s->effort.fast++;
+    }
+    return OK;
+}
+
+/* All stages from what foresee() has given. */
+static enum status iterate(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
+{
+    struct radau *x = m->own;
+    const int n = s->ode->n;
+    double last = 0;
+    collocate(x->v, x, m->v, x->a, h, n);
+    collocate(x->u, x, NULL, x->v, h, n);
+    place(s, x, m, t, h, true);
+    rates(s, x, m, t, h);
+    collocate(x->u, x, NULL, x->du, h, n);
+    for (x->count = 1; x->count <= MOST_ITERATIONS; x->count++) {
+        place(s, x, m, t, h, false);
+        TRY(residuals(s, x, t, h, why));
+        solve(x, n);
+        const double now = size(s, x, x->r, h), rounding = 1e-2 * x->fnewt;
+        s->effort.sweeps++;
+        if (!isfinite(now)) break;
+        for (int i = 0; i < x->table.s; i++)
+            for (int k = 0; k < n; k++) x->a[i][k] += x->r[i][k];
+        collocate(x->v, x, m->v, x->a, h, n);
+        rates(s, x, m, t, h);
+        collocate(x->u, x, NULL, x->du, h, n);
+        if (x->count > 1) x->theta = now / last;
+        if (x->count > 1 && x->theta >= SLUGGISH && now > rounding) break;
+        const double theta = x->count > 1 ? smaller(x->theta, SLUGGISH) : smaller(larger(x->theta, .1), .9);
+        if (now <= rounding || theta / (1 - theta) * now <= x->fnewt) return OK;
+        last = now;
+    }
+    return trouble_set(why, TROUBLE_DIVERGED, -1, last, t + h);
+}
+
+/* ---- a trial --------------------------------------------------------------------------------------------------- */
+
+static double error(const struct stepper *s, struct adaptive *m, double h)
+{
+    struct radau *x = m->own;
+    const int n = s->ode->n;
+    const double lambda = x->table.mode[0].re;
+    double sum = 0;
+    for (int k = 0; k < n; k++) {
+        double gu = lambda * m->v[k], gv = lambda * m->a[k];
+        for (int i = 0; i < x->table.s; i++) {
+            gu += x->table.d[i] * x->du[i][k];
+            gv += x->table.d[i] * x->a[i][k];
+        }
+        x->gu[k] = h * gu;
+        x->gv[k] = h * gv;
+    }
+    zero(x->x, n);
+    dense_gemv(x->x, 1, x->M, x->gv, n, n, n);
+    dense_gemv(x->x, -h * lambda, x->K, x->gu, n, n, n);
+    solve_dense(x->E, x->swap, x->form, x->x, n);
+    for (int k = 0; k < n; k++) {
+        const double ev = x->x[k] / adaptive_scale_v(s, k);
+        const double eq = (x->gu[k] + h * lambda * x->x[k]) / adaptive_scale_q(s, k);
+        sum += ev * ev + eq * eq;
+    }
+    return sqrt(sum / (2 * n));
+}
+
+/* Matrices as the step wants them; then its stages.  What a kept matrix does not solve, one of this place may. */
+static enum status stages(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
+{
+    struct radau *x = m->own;
+    for (int round = 0;; round++) {
+        if (x->stale) TRY(linearize(s, m, t, why));
+        if (x->h_factored != h) TRY(factor(s, x, t, h, why));
+        foresee(x, m, h, s->ode->n);
+        const enum status status = iterate(s, m, t, h, why);
+        if (status == OK || x->here || round > 0) return status;
+        x->stale = true;
+    }
+}
+
+static enum status attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
+{
+    struct radau *x = m->own;
+    const int n = s->ode->n, last = x->table.s - 1;
+    copy(m->q1, m->q, s->ode->nq); /* the scales look at the end, which is not known yet */
+    copy(m->v1, m->v, n);
+    TRY(stages(s, m, t, h, why));
+    motion_point(s->ode, m->q1, m->q, x->u[last], 1, t + h);
+    copy(m->v1, x->v[last], n);
+    *err = error(s, m, h);
+    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
+}
+
+static void take(struct stepper *s, struct adaptive *m, double h)
+{
+    struct radau *x = m->own;
+    const int n = s->ode->n, last = x->table.s - 1;
+    for (int i = 0; i <= last; i++) {
+        for (int c = 0; c < POWER_CHANNELS; c++) m->work[c] += h * x->table.b[i] * x->w[i][c];
+        copy(x->before[i], x->a[i], n);
+    }
+    for (int k = 0; k < n; k++) m->span[k] += x->u[last][k];
+    copy(m->a, x->a[last], n);
+    x->longer = x->h_before != 0 ? fabs(h / x->h_before) : 0;
+    x->h_before = h;
+    x->stale = x->theta > WORN;
+    x->here = false;
+}
+
+static double root(const struct radau *x, double err)
+{
+    return pow(larger(err, 1e-10), 1. / (x->table.s + 1));
+}
+
+static double shrink(const struct adaptive *m, double err)
+{
+    return larger(.1, .9 / root(m->own, err));
+}
+
+static double grow(const struct adaptive *m, double err)
+{
+    const struct radau *x = m->own;
+    const double safe = .9 * (2 * MOST_ITERATIONS + 1) / (2 * MOST_ITERATIONS + x->count);
+    double factor = safe / root(x, err);
+    if (x->longer > 0) { /* what was foreseen for this step was wrong by as much as the next one's will be */
+        const double again = x->longer * .9 * root(x, m->old) / pow(root(x, err), 2);
+        factor = smaller(factor, again);
+    }
+    factor = smaller(8, larger(.2, factor));
+    return factor >= 1 && factor <= KEPT && !x->stale ? 1 : factor;
+}
+
+#define RADAU(open_)                                                                                                   \
+    .stages = 2, .open = open_, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow
+static const struct adaptive_scheme radau5 = {.order = 4, RADAU(open5)}, radau9 = {.order = 6, RADAU(open9)};
+
+const struct stepper_kind step_radau5 = {
+    .name = "radau5",
+    .brief = "Radau IIA of 3 stages, implicit, for stiff scenes, steps of its own inside H",
+    .order = 5,
+    .formulas = &radau5,
+    ADAPTIVE,
+};
+
+const struct stepper_kind step_radau9 = {
+    .name = "radau9",
+    .brief = "Radau IIA of 5 stages, implicit, for stiff scenes and many digits, steps of its own inside H",
+    .order = 9,
+    .formulas = &radau9,
+    ADAPTIVE,
+};
