@@ -49,11 +49,12 @@ endif
 UNITS    := $(UNITS:%=$(BUILD)/unit/t-%)
 REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
 TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so
+RANDOM   := $(BUILD)/random/mechanism $(BUILD)/random/judge
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
 EXAMPLES := $(sort $(wildcard decks/*.*))
 AIRSCREW := $(sort $(wildcard decks/airscrew/*))
-FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/reduce/*.c tests/tools/*.c tests/bench/*.c))
+FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/reduce/*.c tests/tools/*.c tests/random/*.[ch] tests/bench/*.c))
 ASAN      = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 RUN       = BUILD=$(BUILD) UNITS="$(notdir $(UNITS))" D="$(D)" V=$(V) tests/run
 
@@ -116,6 +117,11 @@ $(BUILD)/tools/%: tests/tools/%.c
 	$(call say,LD)
 	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $< -lm
 
+$(BUILD)/random/%: tests/random/%.c tests/random/draw.c tests/random/write.c tests/random/mechanism.h
+	@mkdir -p $(@D)
+	$(call say,LD)
+	$(Q)$(CC) $(filter-out -MMD -MP,$(ALL_CFLAGS)) $(LDFLAGS) -o $@ $(filter %.c,$^) -lm
+
 # Put between a program and the C library.
 $(BUILD)/tools/%.so: tests/tools/%.c
 	@mkdir -p $(@D)
@@ -128,10 +134,10 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study airscrew hard validation users reduce
+	@$(RUN) unit decks bad faults man order study airscrew hard validation users random reduce
 
 ## tests-built   builds every test, runs none
-tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(BENCHES)
+tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(BENCHES)
 
 ## unit          unit tests; U=newton runs one
 unit: $(UNITS)
@@ -149,6 +155,10 @@ unit: $(UNITS)
 ## reduce        fmdsub-reduce
 decks bad faults man-examples order study airscrew hard users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
+
+## random        mechanisms drawn at random, N of them (30) from SEED (1) on: orders, invariances, restarts
+random: $(PROGRAM) $(TOOLS) $(RANDOM)
+	@N=$(N) SEED=$(SEED) $(RUN) random
 
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
@@ -261,5 +271,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: all test check unit decks bad faults random reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -9,9 +9,9 @@
 
 #include "base/scalar.h"
 
-void ledger_open(struct ledger *o, double delta, double kinetic, double elastic, double gravity)
+void ledger_open(struct ledger *o, double delta, double least, double kinetic, double elastic, double gravity)
 {
-    *o = (struct ledger){.delta = delta};
+    *o = (struct ledger){.delta = delta, .least = least};
     o->kinetic0 = o->kinetic = kinetic;
     o->elastic0 = o->elastic = elastic;
     o->gravity0 = o->gravity = gravity;
@@ -22,7 +22,7 @@ void ledger_open(struct ledger *o, double delta, double kinetic, double elastic,
 static double least_norm(const struct ledger *o)
 {
     static const double share = 1e-2, round_off = 1e4 * DBL_EPSILON;
-    return larger(share * (o->kinetic0 + fabs(o->elastic0)),
+    return larger(larger(o->least, share * (o->kinetic0 + fabs(o->elastic0))),
                   round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 

@@ -5,7 +5,8 @@
  * counted from the start: W_kin the change of kinetic energy; W_int the change of elastic energy and
  * what dampers, friction and the scheme's own damping took; W_ext the work of external forces, drives and gravity.
  * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, the drives' share in W_ext for itself, at least 1e-2
- * of the energy at the start and what round-off leaves of a difference of energies: print (2-26*) leaves it undefined.
+ * of the energy at the start and what round-off leaves of a difference of energies, or moves of a mechanism at rest: print
+ * (2-26*) leaves it undefined.
  * The works come from the integrator, summed by its own quadrature. */
 #ifndef FMDSUB_LEDGER_LEDGER_H
 #define FMDSUB_LEDGER_LEDGER_H
@@ -16,6 +17,7 @@ enum { LEDGER_EXTERNAL, LEDGER_DRIVE, LEDGER_DAMPER, LEDGER_FRICTION, LEDGER_CHA
 
 struct ledger {
     double delta;
+    double least;                        /* energy of what round-off moves [J] */
     double kinetic0, elastic0, gravity0; /* at the start [J] */
     double kinetic, elastic, gravity;    /* now [J] */
     double work[LEDGER_CHANNELS];        /* done on the system so far [J] */
@@ -26,7 +28,7 @@ struct ledger {
     double worst, t_worst;               /* largest |residual| so far and when */
 };
 
-void ledger_open(struct ledger *o, double delta, double kinetic, double elastic, double gravity);
+void ledger_open(struct ledger *o, double delta, double least, double kinetic, double elastic, double gravity);
 
 /* The end of an accepted step at t: energies there, and the step's works [LEDGER_CHANNELS]. */
 void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,

@@ -12,6 +12,7 @@
 #include "loop/condense.h"
 #include "loop/coordinates.h"
 #include "open/open.h"
+#include "tree/sizes.h"
 
 struct system {
     const struct model *model;
@@ -160,6 +161,11 @@ enum status system_evaluate(struct system *s, const double *q, const double *v, 
 const double *system_rates(const struct system *s)
 {
     return s->v;
+}
+
+double system_length(const struct system *s)
+{
+    return sizes_length(s->model);
 }
 
 const double *system_accelerations(const struct system *s)

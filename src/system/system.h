@@ -37,6 +37,7 @@ enum status system_evaluate(struct system *s, const double *q, const double *v, 
                             struct trouble *why);
 
 const double *system_rates(const struct system *s);         /* [n of the model] */
+double system_length(const struct system *s);               /* of the mechanism [m], see tree/sizes.h */
 const double *system_accelerations(const struct system *s); /* [n of the model] */
 void system_pose(const struct system *s, struct pose *o, int body);
 void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p);
