@@ -88,19 +88,30 @@ static void project(struct projection *p, const struct condense *o)
     dense_gemv(p->dx, -1, p->Y, p->x, n, rows, n);
 }
 
+/* The part of p->dx in which no screw turns by half a turn. */
+static double within_a_turn(const struct projection *p, const struct condense *o)
+{
+    static const double LITTLE = 1;
+    double most = LITTLE;
+    for (int i = 0; i < o->rows.n; i++) most = fmax(most, fabs(p->dx[i]) * o->rows.per[i]);
+    return LITTLE / most;
+}
+
 /* Steps on o->q until nothing more is won; each is halved while it makes things worse. */
 static enum status close_positions(struct projection *p, struct condense *o, struct trouble *why)
 {
     enum { STEPS = 100, HALVINGS = 12 };
     static const double CLOSED = 1e-13;
     const size_t bytes = sizeof *o->q * (size_t)o->model->nq;
+    const bool screws = loops_have_screws(o->rows.loops);
     int row = 0;
     double miss = o->start.misfit;
     for (int i = 0; i < STEPS && miss > CLOSED; i++) {
-        double next = INFINITY, s = 1;
+        double next = INFINITY;
         TRY(prepare(p, o, o->q, why));
         memcpy(p->x, o->C, sizeof *p->x * (size_t)o->rows.loops->nrow);
         project(p, o);
+        double s = screws ? within_a_turn(p, o) : 1;
         for (int k = 0; k < HALVINGS && !(next < miss); k++, s /= 2) {
             moves_point(&o->tree->moves, o->qtry, o->q, p->dx, s);
             next = rows_misfit(o->C, &row, &o->rows, o->qtry);
@@ -108,6 +119,7 @@ static enum status close_positions(struct projection *p, struct condense *o, str
         if (!(next < miss)) break;
         memcpy(o->q, o->qtry, bytes);
         miss = next;
+        if (screws) loops_count_turns(o->rows.loops, COUNT_ON);
     }
     return OK;
 }
@@ -141,6 +153,7 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
     loops_when(o->rows.loops, o->model->t0, 0);
     memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
     memcpy(v, v0, sizeof *v * (size_t)o->rows.n);
+    condense_count_turns(o, o->q);
     s->misfit = rows_misfit(o->C, &s->misfit_row, &o->rows, o->q);
     enum status status = close_positions(&p, o, &why);
     if (status == OK) status = close_rates(&p, o, v, &why);
@@ -152,6 +165,7 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
     }
     arena_close(scratch);
     const double left = rows_misfit(o->C, &row, &o->rows, o->q);
+    loops_count_turns(o->rows.loops, COUNT_NEVER);
     if (status == OK && left <= FITS) return OK;
     return fail(&s->report, E_MODEL,
                 "the mechanism cannot be assembled from here: constraint '%s' still misses by %.3g of its size",

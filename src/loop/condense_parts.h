@@ -10,6 +10,7 @@
  *     condense_rechart.c   a better split between steps
  *     condense_start.c     the start: assembled, closed, or refused
  *     condense_assemble.c  a start that does not fit, projected
+ *     condense_turns.c     whole turns of screws, at the start
  *     condense_unique.c    which reactions redundant rows leave open
  */
 #ifndef FMDSUB_LOOP_CONDENSE_PARTS_H
@@ -106,6 +107,11 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t);
 
 /* Splits, and o->q, o->v closed at the deck's start; o->start.report says what is wrong. */
 enum status condense_begin(struct condense *o, const double *q0, const double *v0);
+
+/* Turns of screws are counted, from the drawn position to q. */
+void condense_count_turns(struct condense *o, const double *q);
+/* Is q0 closed as it is, and no screw a whole turn off? */
+bool condense_closed(struct condense *o, const double *q0);
 
 /* o->q, v [nt]: the deck's q0, v0 with the least change in the mass metric that lets C = 0 and C' = 0 hold at t = 0. */
 enum status condense_assemble(struct condense *o, double *v, const double *q0, const double *v0);

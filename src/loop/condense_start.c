@@ -12,7 +12,6 @@
 static const double RANK = 1e-8;     /* least pivot over the first one */
 static const double ASSEMBLY = 1e-3; /* |C| closed at all */
 static const double WATCHED = 1e-5;  /* |C| up to which dropped rows hold on the way */
-static const double HOLDS = 1e-9;    /* |C| of a whole state that is closed as it is */
 
 static const char *row_name(const struct condense *o, int row)
 {
@@ -202,9 +201,8 @@ static double way_to(double *way, const struct condense *o, const double *q0)
 static enum status go_to_start(struct condense *o, const double *q0)
 {
     enum { STEPS = 50 };
-    int row;
     loops_when(o->rows.loops, o->model->t0, 0);
-    if (rows_misfit(o->C, &row, &o->rows, q0) <= HOLDS) {
+    if (condense_closed(o, q0)) {
         memcpy(o->q, q0, sizeof *q0 * (size_t)o->model->nq);
         return OK;
     }

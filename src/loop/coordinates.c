@@ -150,6 +150,22 @@ static struct winding *find(const struct windings *o, int loop, int k)
     return &o->winding[o->number[loop * JOINT_MAX_V + k]];
 }
 
+void windings_start(struct windings *o, const struct sweep *s)
+{
+    for (struct winding *w = o->winding; w < o->winding + o->n; w++) {
+        const struct model_loop *l = &o->model->loop[w->loop];
+        const struct freedom *f = &model_kind(o->model, l->type)->freedom[w->k];
+        const double along = joint_along(f, l->number);
+        struct pose first, second;
+        struct meeting at;
+        if (along == 0) continue;
+        o->ops->pose(s, &first, l->first);
+        o->ops->pose(s, &second, l->second);
+        meet(&at, l, &first, &second);
+        w->stood = v3_dot(at.A + 3 * f->axis, at.d) / along;
+    }
+}
+
 void windings_note(void *windings, const struct sweep *s, double t)
 {
     struct windings *o = windings;

@@ -23,6 +23,8 @@ double loop_coordinate(const struct model *m, int loop, int order, int k, const 
 /* Whole turns of these angles in space, followed from the start; in the plane poses know them. */
 struct windings;
 struct windings *windings_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
+/* Screws have turned as far as their displacement tells: at the start. */
+void windings_start(struct windings *o, const struct sweep *s);
 /* Where the bodies are after an accepted step: no angle has gone by more than half a turn less or more than the mean of
  * its rates before and after tells. */
 void windings_note(void *windings, const struct sweep *s, double t);

@@ -4,7 +4,8 @@
  * wr = w_B - w_A, and u = d' - w_A x d the velocity of B's point as A sees it:
  *
  *     along  C = e.d        C' = e.u            C'' = e.(d'' - al_A x d - w_A x (w_A x d) - 2 w_A x u)
- *     helix  C = e.d - p theta                  C'' as along - p (al_B - al_A).e,   theta about e, an axis of both
+ *     helix  C = e.d - p theta                  C'' as along - p theta'',   theta about e, of an axis of B seen
+ *            along two of A; where the rows beside it hold theta'' = (al_B - al_A).e
  *     lean   C = e.g        C' = wr.(g x e)     C'' = e''.g + 2 e'.g' + e.g'',   e'' = al x e + w x (w x e)
  *     turn   C = phi_B - phi_A                  C'' = al_B - al_A
  *     span   C = |d| - L      C' = n.d'         C'' = n.d'' + (d'.d' - (n.d')^2)/|d|,   n = d/|d|
@@ -19,6 +20,8 @@
 #include "loop/equations.h"
 
 #include <math.h>
+
+#include "la/rot.h"
 
 /* ---- motion of points and axes ---- */
 
@@ -106,8 +109,8 @@ static void along_wrench(double *f, double *n, const struct loops *o, int i)
 
 static const struct equation along = {FIRST | SEEN_POINT, FORCE, along_value, along_rate2, along_wrench, NULL};
 
-/* ---- helix: it has moved along axis i as the second has turned about it; by whole pitches more, as a thread lets it.
- * Axis j is another one. ---- */
+/* ---- helix: it has moved along axis i as the second has turned about it; by whole pitches more, as a thread lets it,
+ * unless turns are counted.  Axis j is another one. ---- */
 
 static double pitch(const struct loops *o, int i) /* p [m/rad] */
 {
@@ -115,33 +118,70 @@ static double pitch(const struct loops *o, int i) /* p [m/rad] */
     return joint_along(joint_slide(model_kind(o->model, l->type), o->row[i].i), l->number);
 }
 
+/* Axes j and e x j of the first, x and y, and axis j of the second along them. */
+static void look_along(double *x, double *y, double *along_x, double *along_y, const struct loops *o, int i)
+{
+    m3_mul(x, place_of(o, i)->A.R, loop_of(o, i)->Ea + 3 * o->row[i].j);
+    v3_cross(y, o->axes[i].e, x);
+    *along_x = v3_dot(x, o->axes[i].g);
+    *along_y = v3_dot(y, o->axes[i].g);
+}
+
+double equations_turn(const struct loops *o, int i)
+{
+    double x[3], y[3], along_x, along_y;
+    look_along(x, y, &along_x, &along_y, o, i);
+    return atan2(along_y, along_x);
+}
+
 static double helix_value(const struct loops *o, int i)
 {
+    const double d = v3_dot(o->axes[i].e, place_of(o, i)->d), turn = equations_turn(o, i);
+    const double lead = loop_of(o, i)->number, stood = o->turned[o->row[i].loop];
+    if (!isnan(stood)) return (d - pitch(o, i) * angle_near(turn, stood)) / o->length;
+    const double ahead = d - pitch(o, i) * turn;
+    return (lead == 0 ? ahead : remainder(ahead, lead)) / o->length;
+}
+
+/* Of e.g, e on the first body, g on the second. */
+static double first_lean(const struct loop_place *p, const double *e, const double *g)
+{
+    double w[3], across[3];
+    v3_diff(w, p->B.w, p->A.w);
+    v3_cross(across, g, e);
+    return v3_dot(w, across);
+}
+
+/* With u, w the second's axis g along x, y, and s = u^2 + w^2: s theta' = u w' - w u',
+ * s theta'' = u w'' - w u'' - 2 theta' (u u' + w w'). */
+static double second_turn(const struct loops *o, int i)
+{
     const struct loop_place *p = place_of(o, i);
-    const struct model_loop *l = loop_of(o, i);
-    const double *e = o->axes[i].e, *g = o->axes[i].g;
-    double x[3], y[3];
-    m3_mul(x, p->A.R, l->Ea + 3 * o->row[i].j);
-    v3_cross(y, e, x);
-    const double ahead = v3_dot(e, p->d) - pitch(o, i) * atan2(v3_dot(y, g), v3_dot(x, g));
-    return (l->number == 0 ? ahead : remainder(ahead, l->number)) / o->length;
+    const double *g = o->axes[i].g;
+    double x[3], y[3], u, w;
+    look_along(x, y, &u, &w, o, i);
+    const double s = u * u + w * w, u1 = first_lean(p, x, g), w1 = first_lean(p, y, g), rate = (u * w1 - w * u1) / s;
+    return (u * second_lean(p, y, g) - w * second_lean(p, x, g) - 2 * rate * (u * u1 + w * w1)) / s;
 }
 
 static double helix_rate2(const struct loops *o, int i, const double *a)
 {
-    const struct loop_place *p = place_of(o, i);
-    double al[3];
-    v3_diff(al, p->B.al, p->A.al);
-    return along_rate2(o, i, a) - pitch(o, i) * v3_dot(o->axes[i].e, al) / o->length;
+    return along_rate2(o, i, a) - pitch(o, i) * second_turn(o, i) / o->length;
 }
 
+/* u w' - w u' = wr.(g x (u y - w x)). */
 static void helix_wrench(double *f, double *n, const struct loops *o, int i)
 {
+    double x[3], y[3], u, w;
+    look_along(x, y, &u, &w, o, i);
     v3_scale(f, 1 / o->length, o->axes[i].e);
-    v3_scale(n, -pitch(o, i), f);
+    v3_scale(y, u, y);
+    v3_axpy(y, -w, x);
+    v3_cross(n, o->axes[i].g, y);
+    v3_scale(n, -pitch(o, i) / (o->length * (u * u + w * w)), n);
 }
 
-static const struct equation helix = {
+const struct equation equation_helix = {
     FIRST | SECOND | SEEN_POINT, FORCE | MOMENT, helix_value, helix_rate2, helix_wrench, NULL};
 
 /* ---- lean: axis i of the first and axis j of the second stay at right angles ---- */
@@ -324,7 +364,7 @@ static void hold_bodies(struct list *o, const struct joint_kind *kind, int space
         const struct freedom *f = joint_slide(kind, i);
         if (space == 2 && !is_in_plane(kind, i)) continue;
         if (!f) add(o, &along, i, 0);
-        if (f && f->turns) add(o, &helix, i, (i + 1) % 3);
+        if (f && f->turns) add(o, &equation_helix, i, (i + 1) % 3);
     }
     if (space == 3)
         hold_axes(o, kind);

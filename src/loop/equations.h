@@ -24,6 +24,10 @@ struct equation {
 /* The acceleration of the second's point as the first body sees it, after accelerate(). */
 void equations_seen(double *a, const struct loop_place *p);
 
+extern const struct equation equation_helix;
+/* How far a helix's second body has turned, in [-pi, pi]. */
+double equations_turn(const struct loops *o, int i);
+
 /* The rows of a loop, drive or tie: filled, and how many. */
 int equations_of(struct loop_row *row, const struct model *m, int loop);
 

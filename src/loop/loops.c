@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "la/rot.h"
 #include "loop/equations.h"
 
 /* --- motion ------------------------------------------------------------------------------------- */
@@ -124,6 +125,31 @@ int loops_corners(double *jump, const struct loops *o, double ta, double tb)
         any |= jump[row] != 0;
     }
     return any;
+}
+
+/* The row of loop l that is a screw's; -1: none, or it has no pitch. */
+static int screw_row(const struct loops *o, int l)
+{
+    for (int i = o->first[l]; i < o->first[l + 1]; i++)
+        if (o->row[i].says == &equation_helix && o->model->loop[l].number != 0) return i;
+    return -1;
+}
+
+bool loops_have_screws(const struct loops *o)
+{
+    for (int l = 0; l < o->model->nloop; l++)
+        if (screw_row(o, l) >= 0) return true;
+    return false;
+}
+
+void loops_count_turns(struct loops *o, enum counting how)
+{
+    for (int l = 0; l < o->model->nloop; l++) {
+        const int i = screw_row(o, l);
+        if (i < 0) continue;
+        const double stood = how == COUNT_ANEW ? 0 : o->turned[l];
+        o->turned[l] = how == COUNT_NEVER ? NAN : angle_near(equations_turn(o, i), stood);
+    }
 }
 
 void loops_values(double *C, const struct loops *o)

@@ -58,6 +58,7 @@ struct loops {
     int *nk, **k;             /* [nloop] coordinates tied: places in v */
     struct loop_ways *ways;   /* [nloop] */
     double **Cq;              /* [nloop] its rows of C_q, [rows x nk] by row */
+    double *turned;           /* [nloop] about how far a screw has turned; NAN: its turns are not counted */
     double *scale;            /* [nloop] what the terms of a sum are divided by [m] or [rad] */
     struct measures measures;
     struct row grad;     /* of a driven measure; its work */
@@ -77,6 +78,11 @@ void loops_when(struct loops *o, double t, double beside);
 void loops_over(struct loops *o, double ta, double tb);
 /* The fraction `share` of the way from where they are drawn to where they are at t. */
 void loops_partly(struct loops *o, double t, double share);
+/* Turns of screws are counted from here on, where loops_place() has been: from the drawn position (`anew`) or from what
+ * they were at; or no more.  Until then a thread fits that is the nearest. */
+enum counting { COUNT_NEVER, COUNT_ANEW, COUNT_ON };
+void loops_count_turns(struct loops *o, enum counting how);
+bool loops_have_screws(const struct loops *o);
 /* jump [nrow] of drives := by how much their rates jump at corners in [ta, tb); 0: nowhere. */
 int loops_corners(double *jump, const struct loops *o, double ta, double tb);
 /* Looks at the bodies where they stand: first of all, after each place(). */

@@ -82,6 +82,8 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->ways = TAKE(life, struct loop_ways, m->nloop);
     o->Cq = TAKE(life, double *, m->nloop);
     o->scale = TAKE(life, double, m->nloop);
+    o->turned = TAKE(life, double, m->nloop);
+    for (int l = 0; l < m->nloop; l++) o->turned[l] = NAN;
     struct sweep *paths = ops->build(m, FOR_RECORDS, NULL, life);
     for (int l = 0; l < m->nloop; l++) {
         o->first[l + 1] = o->nrow += equations_of(o->row + o->nrow, m, l);

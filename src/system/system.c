@@ -263,6 +263,9 @@ void system_follow_turns(struct system *s, struct arena *life)
     if (!s->loops || s->model->space == 2) return;
     s->windings = windings_build(s->model, s->ops, life);
     open_follow(&s->tree, windings_note, s->windings);
+    if (condense_started(s->loops)->status != OK) return;
+    open_place(&s->tree, condense_q(s->loops));
+    windings_start(s->windings, s->tree.sweep);
 }
 
 void system_set_loop_coordinate(struct system *s, int loop, int k, double x)

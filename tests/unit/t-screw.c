@@ -203,13 +203,56 @@ static void no_turn_is_lost(void **state)
     }
 }
 
+/* What the start tells of a screw's turns, in and beyond the first, holds: by its angle, by its displacement, by both; and
+ * an assembly keeps to the thread that they mean. */
+static void turns_at_the_start(void **state)
+{
+    static const double p = .01 / TURN;
+    static const struct {
+        const char *initial;
+        double angle; /* NAN: between what is given and what it means for the other */
+    } starts[] = {{"r.angle: 0.5", .5},
+                  {"r.angle: 20", 20},
+                  {"r.angle: -2*pi", -TURN},
+                  {"r.angle: 2000", 2000},
+                  {"p.displacement: 0.05", -5 * TURN},
+                  {"p.displacement: -0.003", .3 * TURN},
+                  {"r.angle: 4*pi, p.displacement: -0.02", 2 * TURN},
+                  {"r.angle: 20, assemble: true", NAN},
+                  {"r.angle: 100, assemble: true", NAN}};
+    (void)state;
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++) {
+        struct ride r;
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "fmdsub: 1\n"
+                 "bodies:\n"
+                 "  spindle: {mass: 1.5, inertia: [0.01, 0.01, 8.0e-4], at: [0.1, 0.2, 0.5]}\n"
+                 "  nut: {mass: 20, inertia: [0.1, 0.1, 0.1], at: [0.15, 0.2, 0.5]}\n"
+                 "constraints:\n"
+                 "  r: {revolute: [ground, spindle], at: [0.1, 0.2, 0.1], axis: [0, 0, 1]}\n"
+                 "  p: {prismatic: [ground, nut], axis: [0, 0, 1]}\n"
+                 "  s: {screw: [spindle, nut], at: [0.1, 0.2, 0.5], axis: [0, 0, 1], pitch: 0.01, loop: true}\n"
+                 "initial: {%s}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}\n"
+                 "output: {every: 0.01, columns: [r.angle, p.displacement, s.angle]}\n",
+                 starts[i].initial);
+        open_ride(&r, text);
+        const double angle = ride_at(&r, 0, "r.angle"), want = starts[i].angle;
+        near_to(ride_at(&r, 0, "s.angle"), -angle, 1e-9 * fmax(1, fabs(angle)));
+        near_to(ride_at(&r, 0, "p.displacement"), -p * angle, 1e-12 * fmax(1, fabs(angle)));
+        if (!isnan(want)) near_to(angle, want, 1e-9 * fmax(1, fabs(want)));
+        if (isnan(want)) assert_true(angle > 18);
+        ride_close(&r);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_nut_falls_along_its_screw),
-        cmocka_unit_test(a_rack_on_a_cylinder_is_a_screw),
-        cmocka_unit_test(the_thread_closes_a_loop),
-        cmocka_unit_test(no_turn_is_lost),
+        cmocka_unit_test(a_nut_falls_along_its_screw), cmocka_unit_test(a_rack_on_a_cylinder_is_a_screw),
+        cmocka_unit_test(the_thread_closes_a_loop),    cmocka_unit_test(no_turn_is_lost),
+        cmocka_unit_test(turns_at_the_start),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
