@@ -35,6 +35,7 @@ const char *text_nearest(const char *word, const char *const *words, int n)
     int best = 2 + (int)strlen(word) / 4;
     for (int i = 0; i < n; i++) {
         int distance = strcasecmp(word, words[i]) ? text_distance(word, words[i]) : 0;
+        if (distance > 1 && 2 * distance > (int)strlen(words[i])) continue; /* more of it is wrong than right */
         if (distance < best) {
             best = distance;
             nearest = words[i];

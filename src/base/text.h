@@ -10,7 +10,7 @@
  * bytes) count as far apart. */
 int text_distance(const char *a, const char *b);
 
-/* The word of words[0..n) nearest to word, or NULL if none is within 1 + length/4 edits. */
+/* The word of words[0..n) nearest to word, or NULL if none is within 1 + length/4 edits, which leave half of it. */
 const char *text_nearest(const char *word, const char *const *words, int n);
 
 /* Does name match pattern, in which '*' stands for any run of characters and '?' for one? */

@@ -1,10 +1,13 @@
 /* check.c -- fmdsub check: what a deck makes, without running it */
+#include <math.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "cli/cli.h"
 #include "probe/modes.h"
 #include "sim/sim.h"
+
+static const double two_pi = 6.28318530717958647693;
 
 const char *check_parent(const struct model *m, int body)
 {
@@ -93,8 +96,8 @@ static void print_closures(FILE *to, const struct sim *sim, struct arena *life)
     }
     for (int i = 0; i < o.nloose; i++) fprintf(to, "  %-16s of the tree; reactions not unique\n", o.loose[i]);
     print_independent(to, sim);
-    fprintf(to, "  pivot ratio of C_qd: %.2g; misfit as drawn: %.2g, after closing: %.2g\n", o.pivots, o.drawn,
-            o.closed);
+    fprintf(to, "  largest gap in the loops: %.2g m as drawn, %.2g m closed\n", o.length * o.drawn,
+            o.length * o.closed);
     sim_print_assembly(sim, to);
 }
 
@@ -105,10 +108,27 @@ static void print_forces(FILE *to, const struct model *m)
         fprintf(to, "  %-16s %s\n", m->force[i].name, m->force[i].cls == FAST ? "fast" : "slow");
 }
 
+/* What oscillates, and what grows instead. */
+static void print_range(FILE *to, const struct modes *modes)
+{
+    static const double little = 1e-6;
+    const double top = modes->mode[modes->n - 1].omega;
+    int growing = 0;
+    while (growing < modes->n && modes->mode[growing].omega < -little * fabs(top)) growing++;
+    if (growing < modes->n)
+        fprintf(to, "natural frequencies at the start: %.4g to %.4g Hz", fmax(0, modes->mode[growing].omega) / two_pi,
+                fmax(0, top) / two_pi);
+    else
+        fputs("no natural frequencies at the start", to);
+    if (growing)
+        fprintf(to, "; %d motion%s (%.3g 1/s)", growing, growing == 1 ? " grows" : "s grow", -modes->mode[0].omega);
+    fputs(" (`fmdsub modes` shows all)\n", to);
+}
+
 static void print_quickest(FILE *to, const struct sim *sim, const char *what, int i, double omega)
 {
     if (i >= 0 && omega > 0)
-        fprintf(to, "  quickest %s coordinate: %s, %.4g rad/s\n", what, sim_coordinate_name(sim, i), omega);
+        fprintf(to, "  quickest %s coordinate: %s, %.4g Hz\n", what, sim_coordinate_name(sim, i), omega / two_pi);
 }
 
 /* What the linearisation at the start asks of the steps. */
@@ -119,9 +139,7 @@ static void print_frequencies(FILE *to, const struct sim *sim, struct arena *lif
     double h;
     int ratio;
     if (modes_find(&modes, sim, life, &quiet) != OK || modes.n == 0) return;
-    const struct mode *top = &modes.mode[modes.n - 1];
-    fprintf(to, "small motions at the start: %.4g to %.4g rad/s (`fmdsub modes` shows all)\n", modes.mode[0].omega,
-            top->omega);
+    print_range(to, &modes);
     print_quickest(to, sim, "fast", modes.fast_worst, modes.fast_top);
     print_quickest(to, sim, "slow", modes.slow_worst, modes.slow_top);
     if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;

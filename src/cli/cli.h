@@ -36,6 +36,7 @@ struct cli_option {
     const char *brief;
 };
 extern const struct cli_option cli_options[];
+bool cli_serves(const struct cli_option *option, const char *verb);
 
 enum status request_read(struct request *o, int argc, char **argv, struct arena *life, struct report *report);
 /* An option that would do nothing for the verb is a misunderstanding. */

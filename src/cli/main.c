@@ -28,17 +28,29 @@ const struct verb verbs[] = {
     {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},
     {"list", "[schemes|joints|forces|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
-    {"explain", "CODE", "the cure for an error code", verb_explain},
+    {"explain", "CODE", "what a message means and how to cure it", verb_explain},
     {"new", "pendulum|mechanism|beam", "print a commented starter deck", verb_new},
     {0},
 };
 
-static void help(FILE *to)
+static const struct verb *find_verb(const char *name)
 {
-    fprintf(to, "usage: fmdsub VERB [options] [DECK]    (DECK '-': standard input)\n\n");
-    for (const struct verb *v = verbs; v->name; v++) fprintf(to, "  %-8s %s\n", v->name, v->brief);
+    for (const struct verb *v = verbs; v->name; v++)
+        if (strcmp(v->name, name) == 0) return v;
+    return NULL;
+}
+
+/* about: one verb and its options; NULL: all of them. */
+static void help(FILE *to, const struct verb *about)
+{
+    if (about)
+        fprintf(to, "usage: fmdsub %s [options] %s\n\n  %s\n", about->name, about->usage, about->brief);
+    else
+        fprintf(to, "usage: fmdsub VERB [options] [DECK]    (DECK '-': standard input)\n\n");
+    for (const struct verb *v = verbs; v->name && !about; v++) fprintf(to, "  %-8s %s\n", v->name, v->brief);
     fprintf(to, "\noptions:\n");
     for (const struct cli_option *o = cli_options; o->name; o++) {
+        if (about && !cli_serves(o, about->name)) continue;
         char left[60];
         const char *value = o->value ? o->value : "";
         char letter[4] = {'-', o->letter ? o->letter : ' ', o->letter ? ',' : ' ', 0};
@@ -128,9 +140,14 @@ static enum status dispatch(const struct request *request, struct arena *life, s
     const char *names[16];
     int n = 0;
     if (request->version) return printf("fmdsub %s\n", FMDSUB_VERSION), OK;
-    if (request->help) return help(stdout), OK;
+    const bool asked = request->verb && strcmp(request->verb, "help") == 0;
+    const char *about = asked ? request->nword ? request->word[0] : NULL : request->verb;
+    if (request->help || (asked && (!about || find_verb(about)))) {
+        help(stdout, about ? find_verb(about) : NULL);
+        return OK;
+    }
     if (!request->verb) {
-        help(stderr);
+        help(stderr, NULL);
         return E_USAGE;
     }
     for (const struct verb *v = verbs; v->name; v++) {
@@ -140,9 +157,9 @@ static enum status dispatch(const struct request *request, struct arena *life, s
         }
         names[n++] = v->name;
     }
-    const char *nearest = text_nearest(request->verb, names, n);
-    if (nearest) return fail(report, E_USAGE, "unknown verb '%.40s': did you mean '%s'?", request->verb, nearest);
-    return fail(report, E_USAGE, "unknown verb '%.40s' (fmdsub --help)", request->verb);
+    const char *nearest = text_nearest(about, names, n);
+    if (nearest) return fail(report, E_USAGE, "unknown verb '%.40s': did you mean '%s'?", about, nearest);
+    return fail(report, E_USAGE, "unknown verb '%.40s' (fmdsub --help)", about);
 }
 
 /* "500M"; 0: it is no size.  Units are those of disks: k, M, G, T of 1000. */

@@ -30,7 +30,7 @@ const struct cli_option cli_options[] = {
     {"max-memory", "SIZE", 0, NULL, "exit 7 rather than take more: 500M, 4G (default: 3/4 of the machine's)"},
     {"max-time", "SECONDS", 0, NULL, "end in good order after so long by the clock, exit 7"},
     {"color", "auto|always|never", 0, NULL, "colours in messages (auto: on a terminal)"},
-    {"version", NULL, 0, NULL, "print the version"},
+    {"version", NULL, 'V', NULL, "print the version"},
     {"help", NULL, 'h', NULL, "print this"},
     {0},
 };
@@ -185,6 +185,11 @@ static bool serves(const char *words, const char *verb)
     for (const char *v = words; *v; v += strcspn(v, " "), v += *v == ' ')
         if (strcspn(v, " ") == len && strncmp(v, verb, len) == 0) return true;
     return false;
+}
+
+bool cli_serves(const struct cli_option *option, const char *verb)
+{
+    return !option->verbs || serves(option->verbs, verb);
 }
 
 enum status request_check(const struct request *o, struct report *report)

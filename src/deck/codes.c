@@ -198,6 +198,64 @@ const struct diag_help diag_helps[] = {
      "whirls wrongly. Take one of the two numbers that the message names."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
+    /* stops and verdicts */
+    {"no-convergence",
+     "The iteration of a step did not converge, though the step was halved ten times. Where the motion is stiff, a "
+     "smaller step or ratio helps. Where all steps fail, something jumps: sign(), a comparison in if(), a table with a "
+     "step. Let it pass from one value to the other over a small way (tanh(rate/0.01) for sign(rate)), or look whether "
+     "the "
+     "mechanism comes to a dead point there (`fmdsub explain dead-point`)."},
+    {"dead-point",
+     "In this posture the loops leave more than one way open, or none: a linkage stretched out, a parallelogram that "
+     "lies "
+     "flat, or a mechanism that is locked. At the start: draw it in another posture, or set a coordinate by 'initial:' "
+     "a "
+     "little to the side on which it is to go on. In a run: try a smaller step, or drive a coordinate that still moves "
+     "there. "
+     "A mechanism without any way is locked: take a joint that holds too much, see `fmdsub explain W-redundant`."},
+    {"locked", "No small motion closes the loops: see `fmdsub explain dead-point`."},
+    {"no-mass",
+     "A coordinate moves no mass, so that a force along it has no acceleration to answer with. Give the bodies that it "
+     "moves mass and, where they turn, inertia; or hold it by a drive or a fixed joint."},
+    {"singular",
+     "The matrix of a step has no inverse: a body without mass or inertia, or a spring of negative stiffness that "
+     "just holds the balance. Give the body mass, or try another step."},
+    {"not-finite",
+     "A force, a drive or a state is no number (a division by 0, the root of a negative number, an overflow). Look at "
+     "the expression that is named, and guard it: if(x > 0, sqrt(x), 0). If the motion grew before, the step is too "
+     "large or "
+     "the model is unstable."},
+    {"bending",
+     "The end of a flexible body has moved by more than its length, where its equations mean nothing. See `fmdsub "
+     "explain W-bending` and `fmdsub explain W-stiffening`."},
+    {"balance", "The energy at the end of a step is not what was there before plus the work done, by more than "
+                "energy.delta of the "
+                "largest work: the numbers of this run are wrong. Take a smaller step or ratio 1; the schemes midpoint "
+                "and subcycle keep "
+                "the balance best. Forces that jump, and stiff parts that the step does not resolve, break it; "
+                "rho_infinity below 1 damps "
+                "those."},
+    {"no-equilibrium",
+     "'static' looks for the nearest stable equilibrium and found none: a part that nothing holds, or forces "
+     "that have no balance near the drawn posture. Hold the part, or start nearer by 'initial:'."},
+    {"drive-jump",
+     "A drive's value jumps, which no force can follow. Let it move there in some time: a ramp, or a table."},
+    {"memory", "The run needs more memory than --max-memory, or the machine, has. Only matrices of all freedoms are "
+               "large: forces "
+               "between bodies that are not joined to each other, and freedoms without mass, ask for them."},
+    {"friction", "There is no friction yet. Viscous friction is a damper. Dry friction can be written as a force of "
+                 "the joint's rate that "
+                 "passes smoothly through 0: {force: slide, value: \"-10*tanh(slide.displacement_rate/0.001)\"}; "
+                 "sign() in its place "
+                 "jumps, and stops the run. It creeps instead of sticking, at a rate that the 0.001 sets."},
+    {"contact", "There is no contact yet. A stop along a coordinate or a distance can be written as a force of it "
+                "alone, which keeps "
+                "energy: {force: gap, value: \"if(gap < 0, -1.0e+5*gap, 0)\"}; add a damper for losses. The step must "
+                "resolve the time "
+                "of touch, about 3*sqrt(mass/stiffness)."},
+    {"rolling",
+     "There is no rolling contact. A wheel that rolls without slip on a straight way is a rack: {rack: [wheel.angle, "
+     "cart.displacement], radius: r}; two wheels on each other are a gear."},
     {NULL, NULL},
 };
 

@@ -198,36 +198,11 @@ void diag_foreign(struct diags *d, const char *word)
         }
 }
 
-/* "rest" of "rest_length" */
-static bool is_head(const char *head, const char *word)
+bool diag_may_suggest(struct diags *d, int n)
 {
-    const size_t len = strlen(head);
-    return len > 2 && !strncmp(word, head, len) && word[len] == '_';
-}
-
-const char *diag_nearest(const char *word, const char *const *words, int n)
-{
-    const char *near = text_nearest(word, words, n);
-    for (int i = 0; i < n && !near; i++)
-        if (is_head(word, words[i]) || is_head(words[i], word)) near = words[i];
-    return near && !(strlen(word) == 1 && strlen(near) == 1 && strcasecmp(word, near)) ? near : NULL;
-}
-
-void diag_suggest(struct diags *d, const char *word, const char *const *words, int n)
-{
-    char text[TEXT];
-    size_t len = 0;
-    if (!d->last || d->compared > COMPARED) return;
+    if (!d->last || d->compared > COMPARED) return false;
     d->compared += n;
-    const char *near = diag_nearest(word, words, n);
-    diag_foreign(d, word);
-    if (near) {
-        diag_hint(d, "did you mean '%s'?", near);
-        return;
-    }
-    for (int i = 0; i < n && len < TEXT / 2; i++)
-        len += (size_t)snprintf(text + len, TEXT - len, "%s%s", i ? ", " : "", diag_clip(d, words[i]));
-    if (n > 0) diag_hint(d, "known here: %s%s", text, len < TEXT / 2 ? "" : ", ...");
+    return true;
 }
 
 const char *diag_clip(struct diags *d, const char *text)

@@ -59,6 +59,9 @@ const char *diag_nearest(const char *word, const char *const *words, int n);
 /* "did you mean 'x'?" if a word of words[0..n) is near; else the words themselves, where they are few. */
 void diag_suggest(struct diags *d, const char *word, const char *const *words, int n);
 
+/* Was the last message kept, and are so many more words to compare not too many? */
+bool diag_may_suggest(struct diags *d, int n);
+
 /* Names a letter of word that may look like one of a-z and is not. */
 void diag_foreign(struct diags *d, const char *word);
 

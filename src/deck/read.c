@@ -366,7 +366,7 @@ static bool misspelt(const struct key *key, const struct key *keys, const struct
         const char *word = map->item[i]->key;
         bool known = false;
         for (const struct key *k = keys; k->name && !known; k++) known = !strcmp(word, k->name);
-        if (!known && text_nearest(word, &key->name, 1)) return true;
+        if (!known && diag_nearest(word, &key->name, 1)) return true;
     }
     return false;
 }

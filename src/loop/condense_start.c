@@ -143,12 +143,12 @@ static enum status search_branches(struct condense *o)
         }
     }
     if (lost == 0) return OK;
-    return fail(
-        &o->start.report, E_MODEL,
-        "rank of C_q drops by %d in this posture, and constraint '%s' misses by %.3g of the mechanism's size a "
-        "small way off: a bifurcation, where the loops leave the way open, or a mechanism that is locked; start "
-        "beside it",
-        lost, row_name(o, worst), miss);
+    return fail(&o->start.report, E_MODEL,
+                "the mechanism stands at a dead point, or is locked: constraint '%s' cannot close after a small motion "
+                "(it misses "
+                "by %.3g of the mechanism's size); draw it in another posture, or set 'initial:' a little to one side "
+                "[dead-point]",
+                row_name(o, worst), miss);
 }
 
 /* o->q := o->q (+) dx, its dependents closed; 0: it cannot be. */

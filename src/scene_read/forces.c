@@ -119,7 +119,7 @@ int read_time_signal(struct builder *b, struct signal *o, const struct node *n, 
     struct slots s = {.b = b, .n = 1};
     if (read_signal(&s, o, n)) return 1;
     if (s.n == 1) return 0;
-    diag_error(b->diags, n, AT_VALUE, "E-drive", "%s: its value is to be of t alone", what);
+    diag_error(b->diags, n, AT_VALUE, "E-drive", "%s: a drive's value may depend on t only", what);
     return 1;
 }
 

@@ -65,10 +65,10 @@ static enum status judge(struct sim *sim, struct jumping *o, double at, double b
     snprintf(text, sizeof text, "drive '%.60s' jumps by %.3g, from %.9g to %.9g, at t = %.9g s", name, by, before,
              behind, at);
     if (by > PATCHED * o->most)
-        return fail(
-            report, E_NUMERIC,
-            "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some time",
-            sim->x.t, text, place_of(sim, o, place, sizeof place));
+        return fail(report, E_NUMERIC,
+                    "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some "
+                    "time [drive-jump]",
+                    sim->x.t, text, place_of(sim, o, place, sizeof place));
     if (!o->reported)
         sim_warn(sim, "%s (%s): its pieces do not quite meet", text, place_of(sim, o, place, sizeof place));
     o->reported = true;

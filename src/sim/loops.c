@@ -31,9 +31,10 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
         while (!condense_dropped(c, row)) row++;
         const int first = condense_loops(c)->row[row].loop;
         diag_warn(diags, node_of(sim, first), AT_KEY, "W-redundant",
-                  "%d equation(s) of the loops say nothing new, the first of %s '%s': the motion is whole, "
-                  "some reactions are not unique (`fmdsub check` shows which)",
-                  s->redundant, sim_loop_kind(sim, first), sim->model->loop[first].name);
+                  "%d loop equation%s redundant, the first of %s '%s': the motion is right, but some reactions are not "
+                  "unique (`fmdsub check` shows which)",
+                  s->redundant, s->redundant == 1 ? " is" : "s are", sim_loop_kind(sim, first),
+                  sim->model->loop[first].name);
     }
     if (s->misfit < SILENT || sim->scene->assemble) return;
     const int l = condense_loops(c)->row[s->misfit_row].loop;
@@ -114,6 +115,7 @@ void sim_closures(struct closures *o, const struct sim *sim, struct arena *life)
     o->equations = condense_loops(c)->nrow;
     o->rank = o->equations - condense_started(c)->redundant;
     o->pivots = condense_ratio(c);
+    o->length = system_length(sim->system);
     o->drawn = condense_started(c)->misfit;
     o->closed = condense_worst(c, sim->x.q, sim->x.t);
 }

@@ -157,6 +157,26 @@ void warn_at_end(struct sim *sim)
     warn_of_deflections(sim);
 }
 
+/* "61.9 kJ" */
+static void put_energy(FILE *to, double joule, int digits)
+{
+    static const char *const prefix[] = {"p", "n", "u", "m", "", "k", "M", "G", "T"};
+    enum { PLAIN = 4, LAST = 8 };
+    int i = PLAIN;
+    for (; fabs(joule) >= 1000 && i < LAST; i++) joule /= 1000;
+    for (; fabs(joule) < 1 && joule != 0 && i > 0; i--) joule *= 1000;
+    fprintf(to, "%.*g %sJ", digits, joule, prefix[i]);
+}
+
+static void print_balance(const struct ledger *l, FILE *to)
+{
+    fprintf(to, "energy balance %s: off by ", ledger_broken(l) ? "broken" : "kept");
+    put_energy(to, l->worst, 2);
+    fputs(" of ", to);
+    put_energy(to, l->norm, 3);
+    fprintf(to, " (%.2g; limit %g)\n", l->norm > 0 ? ledger_share(l) : 0, l->delta);
+}
+
 void print_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.log;
@@ -171,8 +191,9 @@ void print_end(const struct sim *sim, double wall)
     if (e->rejected) fprintf(to, " (%ld rejected", e->rejected);
     if (e->rejected && !sim->stepper.kind->adaptive) fprintf(to, ", smallest h %.3g s", sim->min_h);
     if (e->rejected) fputc(')', to);
-    fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; energy residual %.2g of %.3g J; %.3g s\n",
-            e->slow, e->fast, e->factors, l->worst, l->norm, wall);
+    fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; %.3g s\n", e->slow, e->fast, e->factors,
+            wall);
+    print_balance(l, to);
 }
 
 static const char *force_name(const struct sim *sim, int i)
@@ -240,6 +261,34 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     return sim->plan.ratio > 1 ? "try a smaller ratio or step" : "try a smaller step";
 }
 
+/* For `fmdsub explain`. */
+static const char *stop_code(enum trouble_code code)
+{
+    switch (code) {
+    case TROUBLE_MEMORY:
+        return " [memory]";
+    case TROUBLE_LAW:
+    case TROUBLE_DRIVE:
+    case TROUBLE_NOT_FINITE:
+        return " [not-finite]";
+    case TROUBLE_MASS:
+        return " [no-mass]";
+    case TROUBLE_SINGULAR:
+        return " [singular]";
+    case TROUBLE_CLOSURE:
+        return " [dead-point]";
+    case TROUBLE_DEFLECTION:
+        return " [bending]";
+    case TROUBLE_IDLE:
+        return " [W-idle]";
+    case TROUBLE_NONE:
+    case TROUBLE_DIVERGED:
+    case TROUBLE_TOO_SMALL:
+        break;
+    }
+    return " [no-convergence]";
+}
+
 enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
                              struct report *report)
 {
@@ -266,11 +315,11 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
     case TROUBLE_MASS:
         snprintf(what, sizeof what, "coordinate '%s' moves no mass: the mass matrix is singular", coordinate);
         if (light)
-            return fail(report, status,
-                        "%s at t = %.12g s: %s; beside the masses that it carries the %.3g kg of flexible body '%s' "
-                        "are lost in round-off: take fewer modes than its %d, or a density nearer to a real one",
-                        status == E_MODEL ? "no start" : "stopped", sim->x.t, what, light->mass, light->name,
-                        light->nmode);
+            return fail(
+                report, status,
+                "%s at t = %.12g s: %s; beside the masses that it carries the %.3g kg of flexible body '%s' "
+                "are lost in round-off: take fewer modes than its %d, or a density nearer to a real one [no-mass]",
+                status == E_MODEL ? "no start" : "stopped", sim->x.t, what, light->mass, light->name, light->nmode);
         break;
     case TROUBLE_SINGULAR:
         snprintf(what, sizeof what, "the iteration matrix is singular at '%s' (pivot ratio %.2g)", coordinate,
@@ -298,9 +347,11 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
         break;
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
-        snprintf(what, sizeof what, "no convergence, worst at '%s' (%.3g of the tolerance), step %.3g s", coordinate,
-                 why->value, sim->plan.step);
+        snprintf(what, sizeof what,
+                 "no convergence, worst at '%s' (%.3g of the tolerance), with steps from %.3g s down "
+                 "to a 1024th",
+                 coordinate, why->value, sim->plan.step);
     }
-    return fail(report, status, "%s at t = %.12g s: %s; %s", status == E_MODEL ? "no start" : "stopped", sim->x.t, what,
-                advice(sim, why));
+    return fail(report, status, "%s at t = %.12g s: %s; %s%s", status == E_MODEL ? "no start" : "stopped", sim->x.t,
+                what, advice(sim, why), stop_code(why->code));
 }

@@ -27,7 +27,7 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
     if (status == OK) return OK;
     return fail(report, E_MODEL,
                 "no start: no stable static equilibrium was found near the initial position (last move %.3g m or rad); "
-                "look for a part that nothing holds",
+                "look for a part that nothing holds [no-equilibrium]",
                 why.value);
 }
 
@@ -224,11 +224,12 @@ static enum status verdict(const struct sim *sim, struct report *report)
     const struct ledger *l = &sim->ledger;
     if (spins_passed(sim))
         return fail(report, E_VERDICT,
-                    "a body without geometric stiffening turned faster than it can: what it did beyond is wrong");
+                    "a body without geometric stiffening turned faster than it can: what it did beyond is wrong "
+                    "[W-stiffening]");
     if (!ledger_broken(l)) return OK;
     return fail(report, E_VERDICT,
                 "the energy balance (2-26) is broken: |residual| %.3g J at t = %.6g s is %.3g of ||W|| = %.3g J, "
-                "more than delta = %g; try a smaller step, or ratio 1",
+                "more than delta = %g; try a smaller step, or ratio 1 [balance]",
                 l->worst, l->t_worst, ledger_share(l), l->norm, l->delta);
 }
 

@@ -137,7 +137,8 @@ struct closures {
     const char **loose; /* [nloose] joints of the tree whose reactions are not unique */
     int components, equations, rank;
     double pivots;        /* least over largest pivot of C_qd */
-    double drawn, closed; /* max |C| as drawn, and now */
+    double drawn, closed; /* max |C| as drawn, and now, in lengths */
+    double length;        /* of the mechanism [m] */
 };
 /* n = 0: none. */
 void sim_closures(struct closures *o, const struct sim *sim, struct arena *life);

@@ -83,3 +83,26 @@ EOF
     "$FMDSUB" run -q axis.yaml >"axis.$length" 2>err
     same "an axis of length $length" axis.1 "axis.$length"
 done
+
+# Help, of all and of one verb.
+"$FMDSUB" help >all 2>err
+expect "help: status" 0 $? err
+"$FMDSUB" --help >again; same "help and --help" all again
+"$FMDSUB" help modes >one 2>err
+grep -q '^usage: fmdsub modes' one && grep -q -- --at one && ! grep -q -- --columns one && ok "help modes: its own options" || not_ok "help modes: its own options" "got:" one err
+"$FMDSUB" modes --help >again; same "help modes and modes --help" one again
+refuse "unknown verb 'rnu': did you mean 'run'" help rnu
+"$FMDSUB" -V >one; "$FMDSUB" --version >again; same "-V" one again
+for word in no-convergence dead-point locked balance friction contact rolling memory W-bending; do
+    "$FMDSUB" explain $word >out 2>err && grep -q "^$word: ...................." out && ok "explain $word" || not_ok "explain $word" "got:" out err
+done
+refuse "no code 'convergence': did you mean 'no-convergence'" explain convergence
+# Whatever stands in brackets behind a stop can be explained.
+"$FMDSUB" run -q -s 'forces={f: {torque: pin, value: "sqrt(0.1 - t)"}}' "$deck" >out 2>err
+code=$(sed -n 's/.*\[\([a-z-]*\)\]$/\1/p' err)
+expect "a stop has a code" not-finite "$code" err
+"$FMDSUB" explain "$code" >out 2>err
+expect "and that is explained" 0 $? err
+# The last words of a run.
+"$FMDSUB" run --until 1 "$deck" 2>err >out
+tail -n 1 err | grep -q '^energy balance kept: off by [0-9.e-]* [pnum]*J of [0-9.]* [km]*J ([0-9.e-]*; limit 0.01)$' && ok "the balance in words" || not_ok "the balance in words" "got:" err
