@@ -170,6 +170,7 @@ enum status deck_load(struct deck **out, const char *path, const struct deck_opt
     parameters_evaluate(deck);
     repeat_all(deck);
     set_late(set, deck);
+    repeat_rest(deck);
     *out = deck;
     return diags_status(diags) == E_LIMIT ? E_LIMIT : OK;
 }

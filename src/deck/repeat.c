@@ -274,3 +274,18 @@ void repeat_all(struct deck *deck)
     expand(deck->root, deck);
     if (diags_errors(deck->diags) == before) check_left(deck->root, deck);
 }
+
+/* Words without a value stay, for those who read the text to complain of. */
+static void fill_in(struct node *n, struct deck *deck)
+{
+    if (n->type == NODE_SCALAR && !n->scope && strstr(n->text, "$(")) {
+        n->text = substitute(n->text, NULL, deck);
+        n->len = strlen(n->text);
+    }
+    for (int i = 0; i < n->count; i++) fill_in(n->item[i], deck);
+}
+
+void repeat_rest(struct deck *deck)
+{
+    fill_in(deck->root, deck);
+}

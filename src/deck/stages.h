@@ -39,6 +39,8 @@ struct replaced {
 void parameters_evaluate(struct deck *deck);
 
 void repeat_all(struct deck *deck);
+/* $(N) of parameters in texts that no repeat: has copied. */
+void repeat_rest(struct deck *deck);
 
 /* Who asks for a name: filled by the caller, then read for why it was not found. */
 struct lookup {

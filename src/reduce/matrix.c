@@ -85,9 +85,17 @@ static bool next_word(char **at, const char *word)
     return true;
 }
 
-static enum status read_banner(bool *half, struct text *text)
+/* And not the counts of a file that has lost its banner. */
+static bool is_entry(char *at, const struct matrix_rows *rows, const struct text *text)
 {
-    char *at = text_line(text);
+    int i, j;
+    double v;
+    if (!word_int(&at, &i) || !word_int(&at, &j) || !word_real(&at, &v) || !word_end(at)) return false;
+    return !(i == rows->n && j == rows->n && v >= rows->n && v <= text->lines && v == floor(v));
+}
+
+static enum status read_banner(bool *half, char *at, struct text *text)
+{
     if (!at || !next_word(&at, "%%MatrixMarket"))
         return text_bad(text, "expected the line '%%%%MatrixMarket matrix ...'");
     if (!next_word(&at, "matrix") || !next_word(&at, "coordinate"))
@@ -97,6 +105,24 @@ static enum status read_banner(bool *half, struct text *text)
     *half = next_word(&at, "symmetric");
     if (!*half && !next_word(&at, "general")) return text_bad(text, "only symmetric and general matrices are read");
     return OK;
+}
+
+/* Entries alone, as Abaqus writes them (*MATRIX OUTPUT, FORMAT=COORDINATE): one triangle or both, which shows. */
+static enum status bare(struct sparse *o, char *line, struct text *text, const struct matrix_rows *rows,
+                        struct arena *scratch, struct arena *life)
+{
+    struct triplets t = {.n = rows->size};
+    bool above = false, below = false;
+    TRY(take(&t, text->lines, text, scratch));
+    for (; line; line = text_line(text)) {
+        char *at = line;
+        int i, j;
+        if (word_end(line)) continue;
+        if (word_int(&at, &i) && word_int(&at, &j)) above |= i<j, below |= i> j;
+        TRY(read_entry(&t, line, rows, text));
+    }
+    t.half = !(above && below);
+    return build(o, &t, text, life);
 }
 
 /* The counts: rows, columns, entries. */
@@ -119,7 +145,9 @@ static enum status market(struct sparse *o, struct text *text, const struct matr
 {
     struct triplets t = {.n = rows->size};
     int entries;
-    TRY(read_banner(&t.half, text));
+    char *first = text_line(text);
+    if (first && is_entry(first, rows, text)) return bare(o, first, text, rows, scratch, life);
+    TRY(read_banner(&t.half, first, text));
     TRY(read_counts(&entries, rows, text));
     if (entries > text->lines)
         return text_bad(text, "%d entries are said, the file has %d lines", entries, text->lines);

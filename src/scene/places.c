@@ -74,6 +74,10 @@ int read_point(struct builder *b, struct marker *o, const struct node *n, const 
         const char *name = scene->body[i].name;
         if (strlen(name) == (size_t)(dot - n->text) && memcmp(name, n->text, strlen(name)) == 0) body = i;
     }
+    for (int i = 0; body > 0 && scene->body[body].whole && i < scene->npoint; i++) { /* b2.tip for b.tip */
+        const char *name = strchr(scene->point[i].name, '.');
+        if (scene->point[i].at.body == body && name && strcmp(name, dot) == 0) return *o = scene->point[i].at, 0;
+    }
     return unknown_point(b, n, body);
 }
 

@@ -88,6 +88,8 @@ void cut_beam(struct builder *b, int index, int n);
 int more_segments(struct builder *b, const struct node *bodies);
 /* Fixed joints between them, behind all others. */
 void join_segments(struct builder *b);
+/* The part of a beam in segments that is nearest to a place, of two the first; NULL: no beam in segments is called so. */
+const char *segment_at(const struct builder *b, const char *whole, const double *place);
 /* A station of the deck in that of the part; is a point of the deck this body's? */
 double station_in(const struct draft *o, double station);
 bool holds_point(const struct builder *b, int body, const struct node *n);

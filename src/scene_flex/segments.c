@@ -113,6 +113,34 @@ void cut_beam(struct builder *b, int index, int n)
     }
 }
 
+/* How far a place is from the axis of a part. */
+static double away(const struct draft *o, const double *place)
+{
+    double along[3], d[3];
+    v3_diff(along, o->beam.b, o->beam.a);
+    v3_diff(d, place, o->beam.a);
+    const double s = fmin(1, fmax(0, v3_dot(d, along) / v3_dot(along, along)));
+    v3_axpy(d, -s, along);
+    return v3_norm(d);
+}
+
+const char *segment_at(const struct builder *b, const char *whole, const double *place)
+{
+    static const double same = 1e-9; /* of the part's length */
+    const struct scene *scene = b->scene;
+    const char *found = NULL;
+    double least = INFINITY;
+    for (int i = 1; i < scene->nbody; i++) {
+        const struct scene_body *body = &scene->body[i];
+        if (!body->whole || !b->draft[i] || strcmp(body->whole, whole) != 0) continue;
+        const double far = away(b->draft[i], place);
+        if (far >= least - same * b->draft[i]->length) continue;
+        least = far;
+        found = body->name;
+    }
+    return found;
+}
+
 int more_segments(struct builder *b, const struct node *bodies)
 {
     int more = 0;

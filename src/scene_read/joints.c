@@ -63,6 +63,7 @@ static int crossed_axes(struct builder *b, double *E, const struct joint_keys *k
     double lean = v3_dot(E, E + 3);
     if (fabs(lean) > 1e-6) {
         diag_error(b->diags, k->axis2, AT_VALUE, "E-axes", "%s: 'axis' and 'axis2' are not at right angles", what);
+        diag_hint(b->diags, "for oblique axes put a light body between two revolute joints, one about each of them");
         return 1;
     }
     v3_axpy(E + 3, -lean, E);
@@ -109,6 +110,26 @@ static int check_number(struct builder *b, const struct scene_joint *j, const ch
     return 1;
 }
 
+/* Two bodies, of which one may be a beam in segments: then that of them is meant at which the joint stands. */
+static const struct node *by_segments(struct builder *b, const struct node *bodies, const double *place)
+{
+    if (bodies->type != NODE_LIST || bodies->count != 2) return bodies;
+    struct node *list = TAKE(b->life, struct node, 1);
+    *list = *bodies;
+    list->item = TAKE(b->life, struct node *, 2);
+    for (int i = 0; i < 2; i++) {
+        const struct node *item = bodies->item[i];
+        const char *part = item->type == NODE_SCALAR ? segment_at(b, item->text, place) : NULL;
+        list->item[i] = bodies->item[i];
+        if (!part) continue;
+        list->item[i] = TAKE(b->life, struct node, 1);
+        *list->item[i] = *item;
+        list->item[i]->text = part;
+        list->item[i]->len = strlen(part);
+    }
+    return list;
+}
+
 static int read_joint(struct builder *b, struct scene_joint *j, const struct node *n)
 {
     struct joint_keys k = {.number = NAN};
@@ -130,18 +151,24 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     j->number = k.number;
     if (found->tie == TIE_POINTS) return read_rod(b, j, word, what) + errors;
     if (found->tie == TIE_COORDINATES) return errors ? errors : check_number(b, j, what);
+    struct marker at = {0};
+    const bool placed = k.at && !errors && read_point(b, &at, k.at, what) == 0;
+    if (placed) {
+        marker_drawn(j->at, b->scene, &at);
+        word = by_segments(b, word, j->at);
+    }
     if (find_two_bodies(b, &j->first, &j->second, word, what)) errors++;
     if (errors) return errors;
     j->loop = k.loop;
     j->own = k.frame == 1;
     if (k.range && read_range(b, j, k.range, what)) return 1;
-    struct marker at = {j->second, {0}};
     if (!k.at && (b->draft[j->second] || b->scene->body[j->second].flex) && found->type != JOINT_FREE) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s on the flexible body '%s' has no 'at'", what,
                    b->scene->body[j->second].name);
         return 1;
     }
-    if (k.at && read_point(b, &at, k.at, what)) return 1;
+    if (k.at && !placed) return 1;
+    if (!k.at) at.body = j->second;
     marker_drawn(j->at, b->scene, &at);
     v3_copy(j->from, j->at);
     return joint_axes(b, j, &k, what);

@@ -200,6 +200,16 @@ sed -n 's/.*"hertz": \[\([0-9.]*\).*/\1/p' "$work/out" |
     awk '{ d = $1 - 0.5269249707670844; near = d < 1e-12 && d > -1e-12 } END { exit !near }'
 expect market "0 0" "$rc $?" "$work/err"
 
+# Entries alone, one triangle or both, as Abaqus writes them.
+cp "$work/out" "$work/want"
+cp "$work/x/K.mtx" "$work/x/K.whole"
+sed 1,2d "$work/x/K.whole" >"$work/x/K.mtx"
+reduce -i root=root -n 2 "$work/x/K.mtx" "$work/x/M.mtx" "$work/x/nodes.csv" >"$work/out" 2>"$work/err"
+same "market-bare: one triangle" "$work/want" "$work/out"
+awk 'NR > 2 { print; if ($1 != $2) print $2, $1, $3 }' "$work/x/K.whole" >"$work/x/K.mtx"
+reduce -i root=root -n 2 "$work/x/K.mtx" "$work/x/M.mtx" "$work/x/nodes.csv" >"$work/out" 2>"$work/err"
+same "market-bare: both triangles" "$work/want" "$work/out"
+
 bad_market market-no-banner 3 'K.mtx:1: error: expected the line' K.mtx 'NR > 1'
 bad_market market-complex 3 'only real and integer' K.mtx 'NR == 1 { $4 = "complex" } 1'
 bad_market market-array 3 "only 'matrix coordinate'" K.mtx 'NR == 1 { $3 = "array" } 1'
