@@ -60,11 +60,6 @@ struct system *system_build(const struct model *m, struct arena *life)
     return s;
 }
 
-double system_length(const struct system *s)
-{
-    return sizes_length(s->model);
-}
-
 struct ode2 *system_ode2(struct system *s)
 {
     return s->loops ? condense_ode2(s->loops) : &s->tree.ode;

@@ -21,8 +21,6 @@ enum status system_start(struct system *s, double *q, double *v, struct report *
 
 /* The door to the engine, which lets its chart change between steps; lives as long as the system. */
 struct ode2 *system_ode2(struct system *s);
-/* A length of the mechanism [m], by which gaps in loops are measured. */
-double system_length(const struct system *s);
 
 /* What is wanted of one instant, and no more; kept until the next call. */
 enum {
