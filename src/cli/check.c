@@ -28,6 +28,28 @@ static void print_elastic(FILE *to, const struct model *m, int body)
     fprintf(to, "%s\n", b->flex->hertz ? " Hz" : "");
 }
 
+/* Of a beam: what its modes are, by runs, and how much they have of its bending by what the deck does. */
+static void print_kept(FILE *to, const struct model *m, int body)
+{
+    const struct flex_body *f = m->body[body].flex;
+    if (!f->statics || f->n == 0) return;
+    fprintf(to, "  %-16s modes:", "");
+    for (int a = 0, b; a < f->n; a = b) {
+        for (b = a + 1; b < f->n && f->statics->kind[b] == f->statics->kind[a];) b++;
+        fprintf(to, "%s %d", a ? "," : "", a + 1);
+        if (b > a + 1) fprintf(to, "-%d", b);
+        fprintf(to, " %s", flex_kind_name(f->statics->kind[a]));
+    }
+    fputc('\n', to);
+    for (int i = 0; i < m->nkept; i++) {
+        const struct model_kept *k = &m->kept[i];
+        if (k->body != body) continue;
+        fprintf(to, "  %-16s kept by %s: %.3g %% of the compliance", "", k->name, 100 * k->kept.share);
+        if (k->kept.mass >= 0) fprintf(to, ", %.3g %% of the mass", 100 * k->kept.mass);
+        fputc('\n', to);
+    }
+}
+
 static void print_title(FILE *to, const struct scene *scene)
 {
     text_put(to, scene->deck->name);
@@ -47,6 +69,7 @@ static void print_bodies(FILE *to, const struct model *m, int count)
                 b->fast ? "fast" : "slow", check_parent(m, i), j->name, model_kind(m, j->type)->name, j->nv,
                 j->nv == 1 ? "" : "s");
         if (b->flex) print_elastic(to, m, i);
+        if (b->flex) print_kept(to, m, i);
     }
 }
 

@@ -17,6 +17,24 @@ static void add_elastic(cJSON *to, const struct model_body *b)
     for (int k = 0; k < b->nmode; k++) cJSON_AddItemToArray(hertz, facts_number(b->flex->hertz[k]));
 }
 
+/* What the modes of a beam are, and have of its bending by what the deck does. */
+static void add_kept(cJSON *to, const struct model *m, int body)
+{
+    const struct flex_body *f = m->body[body].flex;
+    if (!f->statics) return;
+    cJSON *kinds = cJSON_AddArrayToObject(to, "kinds"), *kept = cJSON_AddArrayToObject(to, "kept");
+    for (int k = 0; k < f->n; k++) cJSON_AddItemToArray(kinds, cJSON_CreateString(flex_kind_name(f->statics->kind[k])));
+    for (int i = 0; i < m->nkept; i++) {
+        const struct model_kept *k = &m->kept[i];
+        if (k->body != body) continue;
+        cJSON *o = cJSON_CreateObject();
+        cJSON_AddStringToObject(o, "by", k->name);
+        facts_add(o, "compliance", facts_number(k->kept.share));
+        if (k->kept.mass >= 0) facts_add(o, "mass", facts_number(k->kept.mass));
+        cJSON_AddItemToArray(kept, o);
+    }
+}
+
 static cJSON *bodies(const struct model *m)
 {
     cJSON *list = cJSON_CreateArray();
@@ -33,6 +51,7 @@ static cJSON *bodies(const struct model *m)
         cJSON_AddStringToObject(o, "kind", model_kind(m, j->type)->name);
         facts_add(o, "freedoms", facts_number(j->nv));
         if (b->flex) add_elastic(o, b);
+        if (b->flex) add_kept(o, m, i);
         cJSON_AddItemToArray(list, o);
     }
     return list;

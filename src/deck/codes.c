@@ -196,6 +196,11 @@ const struct diag_help diag_helps[] = {
      "Modes of a beam have one frequency, as those of a round shaft in its two planes or of its equal spans, and "
      "'modes' cuts between them: with some of them the beam bends differently in its planes or spans, and what whirls, "
      "whirls wrongly. Take one of the two numbers that the message names."},
+    {"W-kept",
+     "The beam bends by a drive, a force on a joint, gravity or a load, and its modes have less than half of what the "
+     "whole beam would do at rest: modes come by frequency, and all of the lowest may bend it in another plane. Take "
+     "more modes, or make the place of a load a point with 'static: true'. `fmdsub check` shows the kind of each mode "
+     "and what they keep. Directions 10 000 times stiffer than the softest are passed over."},
     {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     /* stops and verdicts */

@@ -18,6 +18,7 @@
 
 #include "flex/craig.h"
 #include "flex/rod.h"
+#include "flex/statics.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 
@@ -137,20 +138,6 @@ static void stiffness(struct flex_body *o, const struct flex_beam *beam, const d
         o->hertz[j] = root / (2 * acos(-1));
     }
     if (!damped) o->D = NULL;
-}
-
-/* At all nodes of the mesh. */
-static void farthest(struct flex_body *o, const struct work *w, struct arena *life)
-{
-    const int size = w->K.n, per = w->rod.per, straight = per == 3 ? 2 : 3;
-    o->far = TAKE(life, double, 2 * o->n);
-    for (int j = 0; j < o->n; j++)
-        for (int i = 0; i < size; i += per) {
-            const double *x = w->Phi + (long)size * j + i, *turn = x + straight;
-            const double moved = straight == 2 ? hypot(x[0], x[1]) : v3_norm(x);
-            o->far[2 * j] = fmax(o->far[2 * j], moved);
-            o->far[2 * j + 1] = fmax(o->far[2 * j + 1], straight == 2 ? fabs(turn[0]) : v3_norm(turn));
-        }
 }
 
 /* ---- second order, along the beam ---- */
@@ -304,16 +291,23 @@ static void fill_side(struct flex_body *o, const struct work *w, struct march *m
     }
 }
 
-static void fill(struct flex_body *o, const struct work *w, struct arena *scratch)
+/* [o->nnode] */
+static int *mesh_nodes(const struct flex_body *o, const struct work *w, struct arena *scratch)
 {
     const struct flex_beam *beam = w->beam;
-    int n = w->n, *mesh = TAKE(scratch, int, o->nnode), k = 0;
-    double *phi = TAKE(scratch, double, 6 * n + 6 * n * n);
-    struct march m;
+    int *mesh = TAKE(scratch, int, o->nnode), k = 0;
     for (int i = 0; i < beam->ninterface; i++) mesh[k++] = rod_node(&w->rod, beam->interface[i]);
     for (int i = 0; i < beam->npoint; i++) mesh[k++] = rod_node(&w->rod, beam->point[i]);
     mesh[k++] = 0;
     mesh[k++] = w->rod.nnode - 1;
+    return mesh;
+}
+
+static void fill(struct flex_body *o, const struct work *w, const int *mesh, struct arena *scratch)
+{
+    const int n = w->n;
+    double *phi = TAKE(scratch, double, 6 * n + 6 * n * n);
+    struct march m;
     march_take(&m, n, o->s != NULL, scratch);
     at_node(o, w, &m, mesh, w->reference, phi);
     fill_side(o, w, &m, mesh, false, phi);
@@ -381,10 +375,11 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
         flex_body_take(w->n, beam->ninterface + beam->npoint + 2, beam->nprobe, beam->stiffening, life);
     o->reference = 0;
     stiffness(o, beam, w->lambda);
-    farthest(o, w, life);
     o->edge = (struct flex_edge){.parted = w->edge.parted, .whole = {w->edge.whole[0], w->edge.whole[1]}};
     for (int k = 0; k < 2; k++) o->edge.hertz[k] = sqrt(w->edge.lambda[k]) / (2 * acos(-1));
-    fill(o, w, scratch);
+    const int *mesh = mesh_nodes(o, w, scratch);
+    fill(o, w, mesh, scratch);
+    flex_statics_make(o, &w->rod, &w->K, &w->M, w->lambda, w->Phi, mesh, w->reference, w->axes, life, scratch);
     double *Q = TAKE(scratch, double, 6 * w->n);
     for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], Q, report));
     *out = o;

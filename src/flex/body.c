@@ -19,7 +19,7 @@
  *     T_ij' = T_ij - T_0ij - (psi_0i x psi_j + psi_0j x psi_i) / 2.
  *
  * The new integrals follow term by term from the old ones, with int x dm = 0 and P' = -P. */
-#include "flex/body.h"
+#include "flex/statics.h"
 
 #include <math.h>
 #include <string.h>
@@ -337,6 +337,11 @@ struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena
     for (int k = 0; old->D && k < n * n; k++) o->D[k] = old->D[k];
     if (!old->D) o->D = NULL;
     if (old->far) refer_far(o, old, &r, life);
+    if (old->statics) {
+        o->statics = TAKE(life, struct flex_statics, 1);
+        if (!moves(&old->node[node], n)) *o->statics = *old->statics;
+        o->statics->kind = old->statics->kind;
+    }
     if (moves(&old->node[node], n) || !old->hertz)
         o->hertz = NULL;
     else

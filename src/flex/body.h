@@ -46,6 +46,7 @@ struct flex_edge {
     int whole[2];    /* then: numbers of modes below and above that keep all or none; 0: there are no more */
 };
 
+struct flex_statics;
 struct flex_body {
     int n;         /* elastic coordinates */
     int reference; /* number of the reference node */
@@ -66,6 +67,7 @@ struct flex_body {
     double *K;     /* [n x n] stiffness; symmetric >= 0 [N/m] */
     double *D;     /* [n x n] damping; NULL: none */
     struct flex_edge edge;
+    struct flex_statics *statics; /* of a beam held at its reference node, see statics.h; NULL: not known */
     double *far;   /* [2 x n] how far a coordinate moves [m] and turns [rad] a particle at most, per unit; NULL: no
                     * farther than nodes, as far as is known */
     double *hertz; /* [n] frequencies with the reference node clamped, by coordinate, where coordinates are modes;

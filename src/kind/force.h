@@ -161,6 +161,8 @@ struct signal {
 };
 double signal_value(const struct signal *s, const double *slot);
 bool signal_reads_time(const struct signal *s);
+/* Is it 0 always? */
+bool signal_is_zero(const struct signal *s);
 /* Value, and slopes d[i] along slots which[i]. */
 double signal_slopes(const struct signal *s, double *d, const double *slot, const int *which, int n);
 /* Of time alone: value x[0], rate x[1] and acceleration x[2] at t.  A table's rate is that of the piece before t; at

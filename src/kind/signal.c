@@ -182,6 +182,15 @@ bool signal_reads_time(const struct signal *s)
     return s->expr ? expr_reads(s->expr, &first, 1) > 0 && first == 0 : s->n > 0;
 }
 
+bool signal_is_zero(const struct signal *s)
+{
+    const double no_slot = 0;
+    int first;
+    for (int i = 0; !s->expr && i < s->n; i++)
+        if (s->x[i] != 0) return false;
+    return !s->expr || (expr_reads(s->expr, &first, 1) == 0 && signal_value(s, &no_slot) == 0);
+}
+
 double signal_next(const struct signal *s, double t)
 {
     if (s->expr || s->n == 0 || t >= s->t[s->n - 1]) return INFINITY;

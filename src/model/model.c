@@ -23,6 +23,7 @@ enum status model_build(struct model **out, const struct scene *scene, struct di
     make_choice(&o);
     make_start(&o);
     warn_of_spin(&o);
+    make_kept(&o);
     *out = m;
     return OK;
 }

@@ -10,7 +10,7 @@
 #include <stdbool.h>
 
 #include "base/rate.h"
-#include "flex/body.h"
+#include "flex/statics.h"
 #include "kind/force.h"
 #include "kind/joint.h"
 
@@ -124,6 +124,15 @@ struct model_coordinate {
     bool fast;        /* or in a component that has a fast coordinate */
 };
 
+/* Of a beam's bending by a motion of the joints that carry it, by gravity or a load, what its modes have of the
+ * whole mesh: see flex/statics.h. */
+struct model_kept {
+    int body;
+    const char *name; /* "shaft.angle", a force's */
+    bool asked;       /* the deck has a drive, a force or a load there */
+    struct flex_kept kept;
+};
+
 struct model {
     int space; /* 2 or 3 */
     double gravity[3];
@@ -155,7 +164,9 @@ struct model {
     const int *body_of;                        /* model's index of the scene's body i (body 0: ground) */
     const int *joint_of;                       /* model's index of the scene's joint i; -1: not in the tree */
     const int *loop_of;                        /* likewise among the loops; -1: not there */
-    int ndrive;                                /* the last ndrive loops are drives, in the scene's order */
+    int nkept;
+    struct model_kept *kept; /* [nkept] */
+    int ndrive;              /* the last ndrive loops are drives, in the scene's order */
 };
 
 /* The kind of one of its joints or loops. */

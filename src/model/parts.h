@@ -52,6 +52,8 @@ void make_near(struct making *o);
 void make_elements(struct making *o);
 /* spin.c: warnings of flexible bodies without geometric stiffening */
 void warn_of_spin(struct making *o);
+/* kept.c: what the modes of beams keep, and warnings of what they do not */
+void make_kept(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
 

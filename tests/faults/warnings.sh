@@ -13,17 +13,17 @@ constraints: {ball: {spherical: [ground, top], at: [0, 0, 0]}}
 initial: {ball.omega: [1, 2, 3]}
 integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}'
 
-warned() { # NAME DECK PATTERN [SET]: status 0, one warning, 1 with --strict
+warned() { # NAME DECK PATTERN [SET [SET [SET]]]: status 0, one warning, 1 with --strict
     echo "$2" >deck.yaml
-    "$FMDSUB" run -q -s "title=x" -s "${4:-title=x}" deck.yaml >out 2>err
+    "$FMDSUB" run -q -s "${6:-title=x}" -s "${4:-title=x}" -s "${5:-title=x}" deck.yaml >out 2>err
     rc=$?
-    "$FMDSUB" run -q --strict -s "title=x" -s "${4:-title=x}" deck.yaml >out 2>strict
+    "$FMDSUB" run -q --strict -s "${6:-title=x}" -s "${4:-title=x}" -s "${5:-title=x}" deck.yaml >out 2>strict
     if [ "$rc $?" = "0 1" ] && [ "$(grep -c ': warning: ' err)" = 1 ] && grep -q -- "$3" err; then ok "$1"
     else not_ok "$1" "status $rc; expected 0, 1 with --strict, and one warning with: $3" err strict; fi
 }
-silent() { # NAME DECK [SET [SET]]
+silent() { # NAME DECK [SET [SET [SET]]]
     echo "$2" >deck.yaml
-    "$FMDSUB" run -q --strict -s "${3:-title=x}" -s "${4:-title=x}" deck.yaml >out 2>err
+    "$FMDSUB" run -q --strict -s "${5:-title=x}" -s "${3:-title=x}" -s "${4:-title=x}" deck.yaml >out 2>err
     expect "$1" "0 0" "$? $(wc -l <err)" err
 }
 
@@ -89,6 +89,40 @@ warned "two spans in two planes" "$spans" "body 'shaft': of 4 modes of [0-9.]* H
     not_ok "two spans: the advice" "the deck:" deck.yaml
 silent "two spans: all of them" "$spans" 'bodies.shaft.modes=8'
 silent "two spans: none of them" "$spans" 'bodies.shaft.modes=4'
+
+# A panel slewed in its stiff plane: 6 modes all bend and twist it out of that, the seventh is the first in it.
+panel='fmdsub: 1
+bodies:
+  hub: {mass: 40, at: [0, 0, 0], inertia: [4, 5, 6]}
+  panel:
+    beam: {from: [0, 0.5, 0], to: [0, 2.5, 0], up: [0, 0, 1], elements: 12}
+    section: {rectangle: [0.4, 0.01]}
+    material: {E: 7.0e+9, nu: 0.3, density: 600}
+    modes: 6
+constraints:
+  turn: {revolute: [ground, hub], at: [0, 0, 0], axis: [0, 0, 1]}
+  clamp: {fixed: [hub, panel], at: [0, 0.5, 0]}
+drives: {slew: {drive: turn.angle, value: "0.1*t^2"}}
+integrate: {scheme: midpoint, step: 2.0e-3, until: 0.1}'
+kept="body 'panel': its modes keep less than half of how it bends by"
+warned "a panel slewed in its stiff plane" "$panel" "$kept turn.angle (0 %) \[W-kept\]"
+"$FMDSUB" check deck.yaml >words 2>err
+grep -q '^ *modes: 1-2 bending z, 3 torsion, 4 bending z, 5 torsion, 6 bending z$' words &&
+    grep -q '^ *kept by turn.angle: 0 % of the compliance, 0 % of the mass$' words && ok "check: kinds of modes, what they keep" ||
+    not_ok "check: kinds of modes, what they keep" "words:" words
+"$FMDSUB" check -f json deck.yaml 2>err | tr -d ' \n\t' | grep -q '"kinds":\["bendingz","bendingz","torsion","bendingz","torsion","bendingz"\],"kept":\[{"by":"turn.angle","compliance":0,"mass":0}\]' &&
+    ok "check: the same in the object" || not_ok "check: the same in the object" "stderr:" err
+silent "the panel with its first mode in that plane" "$panel" 'bodies.panel.modes=7'
+warned "a torque on its joint in place of the drive" "$panel" "$kept turn.angle (0 %) \[W-kept\]" \
+    'drives={}' 'forces={motor: {torque: turn, value: 1}}'
+silent "nothing turns it" "$panel" 'drives={}'
+warned "a load in the stiff plane" "$panel" "$kept push (0 %) \[W-kept\]" \
+    'drives={}' 'forces={push: {force: panel.tip, value: [1, 0, 0]}}' 'bodies.panel.points={tip: {station: 1}}'
+silent "kept where the load stands" "$panel" 'drives={}' \
+    'forces={push: {force: panel.tip, value: [1, 0, 0]}}' 'bodies.panel.points={tip: {station: 1, static: true}}'
+silent "a load out of that plane" "$panel" 'drives={}' \
+    'forces={push: {force: panel.tip, value: [0, 0, 1]}}' 'bodies.panel.points={tip: {station: 1}}'
+warned "gravity in the stiff plane" "$panel" "$kept gravity (0 %) \[W-kept\]" 'drives={}' 'gravity=[9.81, 0, 0]'
 
 # What bends too far for its frame gets one advice, whether it is told at the end or stops the run.
 bends() { # UNTIL: what the run says of bending

@@ -4,6 +4,8 @@
  * 1979), Timoshenko's by transfer matrix. */
 #include "flex/beam.h"
 
+#include "flex/statics.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -404,13 +406,67 @@ static void test_refusals(void **state)
     refused(&o, "twist");
 }
 
+/* ---- what modes keep ---- */
+
+/* A uniform cantilever's modes of unit mass have 4/m at the tip squared, and under unit accelerations of the root across
+ * and about it h^2 = m (2 sigma/b)^2 and m L^2 (2/b^2)^2, lambda = b^4 EI/(m L^3); all of them have L^3/(3 EI), and
+ * m^2 L^3/(20 EI), 11 m^2 L^5/(420 EI) of energy, m and m L^2/3 of mass. */
+static void test_kept(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= 3; n++) {
+        struct arena *life = arena_open();
+        struct flex_section c = rectangle(0, 0.01, 0.01);
+        struct flex_beam o = bar(2, 1, 40, n, &c, 1, ROOT_ONLY);
+        double at[3], tip = 0, side = 0, turn = 0, moved = 0, turned = 0;
+        const double across[6] = {0, 1, 0, 0, 0, 0}, about[6] = {0, 0, 0, 0, 0, 1}, along[6] = {1, 0, 0, 0, 0, 0};
+        const struct flex_body *b = made(&o, at, life);
+        struct flex_kept kept;
+        for (int i = 0; i < n; i++) {
+            const double r = CLAMPED_FREE[i], h = 2 * (sinh(r) - sin(r)) / (cosh(r) + cos(r)) / r, l = pow(r, 4);
+            tip += 4 / l, side += h * h / l, turn += 4 / l / l, moved += h * h, turned += 4 / l;
+            assert_int_equal(b->statics->kind[i], FLEX_BENDING_Y);
+        }
+        assert_true(flex_kept_of_load(&kept, b, b->nnode - 1, across));
+        near(kept.share, 3 * tip, 1e-5);
+        near(kept.across, kept.share, 1e-12);
+        assert_true(flex_kept_of_motion(&kept, b, across));
+        near(kept.share, 20 * side, 1e-5);
+        near(kept.mass, moved, 2e-2); /* the mesh has no root's share */
+        assert_true(flex_kept_of_motion(&kept, b, about));
+        near(kept.share, 420 * turn / 11, 1e-5);
+        near(kept.mass, 3 * turned, 2e-2);
+        assert_true(flex_kept_of_motion(&kept, b, along)); /* no stretch is kept: it is stiff */
+        assert_true(kept.share < 1e-12 && kept.across == 1 && kept.weight == 0);
+        assert_false(flex_kept_of_load(&kept, b, 0, across)); /* the root */
+        arena_close(life);
+    }
+}
+
+/* Kinds in space: a flat bar bends in its soft plane first, is wrung, bends in the other. */
+static void test_kinds(void **state)
+{
+    struct arena *life = arena_open();
+    struct flex_section c = rectangle(0, 0.01, 0.4);
+    struct flex_beam o = bar(3, 2, 12, 40, &c, 1, ROOT_ONLY);
+    double at[3];
+    (void)state;
+    const struct flex_body *b = made(&o, at, life);
+    int count[FLEX_MIXED + 1] = {0};
+    for (int i = 0; i < b->n; i++) count[b->statics->kind[i]]++;
+    assert_int_equal(b->statics->kind[0], FLEX_BENDING_Z);
+    for (int i = 0; i < FLEX_MIXED; i++) assert_true(count[i] > 0);
+    assert_int_equal(count[FLEX_MIXED], 0);
+    arena_close(life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cantilever), cmocka_unit_test(test_textbook),       cmocka_unit_test(test_timoshenko),
         cmocka_unit_test(test_solid),      cmocka_unit_test(test_ends),           cmocka_unit_test(test_tip_force),
         cmocka_unit_test(test_rigid),      cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_damping),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_refusals),   cmocka_unit_test(test_kept),           cmocka_unit_test(test_kinds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
