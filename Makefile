@@ -171,7 +171,8 @@ order-tight: $(PROGRAM) $(TOOLS)
 ## asan          unit, decks and bad under the sanitizers
 asan:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/asan OPT=-O1 CFLAGS="$(CFLAGS) $(ASAN)" all tests-built
-	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) tests/run unit decks bad
+	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) \
+	    UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60 tests/run unit decks bad
 
 ## golden        what would change in the golden records, column by column; WRITE=1 rewrites them
 golden: $(PROGRAM) $(TOOLS)

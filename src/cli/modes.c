@@ -68,6 +68,17 @@ static void warn_of_growth(const struct modes *modes)
     if (flutter) fputs("negative damping is growing vibration: this posture is no stable equilibrium\n", stderr);
 }
 
+static void warn_of_doubt(const struct modes *modes)
+{
+    static const double little = 1e-6;
+    if (modes->doubt > little)
+        fprintf(
+            stderr,
+            "warning: masses differ by so many decades that the highest frequencies, those of the light parts alone, "
+            "may be off by up to %.2g %%\n",
+            100 * modes->doubt);
+}
+
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
@@ -81,5 +92,6 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     TRY(at_time(&sim, request, report));
     TRY(modes_find(&modes, &sim, life, report));
     if (!request->quiet) warn_of_growth(&modes);
+    warn_of_doubt(&modes);
     return table_print(mode_table(&sim, &modes, life), !isatty(STDOUT_FILENO), stdout, report);
 }

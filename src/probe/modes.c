@@ -1,9 +1,11 @@
 /* modes.c -- see modes.h */
 #include "probe/modes.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "la/dense.h"
 #include "la/eigen.h"
 #include "probe/damped_mode.h"
 
@@ -404,6 +406,17 @@ static bool describe_all(struct modes *o, const struct linear *l, const double *
     return found;
 }
 
+/* What round-off leaves unknown of the lightest motion's mass: pivots of M against its diagonal.  L [n x n] is for
+ * work. */
+static double unknown_mass(const double *M, double *L, int n)
+{
+    double least = 1;
+    memcpy(L, M, sizeof *L * (size_t)n * (size_t)n);
+    if (dense_cholesky(L, n, n) >= 0) return 1;
+    for (int i = 0; i < n; i++) least = fmin(least, L[i + (long)i * n] * L[i + (long)i * n] / M[i + (long)i * n]);
+    return DBL_EPSILON / least;
+}
+
 enum status modes_find(struct modes *o, const struct sim *sim, struct arena *life, struct report *report)
 {
     const struct ode2 *ode = sim->stepper.ode;
@@ -420,6 +433,7 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     int pivot = eigen_graded(lambda, X, l.K, l.M, n, TAKE_MATRIX(life, double, n, 2 * n + 1));
     if (pivot >= 0) return fail(report, E_MODEL, "coordinate '%s' moves no mass", sim_coordinate_name(sim, pivot));
     o->n = n;
+    o->doubt = unknown_mass(l.M, TAKE_MATRIX(life, double, n, n), n);
     o->mode = TAKE(life, struct mode, n);
     if (!describe_all(o, &l, X, lambda, life))
         return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);

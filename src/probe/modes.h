@@ -28,6 +28,8 @@ struct modes {
     struct mode *mode;          /* [n], ascending */
     double slow_top, fast_top;  /* local frequency of the quickest slow and fast coordinate [rad/s] */
     int slow_worst, fast_worst; /* which; -1: none */
+    double doubt;               /* by what share the highest may be wrong: light parts that are nearly lost in round-off
+                                 * beside heavy ones */
 };
 
 enum { MODES_MOST = 300 };

@@ -306,6 +306,8 @@ static void test_massless_shaft(void **state)
             if (kind == 0 && k > 9) continue; /* refused: the shaft's mass is round-off beside the disc's */
             find(&o, path, 2, set);
             whirls(&o.modes);
+            if (kind == 0 ? !(o.modes.doubt > 1e-11 * pow(10, 3 * (k / 4))) : !(o.modes.doubt < 1e-12))
+                fail_msg("%d %d %g", kind, k, o.modes.doubt);
             arena_close(o.life);
         }
         unlink(path);
