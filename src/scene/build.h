@@ -13,6 +13,7 @@ struct builder {
     struct reader reader;
     const struct key *sections; /* the deck's own keys */
     struct arena *life;
+    bool cut;                      /* there are beams in segments */
     struct draft **draft;          /* [nbody] flexible bodies that are still to be made; NULL: not one */
     const struct node *space_from; /* the vector or key that decided 2-D or 3-D */
 };

@@ -107,6 +107,7 @@ void cut_beam(struct builder *b, int index, int n)
     const struct draft *whole = b->draft[index];
     const struct scene_body first = scene->body[index];
     scene->nbody += n - 1;
+    b->cut = true;
     for (int k = 0; k < n; k++) {
         scene->body[index + k] = first;
         cut_one(b, index + k, whole, first.name, k, n);
@@ -130,7 +131,7 @@ const char *segment_at(const struct builder *b, const char *whole, const double 
     const struct scene *scene = b->scene;
     const char *found = NULL;
     double least = INFINITY;
-    for (int i = 1; i < scene->nbody; i++) {
+    for (int i = 1; b->cut && i < scene->nbody; i++) {
         const struct scene_body *body = &scene->body[i];
         if (!body->whole || !b->draft[i] || strcmp(body->whole, whole) != 0) continue;
         const double far = away(b->draft[i], place);
