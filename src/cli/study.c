@@ -1,4 +1,4 @@
-/* study.c -- fmdsub study: schemes x ratios x steps on one deck, as a table or as CSV */
+/* study.c -- fmdsub study: schemes, ratios, steps and tolerances on one deck, as a table or as CSV, and what they say */
 #include "study/study.h"
 #include "multirate/schemes.h"
 
@@ -33,13 +33,12 @@ static enum status read_number_list(double *x, int *n, const char *option, const
 struct choices {
     const char *scheme[MOST_CHOICES];
     int ratio[MOST_CHOICES];
-    double step[MOST_CHOICES];
+    double step[MOST_CHOICES], tolerance[MOST_CHOICES];
 };
 
 static enum status choose_schemes(struct study_options *o, struct choices *c, const struct scene *scene,
                                   const struct request *request, struct arena *life, struct report *report)
 {
-    static const char *const usual[] = {"midpoint", "subcycle", "miao", "newmark"};
     if (request->schemes) {
         const char **words = columns_split(&o->nscheme, request->schemes, life);
         if (o->nscheme == 0) return fail(report, E_USAGE, "--schemes names no scheme");
@@ -50,9 +49,15 @@ static enum status choose_schemes(struct study_options *o, struct choices *c, co
         }
         return OK;
     }
-    (void)scene;
-    o->nscheme = 4;
-    memcpy(c->scheme, usual, sizeof usual);
+    const bool steps = scene->integrate.step > 0 || request->steps;
+    const bool rates = steps && (scene->integrate.ratio > 1 || request->ratios);
+    const struct {
+        const char *scheme;
+        bool fits;
+    } usual[] = {{"midpoint", steps}, {"newmark", steps}, {"subcycle", rates}, {"miao", rates},
+                 {"dopri5", true},    {"dop853", true},   {"radau9", true}};
+    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++)
+        if (usual[i].fits) c->scheme[o->nscheme++] = usual[i].scheme;
     return OK;
 }
 
@@ -62,9 +67,8 @@ static enum status choose_numbers(struct study_options *o, struct choices *c, co
     double x[MOST_CHOICES];
     double h = scene->integrate.step;
     int n = scene->integrate.ratio;
-    o->nratio = n > 1 ? 2 : 1;
-    c->ratio[0] = 1;
-    c->ratio[1] = n;
+    o->nratio = 1; /* at ratio 1 a scheme of two rates is one of the others */
+    c->ratio[0] = n;
     if (request->ratios) {
         TRY(read_number_list(x, &o->nratio, "ratios", request->ratios, true, life, report));
         for (int i = 0; i < o->nratio; i++) c->ratio[i] = (int)x[i];
@@ -72,7 +76,17 @@ static enum status choose_numbers(struct study_options *o, struct choices *c, co
     o->nstep = 3;
     for (int i = 0; i < 3; i++) c->step[i] = h / (1 << i);
     if (request->steps) TRY(read_number_list(c->step, &o->nstep, "steps", request->steps, false, life, report));
-    if (!(h > 0) && !request->steps) return fail(report, E_USAGE, "the deck has no 'step': name some with --steps");
+    bool fixed = false;
+    for (int i = 0; i < o->nscheme; i++) fixed |= !stepper_find(c->scheme[i])->adaptive;
+    if (fixed && !(h > 0) && !request->steps)
+        return fail(report, E_USAGE, "the deck has no 'step': name some with --steps");
+    static const double usual[] = {1e-3, 1e-5, 1e-7, 1e-9};
+    o->ntolerance = 4;
+    memcpy(c->tolerance, usual, sizeof usual);
+    if (request->tolerances)
+        TRY(read_number_list(c->tolerance, &o->ntolerance, "tolerances", request->tolerances, false, life, report));
+    for (int i = 0; i < o->ntolerance; i++)
+        if (c->tolerance[i] > .1) return fail(report, E_USAGE, "--tolerances: at most 0.1");
     o->repeats = 3;
     if (request->repeats) {
         int one;
@@ -93,24 +107,45 @@ static enum status write_file(const struct table *table, const char *path, struc
     return status == OK ? closed : status;
 }
 
+/* The wanted setting alone, or all rows and what they say. */
+static enum status print_study(const struct study *study, double pick, const struct request *request,
+                               struct arena *life, struct report *report)
+{
+    const struct table *table = study_table(study, life);
+    if (request->output) TRY(write_file(table, request->output, life, report));
+    if (request->pick) {
+        const struct study_row *row = study_pick(study, pick);
+        if (!row) return fail(report, E_VERDICT, "no run of the study has an error below %g", pick);
+        study_print_pick(row, stdout);
+        return OK;
+    }
+    if (!request->output) TRY(table_print(table, !isatty(STDOUT_FILENO), stdout, report));
+    if (!request->quiet) study_answer(study, stderr);
+    return OK;
+}
+
 enum status verb_study(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
     struct diags *diags = NULL;
-    struct choices choices;
-    struct table *table = NULL;
+    struct choices choices = {0};
+    struct study study;
+    double pick = 0;
+    int one = 0;
     struct study_options o = {.version = FMDSUB_VERSION,
                               .log = request->quiet ? NULL : stderr,
                               .scheme = choices.scheme,
                               .ratio = choices.ratio,
-                              .step = choices.step};
+                              .step = choices.step,
+                              .tolerance = choices.tolerance};
     enum status status = cli_load(&scene, &diags, request, life, report);
     const struct target table_file = {"--output", request->output, true};
     if (status == OK) status = targets_check(&table_file, 1, &scene->deck->read, life, report);
+    if (status == OK && request->pick)
+        status = read_number_list(&pick, &one, "pick", request->pick, false, life, report);
     if (status == OK) status = choose_schemes(&o, &choices, scene, request, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, scene, request, life, report);
-    if (status == OK) status = study_run(&table, scene, &o, diags, life, report);
+    if (status == OK) status = study_run(&study, scene, &o, diags, life, report);
     TRY(cli_told(diags, request, status));
-    if (request->output) return write_file(table, request->output, life, report);
-    return table_print(table, !isatty(STDOUT_FILENO), stdout, report);
+    return print_study(&study, pick, request, life, report);
 }

@@ -39,6 +39,7 @@ struct column_kind {
 
     const char *angular; /* unit where the thing is an angle, or what drives one; NULL: the same */
     enum column_use use;
+    bool own; /* of how the run was stepped: runs are not compared by it */
 };
 
 /* {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", EVALUATE_MOTION, velocity)}, */

@@ -70,6 +70,21 @@ static enum status choose_by_deck(struct sim *sim, struct diags *diags, struct a
     return columns_select(&sim->chosen, c->column, c->n, patterns, out->ncolumn, E_DECK, life, NULL);
 }
 
+/* The counted columns, then the deck's, t first. */
+static enum status choose_counted(struct sim *sim, struct diags *diags, struct arena *life)
+{
+    choose_default(sim, life);
+    if (!sim->scene->output.ncolumn) return OK;
+    const struct selection counted = sim->chosen;
+    TRY(choose_by_deck(sim, diags, life));
+    int *index = TAKE(life, int, counted.n + sim->chosen.n);
+    memcpy(index, counted.index, sizeof *index * (size_t)counted.n);
+    memcpy(index + counted.n, sim->chosen.index, sizeof *index * (size_t)sim->chosen.n);
+    sim->ncounted = counted.n;
+    sim->chosen = (struct selection){counted.n + sim->chosen.n, index, -1};
+    return OK;
+}
+
 static int by_name(const void *a, const void *b)
 {
     const struct column *x = *(const struct column *const *)a, *y = *(const struct column *const *)b;
@@ -124,7 +139,9 @@ enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *l
     const struct catalogue *c = &sim->catalogue;
     catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
     TRY(refuse_twins(sim, diags, life));
-    if (sim->scene->output.ncolumn && !sim->options.counting)
+    if (sim->options.counting)
+        TRY(choose_counted(sim, diags, life));
+    else if (sim->scene->output.ncolumn)
         TRY(choose_by_deck(sim, diags, life));
     else
         choose_default(sim, life);

@@ -35,9 +35,10 @@ const struct column_kind columns_energy[] = {
     {COLUMN(".damper", ".damper", "J", "work of dampers since the start (negative: taken)", EVALUATE_NOTHING, damper)},
     {COLUMN(".friction", ".friction", "J", "work of friction since the start", EVALUATE_NOTHING, friction)},
     {COLUMN(".numerical", ".numerical", "J", "taken by the scheme's own damping since the start", EVALUATE_NOTHING,
-            numerical)},
+            numerical),
+     .own = true},
     {COLUMN(".residual", ".residual", "J", "W_kin + W_int - W_ext of (2-26)", EVALUATE_NOTHING, residual),
-     .use = USE_WRITTEN},
+     .use = USE_WRITTEN, .own = true},
     {0},
 };
 
@@ -68,9 +69,9 @@ FIGURE(ratio, sim->plan.ratio)
 FIGURE(sweeps, sim->stepper.last_sweeps)
 
 const struct column_kind columns_step[] = {
-    {COLUMN(".h", ".h", "s", "minor step of the last step", EVALUATE_NOTHING, minor_step)},
-    {COLUMN(".H", ".H", "s", "major step of the last step", EVALUATE_NOTHING, major_step)},
-    {COLUMN(".ratio", ".ratio", NULL, "minor steps in it", EVALUATE_NOTHING, ratio)},
-    {COLUMN(".sweeps", ".sweeps", NULL, "Newton sweeps of the last step", EVALUATE_NOTHING, sweeps)},
+    {COLUMN(".h", ".h", "s", "minor step of the last step", EVALUATE_NOTHING, minor_step), .own = true},
+    {COLUMN(".H", ".H", "s", "major step of the last step", EVALUATE_NOTHING, major_step), .own = true},
+    {COLUMN(".ratio", ".ratio", NULL, "minor steps in it", EVALUATE_NOTHING, ratio), .own = true},
+    {COLUMN(".sweeps", ".sweeps", NULL, "Newton sweeps of the last step", EVALUATE_NOTHING, sweeps), .own = true},
     {0},
 };

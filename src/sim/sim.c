@@ -114,6 +114,11 @@ const char *sim_place_name(const struct sim *sim, int iv)
     return "?";
 }
 
+bool sim_column_compared(const struct sim *sim, int i)
+{
+    return i >= sim->ncounted && sim->chosen.index[i] != 0 && !sim->catalogue.origin[sim->chosen.index[i]].kind->own;
+}
+
 int sim_column_rate(const struct sim *sim, int i)
 {
     const struct origin *o = &sim->catalogue.origin[sim->chosen.index[i]];

@@ -24,9 +24,10 @@ struct sim_options {
     FILE *log;      /* plan line, progress, end summary; NULL: silent */
     FILE *warnings; /* those of the run; NULL: log */
     enum sim_progress progress;
-    bool general;  /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
-    bool counting; /* columns are all coordinates, rates and measures, whatever the deck says, and it runs to the latest
-                    * end: no condition ends it (study, modes) */
+    bool general; /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
+    bool
+        counting; /* columns are all coordinates, rates and measures, then those that the deck names, and it runs to the
+                    * latest end: no condition ends it (study, modes) */
 };
 
 /* events.c: what a run looks for at the end of every major step. */
@@ -70,6 +71,7 @@ struct sim {
     int nformula;
     struct formula *formula; /* [nformula] */
     struct selection chosen;
+    int ncounted;           /* of these the first ones are not the deck's own choice, while there is one */
     struct column *columns; /* [chosen.n] */
     double *row;            /* [chosen.n] */
     unsigned needs;         /* SEE_... */
@@ -151,6 +153,8 @@ void sim_clear_idle(const struct sim *sim, double *K);
 /* Mass, and centre of mass as the bodies stand [3], world axes. */
 enum status sim_mass(double *mass, double *centre, struct sim *sim, struct report *report);
 
+/* Is chosen column i asked for by the deck, and of the motion, so that two runs may be compared by it? */
+bool sim_column_compared(const struct sim *sim, int i);
 /* Of chosen column i: 1: a fast coordinate, 0: a slow one, -1: something else. */
 int sim_column_rate(const struct sim *sim, int i);
 

@@ -1,28 +1,60 @@
-/* study.h -- what accuracy costs: one deck run by several schemes, ratios and steps.
+/* study.h -- what accuracy costs: one deck run by several schemes, ratios, steps and tolerances.
  *
- * Errors are of the joint coordinates against a tight reference: at every record, relative to the largest
- * value of the coordinate, the worst of the fast ones and of the slow ones apart.  The reference is made twice,
- * by two different schemes; their difference tells what it is good for. */
+ * Errors are against a reference (reference.h), at the instants that a run's records have in common with its: of each of the
+ * deck's columns over its range, the worst one named, and of the joint coordinates over their largest value, the fast
+ * ones and the slow ones apart.  What a run costs is counted, in evaluations of all bodies; times stand beside. */
 #ifndef FMDSUB_STUDY_STUDY_H
 #define FMDSUB_STUDY_STUDY_H
 
 #include <stdio.h>
 
 #include "out/table.h"
-#include "sim/sim.h"
+#include "study/reference.h"
 
 struct study_options {
     const char *version;
-    FILE *log; /* progress of the study in words; NULL: silent */
-    int nscheme, nratio, nstep;
+    FILE *log; /* the reference and the answer in sentences; NULL: silent */
+    int nscheme, nratio, nstep, ntolerance;
     const char *const *scheme; /* [nscheme] */
     const int *ratio;          /* [nratio] for schemes of two rates; the others run at 1 */
     const double *step;        /* [nstep] minor steps [s] */
+    const double *tolerance;   /* [ntolerance] for schemes that choose their own steps */
     int repeats;               /* each run is timed so often; the least counts */
 };
 
-/* Columns: scheme, ratio, step, error_fast, error_slow, cpu, cpu_ratio, slow, fast, factors, energy, status. */
-enum status study_run(struct table **out, const struct scene *scene, const struct study_options *options,
+/* A run. */
+struct study_row {
+    const char *scheme;
+    double tolerance, step; /* one of them; the other is NAN */
+    int ratio;
+    struct errors errors;
+    const char *worst; /* name of the column */
+    double uncertain;  /* the reference's in that column, as a share of its range */
+    double work, cpu;
+    struct effort effort;
+    double energy;
+    enum status status;
+};
+
+struct study {
+    struct reference reference;
+    int nrow, capacity;
+    struct study_row *row; /* [nrow] */
+    struct arena *life;
+};
+
+enum status study_run(struct study *o, const struct scene *scene, const struct study_options *options,
                       struct diags *diags, struct arena *life, struct report *report);
+
+/* Columns: scheme, tolerance, step, ratio, error, worst, error_fast, error_slow, work, cpu, cpu_ratio, slow, fast, factors,
+ * energy, status. */
+struct table *study_table(const struct study *o, struct arena *life);
+
+/* The row of the least work whose error is at most `error`; NULL: there is none. */
+const struct study_row *study_pick(const struct study *o, double error);
+/* answer.c: what the rows say, in sentences. */
+void study_answer(const struct study *o, FILE *to);
+/* The row as lines of a deck. */
+void study_print_pick(const struct study_row *row, FILE *to);
 
 #endif

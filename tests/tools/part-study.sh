@@ -6,9 +6,9 @@ need_program study
 # step, and with $4 = slow so is the slow one; `miao` is shown beside it.
 as_near() {
     awk -F, -v n="$3" -v both="${4:-}" '
-        $1 == "midpoint" { fast = $4; slow = $5 }
-        $1 == "subcycle" && $2 == n { f = $4; s = $5; state = $12 }
-        $1 == "miao" && $2 == n { mf = $4; ms = $5; mstate = $12 }
+        $1 == "midpoint" { fast = $7; slow = $8 }
+        $1 == "subcycle" && $4 == n { f = $7; s = $8; state = $16 }
+        $1 == "miao" && $4 == n { mf = $7; ms = $8; mstate = $16 }
         END {
             printf "fast error %.3g against %.3g (%.2f), slow %.3g against %.3g; miao fast %.3g, slow %.3g (%s)\n",
                 f, fast, f / fast, s, slow, mf, ms, mstate
@@ -29,6 +29,55 @@ for deck in bar-slider double-pendulum stiff-leaf-chain heavy-top; do
     awk '/^reference:/ { for (i = 1; i <= NF; i++) if ($i == "by") d = $(i + 1) } END { exit !(d + 0 < 1e-6 && d != "") }' "$work/err"
     if [ $? = 0 ]; then ok "$deck: references agree"; else not_ok "$deck: references agree" "no, or not told" "$work/err"; fi
 done
+
+# Records of a run and of the reference are compared at the instants that they have in common, whatever the deck says of
+# records: nothing, every third step, or a time.  Errors fall with h^2 then, and agree.
+errors_of() { # SETTINGS...
+    "$FMDSUB" study -q --schemes midpoint --steps 2.0e-3,1.0e-3,5.0e-4 --repeats 1 --until 1.2 "$@" "$work/bare.yaml" 2>"$work/err" |
+        awk -F, 'NR > 1 { printf "%s ", $5 }'
+}
+sed '/^output:/,$d' decks/double-pendulum.yaml >"$work/bare.yaml"
+errors_of >"$work/none"
+errors_of --set 'output.every={steps: 3}' >"$work/steps"
+errors_of --set output.every=0.012 >"$work/time"
+cat "$work/none" "$work/steps" "$work/time" | tr ' ' '\n' | awk '
+    NF { e[++n] = $1 }
+    END {
+        for (i = 1; i <= 9; i += 3) if (!(e[i] / e[i + 1] > 3.6 && e[i] / e[i + 1] < 4.4 && e[i + 1] / e[i + 2] > 3.6 && e[i + 1] / e[i + 2] < 4.4)) bad = 1
+        for (i = 4; i <= 9; i++) if (!(e[i] / e[(i - 1) % 3 + 1] > .9 && e[i] / e[(i - 1) % 3 + 1] < 1.1)) bad = 1
+        printf "%d errors, the first %s %s %s\n", n, e[1], e[4], e[7]
+        exit n != 9 || bad
+    }' >"$work/line"
+if [ $? = 0 ]; then ok "instants in common: $(cat "$work/line")"; else
+    not_ok "instants in common" "$(cat "$work/line")" "$work/err" "$work/none" "$work/steps" "$work/time"; fi
+
+# The answer in sentences, the cheapest setting as lines of a deck that meet the error, and the same counts twice.
+"$FMDSUB" study --repeats 1 --until 1 decks/double-pendulum.yaml >"$work/one.csv" 2>"$work/answer"
+"$FMDSUB" study -q --repeats 1 --until 1 decks/double-pendulum.yaml >"$work/two.csv" 2>"$work/err"
+for level in 1e-02 1e-04 1e-06; do
+    expect "error below $level: a sentence" 1 "$(grep -c "^error below $level: .* work of .* evaluations" "$work/answer")" "$work/answer"
+done
+expect "does sub-cycling pay: a sentence" 1 "$(grep -c '^subcycle .* pay' "$work/answer")" "$work/answer"
+cut -d, -f1-9,12-16 "$work/one.csv" >"$work/one"
+cut -d, -f1-9,12-16 "$work/two.csv" >"$work/two"
+same "a study twice, apart from times" "$work/one" "$work/two"
+"$FMDSUB" study -q --pick 1e-5 --repeats 1 --until 1 decks/double-pendulum.yaml >"$work/pick.yaml" 2>"$work/err"
+expect "--pick" 0 $? "$work/err"
+scheme=$(awk '$1 == "scheme:" { print $2 }' "$work/pick.yaml") tolerance=$(awk '$1 == "tolerance:" { print $2 }' "$work/pick.yaml")
+"$FMDSUB" study -q --schemes "${scheme:-none}" --tolerances "${tolerance:-0}" --repeats 1 --until 1 decks/double-pendulum.yaml 2>"$work/err" |
+    awk -F, 'NR == 2 { e = $5 } END { exit !(e > 0 && e <= 1e-5) }'
+expect "--pick meets its error" 0 $? "$work/pick.yaml" "$work/err"
+"$FMDSUB" study -q --pick 1e-15 --schemes midpoint --repeats 1 --until 1 decks/double-pendulum.yaml >"$work/out" 2>"$work/err"
+expect "--pick: nothing that good" 1 $? "$work/out" "$work/err"
+
+# Chaos: the references part, errors are taken up to there, and it is told; far beyond, nothing is left to compare.
+sed 's/^gravity:.*/gravity: [0, -981]/' decks/double-pendulum.yaml >"$work/wild.yaml"
+chaos() { "$FMDSUB" study --schemes midpoint --steps 1.0e-4 --repeats 1 --set output.every=0.1 --until "$1" "$work/wild.yaml"; }
+chaos 12 >"$work/out" 2>"$work/err"
+rc=$?
+expect "chaos: the horizon is told" "0 1" "$rc $(grep -c '^they part after t = ' "$work/err")" "$work/err"
+awk -F, 'NR == 2 { e = $5 } END { exit !(e > 0 && e < 10) }' "$work/out"
+expect "chaos: errors up to there" 0 $? "$work/out" "$work/err"
 
 # The same for a flexible arm on a hub with a hundredth of its inertia: the recoil of the arm moves the hub more than
 # anything else.
