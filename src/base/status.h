@@ -59,6 +59,7 @@ enum trouble_code {
     TROUBLE_SINGULAR,   /* a matrix could not be factored; index: pivot; value: its ratio */
     TROUBLE_IDLE,       /* a turn that moves no mass has been set going; index: of it; value: its energy */
     TROUBLE_DIVERGED,   /* the iteration does not converge; index: worst row; value: error over tolerance */
+    TROUBLE_REJECTED,   /* too many steps are given up: not to be halved but to end the run, E_LIMIT; value: how many */
     TROUBLE_TOO_SMALL,  /* the step fell below what t can resolve; value: the step */
     TROUBLE_MASS,       /* M^ not positive definite; index: coordinate */
     TROUBLE_LAW,        /* a force is not finite; kind: element kind, index: element */

@@ -127,11 +127,18 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
     return OK;
 }
 
+/* Where the right-hand side jumps for ever, as dry friction written as sign(rate) does at rest, there is no end. */
+static enum status give_up(long rejected, double t, struct trouble *why)
+{
+    (void)trouble_set(why, TROUBLE_REJECTED, -1, (double)rejected, t);
+    return E_LIMIT;
+}
+
 /* From t to end, landing there; either may be the later one.  Where accelerations jump no step is short enough; a few
  * of the round-off of t pass it, for what they miss is of that order. */
 static enum status advance(struct stepper *s, struct state *x, double t, double end, struct trouble *why)
 {
-    enum { MOST_PASSED = 4 };
+    enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
     struct adaptive *m = s->self;
     const double least = 16 * DBL_EPSILON * fmax(fabs(t), fabs(end));
     int passed = 0;
@@ -146,6 +153,7 @@ static enum status advance(struct stepper *s, struct state *x, double t, double 
         if (status != OK || (err > 1 && !jump)) {
             m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
             s->effort.rejected++;
+            if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, t, why);
             continue;
         }
         take(s, m, way * h);
@@ -165,6 +173,7 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     copy(m->q, x->q, s->ode->nq);
     copy(m->v, x->v, s->ode->n);
     zero(m->work, POWER_CHANNELS);
+    m->rejected = 0;
     if (s->fresh) {
         zero(m->span, s->ode->n);
         note_pace(s);

@@ -23,6 +23,7 @@ struct adaptive {
     double pace;       /* largest |v|/L so far [1/s] */
     double *span;      /* [n] displacement since the start, where positions have a move of their own */
     double h, old;     /* next step; error of the last one */
+    long rejected;     /* steps given up in this H */
     double work[POWER_CHANNELS];
     struct rk rk; /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
     void *own;    /* the scheme's memory */

@@ -1,7 +1,8 @@
 /* advance.c -- a major step, and what is done when it will not converge.
  *
  * First the major step is halved with the minor step kept (ratio n into n/2 and the rest), then, at
- * ratio 1, the minor step itself.  Nothing unconverged is accepted; at 2^-10 of the deck's step the run stops.
+ * ratio 1, the minor step itself.  Nothing unconverged is accepted; at 2^-10 of the deck's step the run stops, and so it
+ * does where halving has become the rule.
  *
  * A scheme that looks at points of time gains or loses energy where a law has a corner within a step: as much as a
  * stop's stiffness brings in a part of the step.  Such a step is halved, too, while it spoils the balance.  And no scheme
@@ -13,6 +14,7 @@
 #include "sim/parts.h"
 
 enum { MOST_HALVINGS = 10 };
+enum { REJECTED_PER_MAJOR = 10, REJECTED_BESIDES = 10000 };
 static const double SPOILT = 1e-3; /* of what the balance may be off by, in one step */
 
 void advance_open(struct sim *sim, struct arena *life)
@@ -89,9 +91,19 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
     return note(sim, h, ratio);
 }
 
+/* More steps given up than a run can mean to. */
+static enum status within_limit(struct sim *sim)
+{
+    const long rejected = sim->stepper.effort.rejected;
+    if (sim->stepper.kind->adaptive || rejected <= REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors) return OK;
+    (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
+    return E_LIMIT;
+}
+
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth)
 {
     double from = sim->x.t;
+    TRY(within_limit(sim));
     if (ratio > 1) {
         int first = ratio / 2;
         TRY(step(sim, h, first, from + first * h, depth + 1));

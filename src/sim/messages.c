@@ -252,6 +252,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         return "raise '--max-memory'; forces across joints and freedoms without mass are what asks for it";
     case TROUBLE_IDLE:
         return "give it inertia there if a force acts along that turn, else try a smaller step";
+    case TROUBLE_REJECTED:
+        return "look for a force that jumps";
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
     case TROUBLE_TOO_SMALL:
@@ -284,18 +286,38 @@ static const char *stop_code(enum trouble_code code)
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
     case TROUBLE_TOO_SMALL:
+    case TROUBLE_REJECTED:
         break;
     }
     return " [no-convergence]";
 }
 
+/* What iterations and steps come to grief at: a force of the deck that jumps near here; false: there is none. */
+static bool jumps_here(char *text, size_t size, const struct sim *sim, const struct trouble *why)
+{
+    double before, behind;
+    const double H = sim->plan.step * sim->plan.ratio;
+    if (why->code != TROUBLE_NONE && why->code != TROUBLE_DIVERGED && why->code != TROUBLE_TOO_SMALL &&
+        why->code != TROUBLE_REJECTED)
+        return false;
+    const int force = system_leap(sim->system, &before, &behind, sim->x.q, sim->x.v, sim->x.t, H);
+    if (force < 0) return false;
+    snprintf(
+        text, size,
+        "force '%.60s' jumps near here, between %.4g and %.4g: let it go from one to the other, as tanh(x/0.01) in "
+        "place of sign(x)",
+        sim->model->force[force].name, before, behind);
+    return true;
+}
+
 enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
                              struct report *report)
 {
-    char what[200];
+    char what[200], jump[240];
     const struct model_body *light = lightest(sim);
     if (why->code == TROUBLE_MEMORY) status = E_LIMIT;
-    if (status != E_NUMERIC && status != E_MODEL && why->code != TROUBLE_MEMORY) return status;
+    if (status != E_NUMERIC && status != E_MODEL && why->code != TROUBLE_MEMORY && why->code != TROUBLE_REJECTED)
+        return status;
     const char *coordinate =
         why->index >= 0 && why->index < sim->stepper.ode->n ? sim_coordinate_name(sim, why->index) : "?";
     switch (why->code) {
@@ -345,6 +367,9 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
     case TROUBLE_TOO_SMALL:
         snprintf(what, sizeof what, "the step fell to %.3g s", why->value);
         break;
+    case TROUBLE_REJECTED:
+        snprintf(what, sizeof what, "%.0f steps were rejected, which is the limit", why->value);
+        break;
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
         snprintf(what, sizeof what,
@@ -353,5 +378,5 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
                  coordinate, why->value, sim->plan.step);
     }
     return fail(report, status, "%s at t = %.12g s: %s; %s%s", status == E_MODEL ? "no start" : "stopped", sim->x.t,
-                what, advice(sim, why), stop_code(why->code));
+                what, jumps_here(jump, sizeof jump, sim, why) ? jump : advice(sim, why), stop_code(why->code));
 }

@@ -401,15 +401,18 @@ static void move_on(const struct system *s, double *q1, double *v1, double h)
     for (int i = 0; i < s->model->n; i++) v1[i] = s->v[i] + h * s->a[i];
 }
 
-void system_leap(struct system *s, struct leap *o, const double *q, const double *v, double t, double h)
+int system_leap(struct system *s, double *before, double *behind, const double *q, const double *v, double t, double h)
 {
     struct trouble why;
     struct instant end[2];
-    *o = (struct leap){.force = -1};
-    if (evaluate_rates(s, q, v, t, &why) != OK || evaluate_accelerations(s, q, v, t, &why) != OK) return;
+    struct leap leap;
+    if (evaluate_rates(s, q, v, t, &why) != OK || evaluate_accelerations(s, q, v, t, &why) != OK) return -1;
     for (int i = 0; i < 2; i++) {
         move_on(s, s->near_q[i], s->near_v[i], i ? h : -h);
         end[i] = (struct instant){.t = i ? t + h : t - h, .q = s->near_q[i], .v = s->near_v[i]};
     }
-    elements_leap(o, s->tree.elements, s->view, &end[0], &end[1]);
+    elements_leap(&leap, s->tree.elements, s->view, &end[0], &end[1]);
+    *before = leap.before;
+    *behind = leap.behind;
+    return leap.force;
 }

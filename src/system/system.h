@@ -92,9 +92,8 @@ bool system_bent(const struct system *s);
 bool system_may_have_poles(const struct system *s);
 int system_pole(const struct system *s);
 enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why);
-/* The force that jumps most within h of the motion at q, v and t [s], and its values: see force/elements.h. */
-struct leap;
-void system_leap(struct system *s, struct leap *o, const double *q, const double *v, double t, double h);
+/* The force that jumps most within h of the motion at q, v and t [s], and its values; -1: none does. */
+int system_leap(struct system *s, double *before, double *behind, const double *q, const double *v, double t, double h);
 
 /* elements_tilt(), at the last system_energy_at(). */
 double system_tilt(const struct system *s, int force);

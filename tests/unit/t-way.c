@@ -369,6 +369,33 @@ static void stops_at_poles(void **state)
         }
 }
 
+/* Dry friction as everybody writes it, at rest: the force is named with its cure, and steps of their own have an end. */
+static void friction_is_named(void **state)
+{
+    static const char *const plans[] = {"midpoint, step: 1.0e-3", "midpoint, step: 1.0e-5", "newmark, step: 1.0e-3",
+                                        "dopri5, tolerance: 1.0e-6"};
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        struct opened o;
+        char text[1200];
+        snprintf(text, sizeof text,
+                 "gravity: [0, -9.81]\n"
+                 "bodies: {a: {mass: 2, inertia: 0.3, at: [0.5, 0]}, b: {mass: 1, inertia: 0.1, at: [1.4, 0]}}\n"
+                 "constraints: {p: {revolute: [ground, a], at: [0, 0]}, e: {revolute: [a, b], at: [1, 0]}}\n"
+                 "forces:\n  pd1: {torque: p, value: \"200*(0.5*sin(t) - p.angle) - 20*p.angle_rate\"}\n"
+                 "  limit: {torque: p, value: \"min(3*abs(p.angle), 4) + 0*t\"}\n"
+                 "  fric: {torque: e, value: \"-2*sign(e.angle_rate)\"}\n"
+                 "  pd2: {torque: e, value: \"50*(0.3*cos(t) - e.angle) - 5*e.angle_rate\"}\n"
+                 "integrate: {scheme: %s, until: 1}\noutput: {every: 0.1}\n",
+                 plans[k]);
+        open_deck(&o, text);
+        assert_int_equal(sim_run(&o.sim, NULL, &o.report), k == 3 ? E_LIMIT : E_NUMERIC);
+        assert_non_null(strstr(o.report.text, "force 'fric' jumps near here, between"));
+        assert_true(o.sim.stepper.effort.rejected < 110000);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -376,7 +403,7 @@ int main(void)
         cmocka_unit_test(poles),          cmocka_unit_test(corners),
         cmocka_unit_test(bounces),        cmocka_unit_test(bounces_below),
         cmocka_unit_test(as_a_spring),    cmocka_unit_test(other_forces_are_work),
-        cmocka_unit_test(stops_at_poles),
+        cmocka_unit_test(stops_at_poles), cmocka_unit_test(friction_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
