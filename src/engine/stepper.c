@@ -17,6 +17,8 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     accel_open(s->accel, ode, &s->effort, life);
     s->keep = TAKE(life, struct single, 1);
     single_open(s->keep, ode, life);
+    s->whole = TAKE(life, struct single, 1);
+    single_open(s->whole, ode, life);
     kind->open(s, life);
 }
 
@@ -52,12 +54,63 @@ static enum status after_corners(struct stepper *s, struct state *x, double h, i
     return status;
 }
 
+/* Minor steps of about h in a part of a major step. */
+static int minors(double part, double h)
+{
+    return part > h ? (int)ceil(part / h * (1 - 1e-9)) : 1;
+}
+
+/* What the parts of a step have done, in sum. */
+static void add_work(double *work, double *lost, double *left, const struct stepper *s)
+{
+    for (int c = 0; c < POWER_CHANNELS; c++) work[c] += s->work[c];
+    *lost += s->lost;
+    *left += s->left;
+}
+
+/* Where the first part of a step ends that goes on from t: at a corner behind t, not where the step ends anyway. */
+static double part_end(const struct ode2 *o, double t, double to)
+{
+    const double corner = o->breaks->corner(o, motion_behind(t, to), to);
+    return corner < to && motion_behind(corner, to) < to ? corner : to;
+}
+
+/* The parts of a major step between corners of drives: in one of two rates slow coordinates are carried by the mean of the
+ * drives over all of it, and would not see the impulse where the fast ones see it. */
+static enum status between_corners(struct stepper *s, struct state *x, double h, int ratio, double to,
+                                   struct trouble *why)
+{
+    const struct ode2 *o = s->ode;
+    const double t0 = x->t;
+    double work[POWER_CHANNELS] = {0}, lost = 0, left = 0, end = part_end(o, t0, to);
+    if (end == to) return after_corners(s, x, h, ratio, to, why);
+    single_save(s->whole, o, x);
+    for (; x->t != to; end = part_end(o, x->t, to)) {
+        const int n = minors(end - x->t, h);
+        memset(s->work, 0, sizeof s->work);
+        s->lost = s->left = 0;
+        enum status status = after_corners(s, x, (end - x->t) / n, n, end, why);
+        if (status != OK) {
+            single_restore(s->whole, o, x, t0);
+            s->unstarted = 1;
+            return status;
+        }
+        add_work(work, &lost, &left, s);
+    }
+    memcpy(s->work, work, sizeof work);
+    s->lost = lost;
+    s->left = left;
+    return OK;
+}
+
 static enum status any_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
     if (s->unstarted) TRY(stepper_start(s, x, why));
     s->unstarted = 0;
     if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
+    if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
+        return between_corners(s, x, h, ratio, to, why);
     if (!s->kind->adaptive && o->breaks && o->breaks->jump) return after_corners(s, x, h, ratio, to, why);
     return s->kind->step(s, x, h, ratio, to, why);
 }

@@ -78,6 +78,7 @@ struct stepper {
     int unstarted;               /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;         /* solves (2-4) for a */
     struct single *keep;         /* v, a before a corner */
+    struct single *whole;        /* the state before a step that is taken in parts */
     struct arena *life;
     void *self; /* the scheme's memory */
 };
