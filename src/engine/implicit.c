@@ -135,14 +135,44 @@ static enum status iterate(struct implicit *m, struct trouble *why)
     return newton_solve(&m->newton, m->z, &m->equations, m->hs, m->ode->n, why);
 }
 
-/* Works, and what Newton has left over: at the last residual. */
-static void book(struct implicit *m, struct stepper *s)
+/* Do dampers take energy while a velocity and its acceleration turn round in the step?  Then one is too stiff for it: they
+ * alternate from step to step, and the powers at both ends are large where the mean velocity is small. */
+static bool overdamped(const struct implicit *m)
 {
+    if (m->scheme->middle || m->w[POWER_DAMPER] == 0) return false;
+    for (int i = 0; i < m->ode->n; i++)
+        if (m->v0[i] * m->v[i] < 0 && m->a0[i] * m->z[i] < 0) return true;
+    return false;
+}
+
+/* What dampers take at the mean velocity: with it the balance of linear dampers is exact at any step [W]. */
+static enum status mean_damping(struct implicit *m, double *power, struct trouble *why)
+{
+    struct instant there = m->x;
+    double w[POWER_CHANNELS];
+    there.v = m->hs;
+    for (int i = 0; i < m->ode->n; i++) m->hs[i] = (m->v0[i] + m->v[i]) / 2;
+    m->effort->slow++;
+    m->effort->fast++;
+    TRY(m->ode->ops->resid(m->ode, m->newton.dz, w, NULL, &there, ALL, why));
+    *power = w[POWER_DAMPER];
+    return OK;
+}
+
+/* Works, and what Newton has left over: at the last residual. */
+static enum status book(struct implicit *m, struct stepper *s, struct trouble *why)
+{
+    double damping;
     s->left += fabs(m->h * dot(m->newton.r, m->v, m->ode->n)) * smaller(1, m->newton.remain);
     s->last_sweeps += m->newton.count;
     for (int c = 0; c < POWER_CHANNELS; c++)
         s->work[c] += m->scheme->middle ? m->h * m->w[c] : m->h / 2 * (m->w0[c] + m->w[c]);
+    if (overdamped(m)) {
+        TRY(mean_damping(m, &damping, why));
+        s->work[POWER_DAMPER] += m->h * damping - m->h / 2 * (m->w0[POWER_DAMPER] + m->w[POWER_DAMPER]);
+    }
     if (!m->scheme->middle) copy(m->w0, m->w, POWER_CHANNELS);
+    return OK;
 }
 
 static enum status move_to_end(struct implicit *m, struct trouble *why)
@@ -158,7 +188,7 @@ static enum status move_to_end(struct implicit *m, struct trouble *why)
 
 static enum status accept(struct implicit *m, struct stepper *s, struct state *x, double t1, struct trouble *why)
 {
-    book(m, s);
+    TRY(book(m, s, why));
     TRY(move_to_end(m, why));
     if (m->scheme->accept) TRY(m->scheme->accept(m, s, why));
     predict_keep(&m->predict, m->z, x->a, m->h, m->newton.per);
