@@ -81,7 +81,7 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
         give_to_rotations(to->r, p, p->end[0] - p->end[1] - o.kept * (x->tb - x->ta), fabs(p->end[0]) + fabs(p->end[1]),
                           x);
     if (to->w) to->w[POWER_DAMPER] += o.lost;
-    if (to->effect) *to->effect = (struct effect){sqrt(o.force), sqrt(o.displacement), o.kept + o.lost};
+    if (to->effect) *to->effect = (struct effect){sqrt(o.force), v3_norm(o.n_b), sqrt(o.displacement), o.kept + o.lost};
 }
 
 static void slopes(struct elements *e, struct sweep *s, struct part_of *p, double *K, double *C,

@@ -10,7 +10,7 @@ static void load_plain(const struct plain *p, double *r, double *w, struct effec
     double s = x->q[p->iq], v = x->v[p->iv], f = p->preload - p->k * (s - p->rest) - p->c * v;
     r[p->iv] -= f;
     if (w) w[POWER_DAMPER] -= p->c * v * v;
-    if (effect) effect[p->force] = (struct effect){f, s, f * v};
+    if (effect) effect[p->force] = (struct effect){.force = f, .elongation = s, .power = f * v};
 }
 
 void measure_end(struct elements *e, const struct instant *x, int end, enum rate cls)

@@ -15,6 +15,7 @@ struct elements;
 /* What one element does at an instant. */
 struct effect {
     double force;      /* along the measure; size of a load, of a bushing's force [N] or [N m] */
+    double torque;     /* size of a bushing's torque on its second body, where its force acts [N m]; others: 0 */
     double elongation; /* the measure; a bushing's displacement; a load: 0 */
     double power;      /* on the mechanism [W] */
 };

@@ -90,7 +90,7 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
         if (!p->stores) to->w[POWER_EXTERNAL] += (law.f - lost) * act.rate;
     }
     if (to->dk && !p->linear) *to->dk = fmax(*to->dk, change(law.ks, p->kref));
-    if (to->effect) *to->effect = (struct effect){law.f, act.s, law.f * act.rate};
+    if (to->effect) *to->effect = (struct effect){.force = law.f, .elongation = act.s, .power = law.f * act.rate};
 }
 
 /* (I - u u') as the sum of two squares of directions across u. */

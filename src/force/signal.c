@@ -49,7 +49,7 @@ static void load_value(struct elements *e, struct sweep *s, struct part_of *p, c
     else
         action_push(&e->measures, s, &act, value);
     if (to->w) to->w[POWER_EXTERNAL] += value * act.rate;
-    if (to->effect) *to->effect = (struct effect){value, act.s, value * act.rate};
+    if (to->effect) *to->effect = (struct effect){.force = value, .elongation = act.s, .power = value * act.rate};
 }
 
 static void load_body(struct elements *e, struct sweep *s, struct part_of *p, const struct loading *to,
@@ -75,7 +75,7 @@ static void load_body(struct elements *e, struct sweep *s, struct part_of *p, co
         power = v3_dot(value, v);
     }
     if (to->w) to->w[POWER_EXTERNAL] += power;
-    if (to->effect) *to->effect = (struct effect){v3_norm(value), 0, power};
+    if (to->effect) *to->effect = (struct effect){.force = v3_norm(value), .power = power};
 }
 
 /* --- slopes -------------------------------------------------------------------------------------- */

@@ -56,7 +56,7 @@ static enum status not_finite(struct open_tree *s, const double *r, const struct
     s->ops->forward(s->sweep, x->q, x->v, x->a, cls);
     elements_load(s->elements, s->sweep, s->d, NULL, NULL, s->suspect, x, cls);
     for (int i = 0; i < m->nforce; i++) {
-        if (isfinite(s->suspect[i].force)) continue;
+        if (isfinite(s->suspect[i].force) && isfinite(s->suspect[i].torque)) continue;
         enum status status = trouble_set(why, TROUBLE_LAW, i, s->suspect[i].force, x->t);
         if (why) why->kind = (int)m->force[i].type;
         return status;

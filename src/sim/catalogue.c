@@ -231,6 +231,8 @@ static void add_force(struct listing *l, int i)
     const struct origin origin = {.of = own(l, f->name, l->scene->force[i].node), .index = i};
     if (f->measure >= 0)
         add_angular(l, columns_law, origin, l->m->measure[f->measure].angular);
+    else if (f->type == FORCE_BETWEEN)
+        add_rows(l, columns_bushing, origin);
     else
         add_angular(l, columns_load, origin, f->torque);
 }
@@ -294,7 +296,8 @@ const struct column_table column_tables[] = {
     {"B.s", NULL, columns_von_mises},
     {"s", NULL, columns_measure},
     {"F", "forces along a measure", columns_law},
-    {"F", "forces at points, bushings", columns_load},
+    {"F", "forces at points", columns_load},
+    {"F", "bushings", columns_bushing},
     {"D", NULL, columns_drive},
     {"energy", NULL, columns_energy},
     {"momentum", NULL, columns_momentum},

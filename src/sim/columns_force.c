@@ -50,9 +50,23 @@ const struct column_kind columns_law[] = {
     {0},
 };
 
-/* Of a force or torque on a body, and of a bushing. */
+/* Of a force or torque on a body. */
 const struct column_kind columns_load[] = {
     {COLUMN(".force", ".force", "N", "size of the load", EVALUATE_FORCE, force_size), .angular = "N m"},
+    {COLUMN(".power", ".power", "W", "put into the system", EVALUATE_FORCE, force_power)},
+    {0},
+};
+
+static double force_torque(const struct sim *sim, const struct origin *o)
+{
+    return system_force_torque(sim->system, o->index);
+}
+
+/* Of a bushing. */
+const struct column_kind columns_bushing[] = {
+    {COLUMN(".force", ".force", "N", "size of its force", EVALUATE_FORCE, force_size)},
+    {COLUMN(".torque", ".torque", "N m", "size of its torque on the second body, where its force acts", EVALUATE_FORCE,
+            force_torque)},
     {COLUMN(".power", ".power", "W", "put into the system", EVALUATE_FORCE, force_power)},
     {0},
 };

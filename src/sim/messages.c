@@ -228,6 +228,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     const struct step_options *o = sim->plan.options;
     switch (why->code) {
     case TROUBLE_LAW:
+        if (why->kind == FORCE_BETWEEN)
+            return "let it stand, unloaded, nearer to where it works, or turn about the axis of its own stiffness";
         if (isinf(why->value)) return "keep away from 0 what its expression divides by, as by max(gap, 1e-6)";
         return "look at the expressions and tables of its forces";
     case TROUBLE_DRIVE:
@@ -331,8 +333,13 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
             snprintf(what, sizeof what, "the residual of '%s' is not a number", coordinate);
         break;
     case TROUBLE_LAW:
-        snprintf(what, sizeof what, isinf(why->value) ? "force '%s' grows without bound" : "force '%s' is not a number",
-                 force_name(sim, why->index));
+        if (why->kind == FORCE_BETWEEN)
+            snprintf(what, sizeof what, "bushing '%s' has tilted by half a turn, where its law ends",
+                     force_name(sim, why->index));
+        else
+            snprintf(what, sizeof what,
+                     isinf(why->value) ? "force '%s' grows without bound" : "force '%s' is not a number",
+                     force_name(sim, why->index));
         break;
     case TROUBLE_MASS:
         snprintf(what, sizeof what, "coordinate '%s' moves no mass: the mass matrix is singular", coordinate);

@@ -290,6 +290,11 @@ void system_force(const struct system *s, double *force, double *elongation, dou
     *power = s->effect[i].power;
 }
 
+double system_force_torque(const struct system *s, int i)
+{
+    return s->effect[i].torque;
+}
+
 void system_energies(const struct system *s, struct energies *e)
 {
     *e = s->energies;

@@ -66,6 +66,9 @@ double system_loop_force(const struct system *s, int loop); /* of a tie: see loo
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i);
 void system_energies(const struct system *s, struct energies *e);
 
+/* Of a bushing: its torque on the second body, where its force acts [N m]. */
+double system_force_torque(const struct system *s, int i);
+
 /* The loops, NULL: none.  Largest |C| of all states seen; the model's place in v of the door's number i. */
 struct condense;
 struct condense *system_loops(const struct system *s);

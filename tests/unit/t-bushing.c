@@ -314,6 +314,40 @@ static void a_twist_winds_up(void **state)
     }
 }
 
+/* A twist with preload and rest beyond half a turn against a spring with preload and rest along the joint that leaves only
+ * this twist free: motion, energy, power, and the torque, which is the spring's. */
+static void rest_and_preload_beyond_half_a_turn(void **state)
+{
+    static const char *const words[] = {"first", "second", "middle", "world"};
+    static const char *const other = "spring: p, stiffness: 10, damping: 0.02, rest: 4.5, preload: 3";
+    (void)state;
+    for (int axes = 0; axes < 4; axes++) {
+        struct opened o[2];
+        for (int k = 0; k < 2; k++) {
+            char text[1000], bushing[300];
+            snprintf(bushing, sizeof bushing,
+                     "bushing: [ground, d], at: [0, 0, 0], axis: [1, 2, 2], axes: %s, rotation: [0, 0, 10], "
+                     "rotation_damping: [0, 0, 0.02], rotation_rest: [0, 0, 4.5], rotation_preload: [0, 0, 3]",
+                     words[axes]);
+            snprintf(text, sizeof text,
+                     "bodies: {d: {mass: 1, inertia: [0.01, 0.01, 0.02], at: [0.3, 0.1, 0]}}\n"
+                     "constraints: {p: {revolute: [ground, d], at: [0, 0, 0], axis: [1, 2, 2]}}\n"
+                     "forces: {b: {%s}}\ninitial: {p.angle: 2, p.angle_rate: 30}\n"
+                     "integrate: {scheme: dopri5, tolerance: 1.0e-10, until: 2}\noutput: {every: 0.1}\n",
+                     k ? other : bushing);
+            open_deck(&o[k], text);
+            run(&o[k]);
+        }
+        near(value(&o[0], "p.angle"), value(&o[1], "p.angle"), 1e-9);
+        near(value(&o[0], "b.twist"), value(&o[1], "p.angle"), 1e-9);
+        near(value(&o[0], "b.torque"), fabs(value(&o[1], "b.force")), 1e-8);
+        near(value(&o[0], "b.power"), value(&o[1], "b.power"), 1e-7);
+        near(value(&o[0], "energy.elastic"), value(&o[1], "energy.elastic"), 1e-8);
+        assert_true(value(&o[0], "b.force") == 0 && value(&o[0], "p.angle") > 7);
+        for (int k = 0; k < 2; k++) arena_close(o[k].life);
+    }
+}
+
 /* Tilted farther than half a radian: told where stiffnesses differ, not where they are the same all round the axis. */
 static void large_tilts_are_told(void **state)
 {
@@ -338,7 +372,8 @@ static void large_tilts_are_told(void **state)
         open_deck(&o, text);
         run(&o);
         FILE *to = open_memstream(&words, &size);
-        print_tilts(&o.sim, to);
+        o.sim.options.warnings = to;
+        warn_of_tilts(&o.sim);
         fclose(to);
         if (runs[i].words ? !strstr(words, runs[i].words) : size > 0) fail_msg("%s: %s", runs[i].rotation, words);
         free(words);
@@ -357,6 +392,7 @@ int main(void)
         cmocka_unit_test(tilt_frequency),
         cmocka_unit_test(energy_of_a_spinning_disc),
         cmocka_unit_test(a_twist_winds_up),
+        cmocka_unit_test(rest_and_preload_beyond_half_a_turn),
         cmocka_unit_test(large_tilts_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
