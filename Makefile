@@ -48,7 +48,8 @@ UNITS    := $(foreach u,$(patsubst t-%,%,$(subst $(comma), ,$(U))),$(or $(filter
 endif
 UNITS    := $(UNITS:%=$(BUILD)/unit/t-%)
 REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
-TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so
+TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so \
+            $(BUILD)/tools/badalloc.so $(BUILD)/tools/everyalloc
 RANDOM   := $(BUILD)/random/mechanism $(BUILD)/random/judge
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
@@ -159,6 +160,11 @@ decks bad faults man-examples order study airscrew hard users reduce: $(PROGRAM)
 ## random        mechanisms drawn at random, N of them (30) from SEED (1) on: orders, invariances, restarts
 random: $(PROGRAM) $(TOOLS) $(RANDOM)
 	@N=$(N) SEED=$(SEED) $(RUN) random
+
+## memory        every allocation of every verb refused, one a run: minutes
+memory: $(PROGRAM) $(FOUND) $(TOOLS)
+	@MOST=1000000 BUILD=$(BUILD) sh tests/faults/memory.sh | tee $(BUILD)/memory.log
+	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/memory.log
 
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
@@ -272,5 +278,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults random reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: all test check unit decks bad faults random memory reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -1,6 +1,7 @@
 /* arena.c -- a list of blocks, each twice the last; see arena.h */
 #include "base/arena.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <stdalign.h>
 #include <stdarg.h>
@@ -40,7 +41,8 @@ static void out_of_memory(double wanted)
     char words[200];
     struct rlimit limit = {.rlim_cur = RLIM_INFINITY};
     (void)getrlimit(RLIMIT_AS, &limit);
-    int n = snprintf(words, sizeof words, "fmdsub: out of memory: %.3g MB more were needed", wanted / 1e6);
+    int n = snprintf(words, sizeof words, "%s: out of memory: %.3g MB more were needed", program_invocation_short_name,
+                     wanted / 1e6);
     if (limit.rlim_cur != RLIM_INFINITY)
         n += snprintf(words + n, sizeof words - (size_t)n,
                       ", and the limit is %.3g MB in all (--max-memory, ulimit -v)", (double)limit.rlim_cur / 1e6);
@@ -50,11 +52,19 @@ static void out_of_memory(double wanted)
     _exit(E_LIMIT);
 }
 
-static void *system_memory(size_t bytes)
+void *memory_or_end(size_t bytes)
 {
     void *memory = malloc(bytes);
     if (!memory) out_of_memory((double)bytes);
     return memory;
+}
+
+FILE *file_or_end(const char *path, const char *mode)
+{
+    FILE *file = fopen(path, mode);
+    if (!file && errno == ENOMEM) out_of_memory(sizeof *file);
+    if (file) setvbuf(file, NULL, _IONBF, 0);
+    return file;
 }
 
 /* Blocks double up to a size; what is larger gets a block of its own. */
@@ -63,7 +73,7 @@ static void grow(struct arena *arena, size_t bytes)
     size_t capacity = arena->block ? 2 * arena->block->capacity : FIRST_BLOCK;
     if (capacity > MOST_BLOCK) capacity = MOST_BLOCK;
     if (capacity < bytes + ALIGNMENT) capacity = bytes + ALIGNMENT;
-    struct block *block = system_memory(sizeof *block + capacity);
+    struct block *block = memory_or_end(sizeof *block + capacity);
     block->before = arena->block;
     block->capacity = capacity;
     block->used = 0;
@@ -73,7 +83,7 @@ static void grow(struct arena *arena, size_t bytes)
 
 struct arena *arena_open(void)
 {
-    struct arena *arena = system_memory(sizeof *arena);
+    struct arena *arena = memory_or_end(sizeof *arena);
     *arena = (struct arena){0};
     grow(arena, 0);
     return arena;

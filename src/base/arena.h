@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 struct arena;
 
@@ -43,6 +44,11 @@ __attribute__((format(printf, 2, 3)))
 #endif
 char *
 arena_print(struct arena *arena, const char *format, ...);
+
+/* Memory for foreign code that is not told of failing (hooks of cJSON, buffers), free() gives it back; and a stream that
+ * takes none but itself, NULL with errno as of fopen(). */
+void *memory_or_end(size_t bytes);
+FILE *file_or_end(const char *path, const char *mode);
 
 /* A foreign object joins: release(object) runs when the arena closes. */
 void arena_defer(struct arena *arena, void (*release)(void *object), void *object);

@@ -1,9 +1,11 @@
 /* limits.c -- see limits.h */
 #include "base/limits.h"
 
+#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -36,12 +38,14 @@ bool limit_memory(double bytes)
 /* Of the container, by the second generation of control groups; infinite: none is known. */
 static double container_memory(void)
 {
-    double bytes;
-    FILE *file = fopen("/sys/fs/cgroup/memory.max", "r");
-    if (!file) return INFINITY;
-    if (fscanf(file, "%lf", &bytes) != 1) bytes = INFINITY; /* "max" */
-    fclose(file);
-    return bytes;
+    char text[40];
+    int file = open("/sys/fs/cgroup/memory.max", O_RDONLY | O_CLOEXEC);
+    if (file < 0) return INFINITY;
+    ssize_t n = read(file, text, sizeof text - 1);
+    close(file);
+    if (n <= 0 || !(text[0] >= '0' && text[0] <= '9')) return INFINITY; /* "max" */
+    text[n] = 0;
+    return strtod(text, NULL);
 }
 
 double limit_memory_default(void)

@@ -1,4 +1,5 @@
 /* main.c -- fmdsub: verbs, signals, the last word and the exit status */
+#include <cjson/cJSON.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -195,12 +196,20 @@ static enum status set_limits(const struct request *request, struct report *repo
     return OK;
 }
 
+/* What libraries take for themselves: all of it, or the program ends as it does without memory. */
+static void hold_memory(struct arena *life)
+{
+    cJSON_InitHooks(&(cJSON_Hooks){memory_or_end, free});
+    setvbuf(stdout, TAKE(life, char, BUFSIZ), isatty(STDOUT_FILENO) ? _IOLBF : _IOFBF, BUFSIZ);
+}
+
 int main(int argc, char **argv)
 {
     struct arena *life = arena_open();
     struct report report = {0};
     struct request request;
     hold_descriptors();
+    hold_memory(life);
     set_signals();
     enum status status = request_read(&request, argc, argv, life, &report);
     if (status == OK) status = set_limits(&request, &report);
@@ -212,6 +221,7 @@ int main(int argc, char **argv)
         text_put(stderr, report.text);
         fputc('\n', stderr);
     }
+    (void)fflush(stdout);
     arena_close(life);
     return (int)status;
 }

@@ -37,7 +37,7 @@ static enum status write_stats(const struct sim *sim, const struct request *requ
     struct pair facts[32];
     char number[NUMBER_MOST + 1];
     int n = sim_facts(sim, facts, 32);
-    FILE *to = request->stats ? fopen(request->stats, "w") : stderr;
+    FILE *to = request->stats ? file_or_end(request->stats, "w") : stderr;
     if (!to) return fail(report, E_FILE, "%s: cannot open for writing", request->stats);
     facts[n++] = pair_number("cpu_seconds", sim->cpu);
     for (int i = 0; i < n; i++) {

@@ -73,21 +73,20 @@ static const struct scope *in_scope(const struct scope *s, const char *name, siz
 
 static void put_formula(FILE *to, const struct node *n)
 {
-    char *text = NULL, number[40];
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return;
+    enum { LONGEST = 42 };
+    char number[40], *text = memory_or_end(LONGEST * strlen(n->text) + 1), *end = text;
     for (const char *p = n->text; *p;) {
         size_t len = 0;
         while (is_word(p[len]) || (len && p[len] == '.')) len++;
         const struct scope *s = len ? in_scope(n->scope, p, len) : NULL;
+        if (!len) len = 1;
         if (s)
-            fprintf(out, s->value < 0 ? "(%s)" : "%s", number_text(number, s->value));
+            end += sprintf(end, s->value < 0 ? "(%s)" : "%s", number_text(number, s->value));
         else
-            fwrite(p, 1, len ? len : 1, out);
-        p += len ? len : 1;
+            end = (char *)memcpy(end, p, len) + len;
+        p += len;
     }
-    fclose(out);
+    *end = 0;
     put_text(to, text, n->quoted);
     free(text);
 }

@@ -265,7 +265,7 @@ static enum status read_body(struct flex_body **out, double *at, const cJSON *js
 static enum status read_text(char **text, size_t *size, const char *path, struct arena *life, struct report *report)
 {
     struct stat about;
-    FILE *file = fopen(path, "rb");
+    FILE *file = file_or_end(path, "rb");
     if (!file) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
     bool plain = fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode);
     *size = plain ? (size_t)about.st_size : 0;

@@ -69,6 +69,7 @@ int main(int argc, char **argv)
     struct arena *life = arena_open();
     struct report report = {0};
     struct options options;
+    setvbuf(stdout, TAKE(life, char, BUFSIZ), _IOFBF, BUFSIZ); /* none is asked for later */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     enum status status = options_read(&options, argc, argv, life, &report);
@@ -84,6 +85,7 @@ int main(int argc, char **argv)
         text_put(stderr, report.text);
         fputc('\n', stderr);
     }
+    (void)fflush(stdout);
     arena_close(life);
     return (int)status;
 }

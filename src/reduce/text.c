@@ -28,7 +28,7 @@ static enum status read_all(struct text *o, FILE *file, struct arena *life)
 enum status text_open(struct text *o, const char *path, struct arena *life, struct report *report)
 {
     *o = (struct text){.path = path, .report = report};
-    FILE *file = fopen(path, "rb");
+    FILE *file = file_or_end(path, "rb");
     if (!file) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
     enum status status = read_all(o, file, life);
     fclose(file);
