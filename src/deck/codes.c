@@ -143,8 +143,11 @@ const struct diag_help diag_helps[] = {
      "time alone: an expression of t, or a table."},
     {"E-table", "A table has rows of two numbers, the first of which increase."},
     /* the scene: start and run */
-    {"E-state", "A file of --final-state holds every coordinate and every rate of the deck it is written for, and "
-                "nothing beside 'from' is set but 'time'. A run that keeps its time ends later than that."},
+    {"E-state",
+     "A file of --final-state holds every coordinate and every rate of the deck that left it, and goes with that "
+     "deck, as it was written. 'deck: any' beside 'from' takes coordinates and rates of another deck's, or of one "
+     "that was edited and has lost its 'check', 'deck' and 'memory'. A run that keeps its time ends later than "
+     "that."},
     {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
     {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
                     "them, or those above a frequency."},

@@ -128,7 +128,7 @@ enum status deck_csv(double **x, int *rows, int columns, const struct node *file
     if (!s) return E_DECK;
     c.source = s;
     c.file = diags_add_source(deck->diags, s);
-    hash_text(deck, s->text, s->len + 1);
+    hash_file(deck, s);
     read_lines(&c);
     if (c.rows == 0 && !c.reported)
         diag_error(deck->diags, file, AT_VALUE, "E-csv", "'%s' holds no rows", diag_clip(deck->diags, file->text)),

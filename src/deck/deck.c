@@ -6,12 +6,19 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/hash.h"
 #include "base/stop.h"
 #include "deck/stages.h"
 
 void hash_text(struct deck *deck, const char *text, size_t len)
 {
-    for (size_t i = 0; i < len; i++) deck->hash = (deck->hash ^ (unsigned char)text[i]) * 1099511628211u;
+    deck->hash = hash_bytes(deck->hash, text, len);
+}
+
+void hash_file(struct deck *deck, const struct source *s)
+{
+    hash_text(deck, s->text, s->len + 1);
+    deck->beside = hash_bytes(deck->beside, s->text, s->len + 1);
 }
 
 static void close_scratch(void *arena)
@@ -39,7 +46,8 @@ static struct deck *open_deck(const char *path, const struct deck_options *optio
                           .diags = diags,
                           .pool = {.arena = arena},
                           .read = {.arena = arena},
-                          .hash = 14695981039346656037u};
+                          .hash = HASH_NOTHING,
+                          .beside = HASH_NOTHING};
     deck->max_bytes = options && options->max_bytes ? options->max_bytes : DECK_BYTES;
     deck->scratch = arena_open();
     arena_defer(arena, close_scratch, deck->scratch);
@@ -148,7 +156,7 @@ const char *deck_file(const struct node *file, struct deck *deck)
 {
     struct source *s = source_beside(file, deck);
     if (!s) return NULL;
-    hash_text(deck, s->text, s->len + 1);
+    hash_file(deck, s);
     return s->path;
 }
 

@@ -40,7 +40,8 @@ struct deck {
     const char *name;   /* file name without .yaml: names the run */
     const char *folder; /* of files the deck names */
     struct files read;  /* the deck and all files that it names */
-    uint64_t hash;      /* FNV-1a of all texts that made the deck: files, --set */
+    uint64_t hash;      /* of all texts that made the deck: files, --set */
+    uint64_t beside;    /* of the files that it names, but for included ones */
     size_t max_bytes;
 
     const struct replaced *replaced; /* by --set */
@@ -70,6 +71,10 @@ enum status deck_truth(struct expr **out, const struct node *n, const struct exp
 
 /* Does it stand on the command line, as --set or what is short for it? */
 bool deck_was_set(const struct deck *deck, const struct node *n);
+
+/* Of the root's members of these names [ends with NULL], or (but) of all others: the same for decks that say the same in
+ * other words.  After they have been read. */
+uint64_t deck_fingerprint(const struct deck *deck, const char *const *sections, bool but);
 
 /* When all has been read: parameters of the deck's own text, or of --set, that nothing asked for. */
 void deck_warn_unused(struct deck *deck);

@@ -22,6 +22,8 @@ int deck_open_file(const struct node *n, struct deck *deck);
 struct source *source_beside(const struct node *file, struct deck *deck);
 
 void hash_text(struct deck *deck, const char *text, size_t len);
+/* A file that is named, and not merged into the tree. */
+void hash_file(struct deck *deck, const struct source *s);
 
 /* --set, in two rounds: early ones find their place in the deck as written, so that parameters and
  * repeat: see them; the late ones name what repeat: has made, or something new. */

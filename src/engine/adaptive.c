@@ -239,6 +239,16 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
     return OK;
 }
 
+enum status adaptive_recall(struct stepper *s, struct recall *r)
+{
+    struct adaptive *m = s->self;
+    recall_one(r, "pace", m->pace);
+    recall_list(r, "span", m->span, s->ode->n);
+    recall_one(r, "h", m->h);
+    recall_one(r, "error", m->old);
+    return m->scheme->recall ? m->scheme->recall(s, m, r) : OK;
+}
+
 const struct key adaptive_keys[] = {
     PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 0, 0.1, KEY_ABOVE | KEY_META, NULL,
                "relative error of every step"),

@@ -43,6 +43,8 @@ struct adaptive_scheme {
     /* Required.  Times the step for the next one: of a trial with this error that failed; of one that was taken. */
     double (*shrink)(const struct adaptive *m, double err);
     double (*grow)(const struct adaptive *m, double err);
+    /* Optional.  What it remembers. */
+    enum status (*recall)(struct stepper *s, struct adaptive *m, struct recall *r);
 };
 
 /* The block of a stepper of such a kind. */
@@ -57,6 +59,8 @@ double adaptive_scale_q(const struct stepper *s, int i);
 double adaptive_scale_v(const struct stepper *s, int i);
 
 extern const struct key adaptive_keys[];
-#define ADAPTIVE .keys = adaptive_keys, .adaptive = 1, .open = adaptive_open, .step = adaptive_step
+enum status adaptive_recall(struct stepper *s, struct recall *r);
+#define ADAPTIVE                                                                                                       \
+    .keys = adaptive_keys, .adaptive = 1, .open = adaptive_open, .step = adaptive_step, .recall = adaptive_recall
 
 #endif

@@ -67,9 +67,19 @@ static enum status accept(struct implicit *m, struct stepper *s, struct trouble 
     return OK;
 }
 
-static const struct implicit_scheme scheme[] = {
-    {.variant = CHUNG, .open = open, .start = start, .begin = begin, .rates = rates, .accept = accept},
-    {.variant = HILBER, .open = open, .start = start, .begin = begin, .rates = rates, .accept = accept}};
+static void recall(struct implicit *m, struct recall *r)
+{
+    const struct alpha *o = m->own;
+    recall_list(r, "a0", o->a0, m->ode->n);
+    recall_list(r, "D", o->D, m->ode->n);
+}
+
+#define SCHEME(word)                                                                                                   \
+    {                                                                                                                  \
+        .variant = word, .open = open, .start = start, .begin = begin, .rates = rates, .accept = accept,               \
+        .recall = recall                                                                                               \
+    }
+static const struct implicit_scheme scheme[] = {SCHEME(CHUNG), SCHEME(HILBER)};
 static const struct key keys_chung[] = {KEY_RHO_INFINITY, KEY_NEWTON_TOLERANCE, KEYS_END};
 static const struct key keys_hilber[] = {PARAM_REAL(struct step_options, alpha, "alpha", NULL, -1. / 3, 0, KEY_META,
                                                     "-0.05", "0 keeps all energy, -1/3 damps most"),

@@ -68,3 +68,23 @@ double contraction_after(struct contraction *o, double theta)
     o->theta = now;
     return k > 1 ? larger(now, before) : smaller(1, larger(now, worse * ahead));
 }
+
+static void prospects_recall(struct prospect *o, struct recall *r, const char *name)
+{
+    recall_within(r, name);
+    recall_each(r, "known", o, known, CONTRACTION_PLACES);
+    recall_each(r, "ahead", o, ahead, CONTRACTION_PLACES);
+    recall_without(r);
+}
+
+void contraction_recall(struct contraction *o, struct recall *r)
+{
+    recall_within(r, "contraction");
+    prospects_recall(o->old, r, "old");
+    prospects_recall(o->anew, r, "anew");
+    recall_list(r, "seen", o->seen, CONTRACTION_PLACES);
+    recall_one(r, "theta", o->theta);
+    recall_one(r, "at", o->at);
+    recall_one(r, "fresh", o->fresh);
+    recall_without(r);
+}

@@ -11,6 +11,8 @@
 #ifndef FMDSUB_ENGINE_CONTRACTION_H
 #define FMDSUB_ENGINE_CONTRACTION_H
 
+#include "base/recall.h"
+
 /* theta after so many iterations; 0: not known. */
 struct prospect {
     double known, ahead; /* as seen; as trusted by now */
@@ -31,5 +33,6 @@ void contraction_begin(struct contraction *o);
 void contraction_renewed(struct contraction *o);
 /* The next quotient to expect; theta: of this iteration, not read at the first. */
 double contraction_after(struct contraction *o, double theta);
+void contraction_recall(struct contraction *o, struct recall *r);
 
 #endif

@@ -7,12 +7,17 @@
 #ifndef FMDSUB_ENGINE_FIT_H
 #define FMDSUB_ENGINE_FIT_H
 
+#include "base/recall.h"
+
 /* Normal equations of c1, c2: sums of products of delta_n, delta_n-1, delta_n-2.  All zero: nothing known. */
 struct fit {
     double s11, s12, s22, s01, s02;
     double last, before; /* the last two delta */
     int terms;           /* that have been seen, up to two */
 };
+
+/* Of n fits, `stride` bytes apart. */
+void fits_recall(struct fit *o, struct recall *r, const char *name, int n, size_t stride);
 
 static inline void fit_learn(struct fit *o, double delta)
 {

@@ -255,3 +255,18 @@ enum status implicit_step(struct stepper *s, struct state *x, double h, int rati
     struct implicit *m = s->self;
     return single_steps(&m->keep, s, x, h, ratio, to, one, why);
 }
+
+enum status implicit_remember(struct implicit *m, struct recall *r)
+{
+    recall_one(r, "hfactor", m->hfactor);
+    recall_list(r, "power", m->w0, POWER_CHANNELS);
+    newton_recall(&m->newton, r);
+    predict_recall(&m->predict, r);
+    if (m->scheme->recall) m->scheme->recall(m, r);
+    return matrix_recall(&m->J, r);
+}
+
+enum status implicit_recall(struct stepper *s, struct recall *r)
+{
+    return implicit_remember(s->self, r);
+}

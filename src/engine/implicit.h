@@ -68,6 +68,8 @@ struct implicit_scheme {
     /* Optional.  z is found; v, dx, q and q1 are its own: what the scheme has lost of the energy goes to s->lost, and
      * what it remembers is brought up to date. */
     enum status (*accept)(struct implicit *m, struct stepper *s, struct trouble *why);
+    /* Optional.  What it remembers. */
+    void (*recall)(struct implicit *m, struct recall *r);
 };
 
 struct implicit *implicit_new(struct stepper *s, const struct implicit_scheme *scheme, struct arena *life);
@@ -75,10 +77,14 @@ struct implicit *implicit_new(struct stepper *s, const struct implicit_scheme *s
 enum status implicit_once(struct implicit *m, struct stepper *s, struct state *x, double h, double t1,
                           struct trouble *why);
 
+/* What is carried from step to step. */
+enum status implicit_remember(struct implicit *m, struct recall *r);
+
 /* Slots of a stepper_kind whose `formulas` are a struct implicit_scheme; those of an end scheme. */
 void implicit_open(struct stepper *s, struct arena *life);
 enum status implicit_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
-#define IMPLICIT_AT_END .points = 1, .open = implicit_open, .step = implicit_step
+enum status implicit_recall(struct stepper *s, struct recall *r);
+#define IMPLICIT_AT_END .points = 1, .open = implicit_open, .step = implicit_step, .recall = implicit_recall
 
 /* Iterations z := z - r without a matrix: r is the residual times M^^-1. */
 void implicit_without_matrix(struct implicit *m, enum status (*resid)(void *self, double *r, double *dk,

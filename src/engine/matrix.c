@@ -119,3 +119,39 @@ int matrix_drift(const struct matrix *m, double *x, double h, const double *v, c
     if (m->nlive) matrix_solve(m, x);
     return m->nlive;
 }
+
+void form_recall(enum matrix_form *form, struct recall *r)
+{
+    int word = (int)*form;
+    recall_one(r, "form", word);
+    *form = (enum matrix_form)word;
+}
+
+static enum status dense_recall(struct matrix *m, struct recall *r)
+{
+    const int n = m->ode->n;
+    TRY(need_dense(m, 0, NULL));
+    recall_list(r, "J", m->J, n * n);
+    recall_list(r, "K", m->K, n * n);
+    recall_list(r, "C", m->C, n * n);
+    recall_list(r, "swap", m->swap, n);
+    recall_one(r, "nlive", m->nlive);
+    recall_each(r, "column", m->live, column, n);
+    recall_each(r, "from", m->live, from, n);
+    recall_each(r, "to", m->live, to, n);
+    return OK;
+}
+
+enum status matrix_recall(struct matrix *m, struct recall *r)
+{
+    enum status status = OK;
+    recall_within(r, "matrix");
+    form_recall(&m->form, r);
+    recall_one(r, "structured", m->structured);
+    if (m->form == MATRIX_DIRECT)
+        recall_list(r, "factor", (double *)m->F, m->ode->direct->factor_size / sizeof(double));
+    else if (m->form != MATRIX_NONE)
+        status = dense_recall(m, r);
+    recall_without(r);
+    return status;
+}

@@ -3,6 +3,7 @@
 #define FMDSUB_ENGINE_MATRIX_H
 
 #include "base/arena.h"
+#include "base/recall.h"
 #include "engine/stepper.h"
 
 enum matrix_form { MATRIX_NONE, MATRIX_CHOLESKY, MATRIX_LU, MATRIX_DIRECT };
@@ -32,6 +33,8 @@ enum status matrix_need(double **A, int rows, int columns, struct arena *life, d
 void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort, struct arena *life);
 /* Forms and factors J at x. */
 enum status matrix_factor(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why);
+/* The matrix as it was factored.  E_LIMIT as matrix_need(). */
+enum status matrix_recall(struct matrix *m, struct recall *r);
 /* x := J^-1 x. */
 void matrix_solve(const struct matrix *m, double *x);
 /* x := J^-1 h (K v + C a), what a changes by in a step h of velocity v under constant forces; 0: that is nothing. */
@@ -40,6 +43,7 @@ int matrix_drift(const struct matrix *m, double *x, double h, const double *v, c
 /* Factors any J [n x n] in place: Cholesky where it is symmetric and positive, LU else; spare [n x n].
  * Returns -1 or the column without a pivot. */
 int factor_dense(double *J, int *swap, double *spare, enum matrix_form *form, int n);
+void form_recall(enum matrix_form *form, struct recall *r);
 void solve_dense(const double *J, const int *swap, enum matrix_form form, double *x, int n);
 
 #endif

@@ -38,4 +38,5 @@ const struct stepper_kind step_midpoint = {
     .formulas = &midpoint_rule,
     .open = implicit_open,
     .step = implicit_step,
+    .recall = implicit_recall,
 };

@@ -73,6 +73,30 @@ void newton_scale(struct newton *nt, const double *v, const double *a, double H)
     for (int i = 0; i < nt->ode->n; i++) nt->per[i] = 1 / larger(nt->scale[i], larger(AT_REST * nt->top, DBL_MIN));
 }
 
+/* What the next newton_begin() looks back at, and what grows. */
+void newton_recall(struct newton *nt, struct recall *r)
+{
+    recall_within(r, "newton");
+    recall_list(r, "scale", nt->scale, nt->ode->n);
+    recall_list(r, "per", nt->per, nt->ode->n);
+    recall_one(r, "top", nt->top);
+    recall_one(r, "energy", nt->energy);
+    recall_one(r, "age", nt->age);
+    recall_one(r, "theta", nt->theta);
+    recall_one(r, "stale", nt->stale);
+    recall_one(r, "tol", nt->tol);
+    recall_one(r, "first", nt->first);
+    recall_one(r, "last", nt->last);
+    recall_one(r, "first_square", nt->first_square);
+    recall_one(r, "square", nt->square);
+    recall_one(r, "count", nt->count);
+    recall_one(r, "refreshed", nt->refreshed);
+    recall_one(r, "rounding", nt->rounding);
+    contraction_recall(&nt->contraction, r);
+    renewal_recall(&nt->renewal, r);
+    recall_without(r);
+}
+
 /* What the last step has shown; nothing bad where it has come down to round-off. */
 static void judge_last_step(struct newton *nt)
 {

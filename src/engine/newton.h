@@ -62,6 +62,8 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
                  struct arena *life);
 void newton_forget(struct newton *nt);
 
+void newton_recall(struct newton *nt, struct recall *r);
+
 /* A state of the run: the scales grow. */
 void newton_scale(struct newton *nt, const double *v, const double *a, double H);
 

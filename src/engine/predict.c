@@ -30,6 +30,19 @@ void predict_forget(struct predict *p)
     p->seen = p->rest = 0;
 }
 
+void predict_recall(struct predict *p, struct recall *r)
+{
+    recall_within(r, "predict");
+    fits_recall(&p->course->plain, r, "plain", p->n, sizeof *p->course);
+    fits_recall(&p->course->model, r, "model", p->n, sizeof *p->course);
+    recall_each(r, "miss_plain", p->course, miss_plain, p->n);
+    recall_each(r, "miss_model", p->course, miss_model, p->n);
+    recall_one(r, "seen", p->seen);
+    recall_one(r, "rest", p->rest);
+    recall_one(r, "h", p->h);
+    recall_without(r);
+}
+
 /* The drift, unless it rests: after that the past of g is a past no more. */
 static int ask(struct predict *p, const struct matrix *J, double h, const double *a0)
 {

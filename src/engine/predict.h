@@ -48,6 +48,7 @@ struct predict {
 
 void predict_open(struct predict *p, int n, struct arena *life);
 void predict_forget(struct predict *p);
+void predict_recall(struct predict *p, struct recall *r);
 /* a1 [n] for a step h from v0, a0; J is that of this h, or NULL; `ahead`: v = v0 + ahead a0. */
 void predict_make(struct predict *p, double *a1, const struct matrix *J, double h, const double *v0, const double *a0,
                   double ahead);

@@ -19,6 +19,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdio.h>
 
 #include "base/scalar.h"
 #include "engine/adaptive.h"
@@ -373,8 +374,31 @@ static double grow(const struct adaptive *m, double err)
     return factor >= 1 && factor <= KEPT && !x->stale ? 1 : factor;
 }
 
+/* What is factored follows from M, C and K. */
+static enum status recall(struct stepper *s, struct adaptive *m, struct recall *r)
+{
+    struct radau *x = m->own;
+    const size_t n = (size_t)s->ode->n;
+    for (int i = 0; i < x->table.s; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "before%d", i);
+        recall_list(r, name, x->before[i], n);
+    }
+    recall_one(r, "h_before", x->h_before);
+    recall_one(r, "longer", x->longer);
+    recall_one(r, "theta", x->theta);
+    recall_one(r, "stale", x->stale);
+    if (x->stale) return OK;
+    TRY(need(x, s, 0, NULL));
+    recall_list(r, "M", x->M, n * n);
+    recall_list(r, "C", x->C, n * n);
+    recall_list(r, "K", x->K, n * n);
+    return OK;
+}
+
 #define RADAU(open_)                                                                                                   \
-    .stages = 2, .open = open_, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow
+    .stages = 2, .open = open_, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,    \
+    .recall = recall
 static const struct adaptive_scheme radau5 = {.order = 4, RADAU(open5)}, radau9 = {.order = 6, RADAU(open9)};
 
 const struct stepper_kind step_radau5 = {

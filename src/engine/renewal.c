@@ -41,3 +41,12 @@ int renewal_due(struct renewal *o, double need, int fresh)
     o->need -= HOPE * (o->need - 1);
     return o->wasted > o->price;
 }
+
+void renewal_recall(struct renewal *o, struct recall *r)
+{
+    recall_within(r, "renewal");
+    recall_one(r, "price", o->price);
+    recall_one(r, "need", o->need);
+    recall_one(r, "wasted", o->wasted);
+    recall_without(r);
+}

@@ -16,6 +16,8 @@
 #ifndef FMDSUB_ENGINE_RENEWAL_H
 #define FMDSUB_ENGINE_RENEWAL_H
 
+#include "base/recall.h"
+
 struct renewal {
     double price;  /* R */
     double need;   /* iterations with a new matrix; 0: not known */
@@ -29,5 +31,6 @@ void renewal_forget(struct renewal *o, double price);
 double renewal_need(double first, double tolerance, double fall, int count);
 /* A step has taken that many; fresh: its matrix was new.  1: another is due. */
 int renewal_due(struct renewal *o, double need, int fresh);
+void renewal_recall(struct renewal *o, struct recall *r);
 
 #endif

@@ -135,3 +135,15 @@ enum status stepper_start(struct stepper *s, struct state *x, struct trouble *wh
     if (s->ode->n == 0) return OK;
     return accel_solve(s->accel, x->a, NULL, x->q, x->v, x->t, why);
 }
+
+enum status stepper_recall(struct stepper *s, struct recall *r)
+{
+    enum status status = OK;
+    recall_within(r, s->kind->name);
+    recall_one(r, "fresh", s->fresh);
+    recall_one(r, "unstarted", s->unstarted);
+    recall_one(r, "last_sweeps", s->last_sweeps);
+    if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
+    recall_without(r);
+    return status;
+}

@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "base/recall.h"
 #include "base/status.h"
 #include "engine/options.h"
 #include "system/ode2.h"
@@ -60,6 +61,8 @@ struct stepper_kind {
      * is known of the past, and x->a are the accelerations of (2-4) at x; cleared by a step that is taken.  Counts
      * s->effort but for majors and rejected. */
     enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+    /* Optional.  All that step() carries to the next one besides the state: base/recall.h.  E_LIMIT: no memory for it. */
+    enum status (*recall)(struct stepper *s, struct recall *r);
 };
 
 struct accel;
@@ -90,6 +93,9 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
 /* One major step; counts effort.  x->a must hold the accelerations at x->t at the first call
  * (stepper_start makes them). */
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+
+/* What is carried from step to step; the state x is the caller's. */
+enum status stepper_recall(struct stepper *s, struct recall *r);
 
 /* x->a := consistent accelerations (2-4) at x, and forgets predictors and stale factors: for the start, and after
  * anything outside changed the state. */

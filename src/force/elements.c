@@ -1,4 +1,6 @@
 /* elements.c -- all elements of a class; loads Q_F of (2-1), by the table of element kinds. */
+#include <stdio.h>
+
 #include "force/elements.h"
 
 #include <math.h>
@@ -67,6 +69,29 @@ bool elements_follow(const struct elements *e)
     for (int i = 0; i < e->nother[ALL]; i++)
         if (e->other[i].follows) return true;
     return e->measures.turns;
+}
+
+static void slots_recall(struct elements *e, struct recall *r)
+{
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        char name[24];
+        snprintf(name, sizeof name, "slots%d", i);
+        if (e->other[i].reads) recall_list(r, name, e->other[i].now, e->model->force[e->other[i].force].nslot);
+    }
+}
+
+void elements_recall(struct elements *e, struct recall *r)
+{
+    recall_within(r, "elements");
+    recall_each(r, "slope", e->other, kref, e->nother[ALL]);
+    recall_each(r, "came", e->other, came, e->nother[ALL]);
+    recall_each(r, "stood", e->other, stood, e->nother[ALL]);
+    recall_each(r, "energy", e->other, V, e->nother[ALL]);
+    slots_recall(e, r);
+    recall_within(r, "measures");
+    measures_recall(&e->measures, r);
+    recall_without(r);
+    recall_without(r);
 }
 
 void elements_set_measure(struct elements *e, int measure, double x)

@@ -6,6 +6,7 @@
 #define FMDSUB_FORCE_ELEMENTS_H
 
 #include "base/arena.h"
+#include "base/recall.h"
 #include "model/model.h"
 #include "system/ode2.h"
 #include "tree/sweep.h"
@@ -69,6 +70,8 @@ struct leap {
 };
 void elements_leap(struct leap *o, struct elements *e, struct sweep *s, const struct instant *a,
                    const struct instant *b);
+/* What is carried from step to step. */
+void elements_recall(struct elements *e, struct recall *r);
 void elements_set_measure(struct elements *e, int measure, double x);
 /* The tilt of a force between markers, see strains in kind/force.h [rad]; 0: it has none. */
 double elements_tilt(const struct elements *e, const struct sweep *s, int force);

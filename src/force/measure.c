@@ -136,6 +136,14 @@ void measures_set(struct measures *o, int i, double x)
     o->stood[i] = x;
 }
 
+void measures_recall(struct measures *o, struct recall *r)
+{
+    if (!o->turns) return;
+    recall_list(r, "stood", o->stood, o->model->nmeasure);
+    recall_list(r, "went", o->went, o->model->nmeasure);
+    recall_one(r, "t", o->t);
+}
+
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f)
 {
     double on_a[3], on_b[3];

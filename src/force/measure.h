@@ -17,6 +17,7 @@
 #define FMDSUB_FORCE_MEASURE_H
 
 #include "base/arena.h"
+#include "base/recall.h"
 #include "model/model.h"
 #include "tree/sweep.h"
 
@@ -57,6 +58,8 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
 /* Between steps: angles in space stand where they are at the sweep's last motion, at t; their rates tell how many whole
  * turns the step has taken. */
 void measures_turned(struct measures *o, const struct sweep *s, double t);
+
+void measures_recall(struct measures *o, struct recall *r);
 
 /* Angle i in space stands at x [rad], or nearby. */
 void measures_set(struct measures *o, int i, double x);

@@ -7,6 +7,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/recall.h"
 #include "base/scalar.h"
 
 void ledger_open(struct ledger *o, double delta, double least, double kinetic, double elastic, double gravity)
@@ -55,4 +56,23 @@ double ledger_share(const struct ledger *o)
 bool ledger_broken(const struct ledger *o)
 {
     return !(ledger_share(o) <= o->delta);
+}
+
+void ledger_recall(struct ledger *o, struct recall *r)
+{
+    recall_within(r, "ledger");
+    recall_one(r, "kinetic0", o->kinetic0);
+    recall_one(r, "elastic0", o->elastic0);
+    recall_one(r, "gravity0", o->gravity0);
+    recall_one(r, "kinetic", o->kinetic);
+    recall_one(r, "elastic", o->elastic);
+    recall_one(r, "gravity", o->gravity);
+    recall_list(r, "work", o->work, LEDGER_CHANNELS);
+    recall_one(r, "lost", o->lost);
+    recall_one(r, "left", o->left);
+    recall_one(r, "residual", o->residual);
+    recall_one(r, "norm", o->norm);
+    recall_one(r, "worst", o->worst);
+    recall_one(r, "t_worst", o->t_worst);
+    recall_without(r);
 }

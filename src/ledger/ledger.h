@@ -34,6 +34,9 @@ void ledger_open(struct ledger *o, double delta, double least, double kinetic, d
 void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
                  double lost, double left);
 
+struct recall;
+void ledger_recall(struct ledger *o, struct recall *r);
+
 /* Worst residual over the norm: above delta the balance is broken. */
 double ledger_share(const struct ledger *o);
 bool ledger_broken(const struct ledger *o);

@@ -9,12 +9,11 @@
 
 /* --- the tangent -------------------------------------------------------------------------------- */
 
-/* T and s of the posture that is factored. */
+/* T and s of the posture that is factored: of the posture alone, to the last bit, whenever drives are asked for. */
 static void lead_from(struct closing *o)
 {
     const struct loops *l = o->rows->loops;
     if (l->model->ndrive == 0) return;
-    rows_values(o->C, o->rows);
     for (int i = 0; i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
         struct tangent *t = &o->tangent[i];
@@ -24,7 +23,7 @@ static void lead_from(struct closing *o)
             memset(x, 0, sizeof *x * (size_t)p->nr);
             x[p->lead[k]] = 1;
             factor_solve(&o->solve->block[i].C_qd, x);
-            t->s[k] = o->C[row] + l->c[row];
+            t->s[k] = loops_measure(l, l->row[row].loop);
         }
     }
 }

@@ -50,6 +50,9 @@ enum status condense_accel(struct condense *c, double *vt, double *at, double *l
  * singular. */
 void condense_reduce(struct condense *c, double *r, const double *rt, const double *q, double t);
 
+/* What is carried from step to step: the split and what it is judged by. */
+void condense_recall(struct condense *c, struct recall *r);
+
 const struct loops *condense_loops(const struct condense *c);
 double condense_worst(struct condense *c, const double *q, double t); /* max |C| */
 int condense_place(const struct condense *c, int i);                  /* place in the tree's v of independent i */

@@ -87,3 +87,18 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     for (int i = 0; i < o->ode.n; i++) v[i] = o->vt[o->split.ind[i]];
     return 1;
 }
+
+void condense_recall(struct condense *o, struct recall *r)
+{
+    recall_within(r, "loops");
+    recall_one(r, "holds", o->holds);
+    recall_one(r, "price", o->ode.price);
+    recall_one(r, "charts", o->charts);
+    recall_list(r, "drawn", o->rows.loops->drawn, o->rows.loops->nrow);
+    recall_list(r, "turned", o->rows.loops->turned, o->model->nloop);
+    split_recall(&o->split, r);
+    recall_without(r);
+    if (!r->back || *r->wrong) return;
+    for (int i = 0; i < o->split.npart; i++) fit(o, i);
+    condense_number(o);
+}

@@ -194,3 +194,12 @@ void windings_set(struct windings *o, int loop, int k, double x)
 {
     find(o, loop, k)->stood = x;
 }
+
+void windings_recall(struct windings *o, struct recall *r)
+{
+    recall_within(r, "windings");
+    recall_each(r, "stood", o->winding, stood, o->n);
+    recall_each(r, "went", o->winding, went, o->n);
+    recall_one(r, "t", o->t);
+    recall_without(r);
+}

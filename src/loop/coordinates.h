@@ -12,6 +12,7 @@
 #define FMDSUB_LOOP_COORDINATES_H
 
 #include "base/arena.h"
+#include "base/recall.h"
 #include "model/model.h"
 #include "tree/sweep.h"
 
@@ -30,6 +31,7 @@ void windings_start(struct windings *o, const struct sweep *s);
 void windings_note(void *windings, const struct sweep *s, double t);
 /* The angle k of a loop, in [-pi, pi], with its whole turns. */
 double windings_angle(const struct windings *o, int loop, int k, double x);
+void windings_recall(struct windings *o, struct recall *r);
 /* It stands at x at the start. */
 void windings_set(struct windings *o, int loop, int k, double x);
 /* Is the k-th position of the joint such an angle? */

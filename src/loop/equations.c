@@ -285,7 +285,7 @@ static const struct equation sum = {0, 0, sum_value, sum_rate2, NULL, sum_shown}
 static double drive_value(const struct loops *o, int i)
 {
     const int l = o->row[i].loop;
-    return loops_scale(o, l) * o->act[l].s - o->c[i];
+    return loops_measure(o, l) - o->c[i];
 }
 
 static double second_measure(const struct loops *o, int l, const double *a)

@@ -152,6 +152,11 @@ void loops_count_turns(struct loops *o, enum counting how)
     }
 }
 
+double loops_measure(const struct loops *o, int l)
+{
+    return loops_scale(o, l) * o->act[l].s;
+}
+
 void loops_values(double *C, const struct loops *o)
 {
     for (int i = 0; i < o->nrow; i++) C[i] = o->row[i].says->value(o, i);

@@ -87,6 +87,7 @@ bool loops_have_screws(const struct loops *o);
 int loops_corners(double *jump, const struct loops *o, double ta, double tb);
 /* Looks at the bodies where they stand: first of all, after each place(). */
 void loops_place(struct loops *o, const struct sweep *s, const double *q);
+double loops_measure(const struct loops *o, int l);          /* of drive l, where the bodies stand */
 void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
 void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
 /* C'' [nrow], after accelerate(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v

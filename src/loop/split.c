@@ -2,6 +2,7 @@
 #include "loop/split.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "la/pivot.h"
@@ -166,6 +167,35 @@ void split_return(struct split *o, struct part *p)
     memcpy(p->dep, from + p->of->nrow, sizeof *from * (size_t)p->nr);
     memcpy(p->ind, from + p->of->nrow + p->nr, sizeof *from * (size_t)p->ni);
     split_arrange(o, p);
+}
+
+static void part_recall(struct split *o, struct part *p, struct recall *r)
+{
+    const struct component *c = p->of;
+    recall_one(r, "nr", p->nr);
+    recall_one(r, "nfast", p->nfast);
+    recall_one(r, "chosen", p->chosen);
+    recall_one(r, "gain", p->gain);
+    recall_one(r, "least_gain", p->least_gain);
+    recall_list(r, "weight", p->weight, c->nk);
+    recall_list(r, "kept", p->kept, c->nrow);
+    recall_list(r, "dep", p->dep, c->nrow);
+    recall_list(r, "ind", p->ind, c->nk);
+    p->ni = c->nk - p->nr;
+    if (r->back && !*r->wrong) split_arrange(o, p);
+}
+
+void split_recall(struct split *o, struct recall *r)
+{
+    recall_within(r, "split");
+    for (int i = 0; i < o->npart; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "part%d", i);
+        recall_within(r, name);
+        part_recall(o, &o->part[i], r);
+        recall_without(r);
+    }
+    recall_without(r);
 }
 
 /* --- all components ----------------------------------------------------------------------------- */

@@ -74,6 +74,8 @@ void split_keep(struct split *o, const struct part *p);
 void split_return(struct split *o, struct part *p);
 /* Everything that follows from a part's kept, dep and ind. */
 void split_arrange(struct split *o, struct part *p);
+/* All of it: the choices of all components and what they are judged by. */
+void split_recall(struct split *o, struct recall *r);
 /* Numbers the independent coordinates by the splits of all components. */
 void split_number(struct split *o);
 bool split_drops(const struct split *o, int row);

@@ -207,3 +207,25 @@ void forecast_keep(struct forecast *f, const struct response *p, const struct fo
     f->H = x->H;
     f->kept = 1;
 }
+
+void forecast_recall(struct forecast *f, struct recall *r)
+{
+    recall_within(r, "forecast");
+    recall_list(r, "as", f->as, f->ns);
+    recall_list(r, "dx", f->dx, f->ns);
+    recall_list(r, "vs", f->vs, f->ns);
+    recall_list(r, "y", f->y, f->ml);
+    recall_list(r, "w", f->w, f->ml);
+    recall_list(r, "trend", f->trend, f->ns);
+    fits_recall(f->fit, r, "fit", f->nl, sizeof *f->fit);
+    recall_list(r, "phi", f->phi, f->ns);
+    recall_list(r, "phi1", f->phi1, f->ns);
+    recall_list(r, "phi2", f->phi2, f->ns);
+    recall_one(r, "kept", f->kept);
+    recall_one(r, "differences", f->differences);
+    recall_list(r, "ay", f->ay, f->nl);
+    recall_list(r, "aybefore", f->aybefore, f->nl);
+    recall_one(r, "H", f->H);
+    recall_one(r, "Hbefore", f->Hbefore);
+    recall_without(r);
+}

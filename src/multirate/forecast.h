@@ -54,6 +54,7 @@ void forecast_minor(struct forecast *f, const struct response *p, double *d, con
                     const double *w, int k);
 void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
                     const double *w, const double *rest, int k);
+void forecast_recall(struct forecast *f, struct recall *r);
 void forecast_keep(struct forecast *f, const struct response *p, const struct found *x);
 
 #endif

@@ -352,6 +352,31 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return OK;
 }
 
+static void block_recall(struct block *b, struct recall *r, const char *name, int m)
+{
+    recall_within(r, name);
+    recall_list(r, "J", b->J, m * m);
+    recall_list(r, "swap", b->swap, m);
+    form_recall(&b->form, r);
+    recall_without(r);
+}
+
+static enum status recall(struct stepper *s, struct recall *r)
+{
+    struct miao *m = s->self;
+    newton_recall(&m->newton, r);
+    recall_one(r, "hfactor", m->hfactor);
+    recall_one(r, "nfactor", m->nfactor);
+    block_recall(&m->common, r, "common", m->n);
+    block_recall(&m->minor, r, "minor", m->ns);
+    recall_list(r, "aold", m->aold, m->n);
+    recall_list(r, "fast_power", m->wf0, POWER_CHANNELS);
+    recall_list(r, "slow_power", m->ws0, POWER_CHANNELS);
+    recall_one(r, "hold", m->hold);
+    recall_one(r, "Hold", m->Hold);
+    return OK;
+}
+
 static const struct key keys[] = {KEYS_NEWMARK, KEY_NEWTON_TOLERANCE, KEYS_END};
 
 const struct stepper_kind step_miao = {
@@ -365,4 +390,5 @@ const struct stepper_kind step_miao = {
     .order = 2,
     .open = open,
     .step = step,
+    .recall = recall,
 };

@@ -236,15 +236,20 @@ int response_masses(struct response *p, const struct decouple *dec)
     return 1;
 }
 
+enum status response_need(struct response *p, double t, struct trouble *why)
+{
+    const int nl = p->nl;
+    TRY(matrix_need(&p->G, nl, nl, p->life, t, why));
+    TRY(matrix_need(&p->spare, nl, nl, p->life, t, why));
+    return matrix_need(&p->MLL, nl, nl, p->life, t, why);
+}
+
 /* What only the dense way reads; M_LL as it is now. */
 static enum status need_dense(struct response *p, const struct decouple *dec, double t, struct trouble *why)
 {
-    const int nl = p->nl;
     if (p->MLL) return OK;
-    TRY(matrix_need(&p->G, nl, nl, p->life, t, why));
-    TRY(matrix_need(&p->spare, nl, nl, p->life, t, why));
-    TRY(matrix_need(&p->MLL, nl, nl, p->life, t, why));
-    dense_copy(p->MLL, slow_mass(p, dec), nl, nl, nl, p->n);
+    TRY(response_need(p, t, why));
+    dense_copy(p->MLL, slow_mass(p, dec), p->nl, p->nl, p->nl, p->n);
     return OK;
 }
 

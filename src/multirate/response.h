@@ -75,6 +75,12 @@ struct response {
     enum matrix_form form; /* of G */
 };
 
+/* Room for what only the dense way reads. */
+enum status response_need(struct response *p, double t, struct trouble *why);
+
+/* What is frozen, and the masses that it is for. */
+void response_recall(struct response *p, struct recall *r);
+
 /* A and D are p's. */
 void response_open(struct response *p, const struct decouple *dec, struct arena *life);
 /* Another matrix of a minor step, with its own slopes, for the same masses and damping. */

@@ -298,6 +298,20 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return status;
 }
 
+static enum status recall(struct stepper *s, struct recall *r)
+{
+    struct subcycle *c = s->self;
+    if (c->ns == 0) return implicit_remember(c->plain, r);
+    newton_recall(&c->newton, r);
+    forecast_recall(&c->forecast, r);
+    recall_one(r, "last_local", c->last_local);
+    recall_one(r, "local", c->local);
+    recall_one(r, "structured", c->dec.structured);
+    if (!c->dec.structured) TRY(response_need(&c->resp, c->t0, NULL));
+    response_recall(&c->resp, r);
+    return OK;
+}
+
 static const struct key keys[] = {
     KEY_RHO_INFINITY,
     PARAM_BOOL(struct step_options, symmetric, "symmetric", KEY_NEUTRAL, "false",
@@ -315,4 +329,5 @@ const struct stepper_kind step_subcycle = {
     .order = 2,
     .open = open,
     .step = step,
+    .recall = recall,
 };

@@ -192,6 +192,9 @@ struct scene {
     double start;              /* when it starts [s]: 0, or the time of that state */
     const struct node *from;   /* {coordinate or rate: number, ...} of a final state; NULL: none */
     const struct node *angles; /* {measure: angle} of that state; NULL: none */
+    const struct node *left;   /* all of it; NULL: none */
+    bool keeps;                /* the run goes on at its time */
+    bool any_deck;             /* it may be another deck's, or edited */
     bool at_rest;              /* start in static equilibrium, found from there */
     bool assemble;             /* start in the nearest state that loops and drives allow */
     struct integrate integrate;

@@ -96,19 +96,20 @@ static int read_options(struct builder *b, bool *wish, const struct node *n)
     return 0;
 }
 
-/* Nothing but how the clock goes on stands beside `from`. */
-static int read_clock(struct builder *b, int *keeps, const struct node *initial)
+/* Nothing but how it goes on stands beside `from`. */
+static int read_going_on(struct builder *b, const struct node *initial)
 {
     struct from_keys k = {0};
     for (int i = 0; i < initial->count; i++) {
         const struct node *n = initial->item[i];
-        if (strcmp(n->key, "from") == 0 || strcmp(n->key, "time") == 0) continue;
+        if (key_find(keys_from, n->key)) continue;
         diag_error(b->diags, n, AT_KEY, "E-state", "'from' gives all coordinates: '%.60s' cannot be set beside it",
                    n->key);
         return 1;
     }
     if (read_keys(&k, keys_from, initial, NULL, "'initial'", &b->reader)) return 1;
-    *keeps = k.time;
+    b->scene->keeps = k.time;
+    b->scene->any_deck = k.deck;
     return 0;
 }
 
@@ -137,8 +138,7 @@ static void warn_of_clock(struct builder *b, const struct node *initial, const s
 static int read_from(struct builder *b, const struct node *initial, const struct node *n)
 {
     struct state_keys k = {0};
-    int keeps = 0;
-    if (read_clock(b, &keeps, initial)) return 1;
+    if (read_going_on(b, initial)) return 1;
     const struct node *root = deck_yaml(n, b->reader.deck);
     if (root && !node_find(root, "fmdsub_state")) {
         diag_error(b->diags, n, AT_VALUE, "E-state", "this file is no final state: it has no 'fmdsub_state'");
@@ -147,12 +147,14 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return 1;
     if (read_map(k.state, "'state'", &b->reader)) return 1;
     if (k.angles && read_map(k.angles, "'angles'", &b->reader)) return 1;
-    if (keeps && !node_find(root, "t")) {
+    if (k.memory && read_map(k.memory, "'memory'", &b->reader)) return 1;
+    if (b->scene->keeps && !node_find(root, "t")) {
         diag_error(b->diags, node_find(initial, "time"), AT_VALUE, "E-state", "the state has no 't' to go on from");
         return 1;
     }
-    if (keeps) b->scene->start = k.t;
+    if (b->scene->keeps) b->scene->start = k.t;
     warn_of_clock(b, initial, n, k.t);
+    b->scene->left = root;
     b->scene->from = k.state;
     b->scene->angles = k.angles;
     return 0;

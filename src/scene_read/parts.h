@@ -51,11 +51,14 @@ struct until_keys {
 struct from_keys {
     const struct node *from;
     int time; /* 1: keep */
+    int deck; /* 1: any */
 };
 struct state_keys {
     int version;
     double t;
-    const struct node *state, *angles;
+    int last_step;
+    const char *deck, *check;
+    const struct node *state, *angles, *memory;
 };
 struct output_keys {
     const struct node *every, *columns;

@@ -176,17 +176,25 @@ const struct key keys_from[] = {
     PARAM_NODE(struct from_keys, from, "from", "file", KEY_REQUIRED, "what --final-state wrote, in the deck's folder"),
     PARAM_WORD(struct from_keys, time, "time", "zero|keep", 0, "zero",
                "when the run starts: at 0, or when that one ended"),
+    PARAM_WORD(struct from_keys, deck, "deck", "same|any", 0, "same",
+               "whose state it may be: this deck's, or also another's or an edited one, for its coordinates and rates"),
     KEYS_END,
 };
 
 const struct key keys_state[] = {
-    PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 1, KEY_REQUIRED, NULL, "version of this form: 1"),
+    PARAM_INT(struct state_keys, version, "fmdsub_state", 1, 2, KEY_REQUIRED, NULL, "version of this form: 2"),
     PARAM_REAL(struct state_keys, t, "t", "s", -INFINITY, INFINITY, 0, NULL,
                "when it was; 'time: keep' goes on from there"),
+    PARAM_WORD(struct state_keys, last_step, "last_step", "whole|cut", 0, "whole",
+               "whether the last major step was cut to end at 'until'"),
+    PARAM_TEXT(struct state_keys, deck, "deck", 0, NULL, "fingerprint of the deck, but for its start, end and output"),
     PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
                "all coordinates and all rates, by their column names"),
     PARAM_NODE(struct state_keys, angles, "angles", "{measure: number}", 0,
                "where measured angles in space stand [rad], which a posture gives up to whole turns"),
+    PARAM_NODE(struct state_keys, memory, "memory", "{name: numbers}", 0,
+               "what the integrator carries from step to step, for the deck that it is of"),
+    PARAM_TEXT(struct state_keys, check, "check", 0, NULL, "checksum of all of it"),
     KEYS_END,
 };
 

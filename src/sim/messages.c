@@ -123,6 +123,8 @@ void print_plan(const struct sim *sim)
     if (sim->scene->start != 0) fprintf(to, ", from t = %g s", sim->scene->start);
     fprintf(to, "%s to t = %g s%s, %ld records of %d columns\n", sim->scene->start != 0 ? "" : ",", p->until,
             sim->watch.slot ? " at the latest" : "", records(sim), sim->chosen.n);
+    if (sim->forgets)
+        fprintf(to, "from the state coordinates and rates alone (%s): not to the last bit one run\n", sim->forgets);
 }
 
 void print_condition(const struct sim *sim, FILE *to)

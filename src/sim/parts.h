@@ -32,6 +32,14 @@ static inline bool follows_turns(const struct sim *sim)
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
 enum status state_turns(struct sim *sim, struct diags *diags);
 
+/* memory.c: whose a state is: the deck's but for start, end and output; the steps'.  All that a run carries from step to
+ * step, kept or taken back: base/recall.h.  From the state that the run goes on from, if that is its own */
+#define MEMORY_STEPS "of_steps"
+uint64_t memory_of_deck(const struct sim *sim);
+uint64_t memory_of_steps(const struct sim *sim);
+enum status memory_recall(struct sim *sim, struct recall *r);
+enum status memory_take(struct sim *sim, struct arena *life, struct report *report);
+
 /* events.c: the end that the deck describes, joints that leave their range */
 void events_open(struct sim *sim, struct arena *life);
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report);

@@ -95,7 +95,8 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     warn_of_loops(sim, diags);
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), sim->plan.options, life);
     advance_open(sim, life);
-    return start(sim, diags, report);
+    TRY(start(sim, diags, report));
+    return memory_take(sim, life, report);
 }
 
 const char *sim_coordinate_name(const struct sim *sim, int i)
@@ -179,7 +180,9 @@ static enum status major(struct sim *sim, long k)
 {
     const struct integrate *p = &sim->plan;
     double to = end_of(sim, k), h = p->step;
-    if (k == sim->majors && fabs(to - whole_step(sim, k)) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
+    const double over = to - whole_step(sim, k);
+    if (fabs(over) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
+    sim->cut = over != 0;
     return advance(sim, h, p->ratio, to);
 }
 

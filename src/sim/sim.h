@@ -80,7 +80,9 @@ struct sim {
     struct meant origin;    /* when steps are counted from [s]: 0, or the start */
     struct meant step;      /* plan.step as the deck means it */
     struct watch watch;
-    double last_h; /* minor step of the last step */
+    double last_h;       /* minor step of the last step */
+    bool cut;            /* and it ended where no step of a longer run does */
+    const char *forgets; /* why what is in the state besides coordinates is left there; NULL: it is not */
     long rows;
     double min_h;        /* smallest minor step taken */
     double turn, t_turn; /* farthest turn of a ball or free joint in one step [rad], when */

@@ -1,17 +1,22 @@
 /* state.c -- a state by names: `initial: {from: FILE}` and `--final-state FILE`.
  *
  * The file is JSON, which is YAML, too: every coordinate and every rate of the tree by its column name, as the
- * shortest text that reads back to the same double, so that a run goes on where another one ended, bit for bit.
- * Orientations are their quaternions, since turns about axes would not come back exactly; of measured angles in space,
- * which a posture gives up to whole turns, the file holds where they stand. */
+ * shortest text that reads back to the same double.  Orientations are their quaternions, since turns about axes would not
+ * come back exactly; of measured angles in space, which a posture gives up to whole turns, the file holds where they
+ * stand.  Then what the integrator carries from step to step (memory.c), so that a run goes on where another one ended,
+ * bit for bit, and a checksum of all of it. */
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "deck/read.h"
 #include "out/number.h"
 #include "out/stream.h"
 #include "sim/parts.h"
+
+enum { HASH_DIGITS = 16, MEMORY_MOST = DECK_BYTES / 2 };
 
 static bool is_state(const struct origin *s)
 {
@@ -63,11 +68,61 @@ static void check_quaternions(const struct model *m, const double *q, const stru
     }
 }
 
+/* ---- whose it is ----------------------------------------------------------------------------------------------- */
+
+/* Members of the map n, but for its checksum. */
+static uint64_t check_of(uint64_t hash, const struct node *n)
+{
+    for (int i = 0; i < n->count; i++) {
+        const struct node *x = n->item[i];
+        if (x->implied || strcmp(x->key, "check") == 0) continue;
+        hash = hash_bytes(hash, x->key, strlen(x->key) + 1);
+        hash = x->type == NODE_MAP ? check_of(hash, x) : x->text ? hash_bytes(hash, x->text, strlen(x->text) + 1) : 0;
+    }
+    return hash;
+}
+
+static bool is_hash(const struct node *n, uint64_t hash)
+{
+    char text[HASH_DIGITS + 1];
+    snprintf(text, sizeof text, "%016" PRIx64, hash);
+    return n && n->text && strcmp(n->text, text) == 0;
+}
+
+static const struct node *named_at(const struct sim *sim)
+{
+    return node_find(node_find(sim->scene->deck->root, "initial"), "from");
+}
+
+static void check_whole(const struct scene *scene, struct diags *diags)
+{
+    const struct node *check = node_find(scene->left, "check");
+    if (!check || check->implied || is_hash(check, check_of(HASH_NOTHING, scene->left))) return;
+    diag_error(diags, check, AT_VALUE, "E-state",
+               "the state is not as it was written: something in this file has been changed, or is damaged");
+    diag_hint(diags, "write it anew with --final-state; where it was edited on purpose, take out 'check', 'deck' and "
+                     "'memory', and set 'deck: any' beside 'from'");
+}
+
+static void check_deck(const struct sim *sim, struct diags *diags)
+{
+    const struct node *deck = node_find(sim->scene->left, "deck");
+    if (sim->scene->any_deck || is_hash(deck, memory_of_deck(sim))) return;
+    diag_error(diags, named_at(sim), AT_VALUE, "E-state",
+               deck && !deck->implied ? "the state is of another deck, or this one has been changed since"
+                                      : "the state does not tell which deck it is of");
+    diag_hint(diags, "'deck: any' beside 'from' takes its coordinates and rates all the same");
+}
+
+/* ---- taken ----------------------------------------------------------------------------------------------------- */
+
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life)
 {
     const struct node *from = sim->scene->from;
     const struct catalogue *c = &sim->catalogue;
     if (!from) return OK;
+    check_whole(sim->scene, diags);
+    TRY(diags_status(diags));
     struct reader rd = {.diags = diags, .deck = (struct deck *)sim->scene->deck, .space = sim->scene->space};
     double *q = TAKE(life, double, m->nq), *v = TAKE(life, double, m->n);
     bool *given = TAKE(life, bool, c->n);
@@ -84,6 +139,7 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
         (c->origin[i].kind->use == USE_POSITION ? q : v)[c->origin[i].index] = x;
     }
     if (diags_status(diags) == OK) report_missing(c, given, from, diags);
+    if (diags_status(diags) == OK) check_deck(sim, diags);
     if (diags_status(diags) == OK) check_quaternions(m, q, from, diags);
     m->q0 = q;
     m->v0 = v;
@@ -119,14 +175,57 @@ enum status state_turns(struct sim *sim, struct diags *diags)
     return diags_status(diags);
 }
 
-/* `"name": x` lines; names of columns hold nothing that JSON would escape. */
-static enum status put(struct stream *s, const char *name, double x, const char *end, struct report *report)
+/* ---- written --------------------------------------------------------------------------------------------------- */
+
+/* The file under way, and the checksum of what it holds so far. */
+struct writing {
+    struct stream *stream;
+    struct report *report;
+    uint64_t check;
+};
+
+/* Lines that hold no values. */
+static enum status mark(struct writing *w, const char *line)
 {
-    char *to = stream_begin(s, strlen(name) + NUMBER_MOST + 16);
-    to += sprintf(to, "\"%s\": ", name);
-    to += number_write(to, x);
-    to += sprintf(to, "%s\n", end);
-    return stream_end(s, to, report);
+    return stream_put(w->stream, line, strlen(line), w->report);
+}
+
+/* `"name": value`; names and values hold nothing that JSON would escape. */
+static enum status put(struct writing *w, const char *name, const char *value, const char *quote, const char *end)
+{
+    char *to = stream_begin(w->stream, strlen(name) + strlen(value) + 16);
+    to += sprintf(to, "\"%s\": %s%s%s%s\n", name, quote, value, quote, end);
+    w->check = hash_bytes(w->check, name, strlen(name) + 1);
+    w->check = hash_bytes(w->check, value, strlen(value) + 1);
+    return stream_end(w->stream, to, w->report);
+}
+
+static enum status put_text(struct writing *w, const char *name, const char *value, const char *end)
+{
+    return put(w, name, value, "\"", end);
+}
+
+static enum status put_number(struct writing *w, const char *name, double x, const char *end)
+{
+    char text[NUMBER_MOST + 1];
+    text[number_write(text, x)] = 0;
+    return put(w, name, text, "", end);
+}
+
+static enum status put_hash(struct writing *w, const char *name, uint64_t hash, const char *end)
+{
+    char text[HASH_DIGITS + 1];
+    snprintf(text, sizeof text, "%016" PRIx64, hash);
+    return put_text(w, name, text, end);
+}
+
+/* A map begins: its name counts, as those of values do. */
+static enum status open_map(struct writing *w, const char *name)
+{
+    char line[40];
+    snprintf(line, sizeof line, "\"%s\": {\n", name);
+    w->check = hash_bytes(w->check, name, strlen(name) + 1);
+    return mark(w, line);
 }
 
 static int count_angles(const struct sim *sim)
@@ -136,34 +235,62 @@ static int count_angles(const struct sim *sim)
     return n;
 }
 
-static enum status put_angles(const struct sim *sim, struct stream *stream, struct report *report)
+static enum status put_angles(const struct sim *sim, struct writing *w)
 {
-    static const char open[] = "\"angles\": {\n", close[] = "},\n";
     const struct catalogue *c = &sim->catalogue;
     int left = count_angles(sim);
     if (!left) return OK;
-    TRY(stream_put(stream, open, sizeof open - 1, report));
+    TRY(open_map(w, "angles"));
     for (int i = 0; i < c->n; i++)
         if (counts_turns(sim, &c->origin[i]))
-            TRY(put(stream, c->column[i].name, record_value(sim, &c->origin[i]), --left ? "," : "", report));
-    return stream_put(stream, close, sizeof close - 1, report);
+            TRY(put_number(w, c->column[i].name, record_value(sim, &c->origin[i]), --left ? "," : ""));
+    return mark(w, "},\n");
 }
 
-enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report)
+static enum status put_state(const struct sim *sim, struct writing *w)
 {
-    static const char head[] = "{\"fmdsub_state\": 1,\n", open[] = "\"state\": {\n", close[] = "}}\n";
     const struct catalogue *c = &sim->catalogue;
     int last = 0;
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i])) last = i;
-    if (sim->model->nloop || count_angles(sim)) /* the rates of what follows */
-        TRY(record_evaluate(sim, EVALUATE_MOTION));
-    TRY(stream_put(stream, head, sizeof head - 1, report));
-    TRY(put(stream, "t", sim->x.t, ",", report));
-    TRY(put_angles(sim, stream, report));
-    TRY(stream_put(stream, open, sizeof open - 1, report));
+    TRY(open_map(w, "state"));
     for (int i = 0; i < c->n; i++)
         if (is_state(&c->origin[i]))
-            TRY(put(stream, c->column[i].name, record_value(sim, &c->origin[i]), i < last ? "," : "", report));
-    return stream_put(stream, close, sizeof close - 1, report);
+            TRY(put_number(w, c->column[i].name, record_value(sim, &c->origin[i]), i < last ? "," : ""));
+    return mark(w, "},\n");
+}
+
+static enum status put_memory(struct sim *sim, struct writing *w)
+{
+    struct arena *scratch = arena_open();
+    struct recall r;
+    recall_keep(&r, scratch);
+    enum status status = memory_recall(sim, &r);
+    const bool fits = status == OK && r.size < MEMORY_MOST;
+    if (!fits && sim->options.log)
+        fprintf(sim->options.log, "final state: without what the integrator carries: that takes too much\n");
+    status = fits ? open_map(w, "memory") : OK;
+    if (fits && status == OK) status = put_hash(w, MEMORY_STEPS, memory_of_steps(sim), ",");
+    for (int i = 0; fits && status == OK && i < r.n; i++)
+        status = put_text(w, r.span[i].name, r.span[i].text, i < r.n - 1 ? "," : "");
+    arena_close(scratch);
+    TRY(status);
+    return fits ? mark(w, "},\n") : OK;
+}
+
+enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report)
+{
+    struct writing w = {stream, report, HASH_NOTHING};
+    if (sim->model->nloop || count_angles(sim)) /* the rates of what follows */
+        TRY(record_evaluate(sim, EVALUATE_MOTION));
+    TRY(mark(&w, "{\n"));
+    TRY(put_number(&w, "fmdsub_state", 2, ","));
+    TRY(put_number(&w, "t", sim->x.t, ","));
+    TRY(put_text(&w, "last_step", sim->cut ? "cut" : "whole", ","));
+    TRY(put_hash(&w, "deck", memory_of_deck(sim), ","));
+    TRY(put_angles(sim, &w));
+    TRY(put_state(sim, &w));
+    TRY(put_memory(sim, &w));
+    TRY(put_hash(&w, "check", w.check, "}"));
+    return OK;
 }

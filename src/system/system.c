@@ -79,6 +79,14 @@ enum status system_start(struct system *s, double *q, double *v, struct report *
     return OK;
 }
 
+void system_recall(struct system *s, struct recall *r)
+{
+    recall_one(r, "constraint_worst", s->constraint_worst);
+    elements_recall(s->tree.elements, r);
+    if (s->windings && recall_has(r, "windings")) windings_recall(s->windings, r);
+    if (s->loops) condense_recall(s->loops, r);
+}
+
 struct condense *system_loops(const struct system *s)
 {
     return s->loops;

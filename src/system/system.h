@@ -3,6 +3,7 @@
 #define FMDSUB_SYSTEM_SYSTEM_H
 
 #include "base/arena.h"
+#include "base/recall.h"
 #include "model/model.h"
 #include "open/bent.h"
 #include "system/ode2.h"
@@ -18,6 +19,9 @@ struct system *system_build(const struct model *m, struct arena *life);
 
 /* q [nq] and v [n of the door] at the start: of a mechanism with loops, closed.  Fails where it cannot be. */
 enum status system_start(struct system *s, double *q, double *v, struct report *report);
+
+/* What is carried from step to step, see base/recall.h; then the door's n is as it was. */
+void system_recall(struct system *s, struct recall *r);
 
 /* The door to the engine, which lets its chart change between steps; lives as long as the system. */
 struct ode2 *system_ode2(struct system *s);
