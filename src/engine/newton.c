@@ -43,6 +43,7 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
     nt->per = TAKE(life, double, n);
     nt->dz = TAKE(life, double, n);
     nt->r = TAKE(life, double, n);
+    remainder_open(&nt->remainder, n, life);
     newton_forget(nt);
 }
 
@@ -52,6 +53,7 @@ void newton_forget(struct newton *nt)
     nt->top = nt->energy = 0;
     nt->age = ENERGY_LIFE;
     contraction_forget(&nt->contraction);
+    remainder_forget(&nt->remainder);
     renewal_forget(&nt->renewal, nt->ode->price > 0 ? nt->ode->price : PRICE);
     nt->count = nt->refreshed = 0;
     nt->theta = 1;
@@ -94,6 +96,7 @@ void newton_recall(struct newton *nt, struct recall *r)
     recall_one(r, "rounding", nt->rounding);
     contraction_recall(&nt->contraction, r);
     renewal_recall(&nt->renewal, r);
+    remainder_recall(&nt->remainder, r);
     recall_without(r);
 }
 
@@ -112,6 +115,7 @@ void newton_begin(struct newton *nt, double local)
 {
     judge_last_step(nt);
     contraction_begin(&nt->contraction);
+    remainder_begin(&nt->remainder);
     nt->tol = nt->tolerance;
     if (nt->tol <= 0) nt->tol = local < 0 ? 1e-10 : smaller(1e-8, larger(1e-13, 1e-3 * local));
     nt->theta = sqrt(nt->theta) * sqrt(sqrt(nt->theta)); /* a theta not measured anew grows towards 1 */
@@ -254,6 +258,13 @@ static enum status give_up(const struct newton *nt, const struct equations *eq, 
     return trouble_set(why, TROUBLE_DIVERGED, nt->worst, nt->last / nt->tol, eq->x->t);
 }
 
+/* The first two corrections show what the last one leaves; a matrix between them shows nothing. */
+static void watch(struct newton *nt)
+{
+    if (nt->count == 0) remainder_first(&nt->remainder, nt->dz);
+    if (nt->count == 1 && nt->fresh < 2) remainder_second(&nt->remainder, nt->dz, nt->per);
+}
+
 enum status newton_solve(struct newton *nt, double *z, const struct equations *eq, const double *h, int m,
                          struct trouble *why)
 {
@@ -266,8 +277,11 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         }
         copy(nt->dz, nt->r, m);
         eq->solve(eq->self, nt->dz);
+        const bool whole = m == nt->ode->n && !nt->matrix_free;
+        if (whole) watch(nt);
         switch (correct(nt, z, h, m, eq->x)) {
         case CONVERGED:
+            if (whole) remainder_take(&nt->remainder, z, nt->dz);
             return OK;
         case CONTINUE:
             break;

@@ -13,6 +13,7 @@
 
 #include "base/arena.h"
 #include "engine/contraction.h"
+#include "engine/remainder.h"
 #include "engine/renewal.h"
 #include "engine/stepper.h"
 
@@ -30,6 +31,7 @@ struct newton {
     int age;             /* steps since energy was looked at */
     struct contraction contraction;
     struct renewal renewal;
+    struct remainder remainder; /* of newton_solve(), where all n coordinates are solved for with a matrix */
     int pairs;    /* errors go round two blocks of unknowns: contraction is measured over two iterations, */
     double theta; /* that to expect of the first one is the last step's, */
     double trust; /* and this is the least that is believed: a large part of the error may vanish at once and leave a

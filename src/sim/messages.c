@@ -170,13 +170,15 @@ static void put_energy(FILE *to, double joule, int digits)
     fprintf(to, "%.*g %sJ", digits, joule, prefix[i]);
 }
 
+/* A balance that is kept tells of no instability; errors of any size may stand beside it. */
 static void print_balance(const struct ledger *l, FILE *to)
 {
     fprintf(to, "energy balance %s: off by ", ledger_broken(l) ? "broken" : "kept");
     put_energy(to, l->worst, 2);
     fputs(" of ", to);
     put_energy(to, l->norm, 3);
-    fprintf(to, " (%.2g; limit %g)\n", l->norm > 0 ? ledger_share(l) : 0, l->delta);
+    fprintf(to, " (%.2g; limit %g); how far off the motion is, `fmdsub study` tells\n",
+            l->norm > 0 ? ledger_share(l) : 0, l->delta);
 }
 
 void print_end(const struct sim *sim, double wall)
