@@ -98,6 +98,9 @@ double condense_price(struct condense *o);
 
 /* The best split of component i for C_q as it is, as split_choose() has it; its pivot ratio. */
 double condense_choose(struct condense *o, int i, const double *unit, double fast);
+/* From the start on the split of component i, as C_qd is factored, is watched: one that is poor by then, as near a dead
+ * centre, is left at the first step. */
+void condense_watch(struct condense *o, int i);
 /* The independent coordinates by the splits. */
 void condense_number(struct condense *o);
 /* Between major steps: a better split, if one is needed; 1: changed. */

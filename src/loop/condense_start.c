@@ -380,7 +380,7 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
     for (int i = 0; i < o->split.npart; i++) {
         struct part *p = &o->split.part[i];
         for (int k = 0; k < p->of->nk; k++) p->weight[k] = 1;
-        p->least_gain = solve_gain(&o->solve, i);
+        condense_watch(o, i);
     }
     keep_elastic(o);
     return OK;

@@ -32,11 +32,12 @@ struct part {
     int *from; /* [nr + 1] where the rows of of_ind begin */
     bool wide; /* many independents: G is not kept */
     /* the choice */
-    double *weight; /* [nk] of the columns */
-    double chosen;  /* pivot ratio when the rows were chosen */
-    double gain,
-        least_gain;   /* split_gain() between the last two steps; the least since the last look for a better one */
-    bool resplit_due; /* dependents run away: it is time for a better one */
+    double *weight;           /* [nk] of the columns */
+    double chosen;            /* pivot ratio when the rows were chosen */
+    double gain;              /* split_gain() between the last two steps */
+    double least_gain;        /* the least since the last look for a better split */
+    double best_gain;         /* the least since the last choice */
+    bool resplit_due;         /* dependents run away: it is time for a better one */
     int *loop_of, *row_order; /* [nk], [nrow] the first loop that a coordinate is in, rows: by the order of loops */
     int *prow, *pcol;         /* [nrow], [nk] as the pivots have sorted them */
     double *pivot;            /* [min(nrow, nk)] */

@@ -323,7 +323,6 @@ static void nothing_is_lost(void **state)
         assert_int_equal(system_energy_at(o.sim.system, &before, x->q, x->v, 0, &(struct trouble){0}), OK);
         assert_true(++steps < 20);
     } while (!ode->chart->rechart(ode, x->q, x->v, 0));
-    assert_true(steps > 1);
     assert_false(independent(&o, "rail.displacement"));
     assert_int_equal(system_energy_at(o.sim.system, &after, x->q, x->v, 0, &(struct trouble){0}), OK);
     near_to(after.kinetic, before.kinetic, 1e-12 * before.kinetic);
