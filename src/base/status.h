@@ -58,6 +58,7 @@ enum trouble_code {
     TROUBLE_NOT_FINITE, /* a residual is not a number; index: row */
     TROUBLE_SINGULAR,   /* a matrix could not be factored; index: pivot; value: its ratio */
     TROUBLE_IDLE,       /* a turn that moves no mass has been set going; index: of it; value: its energy */
+    TROUBLE_INERTIA,    /* the mass matrix is not positive for a body of negative inertia; index: of the body */
     TROUBLE_DIVERGED,   /* the iteration does not converge; index: worst row; value: error over tolerance */
     TROUBLE_REJECTED,   /* too many steps are given up: not to be halved but to end the run, E_LIMIT; value: how many */
     TROUBLE_TOO_SMALL,  /* the step fell below what t can resolve; value: the step */

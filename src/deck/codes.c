@@ -123,10 +123,12 @@ const struct diag_help diag_helps[] = {
      "The finite elements of the beam do not go with what is asked of them: take fewer modes or more elements, "
      "and look at its section and material."},
     {"E-inertia", "The tensor belongs to no body. Moments about any three axes at right angles are positive and none "
-                  "exceeds the sum of the other two; check units, and whether the tensor is about the centre of mass."},
+                  "exceeds the sum of the other two; check units, and whether the tensor is about the centre of mass. "
+                  "With 'inertia_check: false' the body takes it as "
+                  "it is."},
     {"E-direction", "A direction must have a length, and two axes must not be parallel."},
-    {"E-axes", "The two axes of a universal joint stand at right angles."},
-    {"E-orientation", "Give z and x, or axis and angle, or a quaternion."},
+    {"E-axes", "The two axes of a universal joint stand at right angles, and so do x and z of an orientation."},
+    {"E-orientation", "Give x or z or both, or axis and angle, or a quaternion."},
     {"E-quaternion", "A unit quaternion [w, x, y, z]: the squares of its parts sum to 1."},
     {"E-loop",
      "The motion has no coordinates of a joint that closes a loop. Drive, push or start fewer joints of the loop, or "
@@ -190,6 +192,10 @@ const struct diag_help diag_helps[] = {
      "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
      "meant to "
      "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
+    {"W-inertia",
+     "The body has 'inertia_check: false', and an inertia that no body can have: a principal moment is negative "
+     "or exceeds the sum of the other two. It is taken as it is; a run stops where the mass matrix is not "
+     "positive. Mend it, if its source can tell the right one."},
     {"W-idle",
      "A body can turn about an axis for which it has no inertia, as a slender rod between two spherical joints about "
      "itself, or a point mass on one. The turn moves nothing and nothing moves it: it is held still, and the body's "

@@ -38,6 +38,10 @@ void marker_drawn(double *o, const struct scene *scene, const struct marker *m);
 void marker_at(struct marker *o, const struct scene *scene, int body, const double *x);
 /* A rotation matrix: 2-D a number, 3-D {z, x}, {axis, angle} or {quaternion}. */
 int read_orientation(struct builder *b, double *R, const struct node *n, const char *what);
+/* The same whose first is x [not zero]; z leans to the world's, for an upright x to the world's x axis. */
+void frame_along(double *E, const double *x);
+/* Where z of such a frame leans. */
+const double *up_of(const double *x);
 /* Three orthonormal columns whose third is z; x is as near as may be to `near` (NULL: any, always the same). */
 void frame_about(double *E, const double *z, const double *near);
 
@@ -80,6 +84,7 @@ void warn_of_angle(struct builder *b, const struct node *n, double angle);
 bool density_is_usual(double density);
 
 /* inertia.c: a tensor [6] about the centre of mass; a number in the plane */
-int read_inertia(struct builder *b, double *J, const struct node *n, const char *what);
+/* check: one that no body can have is an error, else a warning. */
+int read_inertia(struct builder *b, double *J, const struct node *n, bool check, const char *what);
 
 #endif

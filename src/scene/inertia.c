@@ -13,12 +13,20 @@ static bool inertia_possible(const double *J)
     return a >= 0 && d >= 0 && f >= 0 && minor >= -tiny && minor2 >= -tiny && minor3 >= -tiny && det >= -tiny * half;
 }
 
-int read_inertia(struct builder *b, double *J, const struct node *n, const char *what)
+/* Taken as it is, with a warning. */
+static int let_pass(struct builder *b, const struct node *n, const char *what)
+{
+    diag_warn(b->diags, n, AT_VALUE, "W-inertia", "%s: no body has this inertia, and it is taken as it is", what);
+    return 0;
+}
+
+int read_inertia(struct builder *b, double *J, const struct node *n, bool check, const char *what)
 {
     for (int i = 0; i < 6; i++) J[i] = 0;
     if (b->scene->space == 2) {
         if (read_number(&J[2], n, NULL, &b->reader)) return 1;
         if (J[2] >= 0) return 0;
+        if (!check) return let_pass(b, n, what);
         diag_error(b->diags, n, AT_VALUE, "E-range", "%s: inertia %g is negative", what, J[2]);
         return 1;
     }
@@ -30,7 +38,10 @@ int read_inertia(struct builder *b, double *J, const struct node *n, const char 
     }
     if (read_vector(J, six ? 6 : 3, n, what, &b->reader)) return 1;
     if (inertia_possible(J)) return 0;
+    if (!check) return let_pass(b, n, what);
     diag_error(b->diags, n, AT_VALUE, "E-inertia", "%s: no body has this inertia", what);
-    diag_hint(b->diags, "no principal moment may be negative or exceed the sum of the other two");
+    diag_hint(b->diags,
+              "no principal moment may be negative or exceed the sum of the other two; 'inertia_check: false' "
+              "takes it all the same");
     return 1;
 }

@@ -9,8 +9,9 @@
 static const double SAME_PLACE = 1e-9; /* of a body's size: nodes that stand in one place */
 
 const struct key keys_orient[] = {
-    PARAM_NODE(struct orient_keys, z, "z", "vector", 0, "the body's z axis, world"),
-    PARAM_NODE(struct orient_keys, x, "x", "vector", 0, "the body's x axis; made square to z"),
+    PARAM_NODE(struct orient_keys, z, "z", "vector", 0, "the body's z axis, world; alone: x is any"),
+    PARAM_NODE(struct orient_keys, x, "x", "vector", 0,
+               "the body's x axis, at right angles to z; alone: z leans to the world's z"),
     PARAM_NODE(struct orient_keys, axis, "axis", "vector", 0, "axis of a turn from the world's axes"),
     PARAM_REAL(struct orient_keys, angle, "angle", "rad", -INFINITY, INFINITY, 0, NULL, "angle of that turn"),
     PARAM_NODE(struct orient_keys, quaternion, "quaternion", "[w, x, y, z]", 0, "unit quaternion, body to world"),
@@ -113,20 +114,38 @@ void frame_about(double *E, const double *z, const double *near)
     v3_copy(E + 6, z);
 }
 
+const double *up_of(const double *x)
+{
+    static const double up[3] = {0, 0, 1}, ahead[3] = {1, 0, 0};
+    return fabs(x[0]) + fabs(x[1]) <= 1e-9 * fabs(x[2]) ? ahead : up;
+}
+
+void frame_along(double *E, const double *x)
+{
+    matrix_of_axes(E, 0, x, 2, up_of(x));
+}
+
 static int from_axes(struct builder *b, double *R, const struct orient_keys *k, const struct node *n, const char *what)
 {
-    double x[3], z[3], across[3];
-    if (!k->x || !k->z) {
-        diag_error(b->diags, n, AT_VALUE, "E-orientation", "%s: expected both 'z' and 'x'", what);
+    double x[3], z[3];
+    if (!k->x && !k->z) {
+        diag_error(b->diags, n, AT_VALUE, "E-orientation", "%s: expected 'x' or 'z', or both", what);
         return 1;
     }
-    if (read_direction(b, x, k->x, what) | read_direction(b, z, k->z, what)) return 1;
-    v3_cross(across, z, x);
-    if (v3_dot(across, across) < 1e-16) {
-        diag_error(b->diags, k->x, AT_VALUE, "E-direction", "%s: 'x' and 'z' are parallel", what);
+    if (k->x && read_direction(b, x, k->x, what)) return 1;
+    if (k->z && read_direction(b, z, k->z, what)) return 1;
+    if (!k->z) {
+        frame_along(R, x);
+        return 0;
+    }
+    const double lean = k->x ? v3_dot(x, z) : 0;
+    if (fabs(lean) > 1e-6) {
+        diag_error(b->diags, k->x, AT_VALUE, "E-axes", "%s: 'x' and 'z' are not at right angles", what);
+        diag_hint(b->diags, "the angle between them is %.6g degrees; one of the two alone will do",
+                  acos(fmax(-1, fmin(1, lean))) * 57.29577951308232);
         return 1;
     }
-    frame_about(R, z, x);
+    frame_about(R, z, k->x ? x : NULL);
     return 0;
 }
 

@@ -14,16 +14,10 @@
 #include "la/vec3.h"
 #include "scene_flex/flexible.h"
 
-static int upright(const double *axis)
-{
-    return fabs(axis[0]) + fabs(axis[1]) <= 1e-9 * fabs(axis[2]);
-}
-
 /* Body axes: x along the beam, z towards up. */
 static int read_axes(struct builder *b, struct scene_body *body, struct draft *o, const struct beam_keys *k,
                      const char *what)
 {
-    static const double z[3] = {0, 0, 1}, x[3] = {1, 0, 0};
     double axis[3], up[3];
     v3_diff(axis, o->beam.b, o->beam.a);
     o->length = v3_norm(axis);
@@ -31,7 +25,7 @@ static int read_axes(struct builder *b, struct scene_body *body, struct draft *o
         diag_error(b->diags, k->to, AT_VALUE, "E-direction", "%s: a beam of length 0", what);
         return 1;
     }
-    v3_copy(up, upright(axis) ? x : z);
+    v3_copy(up, up_of(axis));
     if (k->up && read_direction(b, up, k->up, what)) return 1;
     if (!matrix_of_axes(body->R, 0, axis, 2, up)) {
         diag_error(b->diags, k->up, AT_VALUE, "E-direction", "%s: 'up' lies along the beam", what);
@@ -87,7 +81,7 @@ static int read_masses(struct builder *b, struct draft *o, const struct node *n,
     for (int i = 0; i < n->count; i++) {
         struct lump_keys k = {0};
         if (!named(b, n->item[i]) || read_keys(&k, keys_lump, n->item[i], NULL, what, &b->reader) ||
-            (k.inertia && read_inertia(b, lump[i].inertia, k.inertia, what)))
+            (k.inertia && read_inertia(b, lump[i].inertia, k.inertia, true, what)))
             errors++;
         lump[i].station = k.station;
         lump[i].mass = k.mass;

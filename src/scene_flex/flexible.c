@@ -44,14 +44,22 @@ struct collecting {
     struct stations interfaces, points;
 };
 
+/* How large a body from a file is: its nodes, and its mass, may stand in one place, but not both. */
+static double size_of(const struct scene_body *body)
+{
+    const double *xx = body->flex->xx;
+    double size = body->flex->mass > 0 ? sqrt((xx[0] + xx[4] + xx[8]) / body->flex->mass) : 0;
+    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
+    return size;
+}
+
 /* The same of a body from a file: its nodes are what they are. */
 static void consider_node(struct collecting *c, const double *world, const struct node *at)
 {
     const struct scene_body *body = &c->b->scene->body[c->body];
-    double offset[3], size = 0;
+    double offset[3];
     int node = scene_node(offset, body, world);
-    for (int i = 0; i < body->flex->nnode; i++) size = fmax(size, v3_norm(body->flex->node[i].x));
-    if (v3_norm(offset) <= CLOSE * size) return;
+    if (v3_norm(offset) <= CLOSE * size_of(body)) return;
     const char *name = body->flex->node[node].name;
     diag_warn(c->b->diags, at, AT_KEY, "W-offset",
               "a place %.3g m from the nearest node of '%s', %s: it carries it rigidly", v3_norm(offset), body->name,

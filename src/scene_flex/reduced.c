@@ -17,8 +17,9 @@ const struct key keys_reduced[] = {
     PARAM_NODE(struct reduced_keys, origin, "origin", "vector [m]", 0,
                "or the origin of the mesh when drawn, world; one of both"),
     PARAM_NODE(struct reduced_keys, orient, "orient",
-               "2-D: angle [rad]; 3-D: {z: [...], x: [...]}, {axis: [...], angle: a}, {quaternion: [w, x, y, z]}", 0,
-               "axes of the mesh when drawn; default: the world's"),
+               "2-D: angle [rad]; 3-D: {x: [...], z: [...]} or one of them, {axis: [...], angle: a}, {quaternion: [w, "
+               "x, y, z]}",
+               0, "axes of the mesh when drawn; default: the world's"),
     PARAM_NODE(struct reduced_keys, points, "points", "{name: node}, {name: vector [m]}", 0,
                "named points besides the file's named nodes; a vector is from the centre of mass, axes of the mesh"),
     KEYS_END,

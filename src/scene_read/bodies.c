@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "la/vec3.h"
 #include "scene_flex/flexible.h"
 #include "scene_read/parts.h"
 
@@ -45,8 +46,32 @@ static int read_sizes(struct builder *b, double *a, int n, const struct node *no
     return 0;
 }
 
-static int read_solid(struct builder *b, struct solid *o, const struct shape_keys *k, const struct node *n,
-                      const char *what)
+/* A rod by its two ends: its length, and where the body stands. */
+static int read_ends(struct builder *b, double *length, struct scene_body *body, const struct body_keys *k,
+                     const struct node *n, const char *what)
+{
+    struct rod_keys rod = {0};
+    double from[3], to[3], along[3];
+    if (read_keys(&rod, keys_rod, n, NULL, what, &b->reader)) return 1;
+    if (k->at || k->orient) {
+        diag_error(b->diags, k->at ? k->at : k->orient, AT_KEY, "E-two-kinds",
+                   "%s: the ends of its rod say where it stands, and so does '%s'", what, k->at ? "at" : "orient");
+        return 1;
+    }
+    if (read_place(b, from, rod.from, what) | read_place(b, to, rod.to, what)) return 1;
+    v3_diff(along, to, from);
+    *length = v3_norm(along);
+    if (!(*length > 0)) {
+        diag_error(b->diags, rod.to, AT_VALUE, "E-direction", "%s: a rod of length 0", what);
+        return 1;
+    }
+    for (int i = 0; i < 3; i++) body->at[i] = from[i] + along[i] / 2;
+    frame_along(body->R, along);
+    return 0;
+}
+
+static int read_solid(struct builder *b, struct solid *o, struct scene_body *body, const struct body_keys *of,
+                      const struct shape_keys *k, const struct node *n, const char *what)
 {
     double a[3];
     int given = !!k->box + !!k->cylinder + !!k->rod + !!k->sphere + !!k->tube;
@@ -68,7 +93,8 @@ static int read_solid(struct builder *b, struct solid *o, const struct shape_key
         if (read_sizes(b, a, 1, k->sphere, what)) return 1;
         *o = ball_solid(a[0]);
     } else {
-        if (read_sizes(b, a, 1, k->rod, what)) return 1;
+        if (k->rod->type == NODE_MAP ? read_ends(b, a, body, of, k->rod, what) : read_sizes(b, a, 1, k->rod, what))
+            return 1;
         *o = (struct solid){0, {0, a[0] * a[0] / 12, a[0] * a[0] / 12}};
     }
     if (o->volume >= 0) return 0;
@@ -81,7 +107,7 @@ static int read_shape(struct builder *b, struct scene_body *body, const struct b
     struct shape_keys s = {.density = 0};
     struct solid solid;
     if (read_keys(&s, keys_shape, k->shape, NULL, what, &b->reader)) return 1;
-    if (read_solid(b, &solid, &s, k->shape, what)) return 1;
+    if (read_solid(b, &solid, body, k, &s, k->shape, what)) return 1;
     if (isnan(body->mass)) {
         if (!(s.density > 0 && solid.volume > 0)) {
             diag_error(b->diags, k->shape, AT_VALUE, "E-missing-key", "%s: no 'mass', and no volume and density", what);
@@ -135,9 +161,16 @@ static int read_points(struct builder *b, int body, const struct node *n, const 
     return errors;
 }
 
+/* Is it a rod that is given by its ends? */
+static bool has_ends(const struct body_keys *k)
+{
+    const struct node *rod = k->shape && k->shape->type == NODE_MAP ? node_find(k->shape, "rod") : NULL;
+    return rod && rod->type == NODE_MAP;
+}
+
 static int read_rigid(struct builder *b, struct scene_body *body, const struct node *n)
 {
-    struct body_keys k = {.mass = NAN};
+    struct body_keys k = {.mass = NAN, .inertia_check = 1};
     char what[100];
     snprintf(what, sizeof what, "body '%.60s'", n->key);
     static const char *const others[] = {"beam", "flexible", NULL};
@@ -146,10 +179,15 @@ static int read_rigid(struct builder *b, struct scene_body *body, const struct n
     if (k.at) errors += read_place(b, body->at, k.at, what);
     if (k.orient) errors += read_orientation(b, body->R, k.orient, what);
     if (k.shape) errors += read_shape(b, body, &k, what);
-    if (k.inertia) errors += read_inertia(b, body->inertia, k.inertia, what);
+    if (k.inertia) errors += read_inertia(b, body->inertia, k.inertia, k.inertia_check, what);
     if (!errors && k.shape && k.inertia && !isnan(k.mass)) {
         diag_warn(b->diags, k.shape, AT_KEY, "W-unused", "%s: 'mass' and 'inertia' leave nothing for its shape to give",
                   what);
+    }
+    if (!errors && !k.at && !has_ends(&k)) {
+        diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s has no 'at'", what);
+        diag_hint(b->diags, "at: centre of mass when drawn, world");
+        errors++;
     }
     if (!errors && isnan(body->mass)) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s has no 'mass'", what);

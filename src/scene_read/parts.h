@@ -16,9 +16,13 @@ struct deck_keys {
 struct body_keys {
     double mass;
     const struct node *inertia, *at, *orient, *points, *shape;
+    int inertia_check;
 };
 struct ground_keys {
     const struct node *points;
+};
+struct rod_keys {
+    const struct node *from, *to;
 };
 struct shape_keys {
     const struct node *box, *cylinder, *rod, *sphere, *tube;
@@ -73,9 +77,10 @@ struct vector_keys {
     const struct node *value;
     int frame;
 };
-extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_distance[], keys_displacement[],
-    keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[], keys_integrate[],
-    keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[];
+extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_rod[], keys_distance[],
+    keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[],
+    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[],
+    keys_band[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);

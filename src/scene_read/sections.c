@@ -35,10 +35,14 @@ const struct key keys_body[] = {
     PARAM_REAL(struct body_keys, mass, "mass", "kg", 0, INFINITY, 0, NULL, "mass; or from shape and density"),
     PARAM_NODE(struct body_keys, inertia, "inertia", "2-D: number; 3-D: [xx, yy, zz] or [xx, yy, zz, xy, xz, yz]", 0,
                "tensor about the centre of mass, body axes [kg m2]; default: from shape, else 0"),
-    PARAM_NODE(struct body_keys, at, "at", "vector [m]", KEY_REQUIRED, "centre of mass when drawn, world"),
+    PARAM_BOOL(struct body_keys, inertia_check, "inertia_check", 0, "true",
+               "false: an inertia that no body can have is taken, with a warning"),
+    PARAM_NODE(struct body_keys, at, "at", "vector [m]", 0,
+               "centre of mass when drawn, world; required but with a rod from ... to"),
     PARAM_NODE(struct body_keys, orient, "orient",
-               "2-D: angle [rad]; 3-D: {z: [...], x: [...]}, {axis: [...], angle: a}, {quaternion: [w, x, y, z]}", 0,
-               "body axes when drawn; default: the world's"),
+               "2-D: angle [rad]; 3-D: {x: [...], z: [...]} or one of them, {axis: [...], angle: a}, {quaternion: [w, "
+               "x, y, z]}",
+               0, "body axes when drawn; default: the world's"),
     PARAM_NODE(struct body_keys, points, "points", "{name: vector [m]}", 0,
                "named points, body axes, from the centre of mass"),
     PARAM_NODE(struct body_keys, shape, "shape", "map", 0, "solid that gives inertia, and mass if a density is given"),
@@ -53,11 +57,18 @@ const struct key keys_ground[] = {
 const struct key keys_shape[] = {
     PARAM_NODE(struct shape_keys, box, "box", "[x, y, z] [m]", 0, "edges along the body axes"),
     PARAM_NODE(struct shape_keys, cylinder, "cylinder", "[radius, length] [m]", 0, "solid, along the body's z axis"),
-    PARAM_NODE(struct shape_keys, rod, "rod", "length [m]", 0, "slender, along the body's x axis; needs a mass"),
+    PARAM_NODE(struct shape_keys, rod, "rod", "length [m], or {from: vector, to: vector} [m]", 0,
+               "slender, along the body's x axis; needs a mass; its two ends, world, in place of 'at' and 'orient'"),
     PARAM_NODE(struct shape_keys, sphere, "sphere", "radius [m]", 0, "solid"),
     PARAM_NODE(struct shape_keys, tube, "tube", "[outer radius, inner radius, length] [m]", 0,
                "along the body's z axis"),
     PARAM_REAL(struct shape_keys, density, "density", "kg/m3", 0, INFINITY, KEY_ABOVE, NULL, "gives the mass"),
+    KEYS_END,
+};
+
+const struct key keys_rod[] = {
+    PARAM_NODE(struct rod_keys, from, "from", "vector [m]", KEY_REQUIRED, "one end when drawn, world"),
+    PARAM_NODE(struct rod_keys, to, "to", "vector [m]", KEY_REQUIRED, "the other; the body's x axis points there"),
     KEYS_END,
 };
 
@@ -160,7 +171,8 @@ const struct key keys_energy[] = {
 
 const struct key keys_omega[] = {
     PARAM_NODE(struct vector_keys, value, "value", "vector [rad/s]", KEY_REQUIRED, "angular velocity"),
-    PARAM_WORD(struct vector_keys, frame, "frame", "world|body", 0, "world", "axes it is given in"),
+    PARAM_WORD(struct vector_keys, frame, "frame", "world|body", 0, "world",
+               "axes it is given in; the columns JOINT.omega_x ... are in the body's, BODY.wx ... in the world's"),
     KEYS_END,
 };
 
@@ -205,6 +217,7 @@ static const struct section fixed[] = {
     {"bodies.NAME", "flexible", "a flexible body from a file", keys_reduced},
     {"bodies.ground", NULL, "the world", keys_ground},
     {"bodies.NAME.shape", NULL, "one solid, which gives the inertia", keys_shape},
+    {"bodies.NAME.shape.rod", NULL, "its two ends, in place of 'at' and 'orient'", keys_rod},
     {"bodies.NAME.orient", NULL, "body axes when drawn", keys_orient},
     {"bodies.NAME.beam", NULL, "the axis of a beam", keys_beam},
     {"bodies.NAME.section", NULL, "its cross-section", keys_section},

@@ -42,6 +42,7 @@ static enum status note(struct sim *sim, double h, int ratio)
     spins_note(sim);
     tilts_note(sim);
     TRY(idle_note(sim));
+    TRY(inertias_note(sim));
     return deflections_note(sim);
 }
 

@@ -97,8 +97,8 @@ static double moment(const struct sim *sim, const struct origin *o)
 
 const struct column_kind columns_reaction[] = {
     {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", EVALUATE_REACTION, force)},
-    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", EVALUATE_REACTION,
-            moment)},
+    {COLUMN(".mz", ".mx .my .mz", "N m", "moment of it about the joint's point on the second body, world axes",
+            EVALUATE_REACTION, moment)},
     {0},
 };
 
@@ -122,8 +122,8 @@ static double loop_moment(const struct sim *sim, const struct origin *o)
 
 const struct column_kind columns_loop_reaction[] = {
     {COLUMN(".fx .fy", ".fx .fy .fz", "N", "reaction on the second body, world axes", EVALUATE_REACTION, loop_force)},
-    {COLUMN(".mz", ".mx .my .mz", "N m", "reaction on the second body, at the joint, world axes", EVALUATE_REACTION,
-            loop_moment)},
+    {COLUMN(".mz", ".mx .my .mz", "N m", "moment of it about the joint's point on the second body, world axes",
+            EVALUATE_REACTION, loop_moment)},
     {0},
 };
 

@@ -260,6 +260,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         return "give it inertia there if a force acts along that turn, else try a smaller step";
     case TROUBLE_REJECTED:
         return "look for a force that jumps";
+    case TROUBLE_INERTIA:
+        return "mend its inertia: 'inertia_check: false' takes it as it is";
     case TROUBLE_NONE:
     case TROUBLE_DIVERGED:
     case TROUBLE_TOO_SMALL:
@@ -281,6 +283,8 @@ static const char *stop_code(enum trouble_code code)
         return " [not-finite]";
     case TROUBLE_MASS:
         return " [no-mass]";
+    case TROUBLE_INERTIA:
+        return " [W-inertia]";
     case TROUBLE_SINGULAR:
         return " [singular]";
     case TROUBLE_CLOSURE:
@@ -370,6 +374,11 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *why, e
         break;
     case TROUBLE_DEFLECTION:
         snprintf(what, sizeof what, "the end of '%s' is displaced by more than its length",
+                 sim->model->body[why->index].name);
+        break;
+    case TROUBLE_INERTIA:
+        snprintf(what, sizeof what,
+                 "the mass matrix is not positive: the inertia of body '%.60s' is negative about an axis",
                  sim->model->body[why->index].name);
         break;
     case TROUBLE_IDLE:

@@ -67,6 +67,15 @@ enum status idle_begin(struct sim *sim, struct diags *diags, struct report *repo
 enum status idle_note(struct sim *sim);
 void idle_describe(char *what, size_t size, const struct sim *sim, int turn);
 
+/* inertias.c: bodies of negative inertia, as long as the mass matrix is positive */
+void inertias_open(struct sim *sim, struct arena *life);
+enum status inertias_note(struct sim *sim);
+
+/* passes.c: forces along distances whose ends come together: refused at the start, reported on the way */
+void passes_open(struct sim *sim, struct arena *life);
+enum status passes_begin(struct sim *sim, struct diags *diags);
+enum status passes_check(struct sim *sim, struct sink *sink, struct report *report);
+
 /* tilts.c: the largest rotations of bushings that are shared by convention */
 void tilts_open(struct sim *sim, struct arena *life);
 void tilts_note(struct sim *sim);

@@ -61,9 +61,11 @@ static enum status start(struct sim *sim, struct diags *diags, struct report *re
     TRY(place(sim, report));
     TRY(idle_begin(sim, diags, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
+    if (inertias_note(sim) != OK) return describe_trouble(sim, &sim->trouble, E_MODEL, report);
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK ||
         system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
         return describe_trouble(sim, &why, E_MODEL, report);
+    TRY(passes_begin(sim, diags));
     ledger_open(&sim->ledger, sim->scene->delta, least_energy(sim), e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
@@ -85,6 +87,8 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     deflections_open(sim, life);
     spins_open(sim, life);
     tilts_open(sim, life);
+    passes_open(sim, life);
+    inertias_open(sim, life);
     jumps_open(sim, life);
     sim->system = system_build(m, life);
     idle_open(sim, life);
@@ -210,6 +214,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         enum status status = major(sim, k);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
+        TRY(passes_check(sim, sink, report));
         TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(write_row(sim, sink, report));

@@ -103,6 +103,14 @@ struct sim {
         int force;
         double most, t; /* largest tilt at the end of a step [rad], when */
     } * tilt;           /* [ntilt] */
+    int negative;       /* first body with an inertia that is negative about an axis; 0: none */
+    double *M;          /* [n x n] where there is one */
+    int npass;
+    struct passing {
+        int force;   /* of the model: along a distance */
+        double d[3]; /* from its first end to its second at the end of the last step, world axes [m] */
+        bool reported;
+    } * pass; /* [npass] */
     int njump;
     struct jumping {
         int loop;    /* of the model: a drive that may jump */

@@ -49,14 +49,15 @@ static void spins_of_body(struct spins *o, int i, double length)
     const double far = b->mass * length * length;
     if (b->mass == 0) return; /* its centre may move, too */
     if (o->model->space == 2) {
-        if (b->inertia[2] <= NOTHING * far) add_spin(o, i, (double[]){0, 0, 1}, SHARE * far, b->inertia[2]);
+        if (fabs(b->inertia[2]) <= NOTHING * far) add_spin(o, i, (double[]){0, 0, 1}, SHARE * far, b->inertia[2]);
         return;
     }
     double moment[3], axes[9];
     principal(moment, axes, b->inertia);
     const bool point = moment[2] <= NOTHING * far;
+    if (!point && fabs(moment[2] - moment[1]) > 1e-6 * moment[2]) return; /* other turns would push this one */
     for (int k = 0; k < 3; k++)
-        if (moment[k] <= NOTHING * (point ? far : moment[2]))
+        if (fabs(moment[k]) <= NOTHING * (point ? far : moment[2]))
             add_spin(o, i, axes + 3 * k, SHARE * (point ? far : moment[2]), moment[k]);
 }
 

@@ -242,13 +242,31 @@ void system_measure(const struct system *s, double *value, double *rate, int mea
     elements_measure(s->tree.elements, s->view, value, rate, measure, s->q, s->v);
 }
 
-/* On the deck's second body: the child, or the parent, which feels the opposite. */
+/* From the joint's point on the parent to that on the child, world axes: what a sliding joint has slid. */
+static void slid(const struct system *s, double *d, const struct model_joint *j)
+{
+    struct pose parent, child;
+    double a[3], b[3];
+    s->ops->pose(s->view, &parent, j->parent);
+    s->ops->pose(s->view, &child, j->child);
+    m3_mul(a, parent.R, j->a);
+    m3_mul(b, child.R, j->b);
+    v3_sum(d, child.r, b);
+    v3_take(d, parent.r);
+    v3_take(d, a);
+}
+
+/* On the deck's second body, about the joint's point on it: the child, or the parent, which feels the opposite. */
 void system_reaction(const struct system *s, double *f, double *n, int joint)
 {
+    const struct model_joint *j = &s->model->joint[joint];
+    double d[3];
     s->ops->reaction(s->view, f, n, joint);
-    if (!s->model->joint[joint].reversed) return;
+    if (!j->reversed) return;
     v3_scale(f, -1, f);
     v3_scale(n, -1, n);
+    slid(s, d, j);
+    v3_cross_add(n, d, f);
 }
 
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop)
@@ -370,6 +388,14 @@ enum status system_back(struct system *s, double *q, const double *v, double t, 
 bool system_bent(const struct system *s)
 {
     return elements_bent(s->tree.elements);
+}
+
+void system_apart(const struct system *s, double *d, const struct model_measure *m)
+{
+    double a[3], b[3], v[3];
+    s->ops->point(s->tree.sweep, a, v, m->a.body, m->a.p);
+    s->ops->point(s->tree.sweep, b, v, m->b.body, m->b.p);
+    v3_diff(d, b, a);
 }
 
 double system_tilt(const struct system *s, int force)

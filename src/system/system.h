@@ -102,6 +102,9 @@ enum status system_back(struct system *s, double *q, const double *v, double t, 
 /* The force that jumps most within h of the motion at q, v and t [s], and its values; -1: none does. */
 int system_leap(struct system *s, double *before, double *behind, const double *q, const double *v, double t, double h);
 
+/* From the first point of a measure to its second, world axes [3], at the last system_energy_at(). */
+void system_apart(const struct system *s, double *d, const struct model_measure *m);
+
 /* elements_tilt(), at the last system_energy_at(). */
 double system_tilt(const struct system *s, int force);
 
