@@ -52,6 +52,9 @@ __attribute__((format(printf, 3, 4)))
 enum status
 fail(struct report *report, enum status status, const char *format, ...);
 
+/* kind of TROUBLE_CLOSURE: the loop says again what others say, and no longer the same */
+enum { CLOSURE_REDUNDANT = 1 };
+
 /* Why a trial state or a step was refused, in numbers. */
 enum trouble_code {
     TROUBLE_NONE,

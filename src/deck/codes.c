@@ -192,6 +192,10 @@ const struct diag_help diag_helps[] = {
      "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
      "meant to "
      "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
+    {"W-branch",
+     "Where the bars of a parallelogram lie in one line it can go on as one or fold: branches meet. The rates "
+     "of 'initial' have said which way, and the run starts a little along it. Drawn a little to one side, "
+     "it needs no such help."},
     {"W-inertia",
      "The body has 'inertia_check: false', and an inertia that no body can have: a principal moment is negative "
      "or exceeds the sum of the other two. It is taken as it is; a run stops where the mass matrix is not "

@@ -45,8 +45,10 @@ static enum status check_redundant_rows(struct condense *o, double t, struct tro
     for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
         for (int r = p->nr; r < p->of->nrow; r++) {
             const double miss = fabs(o->C[p->row[r]]);
-            if (!(miss <= o->holds))
-                return trouble_set(why, TROUBLE_CLOSURE, o->rows.loops->row[p->row[r]].loop, miss, t);
+            if (miss <= o->holds) continue;
+            const enum status status = trouble_set(why, TROUBLE_CLOSURE, o->rows.loops->row[p->row[r]].loop, miss, t);
+            if (why) why->kind = CLOSURE_REDUNDANT;
+            return status;
         }
     return OK;
 }

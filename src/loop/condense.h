@@ -23,6 +23,8 @@ struct condense_start {
     double misfit;  /* largest |C| as drawn and started */
     int misfit_row; /* of which row */
     int redundant;  /* rows that say nothing new */
+    bool branches;  /* the posture as drawn is one where the loops leave the way open */
+    double beside;  /* the start is so far beside it along the deck's rates, in usual changes; 0: it is not */
     double moved;   /* largest change of a coordinate that closed the loops [m] or [rad] */
     int moved_at;   /* place in v */
     double changed; /* by assembly: largest change of a rate */

@@ -9,6 +9,7 @@
  *     condense_drive.c     drives: their time, their power, the impulse of their corners
  *     condense_rechart.c   a better split between steps
  *     condense_start.c     the start: assembled, closed, or refused
+ *     condense_branches.c  a start where the loops leave the way open
  *     condense_assemble.c  a start that does not fit, projected
  *     condense_turns.c     whole turns of screws, at the start
  *     condense_unique.c    which reactions redundant rows leave open
@@ -115,6 +116,12 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
 void condense_count_turns(struct condense *o, const double *q);
 /* Is q0 closed as it is, and no screw a whole turn off? */
 bool condense_closed(struct condense *o, const double *q0);
+
+/* Do redundant rows still hold a small way off o->q?  What they say does not where branches meet. */
+enum status condense_search_branches(struct condense *o);
+/* The constraint of a row; the largest of the redundant rows in C [rows], and the worst. */
+const char *condense_row_name(const struct condense *o, int row);
+double condense_redundant_miss(int *worst, const struct split *split, const double *C);
 
 /* o->q, v [nt]: the deck's q0, v0 with the least change in the mass metric that lets C = 0 and C' = 0 hold at t = 0. */
 enum status condense_assemble(struct condense *o, double *v, const double *q0, const double *v0);

@@ -13,7 +13,7 @@ static const double RANK = 1e-8;     /* least pivot over the first one */
 static const double ASSEMBLY = 1e-3; /* |C| closed at all */
 static const double WATCHED = 1e-5;  /* |C| up to which dropped rows hold on the way */
 
-static const char *row_name(const struct condense *o, int row)
+const char *condense_row_name(const struct condense *o, int row)
 {
     return o->model->loop[o->rows.loops->row[row].loop].name;
 }
@@ -84,71 +84,14 @@ static enum status split_all(struct condense *o, const double *follow, const dou
     return OK;
 }
 
-/* A number in [-1, 1] from another, always the same. */
-static double scatter(unsigned i)
-{
-    unsigned x = (i + 1) * 2654435761u;
-    x ^= x >> 15;
-    x *= 2246822519u;
-    x ^= x >> 13;
-    return (double)(x >> 8) / 8388608 - 1;
-}
-
 /* The largest of the redundant rows in C [rows]; the worst. */
-static double redundant_miss(int *worst, const struct split *split, const double *C)
+double condense_redundant_miss(int *worst, const struct split *split, const double *C)
 {
     double most = 0;
     for (const struct part *p = split->part; p < split->part + split->npart; p++)
         for (int r = p->nr; r < p->of->nrow; r++)
             if (fabs(C[p->row[r]]) > most) most = fabs(C[p->row[r]]), *worst = p->row[r];
     return most;
-}
-
-static int redundant_missing(const struct split *split, const double *C, double more)
-{
-    int n = 0;
-    for (const struct part *p = split->part; p < split->part + split->npart; p++)
-        for (int r = p->nr; r < p->of->nrow; r++) n += fabs(C[p->row[r]]) > more;
-    return n;
-}
-
-/* A small way off o->q, which is the base then; 0: it cannot be closed. */
-static int go_off(struct condense *o, double *q1, unsigned trial)
-{
-    static const double WAY = 1e-2;
-    const int *ind = o->split.ind;
-    memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
-    for (int i = 0; i < o->ode.n; i++)
-        o->dx[ind[i]] = WAY * o->rows.size[ind[i]] * scatter(trial * 1000u + (unsigned)i);
-    closing_predict(&o->closing, o->dx);
-    return closing_close(&o->closing, q1, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = o->dx});
-}
-
-/* Do redundant rows still hold a small way off?  Where C_q has lost rank at this very posture only, the way along a
- * direction that is too many leaves them at second order. */
-static enum status search_branches(struct condense *o)
-{
-    static const double MISS = 1e-7;
-    int row, worst = 0, lost = 0;
-    double miss = 0;
-    if (o->start.redundant == 0) return OK;
-    for (unsigned trial = 0; trial < 3; trial++) {
-        if (!closing_tangent(&o->closing, o->q)) return OK;
-        if (!go_off(o, o->qtry, trial)) continue;
-        rows_misfit(o->C, &row, &o->rows, o->qtry);
-        const int missing = redundant_missing(&o->split, o->C, MISS + 10 * o->start.misfit);
-        if (missing > lost) {
-            lost = missing;
-            miss = redundant_miss(&worst, &o->split, o->C);
-        }
-    }
-    if (lost == 0) return OK;
-    return fail(&o->start.report, E_MODEL,
-                "the mechanism stands at a dead point, or is locked: constraint '%s' cannot close after a small motion "
-                "(it misses "
-                "by %.3g of the mechanism's size); draw it in another posture, or set 'initial:' a little to one side "
-                "[dead-point]",
-                row_name(o, worst), miss);
 }
 
 /* o->q := o->q (+) dx, its dependents closed; 0: it cannot be. */
@@ -167,22 +110,22 @@ static enum status assemble(struct condense *o)
         return fail(&s->report, E_MODEL,
                     "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
                     "size; at most %g is closed without 'initial: {assemble: true}'",
-                    row_name(o, s->misfit_row), miss, ASSEMBLY);
+                    condense_row_name(o, s->misfit_row), miss, ASSEMBLY);
     for (int pass = 0; pass < 2; pass++) {
         TRY(split_all(o, o->model->follow_q, o->q, miss));
         memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
         if (!step_to(o, o->dx))
             return fail(&s->report, E_MODEL, "the loop of constraint '%s' cannot be closed",
-                        row_name(o, s->misfit_row));
+                        condense_row_name(o, s->misfit_row));
         for (int i = 0; i < o->rows.n; i++)
             if (fabs(o->dx[i]) > s->moved) s->moved = fabs(o->dx[i]), s->moved_at = i;
         int row = 0;
         miss = rows_misfit(o->C, &row, &o->rows, o->q);
-        if (redundant_miss(&row, &o->split, o->C) > fmax(1e-9, 3 * s->misfit))
+        if (condense_redundant_miss(&row, &o->split, o->C) > fmax(1e-9, 3 * s->misfit))
             return fail(&s->report, E_MODEL, "constraint '%s' contradicts the others by %.3g of the mechanism's size",
-                        row_name(o, row), miss);
+                        condense_row_name(o, row), miss);
     }
-    return search_branches(o);
+    return condense_search_branches(o);
 }
 
 /* How far it is from o->q to q0, drives too, in scales; the way goes to `way`. */
@@ -287,7 +230,7 @@ static enum status contradiction(struct condense *o)
     static const double DISAGREE = 1e-6; /* |C|, and |C'| per second */
     int row = 0;
     rows_misfit(o->C, &row, &o->rows, o->q);
-    double by = redundant_miss(&row, &o->split, o->C), rate = 0;
+    double by = condense_redundant_miss(&row, &o->split, o->C), rate = 0;
     if (by <= DISAGREE) {
         TRY(start_rates(o, o->vt));
         rate = redundant_rate(&row, o, o->vt);
@@ -295,7 +238,7 @@ static enum status contradiction(struct condense *o)
     }
     return fail(&o->start.report, E_MODEL,
                 "%s '%s' contradicts the others at t = %.9g: by %.3g of the mechanism's size%s",
-                o->model->loop[o->rows.loops->row[row].loop].drive ? "drive" : "constraint", row_name(o, row),
+                o->model->loop[o->rows.loops->row[row].loop].drive ? "drive" : "constraint", condense_row_name(o, row),
                 o->model->t0, rate > 0 ? rate : by, rate > 0 ? " per second" : "");
 }
 
@@ -339,12 +282,39 @@ static enum status lead_rates(struct condense *o, const double *v0, double miss)
     return start_rates(o, o->to);
 }
 
+/* A posture where branches meet, and rates that say along which one it goes: the start is a little way along them, where
+ * the loops have their rank.  False: they do not, or what closes there is another branch. */
+static bool start_on_branch(struct condense *o, const double *q0, const double *v0)
+{
+    static const double BESIDE = 1e-6, SAME = 1e-2;
+    double *flat = o->side[0], *vt = o->vt, most = 0;
+    if (way_to(o->to, o, q0) > 0 || lead_rates(o, v0, 0) != OK || agrees(o, o->to, q0, v0) != OK) return false;
+    for (int i = 0; i < o->rows.n; i++) most = fmax(most, fabs(o->to[i]) * o->rows.per[i]);
+    if (most == 0) return false;
+    memcpy(vt, o->to, sizeof *vt * (size_t)o->rows.n);
+    memcpy(flat, o->q, sizeof *flat * (size_t)o->model->nq);
+    moves_point(&o->tree->moves, o->q, flat, vt, BESIDE / most);
+    memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
+    if (split_all(o, o->model->follow, o->q, 0) != OK || !step_to(o, o->dx)) return false;
+    moves_diff(&o->tree->moves, o->to, o->q, flat);
+    for (int i = 0; i < o->rows.n; i++)
+        if (!(fabs(o->to[i] - BESIDE / most * vt[i]) <= SAME * BESIDE * o->rows.size[i])) return false;
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = vt[o->split.ind[i]];
+    o->start.beside = BESIDE;
+    return true;
+}
+
 /* The deck's start, which fits or is refused.  What it gives leads the way there, whatever is independent then. */
 static enum status place_start(struct condense *o, const double *q0, const double *v0)
 {
     const struct model *m = o->model;
     int row;
-    TRY(assemble(o));
+    const enum status assembled = assemble(o);
+    const struct report refused = o->start.report;
+    o->start.report = (struct report){0};
+    if (assembled == E_MODEL && o->start.branches && start_on_branch(o, q0, v0)) return OK;
+    o->start.report = refused;
+    TRY(assembled);
     TRY(go_to_start(o, q0));
     const double miss = rows_misfit(o->C, &row, &o->rows, o->q);
     TRY(lead_rates(o, v0, miss));
@@ -364,7 +334,7 @@ static enum status project_start(struct condense *o, const double *q0, const dou
     TRY(condense_assemble(o, o->to, q0, v0));
     TRY(split_all(o, o->model->follow, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = o->to[o->split.ind[i]];
-    return search_branches(o);
+    return condense_search_branches(o);
 }
 
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)

@@ -36,6 +36,11 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
                   s->redundant, s->redundant == 1 ? " is" : "s are", sim_loop_kind(sim, first),
                   sim->model->loop[first].name);
     }
+    if (s->beside > 0)
+        diag_warn(diags, node_of(sim, condense_loops(c)->row[s->misfit_row].loop), AT_KEY, "W-branch",
+                  "the mechanism is drawn at a dead point, where branches meet: it starts %.3g rad, or of its size, "
+                  "beside it, along its rates",
+                  s->beside);
     if (s->misfit < SILENT || sim->scene->assemble) return;
     const int l = condense_loops(c)->row[s->misfit_row].loop;
     diag_warn(diags, node_of(sim, l), AT_KEY, "W-assembly",

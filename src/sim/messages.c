@@ -251,6 +251,9 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     case TROUBLE_DEFLECTION:
         return bending_advice(sim->model->body[why->index].flex);
     case TROUBLE_CLOSURE:
+        if (why->kind == CLOSURE_REDUNDANT)
+            return "others hold the same freedom, and sizes that differ from theirs by e miss by the root of e near a "
+                   "dead point: make the sizes agree exactly, or weaken or leave out one of these constraints";
         return "the mechanism may be locked here, or the step too large";
     case TROUBLE_SINGULAR:
         return "look for a body without mass or inertia";
