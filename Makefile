@@ -49,7 +49,7 @@ endif
 UNITS    := $(UNITS:%=$(BUILD)/unit/t-%)
 REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
 TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so \
-            $(BUILD)/tools/badalloc.so $(BUILD)/tools/everyalloc
+            $(BUILD)/tools/badalloc.so $(BUILD)/tools/everyalloc $(BUILD)/tools/bytes
 RANDOM   := $(BUILD)/random/mechanism $(BUILD)/random/judge
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
@@ -166,6 +166,12 @@ memory: $(PROGRAM) $(FOUND) $(TOOLS)
 	@MOST=1000000 BUILD=$(BUILD) sh tests/faults/memory.sh | tee $(BUILD)/memory.log
 	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/memory.log
 
+## bytes         N (20000) decks with one byte changed, from SEED (1) on: each is checked, no signal, no hang
+bytes: $(PROGRAM) $(TOOLS)
+	@mkdir -p $(BUILD)/bytes
+	@N=$(or $(N),20000) SEED=$(or $(SEED),1) KEEP=$(BUILD)/bytes BUILD=$(BUILD) sh tests/faults/bytes.sh | tee $(BUILD)/bytes.log
+	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/bytes.log
+
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/validation/table.sh
@@ -278,5 +284,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults random memory reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -53,9 +53,9 @@ wanted() {
     [ -z "$D" ]
 }
 
-# One failure instead of hundreds where the program is not there.
+# One failure instead of hundreds where the program is not there, or is another: one that does nothing and ends with 0.
 need_program() {
-    [ -x "$FMDSUB" ] && [ -x "$COMPARE" ] && return
+    [ -x "$FMDSUB" ] && [ -x "$COMPARE" ] && case $("$FMDSUB" --version 2>/dev/null) in "fmdsub "[0-9]*) return ;; esac
     echo "not ok $1: $FMDSUB or its tools are not built"
     exit 0
 }
