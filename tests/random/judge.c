@@ -85,7 +85,10 @@ static void read_said(struct table *o, const char *path)
     FILE *f = fopen(path, "r");
 
     o->said[0] = 0;
-    while (f && fgets(o->said, sizeof o->said, f) && !strstr(o->said, "error") && !strstr(o->said, "stopped")) {
+    o->rejected = 0;
+    while (f && fgets(line, sizeof line, f)) {
+        sscanf(line, "rejected %d", &o->rejected);
+        if (!o->said[0] && (strstr(line, "error") || strncmp(line, "fmdsub: ", 8) == 0)) memcpy(o->said, line, TEXT);
     }
     o->said[strcspn(o->said, "\n")] = 0;
     if (f) fclose(f);
