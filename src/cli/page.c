@@ -17,7 +17,7 @@ static void put(FILE *to, const char *text)
         if (*text == '\\')
             fputs("\\e", to);
         else if (text[0] == '.' && text[1] == ' ' && before != '.')
-            text++, fputs(".\n", to);
+            text++, fputs(text[1] == '\'' || text[1] == '.' ? ".\n\\&" : ".\n", to);
         else
             putc(*text, to);
     }

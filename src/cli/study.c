@@ -49,6 +49,7 @@ static enum status choose_schemes(struct study_options *o, struct choices *c, co
         }
         return OK;
     }
+    o->usual = true;
     const bool steps = scene->integrate.step > 0 || request->steps;
     const bool rates = steps && (scene->integrate.ratio > 1 || request->ratios);
     const struct {

@@ -148,6 +148,7 @@ static enum status advance(struct stepper *s, struct state *x, double t, double 
         if (last) h = left;
         if (t + way * h == t) return trouble_set(why, TROUBLE_TOO_SMALL, -1, h, t);
         enum status status = m->scheme->attempt(s, m, &err, t, way * h, why);
+        if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
         if (h > least && err <= 1) passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && passed++ < MOST_PASSED;
         if (status != OK || (err > 1 && !jump)) {

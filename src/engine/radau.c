@@ -47,6 +47,8 @@ struct radau {
     double *M, *C, *K, *E, *spare; /* [n x n]; E = M + h lambda C + h^2 lambda^2 K, factored */
     double *Ere[PAIRS], *Eim[PAIRS];
     int *swap, *pairswap[PAIRS];
+    enum status had;    /* have the matrices been had? */
+    struct trouble why; /* if not */
     enum matrix_form form;
     double h_factored; /* 0: not factored */
     bool stale;        /* M, C, K are to be formed anew */
@@ -57,6 +59,19 @@ struct radau {
     double fnewt;      /* what the iteration may leave, in scales of the tolerance */
     int count;         /* iterations of the last trial */
 };
+
+/* Matrices: full ones, so that a scene may be too large for them. */
+static enum status need(struct radau *x, struct stepper *s, double t, struct trouble *why)
+{
+    const int n = s->ode->n;
+    double **matrix[] = {&x->M, &x->C, &x->K, &x->E, &x->spare};
+    for (int i = 0; i < 5; i++) TRY(matrix_need(matrix[i], n, n, s->life, t, why));
+    for (int p = 0; p + 1 < x->table.nmode; p++) {
+        TRY(matrix_need(&x->Ere[p], n, n, s->life, t, why));
+        TRY(matrix_need(&x->Eim[p], n, n, s->life, t, why));
+    }
+    return OK;
+}
 
 static void open_stages(struct stepper *s, struct adaptive *m, int stages, struct arena *life)
 {
@@ -76,6 +91,7 @@ static void open_stages(struct stepper *s, struct adaptive *m, int stages, struc
     x->fnewt = larger(10 * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)));
     x->stale = true;
     m->own = x;
+    x->had = need(x, s, 0, &x->why);
 }
 
 static void open5(struct stepper *s, struct adaptive *m, struct arena *life)
@@ -98,24 +114,13 @@ static void forget(struct adaptive *m)
 
 /* ---- the matrices ---------------------------------------------------------------------------------------------- */
 
-static enum status need(struct radau *x, struct stepper *s, double t, struct trouble *why)
-{
-    const int n = s->ode->n;
-    double **matrix[] = {&x->M, &x->C, &x->K, &x->E, &x->spare};
-    for (int i = 0; i < 5; i++) TRY(matrix_need(matrix[i], n, n, s->life, t, why));
-    for (int p = 0; p + 1 < x->table.nmode; p++) {
-        TRY(matrix_need(&x->Ere[p], n, n, s->life, t, why));
-        TRY(matrix_need(&x->Eim[p], n, n, s->life, t, why));
-    }
-    return OK;
-}
-
 static enum status linearize(struct stepper *s, struct adaptive *m, double t, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
     struct radau *x = m->own;
     const struct instant there = {.t = t, .q = m->q, .v = m->v, .a = m->a, .ta = t, .tb = t};
-    TRY(need(x, s, t, why));
+    if (x->had != OK) *why = x->why;
+    TRY(x->had);
     TRY(o->ops->slopes(o, x->K, x->C, &there, ALL, why));
     if (o->ops->turning) TRY(o->ops->turning(o, x->K, x->C, &there, ALL, why));
     TRY(o->ops->mass(o, x->M, m->q, t, ALL, why));
@@ -405,6 +410,7 @@ const struct stepper_kind step_radau5 = {
     .name = "radau5",
     .brief = "Radau IIA of 3 stages, implicit, for stiff scenes, steps of its own inside H",
     .order = 5,
+    .full = true,
     .formulas = &radau5,
     ADAPTIVE,
 };
@@ -413,6 +419,7 @@ const struct stepper_kind step_radau9 = {
     .name = "radau9",
     .brief = "Radau IIA of 5 stages, implicit, for stiff scenes and many digits, steps of its own inside H",
     .order = 9,
+    .full = true,
     .formulas = &radau9,
     ADAPTIVE,
 };

@@ -8,6 +8,7 @@
 #ifndef FMDSUB_ENGINE_STEPPER_H
 #define FMDSUB_ENGINE_STEPPER_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
@@ -47,6 +48,7 @@ struct stepper_kind {
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
     int order;
     int adaptive; /* chooses its own steps inside H */
+    bool full;    /* its matrices are full ones of all coordinates: for hundreds of these */
     int points;   /* asks for residuals at points of time, where the impulse of a drive's corner inside the step is not
                    * seen: the core delivers that before step().  0: drives move by their means over the step
                    * (instant.ta, tb), which hold it; or an adaptive scheme looks for corners itself */

@@ -1,6 +1,5 @@
 /* answer.c -- the answer of a study in sentences; see study.h */
 #include <math.h>
-#include <string.h>
 
 #include "multirate/schemes.h"
 #include "study/study.h"
@@ -18,7 +17,7 @@ static double price_of_digit(const struct study *o, const struct study_row *of)
 {
     const struct study_row *coarse = NULL, *fine = NULL;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
-        if (strcmp(r->scheme, of->scheme) != 0 || r->ratio != of->ratio || r->status != OK) continue;
+        if (r->scheme != of->scheme || r->ratio != of->ratio || r->status != OK) continue;
         if (!(r->errors.worst > 10 * r->uncertain && r->errors.worst < 1)) continue;
         if (!coarse || r->errors.worst > coarse->errors.worst) coarse = r;
         if (!fine || r->errors.worst < fine->errors.worst) fine = r;
@@ -47,7 +46,7 @@ static void print_two_rates(const struct study *o, const struct stepper_kind *ki
 {
     const struct study_row *two = NULL, *one = NULL;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
-        if (r->status == OK && r->ratio > 1 && strcmp(r->scheme, kind->name) == 0 &&
+        if (r->status == OK && r->ratio > 1 && r->scheme == kind->name &&
             (!two || r->work * r->errors.worst < two->work * two->errors.worst))
             two = r;
     if (!two) return;

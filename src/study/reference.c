@@ -95,8 +95,9 @@ static enum status choose(struct reference *o, const struct scene *scene, double
     const struct integrate plan = plan_by(&how, "dopri5", 1e-3, scene, every);
     int n = 0;
     TRY(outcome_size(&n, scene, &plan, diags, report));
-    o->scheme = n <= MOST_DENSE ? "radau9" : "dop853";
-    o->second = n <= MOST_DENSE ? "radau5" : "dopri5";
+    o->small = n <= MOST_DENSE;
+    o->scheme = o->small ? "radau9" : "dop853";
+    o->second = o->small ? "radau5" : "dopri5";
     return OK;
 }
 

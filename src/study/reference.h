@@ -12,6 +12,7 @@
 struct reference {
     struct outcome run;
     const char *scheme, *second; /* which two */
+    bool small;                  /* full matrices of all coordinates are the cheaper way */
     double horizon;              /* [s] compared up to here */
     bool whole;                  /* that is the end of the run */
     double *uncertain;           /* [n] of each column, as a share of its range */

@@ -34,7 +34,9 @@ static enum status study_one(struct study *o, const struct integrate *plan, cons
                                 .energy = run.energy_share,
                                 .status = run.status};
         reference_compare(&row.errors, &o->reference, &run);
-        if (row.errors.instants < 1 && run.status != E_NUMERIC)
+        if (run.status == E_LIMIT)
+            status = fail(report, run.status, "%s: %.900s", plan->scheme, run.report.text);
+        else if (row.errors.instants < 1 && run.status != E_NUMERIC)
             status = fail(report, E_USAGE, "step %g s: its records and the reference's have no instant in common",
                           plan->step);
         const int c = row.errors.column;
@@ -68,7 +70,8 @@ static enum status study_scheme(struct study *o, const char *scheme, double ever
     const struct stepper_kind *kind = stepper_find(scheme);
     const int ratios = kind->two_rates ? options->nratio : 1;
     struct integrate plan = scene->integrate;
-    plan.scheme = scheme;
+    if (options->usual && kind->full && !o->reference.small) return OK;
+    plan.scheme = kind->name;
     if (kind->adaptive) return study_tolerances(o, &plan, every, scene, options, diags, report);
     for (int r = 0; r < ratios; r++)
         for (int s = 0; s < options->nstep; s++) {

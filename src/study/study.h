@@ -19,6 +19,7 @@ struct study_options {
     const int *ratio;          /* [nratio] for schemes of two rates; the others run at 1 */
     const double *step;        /* [nstep] minor steps [s] */
     const double *tolerance;   /* [ntolerance] for schemes that choose their own steps */
+    bool usual;                /* nobody has asked for these schemes: what is hopeless is left out */
     int repeats;               /* each run is timed so often; the least counts */
 };
 

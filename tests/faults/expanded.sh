@@ -8,7 +8,7 @@ awk '/^title: Crane/ { on = 1; print "fmdsub: 1" } on && /^\.Ed/ { exit } on { g
 sed 's/at: \[0, 0\]}/at: [0, 0], range: [-1, 1]}/; s/until: 3/until: {when: "height > 0 or t > 0.3", latest: 1}/' crane.yaml >ends.yaml
 "$FMDSUB" run -q --until 0.02 --every-steps 10 --final-state start.json crane.yaml >out 2>err
 sed '/^initial:/d' crane.yaml >goes-on.yaml
-echo 'initial: {from: start.json}' >>goes-on.yaml
+echo 'initial: {from: start.json, deck: any}' >>goes-on.yaml
 expect "the example of the manual runs" 0 $? err
 
 for deck in *.yaml; do
