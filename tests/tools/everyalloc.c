@@ -53,7 +53,7 @@ static int says(const char *path, const char *words)
     FILE *f = fopen(path, "r");
     int found = 0;
 
-    while (f && !found && fgets(line, sizeof line, f)) found = strncmp(line, words, strlen(words)) == 0;
+    while (f && !found && fgets(line, sizeof line, f)) found = strstr(line, words) != NULL;
     if (f) fclose(f);
     return found;
 }
