@@ -57,9 +57,9 @@ static enum status ride_tick(struct sink *sink, double now, struct report *repor
     return OK;
 }
 
-static inline void ride_open(struct ride *r, const char *text)
+/* Opened, not run. */
+static inline void ride_build(struct ride *r, const char *text)
 {
-    static const struct sink_ops ops = {ride_meta, ride_row, ride_event, ride_end, ride_tick};
     const struct deck_options options = {0};
     const struct sim_options quiet = {.version = "test"};
     char path[] = "/tmp/fmdsub-ride-XXXXXX";
@@ -75,6 +75,12 @@ static inline void ride_open(struct ride *r, const char *text)
         r->status = sim_open(&r->sim, r->scene, &r->scene->integrate, &quiet, diags, r->life, &r->report);
     unlink(path);
     if (r->status == E_DECK) diags_print(stderr, diags, false);
+}
+
+static inline void ride_open(struct ride *r, const char *text)
+{
+    static const struct sink_ops ops = {ride_meta, ride_row, ride_event, ride_end, ride_tick};
+    ride_build(r, text);
     if (r->status != OK) return;
     struct sink sink = {.ops = &ops, .self = r};
     r->status = sim_run(&r->sim, &sink, &r->report);

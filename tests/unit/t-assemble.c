@@ -142,7 +142,7 @@ static void is_least(const char *text, double *miss, double *least_rate, double 
     struct trouble why;
     double q[MOST + 8], v[MOST], dv[MOST], dq[MOST], full[MOST];
     struct report report;
-    ride_open(&r, text);
+    ride_build(&r, text); /* a run may leave the coordinates of the start */
     if (r.status != OK) fail_msg("%s", r.report.text);
     const struct model *m = r.sim.model;
     struct condense *c = system_loops(r.sim.system);

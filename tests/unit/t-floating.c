@@ -353,8 +353,8 @@ static void test_kept(void **state)
         }
 }
 
-/* Two that fly together, with a force between: it takes from one what it gives to the other, and its moments are
- * nothing for both. */
+/* Two that fly together, with a force between that is work: it takes from one what it gives to the other, and its
+ * moments are nothing for both.  (One that keeps an energy keeps that, and the angular momentum to second order.) */
 static void test_pair(void **state)
 {
     static const char pair[] = "bodies:\n"
@@ -368,7 +368,7 @@ static void test_pair(void **state)
                                "  ab: {revolute: [a, b], at: [0.65, 0.15]}\n"
                                "  cd: {revolute: [c, d], at: [0.5, 2]}\n"
                                "measures: {apart: {distance: [b, d.p]}}\n"
-                               "forces:\n  s: {force: apart, value: \"-20*(apart - 1)\"}\n"
+                               "forces:\n  s: {force: apart, value: \"-20*(apart - 1)*(1 + 0.1*sin(t))\"}\n"
                                "initial: {one.x_rate: 0.3, one.angle_rate: 2, ab.angle_rate: -3, cd.angle_rate: 2}\n";
     struct opened o;
     (void)state;
