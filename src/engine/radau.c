@@ -23,13 +23,10 @@
 
 #include "base/scalar.h"
 #include "engine/adaptive.h"
-#include "engine/collocation.h"
-#include "engine/matrix.h"
 #include "engine/motion.h"
-#include "la/complex.h"
-#include "la/dense.h"
+#include "engine/stage_matrix.h"
 
-enum { STAGES = COLLOCATION_STAGES, PAIRS = COLLOCATION_MODES - 1, MOST_ITERATIONS = 10 };
+enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10 };
 static const double KEPT = 1.2;     /* a step that may grow by less keeps h and its matrices */
 static const double WORN = .02;     /* contraction from which the next step takes another matrix */
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
@@ -44,34 +41,14 @@ struct radau {
     double h_before;        /* its h; 0: there was none */
     double longer;          /* h of the last step over that of the one before; 0: there was none */
 
-    double *M, *C, *K, *E, *spare; /* [n x n]; E = M + h lambda C + h^2 lambda^2 K, factored */
-    double *Ere[PAIRS], *Eim[PAIRS];
-    int *swap, *pairswap[PAIRS];
-    enum status had;    /* have the matrices been had? */
-    struct trouble why; /* if not */
-    enum matrix_form form;
-    double h_factored; /* 0: not factored */
-    bool stale;        /* M, C, K are to be formed anew */
-    bool here;         /* they are of this step's start */
-    double *x, *y;     /* [n] */
-    double *gu, *gv;   /* [n] */
-    double theta;      /* contraction, last seen */
-    double fnewt;      /* what the iteration may leave, in scales of the tolerance */
-    int count;         /* iterations of the last trial */
+    struct stage_matrix matrix;
+    bool stale;          /* M, C, K are to be formed anew */
+    bool here;           /* they are of this step's start */
+    double *e, *gu, *gv; /* [n] */
+    double theta;        /* contraction, last seen */
+    double fnewt;        /* what the iteration may leave, in scales of the tolerance */
+    int count;           /* iterations of the last trial */
 };
-
-/* Matrices: full ones, so that a scene may be too large for them. */
-static enum status need(struct radau *x, struct stepper *s, double t, struct trouble *why)
-{
-    const int n = s->ode->n;
-    double **matrix[] = {&x->M, &x->C, &x->K, &x->E, &x->spare};
-    for (int i = 0; i < 5; i++) TRY(matrix_need(matrix[i], n, n, s->life, t, why));
-    for (int p = 0; p + 1 < x->table.nmode; p++) {
-        TRY(matrix_need(&x->Ere[p], n, n, s->life, t, why));
-        TRY(matrix_need(&x->Eim[p], n, n, s->life, t, why));
-    }
-    return OK;
-}
 
 static void open_stages(struct stepper *s, struct adaptive *m, int stages, struct arena *life)
 {
@@ -83,15 +60,13 @@ static void open_stages(struct stepper *s, struct adaptive *m, int stages, struc
         for (int k = 0; k < 6; k++) *vector[k] = TAKE(life, double, o->n);
         x->q[i] = TAKE(life, double, o->nq);
     }
-    double **vector[] = {&x->x, &x->y, &x->gu, &x->gv};
-    for (int k = 0; k < 4; k++) *vector[k] = TAKE(life, double, o->n);
-    x->swap = TAKE(life, int, o->n);
-    for (int p = 0; p + 1 < x->table.nmode; p++) x->pairswap[p] = TAKE(life, int, o->n);
+    double **vector[] = {&x->e, &x->gu, &x->gv};
+    for (int k = 0; k < 3; k++) *vector[k] = TAKE(life, double, o->n);
+    stage_matrix_open(&x->matrix, &x->table, o, &s->effort, life);
     m->tolerance = .1 * pow(s->options.tolerance, (stages + 1) / (2. * stages));
     x->fnewt = larger(10 * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)));
     x->stale = true;
     m->own = x;
-    x->had = need(x, s, 0, &x->why);
 }
 
 static void open5(struct stepper *s, struct adaptive *m, struct arena *life)
@@ -107,75 +82,22 @@ static void open9(struct stepper *s, struct adaptive *m, struct arena *life)
 static void forget(struct adaptive *m)
 {
     struct radau *x = m->own;
-    x->h_before = x->h_factored = x->longer = 0;
+    x->h_before = x->longer = 0;
+    x->matrix.h = 0;
     x->stale = true;
     x->here = false;
 }
 
-/* ---- the matrices ---------------------------------------------------------------------------------------------- */
-
+/* M, C and K of the start of the step. */
 static enum status linearize(struct stepper *s, struct adaptive *m, double t, struct trouble *why)
 {
-    const struct ode2 *o = s->ode;
     struct radau *x = m->own;
     const struct instant there = {.t = t, .q = m->q, .v = m->v, .a = m->a, .ta = t, .tb = t};
-    if (x->had != OK) *why = x->why;
-    TRY(x->had);
-    TRY(o->ops->slopes(o, x->K, x->C, &there, ALL, why));
-    if (o->ops->turning) TRY(o->ops->turning(o, x->K, x->C, &there, ALL, why));
-    TRY(o->ops->mass(o, x->M, m->q, t, ALL, why));
-    s->effort.slow++;
-    s->effort.fast++;
+    (void)s;
+    TRY(stage_matrix_form(&x->matrix, &there, why));
     x->stale = false;
     x->here = true;
-    x->h_factored = 0;
     return OK;
-}
-
-static enum status factor(struct stepper *s, struct radau *x, double t, double h, struct trouble *why)
-{
-    const int n = s->ode->n;
-    const double g = h * x->table.mode[0].re;
-    s->effort.factors++;
-    for (int i = 0; i < n * n; i++) x->E[i] = x->M[i] + g * x->C[i] + g * g * x->K[i];
-    int pivot = factor_dense(x->E, x->swap, x->spare, &x->form, n);
-    for (int p = 0; p + 1 < x->table.nmode && pivot < 0; p++) {
-        const struct collocation_mode *mode = &x->table.mode[p + 1];
-        const double re = h * mode->re, im = h * mode->im, re2 = re * re - im * im, im2 = 2 * re * im;
-        for (int i = 0; i < n * n; i++) {
-            x->Ere[p][i] = x->M[i] + re * x->C[i] + re2 * x->K[i];
-            x->Eim[p][i] = im * x->C[i] + im2 * x->K[i];
-        }
-        pivot = complex_lu(x->Ere[p], x->Eim[p], x->pairswap[p], n);
-    }
-    if (pivot >= 0) return trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
-    x->h_factored = h;
-    return OK;
-}
-
-/* r := da of all stages. */
-static void solve(struct radau *x, int n)
-{
-    const int s = x->table.s;
-    double *da[STAGES];
-    for (int i = 0; i < s; i++) zero(da[i] = x->du[i], n); /* du is made anew afterwards */
-    for (int k = 0; k < x->table.nmode; k++) {
-        const struct collocation_mode *mode = &x->table.mode[k];
-        for (int j = 0; j < n; j++) {
-            double re = 0, im = 0;
-            for (int i = 0; i < s; i++) re -= mode->lre[i] * x->r[i][j], im -= mode->lim[i] * x->r[i][j];
-            x->x[j] = re;
-            x->y[j] = im;
-        }
-        if (k == 0)
-            solve_dense(x->E, x->swap, x->form, x->x, n);
-        else
-            complex_lu_solve(x->Ere[k - 1], x->Eim[k - 1], x->pairswap[k - 1], x->x, x->y, n);
-        for (int i = 0; i < s; i++)
-            for (int j = 0; j < n; j++)
-                da[i][j] += k == 0 ? mode->tre[i] * x->x[j] : 2 * (mode->tre[i] * x->x[j] - mode->tim[i] * x->y[j]);
-    }
-    for (int i = 0; i < s; i++) copy(x->r[i], da[i], n);
 }
 
 /* ---- the stages ------------------------------------------------------------------------------------------------ */
@@ -266,7 +188,7 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
     for (x->count = 1; x->count <= MOST_ITERATIONS; x->count++) {
         place(s, x, m, t, h, false);
         TRY(residuals(s, x, t, h, why));
-        solve(x, n);
+        stage_matrix_solve(&x->matrix, x->r);
         const double now = size(s, x, x->r, h), rounding = 1e-2 * x->fnewt;
         s->effort.sweeps++;
         if (!isfinite(now)) break;
@@ -301,13 +223,10 @@ static double error(const struct stepper *s, struct adaptive *m, double h)
         x->gu[k] = h * gu;
         x->gv[k] = h * gv;
     }
-    zero(x->x, n);
-    dense_gemv(x->x, 1, x->M, x->gv, n, n, n);
-    dense_gemv(x->x, -h * lambda, x->K, x->gu, n, n, n);
-    solve_dense(x->E, x->swap, x->form, x->x, n);
+    stage_matrix_error(&x->matrix, x->e, x->gu, x->gv);
     for (int k = 0; k < n; k++) {
-        const double ev = x->x[k] / adaptive_scale_v(s, k);
-        const double eq = (x->gu[k] + h * lambda * x->x[k]) / adaptive_scale_q(s, k);
+        const double ev = x->e[k] / adaptive_scale_v(s, k);
+        const double eq = (x->gu[k] + h * lambda * x->e[k]) / adaptive_scale_q(s, k);
         sum += ev * ev + eq * eq;
     }
     return sqrt(sum / (2 * n));
@@ -319,7 +238,7 @@ static enum status stages(struct stepper *s, struct adaptive *m, double t, doubl
     struct radau *x = m->own;
     for (int round = 0;; round++) {
         if (x->stale) TRY(linearize(s, m, t, why));
-        if (x->h_factored != h) TRY(factor(s, x, t, h, why));
+        if (x->matrix.h != h) TRY(stage_matrix_factor(&x->matrix, h, t, why));
         foresee(x, m, h, s->ode->n);
         const enum status status = iterate(s, m, t, h, why);
         if (status == OK || x->here || round > 0) return status;
@@ -394,11 +313,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
     recall_one(r, "theta", x->theta);
     recall_one(r, "stale", x->stale);
     if (x->stale) return OK;
-    TRY(need(x, s, 0, NULL));
-    recall_list(r, "M", x->M, n * n);
-    recall_list(r, "C", x->C, n * n);
-    recall_list(r, "K", x->K, n * n);
-    return OK;
+    return stage_matrix_recall(&x->matrix, r);
 }
 
 #define RADAU(open_)                                                                                                   \
