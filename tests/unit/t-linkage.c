@@ -384,8 +384,9 @@ static double unbalanced(const struct linkage *o, const struct system *s, const 
             system_loop_reaction(s, f, n, i - m->njoint);
         else
             system_reaction(s, f, n, i);
-        tree_mv(x, p[j->B].R, j->b);
-        for (int k = 0; k < 3; k++) x[k] += p[j->B].r[k];
+        const int on = sign < 0 ? j->A : j->B; /* the deck's second body */
+        tree_mv(x, p[on].R, sign < 0 ? m->joint[i].a : j->b);
+        for (int k = 0; k < 3; k++) x[k] += p[on].r[k];
         add_reaction(F, p, j->B, x, f, n, sign);
         add_reaction(F, p, j->A, x, f, n, -sign);
         for (int k = 0; k < 3; k++) most = fmax(most, fmax(fabs(f[k]), fabs(n[k])));
