@@ -157,6 +157,7 @@ static void print_quickest(FILE *to, const struct sim *sim, const char *what, in
 /* What the linearisation at the start asks of the steps. */
 static void print_frequencies(FILE *to, const struct sim *sim, struct arena *life)
 {
+    static const double slow = 1e-3; /* [rad] in a hundredth of the run */
     struct modes modes;
     struct report quiet = {0};
     double h;
@@ -168,6 +169,10 @@ static void print_frequencies(FILE *to, const struct sim *sim, struct arena *lif
     if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;
     if (sim->stepper.kind->adaptive) {
         fprintf(to, "  scheme %s chooses its own steps\n", sim->stepper.kind->name);
+        return;
+    }
+    if (fmax(modes.fast_top, modes.slow_top) * modes_longest_step(sim) < slow) {
+        fputs("  too slow to choose a step by: `fmdsub study` tells what steps are worth in the motion itself\n", to);
         return;
     }
     modes_suggest(&h, &ratio, &modes, sim);

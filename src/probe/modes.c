@@ -441,14 +441,19 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     return OK;
 }
 
+double modes_longest_step(const struct sim *sim)
+{
+    return (sim->plan.until - sim->scene->start) / 100;
+}
+
 void modes_suggest(double *h, int *ratio, const struct modes *o, const struct sim *sim)
 {
     static const double resolved = 0.1;
     enum { MOST_RATIO = 50 };
-    double until = sim->plan.until;
+    const double most = modes_longest_step(sim);
     bool split = o->fast_worst >= 0 && o->fast_top > 0;
-    double H = o->slow_top > 0 ? resolved / o->slow_top : until / 100;
+    double H = o->slow_top > 0 ? fmin(resolved / o->slow_top, most) : most;
     *h = split ? fmin(resolved / o->fast_top, H) : H;
     *h = pow(10, floor(log10(*h))) * floor(*h / pow(10, floor(log10(*h))) * 2 + 1e-9) / 2; /* two figures, down */
-    *ratio = split ? (int)fmax(1, fmin(MOST_RATIO, floor(fmin(H, until / 100) / *h))) : 1;
+    *ratio = split ? (int)fmax(1, fmin(MOST_RATIO, floor(H / *h))) : 1;
 }

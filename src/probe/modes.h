@@ -37,8 +37,10 @@ enum { MODES_MOST = 300 };
 /* About the state that the run has reached; E_LIMIT beyond MODES_MOST freedoms. */
 enum status modes_find(struct modes *o, const struct sim *sim, struct arena *life, struct report *report);
 
-/* A step and ratio that resolve what the linearisation shows: omega h = 0.1 of the quickest coordinate of each class.
- */
+/* A hundredth of the run: nobody wants fewer steps [s]. */
+double modes_longest_step(const struct sim *sim);
+/* A step and ratio that resolve what the linearisation shows: omega h = 0.1 of the quickest coordinate of each class; no
+ * major step longer than that. */
 void modes_suggest(double *h, int *ratio, const struct modes *o, const struct sim *sim);
 
 #endif
