@@ -186,6 +186,12 @@ asan:
 	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) \
 	    UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60 tests/run unit decks bad
 
+## coverage      lines and branches of src that the tests reach, by folder
+coverage:
+	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/coverage OPT=-O0 CFLAGS="$(CFLAGS) --coverage" all tests-built
+	@BUILD=$(BUILD)/coverage tests/run unit decks bad faults man order study hard validation users random || true
+	@BUILD=$(BUILD)/coverage sh tests/tools/coverage.sh $(BUILD)/coverage
+
 ## golden        what would change in the golden records, column by column; WRITE=1 rewrites them
 golden: $(PROGRAM) $(TOOLS)
 	@BUILD=$(BUILD) WRITE=$(WRITE) sh tests/tools/golden.sh
@@ -284,5 +290,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: coverage all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -4,12 +4,14 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-enum { SMALL = 12 }; /* up to here dense is no slower than any structure */
+enum { LARGE = 1 << 17 }; /* numbers: a run may have no memory for these and for all else; less ends it as any other */
+enum { SMALL = 12 };      /* up to here dense is no slower than any structure */
 
 enum status matrix_need(double **A, int rows, int columns, struct arena *life, double t, struct trouble *why)
 {
     if (*A) return OK;
-    if (!arena_allows((size_t)rows * (size_t)columns, sizeof **A)) {
+    const bool large = (size_t)rows * (size_t)columns > LARGE;
+    if (large && !arena_allows((size_t)rows * (size_t)columns, sizeof **A)) {
         (void)trouble_set(why, TROUBLE_MEMORY, -1, (double)rows * columns * (double)sizeof **A, t);
         return E_LIMIT;
     }
