@@ -50,16 +50,18 @@ static enum status study_one(struct study *o, const struct integrate *plan, cons
 }
 
 /* A scheme with steps of its own writes its records as often as the reference does. */
-static enum status study_tolerances(struct study *o, struct integrate *plan, double every, const struct scene *scene,
+static enum status study_tolerances(struct study *o, const char *scheme, double every, const struct scene *scene,
                                     const struct study_options *options, struct diags *diags, struct report *report)
 {
     for (int i = 0; i < options->ntolerance; i++) {
         struct step_options how = *(const struct step_options *)scene->integrate.options;
+        struct integrate plan = scene->integrate;
         how.tolerance = options->tolerance[i];
-        plan->options = &how;
-        plan->ratio = 1;
-        plan->step = every;
-        TRY(study_one(o, plan, scene, options, diags, report));
+        plan.scheme = scheme;
+        plan.options = &how;
+        plan.ratio = 1;
+        plan.step = every;
+        TRY(study_one(o, &plan, scene, options, diags, report));
     }
     return OK;
 }
@@ -72,7 +74,7 @@ static enum status study_scheme(struct study *o, const char *scheme, double ever
     struct integrate plan = scene->integrate;
     if (options->usual && kind->full && !o->reference.small) return OK;
     plan.scheme = kind->name;
-    if (kind->adaptive) return study_tolerances(o, &plan, every, scene, options, diags, report);
+    if (kind->adaptive) return study_tolerances(o, kind->name, every, scene, options, diags, report);
     for (int r = 0; r < ratios; r++)
         for (int s = 0; s < options->nstep; s++) {
             plan.ratio = kind->two_rates ? options->ratio[r] : 1;
