@@ -225,16 +225,16 @@ static void add_measure(struct listing *l, int i)
     add_row(l, &columns_measure[1], origin, s->angular);
 }
 
+/* The columns of a force are those of its type: a new one is a row here and a table in columns_force.c. */
 static void add_force(struct listing *l, int i)
 {
+    static const struct column_kind *const of[] = {[FORCE_LAW] = columns_law,
+                                                   [FORCE_VALUE] = columns_law,
+                                                   [FORCE_LOAD] = columns_load,
+                                                   [FORCE_BETWEEN] = columns_bushing};
     const struct model_force *f = &l->m->force[i];
     const struct origin origin = {.of = own(l, f->name, l->scene->force[i].node), .index = i};
-    if (f->measure >= 0)
-        add_angular(l, columns_law, origin, l->m->measure[f->measure].angular);
-    else if (f->type == FORCE_BETWEEN)
-        add_rows(l, columns_bushing, origin);
-    else
-        add_angular(l, columns_load, origin, f->torque);
+    add_angular(l, of[f->type], origin, f->measure >= 0 ? l->m->measure[f->measure].angular : f->torque);
 }
 
 static void add_drive(struct listing *l, int i)
