@@ -304,7 +304,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
     struct radau *x = m->own;
     const size_t n = (size_t)s->ode->n;
     for (int i = 0; i < x->table.s; i++) {
-        char name[16];
+        char name[24];
         snprintf(name, sizeof name, "before%d", i);
         recall_list(r, name, x->before[i], n);
     }
