@@ -80,6 +80,19 @@ enum status outcome_run(struct outcome *o, const struct scene *scene, const stru
     return stop_limit() ? fail(report, stop_status(), "the limit of %s is reached", stop_limit()) : stop_status();
 }
 
+struct integrate outcome_plan(struct step_options *how, const char *scheme, double tolerance, const struct scene *scene,
+                              double every)
+{
+    struct integrate plan = scene->integrate;
+    *how = *(const struct step_options *)plan.options;
+    how->tolerance = tolerance;
+    plan.scheme = scheme;
+    plan.options = how;
+    plan.ratio = 1;
+    plan.step = every;
+    return plan;
+}
+
 enum status outcome_size(int *n, const struct scene *scene, const struct integrate *plan, struct diags *diags,
                          struct report *report)
 {

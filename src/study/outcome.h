@@ -21,6 +21,10 @@ struct outcome {
     struct arena *life;
 };
 
+/* The deck's plan by a scheme that chooses its own steps, records `every` so often [s]; how becomes its options. */
+struct integrate outcome_plan(struct step_options *how, const char *scheme, double tolerance, const struct scene *scene,
+                              double every);
+
 /* Independent coordinates of the scene. */
 enum status outcome_size(int *n, const struct scene *scene, const struct integrate *plan, struct diags *diags,
                          struct report *report);

@@ -63,25 +63,11 @@ static void find_uncertainty(struct reference *o, const struct outcome *second)
     }
 }
 
-/* The deck's plan by another scheme. */
-static struct integrate plan_by(struct step_options *how, const char *scheme, double tolerance,
-                                const struct scene *scene, double every)
-{
-    struct integrate plan = scene->integrate;
-    *how = *(const struct step_options *)plan.options;
-    how->tolerance = tolerance;
-    plan.scheme = scheme;
-    plan.options = how;
-    plan.ratio = 1;
-    plan.step = every;
-    return plan;
-}
-
 static enum status run(struct outcome *o, const char *scheme, double tolerance, const struct scene *scene, double every,
                        const char *version, struct diags *diags, struct arena *life, struct report *report)
 {
     struct step_options how;
-    const struct integrate plan = plan_by(&how, scheme, tolerance, scene, every);
+    const struct integrate plan = outcome_plan(&how, scheme, tolerance, scene, every);
     TRY(outcome_run(o, scene, &plan, version, diags, life, report));
     if (o->status == OK || o->status == E_VERDICT) return OK;
     return fail(report, o->status, "no reference by %s: %.900s", scheme, o->report.text);
@@ -92,7 +78,7 @@ static enum status choose(struct reference *o, const struct scene *scene, double
                           struct report *report)
 {
     struct step_options how;
-    const struct integrate plan = plan_by(&how, "dopri5", 1e-3, scene, every);
+    const struct integrate plan = outcome_plan(&how, "dopri5", 1e-3, scene, every);
     int n = 0;
     TRY(outcome_size(&n, scene, &plan, diags, report));
     o->small = n <= MOST_DENSE;
@@ -128,6 +114,7 @@ enum status reference_make(struct reference *o, const struct scene *scene, doubl
 void reference_compare(struct errors *e, const struct reference *o, const struct outcome *run)
 {
     int r[2] = {-1, -1};
+    bool any = false;
     double last = -INFINITY;
     *e = (struct errors){.fast = NAN, .slow = NAN, .column = -1, .instants = -1};
     while (outcome_next(r, &o->run, run)) {
@@ -145,5 +132,7 @@ void reference_compare(struct errors *e, const struct reference *o, const struct
             e->column = c;
         }
     }
+    for (int c = 0; c < o->run.n; c++) any |= o->run.column[c].compared;
+    if (!any) e->worst = NAN;                                                    /* nothing to be right in */
     if (last < o->horizon * (1 - 1e-9)) e->fast = e->slow = e->worst = INFINITY; /* it stopped on the way */
 }

@@ -29,7 +29,7 @@ enum status reference_make(struct reference *o, const struct scene *scene, doubl
 
 struct errors {
     double fast, slow; /* coordinates, over their largest value; NAN: there are none */
-    double worst;      /* columns of the deck, over their range */
+    double worst;      /* columns of the deck, over their range; NAN: none is compared */
     int column;        /* which; -1: none */
     int instants;      /* that were compared, besides the start */
 };

@@ -54,13 +54,8 @@ static enum status study_tolerances(struct study *o, const char *scheme, double 
                                     const struct study_options *options, struct diags *diags, struct report *report)
 {
     for (int i = 0; i < options->ntolerance; i++) {
-        struct step_options how = *(const struct step_options *)scene->integrate.options;
-        struct integrate plan = scene->integrate;
-        how.tolerance = options->tolerance[i];
-        plan.scheme = scheme;
-        plan.options = &how;
-        plan.ratio = 1;
-        plan.step = every;
+        struct step_options how;
+        const struct integrate plan = outcome_plan(&how, scheme, options->tolerance[i], scene, every);
         TRY(study_one(o, &plan, scene, options, diags, report));
     }
     return OK;
