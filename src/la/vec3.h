@@ -148,6 +148,16 @@ static inline void s3_mul(double *o, const double *S, const double *x)
     o[2] = S[4] * x[0] + S[5] * x[1] + S[2] * x[2];
 }
 
+/* O = S^-1, not finite where S is singular. */
+static inline void s3_invert(double *O, const double *S)
+{
+    const double xx = S[0], yy = S[1], zz = S[2], xy = S[3], xz = S[4], yz = S[5];
+    const double C[6] = {yy * zz - yz * yz, xx * zz - xz * xz, xx * yy - xy * xy,
+                         xz * yz - xy * zz, xy * yz - xz * yy, xy * xz - xx * yz};
+    const double det = xx * C[0] + xy * C[3] + xz * C[4];
+    for (int i = 0; i < 6; i++) O[i] = C[i] / det;
+}
+
 /* O = R S R'. */
 static inline void s3_turn(double *O, const double *R, const double *S)
 {

@@ -29,7 +29,7 @@ enum status condense_own_rows(const struct condense *o, enum status status, stru
 static enum status end_velocities(struct condense *o, struct instant *whole, const struct instant *x,
                                   struct trouble *why)
 {
-    if (!x->va || !o->tree->ode.settle) return OK;
+    if (!x->va) return OK;
     TRY(condense_rates(o, o->va, NULL, x->qa, x->va, NULL, x->ta, why));
     TRY(condense_rates(o, o->vb, NULL, x->qb, x->vb, NULL, x->tb, why));
     whole->va = o->va;
@@ -57,7 +57,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
                                unsigned cls, struct trouble *why)
 {
     struct instant whole = *x;
-    TRY(end_velocities(o, &whole, x, why));
+    if (o->tree->floating.n) TRY(end_velocities(o, &whole, x, why));
     condense_time(o, x->t, x->ta, x->tb);
     whole.jump = condense_jumps(o);
     TRY(condense_driven(o, false, x->t, why));
@@ -135,7 +135,8 @@ static enum status settle(const struct ode2 *ode, double *q1, double *v1, const 
 {
     struct condense *o = ode->self;
     struct instant whole = *x;
-    TRY(end_velocities(o, &whole, x, why));
+    whole.qb = q1;
+    TRY(end_velocities(o, &whole, &whole, why));
     TRY(o->tree->ode.settle(&o->tree->ode, q1, o->vb, &whole, why));
     for (int i = 0; i < ode->n; i++) v1[i] = o->vb[o->split.ind[i]];
     return OK;

@@ -79,12 +79,19 @@ static bool floats(const struct model *m, const struct roots *r, int body)
     return r->count[body] > 1 || b->flex || v3_norm(j->b) > 0;
 }
 
+static bool is_by_itself(const struct model *m, const struct roots *r, int body)
+{
+    return r->of[body] == body && r->count[body] == 1 && !r->tied[body] && !r->from_out[body] && tumbles(m, body);
+}
+
 static void list_bodies(struct floating *o, const struct roots *r, struct arena *life)
 {
     const struct model *m = o->model;
     struct floater **of = TAKE(life, struct floater *, m->nbody);
     o->part = TAKE(life, struct floater, m->nbody);
+    o->tumbler = TAKE(life, struct tumbler, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
+        if (is_by_itself(m, r, i)) tumbler_make(&o->tumbler[o->ntumbler++], m, i);
         if (floats(m, r, i)) {
             of[i] = &o->part[o->n++];
             *of[i] = (struct floater){.body = TAKE(life, int, r->count[i]), .alone = !r->from_out[i]};
@@ -234,16 +241,6 @@ void floating_place(struct floating *o, struct instant *settled, const struct in
 
 /* --- the balances ------------------------------------------------------------------------------- */
 
-/* A := J^-1; NAN where J is singular: nothing turns about an axis then. */
-static void invert(double *A, const double *J)
-{
-    const double xx = J[0], yy = J[1], zz = J[2], xy = J[3], xz = J[4], yz = J[5];
-    const double C[6] = {yy * zz - yz * yz, xx * zz - xz * xz, xx * yy - xy * xy,
-                         xz * yz - xy * zz, xy * yz - xz * yy, xy * xz - xx * yz};
-    const double det = xx * C[0] + xy * C[3] + xz * C[4];
-    for (int i = 0; i < 6; i++) A[i] = C[i] / det;
-}
-
 /* The rate at which motion against the whole, of kinetic energy T_rel, must grow for the energy `missing` per unit
  * time. Both vanish with that motion; where it turns round within a step they say little of each other, and where it is
  * hardly there round-off of T says nothing. */
@@ -269,7 +266,7 @@ static void find_change(struct motion_change *o, const struct aggregate *now, co
         o->a[k] = (per * (b->p[k] - a->p[k]) - now->F[k]) / now->m;
         L[k] = per * (b->L[k] - a->L[k]) - now->N[k];
     }
-    invert(Jinv, now->J);
+    s3_invert(Jinv, now->J); /* not finite where nothing turns about an axis */
     s3_mul(w, Jinv, now->L);
     s3_mul(o->al, Jinv, L);
     const double missing = per * (b->T - a->T) - now->W - v3_dot(o->al, now->L);
@@ -314,7 +311,7 @@ static void finish(struct floating *o, double *v1, struct floater *f, double h)
     o->ops->aggregate(o->there, b, f->body, f->n, AGGREGATE_INERTIA);
     for (int k = 0; k < 3; k++) dv[k] = (a->p[k] - b->p[k]) / b->m + h * o->model->gravity[k];
     v3_diff(dL, a->L, b->L);
-    invert(Jinv, b->J);
+    s3_invert(Jinv, b->J);
     s3_mul(w, Jinv, dL);
     if (!isfinite(v3_dot(dv, dv) + v3_dot(w, w))) return;
     push_root(o, v1, f, dv, w);
@@ -323,7 +320,8 @@ static void finish(struct floating *o, double *v1, struct floater *f, double h)
 
 void floating_settle(struct floating *o, double *q1, double *v1, const struct instant *x)
 {
-    sample_ends(o, x);
+    for (int i = 0; i < o->ntumbler; i++) tumbler_settle(&o->tumbler[i], q1, v1, x);
+    if (o->n) sample_ends(o, x);
     for (int i = 0; i < o->n; i++) {
         struct floater *f = &o->part[i];
         double d[3];

@@ -18,7 +18,8 @@
  * quasi-velocities are and how fast the whole flies does not matter to what happens inside; in the plane it does not
  * matter either which body is the root.  settle() puts the tree where the centre is at the end of a step, by the
  * displacements of its root, and a midpoint where the mean of its ends is.  Where gravity is the only force from
- * outside it also takes away what the iteration has left in the momenta.
+ * outside it also takes away what the iteration has left in the momenta, and of a rigid body by itself in the energy
+ * (tumble.h).
  *
  * Without k v_rel the energy drifts (a robot of three links: 0.8 % in 50 000 steps): what turns is not what it is when
  * all goes backwards, so that a step that is the same both ways does not hold it.  Balances along the velocities:
@@ -29,6 +30,7 @@
 
 #include "base/arena.h"
 #include "model/model.h"
+#include "open/tumble.h"
 #include "system/ode2.h"
 #include "tree/sweep.h"
 
@@ -44,6 +46,8 @@ struct floater {
 struct floating {
     int n;
     struct floater *part; /* [n] */
+    int ntumbler;
+    struct tumbler *tumbler; /* [ntumbler] rigid bodies by themselves: settle() turns them to the last digit */
     const struct model *model;
     const struct sweep_ops *ops;
     struct sweep *there; /* its FAST bodies are those that float */
@@ -54,7 +58,7 @@ struct floating {
 };
 
 /* n = 0 where nothing floats.  A rigid body by itself on a joint in its centre does not: the midpoint rule is exact
- * there. */
+ * there, and it is a tumbler. */
 void floating_build(struct floating *o, const struct model *m, const struct sweep_ops *ops, struct arena *life);
 
 /* x, whose va and vb are of the whole tree, with qb settled, and with a q and v that floating_balance() moves. */

@@ -308,7 +308,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .chart = elements_follow(o->elements) ? &turns : NULL,
                            .breaks = isinf(first) ? NULL : &o->breaks,
                            .size = size_of,
-                           .settle = o->floating.n ? settle : NULL,
+                           .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};
 }

@@ -123,8 +123,9 @@ struct ode2 {
     double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
     /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
      * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
-     * it: at the end of a step settle() moves q1, which is x->qb, there, and v1, x->vb, by what is left of the
-     * residual.  E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
+     * it: at the end of a step settle() moves q1, which is x->qb where that is known, there, and v1, x->vb, by what is left of the
+     * residual.  x->t is the middle of a step of the midpoint rule, and x->tb where an interval is several of them.
+     * E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
     enum status (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why);
     int pointwise; /* nothing looks at qa and qb: they need not be known, and may be NULL */
     void *self;    /* the owner's */

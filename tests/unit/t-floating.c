@@ -378,6 +378,36 @@ static void test_pair(void **state)
     arena_close(o.life);
 }
 
+/* A rigid body by itself: nothing is left of Newton's tolerance; gravity, a second mechanism or where the joint stands
+ * make no difference. */
+static void test_tumble(void **state)
+{
+#define TUMBLES "bodies:\n  b: {mass: 1, inertia: [1, 2, 2.5, 0.1, -0.2, 0.15], at: [0.2, 0.1, 0.3]}\n"
+#define TUMBLES_ON "initial: {f.omega: [1, 2, 1.5], f.x_rate: 0.3, f.y_rate: 0.1}\n"
+    static const struct {
+        const char *text, *more;
+        int ratio;
+    } of[] = {{TUMBLES "constraints: {f: {free: [ground, b]}}\n" TUMBLES_ON, "", 1},
+              {TUMBLES "constraints: {f: {spherical: [ground, b], at: [0.2, 0.1, 0.3]}}\n"
+                       "initial: {f.omega: [1, 2, 1.5]}\n",
+               "gravity: [0, 0, -9.81]\n", 1},
+              {TUMBLES "constraints: {f: {free: [ground, b], at: [1, 2, 0]}}\n" TUMBLES_ON, "", 1}};
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct opened o;
+        begin(&o, of[i].text, of[i].more, "scheme: midpoint, step: 0.01, until: 1");
+        double p0[6], p[6], E0[2], E[2];
+        look(p0, E0, &o);
+        const struct drift d = drift(&o, .01, 1, 20000);
+        look(p, E, &o);
+        v3_take(p + 3, p0 + 3);
+        if (!(i == 1 ? v3_norm(p + 3) < 1e-12 * v3_norm(p0 + 3) : d.p < 1e-12 && d.L < 1e-12))
+            fail_msg("%zu: momenta drift by %g, %g", i, d.p, d.L);
+        if (!(d.E < 1e-12)) fail_msg("%zu: energy drifts by %g", i, d.E);
+        arena_close(o.life);
+    }
+}
+
 /* Where nothing moves against the whole, or all of it turns round at once, and not in a small step, the energy has
  * nothing to come right by: that is no harm. */
 static void test_quiet(void **state)
@@ -632,10 +662,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bodies_as_one), cmocka_unit_test(test_what_floats), cmocka_unit_test(test_kept),
-        cmocka_unit_test(test_pair),          cmocka_unit_test(test_quiet),       cmocka_unit_test(test_ledger),
-        cmocka_unit_test(test_impulse),       cmocka_unit_test(test_parabola),    cmocka_unit_test(test_boost),
-        cmocka_unit_test(test_root),          cmocka_unit_test(test_reversed),    cmocka_unit_test(test_order),
-        cmocka_unit_test(test_subcycled),
+        cmocka_unit_test(test_pair),          cmocka_unit_test(test_tumble),      cmocka_unit_test(test_quiet),
+        cmocka_unit_test(test_ledger),        cmocka_unit_test(test_impulse),     cmocka_unit_test(test_parabola),
+        cmocka_unit_test(test_boost),         cmocka_unit_test(test_root),        cmocka_unit_test(test_reversed),
+        cmocka_unit_test(test_order),         cmocka_unit_test(test_subcycled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
