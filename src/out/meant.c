@@ -69,8 +69,8 @@ struct meant meant_by(double x)
     const double size = fabs(x), sign = x < 0 ? -1 : 1;
     double p, q;
     if (!(size > 0 && size < INFINITY) || !(decimal(&p, &q, size) || fraction(&p, &q, size)))
-        return (struct meant){x, 0};
-    return (struct meant){x, sign * missed(size, p, q)};
+        return (struct meant){x, 0, x, 1};
+    return (struct meant){x, sign * missed(size, p, q), sign * p, q};
 }
 
 double meant_sum(const struct meant *a, double n, const struct meant *b)

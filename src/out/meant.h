@@ -8,11 +8,20 @@
 
 struct meant {
     double x, rest; /* the double, and what it misses */
+    double p, q;    /* the number is p/q: whole numbers, or the double itself and 1 */
 };
 
 struct meant meant_by(double x);
 
 /* a + n b to the nearest double; n a whole number below 2^53. */
 double meant_sum(const struct meant *a, double n, const struct meant *b);
+
+/* n b likewise, by one division where n p is exact. */
+static inline double meant_times(double n, const struct meant *b)
+{
+    static const double EXACT = 0x1p53;
+    const double p = n * b->p;
+    return b->q == 1 || (p < EXACT && p > -EXACT) ? p / b->q : meant_sum(&(struct meant){0, 0, 0, 1}, n, b);
+}
 
 #endif

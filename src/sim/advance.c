@@ -38,56 +38,62 @@ static enum status note(struct sim *sim, double h, int ratio)
 {
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
-    rotations_note(sim, h, ratio);
-    spins_note(sim);
-    tilts_note(sim);
-    TRY(idle_note(sim));
-    TRY(inertias_note(sim));
-    return deflections_note(sim);
+    if (sim->nrotation) rotations_note(sim, h, ratio);
+    if (sim->nspin) spins_note(sim);
+    if (sim->ntilt) tilts_note(sim);
+    if (sim->idle.n) TRY(idle_note(sim));
+    if (sim->negative) TRY(inertias_note(sim));
+    return sim->ndeflection ? deflections_note(sim) : OK;
 }
 
 static enum status halve(struct sim *sim, double h, int ratio, double to, int depth);
 
-/* Has the step that was booked last gone over a corner that it had better met? */
-static bool spoilt(const struct sim *sim, const struct ledger *before)
+/* What a watched step may have to go back to. */
+static void keep(struct sim *sim)
 {
-    const struct ledger *l = &sim->ledger;
-    if (!sim->stepper.kind->points || !system_may_bend(sim->system)) return false;
-    return fabs(l->residual - before->residual) > SPOILT * l->delta * l->norm && system_bent(sim->system);
+    single_save(sim->keep, sim->stepper.ode, &sim->x);
+    sim->kept = sim->ledger;
 }
 
-/* To the state before that step. */
-static enum status undo(struct sim *sim, const struct ledger *before, double t)
+/* To the state that was kept, at t. */
+static enum status undo(struct sim *sim, double t)
 {
     single_restore(sim->keep, sim->stepper.ode, &sim->x, t);
-    sim->ledger = *before;
+    sim->ledger = sim->kept;
     sim->stepper.effort.rejected++;
     TRY(system_back(sim->system, sim->x.q, sim->x.v, t, &sim->trouble));
     return stepper_start(&sim->stepper, &sim->x, &sim->trouble);
 }
 
-/* Is a step to be undone that was taken from t, with the ledger `before`? */
-static bool wrong(const struct sim *sim, const struct ledger *before, long charts)
+/* Has the step that was booked last gone over a corner that it had better met? */
+static bool spoilt(const struct sim *sim)
 {
-    return charts == system_charts(sim->system) && (system_pole(sim->system) >= 0 || spoilt(sim, before));
+    const struct ledger *l = &sim->ledger;
+    if (!sim->stepper.kind->points || !system_may_bend(sim->system)) return false;
+    return fabs(l->residual - sim->kept.residual) > SPOILT * l->delta * l->norm && system_bent(sim->system);
+}
+
+/* Watched: is the step to be undone that was taken in the chart of number `chart`? */
+static bool wrong(const struct sim *sim, long chart)
+{
+    return chart == system_charts(sim->system) && (system_pole(sim->system) >= 0 || spoilt(sim));
 }
 
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
-    const bool divisible = depth < MOST_HALVINGS;
-    const struct ledger before = sim->ledger;
+    const bool divisible = depth < MOST_HALVINGS, watched = sim->watched;
     const double t = sim->x.t;
-    const long charts = system_charts(sim->system);
-    if (sim->watched) single_save(sim->keep, sim->stepper.ode, &sim->x);
+    const long chart = watched ? system_charts(sim->system) : 0;
+    if (watched) keep(sim);
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
     if (status == E_NUMERIC && divisible) return halve(sim, h, ratio, to, depth);
     TRY(status);
     TRY(book(sim));
-    if (sim->watched && divisible && wrong(sim, &before, charts)) {
-        TRY(undo(sim, &before, t));
+    if (watched && divisible && wrong(sim, chart)) {
+        TRY(undo(sim, t));
         return halve(sim, h, ratio, to, depth);
     }
-    const int pole = system_pole(sim->system);
+    const int pole = watched ? system_pole(sim->system) : -1;
     if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
     return note(sim, h, ratio);
 }

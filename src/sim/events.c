@@ -85,7 +85,6 @@ static enum status check_condition(struct sim *sim, struct sink *sink, struct re
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct watch *w = &sim->watch;
-    if (!w->slot && w->nrange == 0) return OK;
     TRY(record_evaluate(sim, w->needs));
     for (int i = 0; i < w->nrange; i++) TRY(check_range(sim, &w->range[i], sink, report));
     return w->slot ? check_condition(sim, sink, report) : OK;

@@ -74,7 +74,6 @@ enum status idle_note(struct sim *sim)
 {
     static const double SHARE = 1e-4; /* of the run's energy */
     int most = 0;
-    if (sim->idle.n == 0) return OK;
     const double energy = idle_energy(&most, &sim->idle, sim->system);
     if (energy <= SHARE * sim->ledger.norm) return OK;
     return trouble_set(&sim->trouble, TROUBLE_IDLE, most, energy, sim->x.t);

@@ -40,11 +40,18 @@ uint64_t memory_of_steps(const struct sim *sim);
 enum status memory_recall(struct sim *sim, struct recall *r);
 enum status memory_take(struct sim *sim, struct arena *life, struct report *report);
 
-/* events.c: the end that the deck describes, joints that leave their range */
+/* events.c: the end that the deck describes, joints that leave their range; is there anything of this? */
 void events_open(struct sim *sim, struct arena *life);
+static inline bool events_watched(const struct sim *sim)
+{
+    return sim->watch.slot || sim->watch.nrange;
+}
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report);
 
+/* Watches of the step, below: one that has nothing to watch need not be called. */
+
 /* rotations.c: the farthest turn of a ball or free joint in one step */
+void rotations_open(struct sim *sim, struct arena *life);
 void rotations_note(struct sim *sim, double h, int ratio);
 void warn_of_rotations(struct sim *sim);
 

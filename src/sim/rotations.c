@@ -8,21 +8,29 @@
 
 static const double quarter_turn = 1.57079632679489662;
 
+/* A scheme of its own steps watches its own error. */
+void rotations_open(struct sim *sim, struct arena *life)
+{
+    const struct model *m = sim->model;
+    if (sim->stepper.kind->adaptive) return;
+    sim->rotation = TAKE(life, int, m->njoint);
+    for (int i = 0; i < m->njoint; i++)
+        if (m->joint[i].nq != m->joint[i].nv) sim->rotation[sim->nrotation++] = i;
+}
+
 /* After an accepted step of `ratio` minor steps h; rates as the last system_energy_at left them. */
 void rotations_note(struct sim *sim, double h, int ratio)
 {
     const struct model *m = sim->model;
     const double *v = m->nloop ? system_rates(sim->system) : sim->x.v;
-    if (sim->stepper.kind->adaptive) return; /* watches its own error */
-    for (int i = 0; i < m->njoint; i++) {
-        const struct model_joint *j = &m->joint[i];
-        if (j->nq == j->nv) continue;
+    for (int i = 0; i < sim->nrotation; i++) {
+        const struct model_joint *j = &m->joint[sim->rotation[i]];
         int iv = j->iv[j->nv - 3];
         double span = iv < m->ns || !sim->stepper.kind->two_rates ? h : h * ratio;
         double turn = v3_norm(v + iv) * span;
         if (!(turn > sim->turn)) continue;
         sim->turn = turn;
-        sim->turn_joint = i;
+        sim->turn_joint = sim->rotation[i];
         sim->t_turn = sim->x.t;
     }
 }

@@ -84,6 +84,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
     events_open(sim, life);
+    rotations_open(sim, life);
     deflections_open(sim, life);
     spins_open(sim, life);
     tilts_open(sim, life);
@@ -170,21 +171,16 @@ static enum status write_end(struct sim *sim, struct sink *sink, struct report *
  * start where that is no end of a step. */
 static double whole_step(const struct sim *sim, long k)
 {
-    return meant_sum(&sim->origin, (double)((sim->before + k) * sim->plan.ratio), &sim->step);
+    const double i = (double)((sim->before + k) * sim->plan.ratio);
+    return sim->origin.x == 0 ? meant_times(i, &sim->step) : meant_sum(&sim->origin, i, &sim->step);
 }
 
-/* The last one ends at `until`. */
-static double end_of(const struct sim *sim, long k)
-{
-    return k == sim->majors ? sim->plan.until : whole_step(sim, k);
-}
-
-/* Major step k; the last may be cut: same ratio, a smaller minor step. */
-static enum status major(struct sim *sim, long k)
+/* Major step k to its end at `to`; the last may be cut: same ratio, a smaller minor step. */
+static enum status major(struct sim *sim, long k, double to)
 {
     const struct integrate *p = &sim->plan;
-    double to = end_of(sim, k), h = p->step;
-    const double over = to - whole_step(sim, k);
+    const double over = k == sim->majors ? to - whole_step(sim, k) : 0;
+    double h = p->step;
     if (fabs(over) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
     sim->cut = over != 0;
     return advance(sim, h, p->ratio, to);
@@ -192,6 +188,7 @@ static enum status major(struct sim *sim, long k)
 
 static enum status check_events(struct sim *sim, struct sink *sink, struct report *report)
 {
+    if (!events_watched(sim)) return OK;
     enum status status = events_check(sim, sink, report);
     return status == E_NUMERIC ? describe_trouble(sim, &sim->trouble, status, report) : status;
 }
@@ -209,12 +206,13 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
 {
     enum { CHECK_EVERY = 64 };
     for (long k = 1; k <= sim->majors; k++) {
-        long charts = system_charts(sim->system);
-        if (sim->njump) TRY(jumps_check(sim, end_of(sim, k), sink, report));
-        enum status status = major(sim, k);
+        const long charts = system_charts(sim->system);
+        const double to = k == sim->majors ? sim->plan.until : whole_step(sim, k);
+        if (sim->njump) TRY(jumps_check(sim, to, sink, report));
+        enum status status = major(sim, k, to);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
-        TRY(passes_check(sim, sink, report));
+        if (sim->npass) TRY(passes_check(sim, sink, report));
         TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(write_row(sim, sink, report));

@@ -65,7 +65,8 @@ struct sim {
     struct stepper stepper;
     struct state x;
     bool watched;        /* steps may be undone */
-    struct single *keep; /* then the state before */
+    struct single *keep; /* then the state before, */
+    struct ledger kept;  /* and the ledger */
     struct ledger ledger;
     struct catalogue catalogue;
     int nformula;
@@ -84,8 +85,10 @@ struct sim {
     bool cut;            /* and it ended where no step of a longer run does */
     const char *forgets; /* why what is in the state besides coordinates is left there; NULL: it is not */
     long rows;
-    double min_h;        /* smallest minor step taken */
-    double turn, t_turn; /* farthest turn of a ball or free joint in one step [rad], when */
+    double min_h; /* smallest minor step taken */
+    int nrotation;
+    int *rotation;       /* [nrotation] ball and free joints */
+    double turn, t_turn; /* their farthest turn in one step [rad], when */
     int turn_joint;      /* and whose */
     int ndeflection;
     struct deflection {

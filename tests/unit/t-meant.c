@@ -11,12 +11,13 @@
 
 #include "out/meant.h"
 
-static const struct meant nothing = {0, 0};
-
+/* Both ways. */
 static double times(double n, double x)
 {
-    const struct meant m = meant_by(x);
-    return meant_sum(&nothing, n, &m);
+    const struct meant m = meant_by(x), nothing = meant_by(0);
+    const double t = meant_times(n, &m);
+    if (t != meant_sum(&nothing, n, &m)) fail_msg("%.17g times %.17g: %.17g by division", n, x, t);
+    return t;
 }
 
 /* n/q by one division, which is exact to the last bit. */
@@ -43,6 +44,8 @@ static void long_runs(void **state)
     assert_true(times(9, 1e-3) == 0.009);
     assert_true(times(-9, 1e-3) == -0.009);
     assert_true(times(9, -1e-3) == -0.009);
+    assert_true(times(1000, 0.123456789012345) == 123.456789012345); /* 1000 p is no double any more */
+    assert_true(times(1e6, 123456.789012345) == 123456789012.345);
 }
 
 /* From a start of its own. */
