@@ -5,7 +5,7 @@
  *     Q = g_i' f_i,   V = sum V_i,   K += g_i' ks_i g_i,   C += g_i' kv_i g_i
  *
  * where K leaves out how the rows turn: that counts with the force.  Over an interval the work is -(V_b - V_a) to
- * round-off: the remainder, of third order, is given to the rotations (see law.c). */
+ * round-off: the remainder, of third order, is given back as remainder.c has it. */
 #include <math.h>
 
 #include "force/parts.h"
@@ -78,8 +78,8 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
     e->ops->twist(s, f->b.body, o.n_b);
     e->ops->twist(s, f->a.body, o.n_a);
     if (x->qa && x->qb)
-        give_to_rotations(to->r, p, p->end[0] - p->end[1] - o.kept * (x->tb - x->ta), fabs(p->end[0]) + fabs(p->end[1]),
-                          x);
+        give_remainder(e, s, to->r, p, p->end[0] - p->end[1] - o.kept * (x->tb - x->ta),
+                       fabs(p->end[0]) + fabs(p->end[1]), strains.at_a, strains.at_b, x);
     if (to->w) to->w[POWER_DAMPER] += o.lost;
     if (to->effect) *to->effect = (struct effect){sqrt(o.force), v3_norm(o.n_b), sqrt(o.displacement), o.kept + o.lost};
 }

@@ -42,6 +42,13 @@ static void meet(struct elements *e, bool *modes, int a, int b)
         }
 }
 
+/* The root of the body's tree, if nothing but its joint holds that to the ground and it lets it go anyhow; else 0. */
+static int flying_root(const struct model *m, int body)
+{
+    while (body > 0 && m->body[body].parent > 0) body = m->body[body].parent;
+    return body > 0 && m->joint[m->body[body].joint].nv == (m->space == 2 ? 3 : 6) ? body : 0;
+}
+
 /* Without rotations the elastic coordinates, which bend the points' ways too. */
 static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
 {
@@ -65,16 +72,23 @@ static void add_plain(struct elements *e, int force, const struct affine *law)
 
 static void add_other(struct elements *e, int force, const bool *turns, struct arena *life)
 {
-    const struct model_force *f = &e->model->force[force];
+    const struct model *m = e->model;
+    const struct model_force *f = &m->force[force];
     struct part_of *p = &e->other[e->nother[ALL]++];
     struct touched on;
     *p = (struct part_of){.kind = kinds[f->type], .force = force};
-    if (p->kind->sort) p->kind->sort(p, e->model, f);
+    if (p->kind->sort) p->kind->sort(p, m, f);
     if (p->reads) p->last = TAKE(life, double, f->nslot);
     if (p->reads) p->now = TAKE(life, double, f->nslot);
     if (!p->ends) return;
-    model_touched(&on, e->model, f, 0);
-    find_rotations(p, e, on.a, on.b, turns, life);
+    model_touched(&on, m, f, 0);
+    const int a = flying_root(m, on.a), b = flying_root(m, on.b);
+    if (a > 0 && b > 0 && a != b) {
+        p->a = on.a;
+        p->b = on.b;
+    } else {
+        find_rotations(p, e, on.a, on.b, turns, life);
+    }
     e->ends[f->cls] = e->ends[ALL] = true;
 }
 

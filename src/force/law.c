@@ -7,9 +7,7 @@
  *  - a distance's direction is scaled by 2 s/(s_a + s_b), s at the middle: of two points that move on straight
  *    lines, s (s_b^2 - s_a^2)/2 = (x_b - x_a) . (change of x_b - x_a) s, the work is exact so, and the
  *    force stays on the line of the points, which keeps both momenta;
- *  - what is left is of third order and made by rotations: a remainder E of work goes to the rotations u_k that
- *    change the measure, Q_k += E u_k / (h u.u); where only flexible bodies change it, to their coordinates.  Gonzalez,
- *    J. Nonlinear Sci. 6 (1996) 449, with this choice of the direction dq.
+ *  - what is left is of third order and made by rotations: a remainder E of work, see remainder.c.
  *
  * With g the row of a measure, r = ... - g' f gives
  *
@@ -45,15 +43,6 @@ static double change(double k, double kref)
     return size > 0 ? fabs(k - kref) / size : 0;
 }
 
-void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x)
-{
-    double h = x->tb - x->ta, vv = 0;
-    if (fabs(E) <= 64 * DBL_EPSILON * scale) return;
-    for (int i = 0; i < p->nturn; i++) vv += x->v[p->turn[i]] * x->v[p->turn[i]];
-    if (!(vv > 0) || h == 0) return;
-    for (int i = 0; i < p->nturn; i++) r[p->turn[i]] -= E / (h * vv) * x->v[p->turn[i]];
-}
-
 /* An angle in space that came round from pi to -pi. */
 static bool past_half_turn(const struct elements *e, const struct model_measure *def, const double *end)
 {
@@ -82,8 +71,8 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
         if (end && def->type == MEASURE_DISTANCE && end[0] + end[1] > 0) stretch = 2 * act.s / (end[0] + end[1]);
         action_push(&e->measures, s, &act, stretch * kept + lost);
         if (end)
-            give_to_rotations(to->r, p, kept * (end[1] - end[0] - stretch * act.rate * (x->tb - x->ta)),
-                              fabs(kept) * (fabs(end[0]) + fabs(end[1])), x);
+            give_remainder(e, s, to->r, p, kept * (end[1] - end[0] - stretch * act.rate * (x->tb - x->ta)),
+                           fabs(kept) * (fabs(end[0]) + fabs(end[1])), act.at_a, act.at_b, x);
     }
     if (to->w) {
         to->w[POWER_DAMPER] += lost * act.rate;

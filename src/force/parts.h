@@ -5,6 +5,7 @@
  *     law.c             laws along a measure
  *     signal.c          values along a measure, loads at points and on bodies
  *     between.c         kinds between two markers
+ *     remainder.c       work that a stored energy misses over an interval
  *     slopes.c          rows into matrices
  */
 #ifndef FMDSUB_FORCE_PARTS_H
@@ -26,7 +27,7 @@ struct part_of {
     bool stores;        /* it has energy */
     bool diagonal;      /* its slopes, if any, are along joint coordinates one by one, for diagonal() */
     bool linear;        /* its law is affine */
-    bool ends;          /* keeps energy by what stood at the interval's ends (see law.c) */
+    bool ends;          /* keeps energy by what stood at the interval's ends (see law.c, remainder.c) */
     double end[2];      /* what end() says of these */
     double kref;        /* a law's slope at the last slopes() */
     bool poles;         /* it may have poles */
@@ -39,8 +40,9 @@ struct part_of {
     bool reads;         /* it knows what it has read: */
     double *last, *now; /* [slots of the force] at the start of the last step, at its end */
     bool pole;          /* it has grown without bound in the last step */
+    int a, b;           /* the bodies, where each is part of another tree that flies; else both 0 */
     int nturn;
-    const int *turn; /* [nturn] rotations that change the measure: on one body's path and not on the other's */
+    const int *turn; /* [nturn] else: rotations that change the measure: on one body's path and not on the other's */
 };
 
 /* Where loads go; members as the arguments of elements_load(), effect that of the element; r is required. */
@@ -108,8 +110,10 @@ bool law_bent(const struct elements *e, const struct part_of *p);
 /* What stood at one end (0: qa, 1: qb) of the interval, for the elements that want to know. */
 void measure_end(struct elements *e, const struct instant *x, int end, enum rate cls);
 
-/* The remainder E of work, of terms of the size `scale`, given to the rotations. */
-void give_to_rotations(double *r, const struct part_of *p, double E, double scale, const struct instant *x);
+/* remainder.c: the remainder E of work, of terms of the size `scale`, given to the rotations, or to the relative motion
+ * of a and b about the middle of the points at_a and at_b [3] of these. */
+void give_remainder(const struct elements *e, struct sweep *s, double *r, const struct part_of *p, double E,
+                    double scale, const double *at_a, const double *at_b, const struct instant *x);
 
 /* slopes.c: A += scale row' column */
 void outer(const struct elements *e, double *A, const struct row *row, const struct row *column, double scale);

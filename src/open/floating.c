@@ -5,155 +5,9 @@
 #include <string.h>
 
 #include "la/vec3.h"
-#include "model/touch.h"
 
 static const double FADES = 1e-8; /* what is left of T there, which is good to 16 digits */
 static const double MOST = .1; /* of the motion of the bodies against the whole may change in a step for the energy */
-
-/* --- what floats -------------------------------------------------------------------------------- */
-
-/* Does it let its body move anyhow?  Its displacements come first. */
-static bool travels(const struct model *m, const struct model_joint *j)
-{
-    return j->nv == (m->space == 2 ? 3 : 6);
-}
-
-/* Of the bodies that hang on the ground: [nbody]. */
-struct roots {
-    int *of;               /* each body's root; the ground's is 0 */
-    int *count;            /* bodies that have it */
-    bool *tied, *from_out; /* by a loop; a force acts on it from outside */
-};
-
-/* a, b: bodies that something stands between. */
-static void part(bool *mark, const struct roots *r, int a, int b)
-{
-    if (r->of[a] == r->of[b]) return;
-    mark[r->of[a]] = mark[r->of[b]] = true;
-}
-
-static void mark_loops(struct roots *r, const struct model *m)
-{
-    for (int i = 0; i < m->nloop; i++) {
-        const struct model_loop *l = &m->loop[i];
-        for (int k = 0; k < l->nterm; k++) part(r->tied, r, m->joint[l->term[k].joint].parent, l->term[k].joint + 1);
-        if (l->nterm == 0) part(r->tied, r, l->first, l->second);
-    }
-}
-
-/* By what they act on.  joint [n]: the one whose velocity it is; -1: of a mode. */
-static void mark_forces(struct roots *r, const struct model *m, const int *joint)
-{
-    for (int i = 0; i < m->nforce; i++) {
-        struct touched t;
-        model_touched(&t, m, &m->force[i], 0);
-        if (t.a >= 0)
-            part(r->from_out, r, t.a, t.b);
-        else if (joint[t.iv] >= 0)
-            part(r->from_out, r, m->joint[joint[t.iv]].parent, m->joint[joint[t.iv]].child);
-    }
-}
-
-static void find_roots(struct roots *r, const struct model *m, struct arena *life)
-{
-    int *joint = TAKE(life, int, m->n);
-    *r = (struct roots){TAKE(life, int, m->nbody), TAKE(life, int, m->nbody), TAKE(life, bool, m->nbody),
-                        TAKE(life, bool, m->nbody)};
-    for (int i = 1; i < m->nbody; i++) {
-        r->of[i] = m->body[i].parent == 0 ? i : r->of[m->body[i].parent];
-        r->count[r->of[i]]++;
-    }
-    for (int i = 0; i < m->n; i++) joint[i] = -1;
-    for (int i = 0; i < m->njoint; i++)
-        for (int k = 0; k < m->joint[i].nv; k++) joint[m->joint[i].iv[k]] = i;
-    mark_loops(r, m);
-    mark_forces(r, m, joint);
-}
-
-/* More than one body held in its centre. */
-static bool floats(const struct model *m, const struct roots *r, int body)
-{
-    const struct model_body *b = &m->body[body];
-    const struct model_joint *j = &m->joint[b->joint];
-    if (b->parent != 0 || !travels(m, j) || r->tied[body]) return false;
-    return r->count[body] > 1 || b->flex || v3_norm(j->b) > 0;
-}
-
-static bool is_by_itself(const struct model *m, const struct roots *r, int body)
-{
-    return r->of[body] == body && r->count[body] == 1 && !r->tied[body] && !r->from_out[body] && tumbles(m, body);
-}
-
-static void list_bodies(struct floating *o, const struct roots *r, struct arena *life)
-{
-    const struct model *m = o->model;
-    struct floater **of = TAKE(life, struct floater *, m->nbody);
-    o->part = TAKE(life, struct floater, m->nbody);
-    o->tumbler = TAKE(life, struct tumbler, m->nbody);
-    for (int i = 1; i < m->nbody; i++) {
-        if (is_by_itself(m, r, i)) tumbler_make(&o->tumbler[o->ntumbler++], m, i);
-        if (floats(m, r, i)) {
-            of[i] = &o->part[o->n++];
-            *of[i] = (struct floater){.body = TAKE(life, int, r->count[i]), .alone = !r->from_out[i]};
-        }
-        struct floater *f = of[r->of[i]];
-        if (f) f->body[f->n++] = i;
-    }
-}
-
-/* A sweep whose FAST bodies are those that float; what has no mass at their nodes adds nothing. */
-static struct sweep *build_there(const struct floating *o, struct arena *life)
-{
-    const struct model *m = o->model;
-    bool *bodies = TAKE(life, bool, m->nbody);
-    for (int i = 0; i < o->n; i++)
-        for (int k = 0; k < o->part[i].n; k++) bodies[o->part[i].body[k]] = !m->body[o->part[i].body[k]].at_node;
-    return o->ops->build(m, FOR_STEPS, bodies, life);
-}
-
-/* The root's velocities, and how its displacements move it. */
-static void find_root(struct floating *o, struct floater *f)
-{
-    const struct model *m = o->model;
-    const struct model_joint *j = &m->joint[m->body[f->body[0]].joint];
-    f->nv = j->nv;
-    f->nslide = m->space;
-    f->slide = j->iq;
-    f->iv = j->iv;
-    v3_copy(f->hung, m->body[0].at);
-    m3_mul_add(f->hung, m->body[0].R, j->a);
-    for (int k = 0; k < f->nslide; k++) {
-        double w[3];
-        o->ops->partial(o->there, f->e[k], w, f->body[0], f->hung, j->iv[k]);
-        o->still[f->slide[k]] = 0;
-    }
-}
-
-static void take_memory(struct floating *o, struct arena *life)
-{
-    for (int i = 0; i < 2; i++) {
-        o->q[i] = TAKE(life, double, o->model->nq);
-        o->v[i] = TAKE(life, double, o->model->n);
-    }
-    o->still = TAKE(life, double, o->model->nq);
-    o->at = TAKE(life, double, o->model->nq);
-    o->to = TAKE(life, double, o->model->nq);
-    o->moving = TAKE(life, double, o->model->n);
-}
-
-void floating_build(struct floating *o, const struct model *m, const struct sweep_ops *ops, struct arena *life)
-{
-    struct roots roots;
-    find_roots(&roots, m, life);
-    *o = (struct floating){.model = m, .ops = ops};
-    list_bodies(o, &roots, life);
-    if (o->n == 0) return;
-    take_memory(o, life);
-    o->there = build_there(o, life);
-    ops->move(o->there, m->q0, m->v0, FAST);
-    for (int i = 0; i < m->nq; i++) o->still[i] = 1;
-    for (int i = 0; i < o->n; i++) find_root(o, &o->part[i]);
-}
 
 /* --- the ends of the step ----------------------------------------------------------------------- */
 
@@ -208,12 +62,12 @@ static void centre(double *c, const struct floater *f, int end, const double *q)
     for (int k = 0; k < f->nslide; k++) v3_axpy(c, q[f->slide[k]], f->e[k]);
 }
 
-/* How far c_a + h (p_a + p_b)/(2 m) is from the centre at qb. */
-static void left_behind(double *d, const struct floater *f, const struct instant *x)
+/* How far c_a + h (p_a + p_b)/(2 m) is from the centre at q1, the end of the step. */
+static void left_behind(double *d, const struct floater *f, const struct instant *x, const double *q1)
 {
     const double half = .5 * (x->tb - x->ta) / f->end[0].m;
     double c[3];
-    centre(c, f, 1, x->qb);
+    centre(c, f, 1, q1);
     centre(d, f, 0, x->qa);
     v3_axpy(d, half, f->end[0].p);
     v3_axpy(d, half, f->end[1].p);
@@ -234,7 +88,7 @@ void floating_place(struct floating *o, struct instant *settled, const struct in
     settled->qb = memcpy(o->to, x->qb, sizeof *o->to * (size_t)o->model->nq);
     for (int i = 0; i < o->n; i++) {
         double d[3];
-        left_behind(d, &o->part[i], x);
+        left_behind(d, &o->part[i], x, x->qb);
         slide(o->to, &o->part[i], d);
     }
 }
@@ -302,34 +156,99 @@ static void push_root(const struct floating *o, double *v, const struct floater 
     }
 }
 
-/* p_b = p_a + h m g, L_b = L_a: what the iteration has left of that is far below what the step is good for. */
-static void finish(struct floating *o, double *v1, struct floater *f, double h)
+/* Trees as one: mass, centre, momentum, angular momentum about the centre. */
+struct sum {
+    double m, c[3], p[3], L[3], J[6];
+};
+
+/* c: where the centres are [3] each. */
+static void add_up(struct sum *o, const struct floater *f, int n, int end, double (*c)[3])
 {
-    const struct aggregate *a = &f->end[0];
-    struct aggregate *b = &f->end[1];
-    double dv[3], dL[3], w[3], Jinv[6];
-    o->ops->aggregate(o->there, b, f->body, f->n, AGGREGATE_INERTIA);
-    for (int k = 0; k < 3; k++) dv[k] = (a->p[k] - b->p[k]) / b->m + h * o->model->gravity[k];
-    v3_diff(dL, a->L, b->L);
-    s3_invert(Jinv, b->J);
+    *o = (struct sum){.m = 0};
+    for (int i = 0; i < n; i++) {
+        double d[3];
+        v3_diff(d, c[i], c[0]);
+        o->m += f[i].end[end].m;
+        v3_axpy(o->c, f[i].end[end].m, d);
+        v3_add(o->p, f[i].end[end].p);
+    }
+    v3_scale(o->c, 1 / o->m, o->c);
+    v3_add(o->c, c[0]);
+    for (int i = 0; i < n; i++) {
+        const struct aggregate *x = &f[i].end[end];
+        double d[3];
+        v3_diff(d, c[i], o->c);
+        v3_add(o->L, x->L);
+        v3_cross_add(o->L, d, x->p);
+        for (int k = 0; k < 3; k++) {
+            o->J[k] += x->J[k] + x->m * (v3_dot(d, d) - d[k] * d[k]);
+            o->J[3 + k] += x->J[3 + k] - x->m * d[k == 2 ? 1 : 0] * d[k == 0 ? 1 : 2];
+        }
+    }
+}
+
+/* Centres at both ends, the second where the momenta lead. */
+static void find_centres(struct floating *o, const struct floater *f, int n, const struct instant *x, const double *q1)
+{
+    for (int i = 0; i < n; i++) {
+        double d[3];
+        centre(o->centre[0][i], &f[i], 0, x->qa);
+        centre(o->centre[1][i], &f[i], 1, q1);
+        left_behind(d, &f[i], x, q1);
+        v3_add(o->centre[1][i], d);
+    }
+}
+
+/* Velocity of the centre and turn of the whole group for p_b = p_a + h m g, L_b = L_a; false: there is none. */
+static bool find_rest(double *dv, double *w, double *c, struct floating *o, const double *q1, const struct group *g,
+                      const struct instant *x)
+{
+    const struct floater *f = &o->part[g->first];
+    struct sum a, b;
+    double dL[3], Jinv[6];
+    find_centres(o, f, g->n, x, q1);
+    add_up(&a, f, g->n, 0, o->centre[0]);
+    add_up(&b, f, g->n, 1, o->centre[1]);
+    for (int k = 0; k < 3; k++) dv[k] = (a.p[k] - b.p[k]) / b.m + (x->tb - x->ta) * o->model->gravity[k];
+    v3_diff(dL, a.L, b.L);
+    s3_invert(Jinv, b.J);
     s3_mul(w, Jinv, dL);
-    if (!isfinite(v3_dot(dv, dv) + v3_dot(w, w))) return;
-    push_root(o, v1, f, dv, w);
-    v3_axpy(b->p, b->m, dv);
+    v3_copy(c, b.c);
+    return isfinite(v3_dot(dv, dv) + v3_dot(w, w));
+}
+
+/* What the iteration has left in the momenta of a group is far below what the step is good for.  Turning changes where
+ * the momenta lead its trees, so that for more than one it takes some passes. */
+static void finish(struct floating *o, double *q1, double *v1, const struct group *g, const struct instant *x)
+{
+    enum { PASSES = 6 };
+    struct floater *f = &o->part[g->first];
+    double dv[3], w[3], c[3];
+    for (int i = 0; i < g->n; i++) o->ops->aggregate(o->there, &f[i].end[1], f[i].body, f[i].n, AGGREGATE_INERTIA);
+    for (int pass = 0; pass < (g->n > 1 ? PASSES : 1) && find_rest(dv, w, c, o, q1, g, x); pass++)
+        for (int i = 0; i < g->n; i++) {
+            struct aggregate *b = &f[i].end[1];
+            double d[3], u[3], L[3];
+            v3_diff(d, o->centre[1][i], c);
+            v3_copy(u, dv);
+            v3_cross_add(u, w, d);
+            push_root(o, v1, &f[i], u, w);
+            v3_axpy(b->p, b->m, u);
+            s3_mul(L, b->J, w);
+            v3_add(b->L, L);
+        }
+    o->known[1] = false;
 }
 
 void floating_settle(struct floating *o, double *q1, double *v1, const struct instant *x)
 {
     for (int i = 0; i < o->ntumbler; i++) tumbler_settle(&o->tumbler[i], q1, v1, x);
     if (o->n) sample_ends(o, x);
+    for (int i = 0; i < o->ngroup; i++)
+        if (o->group[i].alone) finish(o, q1, v1, &o->group[i], x);
     for (int i = 0; i < o->n; i++) {
-        struct floater *f = &o->part[i];
         double d[3];
-        if (f->alone) {
-            finish(o, v1, f, x->tb - x->ta);
-            o->known[1] = false;
-        }
-        left_behind(d, f, x);
-        slide(q1, f, d);
+        left_behind(d, &o->part[i], x, q1);
+        slide(q1, &o->part[i], d);
     }
 }

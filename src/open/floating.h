@@ -17,9 +17,11 @@
  * moments, and along v, p.p/(2m) + T rises by h v.Q, the work of all forces: the ledger's own sum.  What the root's
  * quasi-velocities are and how fast the whole flies does not matter to what happens inside; in the plane it does not
  * matter either which body is the root.  settle() puts the tree where the centre is at the end of a step, by the
- * displacements of its root, and a midpoint where the mean of its ends is.  Where gravity is the only force from
- * outside it also takes away what the iteration has left in the momenta, and of a rigid body by itself in the energy
- * (tumble.h).
+ * displacements of its root, and a midpoint where the mean of its ends is.  Trees that act on each other are a group;
+ * its moments sum up to nothing where each force has its opposite on the same line at the middle of the step
+ * (force/remainder.c), and so the sum of its momenta is kept.  Where gravity is the only force on a group from outside,
+ * settle() also takes away what the iteration has left in that sum, by one rigid motion of all, and of a rigid body by
+ * itself in the energy (tumble.h).
  *
  * Without k v_rel the energy drifts (a robot of three links: 0.8 % in 50 000 steps): what turns is not what it is when
  * all goes backwards, so that a step that is the same both ways does not hold it.  Balances along the velocities:
@@ -39,13 +41,20 @@ struct floater {
     int nv, nslide;          /* velocities of its root, the first nslide displacements */
     const int *slide, *iv;   /* places of these displacements in q, of the velocities in v */
     double e[3][3], hung[3]; /* directions of the displacements; the point that they displace, undisplaced; world */
-    bool alone;              /* no force acts on it from outside but gravity */
     struct aggregate end[2]; /* its momenta at the ends; c for an undisplaced root */
+};
+
+/* Floating trees that act on each other. */
+struct group {
+    int first, n; /* of the list of floaters */
+    bool alone;   /* no force acts on them from outside but gravity: the sum of their momenta is known */
 };
 
 struct floating {
     int n;
-    struct floater *part; /* [n] */
+    struct floater *part; /* [n] group by group */
+    int ngroup;
+    struct group *group; /* [ngroup] */
     int ntumbler;
     struct tumbler *tumbler; /* [ntumbler] rigid bodies by themselves: settle() turns them to the last digit */
     const struct model *model;
@@ -55,10 +64,11 @@ struct floating {
     bool known[2];
     double *still;            /* [nq] 0: a displacement of a root, else 1 */
     double *at, *to, *moving; /* [nq], [nq], [n] */
+    double (*centre[2])[3];   /* [n] of a group's trees at the ends of a step */
 };
 
-/* n = 0 where nothing floats.  A rigid body by itself on a joint in its centre does not: the midpoint rule is exact
- * there, and it is a tumbler. */
+/* n = 0 where nothing floats.  A rigid body on a joint in its centre does not, unless others that fly turn it: the
+ * midpoint rule is exact there, and by itself it is a tumbler. */
 void floating_build(struct floating *o, const struct model *m, const struct sweep_ops *ops, struct arena *life);
 
 /* x, whose va and vb are of the whole tree, with qb settled, and with a q and v that floating_balance() moves. */

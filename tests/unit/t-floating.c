@@ -354,7 +354,7 @@ static void test_kept(void **state)
 }
 
 /* Two that fly together, with a force between that is work: it takes from one what it gives to the other, and its
- * moments are nothing for both.  (One that keeps an energy keeps that, and the angular momentum to second order.) */
+ * moments are nothing for both. */
 static void test_pair(void **state)
 {
     static const char pair[] = "bodies:\n"
@@ -376,6 +376,50 @@ static void test_pair(void **state)
     const struct drift d = drift(&o, .01, 1, 2000);
     if (!(d.p < 1e-10 && d.L < 1e-10)) fail_msg("momenta drift by %g, %g", d.p, d.L);
     arena_close(o.life);
+}
+
+/* Mechanisms and bodies that fly and pull at each other, with energies that are kept: as well as one by itself. */
+static void test_groups(void **state)
+{
+#define SPIN3 "initial: {f.omega: [0, 3, 1], s.omega: [3, 4, 2], g.omega: [1, 0, 5], u.angle1: 0.5, u.angle2_rate: 2}\n"
+#define TREES                                                                                                          \
+    "bodies:\n"                                                                                                        \
+    "  a: {mass: 2, inertia: [0.3, 0.4, 0.5], at: [0, 0, 0], points: {h: [0.5, 0.1, 0]}}\n"                            \
+    "  b: {mass: 1, inertia: [0.1, 0.1, 0.15], at: [0.9, 0, 0], points: {h: [-0.3, 0, 0.1]}}\n"                        \
+    "  c: {mass: 1, inertia: [0.1, 0.2, 0.15], at: [3, 0, 0]}\n"                                                       \
+    "  d: {mass: 0.3, inertia: [0.01, 0.02, 0.015], at: [3.4, 0, 0], points: {p: [0, 0.1, 0.2]}}\n"                    \
+    "constraints:\n"                                                                                                   \
+    "  f: {free: [ground, a]}\n  s: {spherical: [a, b], at: [0.5, 0, 0]}\n"                                            \
+    "  g: {free: [ground, c]}\n  u: {universal: [c, d], at: [3.2, 0, 0], axis: [0, 1, 0], axis2: [0, 0, 1]}\n"
+#define LONE                                                                                                           \
+    "bodies:\n"                                                                                                        \
+    "  a: {mass: 1, inertia: [0.05, 0.08, 0.06, 0.01, -0.008, 0.005], at: [0, 0, 0], points: {p: [0.3, 0.1, 0]}}\n"    \
+    "  b: {mass: 2, inertia: [1, 2, 2.5], at: [1, 0, 0], points: {p: [0.1, 0.2, -0.3]}}\n"                             \
+    "constraints: {j: {free: [ground, a]}, k: {free: [ground, b]}}\n"                                                  \
+    "initial: {j.omega: [1, 2, 3], k.omega: [1, -1, 2], k.x_rate: 1, k.z: 0.3}\n"
+    static const struct {
+        const char *text, *more;
+        double E;
+    } of[] = {
+        {TREES SPIN3, "forces: {k: {spring: [b.h, d.p], stiffness: 50}, e: {spring: u.angle1, stiffness: 20}}\n", 1e-6},
+        {TREES SPIN3, "forces: {k: {spring: [b.h, d.p], stiffness: 50, damping: 3}}\n", INFINITY},
+        {LONE, "forces: {s: {spring: [a.p, b.p], stiffness: 90}}\n", 1e-6},
+        {LONE, "forces: {s: {bushing: [a, b], at: [0.5, 0.1, 0.2], stiffness: [30, 30, 30], rotation: [3, 3, 3]}}\n",
+         1e-6},
+        {LONE, "measures: {x: {distance: [a.p, b]}}\nforces: {s: {force: x, value: -9*x^3}}\n", 1e-6}};
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+        for (int ratio = 1; ratio <= 4; ratio += 3) {
+            struct opened o;
+            char how[200];
+            snprintf(how, sizeof how, "scheme: %s, step: 0.002, ratio: %d, until: 2",
+                     ratio > 1 ? "subcycle" : "midpoint", ratio);
+            begin(&o, of[i].text, of[i].more, how);
+            const struct drift d = drift(&o, .002 * ratio, ratio, 1000);
+            if (!(d.p < 1e-12 && d.L < 1e-12)) fail_msg("%zu at %d: momenta drift by %g, %g", i, ratio, d.p, d.L);
+            if (!(ratio > 1 || d.E < of[i].E)) fail_msg("%zu: energy drifts by %g", i, d.E);
+            arena_close(o.life);
+        }
 }
 
 /* A rigid body by itself: nothing is left of Newton's tolerance; gravity, a second mechanism or where the joint stands
@@ -662,10 +706,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bodies_as_one), cmocka_unit_test(test_what_floats), cmocka_unit_test(test_kept),
-        cmocka_unit_test(test_pair),          cmocka_unit_test(test_tumble),      cmocka_unit_test(test_quiet),
-        cmocka_unit_test(test_ledger),        cmocka_unit_test(test_impulse),     cmocka_unit_test(test_parabola),
-        cmocka_unit_test(test_boost),         cmocka_unit_test(test_root),        cmocka_unit_test(test_reversed),
-        cmocka_unit_test(test_order),         cmocka_unit_test(test_subcycled),
+        cmocka_unit_test(test_pair),          cmocka_unit_test(test_groups),      cmocka_unit_test(test_tumble),
+        cmocka_unit_test(test_quiet),         cmocka_unit_test(test_ledger),      cmocka_unit_test(test_impulse),
+        cmocka_unit_test(test_parabola),      cmocka_unit_test(test_boost),       cmocka_unit_test(test_root),
+        cmocka_unit_test(test_reversed),      cmocka_unit_test(test_order),       cmocka_unit_test(test_subcycled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
