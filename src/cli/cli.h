@@ -22,8 +22,9 @@ struct request {
     int nset;
     const char *set[MOST_SETS];    /* --set, and --columns, --every, --until as such */
     const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
-    const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *at, *final_state;
-    bool quiet, verbose, want_stats, strict, expanded, help, version;
+    const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *budget, *at,
+        *final_state;
+    bool quiet, verbose, want_stats, strict, expanded, absolute, help, version;
     const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
 };

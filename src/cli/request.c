@@ -8,7 +8,7 @@
 #include "out/columns.h"
 
 const struct cli_option cli_options[] = {
-    {"format", "csv|ndjson|json", 'f', "run check", "form of the records (default csv); check: json"},
+    {"format", "csv|ndjson|json", 'f', "run check study", "form of the records (default csv); check: json"},
     {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
     {"set", "PATH=VALUE", 's', "run check study modes list", "change the deck: --set integrate.ratio=10"},
     {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
@@ -21,10 +21,12 @@ const struct cli_option cli_options[] = {
     {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
     {"schemes", "a,b", 0, "study", "schemes to compare (default: those that make sense for the deck)"},
     {"ratios", "1,5,10", 0, "study", "ratios for sub-cycling schemes"},
-    {"steps", "h1,h2", 0, "study", "minor steps (default: the deck's, its half, its quarter)"},
-    {"tolerances", "1e-3,1e-5", 0, "study", "of schemes that choose their own steps (default: 1e-3, 1e-5, 1e-7, 1e-9)"},
+    {"steps", "h1,h2", 0, "study", "minor steps of schemes that take one (default: the deck's and its parts)"},
+    {"tolerances", "1e-3,1e-5", 0, "study", "of schemes that choose their own steps (default: 1e-2 to 1e-9)"},
     {"pick", "ERROR", 0, "study", "print the cheapest setting of that error as lines of a deck, nothing else"},
-    {"repeats", "N", 0, "study", "time each run N times, keep the least (default 3)"},
+    {"repeats", "N", 0, "study", "time each run N times, keep the least (0: no times; default: up to 3)"},
+    {"budget", "SECONDS|none", 0, "study", "CPU time that it may take, foretold by counts (default 60)"},
+    {"absolute", NULL, 0, "study", "errors in the unit of the worst column"},
     {"at", "SECONDS", 0, "modes", "linearise there instead of at the start"},
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
     {"quiet", NULL, 'q', NULL, "no plan line, no summary"},
@@ -37,7 +39,7 @@ const struct cli_option cli_options[] = {
     {0},
 };
 
-enum { MOST_OPTIONS = 31, FIRST_CODE = 1000 };
+enum { MOST_OPTIONS = 40, FIRST_CODE = 1000 };
 
 static int count_options(void)
 {
@@ -149,6 +151,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"tolerances", &o->tolerances},
                  {"pick", &o->pick},
                  {"repeats", &o->repeats},
+                 {"budget", &o->budget},
                  {"at", &o->at},
                  {"final-state", &o->final_state},
                  {"max-memory", &o->max_memory},
@@ -156,8 +159,8 @@ static enum status take(struct request *o, const char *name, const char *value, 
     struct {
         const char *name;
         bool *to;
-    } flags[] = {{"quiet", &o->quiet}, {"verbose", &o->verbose}, {"strict", &o->strict},
-                 {"help", &o->help},   {"version", &o->version}, {"expanded", &o->expanded}};
+    } flags[] = {{"quiet", &o->quiet},     {"verbose", &o->verbose},   {"strict", &o->strict},    {"help", &o->help},
+                 {"version", &o->version}, {"expanded", &o->expanded}, {"absolute", &o->absolute}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)

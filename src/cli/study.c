@@ -11,6 +11,7 @@
 #include "out/columns.h"
 #include "out/stream.h"
 #include "out/targets.h"
+#include "study/rows.h"
 
 enum { MOST_CHOICES = 64 };
 
@@ -31,98 +32,111 @@ static enum status read_number_list(double *x, int *n, const char *option, const
 }
 
 struct choices {
-    const char *scheme[MOST_CHOICES];
+    const struct stepper_kind *scheme[MOST_CHOICES];
     int ratio[MOST_CHOICES];
     double step[MOST_CHOICES], tolerance[MOST_CHOICES];
 };
 
-static enum status choose_schemes(struct study_options *o, struct choices *c, const struct scene *scene,
-                                  const struct request *request, struct arena *life, struct report *report)
+static enum status choose_schemes(struct study_options *o, struct choices *c, const struct request *request,
+                                  struct arena *life, struct report *report)
 {
-    if (request->schemes) {
-        const char **words = columns_split(&o->nscheme, request->schemes, life);
-        if (o->nscheme == 0) return fail(report, E_USAGE, "--schemes names no scheme");
-        if (o->nscheme > MOST_CHOICES) return fail(report, E_USAGE, "--schemes: more than %d", MOST_CHOICES);
-        for (int i = 0; i < o->nscheme; i++) {
-            c->scheme[i] = words[i];
-            if (!stepper_find(words[i])) return fail(report, E_USAGE, "--schemes: no scheme '%.40s'", words[i]);
-        }
-        return OK;
+    if (!request->schemes) return OK;
+    const char **words = columns_split(&o->nscheme, request->schemes, life);
+    if (o->nscheme == 0) return fail(report, E_USAGE, "--schemes names no scheme");
+    if (o->nscheme > MOST_CHOICES) return fail(report, E_USAGE, "--schemes: more than %d", MOST_CHOICES);
+    for (int i = 0; i < o->nscheme; i++) {
+        c->scheme[i] = stepper_find(words[i]);
+        if (!c->scheme[i]) return fail(report, E_USAGE, "--schemes: no scheme '%.40s'", words[i]);
     }
-    o->usual = true;
-    const bool steps = scene->integrate.step > 0 || request->steps;
-    const bool rates = steps && (scene->integrate.ratio > 1 || request->ratios);
-    const struct {
-        const char *scheme;
-        bool fits;
-    } usual[] = {{"midpoint", steps}, {"newmark", steps}, {"subcycle", rates}, {"miao", rates},
-                 {"dopri5", true},    {"dop853", true},   {"radau9", true}};
-    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++)
-        if (usual[i].fits) c->scheme[o->nscheme++] = usual[i].scheme;
     return OK;
 }
 
-static enum status choose_numbers(struct study_options *o, struct choices *c, const struct scene *scene,
-                                  const struct request *request, struct arena *life, struct report *report)
+static enum status choose_budget(struct study_options *o, const struct request *request, struct report *report)
+{
+    char *end;
+    o->budget = 60;
+    if (!request->budget) return OK;
+    if (strcmp(request->budget, "none") == 0) {
+        o->budget = INFINITY;
+        return OK;
+    }
+    o->budget = strtod(request->budget, &end);
+    if (*end || !(o->budget > 0) || !isfinite(o->budget))
+        return fail(report, E_USAGE, "--budget takes seconds, or none, not '%.40s'", request->budget);
+    return OK;
+}
+
+static enum status choose_numbers(struct study_options *o, struct choices *c, const struct request *request,
+                                  struct arena *life, struct report *report)
 {
     double x[MOST_CHOICES];
-    double h = scene->integrate.step;
-    int n = scene->integrate.ratio;
-    o->nratio = 1; /* at ratio 1 a scheme of two rates is one of the others */
-    c->ratio[0] = n;
-    if (request->ratios) {
-        TRY(read_number_list(x, &o->nratio, "ratios", request->ratios, true, life, report));
-        for (int i = 0; i < o->nratio; i++) c->ratio[i] = (int)x[i];
-    }
-    o->nstep = 3;
-    for (int i = 0; i < 3; i++) c->step[i] = h / (1 << i);
+    int one = 0;
+    if (request->ratios) TRY(read_number_list(x, &o->nratio, "ratios", request->ratios, true, life, report));
+    for (int i = 0; i < o->nratio; i++) c->ratio[i] = (int)x[i];
     if (request->steps) TRY(read_number_list(c->step, &o->nstep, "steps", request->steps, false, life, report));
-    bool fixed = false;
-    for (int i = 0; i < o->nscheme; i++) fixed |= !stepper_find(c->scheme[i])->adaptive;
-    if (fixed && !(h > 0) && !request->steps)
-        return fail(report, E_USAGE, "the deck has no 'step': name some with --steps");
-    static const double usual[] = {1e-3, 1e-5, 1e-7, 1e-9};
-    o->ntolerance = 4;
-    memcpy(c->tolerance, usual, sizeof usual);
     if (request->tolerances)
         TRY(read_number_list(c->tolerance, &o->ntolerance, "tolerances", request->tolerances, false, life, report));
     for (int i = 0; i < o->ntolerance; i++)
         if (c->tolerance[i] > .1) return fail(report, E_USAGE, "--tolerances: at most 0.1");
-    o->repeats = 3;
-    if (request->repeats) {
-        int one;
-        TRY(read_number_list(x, &one, "repeats", request->repeats, true, life, report));
-        if (one == 1) o->repeats = (int)x[0];
+    o->repeats = -1;
+    if (!request->repeats) return OK;
+    if (strcmp(request->repeats, "0") == 0) {
+        o->repeats = 0;
+        return OK;
     }
+    TRY(read_number_list(x, &one, "repeats", request->repeats, true, life, report));
+    if (one != 1) return fail(report, E_USAGE, "--repeats takes one number");
+    o->repeats = (int)x[0];
     return OK;
 }
 
-/* CSV into a file, renamed when whole. */
-static enum status write_file(const struct table *table, const char *path, struct arena *life, struct report *report)
-{
-    struct stream stream;
-    const char *csv = table_csv(table, life);
-    TRY(stream_create(&stream, path, life, report));
-    enum status status = stream_put(&stream, csv, strlen(csv), report);
-    enum status closed = stream_close(&stream, status == OK, report);
-    return status == OK ? closed : status;
-}
-
-/* The wanted setting alone, or all rows and what they say. */
+/* The wanted setting alone, or what the rows say. */
 static enum status print_study(const struct study *study, double pick, const struct request *request,
-                               struct arena *life, struct report *report)
+                               struct report *report)
 {
-    const struct table *table = study_table(study, life);
-    if (request->output) TRY(write_file(table, request->output, life, report));
     if (request->pick) {
         const struct study_row *row = study_pick(study, pick);
         if (!row) return fail(report, E_VERDICT, "no run of the study has an error below %g", pick);
         study_print_pick(row, stdout);
         return OK;
     }
-    if (!request->output) TRY(table_print(table, !isatty(STDOUT_FILENO), stdout, report));
     if (!request->quiet) study_answer(study, stderr);
     return OK;
+}
+
+static enum rows_form form_of(const struct request *request)
+{
+    const char *word = request->format;
+    if (!word) return request->output || !isatty(STDOUT_FILENO) ? ROWS_CSV : ROWS_TABLE;
+    return strcmp(word, "csv") == 0 ? ROWS_CSV : strcmp(word, "ndjson") == 0 ? ROWS_NDJSON : ROWS_JSON;
+}
+
+static enum status no_row(void *self, const struct study_row *row, struct report *report)
+{
+    (void)self, (void)row, (void)report;
+    return OK;
+}
+
+/* Rows to stdout or a file as they are done; a file that is not whole keeps its other name. */
+static enum status run_rows(struct study *study, const struct scene *scene, struct study_options *o,
+                            struct diags *diags, const struct request *request, struct arena *life,
+                            struct report *report)
+{
+    struct stream stream;
+    struct rows rows = {.form = form_of(request), .absolute = request->absolute, .stream = &stream};
+    if (request->output)
+        TRY(stream_create(&stream, request->output, life, report));
+    else
+        TRY(stream_open(&stream, STDOUT_FILENO, "standard output", life, report));
+    o->done = rows_put;
+    o->self = &rows;
+    enum status status = rows_begin(&rows, report);
+    if (status == OK) status = study_run(study, scene, o, diags, life, report);
+    struct report late = {0};
+    const enum status ended = rows_end(&rows, &late), closed = stream_close(&stream, status == OK, &late);
+    if (status != OK || (ended == OK && closed == OK)) return status;
+    *report = late;
+    return ended != OK ? ended : closed;
 }
 
 enum status verb_study(const struct request *request, struct arena *life, struct report *report)
@@ -130,23 +144,30 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     struct scene *scene;
     struct diags *diags = NULL;
     struct choices choices = {0};
-    struct study study;
+    struct study study = {0};
     double pick = 0;
     int one = 0;
     struct study_options o = {.version = FMDSUB_VERSION,
                               .log = request->quiet ? NULL : stderr,
+                              .progress = request->quiet || !isatty(STDERR_FILENO) ? NULL : stderr,
                               .scheme = choices.scheme,
                               .ratio = choices.ratio,
                               .step = choices.step,
-                              .tolerance = choices.tolerance};
+                              .tolerance = choices.tolerance,
+                              .done = no_row};
     enum status status = cli_load(&scene, &diags, request, life, report);
     const struct target table_file = {"--output", request->output, true};
     if (status == OK) status = targets_check(&table_file, 1, &scene->deck->read, life, report);
     if (status == OK && request->pick)
         status = read_number_list(&pick, &one, "pick", request->pick, false, life, report);
-    if (status == OK) status = choose_schemes(&o, &choices, scene, request, life, report);
-    if (status == OK) status = choose_numbers(&o, &choices, scene, request, life, report);
-    if (status == OK) status = study_run(&study, scene, &o, diags, life, report);
+    if (status == OK) status = choose_schemes(&o, &choices, request, life, report);
+    if (status == OK) status = choose_numbers(&o, &choices, request, life, report);
+    if (status == OK) status = choose_budget(&o, request, report);
+    if (status == OK && request->pick && !request->output)
+        status = study_run(&study, scene, &o, diags, life, report);
+    else if (status == OK)
+        status = run_rows(&study, scene, &o, diags, request, life, report);
+    if (status != OK && study.nrow && !request->quiet) study_answer(&study, stderr);
     TRY(cli_told(diags, request, status));
-    return print_study(&study, pick, request, life, report);
+    return print_study(&study, pick, request, report);
 }

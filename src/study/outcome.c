@@ -5,23 +5,41 @@
 #include <string.h>
 
 #include "base/stop.h"
+#include "multirate/schemes.h"
+
+/* Rows as they come, and whether to go on. */
+struct keeper {
+    struct outcome *to;
+    const struct sim *sim;
+    const struct price *price;
+    double most; /* [s] */
+    struct arena *life;
+};
 
 static enum status keep_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
 {
-    struct outcome *o = sink->self;
+    struct keeper *k = sink->self;
     (void)report;
-    o->n = meta->n;
-    o->rows = 0;
+    k->to->n = meta->n;
     return OK;
+}
+
+static enum status look(struct keeper *k)
+{
+    const struct stepper *s = &k->sim->stepper;
+    if (price_seconds(k->price, s->kind, &s->effort) <= k->most) return OK;
+    k->to->over = true;
+    return E_LIMIT;
 }
 
 static enum status keep_row(struct sink *sink, const double *x, struct report *report)
 {
-    struct outcome *o = sink->self;
+    struct keeper *k = sink->self;
+    struct outcome *o = k->to;
     (void)report;
-    o->x = arena_more(o->life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
+    o->x = arena_more(k->life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
     memcpy(o->x + (size_t)o->rows++ * (size_t)o->n, x, (size_t)o->n * sizeof *x);
-    return OK;
+    return look(k);
 }
 
 static enum status keep_event(struct sink *sink, double t, const char *kind, const char *text, struct report *report)
@@ -38,71 +56,99 @@ static enum status keep_end(struct sink *sink, const struct run_summary *summary
 
 static enum status keep_tick(struct sink *sink, double now, struct report *report)
 {
-    (void)sink, (void)now, (void)report;
-    return OK;
+    (void)now, (void)report;
+    return look(sink->self);
 }
 
 static const struct sink_ops memory_ops = {keep_meta, keep_row, keep_event, keep_end, keep_tick};
 
-/* Evaluations of the fast part count as the share of coordinates that is fast. */
-static double work_of(const struct sim *sim)
+bool by_tolerance(const struct stepper_kind *kind)
 {
-    static const double PRICE = 3; /* of a matrix, where the system does not know it */
-    const struct ode2 *o = sim->stepper.ode;
-    const struct effort *e = &sim->stepper.effort;
-    const double fast = o->n > 0 ? (double)o->ns / o->n : 0, price = o->price > 0 ? o->price : PRICE;
-    return (double)e->slow * (1 - fast) + (double)e->fast * fast + (double)e->factors * price;
+    return key_find(kind->keys, "tolerance") != NULL;
 }
 
-static void note(struct outcome *o, const struct sim *sim, struct arena *life)
+struct integrate outcome_plan(struct step_options *how, const struct setting *setting, const struct subject *subject)
 {
-    o->n = sim->chosen.n;
-    o->column = TAKE(life, struct outcome_column, o->n);
-    for (int i = 0; i < o->n; i++)
-        o->column[i] =
-            (struct outcome_column){sim->columns[i].name, sim_column_rate(sim, i), sim_column_compared(sim, i)};
-    o->effort = sim->stepper.effort;
-    o->energy_share = ledger_share(&sim->ledger);
-    o->cpu = sim->cpu;
-    o->work = work_of(sim);
-}
-
-enum status outcome_run(struct outcome *o, const struct scene *scene, const struct integrate *plan, const char *version,
-                        struct diags *diags, struct arena *life, struct report *report)
-{
-    const struct sim_options quiet = {.version = version, .counting = true};
-    struct sim sim;
-    *o = (struct outcome){.life = life};
-    TRY(sim_open(&sim, scene, plan, &quiet, diags, life, report));
-    struct sink sink = {&memory_ops, o};
-    o->status = sim_run(&sim, &sink, &o->report);
-    note(o, &sim, life);
-    return stop_limit() ? fail(report, stop_status(), "the limit of %s is reached", stop_limit()) : stop_status();
-}
-
-struct integrate outcome_plan(struct step_options *how, const char *scheme, double tolerance, const struct scene *scene,
-                              double every)
-{
-    struct integrate plan = scene->integrate;
+    struct integrate plan = subject->scene->integrate;
     *how = *(const struct step_options *)plan.options;
-    how->tolerance = tolerance;
-    plan.scheme = scheme;
+    how->tolerance = isfinite(setting->tolerance) ? setting->tolerance : 0;
+    plan.scheme = setting->kind->name;
     plan.options = how;
-    plan.ratio = 1;
-    plan.step = every;
+    plan.until = subject->until;
+    plan.ratio = setting->ratio;
+    plan.step = isfinite(setting->step) ? setting->step : subject->every;
     return plan;
 }
 
-enum status outcome_size(int *n, const struct scene *scene, const struct integrate *plan, struct diags *diags,
-                         struct report *report)
+static const struct sim_options *quiet(struct sim_options *o, const struct subject *subject)
 {
-    const struct sim_options quiet = {.counting = true};
-    struct arena *life = arena_open();
+    *o = (struct sim_options){.version = subject->version, .counting = true};
+    return o;
+}
+
+enum status outcome_check(const struct setting *setting, const struct subject *subject, struct report *report)
+{
+    struct sim_options options;
+    struct step_options how;
     struct sim sim;
-    const enum status status = sim_open(&sim, scene, plan, &quiet, diags, life, report);
-    if (status == OK) *n = sim.stepper.ode->n;
-    arena_close(life);
+    const struct integrate plan = outcome_plan(&how, setting, subject);
+    struct arena *scratch = arena_open();
+    const enum status status =
+        sim_open(&sim, subject->scene, &plan, quiet(&options, subject), subject->diags, scratch, report);
+    arena_close(scratch);
     return status;
+}
+
+enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
+                        struct arena *life, struct report *report)
+{
+    struct sim_options options;
+    struct step_options how;
+    struct sim sim;
+    const struct integrate plan = outcome_plan(&how, setting, subject);
+    struct keeper keeper = {o, &sim, &subject->price, most, life};
+    struct sink sink = {&memory_ops, &keeper};
+    *o = (struct outcome){0};
+    TRY(sim_open(&sim, subject->scene, &plan, quiet(&options, subject), subject->diags, life, report));
+    o->status = sim_run(&sim, &sink, &o->report);
+    o->effort = sim.stepper.effort;
+    o->energy_share = ledger_share(&sim.ledger);
+    o->cpu = sim.cpu;
+    o->seconds = price_seconds(&subject->price, setting->kind, &o->effort);
+    o->work = round(o->seconds / subject->price.evaluation);
+    return stop_limit() ? fail(report, stop_status(), "the limit of %s is reached", stop_limit()) : stop_status();
+}
+
+/* Any that opens whatever the deck says of steps. */
+static const struct stepper_kind *any_kind(void)
+{
+    int i = 0;
+    while (!(by_tolerance(stepper_kinds[i]) && stepper_kinds[i]->adaptive && !stepper_kinds[i]->full)) i++;
+    return stepper_kinds[i];
+}
+
+enum status subject_open(struct subject *o, const struct scene *scene, const char *version, struct diags *diags,
+                         struct arena *life, struct report *report)
+{
+    const struct integrate *plan = &scene->integrate;
+    const double H = plan->step * plan->ratio * (scene->output.every_steps ? (double)scene->output.every_steps : 1);
+    const struct setting any = {any_kind(), 1e-3, NAN, 1};
+    struct sim_options options;
+    struct step_options how;
+    struct sim sim;
+    *o = (struct subject){.scene = scene, .version = version, .until = plan->until, .diags = diags};
+    o->every = scene->output.every > 0 ? scene->output.every : H > 0 ? H : (plan->until - scene->start) / 100;
+    const struct integrate open = outcome_plan(&how, &any, o);
+    TRY(sim_open(&sim, scene, &open, quiet(&options, o), diags, life, report));
+    o->n = sim.stepper.ode->n;
+    o->ns = sim.stepper.ode->ns;
+    o->ncolumn = sim.chosen.n;
+    o->column = TAKE(life, struct outcome_column, o->ncolumn);
+    for (int i = 0; i < o->ncolumn; i++)
+        o->column[i] = (struct outcome_column){sim.columns[i].name, sim.columns[i].unit, sim_column_rate(&sim, i),
+                                               sim_column_compared(&sim, i)};
+    price_find(&o->price, &sim);
+    return OK;
 }
 
 bool outcome_next(int *r, const struct outcome *a, const struct outcome *b)

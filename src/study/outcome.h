@@ -3,36 +3,61 @@
 #define FMDSUB_STUDY_OUTCOME_H
 
 #include "sim/sim.h"
+#include "study/price.h"
+
+/* What is known of a deck before it is run. */
+struct subject {
+    const struct scene *scene;
+    const char *version;
+    double until; /* [s] end of all runs */
+    double every; /* [s] between records */
+    int n, ns;    /* independent coordinates; of these fast */
+    int ncolumn;
+    struct outcome_column {
+        const char *name, *unit;
+        int rate;      /* 1: a fast coordinate, 0: a slow one, -1: something else */
+        bool compared; /* the deck asks for it, and it is of the motion */
+    } * column;        /* [ncolumn] */
+    struct price price;
+    struct diags *diags;
+};
 
 struct outcome {
     int n, rows, capacity;
     double *x; /* [rows x n] by row, t first */
-    struct outcome_column {
-        const char *name;
-        int rate;      /* 1: a fast coordinate, 0: a slow one, -1: something else */
-        bool compared; /* the deck asks for it, and it is of the motion */
-    } * column;        /* [n] */
     struct effort effort;
-    double work; /* evaluations of all bodies, matrices at their price in these: counts, whatever the machine */
-    double cpu;  /* [s] */
+    double seconds; /* that its counts stand for */
+    double work;    /* the same in evaluations of all bodies */
+    double cpu;     /* [s] */
     double energy_share;
+    bool over;          /* it was stopped on the way, since its work passed what it may take */
     enum status status; /* OK, E_VERDICT, or why it stopped: report */
     struct report report;
-    struct arena *life;
 };
 
-/* The deck's plan by a scheme that chooses its own steps, records `every` so often [s]; how becomes its options. */
-struct integrate outcome_plan(struct step_options *how, const char *scheme, double tolerance, const struct scene *scene,
-                              double every);
+/* Opens the deck once. */
+enum status subject_open(struct subject *o, const struct scene *scene, const char *version, struct diags *diags,
+                         struct arena *life, struct report *report);
 
-/* Independent coordinates of the scene. */
-enum status outcome_size(int *n, const struct scene *scene, const struct integrate *plan, struct diags *diags,
-                         struct report *report);
+/* A way of running the deck: one scheme by a tolerance, or by a step and a ratio; NAN: not by that. */
+struct setting {
+    const struct stepper_kind *kind;
+    double tolerance, step;
+    int ratio;
+};
 
-/* A deck error (a scheme that does not exist, a step that does not fit the records) is passed on; a run that stops is
- * an outcome. */
-enum status outcome_run(struct outcome *o, const struct scene *scene, const struct integrate *plan, const char *version,
-                        struct diags *diags, struct arena *life, struct report *report);
+/* Does the kind choose its steps by a tolerance? */
+bool by_tolerance(const struct stepper_kind *kind);
+
+/* The deck's plan changed so; how becomes its options. */
+struct integrate outcome_plan(struct step_options *how, const struct setting *setting, const struct subject *subject);
+
+/* A deck error that the setting brings, such as a step that does not fit the records, is told in the subject's diags. */
+enum status outcome_check(const struct setting *setting, const struct subject *subject, struct report *report);
+
+/* Until its counts pass `most` seconds.  A run that stops is an outcome. */
+enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
+                        struct arena *life, struct report *report);
 
 /* Rows r [2] of a and of b at the next common time behind those; false: there is none. */
 bool outcome_next(int *r, const struct outcome *a, const struct outcome *b);

@@ -4,10 +4,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/crew.h"
+#include "multirate/schemes.h"
+
 static const double PARTED = 1e-3;    /* of the range: coordinates that have parted */
 static const double UNCERTAIN = 1e-2; /* of the range: a column that neither run knows */
 static const double LEAST = .1;       /* of the run that must be left */
+static const double TRIAL = 1e-6;     /* tolerance of the trials */
+static const double TRIALS = .2;      /* of what the reference may cost goes to these */
+static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
 enum { MOST_DENSE = 200 };            /* coordinates up to which full matrices are the cheaper way */
+enum { HIGH = 5, MOST_KINDS = 16 };   /* order of a scheme that may be a reference */
 
 static void find_ranges(struct reference *o)
 {
@@ -30,7 +37,7 @@ static double share(const struct reference *o, int c, double difference)
 }
 
 /* The last common time before coordinates part. */
-static void find_horizon(struct reference *o, const struct outcome *second)
+static void find_horizon(struct reference *o, const struct outcome *second, const struct subject *subject)
 {
     int r[2] = {-1, -1};
     double last = 0;
@@ -38,14 +45,14 @@ static void find_horizon(struct reference *o, const struct outcome *second)
     while (outcome_next(r, &o->run, second)) {
         const double *a = outcome_row(&o->run, r[0]), *b = outcome_row(second, r[1]);
         for (int c = 0; c < o->run.n && o->whole; c++)
-            if (o->run.column[c].rate >= 0 && share(o, c, fabs(a[c] - b[c])) > PARTED) o->whole = false;
+            if (subject->column[c].rate >= 0 && share(o, c, fabs(a[c] - b[c])) > PARTED) o->whole = false;
         if (!o->whole) break;
         last = a[0];
     }
     o->horizon = last;
 }
 
-static void find_uncertainty(struct reference *o, const struct outcome *second)
+static void find_uncertainty(struct reference *o, const struct outcome *second, struct subject *subject)
 {
     int r[2] = {-1, -1};
     memset(o->uncertain, 0, sizeof *o->uncertain * (size_t)o->run.n);
@@ -55,7 +62,7 @@ static void find_uncertainty(struct reference *o, const struct outcome *second)
         for (int c = 0; c < o->run.n; c++) o->uncertain[c] = fmax(o->uncertain[c], share(o, c, fabs(a[c] - b[c])));
     }
     for (int c = 0; c < o->run.n; c++) {
-        struct outcome_column *column = &o->run.column[c];
+        struct outcome_column *column = &subject->column[c];
         if (column->rate >= 0) o->apart = fmax(o->apart, o->uncertain[c]);
         if (!column->compared || o->uncertain[c] <= UNCERTAIN) continue;
         column->compared = false;
@@ -63,55 +70,188 @@ static void find_uncertainty(struct reference *o, const struct outcome *second)
     }
 }
 
-static enum status run(struct outcome *o, const char *scheme, double tolerance, const struct scene *scene, double every,
-                       const char *version, struct diags *diags, struct arena *life, struct report *report)
+/* ---- trials: which two, at which tolerance, how far ---- */
+
+struct trial {
+    struct setting setting;
+    double rate; /* predicted cost per second of the motion at TRIAL; INFINITY: it does not run */
+};
+
+struct trials {
+    int n;
+    struct trial trial[MOST_KINDS];
+    double most; /* [s] each */
+    const struct subject *subject;
+};
+
+bool too_full(const struct stepper_kind *kind, const struct subject *subject)
 {
-    struct step_options how;
-    const struct integrate plan = outcome_plan(&how, scheme, tolerance, scene, every);
-    TRY(outcome_run(o, scene, &plan, version, diags, life, report));
-    if (o->status == OK || o->status == E_VERDICT) return OK;
-    return fail(report, o->status, "no reference by %s: %.900s", scheme, o->report.text);
+    return kind->full && subject->n > MOST_DENSE;
 }
 
-/* Collocation, and from some size on, where its matrices cost too much, explicit schemes. */
-static enum status choose(struct reference *o, const struct scene *scene, double every, struct diags *diags,
-                          struct report *report)
+/* One trial, and how far it has come at which price. */
+static enum status try_one(void *self, int i, int to, struct report *report)
 {
-    struct step_options how;
-    const struct integrate plan = outcome_plan(&how, "dopri5", 1e-3, scene, every);
-    int n = 0;
-    TRY(outcome_size(&n, scene, &plan, diags, report));
-    o->small = n <= MOST_DENSE;
-    o->scheme = o->small ? "radau9" : "dop853";
-    o->second = o->small ? "radau5" : "dopri5";
+    const struct trials *o = self;
+    struct outcome run;
+    struct arena *life = arena_open();
+    double rate = INFINITY;
+    const enum status status = outcome_run(&run, &o->trial[i].setting, o->most, o->subject, life, report);
+    if (status == OK && run.rows > 1)
+        rate = run.seconds / (outcome_row(&run, run.rows - 1)[0] - outcome_row(&run, 0)[0]);
+    arena_close(life);
+    return status == OK ? crew_tell(to, &rate, sizeof rate) : status;
+}
+
+static enum status hear_trial(void *self, int i, const void *bytes, size_t n, struct report *report)
+{
+    (void)n, (void)report;
+    ((struct trials *)self)->trial[i].rate = *(const double *)bytes;
     return OK;
 }
 
-enum status reference_make(struct reference *o, const struct scene *scene, double every, const char *version,
-                           struct diags *diags, struct arena *life, struct report *report)
+static enum status run_trials(struct trials *o, const struct subject *subject, double most, struct arena *life,
+                              struct report *report)
+{
+    *o = (struct trials){.subject = subject};
+    for (int i = 0; stepper_kinds[i] && o->n < MOST_KINDS; i++) {
+        const struct stepper_kind *kind = stepper_kinds[i];
+        if (kind->order >= HIGH && kind->adaptive && !too_full(kind, subject))
+            o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1}, INFINITY};
+    }
+    o->most = TRIALS * most / o->n;
+    const struct crew crew = {o->n, o, try_one, hear_trial};
+    return crew_run(&crew, life, report);
+}
+
+/* Predicted cost of the whole run at a tolerance: the local error goes by the order. */
+static double foretold(const struct trial *o, double tolerance, double span)
+{
+    return span * o->rate * pow(TRIAL / tolerance, 1. / (o->setting.kind->order + 1));
+}
+
+/* The cheapest at a tolerance, but for one; NULL: none. */
+static const struct trial *cheapest(const struct trials *o, double tolerance, const struct trial *but)
+{
+    const struct trial *best = NULL;
+    for (const struct trial *t = o->trial; t < o->trial + o->n; t++)
+        if (t != but && isfinite(t->rate) && (!best || foretold(t, tolerance, 1) < foretold(best, tolerance, 1)))
+            best = t;
+    return best;
+}
+
+/* The end is brought forward to a record. */
+static void bring_forward(struct reference *o, struct subject *subject, double share)
+{
+    const double start = subject->scene->start, records = (subject->until - start) / subject->every;
+    const double left = fmax(1, floor(share * records));
+    if (!(left < records)) return;
+    subject->until = start + left * subject->every;
+    o->cut = true;
+}
+
+static enum status choose(struct reference *o, struct subject *subject, double most, struct arena *life,
+                          struct report *report)
+{
+    static const double pairs[][2] = {{1e-11, 1e-11}, {1e-11, 1e-10}, {1e-11, 1e-9}, {1e-10, 1e-8}};
+    enum { PAIRS = sizeof pairs / sizeof *pairs };
+    struct trials trials;
+    TRY(run_trials(&trials, subject, most, life, report));
+    const double span = subject->until - subject->scene->start, allowed = (1 - TRIALS) * most;
+    for (int i = 0; i < PAIRS; i++) {
+        const struct trial *a = cheapest(&trials, pairs[i][0], NULL), *b = cheapest(&trials, pairs[i][1], a);
+        if (!a || !b) return fail(report, E_NUMERIC, "no reference: no two schemes of high order take this deck on");
+        const double seconds = foretold(a, pairs[i][0], span) + foretold(b, pairs[i][1], span);
+        o->first = a->setting;
+        o->second = b->setting;
+        o->first.tolerance = pairs[i][0];
+        o->second.tolerance = pairs[i][1];
+        if (seconds <= allowed) break;
+        if (i + 1 == PAIRS) bring_forward(o, subject, allowed / seconds);
+    }
+    return OK;
+}
+
+/* ---- the two runs ---- */
+
+struct both {
+    struct outcome run[2];
+    struct setting setting[2];
+    double most;
+    const struct subject *subject;
+    struct arena *life;
+};
+
+static enum status run_one(void *self, int i, int to, struct report *report)
+{
+    const struct both *o = self;
+    struct outcome run;
+    struct arena *life = arena_open();
+    enum status status = outcome_run(&run, &o->setting[i], o->most, o->subject, life, report);
+    if (status == OK && !run.over && run.status != OK && run.status != E_VERDICT)
+        status = fail(report, run.status, "no reference by %s: %.900s", o->setting[i].kind->name, run.report.text);
+    if (status == OK) status = crew_tell(to, &run, sizeof run);
+    if (status == OK) status = crew_tell(to, run.x, (size_t)run.rows * (size_t)run.n * sizeof *run.x);
+    arena_close(life);
+    return status;
+}
+
+/* The run, then its rows. */
+static enum status hear_one(void *self, int i, const void *bytes, size_t n, struct report *report)
+{
+    struct both *o = self;
+    struct outcome *run = &o->run[i];
+    (void)report;
+    if (run->n == 0) {
+        memcpy(run, bytes, sizeof *run);
+        run->x = NULL;
+        return OK;
+    }
+    run->x = TAKE(o->life, double, n / sizeof(double));
+    memcpy(run->x, bytes, n);
+    return OK;
+}
+
+static enum status run_both(struct reference *o, struct outcome *second, const struct subject *subject, double most,
+                            struct arena *life, struct report *report)
+{
+    struct both both = {.setting = {o->first, o->second}, .most = EACH * most, .subject = subject, .life = life};
+    const struct crew crew = {2, &both, run_one, hear_one};
+    TRY(crew_run(&crew, life, report));
+    o->run = both.run[0];
+    o->seconds = both.run[0].seconds;
+    *second = both.run[1];
+    return OK;
+}
+
+enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
+                           struct report *report)
 {
     struct outcome second;
     *o = (struct reference){0};
-    TRY(choose(o, scene, every, diags, report));
-    TRY(run(&o->run, o->scheme, 1e-11, scene, every, version, diags, life, report));
-    TRY(run(&second, o->second, 1e-11, scene, every, version, diags, life, report));
+    TRY(choose(o, subject, most, life, report));
+    TRY(run_both(o, &second, subject, most, life, report));
     o->uncertain = TAKE(life, double, o->run.n);
     o->range = TAKE(life, double, o->run.n);
     o->largest = TAKE(life, double, o->run.n);
-    const double end = outcome_row(&o->run, o->run.rows - 1)[0];
+    const double start = subject->scene->start;
+    const double end = fmin(outcome_row(&o->run, o->run.rows - 1)[0], outcome_row(&second, second.rows - 1)[0]);
+    if (o->run.over || second.over) o->cut = true;
     o->horizon = end;
     find_ranges(o);
-    find_horizon(o, &second);
-    if (o->horizon - scene->start < LEAST * (end - scene->start))
+    find_horizon(o, &second, subject);
+    if (o->horizon - start < LEAST * (end - start))
         return fail(report, E_NUMERIC,
                     "%s and %s part after t = %g s: nothing to compare with (chaos, or a motion that no step resolves)",
-                    o->scheme, o->second, o->horizon);
+                    o->first.kind->name, o->second.kind->name, o->horizon);
     find_ranges(o);
-    find_uncertainty(o, &second);
+    find_uncertainty(o, &second, subject);
+    if (o->horizon < subject->until) subject->until = o->horizon;
     return OK;
 }
 
-void reference_compare(struct errors *e, const struct reference *o, const struct outcome *run)
+void reference_compare(struct errors *e, const struct reference *o, const struct subject *subject,
+                       const struct outcome *run)
 {
     int r[2] = {-1, -1};
     bool any = false;
@@ -119,20 +259,22 @@ void reference_compare(struct errors *e, const struct reference *o, const struct
     *e = (struct errors){.fast = NAN, .slow = NAN, .column = -1, .instants = -1};
     while (outcome_next(r, &o->run, run)) {
         const double *a = outcome_row(&o->run, r[0]), *b = outcome_row(run, r[1]);
-        if (a[0] > o->horizon) break;
+        if (a[0] > o->horizon * (1 + 1e-12)) break;
         last = a[0];
         e->instants++;
         for (int c = 0; c < o->run.n; c++) {
-            const struct outcome_column *column = &o->run.column[c];
+            const struct outcome_column *column = &subject->column[c];
             const double d = fabs(a[c] - b[c]), size = o->largest[c];
             double *to = column->rate > 0 ? &e->fast : &e->slow;
             if (column->rate >= 0 && !(size > 0 ? d / size <= *to : *to >= 0)) *to = size > 0 ? d / size : 0;
             if (!column->compared || share(o, c, d) <= e->worst) continue;
             e->worst = share(o, c, d);
+            e->absolute = d;
             e->column = c;
         }
     }
-    for (int c = 0; c < o->run.n; c++) any |= o->run.column[c].compared;
-    if (!any) e->worst = NAN;                                                    /* nothing to be right in */
-    if (last < o->horizon * (1 - 1e-9)) e->fast = e->slow = e->worst = INFINITY; /* it stopped on the way */
+    for (int c = 0; c < o->run.n; c++) any |= subject->column[c].compared;
+    if (!any) e->worst = e->absolute = NAN; /* nothing to be right in */
+    if (last < o->horizon * (1 - 1e-9))
+        e->fast = e->slow = e->worst = e->absolute = INFINITY; /* it stopped on the way */
 }

@@ -1,9 +1,12 @@
 /* reference.h -- what the runs of a study are compared with, and how far it is to be trusted.
  *
- * Two runs of high order by different schemes.  Where the coordinates of both part by more than a thousandth of their
- * range the motion cannot be foretold any longer (chaos, or a scene that neither resolves): the horizon ends there.  What
- * they differ by up to it is the uncertainty of each column; a column in which that is above a hundredth of its range
- * is not compared. */
+ * Two runs by different schemes of high order: those two of all that short trials foretell to be the cheapest at a
+ * tolerance of 1e-11.  Where the coordinates of both part by more than a thousandth of their range the motion cannot be
+ * foretold any longer (chaos, or a scene that neither resolves): the horizon ends there.  What they differ by up to it is
+ * the uncertainty of each column; a column in which that is above a hundredth of its range is not compared.
+ *
+ * Where the budget does not allow as much the second is content with a larger tolerance, then both, then the end of the
+ * run is brought forward. */
 #ifndef FMDSUB_STUDY_REFERENCE_H
 #define FMDSUB_STUDY_REFERENCE_H
 
@@ -11,28 +14,34 @@
 
 struct reference {
     struct outcome run;
-    const char *scheme, *second; /* which two */
-    bool small;                  /* full matrices of all coordinates are the cheaper way */
-    double horizon;              /* [s] compared up to here */
-    bool whole;                  /* that is the end of the run */
-    double *uncertain;           /* [n] of each column, as a share of its range */
-    double *range, *largest;     /* [n] up to the horizon, of values and of |values| */
-    double apart;                /* the largest uncertainty of a coordinate */
-    int left_out;                /* columns of the deck that are not compared, the first: */
-    const char *left_out_name;   /* NULL: none */
+    struct setting first, second; /* which two */
+    double seconds;               /* of the first, by its counts */
+    double horizon;               /* [s] compared up to here */
+    bool whole;                   /* the two do not part before the end */
+    bool cut;                     /* the budget has brought the end forward */
+    double *uncertain;            /* [n] of each column, as a share of its range */
+    double *range, *largest;      /* [n] up to the horizon, of values and of |values| */
+    double apart;                 /* the largest uncertainty of a coordinate */
+    int left_out;                 /* columns of the deck that are not compared, the first: */
+    const char *left_out_name;    /* NULL: none */
 };
 
-/* every: the time between records [s].  E_NUMERIC: no such run comes to its end, or the horizon is less than a tenth of
- * it. */
-enum status reference_make(struct reference *o, const struct scene *scene, double every, const char *version,
-                           struct diags *diags, struct arena *life, struct report *report);
+/* At a predicted cost of about `most` seconds; INFINITY: none.  subject->until becomes the end that is compared, and
+ * columns that are known to neither are not compared any more.  E_NUMERIC: no such run comes to its end, or the horizon
+ * is less than a tenth of it. */
+enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
+                           struct report *report);
+
+/* Is kind among those whose matrices are too large here? */
+bool too_full(const struct stepper_kind *kind, const struct subject *subject);
 
 struct errors {
-    double fast, slow; /* coordinates, over their largest value; NAN: there are none */
-    double worst;      /* columns of the deck, over their range; NAN: none is compared */
-    int column;        /* which; -1: none */
-    int instants;      /* that were compared, besides the start */
+    double fast, slow;      /* coordinates, over their largest value; NAN: there are none */
+    double worst, absolute; /* columns of the deck, over their range, and in the unit of that; NAN: none is compared */
+    int column;             /* which; -1: none */
+    int instants;           /* that were compared, besides the start */
 };
-void reference_compare(struct errors *e, const struct reference *o, const struct outcome *run);
+void reference_compare(struct errors *e, const struct reference *o, const struct subject *subject,
+                       const struct outcome *run);
 
 #endif

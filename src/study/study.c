@@ -4,86 +4,210 @@
 #include <math.h>
 #include <string.h>
 
-#include "multirate/schemes.h"
+#include "base/crew.h"
+#include "probe/modes.h"
+#include "study/grid.h"
 
-static const char *status_word(enum status status)
+static const double REFERENCE = .5; /* of the budget */
+static const double GRID = .5;      /* what is left of it, in equal parts for all chains */
+static const double WORTH = .05;    /* [s] runs that cost more than the reference and this are of no use */
+static const double ENOUGH = 1e-8;  /* no error below this is asked for */
+static const double DOUBTFUL = 10;  /* times the reference's uncertainty */
+
+/* ---- one run, and a chain of them, in a child ------------------------------------------------------------------ */
+
+struct work {
+    const struct study *study;
+    const struct grid *grid;
+    const struct study_options *options;
+    double share; /* [s] of each chain, with its times */
+    struct study *into;
+};
+
+/* What a chain tells: a row, or where it ends. */
+struct news {
+    bool gap;
+    struct study_row row;
+    struct study_gap end;
+};
+
+/* How often a run of so many predicted seconds is timed. */
+static int repeats(const struct study_options *options, double seconds)
 {
-    return status == OK ? "ok" : status == E_VERDICT ? "unbalanced" : "stopped";
+    if (options->repeats >= 0) return options->repeats;
+    return seconds < .1 ? 3 : seconds < .5 ? 2 : 1;
 }
 
-static enum status study_one(struct study *o, const struct integrate *plan, const struct scene *scene,
-                             const struct study_options *options, struct diags *diags, struct report *report)
+static void fill_row(struct study_row *row, const struct setting *setting, const struct outcome *run,
+                     const struct study *o)
 {
-    const bool adaptive = stepper_find(plan->scheme)->adaptive;
-    struct outcome run = {0};
+    *row = (struct study_row){.setting = *setting,
+                              .seconds = run->seconds,
+                              .work = run->work,
+                              .cpu = NAN,
+                              .effort = run->effort,
+                              .energy = run->energy_share,
+                              .status = run->status};
+    reference_compare(&row->errors, &o->reference, &o->subject, run);
+    const int c = row->errors.column;
+    row->worst = c < 0 ? "" : o->subject.column[c].name;
+    row->unit = c < 0 || !o->subject.column[c].unit ? "" : o->subject.column[c].unit;
+    row->uncertain = c < 0 ? 0 : o->reference.uncertain[c];
+    row->doubtful = row->errors.worst > 0 && row->errors.worst < DOUBTFUL * row->uncertain;
+}
+
+/* One run in at most so many predicted seconds; *over: it would be more. */
+static enum status run_one(struct study_row *row, bool *over, const struct setting *setting, double most,
+                           const struct study *o, struct report *report)
+{
+    struct outcome run;
     struct arena *life = arena_open();
-    enum status status = OK;
-    double cpu = INFINITY;
-    for (int i = 0; status == OK && i < options->repeats; i++) {
-        status = outcome_run(&run, scene, plan, options->version, diags, life, report);
-        cpu = fmin(cpu, run.cpu);
-    }
+    enum status status = outcome_run(&run, setting, most, &o->subject, life, report);
     if (status == OK) {
-        struct study_row row = {.scheme = plan->scheme,
-                                .tolerance = adaptive ? ((const struct step_options *)plan->options)->tolerance : NAN,
-                                .step = adaptive ? NAN : plan->step,
-                                .ratio = plan->ratio,
-                                .work = run.work,
-                                .cpu = cpu,
-                                .effort = run.effort,
-                                .energy = run.energy_share,
-                                .status = run.status};
-        reference_compare(&row.errors, &o->reference, &run);
-        if (run.status == E_LIMIT)
-            status = fail(report, run.status, "%s: %.900s", plan->scheme, run.report.text);
-        else if (row.errors.instants < 1 && run.status != E_NUMERIC)
+        fill_row(row, setting, &run, o);
+        *over = run.over;
+        if (run.status == E_LIMIT && !run.over)
+            status = fail(report, run.status, "%s: %.900s", setting->kind->name, run.report.text);
+        else if (row->errors.instants < 1 && run.status != E_NUMERIC && !run.over)
             status = fail(report, E_USAGE, "step %g s: its records and the reference's have no instant in common",
-                          plan->step);
-        const int c = row.errors.column;
-        row.worst = c < 0 ? "" : o->reference.run.column[c].name;
-        row.uncertain = c < 0 ? 0 : o->reference.uncertain[c];
-        o->row = arena_more(o->life, o->row, o->nrow, &o->capacity, sizeof *o->row);
-        o->row[o->nrow++] = row;
+                          setting->step);
     }
     arena_close(life);
     return status;
 }
 
-/* A scheme with steps of its own writes its records as often as the reference does. */
-static enum status study_tolerances(struct study *o, const char *scheme, double every, const struct scene *scene,
-                                    const struct study_options *options, struct diags *diags, struct report *report)
+/* Of a ladder: what costs more than the reference is of no use. */
+static double worth(const struct chain *chain, const struct study *o)
 {
-    for (int i = 0; i < options->ntolerance; i++) {
-        struct step_options how;
-        const struct integrate plan = outcome_plan(&how, scheme, options->tolerance[i], scene, every);
-        TRY(study_one(o, &plan, scene, options, diags, report));
+    return chain->ladder ? fmax(WORTH, o->reference.seconds) : INFINITY;
+}
+
+static enum status tell_gap(int to, const struct setting *from, bool all, bool budget, double work)
+{
+    struct news news;
+    memset(&news, 0, sizeof news);
+    news.gap = true;
+    news.end = (struct study_gap){*from, all, budget, work};
+    return crew_tell(to, &news, sizeof news);
+}
+
+/* Does a ladder end here? */
+static bool enough(const struct study_row *row)
+{
+    return row->errors.worst <= ENOUGH || row->doubtful;
+}
+
+static enum status work_chain(void *self, int i, int to, struct report *report)
+{
+    const struct work *o = self;
+    const struct chain *chain = &o->grid->chain[i];
+    const double most = worth(chain, o->study), unit = o->study->subject.price.evaluation;
+    double left = o->share, last = 0;
+    for (int k = 0; k < chain->n; k++) {
+        const struct setting *setting = &chain->setting[k];
+        struct news news;
+        bool over;
+        memset(&news, 0, sizeof news);
+        const double next = k ? last * grid_growth(setting - 1, setting) : 0, times = 1 + repeats(o->options, next);
+        if (next > most || next * times > left) return tell_gap(to, setting, false, !(next > most), next / unit);
+        const double allowed = fmin(left / 2, most);
+        TRY(run_one(&news.row, &over, setting, allowed, o->study, report));
+        if (over) return tell_gap(to, setting, k == 0, left / 2 < most, news.row.work);
+        TRY(crew_tell(to, &news, sizeof news));
+        last = news.row.seconds;
+        left -= last * (1 + repeats(o->options, last));
+        if (chain->ladder && enough(&news.row)) break;
     }
     return OK;
 }
 
-static enum status study_scheme(struct study *o, const char *scheme, double every, const struct scene *scene,
-                                const struct study_options *options, struct diags *diags, struct report *report)
+/* ---- the rows, in the caller ----------------------------------------------------------------------------------- */
+
+/* The same numbers: one of the two schemes is the other here. */
+static bool same(const struct study_row *a, const struct study_row *b)
 {
-    const struct stepper_kind *kind = stepper_find(scheme);
-    const int ratios = kind->two_rates ? options->nratio : 1;
-    struct integrate plan = scene->integrate;
-    if (options->usual && kind->full && !o->reference.small) return OK;
-    plan.scheme = kind->name;
-    if (kind->adaptive) return study_tolerances(o, kind->name, every, scene, options, diags, report);
-    for (int r = 0; r < ratios; r++)
-        for (int s = 0; s < options->nstep; s++) {
-            plan.ratio = kind->two_rates ? options->ratio[r] : 1;
-            plan.step = options->step[s];
-            TRY(study_one(o, &plan, scene, options, diags, report));
-        }
-    return OK;
+    const double ta = isfinite(a->setting.tolerance) ? a->setting.tolerance : a->setting.step;
+    const double tb = isfinite(b->setting.tolerance) ? b->setting.tolerance : b->setting.step;
+    return ta == tb && a->setting.kind != b->setting.kind && a->work == b->work && a->errors.worst == b->errors.worst &&
+           a->errors.slow == b->errors.slow;
 }
 
-static void print_reference(const struct reference *o, FILE *to)
+static void show_progress(const struct study *o, const char *what, FILE *to)
 {
-    fprintf(to, "reference: %s to 1e-11; %s to 1e-11 differs from it by %.2g (relative, worst coordinate)\n", o->scheme,
-            o->second, o->apart);
+    if (!to) return;
+    if (what)
+        fprintf(to, "\r\033[K%s: %d runs", what, o->nrow);
+    else
+        fputs("\r\033[K", to);
+    (void)fflush(to);
+}
+
+static enum status hear_news(void *self, int i, const void *bytes, size_t n, struct report *report)
+{
+    const struct work *w = self;
+    struct study *o = w->into;
+    const struct news *news = bytes;
+    (void)n;
+    if (news->gap) {
+        o->gap = arena_more(o->life, o->gap, o->ngap, &o->gaps, sizeof *o->gap);
+        o->gap[o->ngap++] = news->end;
+        return OK;
+    }
+    for (int k = 0; k < o->nrow && w->grid->chain[i].ladder; k++)
+        if (same(&o->row[k], &news->row)) return OK;
+    o->row = arena_more(o->life, o->row, o->nrow, &o->rows, sizeof *o->row);
+    o->row[o->nrow++] = news->row;
+    show_progress(o, "errors", w->options->progress);
+    return w->options->repeats == 0 ? w->options->done(w->options->self, &news->row, report) : OK;
+}
+
+/* One at a time, the machine to itself as far as that is ours to say. */
+static enum status take_times(struct study *o, const struct study_options *options, struct report *report)
+{
+    enum status status = OK;
+    for (struct study_row *r = o->row; r < o->row + o->nrow; r++) {
+        double cpu = INFINITY;
+        for (int i = repeats(options, r->seconds); i > 0 && status == OK; i--) {
+            struct outcome run;
+            struct arena *life = arena_open();
+            status = outcome_run(&run, &r->setting, INFINITY, &o->subject, life, report);
+            if (status == OK) cpu = fmin(cpu, run.cpu);
+            arena_close(life);
+        }
+        if (status == OK) r->cpu = cpu;
+        show_progress(o, NULL, options->progress);
+        TRY(options->done(options->self, r, report));
+        if (r + 1 < o->row + o->nrow) show_progress(o, "times", options->progress);
+    }
+    return status;
+}
+
+/* Quickest vibration at the start. */
+static double find_fastest(const struct subject *subject, const struct setting *setting)
+{
+    struct sim sim;
+    struct modes modes = {0};
+    struct step_options how;
+    struct report none = {0};
+    const struct integrate plan = outcome_plan(&how, setting, subject);
+    const struct sim_options options = {.version = subject->version, .counting = true};
+    struct arena *scratch = arena_open();
+    double fastest = 0;
+    if (sim_open(&sim, subject->scene, &plan, &options, subject->diags, scratch, &none) == OK &&
+        modes_find(&modes, &sim, scratch, &none) == OK && modes.n > 0)
+        fastest = fmax(0, modes.mode[modes.n - 1].omega);
+    arena_close(scratch);
+    return fastest;
+}
+
+static void print_reference(const struct reference *o, const struct subject *subject, double until, FILE *to)
+{
+    fprintf(to, "reference: %s to %g; %s to %g differs from it by %.2g (relative, worst coordinate)\n",
+            o->first.kind->name, o->first.tolerance, o->second.kind->name, o->second.tolerance, o->apart);
     if (!o->whole) fprintf(to, "they part after t = %.6g s: errors are compared up to there\n", o->horizon);
+    if (o->cut)
+        fprintf(to, "the budget takes it to t = %.6g s of %.6g: errors are compared up to there\n", subject->until,
+                until);
     if (o->left_out)
         fprintf(to, "%d column%s of the deck %s known to neither within 1 %% of %s range, and %s not compared: %s%s\n",
                 o->left_out, o->left_out > 1 ? "s" : "", o->left_out > 1 ? "are" : "is",
@@ -91,60 +215,38 @@ static void print_reference(const struct reference *o, FILE *to)
                 o->left_out > 1 ? ", ..." : "");
 }
 
-enum status study_run(struct study *o, const struct scene *scene, const struct study_options *options,
-                      struct diags *diags, struct arena *life, struct report *report)
+/* Deck errors of settings are told before anything is run. */
+static enum status check_grid(const struct grid *grid, const struct subject *subject, struct report *report)
 {
-    const struct integrate *plan = &scene->integrate;
-    const double H = plan->step * plan->ratio * (scene->output.every_steps ? (double)scene->output.every_steps : 1);
-    const double every = scene->output.every > 0 ? scene->output.every : H > 0 ? H : (plan->until - scene->start) / 100;
-    *o = (struct study){.life = life};
-    TRY(reference_make(&o->reference, scene, every, options->version, diags, life, report));
-    if (options->log) print_reference(&o->reference, options->log);
-    for (int i = 0; i < options->nscheme; i++)
-        TRY(study_scheme(o, options->scheme[i], every, scene, options, diags, report));
+    for (int i = 0; i < grid->n; i++)
+        for (int k = 0; k < grid->chain[i].n; k++)
+            if (!grid->chain[i].ladder || k == 0) TRY(outcome_check(&grid->chain[i].setting[k], subject, report));
     return OK;
 }
 
-struct table *study_table(const struct study *o, struct arena *life)
+enum status study_run(struct study *o, const struct scene *scene, const struct study_options *options,
+                      struct diags *diags, struct arena *life, struct report *report)
 {
-    static const struct table_column columns[] = {
-        {"scheme", NULL, 0},
-        {"tolerance", NULL, 2},
-        {"step", "h [s]", 4},
-        {"ratio", NULL, 4},
-        {"error", NULL, 3},
-        {"worst", "worst column", 0},
-        {"error_fast", "fast error", 3},
-        {"error_slow", "slow error", 3},
-        {"work", NULL, 4},
-        {"cpu", "CPU [s]", 3},
-        {"cpu_ratio", "to first", 3},
-        {"slow", "slow evals", 9},
-        {"fast", "fast evals", 9},
-        {"factors", "factors", 7},
-        {"energy", "energy", 2},
-        {"status", NULL, 0},
-    };
-    struct table *table = table_open(columns, sizeof columns / sizeof *columns, life);
-    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
-        const double before[] = {r->tolerance, r->step, r->ratio, r->errors.worst};
-        const double after[] = {r->errors.fast,
-                                r->errors.slow,
-                                r->work,
-                                r->cpu,
-                                r->cpu / o->row[0].cpu,
-                                (double)r->effort.slow,
-                                (double)r->effort.fast,
-                                (double)r->effort.factors,
-                                r->energy};
-        table_text(table, r->scheme);
-        for (int i = 0; i < 4; i++) table_number(table, before[i]);
-        table_text(table, r->worst);
-        for (int i = 0; i < 9; i++) table_number(table, after[i]);
-        table_text(table,
-                   r->errors.worst > 0 && r->errors.worst < 10 * r->uncertain ? "reference" : status_word(r->status));
-    }
-    return table;
+    struct grid grid;
+    const double until = scene->integrate.until;
+    *o = (struct study){.life = life};
+    TRY(subject_open(&o->subject, scene, options->version, diags, life, report));
+    TRY(grid_make(&grid, options, &o->subject, life, report));
+    TRY(check_grid(&grid, &o->subject, report));
+    show_progress(o, "reference", options->progress);
+    TRY(reference_make(&o->reference, &o->subject, REFERENCE * options->budget, life, report));
+    show_progress(o, NULL, options->progress);
+    if (options->log) print_reference(&o->reference, &o->subject, until, options->log);
+    struct work work = {o, &grid, options, grid.n ? GRID * options->budget / grid.n : 0, o};
+    const struct crew crew = {grid.n, &work, work_chain, hear_news};
+    enum status status = crew_run(&crew, life, report);
+    show_progress(o, NULL, options->progress);
+    for (int i = 0; i < o->ngap && o->fastest == 0; i++)
+        if (o->gap[i].all) o->fastest = find_fastest(&o->subject, &o->reference.first);
+    if (status == OK && options->repeats != 0) return take_times(o, options, report);
+    if (options->repeats != 0)
+        for (int i = 0; i < o->nrow; i++) TRY(options->done(options->self, &o->row[i], report));
+    return status;
 }
 
 const struct study_row *study_pick(const struct study *o, double error)

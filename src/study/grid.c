@@ -1,0 +1,104 @@
+/* grid.c -- see grid.h */
+#include "study/grid.h"
+
+#include <math.h>
+
+#include "multirate/schemes.h"
+
+enum { USUAL_RATIO = 5 };
+static const double tolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+static const double parts[] = {4, 2, 1, 1. / 2, 1. / 4, 1. / 8, 1. / 16, 1. / 32}; /* of the deck's step */
+
+/* Something moves fast, and not everything does. */
+static bool two_rates(const struct subject *subject)
+{
+    return subject->ns > 0 && subject->ns < subject->n;
+}
+
+/* Does the kind take out what it does not resolve, if it is told to?  A scheme of one rate like that costs what the others
+ * do, and makes sense where the deck wants it. */
+static bool damps(const struct stepper_kind *kind)
+{
+    return !kind->two_rates && (key_find(kind->keys, "rho_infinity") || key_find(kind->keys, "alpha"));
+}
+
+static bool makes_sense(const struct stepper_kind *kind, const struct subject *subject)
+{
+    if (kind == stepper_find(subject->scene->integrate.scheme)) return !too_full(kind, subject);
+    return !too_full(kind, subject) && !damps(kind) && (!kind->two_rates || two_rates(subject));
+}
+
+static struct chain *begin(struct grid *o, bool ladder, struct arena *life)
+{
+    o->chain = arena_more(life, o->chain, o->n, &o->capacity, sizeof *o->chain);
+    o->chain[o->n] = (struct chain){.ladder = ladder};
+    return &o->chain[o->n++];
+}
+
+static void add(struct chain *o, struct setting setting, struct arena *life)
+{
+    o->setting = arena_more(life, o->setting, o->n, &o->capacity, sizeof *o->setting);
+    o->setting[o->n++] = setting;
+}
+
+static void add_tolerances(struct grid *o, const struct stepper_kind *kind, const struct study_options *options,
+                           struct arena *life)
+{
+    const int usual = sizeof tolerances / sizeof *tolerances, n = options->ntolerance ? options->ntolerance : usual;
+    const double *list = options->ntolerance ? options->tolerance : tolerances;
+    struct chain *chain = begin(o, !options->ntolerance, life);
+    for (int i = 0; i < n; i++) add(chain, (struct setting){kind, list[i], NAN, 1}, life);
+}
+
+/* Do records fall on the ends of major steps? */
+static bool fits(double step, int ratio, const struct subject *subject)
+{
+    const double steps = subject->every / (step * ratio);
+    return steps > .5 && fabs(steps - round(steps)) <= 1e-9 * steps;
+}
+
+static void add_steps(struct grid *o, const struct stepper_kind *kind, int ratio, const struct study_options *options,
+                      const struct subject *subject, struct arena *life)
+{
+    const double h = subject->scene->integrate.step;
+    struct chain *chain = begin(o, !options->nstep, life);
+    for (int i = 0; i < options->nstep; i++) add(chain, (struct setting){kind, NAN, options->step[i], ratio}, life);
+    for (size_t i = 0; !options->nstep && i < sizeof parts / sizeof *parts; i++)
+        if (fits(h * parts[i], ratio, subject)) add(chain, (struct setting){kind, NAN, h * parts[i], ratio}, life);
+}
+
+/* By tolerance where the kind knows one, unless steps are asked for and it takes them. */
+static enum status add_kind(struct grid *o, const struct stepper_kind *kind, const struct study_options *options,
+                            const struct subject *subject, struct arena *life, struct report *report)
+{
+    const struct integrate *plan = &subject->scene->integrate;
+    const int usual[] = {plan->ratio > 1 ? plan->ratio : USUAL_RATIO}, single[] = {1};
+    const bool all = kind->two_rates && options->nratio;
+    const int *ratio = all ? options->ratio : kind->two_rates ? usual : single, n = all ? options->nratio : 1;
+    if (by_tolerance(kind) && (kind->adaptive || !options->nstep)) {
+        add_tolerances(o, kind, options, life);
+        return OK;
+    }
+    if (!(plan->step > 0) && !options->nstep) {
+        if (!options->nscheme) return OK;
+        return fail(report, E_USAGE, "the deck has no 'step': name some for %s with --steps", kind->name);
+    }
+    for (int i = 0; i < n; i++) add_steps(o, kind, ratio[i], options, subject, life);
+    return OK;
+}
+
+enum status grid_make(struct grid *o, const struct study_options *options, const struct subject *subject,
+                      struct arena *life, struct report *report)
+{
+    *o = (struct grid){0};
+    for (int i = 0; i < options->nscheme; i++) TRY(add_kind(o, options->scheme[i], options, subject, life, report));
+    for (int i = 0; !options->nscheme && stepper_kinds[i]; i++)
+        if (makes_sense(stepper_kinds[i], subject)) TRY(add_kind(o, stepper_kinds[i], options, subject, life, report));
+    return OK;
+}
+
+double grid_growth(const struct setting *last, const struct setting *next)
+{
+    if (isfinite(last->tolerance)) return pow(last->tolerance / next->tolerance, 1. / (last->kind->order + 1));
+    return last->step / next->step;
+}

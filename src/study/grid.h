@@ -1,0 +1,25 @@
+/* grid.h -- what is run: one chain a scheme, from its coarsest setting to its finest. */
+#ifndef FMDSUB_STUDY_GRID_H
+#define FMDSUB_STUDY_GRID_H
+
+#include "study/study.h"
+
+struct chain {
+    int n, capacity;
+    struct setting *setting; /* [n] */
+    bool ladder;             /* nobody has asked for these: it ends where finer ones are of no use */
+};
+
+struct grid {
+    int n, capacity;
+    struct chain *chain; /* [n] */
+};
+
+/* E_USAGE: a scheme was asked for that has no step here. */
+enum status grid_make(struct grid *o, const struct study_options *options, const struct subject *subject,
+                      struct arena *life, struct report *report);
+
+/* How much more work the setting `next` of a chain is than `last`, as a factor. */
+double grid_growth(const struct setting *last, const struct setting *next);
+
+#endif

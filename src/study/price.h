@@ -1,0 +1,21 @@
+/* price.h -- what a run costs, from what it counts: evaluations and factorizations at fixed prices by what they sweep.
+ *
+ * The prices are constants of the program, measured once on 60 decks (price.c), so that what follows from them is the
+ * same on every machine and whatever else that does; CPU seconds on a machine like that one are a third off, rms. */
+#ifndef FMDSUB_STUDY_PRICE_H
+#define FMDSUB_STUDY_PRICE_H
+
+#include "sim/sim.h"
+
+struct price {
+    double evaluation;       /* of all bodies [s] */
+    double full, structured; /* a matrix of all coordinates for all stages, one that knows the structure [s] */
+    double fast;             /* an evaluation of the fast part, as a share of all */
+};
+
+/* Of an open run, which is of no other use: it looks at its loops. */
+void price_find(struct price *o, const struct sim *sim);
+
+double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e);
+
+#endif

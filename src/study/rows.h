@@ -1,0 +1,28 @@
+/* rows.h -- the rows of a study on their way out, each when it is done: a table for people, CSV, NDJSON or JSON.
+ *
+ * csv      scheme,tolerance,step,ratio,error,worst,error_fast,error_slow,work,cpu,cpu_ratio,slow,fast,factors,energy,
+ *          status,uncertain,unit; a number that there is none of is an empty field
+ * ndjson   one object a line with the same members, null for none
+ * json     {"rows":[ ... ]} of these */
+#ifndef FMDSUB_STUDY_ROWS_H
+#define FMDSUB_STUDY_ROWS_H
+
+#include "out/stream.h"
+#include "study/study.h"
+
+enum rows_form { ROWS_TABLE, ROWS_CSV, ROWS_NDJSON, ROWS_JSON };
+
+struct rows {
+    enum rows_form form;
+    bool absolute; /* errors in the unit of the worst column */
+    struct stream *stream;
+    int n;        /* written */
+    double first; /* CPU time of the first row */
+};
+
+enum status rows_begin(struct rows *o, struct report *report);
+/* For study_options.done. */
+enum status rows_put(void *self, const struct study_row *row, struct report *report);
+enum status rows_end(struct rows *o, struct report *report);
+
+#endif
