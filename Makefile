@@ -51,11 +51,13 @@ REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sor
 TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so \
             $(BUILD)/tools/badalloc.so $(BUILD)/tools/everyalloc $(BUILD)/tools/bytes
 RANDOM   := $(BUILD)/random/mechanism $(BUILD)/random/judge
+FUZZED   := deck expression table body
+FUZZES    = $(FUZZED:%=$(BUILD)/fuzz/%)
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
 PAGES    := $(sort $(wildcard man/*.[157]))
 EXAMPLES := $(sort $(wildcard decks/*.*))
 AIRSCREW := $(sort $(wildcard decks/airscrew/*))
-FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/reduce/*.c tests/tools/*.c tests/random/*.[ch] tests/bench/*.c))
+FORMATTED = $(sort $(wildcard src/*/*.[ch] tests/unit/*.[ch] tests/reduce/*.c tests/tools/*.c tests/random/*.[ch] tests/fuzz/*.[ch] tests/bench/*.c))
 ASAN      = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 RUN       = BUILD=$(BUILD) UNITS="$(notdir $(UNITS))" D="$(D)" V=$(V) tests/run
 
@@ -123,6 +125,11 @@ $(BUILD)/random/%: tests/random/%.c tests/random/draw.c tests/random/write.c tes
 	$(call say,LD)
 	$(Q)$(CC) $(filter-out -MMD -MP,$(ALL_CFLAGS)) $(LDFLAGS) -o $@ $(filter %.c,$^) -lm
 
+# What reads files of any bytes, and the library that it reads them with.
+$(FUZZES): %: %.o $(BUILD)/fuzz/fuzz.o $(if $(LIBFUZZER),,$(BUILD)/fuzz/replay.o) $(LIBRARY)
+	$(call say,LD)
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) $(LIBFUZZER) -o $@ $^ $(LDLIBS)
+
 # Put between a program and the C library.
 $(BUILD)/tools/%.so: tests/tools/%.c
 	@mkdir -p $(@D)
@@ -135,10 +142,10 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study airscrew hard validation users random reduce
+	@$(RUN) unit decks bad faults man order study airscrew hard validation users random fuzz reduce
 
 ## tests-built   builds every test, runs none
-tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(BENCHES)
+tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(FUZZES) $(BENCHES)
 
 ## unit          unit tests; U=newton runs one
 unit: $(UNITS)
@@ -172,6 +179,25 @@ bytes: $(PROGRAM) $(TOOLS)
 	@N=$(or $(N),20000) SEED=$(or $(SEED),1) KEEP=$(BUILD)/bytes BUILD=$(BUILD) sh tests/faults/bytes.sh | tee $(BUILD)/bytes.log
 	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/bytes.log
 
+## fuzz          clang's libFuzzer on decks, expressions, tables and reduced bodies, FOR (60) seconds each; FUZZED=deck one of them
+# A list of nothing may be NULL and a step of 0 from it: no finding.
+fuzz: $(PROGRAM)
+	@command -v clang >/dev/null || { echo "fuzz: clang and its libFuzzer are missing (Debian: clang libclang-rt-dev)" >&2; exit 2; }
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/clang CC="$(if $(findstring ccache,$(CC)),ccache )clang" OPT=-O1 \
+	    CFLAGS="$(ASAN) -fno-sanitize=pointer-overflow -fsanitize=fuzzer-no-link" LIBFUZZER=-fsanitize=fuzzer fuzzers
+	@PROGRAM=$(PROGRAM) BUILD=$(BUILD)/clang FOR=$(or $(FOR),60) MERGE=$(MERGE) sh tests/tools/fuzz.sh $(FUZZED)
+
+fuzzers: $(FUZZES)
+
+## replay        the files that fuzzing has kept, by the same harnesses without clang
+replay: $(FUZZES)
+	@$(RUN) fuzz
+
+## vacuous       tests that pass with an empty program in place of ours
+vacuous: tests-built $(PROGRAM) $(FOUND)
+	@BUILD=$(BUILD) sh tests/tools/vacuous.sh | tee $(BUILD)/vacuous.log
+	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/vacuous.log
+
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/validation/table.sh
@@ -184,7 +210,7 @@ order-tight: $(PROGRAM) $(TOOLS)
 asan:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/asan OPT=-O1 CFLAGS="$(CFLAGS) $(ASAN)" all tests-built
 	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) \
-	    UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60 tests/run unit decks bad
+	    UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60 tests/run unit decks bad fuzz
 
 ## coverage      lines and branches of src that the tests reach, by folder
 coverage:
@@ -289,6 +315,6 @@ help:
 	@awk '/^# -+ .* -+$$/ { gsub(/^# -+ | -+$$/, ""); heading = $$0; next } \
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
--include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(BENCHES:=.d)
-.PHONY: coverage all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+-include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
+.PHONY: coverage vacuous fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

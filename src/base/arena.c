@@ -35,6 +35,21 @@ struct arena {
 
 enum { FIRST_BLOCK = 1 << 16, MOST_BLOCK = 1 << 24, ALIGNMENT = 64, FIRST_ITEMS = 32 };
 
+/* Under the address sanitizer what has not been taken is out of bounds, and a gap stands behind everything that has. */
+#if !defined(__SANITIZE_ADDRESS__) && defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/asan_interface.h>
+enum { GAP = 64 };
+#else
+#define ASAN_POISON_MEMORY_REGION(from, bytes) ((void)(from), (void)(bytes))
+#define ASAN_UNPOISON_MEMORY_REGION(from, bytes) ((void)(from), (void)(bytes))
+enum { GAP = 0 };
+#endif
+
 /* Nothing is allocated to say so. */
 static void out_of_memory(double wanted)
 {
@@ -72,11 +87,12 @@ static void grow(struct arena *arena, size_t bytes)
 {
     size_t capacity = arena->block ? 2 * arena->block->capacity : FIRST_BLOCK;
     if (capacity > MOST_BLOCK) capacity = MOST_BLOCK;
-    if (capacity < bytes + ALIGNMENT) capacity = bytes + ALIGNMENT;
+    if (capacity < bytes + ALIGNMENT + GAP) capacity = bytes + ALIGNMENT + GAP;
     struct block *block = memory_or_end(sizeof *block + capacity);
     block->before = arena->block;
     block->capacity = capacity;
     block->used = 0;
+    ASAN_POISON_MEMORY_REGION(block->bytes, capacity);
     arena->block = block;
     arena->grown++;
 }
@@ -111,10 +127,11 @@ void *arena_take(struct arena *arena, size_t count, size_t bytes)
 {
     if (bytes && count > (SIZE_MAX / 4) / bytes) out_of_memory((double)count * (double)bytes);
     size_t size = count * bytes;
-    if (aligned(arena->block) + size > arena->block->capacity) grow(arena, size);
+    if (aligned(arena->block) + size + GAP > arena->block->capacity) grow(arena, size);
     size_t start = aligned(arena->block);
     void *memory = arena->block->bytes + start;
-    arena->block->used = start + size;
+    arena->block->used = start + size + GAP;
+    ASAN_UNPOISON_MEMORY_REGION(memory, size);
     arena->taken += size;
     memset(memory, 0, size);
     return memory;
@@ -187,6 +204,7 @@ void arena_rewind(struct arena *arena, struct arena_mark mark)
         arena->block = before;
     }
     arena->block->used = mark.used;
+    ASAN_POISON_MEMORY_REGION(arena->block->bytes + mark.used, arena->block->capacity - mark.used);
 }
 
 size_t arena_used(const struct arena *arena)

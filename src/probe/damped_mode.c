@@ -91,7 +91,8 @@ bool damped_modes_find(struct damped_mode *o, const double *K, const double *D, 
     for (int j = 0; j < n; j++) w[j] = fmax(sqrt(fabs(K[j * (n + 1)])), 1e-6 * top + (top == 0));
     first_order(A, w, K, D, n);
     if (!schur_eigen(s, Y, A, m, life)) return false;
-    for (int j = 0; j < n; j++) o[j] = (struct damped_mode){.p = w}; /* where pairs are torn by round-off */
+    for (int j = 0; j < n; j++) /* where pairs are torn by round-off */
+        o[j] = (struct damped_mode){.p = shape(Y + (long)m * 2 * j, w, n, life)};
     sort_out(o, s, Y, w, top, n, life);
     return true;
 }
