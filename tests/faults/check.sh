@@ -6,9 +6,9 @@ fact() { # KEY, the last one of that name in the object
 }
 
 "$FMDSUB" check decks/bricard.yaml >"$work/words" 2>"$work/err"
-expect "check: words" 0 $? "$work/err"
+ended "check: words" 0 $? "$work/words" "$work/err"
 "$FMDSUB" check -f json decks/bricard.yaml >"$work/object" 2>"$work/err"
-expect "check: object" 0 $? "$work/err"
+ended "check: object" 0 $? "$work/object" "$work/err"
 expect "check: equations and rank of Bricard's loop" "5 4" \
     "$(sed -n 's/^loops: .* \([0-9]*\) equations, rank \([0-9]*\)$/\1 \2/p' "$work/words")" "$work/words"
 expect "check: the same in the object" "5 4" "$(sed -n '/"components"/,$p' "$work/object" |

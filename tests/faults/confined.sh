@@ -25,7 +25,7 @@ if [ ! -f "$BUILD/tools/reach.so" ] || ! grep -q landlock /sys/kernel/security/l
 else
     REACH="r:/etc/passwd r:secret.yaml r:decks/below/part.yaml w:decks/planted w:planted w:out/beside" LD_PRELOAD="$BUILD/tools/reach.so" \
         "$FMDSUB" run -q -o out/motion.csv $deck >words 2>err
-    expect "confined: the run itself" 0 $? err
+    ended "confined: the run itself" 0 $? out/motion.csv err
     cat >want <<EOF
 r:/etc/passwd: refused
 r:secret.yaml: refused
@@ -45,6 +45,6 @@ fi
 # Links that lead nowhere yet are followed, as the shell's '>' does.
 ln -s ../out/later.csv decks/dangling.csv
 "$FMDSUB" run -q --until 0.1 -o decks/dangling.csv $deck 2>err
-expect "-o by a link to nothing yet: status" 0 $? err
+ended "-o by a link to nothing yet: status" 0 $? out/later.csv err
 [ -L decks/dangling.csv ] && [ -s out/later.csv ] && ok "-o by a link to nothing yet: written where it leads" ||
     not_ok "-o by a link to nothing yet: written where it leads" "$(ls out decks | tr '\n' ' ')" err

@@ -28,9 +28,9 @@ output: {every: 0.01, columns: [f1.x]}
 EOF
 for deck in chain free; do
     "$FMDSUB" run -q --max-memory 300M $deck.yaml >out 2>err
-    expect "$deck of 10 000 bodies in 300 MB: run" 0 $? err
+    ended "$deck of 10 000 bodies in 300 MB: run" 0 $? out err
     "$FMDSUB" check -q --max-memory 300M $deck.yaml >out 2>err
-    expect "$deck of 10 000 bodies in 300 MB: check" 0 $? err
+    ended "$deck of 10 000 bodies in 300 MB: check" 0 $? out err
 done
 
 "$FMDSUB" check --max-memory 60M chain.yaml >out 2>err
@@ -51,8 +51,8 @@ grep -q '"t": 0,' full.json && ok "a matrix that is too large: the state is save
 expect "--max-time: status" 7 $? err
 grep -q 'stopped at t = .* s: the limit of time (--max-time) is reached' err && grep -q '^time limit reached at' err &&
     ok "--max-time: told" || not_ok "--max-time: told" "stderr:" err
-expect "--max-time: the last record is whole" "$(head -n 1 late.csv | tr -dc , | wc -c)" "$(tail -n 1 late.csv | tr -dc , | wc -c)"
-expect "--max-time: the state is that of the last record" "$(tail -n 1 late.csv | cut -d , -f 1)" "$(sed -n 's/^"t": \(.*\),$/\1/p' late.json)"
+expect "--max-time: the last record is whole" yes "$(awk -F, 'NR == 1 { n = NF } END { print (NR > 1 && NF == n ? "yes" : NF) }' late.csv)"
+expect "--max-time: the state is that of the last record" "t $(tail -n 1 late.csv | cut -d , -f 1)" "$(sed -n 's/^"\(t\)": \(.*\),$/\1 \2/p' late.json)"
 "$FMDSUB" study -q --max-time 0.3 --until 1.0e+4 "$ROOT/decks/pendulum.yaml" >out 2>err
 expect "--max-time: study" 7 $? err
 

@@ -48,11 +48,12 @@ fresh
 (cd x && "$FMDSUB" run -q --final-state y q.yaml >y 2>../err)
 expect "--final-state where standard output goes" 2 $? err
 # What comes of the two is nobody's file.
-"$FMDSUB" run -q -o /dev/null --final-state /dev/null --stats=/dev/null x/q.yaml 2>err
-expect "three outputs to /dev/null" 0 $? err
+"$FMDSUB" run -o /dev/null --final-state /dev/null --stats=/dev/null x/q.yaml 2>err
+ended "three outputs to /dev/null" 0 $? err err
 # A state that a deck starts from is read, too.
 (cd x && "$FMDSUB" run -q --until 0.1 --final-state s.json q.yaml >/dev/null &&
     "$FMDSUB" run -q --until 0.2 -s 'initial={from: s.json, time: keep}' --final-state s.json q.yaml) >out 2>err
 expect "--final-state the state it starts from" 2 $? err
 (cd x && "$FMDSUB" run -q --until 0.2 -s 'initial={from: s.json, time: keep}' --final-state t.json -o u --stats=v q.yaml) >out 2>err
-expect "three files of their own" 0 $? err
+ended "three files of their own: status" 0 $? x/u err
+expect "three files of their own" 3 "$(find x/t.json x/u x/v -size +0 | wc -l)" err

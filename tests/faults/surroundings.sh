@@ -4,7 +4,7 @@ deck=$ROOT/decks/pendulum.yaml
 run() { "$FMDSUB" run --every 0.01 --until 2 "$deck"; }
 
 run >"$work/plain.csv" 2>"$work/err"
-expect "a plain run" 0 $? "$work/err"
+ended "a plain run" 0 $? "$work/plain.csv" "$work/err"
 
 (ulimit -s 64; run) >"$work/stack.csv" 2>"$work/err"
 same "a stack of 64 KiB" "$work/plain.csv" "$work/stack.csv"

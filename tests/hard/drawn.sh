@@ -8,7 +8,7 @@ go() {
     shift 2
     cat >"$work/deck.yaml"
     "$FMDSUB" run "$@" "$work/deck.yaml" >"$work/out" 2>"$work/err"
-    expect "$go_name: status" "$go_want" $? "$work/err"
+    ended "$go_name: status" "$go_want" $? "$work/out" "$work/err"
     last=$(tail -n 1 "$work/out")
 }
 told() { if grep -q -- "$2" "$work/err" "$work/out"; then ok "$1: told"; else not_ok "$1: told" "'$2' is not in" "$work/err"; fi; }
@@ -97,7 +97,7 @@ forces: {k: {spring: [[0, 0], a], stiffness: 100, rest: 1}}
 integrate: {scheme: dopri5, tolerance: 1.0e-8, until: 4}
 output: {every: 0.5, columns: [a.x]}
 END
-expect "a spring that turns round: passes nothing" 0 "$(grep -c '"event"' "$work/out")"
+expect "a spring that turns round: passes nothing" "1 0" "$(grep -c '"summary"' "$work/out") $(grep -c '"event"' "$work/out")"
 
 go "an inertia that no body has" 0 <<'END'
 fmdsub: 1

@@ -23,6 +23,6 @@ for s in 1 1.0e-3 1.0e-6; do
         "$FMDSUB" run -q $(echo "$how" | sed 's/^/--set integrate./; s/,/ --set integrate./') "$work/d.yaml" >"$work/out" 2>"$work/err"
         rc=$?
         grep -v W-partition "$work/err" | grep 'fmdsub:' >"$work/said"
-        expect "nothing moves: size $s m, $how" 0 $rc "$work/said"
+        ended "nothing moves: size $s m, $how" 0 $rc "$work/out" "$work/said"
     done
 done

@@ -4,7 +4,7 @@
 
 "$FMDSUB" run -f ndjson --until 3 --set integrate.scheme=rk4 --columns guide.displacement,hub.angle_rate \
     decks/bar-slider.yaml >"$work/out" 2>"$work/err"
-expect "off the rod: status" 0 $? "$work/err"
+ended "off the rod: status" 0 $? "$work/out" "$work/err"
 expect "off the rod: told once, when" "warning: t = 2.13 s: guide.displacement is outside its range -1 ... 1: 1.00061" \
     "$(grep 'outside its range' "$work/err")" "$work/err"
 expect "off the rod: one event" 1 "$(grep -c '"kind":"range"' "$work/out")" "$work/out"

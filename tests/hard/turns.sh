@@ -27,7 +27,7 @@ for scheme in midpoint newmark subcycle miao rk4 dopri5; do
     how="--set integrate.scheme=$scheme"
     [ $scheme = dopri5 ] && how="$how --set integrate.tolerance=1.0e-8"
     "$FMDSUB" run -q $how "$work/winding.yaml" >"$work/measure" 2>"$work/err"
-    expect "winding, $scheme: status" 0 $? "$work/err"
+    ended "winding, $scheme: status" 0 $? "$work/measure" "$work/err"
     "$FMDSUB" run -q $how --set forces.wind.spring=pin --set 'forces.brake.value=0.02*pin.angle' "$work/winding.yaml" >"$work/joint" 2>"$work/err"
     awk -F, '
         function off(d) { d = d < 0 ? -d : d; if (d > worst) worst = d }

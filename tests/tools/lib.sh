@@ -37,6 +37,15 @@ expect() {
     else not_ok "$expect_name" "got '$expect_got', expected '$expect_want'" "$@"; fi
 }
 
+# ended NAME WANTED STATUS OUT [FILE...]: with the status wanted, and one that ends well has something to show for it in OUT.
+ended() {
+    ended_name=$1 ended_want=$2 ended_got=$3 ended_out=$4
+    shift 4
+    if [ "$ended_got" != "$ended_want" ]; then not_ok "$ended_name" "exit $ended_got, expected $ended_want" "$@"
+    elif [ "$ended_want" = 0 ] && [ ! -s "$ended_out" ]; then not_ok "$ended_name" "nothing was written" "$@"
+    else ok "$ended_name"; fi
+}
+
 # same NAME FILE FILE: byte for byte.
 same() {
     if [ ! -s "$2" ]; then not_ok "$1" "$2 is empty"

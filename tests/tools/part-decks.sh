@@ -33,7 +33,7 @@ for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
     expect "$name check" "0 $name" "$? $(sed -n '1s/:.*//p' "$work/out")" "$work/err"
     timeout "${DECK_SECONDS:-60}" "$FMDSUB" run "$deck" >"$work/$name.csv" 2>"$work/err" </dev/null
     rc=$?
-    expect "$name run" 0 $rc "$work/err"
+    ended "$name run" 0 $rc "$work/$name.csv" "$work/err"
     [ $rc = 0 ] || continue
     compare_golden "$name" "$work/$name.csv"
     compare_reference "$name" "$work/$name.csv"

@@ -43,6 +43,9 @@ run_session() { # NAME FILE STATUS
             not_ok "$1" "command $k shows something else; the command, wanted, got:" "$steps/$k.cmd" "$steps/$k.want" "$steps/got"
             return
         fi
+        for made in $(sed -n 's/.*fmdsub.* -o \([^ ;]*\).*/\1/p' "$steps/$k.cmd"); do
+            [ -s "$work/x/$made" ] || { not_ok "$1" "command $k does not write $made"; return; }
+        done
         k=$((k + 1))
     done
     expect "$1" "$3" $rc "$2" "$steps/got"
@@ -69,7 +72,7 @@ for file in "$work"/examples/*.sh "$work"/examples/*.yaml; do
     *.sh) run_session "$name" "$file" "$status" ;;
     *.yaml)
         (cd "$work/x" && timeout 20 "$FMDSUB" check - <"$file") >"$work/out" 2>"$work/err"
-        expect "$name" "$status" $? "$work/err" "$file"
+        expect "$name" "$status said" "$? $(cat "$work/out" "$work/err" | grep -q . && echo said)" "$work/err" "$file"
         ;;
     esac
 done

@@ -62,7 +62,7 @@ cut -d, -f1-9,12-16 "$work/one.csv" >"$work/one"
 cut -d, -f1-9,12-16 "$work/two.csv" >"$work/two"
 same "a study twice, apart from times" "$work/one" "$work/two"
 "$FMDSUB" study -q --pick 1e-5 --repeats 1 --until 1 decks/double-pendulum.yaml >"$work/pick.yaml" 2>"$work/err"
-expect "--pick" 0 $? "$work/err"
+ended "--pick" 0 $? "$work/pick.yaml" "$work/err"
 scheme=$(awk '$1 == "scheme:" { print $2 }' "$work/pick.yaml") tolerance=$(awk '$1 == "tolerance:" { print $2 }' "$work/pick.yaml")
 "$FMDSUB" study -q --schemes "${scheme:-none}" --tolerances "${tolerance:-0}" --repeats 1 --until 1 decks/double-pendulum.yaml 2>"$work/err" |
     awk -F, 'NR == 2 { e = $5 } END { exit !(e > 0 && e <= 1e-5) }'
