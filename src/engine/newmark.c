@@ -23,14 +23,19 @@ static void begin(struct implicit *m)
 }
 
 /* (2-5), (2-6). */
+static void rates_from(double *restrict dx, double *restrict v, const double *restrict v0, const double *restrict a0,
+                       const double *restrict a1, double h, double beta, double gamma, int n)
+{
+    const double b0 = h * h / 2 * (1 - 2 * beta), b1 = h * h * beta, g0 = h * (1 - gamma), g1 = h * gamma;
+    for (int i = 0; i < n; i++) {
+        dx[i] = h * v0[i] + b0 * a0[i] + b1 * a1[i];
+        v[i] = v0[i] + g0 * a0[i] + g1 * a1[i];
+    }
+}
+
 static void rates(struct implicit *m, const double *a1)
 {
-    const double h = m->h, beta = m->options->beta, gamma = m->options->gamma;
-    const double b0 = h * h / 2 * (1 - 2 * beta), b1 = h * h * beta, g0 = h * (1 - gamma), g1 = h * gamma;
-    for (int i = 0; i < m->ode->n; i++) {
-        m->dx[i] = h * m->v0[i] + b0 * m->a0[i] + b1 * a1[i];
-        m->v[i] = m->v0[i] + g0 * m->a0[i] + g1 * a1[i];
-    }
+    rates_from(m->dx, m->v, m->v0, m->a0, a1, m->h, m->options->beta, m->options->gamma, m->ode->n);
 }
 
 /* (2-9): a - M^^-1 Q^ at the last iterate, as a residual whose matrix is 1. */

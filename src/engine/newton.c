@@ -239,9 +239,9 @@ static enum verdict correct(struct newton *nt, double *z, const double *h, int m
     double err = 0, small = 0, square = 0, sum = 0;
     for (int i = 0; i < m; i++) {
         double dv = fabs(h[i] * nt->dz[i]), e = dv * nt->per[i];
-        z[i] -= nt->dz[i];
         sum += dv;
         square += h[i] * nt->r[i] * h[i] * nt->dz[i];
+        z[i] -= nt->dz[i];
         if (dv > small) small = dv;
         if (e > err) {
             err = e;
@@ -268,6 +268,7 @@ static void watch(struct newton *nt)
 enum status newton_solve(struct newton *nt, double *z, const struct equations *eq, const double *h, int m,
                          struct trouble *why)
 {
+    const bool whole = m == nt->ode->n && !nt->matrix_free;
     for (;;) {
         double dk = 0;
         TRY(eq->resid(eq->self, nt->r, &dk, z, why));
@@ -277,7 +278,6 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         }
         copy(nt->dz, nt->r, m);
         eq->solve(eq->self, nt->dz);
-        const bool whole = m == nt->ode->n && !nt->matrix_free;
         if (whole) watch(nt);
         switch (correct(nt, z, h, m, eq->x)) {
         case CONVERGED:

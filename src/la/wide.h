@@ -4,6 +4,8 @@
 #ifndef FMDSUB_LA_WIDE_H
 #define FMDSUB_LA_WIDE_H
 
+#include "base/inline.h"
+
 /* The loops worth three compilations; the choice is made once, when the program is loaded. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&                       \
     !defined(__SANITIZE_ADDRESS__)
@@ -12,12 +14,7 @@
 #define WIDE
 #endif
 
-/* The kernels must stand in every one of these copies: called, they would be of the plain one, and gcc 12 then leaves
- * the upper halves of the registers in use at the end (no vzeroupper), which slows all that runs afterwards. */
-#if defined(__GNUC__)
-#define INTO __attribute__((always_inline))
-#else
-#define INTO
-#endif
+/* Their kernels are INTO: called, they would be of the plain copy, and gcc 12 then leaves the upper halves of the
+ * registers in use at the end (no vzeroupper), which slows all that runs afterwards. */
 
 #endif

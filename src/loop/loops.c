@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/inline.h"
 #include "la/rot.h"
 #include "loop/equations.h"
 
@@ -173,30 +174,31 @@ static void drive_jacobian(struct loops *o, const struct sweep *s, int l)
     row_clear(&o->grad);
 }
 
-/* A row's unit wrench as what it does on the second body and, the other way, on the first, by the coordinates of their
- * ways. */
-static void wrench_row(struct loops *o, const struct sweep *s, double *Cq, int l, int row)
+/* Ways that begin with the same modes: what the second body's way says of them, to [n[1]], goes to the first's. */
+APART void join(double *Cq, const struct loop_ways *w, const double *to)
 {
-    const struct model_loop *loop = &o->model->loop[l];
-    const struct loop_ways *w = &o->ways[l];
-    const double *x = o->place[l].x;
-    const struct equation *says = o->row[row].says;
-    double f[3], n[3], back[2][3], *to = w->same ? o->grad.g : Cq + w->n[0];
-    says->wrench(f, n, o, row);
-    const bool force = says->bears & FORCE, moment = says->bears & MOMENT;
-    if (force) v3_scale(back[0], -1, f);
-    if (moment) v3_scale(back[1], -1, n);
-    if (w->n[0] > 0) o->ops->row(s, Cq, loop->first, w->from, x, force ? back[0] : NULL, moment ? back[1] : NULL);
-    if (w->n[1] > 0) o->ops->row(s, to, loop->second, w->from, x, force ? f : NULL, moment ? n : NULL);
-    if (w->same == 0) return;
     for (int k = 0; k < w->same; k++) Cq[k] += to[k];
     for (int k = w->same; k < w->n[1]; k++) Cq[w->n[0] + k - w->same] = to[k];
 }
 
+/* The rows' unit wrenches as what they do on the second body and, the other way, on the first, by the coordinates of
+ * their ways. */
 static void jacobian(struct loops *o, const struct sweep *s, int l)
 {
+    const struct loop_ways w = o->ways[l];
+    const int first = o->model->loop[l].first, second = o->model->loop[l].second, end = o->first[l + 1];
+    const double *x = o->place[l].x;
     double *Cq = o->Cq[l];
-    for (int i = o->first[l]; i < o->first[l + 1]; i++, Cq += o->nk[l]) wrench_row(o, s, Cq, l, i);
+    for (int i = o->first[l]; i < end; i++, Cq += o->nk[l]) {
+        const struct equation *says = o->row[i].says;
+        double unit[2][3], back[2][3], *to = w.same ? o->grad.g : Cq + w.n[0], *f = NULL, *n = NULL;
+        says->wrench(unit[0], unit[1], o, i);
+        if (says->bears & FORCE) v3_scale(f = back[0], -1, unit[0]);
+        if (says->bears & MOMENT) v3_scale(n = back[1], -1, unit[1]);
+        if (w.n[0] > 0) o->ops->row(s, Cq, first, w.from, x, f, n);
+        if (w.n[1] > 0) o->ops->row(s, to, second, w.from, x, f ? unit[0] : NULL, n ? unit[1] : NULL);
+        if (w.same) join(Cq, &w, to);
+    }
 }
 
 void loops_jacobian(struct loops *o, const struct sweep *s)

@@ -131,8 +131,8 @@ static void turn_rows(struct rows *o, const struct component *c, const double *d
 
 void rows_turn(struct rows *o, const double *dx, const bool *marked)
 {
-    assert(o->linear == o->placed);
     if (o->tree->moves.nturn == 0) return;
+    assert(o->linear == o->placed);
     for (int i = 0; i < o->ncomponent; i++) turn_rows(o, &o->component[i], dx, marked);
 }
 

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/inline.h"
 #include "la/dense.h"
-#include "la/wide.h"
 #include "tree/sizes.h"
 
 static struct open_tree *tree_of(const struct ode2 *o)

@@ -30,9 +30,9 @@ static inline bool posture_is(const struct posture *o, const double *q, int nq)
 /* Takes q; returns its number, a new one where q is another than before. */
 static inline long posture_take(struct posture *o, const double *q, int nq)
 {
-    int i = o->number ? posture_same(o, q, nq) : 0;
-    if (o->number && i == nq) return o->number;
-    for (; i < nq; i++) o->q[i] = q[i];
+    const int same = o->number ? posture_same(o, q, nq) : 0;
+    if (o->number && same == nq) return o->number;
+    memcpy(o->q + same, q + same, sizeof *q * (size_t)(nq - same));
     return ++o->number;
 }
 

@@ -7,18 +7,13 @@
 #ifndef FMDSUB_TREE_PLANAR_H
 #define FMDSUB_TREE_PLANAR_H
 
+#include "base/inline.h"
 #include "la/vec2.h"
 #include "tree/routes.h"
 #include "tree/sweep.h"
 
 /* Compiled twice, with and without flexible bodies: trees of rigid bodies pay nothing for them. */
-#if defined(__GNUC__)
-#define TWICE __attribute__((always_inline)) static inline
-#define APART __attribute__((noinline)) static
-#else
-#define TWICE static inline
-#define APART static
-#endif
+#define TWICE INTO static inline
 
 /* HELD: no freedom; TURN: revolute; SLIDE: prismatic; GLIDE: two displacements, one rotation. */
 enum planar_type { HELD, TURN, SLIDE, GLIDE };
