@@ -177,6 +177,7 @@ static void part_recall(struct split *o, struct part *p, struct recall *r)
     recall_one(r, "chosen", p->chosen);
     recall_one(r, "gain", p->gain);
     recall_one(r, "least_gain", p->least_gain);
+    recall_one(r, "best_gain", p->best_gain);
     recall_list(r, "weight", p->weight, c->nk);
     recall_list(r, "kept", p->kept, c->nrow);
     recall_list(r, "dep", p->dep, c->nrow);

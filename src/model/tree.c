@@ -248,6 +248,27 @@ static void grow(struct making *o, struct search *s)
     }
 }
 
+/* The tree of a state that the run starts from: which joints have coordinates, and their order, may have come from what
+ * the deck no longer says.  Names that do not fit are passed over. */
+static void grow_as_told(struct making *o, const char *tree)
+{
+    enum { FREE = 5 }; /* "_free", of a body without a joint */
+    const struct scene *scene = o->scene;
+    for (size_t len; *tree; tree += len + strspn(tree + len, " ")) {
+        len = strcspn(tree, " ");
+        const int i = scene_find_joint(scene, tree, len);
+        if (i < 0 && len > FREE) {
+            const int island = scene_find_body(scene, tree, len - FREE);
+            if (island > 0 && o->body_of[island] < 0 && strncmp(tree + len - FREE, "_free", FREE) == 0)
+                hang_free(o, island);
+        }
+        if (i < 0 || joint_is_tie(scene->joint[i].kind)) continue;
+        const int first = scene->joint[i].first, second = scene->joint[i].second;
+        if (o->body_of[first] >= 0 && o->body_of[second] < 0) hang_by(o, i, first, second);
+        if (o->body_of[second] >= 0 && o->body_of[first] < 0) hang_by(o, i, second, first);
+    }
+}
+
 /* Nothing hangs on the ground any more. */
 static void fell(struct making *o)
 {
@@ -343,8 +364,9 @@ enum status make_tree(struct making *o)
     struct search s = {thread_joints(o), TAKE(o->life, int, scene->njoint), TAKE(o->life, int, n), 0, 0};
     if (closes_loops(o))
         for (int i = 0; i < scene->njoint; i++) s.wish[i] = wish(o, i);
+    if (scene->tree) grow_as_told(o, scene->tree);
     grow(o, &s);
-    if (make_short(o, &s.threads, s.wish)) {
+    if (!scene->tree && make_short(o, &s.threads, s.wish)) {
         fell(o);
         grow(o, &s);
     }

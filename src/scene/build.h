@@ -48,7 +48,6 @@ void frame_about(double *E, const double *z, const double *near);
 /* names.c: names to indices, near misses; -1 after an error */
 int find_body(struct builder *b, const struct node *n);
 int find_two_bodies(struct builder *b, int *first, int *second, const struct node *n, const char *what);
-int find_joint(const struct scene *scene, const char *name, size_t len);
 int find_measure(const struct scene *scene, const char *name, size_t len);
 /* Says that a name is unknown, with the nearest of the list. */
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,

@@ -51,7 +51,7 @@ bool known_but_wrong(const struct builder *b, const char *name)
     lead[len] = 0;
     for (int i = 1; i < b->scene->nbody; i++)
         if (same(b->scene->body[i].name, name, len) && lost_with(b, i, name + len)) return true;
-    if (find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
+    if (scene_find_joint(b->scene, lead, len) >= 0 || find_measure(b->scene, lead, len) >= 0) return false;
     if (len > 5 && strcmp(lead + len - 5, "_rate") == 0 && !strchr(name, '.')) lead[len - 5] = 0; /* of a measure */
     for (int i = 0; i < root->count; i++)
         if (root->item[i]->type == NODE_MAP && root->item[i]->reported) return true;
@@ -116,11 +116,10 @@ bool not_there(struct builder *b, const struct node *n, const char *section, con
     return true;
 }
 
-static int body_index(const struct scene *scene, const char *name, size_t len)
+int scene_find_body(const struct scene *scene, const char *name, size_t len)
 {
-    for (int i = 0; i < scene->nbody; i++)
-        if (same(scene->body[i].name, name, len)) return i;
-    return -1;
+    if (scene->nbody == 0) return -1;
+    return index_find(scene->bodies, name, len, &scene->body->name, sizeof *scene->body, scene->nbody);
 }
 
 int find_body(struct builder *b, const struct node *n)
@@ -130,7 +129,7 @@ int find_body(struct builder *b, const struct node *n)
         diag_error(b->diags, n, AT_VALUE, "E-type", "expected the name of a body");
         return -1;
     }
-    int body = body_index(scene, n->text, n->len);
+    int body = scene_find_body(scene, n->text, n->len);
     if (body >= 0) return body;
     struct arena *scratch = arena_open();
     const char **list = TAKE(scratch, const char *, scene->nbody);
@@ -165,18 +164,16 @@ bool may_own_columns(const char *name)
     return text_is_name(name);
 }
 
-int find_joint(const struct scene *scene, const char *name, size_t len)
+int scene_find_joint(const struct scene *scene, const char *name, size_t len)
 {
-    for (int i = 0; i < scene->njoint; i++)
-        if (same(scene->joint[i].name, name, len)) return i;
-    return -1;
+    if (scene->njoint == 0) return -1;
+    return index_find(scene->joints, name, len, &scene->joint->name, sizeof *scene->joint, scene->njoint);
 }
 
 int find_measure(const struct scene *scene, const char *name, size_t len)
 {
-    for (int i = 0; i < scene->nmeasure; i++)
-        if (same(scene->measure[i].name, name, len)) return i;
-    return -1;
+    if (scene->nmeasure == 0) return -1;
+    return index_find(scene->measures, name, len, &scene->measure->name, sizeof *scene->measure, scene->nmeasure);
 }
 
 int scene_coordinate(const struct scene_joint *joint, const char *word, int *k)
@@ -190,7 +187,7 @@ int scene_coordinate(const struct scene_joint *joint, const char *word, int *k)
 int find_owner(const struct scene *scene, const char *name)
 {
     const char *dot = strchr(name, '.');
-    int k, joint = dot ? find_joint(scene, name, (size_t)(dot - name)) : -1;
+    int k, joint = dot ? scene_find_joint(scene, name, (size_t)(dot - name)) : -1;
     return joint >= 0 && scene_coordinate(&scene->joint[joint], dot + 1, &k) ? joint : -1;
 }
 
@@ -198,7 +195,7 @@ int scene_mode(const struct scene *scene, const char *name, int *body, int *k)
 {
     const char *dot = strchr(name, '.');
     if (!dot || strncmp(dot, ".mode", 5) != 0) return 0;
-    *body = body_index(scene, name, (size_t)(dot - name));
+    *body = scene_find_body(scene, name, (size_t)(dot - name));
     size_t digits = strspn(dot + 5, "0123456789");
     const char *rest = dot + 5 + digits;
     if (*body <= 0 || digits == 0 || digits > 6 || dot[5] == '0') return 0;
@@ -211,7 +208,7 @@ int find_quantity(const struct scene *scene, struct scene_slot *o, const char *n
 {
     const char *dot = strchr(name, '.');
     if (dot) {
-        int k, joint = find_joint(scene, name, (size_t)(dot - name)), body;
+        int k, joint = scene_find_joint(scene, name, (size_t)(dot - name)), body;
         int mode = scene_mode(scene, name, &body, &k);
         if (mode) {
             *o = (struct scene_slot){mode == 1 ? SCENE_MODE : SCENE_MODE_RATE, body, k};

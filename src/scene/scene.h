@@ -8,6 +8,7 @@
 #include <stdbool.h>
 
 #include "base/arena.h"
+#include "base/index.h"
 #include "deck/deck.h"
 #include "deck/diag.h"
 #include "flex/body.h"
@@ -171,6 +172,7 @@ struct scene {
     const char *title;
     int space; /* 2 or 3 */
     double gravity[3];
+    struct index *bodies, *joints, *measures; /* by name */
     int nbody;
     struct scene_body *body; /* [nbody], 0 is the ground */
     int npoint;
@@ -193,6 +195,7 @@ struct scene {
     const struct node *from;   /* {coordinate or rate: number, ...} of a final state; NULL: none */
     const struct node *angles; /* {measure: angle} of that state; NULL: none */
     const struct node *left;   /* all of it; NULL: none */
+    const char *tree;          /* names of its tree's joints in order, with blanks between; NULL: not told */
     bool keeps;                /* the run goes on at its time */
     bool any_deck;             /* it may be another deck's, or edited */
     bool at_rest;              /* start in static equilibrium, found from there */
@@ -211,6 +214,10 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
 /* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
  * a rate (k counts v), 3 for an acceleration, 0 for none. */
 int scene_coordinate(const struct scene_joint *joint, const char *word, int *k);
+
+/* The body, the joint of that name; -1: none. */
+int scene_find_body(const struct scene *scene, const char *name, size_t len);
+int scene_find_joint(const struct scene *scene, const char *name, size_t len);
 
 /* "body.mode3", "body.mode3_rate" of a flexible body: 1 for the coordinate, 2 for its rate, 0 for neither; k from 0. */
 int scene_mode(const struct scene *scene, const char *name, int *body, int *k);

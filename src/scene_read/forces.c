@@ -156,10 +156,10 @@ static bool names_a_body(const struct builder *b, const struct node *n)
     const char *dot = strchr(n->text, '.');
     size_t len = dot ? (size_t)(dot - n->text) : n->len;
     for (int i = 0; dot && i < b->scene->npoint; i++) /* of a beam in segments, whose own name is no body's */
-        if (strcmp(b->scene->point[i].name, n->text) == 0 && find_joint(b->scene, n->text, len) < 0) return true;
+        if (strcmp(b->scene->point[i].name, n->text) == 0 && scene_find_joint(b->scene, n->text, len) < 0) return true;
     for (int i = 0; i < b->scene->nbody; i++)
         if (strlen(b->scene->body[i].name) == len && memcmp(b->scene->body[i].name, n->text, len) == 0)
-            return find_joint(b->scene, n->text, len) < 0;
+            return scene_find_joint(b->scene, n->text, len) < 0;
     return false;
 }
 

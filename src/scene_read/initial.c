@@ -58,7 +58,7 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     const struct scene *scene = b->scene;
     const char *dot = strchr(n->key, '.');
     o->node = n;
-    o->joint = dot ? find_joint(scene, n->key, (size_t)(dot - n->key)) : -1;
+    o->joint = dot ? scene_find_joint(scene, n->key, (size_t)(dot - n->key)) : -1;
     int mode = scene_mode(scene, n->key, &o->body, &o->k);
     if (mode) {
         o->joint = -1;
@@ -155,6 +155,7 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     if (b->scene->keeps) b->scene->start = k.t;
     warn_of_clock(b, initial, n, k.t);
     b->scene->left = root;
+    b->scene->tree = k.tree;
     b->scene->from = k.state;
     b->scene->angles = k.angles;
     return 0;

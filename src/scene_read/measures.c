@@ -130,7 +130,7 @@ int read_measures(struct builder *b, const struct node *n)
         if (!text_is_name(m->key) || strcmp(m->key, "t") == 0 || strcmp(m->key, "type") == 0 || expr_is_word(m->key)) {
             diag_error(b->diags, m, AT_KEY, "E-name", "'%.60s' cannot name a measure", m->key);
             errors++;
-        } else if (find_joint(b->scene, m->key, strlen(m->key)) >= 0) {
+        } else if (scene_find_joint(b->scene, m->key, strlen(m->key)) >= 0) {
             diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a constraint already", m->key);
             errors++;
         } else if (is_parameter(b, m->key)) {
@@ -156,7 +156,7 @@ static int coordinate_measure(struct builder *b, struct scene_measure *m, const 
 {
     const struct scene *scene = b->scene;
     const char *dot = strchr(n->text, '.');
-    int joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k, body;
+    int joint = scene_find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len), k, body;
     if (joint < 0 && scene_mode(scene, n->text, &body, &k)) {
         diag_error(b->diags, n, AT_VALUE, "E-which-coordinate",
                    "'%s' is an elastic coordinate: no force or drive acts along it", n->text);
@@ -206,7 +206,7 @@ static void refuse_name(struct builder *b, const struct node *n, bool measures)
     }
     const char **list = TAKE(b->life, const char *, total);
     for (int i = 0; i < total; i++) {
-        const bool joint = find_joint(scene, all[i], strlen(all[i])) >= 0;
+        const bool joint = scene_find_joint(scene, all[i], strlen(all[i])) >= 0;
         const bool found = find_quantity(scene, &slot, all[i]);
         if (joint || (found && slot.type == SCENE_COORDINATE) || (measures && found && slot.type == SCENE_MEASURE))
             list[count++] = all[i];

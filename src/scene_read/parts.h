@@ -61,7 +61,7 @@ struct state_keys {
     int version;
     double t;
     int last_step;
-    const char *deck, *check;
+    const char *deck, *tree, *check;
     const struct node *state, *angles, *memory;
 };
 struct output_keys {

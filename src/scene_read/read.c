@@ -70,6 +70,8 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
     struct builder b = {
         .scene = scene, .diags = diags, .reader = {.diags = diags, .deck = deck}, .sections = keys_deck, .life = life};
     struct deck_keys k = {.space = -1};
+    struct index **names[] = {&scene->bodies, &scene->joints, &scene->measures};
+    for (int i = 0; i < 3; i++) *(*names[i] = TAKE(life, struct index, 1)) = (struct index){.life = life};
     scene->deck = deck;
     *out = scene;
     b.reader.sections = sections_fixed(&b.reader.nsection);

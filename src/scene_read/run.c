@@ -42,7 +42,7 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
     *o = (struct scene_choice){n, -1, -1, 0};
     if (n->type == NODE_SCALAR) {
         const char *dot = strchr(n->text, '.');
-        o->joint = find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len);
+        o->joint = scene_find_joint(scene, n->text, dot ? (size_t)(dot - n->text) : n->len);
         if (o->joint >= 0 && !dot) return 0;
         if (o->joint < 0 && choose_modes(scene, o, n)) return 0;
         if (o->joint >= 0 && scene_coordinate(&scene->joint[o->joint], dot + 1, &o->k) == 1) {

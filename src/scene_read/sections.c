@@ -200,6 +200,7 @@ const struct key keys_state[] = {
     PARAM_WORD(struct state_keys, last_step, "last_step", "whole|cut", 0, "whole",
                "whether the last major step was cut to end at 'until'"),
     PARAM_TEXT(struct state_keys, deck, "deck", 0, NULL, "fingerprint of the deck, but for its start, end and output"),
+    PARAM_TEXT(struct state_keys, tree, "tree", 0, NULL, "joints that have the coordinates, in the order of the tree"),
     PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
                "all coordinates and all rates, by their column names"),
     PARAM_NODE(struct state_keys, angles, "angles", "{measure: number}", 0,

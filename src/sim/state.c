@@ -228,6 +228,20 @@ static enum status open_map(struct writing *w, const char *name)
     return mark(w, line);
 }
 
+static enum status put_tree(const struct sim *sim, struct writing *w)
+{
+    const struct model *m = sim->model;
+    struct arena *scratch = arena_open();
+    size_t len = 1;
+    for (int i = 0; i < m->njoint; i++) len += strlen(m->joint[i].name) + 1;
+    char *text = TAKE(scratch, char, len), *to = text;
+    for (int i = 0; i < m->njoint; i++)
+        if (!m->body[m->joint[i].child].at_node) to += sprintf(to, "%s%s", to > text ? " " : "", m->joint[i].name);
+    const enum status status = put_text(w, "tree", text, ",");
+    arena_close(scratch);
+    return status;
+}
+
 static int count_angles(const struct sim *sim)
 {
     int n = 0;
@@ -288,6 +302,7 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
     TRY(put_number(&w, "t", sim->x.t, ","));
     TRY(put_text(&w, "last_step", sim->cut ? "cut" : "whole", ","));
     TRY(put_hash(&w, "deck", memory_of_deck(sim), ","));
+    TRY(put_tree(sim, &w));
     TRY(put_angles(sim, &w));
     TRY(put_state(sim, &w));
     TRY(put_memory(sim, &w));

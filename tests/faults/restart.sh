@@ -57,3 +57,28 @@ for deck in *.yaml; do
     [ -z "$bad" ] && ok "restart: $name" && decks=$((decks + 1)) || not_ok "restart: $name" "$bad"
 done
 [ "$D" ] || { [ $decks -ge 70 ] && ok "restart: all decks" || not_ok "restart: all decks" "only $decks"; }
+
+# Which joints have coordinates, and in which order, comes from what `initial:` names, too: the state tells it.
+if wanted tree; then
+    cat >four.yaml <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  a: {mass: 1, inertia: 0.1, at: [0, 0.5]}
+  b: {mass: 1, inertia: 0.1, at: [1, 1.2]}
+  c: {mass: 1, inertia: 0.1, at: [2, 0.7]}
+  loose: {mass: 1, inertia: 0.1, at: [5, 0]}
+constraints:
+  A: {revolute: [ground, a], at: [0, 0]}
+  B: {revolute: [a, b], at: [0, 1]}
+  C: {revolute: [b, c], at: [2, 1.4]}
+  D: {revolute: [c, ground], at: [2, 0]}
+initial: {C.angle_rate: 1}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.4}
+END
+    "$FMDSUB" run -q --every 0.1 --columns 'a.*,c.*,loose.*' four.yaml >whole 2>err
+    "$FMDSUB" run -q --until 0.2 --final-state half.json four.yaml >first 2>>err
+    "$FMDSUB" run -q --every 0.1 --columns 'a.*,c.*,loose.*' -s 'initial={from: half.json, time: keep}' four.yaml >rest 2>>err
+    [ "$(tail -n 1 whole)" = "$(tail -n 1 rest)" ] && ok "restart: the tree that 'initial' asked for" ||
+        not_ok "restart: the tree that 'initial' asked for" "another end" err
+fi
