@@ -198,6 +198,10 @@ vacuous: tests-built $(PROGRAM) $(FOUND)
 	@BUILD=$(BUILD) sh tests/tools/vacuous.sh | tee $(BUILD)/vacuous.log
 	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/vacuous.log
 
+## advice        what the advice of check promises beside what is found, on all decks: minutes
+advice: $(PROGRAM)
+	@BUILD=$(BUILD) sh tests/tools/advice.sh
+
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/validation/table.sh
@@ -316,5 +320,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: coverage vacuous fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: advice coverage vacuous fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

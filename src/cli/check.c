@@ -6,6 +6,7 @@
 #include "cli/cli.h"
 #include "probe/modes.h"
 #include "sim/sim.h"
+#include "study/advice.h"
 
 static const double two_pi = 6.28318530717958647693;
 
@@ -131,16 +132,22 @@ static void print_forces(FILE *to, const struct model *m)
         fprintf(to, "  %-16s %s\n", m->force[i].name, m->force[i].cls == FAST ? "fast" : "slow");
 }
 
-/* What oscillates, and what grows instead. */
-static void print_range(FILE *to, const struct modes *modes)
+double check_omega(const struct sim *sim, double omega)
 {
-    static const double little = 1e-6;
-    const double top = modes->mode[modes->n - 1].omega;
+    static const double MOVES = 1e-3; /* [rad] */
+    return fabs(omega) * (sim->plan.until - sim->scene->start) < MOVES ? 0 : omega;
+}
+
+/* What oscillates, and what grows instead. */
+static void print_range(FILE *to, const struct sim *sim, const struct modes *modes)
+{
+    static const double LITTLE = 1e-6; /* of the highest */
+    const double top = check_omega(sim, modes->mode[modes->n - 1].omega);
     int growing = 0;
-    while (growing < modes->n && modes->mode[growing].omega < -little * fabs(top)) growing++;
-    if (growing < modes->n)
-        fprintf(to, "natural frequencies at the start: %.4g to %.4g Hz", fmax(0, modes->mode[growing].omega) / two_pi,
-                fmax(0, top) / two_pi);
+    while (growing < modes->n && check_omega(sim, modes->mode[growing].omega) < -LITTLE * fabs(top)) growing++;
+    if (growing < modes->n && top > 0)
+        fprintf(to, "natural frequencies at the start: %.4g to %.4g Hz",
+                fmax(0, check_omega(sim, modes->mode[growing].omega)) / two_pi, top / two_pi);
     else
         fputs("no natural frequencies at the start", to);
     if (growing)
@@ -150,34 +157,68 @@ static void print_range(FILE *to, const struct modes *modes)
 
 static void print_quickest(FILE *to, const struct sim *sim, const char *what, int i, double omega)
 {
-    if (i >= 0 && omega > 0)
+    if (i >= 0 && check_omega(sim, omega) > 0)
         fprintf(to, "  quickest %s coordinate: %s, %.4g Hz\n", what, sim_coordinate_name(sim, i), omega / two_pi);
 }
 
-/* What the linearisation at the start asks of the steps. */
-static void print_frequencies(FILE *to, const struct sim *sim, struct arena *life)
+/* Steps by the linearisation at the start. */
+static void print_suggestion(FILE *to, const struct sim *sim, const struct modes *modes)
 {
     static const double slow = 1e-3; /* [rad] in a hundredth of the run */
-    struct modes modes;
-    struct report quiet = {0};
     double h;
     int ratio;
-    if (modes_find(&modes, sim, life, &quiet) != OK || modes.n == 0) return;
-    print_range(to, &modes);
-    print_quickest(to, sim, "fast", modes.fast_worst, modes.fast_top);
-    print_quickest(to, sim, "slow", modes.slow_worst, modes.slow_top);
-    if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;
+    if (!(modes->fast_top > 0) && !(modes->slow_top > 0)) return;
     if (sim->stepper.kind->adaptive) {
         fprintf(to, "  scheme %s chooses its own steps\n", sim->stepper.kind->name);
         return;
     }
-    if (fmax(modes.fast_top, modes.slow_top) * modes_longest_step(sim) < slow) {
+    if (fmax(modes->fast_top, modes->slow_top) * modes_longest_step(sim) < slow) {
         fputs("  too slow to choose a step by: `fmdsub study` tells what steps are worth in the motion itself\n", to);
         return;
     }
-    modes_suggest(&h, &ratio, &modes, sim);
+    modes_suggest(&h, &ratio, modes, sim);
     fprintf(to, "  to resolve them (omega h = 0.1): step %.3g, ratio %d; the deck has %.3g, %d\n", h, ratio,
             sim->plan.step, sim->plan.ratio);
+}
+
+/* Small motions about the start. */
+static void print_frequencies(FILE *to, const struct sim *sim, bool suggest, struct arena *life)
+{
+    struct modes modes;
+    struct report quiet = {0};
+    if (modes_find(&modes, sim, life, &quiet) != OK || modes.n == 0) return;
+    print_range(to, sim, &modes);
+    print_quickest(to, sim, "fast", modes.fast_worst, modes.fast_top);
+    print_quickest(to, sim, "slow", modes.slow_worst, modes.slow_top);
+    if (suggest) print_suggestion(to, sim, &modes);
+}
+
+static void print_advised(FILE *to, const struct advised *a)
+{
+    fprintf(to, "%s at ", a->scheme);
+    if (isfinite(a->step)) fprintf(to, "step %.6g", a->step);
+    if (isfinite(a->tolerance)) fprintf(to, "tolerance %.0e", a->tolerance);
+    if (a->ratio > 1) fprintf(to, ", ratio %d", a->ratio);
+    fprintf(to, " (%.2g evaluations)", a->work);
+}
+
+/* What trial runs have told of steps and tolerances. */
+static void print_advice(FILE *to, const struct sim *sim, const struct advice *o)
+{
+    if (o->why) {
+        fprintf(to, "steps: no advice, for %s; `fmdsub study` looks longer\n", o->why);
+        return;
+    }
+    fprintf(to, "steps: by trial runs of %.2g evaluations", o->work);
+    if (o->until < sim->plan.until) fprintf(to, " up to t = %.4g s%s", o->until, o->parted ? ", where they part" : "");
+    fputs(", for an error in the columns, over their ranges, of\n", to);
+    for (int i = 0; i < o->n; i++) {
+        const bool first = i == 0 || o->entry[i].error != o->entry[i - 1].error;
+        if (first) fprintf(to, "%s  %.0e: ", i ? "\n" : "", o->entry[i].error);
+        if (!first) fputs(", or ", to);
+        print_advised(to, &o->entry[i]);
+    }
+    fputs(o->n ? "\n" : "  none that a scheme here can promise\n", to);
 }
 
 static void print_records(FILE *to, const struct sim *sim)
@@ -201,10 +242,13 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
+    struct advice advice;
+    const bool trial = !request->expanded && !request->no_trial;
+    if (trial) TRY(advice_find(&advice, scene, sim.stepper.ode->n, diags_open(life), report));
     if (request->expanded) {
         deck_print(stdout, scene->deck);
     } else if (request->format && strcmp(request->format, "json") == 0) {
-        TRY(check_json(&sim, life, report));
+        TRY(check_json(&sim, trial ? &advice : NULL, life, report));
     } else {
         print_title(stdout, scene);
         print_bodies(stdout, sim.model, scene->nbody - 1);
@@ -212,7 +256,8 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         print_coordinates(stdout, &sim);
         print_closures(stdout, &sim, life);
         print_forces(stdout, sim.model);
-        print_frequencies(stdout, &sim, life);
+        print_frequencies(stdout, &sim, !trial || !advice_step(&advice, 1e-2), life);
+        if (trial) print_advice(stdout, &sim, &advice);
         print_records(stdout, &sim);
     }
     if (request->strict && diags_warnings(diags))

@@ -1,8 +1,11 @@
 /* check_json.c -- fmdsub check --format json: the same as one object */
+#include <math.h>
+
 #include "cli/cli.h"
 #include "out/facts.h"
 #include "probe/modes.h"
 #include "sim/sim.h"
+#include "study/advice.h"
 
 static cJSON *rate_class(bool fast)
 {
@@ -123,7 +126,49 @@ static void add_loops(cJSON *to, const struct sim *sim, struct arena *life)
     facts_add(o, "misfit", facts_number(c.closed));
 }
 
-static void add_steps(cJSON *to, const struct sim *sim, struct arena *life)
+static cJSON *number_or_null(double x)
+{
+    return isfinite(x) ? facts_number(x) : cJSON_CreateNull();
+}
+
+static cJSON *advised(const struct advised *a)
+{
+    cJSON *o = cJSON_CreateObject();
+    facts_add(o, "error", facts_number(a->error));
+    cJSON_AddStringToObject(o, "scheme", a->scheme);
+    facts_add(o, "suggested_step", number_or_null(a->step));
+    facts_add(o, "suggested_ratio", facts_number(a->ratio));
+    facts_add(o, "tolerance", number_or_null(a->tolerance));
+    facts_add(o, "evaluations", facts_number(round(a->work)));
+    return o;
+}
+
+static void add_advice(cJSON *steps, const struct advice *o)
+{
+    const struct advised *usual = advice_step(o, 1e-2);
+    if (usual) {
+        facts_add(steps, "suggested_step", facts_number(usual->step));
+        facts_add(steps, "suggested_ratio", facts_number(usual->ratio));
+    }
+    cJSON *list = cJSON_AddArrayToObject(steps, "advice");
+    for (int i = 0; i < o->n; i++) cJSON_AddItemToArray(list, advised(&o->entry[i]));
+    facts_add(steps, "trial_evaluations", facts_number(round(o->work)));
+    facts_add(steps, "trial_until", number_or_null(o->until));
+    facts_add(steps, "trial_parts", cJSON_CreateBool(o->parted));
+    if (o->why) cJSON_AddStringToObject(steps, "no_advice", o->why);
+}
+
+static void add_suggestion(cJSON *steps, const struct modes *modes, const struct sim *sim)
+{
+    double h;
+    int ratio;
+    if (!(modes->fast_top > 0) && !(modes->slow_top > 0)) return;
+    modes_suggest(&h, &ratio, modes, sim);
+    facts_add(steps, "suggested_step", facts_number(h));
+    facts_add(steps, "suggested_ratio", facts_number(ratio));
+}
+
+static void add_steps(cJSON *to, const struct sim *sim, const struct advice *advice, struct arena *life)
 {
     struct modes modes;
     struct report quiet = {0};
@@ -131,18 +176,14 @@ static void add_steps(cJSON *to, const struct sim *sim, struct arena *life)
     facts_add(steps, "step", facts_number(sim->plan.step));
     facts_add(steps, "ratio", facts_number(sim->plan.ratio));
     facts_add(steps, "major_steps", facts_number((double)sim->majors));
+    if (advice) add_advice(steps, advice);
     if (modes_find(&modes, sim, life, &quiet) != OK) return;
     cJSON *omega = cJSON_AddArrayToObject(to, "omega");
-    for (int i = 0; i < modes.n; i++) cJSON_AddItemToArray(omega, facts_number(modes.mode[i].omega));
-    if (!(modes.fast_top > 0) && !(modes.slow_top > 0)) return;
-    double h;
-    int ratio;
-    modes_suggest(&h, &ratio, &modes, sim);
-    facts_add(steps, "suggested_step", facts_number(h));
-    facts_add(steps, "suggested_ratio", facts_number(ratio));
+    for (int i = 0; i < modes.n; i++) cJSON_AddItemToArray(omega, facts_number(check_omega(sim, modes.mode[i].omega)));
+    if (!advice || !advice_step(advice, 1e-2)) add_suggestion(steps, &modes, sim);
 }
 
-enum status check_json(struct sim *sim, struct arena *life, struct report *report)
+enum status check_json(struct sim *sim, const struct advice *advice, struct arena *life, struct report *report)
 {
     double mass, centre[3];
     TRY(sim_mass(&mass, centre, sim, report));
@@ -157,7 +198,7 @@ enum status check_json(struct sim *sim, struct arena *life, struct report *repor
     facts_add(o, "forces", forces(sim->model));
     add_mass(o, mass, centre, sim->model->space);
     add_loops(o, sim, life);
-    add_steps(o, sim, life);
+    add_steps(o, sim, advice, life);
     char *text = cJSON_Print(o);
     cJSON_Delete(o);
     if (!text) return fail(report, E_LIMIT, "out of memory");

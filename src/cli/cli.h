@@ -24,7 +24,7 @@ struct request {
     const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *budget, *at,
         *final_state;
-    bool quiet, verbose, want_stats, strict, expanded, absolute, help, version;
+    bool quiet, verbose, want_stats, strict, expanded, absolute, no_trial, help, version;
     const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
 };
@@ -70,8 +70,12 @@ bool cli_color(const struct request *request);
 /* check --format json */
 struct sim;
 struct model;
+/* A frequency that moves nothing in the whole run is round-off: none. */
+double check_omega(const struct sim *sim, double omega);
 /* The name of what a body hangs on: of the flexible body at whose node it is. */
 const char *check_parent(const struct model *m, int body);
-enum status check_json(struct sim *sim, struct arena *life, struct report *report);
+/* advice NULL: not asked for. */
+struct advice;
+enum status check_json(struct sim *sim, const struct advice *advice, struct arena *life, struct report *report);
 
 #endif

@@ -29,6 +29,7 @@ const struct cli_option cli_options[] = {
     {"absolute", NULL, 0, "study", "errors in the unit of the worst column"},
     {"at", "SECONDS", 0, "modes", "linearise there instead of at the start"},
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
+    {"no-trial", NULL, 0, "check", "no trial runs: steps by the frequencies at the start"},
     {"quiet", NULL, 'q', NULL, "no plan line, no summary"},
     {"verbose", NULL, 'v', "run", "the counts of --stats on stderr"},
     {"max-memory", "SIZE", 0, NULL, "exit 7 rather than take more: 500M, 4G (default: 3/4 of the machine's)"},
@@ -159,8 +160,9 @@ static enum status take(struct request *o, const char *name, const char *value, 
     struct {
         const char *name;
         bool *to;
-    } flags[] = {{"quiet", &o->quiet},     {"verbose", &o->verbose},   {"strict", &o->strict},    {"help", &o->help},
-                 {"version", &o->version}, {"expanded", &o->expanded}, {"absolute", &o->absolute}};
+    } flags[] = {{"quiet", &o->quiet},       {"verbose", &o->verbose},  {"strict", &o->strict},
+                 {"help", &o->help},         {"version", &o->version},  {"expanded", &o->expanded},
+                 {"absolute", &o->absolute}, {"no-trial", &o->no_trial}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)

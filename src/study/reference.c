@@ -37,7 +37,8 @@ static double share(const struct reference *o, int c, double difference)
 }
 
 /* The last common time before coordinates part. */
-static void find_horizon(struct reference *o, const struct outcome *second, const struct subject *subject)
+static void find_horizon(struct reference *o, const struct outcome *second, double parted,
+                         const struct subject *subject)
 {
     int r[2] = {-1, -1};
     double last = 0;
@@ -45,14 +46,15 @@ static void find_horizon(struct reference *o, const struct outcome *second, cons
     while (outcome_next(r, &o->run, second)) {
         const double *a = outcome_row(&o->run, r[0]), *b = outcome_row(second, r[1]);
         for (int c = 0; c < o->run.n && o->whole; c++)
-            if (subject->column[c].rate >= 0 && share(o, c, fabs(a[c] - b[c])) > PARTED) o->whole = false;
+            if (subject->column[c].rate >= 0 && share(o, c, fabs(a[c] - b[c])) > parted) o->whole = false;
         if (!o->whole) break;
         last = a[0];
     }
     o->horizon = last;
 }
 
-static void find_uncertainty(struct reference *o, const struct outcome *second, struct subject *subject)
+static void find_uncertainty(struct reference *o, const struct outcome *second, double uncertain,
+                             struct subject *subject)
 {
     int r[2] = {-1, -1};
     memset(o->uncertain, 0, sizeof *o->uncertain * (size_t)o->run.n);
@@ -64,7 +66,7 @@ static void find_uncertainty(struct reference *o, const struct outcome *second, 
     for (int c = 0; c < o->run.n; c++) {
         struct outcome_column *column = &subject->column[c];
         if (column->rate >= 0) o->apart = fmax(o->apart, o->uncertain[c]);
-        if (!column->compared || o->uncertain[c] <= UNCERTAIN) continue;
+        if (!column->compared || o->uncertain[c] <= uncertain) continue;
         column->compared = false;
         if (o->left_out++ == 0) o->left_out_name = column->name;
     }
@@ -224,6 +226,36 @@ static enum status run_both(struct reference *o, struct outcome *second, const s
     return OK;
 }
 
+/* A column that says nothing beside others of its unit. */
+static bool is_noise(const struct reference *o, int c, const struct subject *subject)
+{
+    static const double NOISE = 1e-11;
+    const char *unit = subject->column[c].unit;
+    double most = 0;
+    for (int i = 0; unit && i < o->run.n; i++)
+        if (subject->column[i].unit && strcmp(subject->column[i].unit, unit) == 0) most = fmax(most, o->largest[i]);
+    return o->largest[c] < NOISE * most;
+}
+
+static void take_ranges(struct reference *o, struct arena *life)
+{
+    o->uncertain = TAKE(life, double, o->run.n);
+    o->range = TAKE(life, double, o->run.n);
+    o->largest = TAKE(life, double, o->run.n);
+    find_ranges(o);
+}
+
+void reference_between(struct reference *o, const struct outcome *second, double parted, double uncertain,
+                       struct subject *subject, struct arena *life)
+{
+    o->horizon = outcome_row(&o->run, o->run.rows - 1)[0];
+    take_ranges(o, life);
+    find_horizon(o, second, parted, subject);
+    find_ranges(o);
+    find_uncertainty(o, second, uncertain, subject);
+    for (int c = 0; c < o->run.n; c++) subject->column[c].compared &= !is_noise(o, c, subject);
+}
+
 enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
                            struct report *report)
 {
@@ -231,21 +263,18 @@ enum status reference_make(struct reference *o, struct subject *subject, double 
     *o = (struct reference){0};
     TRY(choose(o, subject, most, life, report));
     TRY(run_both(o, &second, subject, most, life, report));
-    o->uncertain = TAKE(life, double, o->run.n);
-    o->range = TAKE(life, double, o->run.n);
-    o->largest = TAKE(life, double, o->run.n);
     const double start = subject->scene->start;
     const double end = fmin(outcome_row(&o->run, o->run.rows - 1)[0], outcome_row(&second, second.rows - 1)[0]);
     if (o->run.over || second.over) o->cut = true;
     o->horizon = end;
-    find_ranges(o);
-    find_horizon(o, &second, subject);
+    take_ranges(o, life);
+    find_horizon(o, &second, PARTED, subject);
     if (o->horizon - start < LEAST * (end - start))
         return fail(report, E_NUMERIC,
                     "%s and %s part after t = %g s: nothing to compare with (chaos, or a motion that no step resolves)",
                     o->first.kind->name, o->second.kind->name, o->horizon);
     find_ranges(o);
-    find_uncertainty(o, &second, subject);
+    find_uncertainty(o, &second, UNCERTAIN, subject);
     if (o->horizon < subject->until) subject->until = o->horizon;
     return OK;
 }

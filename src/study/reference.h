@@ -32,6 +32,12 @@ struct reference {
 enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
                            struct report *report);
 
+/* The same from two runs that are there, o->run being one of them: they have parted where coordinates differ by more than
+ * `parted` of their range, and columns that differ by more than `uncertain` are not compared, nor what is round-off
+ * beside the other columns of its unit. */
+void reference_between(struct reference *o, const struct outcome *second, double parted, double uncertain,
+                       struct subject *subject, struct arena *life);
+
 /* Is kind among those whose matrices are too large here? */
 bool too_full(const struct stepper_kind *kind, const struct subject *subject);
 

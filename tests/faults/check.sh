@@ -25,8 +25,8 @@ for deck in decks/cantilever.yaml "$work/alone.yaml"; do
 done
 same "initial: static, alone and in a map" "$work/cantilever.csv" "$work/alone.csv"
 
-# A scheme that chooses its own steps has none to suggest.
-"$FMDSUB" check -s 'integrate={scheme: dopri5, tolerance: 1.0e-8, until: 1}' decks/pendulum.yaml >"$work/words" 2>"$work/err"
+# A scheme that chooses its own steps has none to suggest by frequencies.
+"$FMDSUB" check --no-trial -s 'integrate={scheme: dopri5, tolerance: 1.0e-8, until: 1}' decks/spring-pendulum.yaml >"$work/words" 2>"$work/err"
 grep -q '^  scheme dopri5 chooses its own steps$' "$work/words" && ! grep -q 'the deck has\|major steps' "$work/words" &&
     ok "check: own steps" || not_ok "check: own steps" "words:" "$work/words" "$work/err"
 # Independent coordinates, many of them, in lines of a terminal's width.
@@ -43,3 +43,24 @@ EOF
 } >"$work/many.yaml"
 "$FMDSUB" check "$work/many.yaml" >"$work/words" 2>"$work/err"
 expect "check: lines of independents" "yes" "$(sed -n '/independent:/,/largest gap/p' "$work/words" | awk 'length > 100 { bad = 1 } END { print (bad ? "no" : NR > 3 ? "yes" : "few") }')" "$work/words" "$work/err"
+
+# Advice by trial runs: the same twice, three errors, steps that divide the time between records and are no longer than a
+# hundredth of the run; by frequencies without them; round-off is no frequency.
+for again in 1 2; do "$FMDSUB" check -f json decks/pendulum.yaml >"$work/advice$again" 2>"$work/err"; done
+same "check: advice twice" "$work/advice1" "$work/advice2"
+tr -d '",' <"$work/advice1" | awk '
+    $1 == "error:" { e = $2 }
+    $1 == "suggested_step:" && e != "" && $2 != "null" { n++; k = .5 / $2; if ($2 > .1 || (k - int(k + .5)) ^ 2 > 1e-12) bad = 1; if (last != "" && !($2 < last)) bad = 1; last = $2 }
+    $1 == "tolerance:" && $2 != "null" { t++ }
+    $1 == "suggested_step:" && e == "" { first = $2 }
+    $1 == "trial_evaluations:" && !($2 > 100 && $2 < 4000) { bad = 1 }
+    END { exit bad || n != 3 || t != 3 || !(first > 0) }'
+expect "check: advice for three errors" 0 $? "$work/advice1"
+"$FMDSUB" check decks/pendulum.yaml >"$work/words" 2>"$work/err"
+expect "check: advice in words" "3 1" "$(grep -c '^  1e-0[246]: .* at step .* at tolerance ' "$work/words") $(grep -c '^no natural frequencies at the start (' "$work/words")" "$work/words"
+"$FMDSUB" check --no-trial -f json decks/chain.yaml >"$work/object" 2>"$work/err"
+expect "check: no trial" "0 1" "$(grep -c '"advice"' "$work/object") $(grep -c '"suggested_step"' "$work/object")" "$work/object"
+
+# Warnings are counted once, though trial runs meet them again.
+"$FMDSUB" check --strict decks/double-pendulum.yaml >"$work/words" 2>"$work/err"
+expect "check: trial runs add no warnings" 0 $? "$work/err"

@@ -60,7 +60,7 @@ static int check(const char *program, const char *path, const char *folder)
         int none = open("/dev/null", O_RDWR), in = open(path, O_RDONLY);
         dup2(in, 0), dup2(none, 1), dup2(none, 2);
         setrlimit(RLIMIT_CPU, &(struct rlimit){SECONDS, SECONDS});
-        if (chdir(folder) == 0) execl(program, program, "check", "-", (char *)NULL);
+        if (chdir(folder) == 0) execl(program, program, "check", "--no-trial", "-", (char *)NULL);
         _exit(127);
     }
     while (waitpid(child, &code, 0) < 0 && errno == EINTR) {

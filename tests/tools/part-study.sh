@@ -118,6 +118,12 @@ kill -TERM $pid
 wait $pid
 expect "ended: status, rows" "143 0" "$? $(awk -F, 'NR > 1 && $5 > 0 { n++ } END { print !(n > 3) }' "$work/some.csv")" "$work/some.csv" "$work/err"
 
+# The advice of `check`, followed: found errors at most five times what was promised (make advice: on all decks).
+MOST=2e5 sh tests/tools/advice.sh decks/pendulum.yaml decks/bar-slider.yaml decks/chain.yaml decks/slider-crank.yaml \
+    decks/spin-up-slow.yaml >"$work/advice" 2>&1
+rc=$?
+expect "advice followed on five decks: $(tail -n 1 "$work/advice")" 0 $rc "$work/advice"
+
 # Chaos: the references part, errors are taken up to there, and it is told; far beyond, nothing is left to compare.
 sed 's/^gravity:.*/gravity: [0, -981]/' decks/double-pendulum.yaml >"$work/wild.yaml"
 chaos() { "$FMDSUB" study --schemes midpoint --steps 1.0e-4 --repeats 1 --set output.every=0.1 --until "$1" "$work/wild.yaml"; }

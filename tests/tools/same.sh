@@ -41,7 +41,8 @@ run() { # TRY SETTINGS...
 # What the reference finds in a deck, as shell variables: the end of a cut run, steps, the last joint.
 plan() {
     { "$reference" check --expanded "$deck"; "$reference" check -f json "$deck"; } 2>/dev/null | tr -d '",{}[]' | awk -v most="$STEPS" '
-        $1 == "tolerance:"             { own = 1 } # steps of its own
+        $1 == "advice:"                { advice = 1 }
+        $1 == "tolerance:" && !advice  { own = 1 } # steps of its own
         $1 == "freedoms:" && !freedoms { freedoms = $2 }
         $1 == "fast:" && fast == ""    { fast = $2 }
         $1 == "joint:"                 { joint = $2 }

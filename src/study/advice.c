@@ -1,0 +1,112 @@
+/* advice.c -- see advice.h */
+#include "study/advice.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "multirate/schemes.h"
+#include "study/trial.h"
+
+static const double levels[] = {1e-2, 1e-4, 1e-6};
+enum { LEVELS = sizeof levels / sizeof *levels };
+static const double AIM = .5;        /* of the error that is promised */
+static const double UNRESOLVED = .5; /* an error from which nothing follows */
+
+static struct advised *add(struct advice *o)
+{
+    return &o->entry[o->n++];
+}
+
+/* The power of the setting by which errors fall, seen between two of them, at most `most`. */
+static double power(const struct tried *f, double most)
+{
+    static const double LEAST = .5;
+    if (f->n < 2 || !(f->error[1] > 0) || !isfinite(f->error[0])) return most;
+    const double seen = log(f->error[0] / f->error[1]) / fabs(log(f->at[1] / f->at[0]));
+    return seen > .65 * most ? most : fmax(LEAST, seen);
+}
+
+/* What a run misses that takes the whole time, from what is missed in a part of it. */
+static double ahead(const struct tried *f, int i)
+{
+    return f->error[i] / f->share;
+}
+
+static void advise_step(struct advice *o, const struct trial *t, double error, int order)
+{
+    static const double MOST = 1e9; /* major steps in all */
+    const struct tried *f = &t->fixed;
+    const double per = t->every / (t->until - t->start), by = fmax(1, t->multiple);
+    const double m = f->at[1] * pow(ahead(f, 1) / (AIM * error), 1 / power(f, order));
+    const double steps = by * trial_handy(fmax(m, LEAST_STEPS * per) / by);
+    if (!(steps <= MOST * per)) return;
+    *add(o) = (struct advised){.error = error,
+                               .scheme = f->scheme,
+                               .ratio = f->ratio,
+                               .step = t->every / steps / f->ratio,
+                               .tolerance = NAN,
+                               .work = f->work[1] / f->share * steps / f->at[1]};
+    o->whole = o->entry[o->n - 1].work;
+}
+
+/* x to one figure, 1, 2 or 5, down: as it is read. */
+static double rounded(double x)
+{
+    const double ten = floor(log10(x) + 1e-9), figure = x / pow(10, ten);
+    char text[32];
+    snprintf(text, sizeof text, "%de%.0f", figure >= 4.999 ? 5 : figure >= 1.999 ? 2 : 1, ten);
+    return strtod(text, NULL);
+}
+
+/* Errors are taken to fall a little less than the tolerance; none that is wider than the error itself is to be trusted. */
+static void advise_tolerance(struct advice *o, const struct trial *t, double error)
+{
+    static const double POWER = .8, LEAST = 1e-12, MOST = 1e-3, DEAR = 1. / 9;
+    const struct tried *f = &t->own;
+    const double aim = AIM * error, loose = fmax(ahead(f, 0), 1e-12);
+    double x = aim >= loose ? f->at[0] * pow(aim / loose, POWER) : f->at[1] * pow(aim / ahead(f, 1), 1 / POWER);
+    if (x < LEAST) return;
+    x = rounded(fmin(x, fmin(error, MOST)));
+    *add(o) = (struct advised){.error = error,
+                               .scheme = f->scheme,
+                               .ratio = 1,
+                               .step = NAN,
+                               .tolerance = x,
+                               .work = f->work[0] / f->share * pow(f->at[0] / x, DEAR)};
+}
+
+/* From a part of the run in which nothing is missed nothing follows for the rest. */
+static bool advises_steps(const struct tried *f)
+{
+    return f->n > 0 && f->error[1] < UNRESOLVED && (f->n == 2 || f->share > .99);
+}
+
+enum status advice_find(struct advice *o, const struct scene *scene, int n, struct diags *diags, struct report *report)
+{
+    struct trial t;
+    struct arena *own = arena_open();
+    *o = (struct advice){.whole = NAN, .until = NAN};
+    enum status status = trial_run(&t, scene, n, diags, own, report);
+    if (status == OK && !t.why) {
+        o->until = t.reference.horizon;
+        o->parted = !t.reference.whole;
+        const bool steps = advises_steps(&t.fixed);
+        const int order = steps ? stepper_find(t.fixed.scheme)->order : 0;
+        for (int i = 0; i < LEVELS; i++) {
+            if (steps) advise_step(o, &t, levels[i], order);
+            if (t.own.n) advise_tolerance(o, &t, levels[i]);
+        }
+    }
+    o->work = t.work;
+    o->why = t.why;
+    arena_close(own);
+    return status;
+}
+
+const struct advised *advice_step(const struct advice *o, double error)
+{
+    for (int i = 0; i < o->n; i++)
+        if (o->entry[i].error == error && isfinite(o->entry[i].step)) return &o->entry[i];
+    return NULL;
+}

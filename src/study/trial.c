@@ -1,0 +1,158 @@
+/* trial.c -- see trial.h */
+#include "study/trial.h"
+
+#include <math.h>
+
+#include "base/stop.h"
+#include "multirate/schemes.h"
+
+static const double LOOSE = 1e-3;
+static const double PARTED = .3, UNKNOWN = .3; /* of the range: coordinates that have parted, columns nobody knows */
+static const double SECONDS = .5;              /* that the counts of all runs may stand for */
+static const double SHARE = .25;               /* of them for a run by a scheme of high order */
+static const double QUICK = 2000;              /* evaluations up to which an explicit scheme is a matter of course */
+static const double COVERED = .3;              /* of the run, without which nothing is said of fixed steps */
+enum { MOST_RECORDS = 200 };
+
+double trial_handy(double x)
+{
+    double best = INFINITY;
+    for (double five = 1; five < 5 * x; five *= 5) best = fmin(best, five * exp2(fmax(0, ceil(log2(x / five) - 1e-9))));
+    return x <= 1 ? 1 : best;
+}
+
+/* Records as the deck has them, or so many of its intervals to one that there are few; where an evaluation is dear, and
+ * a run is not to go on for long before its work is looked at, a part of one. */
+static void plan_records(struct trial *o)
+{
+    static const double DEAR = 1e-5; /* [s] */
+    const struct output *out = &o->scene.output;
+    const double whole = o->until - o->start, base = out->every > 0 ? fmin(out->every, whole) : whole / LEAST_STEPS;
+    o->multiple = fmax(1, fmin(1e9, ceil(whole / base / MOST_RECORDS - 1e-9)));
+    if (o->subject.price.evaluation > DEAR && whole / base < LEAST_STEPS)
+        o->multiple = 1 / trial_handy(LEAST_STEPS * base / whole);
+    o->every = base * o->multiple;
+    o->scene.output.every = o->subject.every = o->every;
+    o->scene.output.every_steps = 0;
+}
+
+enum status trial_attempt(struct outcome *o, struct trial *t, const struct setting *setting, double most,
+                          struct arena *life)
+{
+    *o = (struct outcome){0};
+    const enum status status = outcome_run(o, setting, most, &t->subject, life, t->report);
+    t->used += o->seconds;
+    t->work += o->work;
+    if (stop) return status;
+    if (status != OK || !(o->status == OK || o->status == E_VERDICT || o->over)) o->rows = 0;
+    return OK;
+}
+
+static enum status attempt_own(struct outcome *o, struct trial *t, const char *scheme, double tolerance, double most)
+{
+    const struct setting setting = {stepper_find(scheme), tolerance, NAN, 1};
+    return trial_attempt(o, t, &setting, most, t->life);
+}
+
+static bool complete(const struct outcome *o)
+{
+    return o->rows > 1 && !o->over;
+}
+
+/* An explicit scheme where it is quick, or quicker than an implicit one. */
+static enum status find_own(struct outcome *o, struct trial *t)
+{
+    const bool small = !too_full(stepper_find("radau9"), &t->subject);
+    const char *explicit = small ? "dop853" : "dopri5";
+    const double most = SHARE * t->most, quick = QUICK * t->subject.price.evaluation;
+    struct outcome other;
+    t->own = (struct tried){.scheme = explicit, .ratio = 1};
+    TRY(attempt_own(o, t, explicit, LOOSE, small ? fmin(quick, .2 * most) : most));
+    if (complete(o) || !small) return OK;
+    TRY(attempt_own(&other, t, "radau9", LOOSE, most));
+    if (other.rows > o->rows) {
+        t->own.scheme = "radau9";
+        *o = other;
+    }
+    if (!complete(&other) || other.seconds < 2 * quick) return OK;
+    TRY(attempt_own(&other, t, explicit, LOOSE, fmin(other.seconds, .5 * most)));
+    if (!complete(&other)) return OK;
+    t->own.scheme = explicit;
+    *o = other;
+    return OK;
+}
+
+/* The tightest tolerance that may be paid for; the loose one where none may. */
+static double tight_for(const struct trial *t, const struct outcome *loose)
+{
+    static const struct {
+        double tolerance, price; /* of the loose run's */
+    } choice[] = {{1e-6, 2.5}, {1e-5, 1.9}, {1e-4, 1.4}};
+    for (size_t i = 0; i < sizeof choice / sizeof *choice; i++)
+        if (choice[i].price * loose->seconds < 1.2 * SHARE * t->most) return choice[i].tolerance;
+    return LOOSE;
+}
+
+/* What the loose run has missed.  Where records or corners, and not its tolerance, have kept its steps short, it is as good
+ * as one of a tighter tolerance, by the number of steps that the tight run took. */
+static void note_own(struct trial *t, double coarse, double fine, const struct outcome *loose)
+{
+    struct errors e;
+    struct tried *own = &t->own;
+    const double more = (double)t->reference.run.effort.minors / (double)loose->effort.minors;
+    reference_compare(&e, &t->reference, &t->subject, loose);
+    own->at[0] = coarse;
+    own->at[1] = fmax(fine, fmin(coarse, fine * pow(more, stepper_find(own->scheme)->order)));
+    own->error[0] = isnan(e.worst) ? 0 : e.worst;
+    own->error[1] = fmax(own->error[0], fine);
+    own->work[0] = own->work[1] = loose->work;
+    own->n = 1;
+    own->share = (t->reference.horizon - t->start) / (t->until - t->start);
+    t->steps = loose->effort.minors;
+}
+
+/* Two runs, of which the tighter one is the reference. */
+static enum status find_reference(struct trial *t)
+{
+    struct outcome loose, tight;
+    TRY(find_own(&loose, t));
+    if (loose.rows < 2) {
+        t->why = "no trial run of it gets on";
+        return OK;
+    }
+    const double fine = tight_for(t, &loose), other = fine == LOOSE ? 10 * LOOSE : fine;
+    TRY(attempt_own(&tight, t, t->own.scheme, other, 1.2 * SHARE * t->most));
+    if (tight.rows < 2) {
+        t->why = "no two trial runs of it get on";
+        return OK;
+    }
+    const bool swap = other > LOOSE;
+    t->reference.run = swap ? loose : tight;
+    reference_between(&t->reference, swap ? &tight : &loose, PARTED, UNKNOWN, &t->subject, t->life);
+    if (!(t->reference.horizon > t->start)) {
+        t->why = "trial runs of it part at once";
+        return OK;
+    }
+    note_own(t, fmax(other, LOOSE), fmin(other, LOOSE), swap ? &tight : &loose);
+    return OK;
+}
+
+enum status trial_run(struct trial *o, const struct scene *scene, int n, struct diags *diags, struct arena *life,
+                      struct report *report)
+{
+    enum { MOST_FREEDOMS = 2000 };
+    static const double LEAST = 500; /* evaluations, by which nothing is found */
+    *o = (struct trial){.scene = *scene, .start = scene->start, .until = scene->integrate.until};
+    o->life = life;
+    o->report = report;
+    o->most = SECONDS;
+    const enum status status = n > MOST_FREEDOMS ? OK : subject_open(&o->subject, &o->scene, NULL, diags, life, report);
+    if (stop) return status;
+    if (status != OK) o->why = "no trial run of it starts";
+    if (n > MOST_FREEDOMS || LEAST * o->subject.price.evaluation > o->most)
+        o->why = "it is too large to be tried in half a second";
+    if (o->why) return OK;
+    plan_records(o);
+    TRY(find_reference(o));
+    return o->why || o->own.share < COVERED ? OK : trial_fixed(o);
+}

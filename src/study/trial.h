@@ -1,0 +1,50 @@
+/* trial.h -- the trial runs behind an advice; private to study/. */
+#ifndef FMDSUB_STUDY_TRIAL_H
+#define FMDSUB_STUDY_TRIAL_H
+
+#include "study/reference.h"
+
+enum { LEAST_STEPS = 100 }; /* major ones to a run: nobody wants fewer */
+
+/* Errors of one scheme at two settings, and what these cost. */
+struct tried {
+    const char *scheme;
+    int ratio;
+    int n;                           /* settings that were seen: 0, 1 or 2 */
+    double at[2], error[2], work[2]; /* coarse, fine: major steps to an interval of records; of a
+                                      * tolerance the one given, and the one it was as good as */
+    double share;                    /* of the run that errors and work are of */
+};
+
+struct trial {
+    struct scene scene; /* with records of the trial's own */
+    struct subject subject;
+    double start, until;
+    double every;      /* [s] between its records */
+    double multiple;   /* of the deck's interval: a whole number, or one over a whole number */
+    double most, used; /* [s] that counts may stand for, and stand for */
+    double work;       /* in evaluations */
+    struct reference reference;
+    long steps;              /* of its own that the loose run took */
+    struct tried own, fixed; /* a scheme that chooses its steps; one of fixed steps, the deck's if it is that */
+    struct arena *life;
+    struct report *report;
+    const char *why; /* it gives nothing */
+};
+
+/* The least number from x on of the form 2^a 5^b, so that what it divides ends with its figures. */
+double trial_handy(double x);
+
+/* All runs of a scene of n freedoms; E_...: ended from outside. */
+enum status trial_run(struct trial *o, const struct scene *scene, int n, struct diags *diags, struct arena *life,
+                      struct report *report);
+
+/* A run within `most` seconds; one that cannot be made, and one that stops, has no rows. */
+enum status trial_attempt(struct outcome *o, struct trial *t, const struct setting *setting, double most,
+                          struct arena *life);
+
+/* trial_fixed.c: steps are halved until what is missed falls as it should; where that takes too long, over a shorter part
+ * of the run. */
+enum status trial_fixed(struct trial *t);
+
+#endif
