@@ -12,9 +12,11 @@ void study_print_setting(const struct setting *r, FILE *to)
     if (r->ratio > 1) fprintf(to, ", ratio %d", r->ratio);
 }
 
+/* "0.0012 in pin.fx" */
 static void print_error(const struct study_row *r, FILE *to)
 {
-    fprintf(to, "%.2g in %s", r->errors.worst, r->worst);
+    fprintf(to, "%.2g", r->errors.worst);
+    if (*r->worst) fprintf(to, " in %s", r->worst);
 }
 
 /* Rows of one scheme at one ratio. */
@@ -23,8 +25,7 @@ static bool together(const struct study_row *a, const struct study_row *b)
     return a->setting.kind == b->setting.kind && a->setting.ratio == b->setting.ratio;
 }
 
-/* By what a further digit multiplies the work of this scheme, from its coarsest and its finest row; NAN: unknown. */
-static double price_of_digit(const struct study *o, const struct study_row *of)
+double study_digit(const struct study *o, const struct study_row *of)
 {
     const struct study_row *coarse = NULL, *fine = NULL;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
@@ -37,7 +38,15 @@ static double price_of_digit(const struct study *o, const struct study_row *of)
     return pow(fine->work / coarse->work, 1 / log10(coarse->errors.worst / fine->errors.worst));
 }
 
-/* The row of the least work for an error among those of other schemes than `but`. */
+const struct study_row *study_pick(const struct study *o, double error)
+{
+    const struct study_row *best = NULL;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        if (r->status == OK && r->errors.worst <= error && (!best || r->work < best->work)) best = r;
+    return best;
+}
+
+/* The same among rows of other schemes than that of `but`. */
 static const struct study_row *pick_other(const struct study *o, double error, const struct study_row *but)
 {
     const struct study_row *best = NULL;
@@ -47,25 +56,47 @@ static const struct study_row *pick_other(const struct study *o, double error, c
     return best;
 }
 
+/* ---- a level ---- */
+
+/* "; each further digit: x 1.4 with radau9, x 2.5 with dopri5, which takes 1.8 times the work" */
 static void print_digits(const struct study *o, double error, const struct study_row *r, FILE *to)
 {
     const struct study_row *next = pick_other(o, error, r);
-    const double digit = price_of_digit(o, r), other = next ? price_of_digit(o, next) : NAN;
+    const double digit = study_digit(o, r), other = next ? study_digit(o, next) : NAN;
     if (isfinite(digit)) fprintf(to, "; each further digit: x %.2g with %s", digit, r->setting.kind->name);
     if (!next) return;
-    fprintf(to, "%s %s takes %.2g times the work", isfinite(digit) ? ";" : ";", next->setting.kind->name,
-            next->work / r->work);
-    if (isfinite(other)) fprintf(to, ", x %.2g a digit", other);
+    if (isfinite(digit) && isfinite(other))
+        fprintf(to, ", x %.2g with %s, which takes", other, next->setting.kind->name);
+    else
+        fprintf(to, "; %s takes", next->setting.kind->name);
+    fprintf(to, " %.2g times the work", next->work / r->work);
+}
+
+/* The most accurate, where none is as accurate as asked for. */
+static void print_nearest(const struct study *o, FILE *to)
+{
+    const struct study_row *best = NULL;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        if (r->status == OK && isfinite(r->errors.worst) && (!best || r->errors.worst < best->errors.worst)) best = r;
+    fputs("none of these runs", to);
+    if (best) {
+        fputs("; the most accurate is ", to);
+        study_print_setting(&best->setting, to);
+        fputs(" (", to);
+        print_error(best, to);
+        fprintf(to, "): work of %.3g evaluations", best->work);
+    }
+    fputc('\n', to);
 }
 
 static void print_level(const struct study *o, double error, FILE *to)
 {
     const struct study_row *r = study_pick(o, error);
+    fprintf(to, "error below %.0e: ", error);
     if (!r) {
-        fprintf(to, "error below %.0e: none of these runs\n", error);
+        print_nearest(o, to);
         return;
     }
-    fprintf(to, "error below %.0e: ", error);
     study_print_setting(&r->setting, to);
     fputs(" (", to);
     print_error(r, to);
@@ -75,30 +106,105 @@ static void print_level(const struct study *o, double error, FILE *to)
     fputc('\n', to);
 }
 
-/* The best row of a scheme of two rates against the best of one rate that is no less accurate. */
-static void print_two_rates(const struct study *o, const struct stepper_kind *kind, FILE *to)
+/* ---- the deck's own setting ---- */
+
+static void print_own(const struct study *o, FILE *to)
 {
-    const struct study_row *two = NULL, *one = NULL;
-    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
-        if (r->status == OK && r->setting.kind == kind && (r->setting.ratio > 1 || isfinite(r->setting.tolerance)) &&
-            r->errors.worst < 1 && (!two || r->work * r->errors.worst < two->work * two->errors.worst))
-            two = r;
-    if (!two) return;
-    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
-        if (r->status == OK && !r->setting.kind->two_rates && r->errors.worst <= 1.05 * two->errors.worst &&
-            (!one || r->work < one->work))
-            one = r;
-    study_print_setting(&two->setting, to);
-    if (!one) {
-        fputs(": no run of one rate here is as accurate\n", to);
+    const struct study_row *own = o->own;
+    const struct study_row *best = own ? study_pick(o, own->errors.worst) : NULL;
+    if (!own) return;
+    fputs("the deck's own setting, ", to);
+    study_print_setting(&own->setting, to);
+    if (own->status != OK && own->status != E_VERDICT) {
+        fputs(", stops on the way\n", to);
         return;
     }
-    fprintf(to, two->work < one->work ? " pays: " : " does not pay here: ");
-    fprintf(to, "%.2g times the work of ", two->work / one->work);
-    study_print_setting(&one->setting, to);
-    fprintf(to, ", at errors of %.2g and %.2g", two->errors.worst, one->errors.worst);
+    fputs(": error ", to);
+    print_error(own, to);
+    fprintf(to, "%s, work of %.3g evaluations", own->status == E_VERDICT ? ", its balance of energy broken" : "",
+            own->work);
+    if (best == own) fputs(": the least for that error", to);
+    if (best && best != own) {
+        fprintf(to, ", %.2g times that of ", own->work / best->work);
+        study_print_setting(&best->setting, to);
+        fprintf(to, " (%.2g)", best->errors.worst);
+    }
     fputc('\n', to);
 }
+
+/* ---- two rates ---- */
+
+/* The best row of a scheme of two rates: by the error that its work buys. */
+static const struct study_row *best_of(const struct study *o, const struct stepper_kind *kind)
+{
+    const struct study_row *best = NULL;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        if (r->status == OK && r->setting.kind == kind && (r->setting.ratio > 1 || isfinite(r->setting.tolerance)) &&
+            r->errors.worst < 1 && (!best || r->work * r->errors.worst < best->work * best->errors.worst))
+            best = r;
+    return best;
+}
+
+/* The cheapest of one rate that is as accurate. */
+static const struct study_row *rival_of(const struct study *o, const struct study_row *two)
+{
+    const struct study_row *best = NULL;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        if (r->status == OK && !r->setting.kind->two_rates && r->errors.worst <= 1.05 * two->errors.worst &&
+            (!best || r->work < best->work))
+            best = r;
+    return best;
+}
+
+/* Its own scheme at one rate, at the same step or tolerance. */
+static const struct study_row *twin_of(const struct study *o, const struct study_row *two)
+{
+    struct setting twin = two->setting;
+    twin.kind = two->setting.kind->single;
+    twin.ratio = 1;
+    for (const struct study_row *r = o->row; twin.kind && r < o->row + o->nrow; r++)
+        if (r->setting.kind == twin.kind && r->setting.tolerance == twin.tolerance) return r;
+    for (const struct study_row *r = o->row; twin.kind && r < o->row + o->nrow; r++)
+        if (r->setting.kind == twin.kind && r->setting.step == twin.step) return r;
+    return NULL;
+}
+
+/* Why: what the two rates themselves save or cost, then what order does. */
+static void print_why(const struct study *o, const struct study_row *two, FILE *to)
+{
+    const struct study_row *twin = twin_of(o, two);
+    const double share = 100. * o->subject.ns / o->subject.n;
+    if (!twin) return;
+    fprintf(to,
+            "; against %s, the same at one rate, it takes %.2g times the work (%.0f %% of the coordinates are fast, "
+            "%.3g sweeps a major step)",
+            twin->setting.kind->name, two->work / twin->work, share,
+            (double)two->effort.sweeps / fmax(1, (double)two->effort.majors));
+}
+
+static void print_two_rates(const struct study *o, const struct stepper_kind *kind, FILE *to)
+{
+    const struct study_row *two = best_of(o, kind), *one = two ? rival_of(o, two) : NULL;
+    int rows = 0;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) rows += r->setting.kind == kind;
+    if (rows && !two)
+        fprintf(to, "%s: none of its runs is whole, balanced and within its columns' range\n", kind->name);
+    if (!two) return;
+    study_print_setting(&two->setting, to);
+    fprintf(to, " (%.2g)", two->errors.worst);
+    if (one) {
+        fprintf(to, two->work < one->work ? " pays: " : " does not pay here: ");
+        fprintf(to, "%.2g times the work of ", two->work / one->work);
+        study_print_setting(&one->setting, to);
+        fprintf(to, " (%.2g)", one->errors.worst);
+    } else {
+        fputs(": no run of one rate here is as accurate", to);
+    }
+    print_why(o, two, to);
+    fputc('\n', to);
+}
+
+/* ---- what is left out ---- */
 
 /* No equations are solved in its steps. */
 static bool is_explicit(const struct stepper_kind *kind)
@@ -106,24 +212,44 @@ static bool is_explicit(const struct stepper_kind *kind)
     return !kind->full && !key_find(kind->keys, "newton_tolerance");
 }
 
-/* Schemes of which nothing was run to its end, those that leave something out. */
-static void print_gap(const struct study *o, const struct study_gap *g, FILE *to)
+/* Of which nothing was run to its end, each with its own line. */
+static void print_hopeless(const struct study *o, const struct study_gap *g, FILE *to)
 {
-    fprintf(to, "left out: ");
+    fputs("left out: ", to);
     study_print_setting(&g->from, to);
-    if (!g->all) fputs(" and finer", to);
-    fprintf(to, g->all ? ", more than %.2g evaluations" : ", about %.2g evaluations", g->work);
-    fputs(g->budget ? ": over its share of the budget" : ": more than the reference itself takes", to);
-    if (g->all && o->fastest > 0 && is_explicit(g->from.kind))
-        fprintf(to, " (the fastest vibration is %.3g rad/s)", o->fastest);
+    fprintf(to, ", which takes more than %.2g evaluations, %s", g->work,
+            g->budget ? "its share of the budget" : "more than the reference");
+    if (o->fastest > 0 && is_explicit(g->from.kind))
+        fprintf(to, ": an explicit scheme has to follow the fastest vibration, %.3g rad/s", o->fastest);
     fputc('\n', to);
+}
+
+/* The finer settings of the others, in one line. */
+static void print_finer(const struct study *o, bool budget, FILE *to)
+{
+    int n = 0;
+    for (int i = 0; i < o->ngap; i++) {
+        const struct study_gap *g = &o->gap[i];
+        if (g->all || g->budget != budget) continue;
+        if (n == 0 && budget) fputs("over the budget: from ", to);
+        if (n == 0 && !budget)
+            fprintf(to, "more work than the reference, %.2g evaluations, and left out: from ", o->reference.work);
+        fputs(n++ ? ", " : "", to);
+        study_print_setting(&g->from, to);
+    }
+    if (n) fputs(" on\n", to);
 }
 
 void study_answer(const struct study *o, FILE *to)
 {
     static const double levels[] = {1e-2, 1e-4, 1e-6};
-    for (int i = 0; i < o->ngap; i++) print_gap(o, &o->gap[i], to);
+    for (int i = 0; i < o->ngap; i++)
+        if (o->gap[i].all) print_hopeless(o, &o->gap[i], to);
+    print_finer(o, false, to);
+    print_finer(o, true, to);
+    if (o->subject.n == 0) fputs("drives move everything: every scheme gives the same motion\n", to);
     for (int i = 0; i < 3; i++) print_level(o, levels[i], to);
+    print_own(o, to);
     for (int i = 0; stepper_kinds[i]; i++)
         if (stepper_kinds[i]->two_rates) print_two_rates(o, stepper_kinds[i], to);
 }

@@ -35,8 +35,29 @@ static struct chain *begin(struct grid *o, bool ladder, struct arena *life)
     return &o->chain[o->n++];
 }
 
-static void add(struct chain *o, struct setting setting, struct arena *life)
+bool grid_own(struct setting *o, const struct subject *subject)
 {
+    const struct integrate *plan = &subject->scene->integrate;
+    const struct step_options *how = plan->options;
+    const struct stepper_kind *kind = stepper_find(plan->scheme);
+    const bool tolerance = kind && by_tolerance(kind) && how->tolerance > 0;
+    *o = (struct setting){kind, tolerance ? how->tolerance : NAN, tolerance ? NAN : plan->step, 1};
+    if (kind && kind->two_rates && !tolerance) o->ratio = plan->ratio;
+    return kind && (tolerance || (plan->step > 0 && !kind->adaptive));
+}
+
+bool grid_same(const struct setting *a, const struct setting *b)
+{
+    const bool step = isfinite(a->step);
+    return a->kind == b->kind && a->ratio == b->ratio && step == isfinite(b->step) &&
+           (step ? a->step == b->step : a->tolerance == b->tolerance);
+}
+
+/* But for what has been run already as the deck's own. */
+static void add(struct grid *grid, struct chain *o, struct setting setting, struct arena *life)
+{
+    const struct chain *own = &grid->chain[0];
+    if (own != o && own->n == 1 && grid_same(own->setting, &setting)) return;
     o->setting = arena_more(life, o->setting, o->n, &o->capacity, sizeof *o->setting);
     o->setting[o->n++] = setting;
 }
@@ -47,7 +68,7 @@ static void add_tolerances(struct grid *o, const struct stepper_kind *kind, cons
     const int usual = sizeof tolerances / sizeof *tolerances, n = options->ntolerance ? options->ntolerance : usual;
     const double *list = options->ntolerance ? options->tolerance : tolerances;
     struct chain *chain = begin(o, !options->ntolerance, life);
-    for (int i = 0; i < n; i++) add(chain, (struct setting){kind, list[i], NAN, 1}, life);
+    for (int i = 0; i < n; i++) add(o, chain, (struct setting){kind, list[i], NAN, 1}, life);
 }
 
 /* Do records fall on the ends of major steps? */
@@ -62,9 +83,9 @@ static void add_steps(struct grid *o, const struct stepper_kind *kind, int ratio
 {
     const double h = subject->scene->integrate.step;
     struct chain *chain = begin(o, !options->nstep, life);
-    for (int i = 0; i < options->nstep; i++) add(chain, (struct setting){kind, NAN, options->step[i], ratio}, life);
+    for (int i = 0; i < options->nstep; i++) add(o, chain, (struct setting){kind, NAN, options->step[i], ratio}, life);
     for (size_t i = 0; !options->nstep && i < sizeof parts / sizeof *parts; i++)
-        if (fits(h * parts[i], ratio, subject)) add(chain, (struct setting){kind, NAN, h * parts[i], ratio}, life);
+        if (fits(h * parts[i], ratio, subject)) add(o, chain, (struct setting){kind, NAN, h * parts[i], ratio}, life);
 }
 
 /* By tolerance where the kind knows one, unless steps are asked for and it takes them. */
@@ -90,7 +111,9 @@ static enum status add_kind(struct grid *o, const struct stepper_kind *kind, con
 enum status grid_make(struct grid *o, const struct study_options *options, const struct subject *subject,
                       struct arena *life, struct report *report)
 {
+    struct setting own;
     *o = (struct grid){0};
+    if (!options->nscheme && grid_own(&own, subject)) add(o, begin(o, false, life), own, life);
     for (int i = 0; i < options->nscheme; i++) TRY(add_kind(o, options->scheme[i], options, subject, life, report));
     for (int i = 0; !options->nscheme && stepper_kinds[i]; i++)
         if (makes_sense(stepper_kinds[i], subject)) TRY(add_kind(o, stepper_kinds[i], options, subject, life, report));

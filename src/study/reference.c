@@ -12,6 +12,7 @@ static const double UNCERTAIN = 1e-2; /* of the range: a column that neither run
 static const double LEAST = .1;       /* of the run that must be left */
 static const double TRIAL = 1e-6;     /* tolerance of the trials */
 static const double TRIALS = .2;      /* of what the reference may cost goes to these */
+static const double MOST_TRIAL = 10;  /* [s] without a budget */
 static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
 enum { MOST_DENSE = 200 };            /* coordinates up to which full matrices are the cheaper way */
 enum { HIGH = 5, MOST_KINDS = 16 };   /* order of a scheme that may be a reference */
@@ -77,6 +78,7 @@ static void find_uncertainty(struct reference *o, const struct outcome *second, 
 struct trial {
     struct setting setting;
     double rate; /* predicted cost per second of the motion at TRIAL; INFINITY: it does not run */
+    double cost; /* [s] of the trial */
 };
 
 struct trials {
@@ -97,18 +99,22 @@ static enum status try_one(void *self, int i, int to, struct report *report)
     const struct trials *o = self;
     struct outcome run;
     struct arena *life = arena_open();
-    double rate = INFINITY;
+    double told[2] = {INFINITY, 0};
     const enum status status = outcome_run(&run, &o->trial[i].setting, o->most, o->subject, life, report);
+    if (status == OK) told[1] = run.seconds;
     if (status == OK && run.rows > 1)
-        rate = run.seconds / (outcome_row(&run, run.rows - 1)[0] - outcome_row(&run, 0)[0]);
+        told[0] = run.seconds / (outcome_row(&run, run.rows - 1)[0] - outcome_row(&run, 0)[0]);
     arena_close(life);
-    return status == OK ? crew_tell(to, &rate, sizeof rate) : status;
+    return status == OK ? crew_tell(to, told, sizeof told) : status;
 }
 
 static enum status hear_trial(void *self, int i, const void *bytes, size_t n, struct report *report)
 {
+    struct trial *trial = &((struct trials *)self)->trial[i];
+    const double *told = bytes;
     (void)n, (void)report;
-    ((struct trials *)self)->trial[i].rate = *(const double *)bytes;
+    trial->rate = told[0];
+    trial->cost = told[1];
     return OK;
 }
 
@@ -119,9 +125,9 @@ static enum status run_trials(struct trials *o, const struct subject *subject, d
     for (int i = 0; stepper_kinds[i] && o->n < MOST_KINDS; i++) {
         const struct stepper_kind *kind = stepper_kinds[i];
         if (kind->order >= HIGH && kind->adaptive && !too_full(kind, subject))
-            o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1}, INFINITY};
+            o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1}, INFINITY, 0};
     }
-    o->most = TRIALS * most / o->n;
+    o->most = fmin(TRIALS * most / o->n, MOST_TRIAL);
     const struct crew crew = {o->n, o, try_one, hear_trial};
     return crew_run(&crew, life, report);
 }
@@ -159,6 +165,7 @@ static enum status choose(struct reference *o, struct subject *subject, double m
     enum { PAIRS = sizeof pairs / sizeof *pairs };
     struct trials trials;
     TRY(run_trials(&trials, subject, most, life, report));
+    for (int i = 0; i < trials.n; i++) o->spent += trials.trial[i].cost;
     const double span = subject->until - subject->scene->start, allowed = (1 - TRIALS) * most;
     for (int i = 0; i < PAIRS; i++) {
         const struct trial *a = cheapest(&trials, pairs[i][0], NULL), *b = cheapest(&trials, pairs[i][1], a);
@@ -222,6 +229,8 @@ static enum status run_both(struct reference *o, struct outcome *second, const s
     TRY(crew_run(&crew, life, report));
     o->run = both.run[0];
     o->seconds = both.run[0].seconds;
+    o->work = both.run[0].work;
+    o->spent += both.run[0].seconds + both.run[1].seconds;
     *second = both.run[1];
     return OK;
 }

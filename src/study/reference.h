@@ -15,7 +15,8 @@
 struct reference {
     struct outcome run;
     struct setting first, second; /* which two */
-    double seconds;               /* of the first, by its counts */
+    double seconds, work;         /* of the first, by its counts; in evaluations */
+    double spent;                 /* [s] of all that it took, likewise */
     double horizon;               /* [s] compared up to here */
     bool whole;                   /* the two do not part before the end */
     bool cut;                     /* the budget has brought the end forward */

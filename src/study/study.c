@@ -9,7 +9,7 @@
 #include "study/grid.h"
 
 static const double REFERENCE = .5; /* of the budget */
-static const double GRID = .5;      /* what is left of it, in equal parts for all chains */
+static const double EQUAL = .3;     /* of it, in equal parts for all chains */
 static const double WORTH = .05;    /* [s] runs that cost more than the reference and this are of no use */
 static const double ENOUGH = 1e-8;  /* no error below this is asked for */
 static const double DOUBTFUL = 10;  /* times the reference's uncertainty */
@@ -18,9 +18,9 @@ static const double DOUBTFUL = 10;  /* times the reference's uncertainty */
 
 struct work {
     const struct study *study;
-    const struct grid *grid;
+    struct grid *grid;
     const struct study_options *options;
-    double share; /* [s] of each chain, with its times */
+    double *share; /* [grid->n] of each chain, with its times [s] */
     struct study *into;
 };
 
@@ -82,12 +82,12 @@ static double worth(const struct chain *chain, const struct study *o)
     return chain->ladder ? fmax(WORTH, o->reference.seconds) : INFINITY;
 }
 
-static enum status tell_gap(int to, const struct setting *from, bool all, bool budget, double work)
+static enum status tell_gap(int to, struct study_gap gap)
 {
     struct news news;
     memset(&news, 0, sizeof news);
     news.gap = true;
-    news.end = (struct study_gap){*from, all, budget, work};
+    news.end = gap;
     return crew_tell(to, &news, sizeof news);
 }
 
@@ -102,17 +102,18 @@ static enum status work_chain(void *self, int i, int to, struct report *report)
     const struct work *o = self;
     const struct chain *chain = &o->grid->chain[i];
     const double most = worth(chain, o->study), unit = o->study->subject.price.evaluation;
-    double left = o->share, last = 0;
-    for (int k = 0; k < chain->n; k++) {
+    double left = o->share[i], last = chain->last;
+    for (int k = left > 0 ? chain->from : chain->n; k < chain->n; k++) {
         const struct setting *setting = &chain->setting[k];
         struct news news;
         bool over;
         memset(&news, 0, sizeof news);
         const double next = k ? last * grid_growth(setting - 1, setting) : 0, times = 1 + repeats(o->options, next);
-        if (next > most || next * times > left) return tell_gap(to, setting, false, !(next > most), next / unit);
+        if (next > most || next * times > left)
+            return tell_gap(to, (struct study_gap){*setting, i, false, !(next > most), next / unit});
         const double allowed = fmin(left / 2, most);
         TRY(run_one(&news.row, &over, setting, allowed, o->study, report));
-        if (over) return tell_gap(to, setting, k == 0, left / 2 < most, news.row.work);
+        if (over) return tell_gap(to, (struct study_gap){*setting, i, k == 0, left / 2 < most, news.row.work});
         TRY(crew_tell(to, &news, sizeof news));
         last = news.row.seconds;
         left -= last * (1 + repeats(o->options, last));
@@ -159,6 +160,74 @@ static enum status hear_news(void *self, int i, const void *bytes, size_t n, str
     o->row[o->nrow++] = news->row;
     show_progress(o, "errors", w->options->progress);
     return w->options->repeats == 0 ? w->options->done(w->options->self, &news->row, report) : OK;
+}
+
+/* ---- what is left of the budget goes to the best of those that it has cut off ---------------------------------- */
+
+static double spent(const struct study *o, const struct study_options *options)
+{
+    double seconds = o->reference.spent;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        seconds += r->seconds * (1 + repeats(options, r->seconds));
+    return seconds;
+}
+
+/* The finest row of a chain; NULL: none. */
+static const struct study_row *finest(const struct study *o, const struct chain *chain)
+{
+    const struct study_row *last = NULL;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        for (int k = 0; k < chain->n; k++)
+            if (grid_same(&r->setting, &chain->setting[k]) && r->status == OK) last = r;
+    return last;
+}
+
+/* What an error of a millionth would cost by this chain, going by its order; INFINITY: nobody knows. */
+static double foretold(const struct study *o, const struct grid *grid, const struct study_gap *gap)
+{
+    static const double WANTED = 1e-6;
+    const struct study_row *last = finest(o, &grid->chain[gap->chain]);
+    if (!gap->budget || !last || !(last->errors.worst < 1)) return INFINITY;
+    return last->seconds * pow(fmax(1, last->errors.worst / WANTED), 1. / last->setting.kind->order);
+}
+
+/* Goes on from the gap, which is one no more. */
+static void go_on(struct study *o, struct grid *grid, int gap, double *share, double seconds)
+{
+    struct chain *chain = &grid->chain[o->gap[gap].chain];
+    share[o->gap[gap].chain] = seconds;
+    chain->last = finest(o, chain)->seconds;
+    while (!grid_same(&chain->setting[chain->from], &o->gap[gap].from)) chain->from++;
+    o->gap[gap] = o->gap[--o->ngap];
+}
+
+static bool choose_best(struct study *o, struct grid *grid, double *share, double seconds)
+{
+    enum { BEST = 2 };
+    int chosen = 0;
+    memset(share, 0, sizeof *share * (size_t)grid->n);
+    for (; chosen < BEST; chosen++) {
+        int best = -1;
+        for (int i = 0; i < o->ngap; i++)
+            if (isfinite(foretold(o, grid, &o->gap[i])) && share[o->gap[i].chain] == 0 &&
+                (best < 0 || foretold(o, grid, &o->gap[i]) < foretold(o, grid, &o->gap[best])))
+                best = i;
+        if (best < 0) break;
+        go_on(o, grid, best, share, seconds / BEST);
+    }
+    return chosen > 0;
+}
+
+static enum status run_grid(struct study *o, struct grid *grid, const struct study_options *options, struct arena *life,
+                            struct report *report)
+{
+    struct work work = {o, grid, options, TAKE(life, double, grid->n), o};
+    const struct crew crew = {grid->n, &work, work_chain, hear_news};
+    for (int i = 0; i < grid->n; i++) work.share[i] = EQUAL * options->budget / grid->n;
+    TRY(crew_run(&crew, life, report));
+    const double left = options->budget - spent(o, options);
+    if (!(left > 0) || !choose_best(o, grid, work.share, left)) return OK;
+    return crew_run(&crew, life, report);
 }
 
 /* One at a time, the machine to itself as far as that is ours to say. */
@@ -224,6 +293,14 @@ static enum status check_grid(const struct grid *grid, const struct subject *sub
     return OK;
 }
 
+static void find_own(struct study *o)
+{
+    struct setting own;
+    if (!grid_own(&own, &o->subject)) return;
+    for (struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        if (grid_same(&r->setting, &own)) o->own = r;
+}
+
 enum status study_run(struct study *o, const struct scene *scene, const struct study_options *options,
                       struct diags *diags, struct arena *life, struct report *report)
 {
@@ -237,9 +314,8 @@ enum status study_run(struct study *o, const struct scene *scene, const struct s
     TRY(reference_make(&o->reference, &o->subject, REFERENCE * options->budget, life, report));
     show_progress(o, NULL, options->progress);
     if (options->log) print_reference(&o->reference, &o->subject, until, options->log);
-    struct work work = {o, &grid, options, grid.n ? GRID * options->budget / grid.n : 0, o};
-    const struct crew crew = {grid.n, &work, work_chain, hear_news};
-    enum status status = crew_run(&crew, life, report);
+    enum status status = run_grid(o, &grid, options, life, report);
+    find_own(o);
     show_progress(o, NULL, options->progress);
     for (int i = 0; i < o->ngap && o->fastest == 0; i++)
         if (o->gap[i].all) o->fastest = find_fastest(&o->subject, &o->reference.first);
@@ -247,12 +323,4 @@ enum status study_run(struct study *o, const struct scene *scene, const struct s
     if (options->repeats != 0)
         for (int i = 0; i < o->nrow; i++) TRY(options->done(options->self, &o->row[i], report));
     return status;
-}
-
-const struct study_row *study_pick(const struct study *o, double error)
-{
-    const struct study_row *best = NULL;
-    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
-        if (r->status == OK && r->errors.worst <= error && (!best || r->work < best->work)) best = r;
-    return best;
 }

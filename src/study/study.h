@@ -47,6 +47,7 @@ struct study_row {
 /* Settings that were not run, from this one on. */
 struct study_gap {
     struct setting from;
+    int chain;   /* of the grid */
     bool all;    /* nothing of this scheme was run to its end */
     bool budget; /* it is not in the budget; else the reference itself costs less */
     double work; /* that it would take, or has taken when it was stopped */
@@ -59,6 +60,7 @@ struct study {
     struct study_row *row; /* [nrow] */
     int ngap, gaps;
     struct study_gap *gap; /* [ngap] */
+    struct study_row *own; /* of the deck's own setting; NULL: it has none, or was not run */
     double fastest;        /* vibration at the start [rad/s]; 0: not known */
     struct arena *life;
 };
@@ -69,6 +71,8 @@ enum status study_run(struct study *o, const struct scene *scene, const struct s
 
 /* The row of the least work whose error is at most `error`; NULL: there is none. */
 const struct study_row *study_pick(const struct study *o, double error);
+/* By what a further digit multiplies the work of the row's scheme, from its coarsest and its finest row; NAN: unknown. */
+double study_digit(const struct study *o, const struct study_row *of);
 /* answer.c: what the rows say, in sentences. */
 void study_answer(const struct study *o, FILE *to);
 /* The row as lines of a deck. */
