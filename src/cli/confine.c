@@ -68,6 +68,7 @@ void cli_confine(const struct request *request, struct arena *life)
     if (strcmp(deck, "-") != 0) allow(&o, deck, READ);
     allow_folder(&o, strcmp(deck, "-") != 0 ? deck : "", READ | READ_FOLDER, life);
     allow_output(&o, request->output, life);
+    allow_output(&o, request->plot, life);
     allow_output(&o, request->final_state, life);
     allow_output(&o, request->stats, life);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) (void)syscall(RESTRICT_SELF, o.fd, 0);

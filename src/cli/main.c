@@ -26,6 +26,7 @@ const struct verb verbs[] = {
     {"run", "DECK", "simulate; records to stdout", verb_run},
     {"check", "DECK", "check a deck and print what it makes", verb_check},
     {"study", "DECK", "what accuracy costs: error against time over schemes, ratios, steps", verb_study},
+    {"plot", "DECK or FILE.csv ...", "columns over time as a picture, by gnuplot", verb_plot},
     {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},
     {"list", "[schemes|joints|forces|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},

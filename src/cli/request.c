@@ -9,12 +9,13 @@
 
 const struct cli_option cli_options[] = {
     {"format", "csv|ndjson|json", 'f', "run check study", "form of the records (default csv); check: json"},
-    {"output", "FILE", 'o', "run study", "write there; renamed from FILE.part when whole"},
-    {"set", "PATH=VALUE", 's', "run check study modes list", "change the deck: --set integrate.ratio=10"},
-    {"columns", "'t,hub.*'", 0, "run", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
-    {"every", "SECONDS", 0, "run", "time between records"},
+    {"output", "FILE", 'o', "run study plot",
+     "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf)"},
+    {"set", "PATH=VALUE", 's', "run check study plot modes list", "change the deck: --set integrate.ratio=10"},
+    {"columns", "'t,hub.*'", 'c', "run plot", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
+    {"every", "SECONDS", 0, "run plot", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
-    {"until", "SECONDS", 0, "run study", "end of the run"},
+    {"until", "SECONDS", 0, "run study plot", "end of the run"},
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
     {"progress", "auto|always|never", 0, "run", "progress line on stderr (auto: on a terminal)"},
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
@@ -26,6 +27,8 @@ const struct cli_option cli_options[] = {
     {"pick", "ERROR", 0, "study", "print the cheapest setting of that error as lines of a deck, nothing else"},
     {"repeats", "N", 0, "study", "time each run N times, keep the least (0: no times; default: up to 3)"},
     {"budget", "SECONDS|none", 0, "study", "CPU time that it may take, foretold by counts (default 60)"},
+    {"plot", "FILE", 0, "study", "a picture, by gnuplot: FILE.svg, FILE.png or FILE.pdf"},
+    {"script", NULL, 0, "study plot", "print what gnuplot would be given, draw nothing"},
     {"absolute", NULL, 0, "study", "errors in the unit of the worst column"},
     {"at", "SECONDS", 0, "modes", "linearise there instead of at the start"},
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
@@ -133,6 +136,7 @@ static const char *columns_set(const char *list, struct arena *life)
 static enum status add_columns(struct request *o, const char *list, struct arena *life, struct report *report)
 {
     const char *set = columns_set(list, life);
+    o->columns = list;
     return set ? add_set(o, "--columns", set, report) : fail(report, E_USAGE, "--columns names no column");
 }
 
@@ -153,6 +157,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"pick", &o->pick},
                  {"repeats", &o->repeats},
                  {"budget", &o->budget},
+                 {"plot", &o->plot},
                  {"at", &o->at},
                  {"final-state", &o->final_state},
                  {"max-memory", &o->max_memory},
@@ -160,9 +165,9 @@ static enum status take(struct request *o, const char *name, const char *value, 
     struct {
         const char *name;
         bool *to;
-    } flags[] = {{"quiet", &o->quiet},       {"verbose", &o->verbose},  {"strict", &o->strict},
-                 {"help", &o->help},         {"version", &o->version},  {"expanded", &o->expanded},
-                 {"absolute", &o->absolute}, {"no-trial", &o->no_trial}};
+    } flags[] = {{"quiet", &o->quiet},       {"verbose", &o->verbose},   {"strict", &o->strict},
+                 {"help", &o->help},         {"version", &o->version},   {"expanded", &o->expanded},
+                 {"absolute", &o->absolute}, {"no-trial", &o->no_trial}, {"script", &o->script}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)

@@ -8,9 +8,11 @@
 #include <unistd.h>
 
 #include "cli/cli.h"
+#include "cli/gnuplot.h"
 #include "out/columns.h"
 #include "out/stream.h"
 #include "out/targets.h"
+#include "study/picture.h"
 #include "study/rows.h"
 
 enum { MOST_CHOICES = 64 };
@@ -117,6 +119,31 @@ static enum status no_row(void *self, const struct study_row *row, struct report
     return OK;
 }
 
+/* The deck's title, or its name. */
+static const char *title_of(const struct scene *scene)
+{
+    return *scene->title ? scene->title : scene->deck->name;
+}
+
+/* The picture, or with --script what would draw it. */
+static enum status draw(const struct study *study, const struct scene *scene, struct gnuplot *gnuplot,
+                        const struct request *request, struct arena *life, struct report *report)
+{
+    char *script = NULL;
+    size_t n = 0;
+    FILE *to = request->script ? stdout : open_memstream(&script, &n);
+    if (!to) return fail(report, E_LIMIT, "no memory for the picture");
+    gnuplot_put_terminal(to, request->plot, PICTURE_WIDTH, PICTURE_HEIGHT, 0);
+    if (request->script) gnuplot_put_output(to, request->plot);
+    picture_script(study, title_of(scene), to);
+    if (request->script) return OK;
+    const bool whole = fclose(to) == 0;
+    const enum status status = whole ? gnuplot_draw(gnuplot, script, n, request->plot, life, report)
+                                     : fail(report, E_LIMIT, "no memory for the picture");
+    free(script);
+    return status;
+}
+
 /* Rows to stdout or a file as they are done; a file that is not whole keeps its other name. */
 static enum status run_rows(struct study *study, const struct scene *scene, struct study_options *o,
                             struct diags *diags, const struct request *request, struct arena *life,
@@ -139,6 +166,15 @@ static enum status run_rows(struct study *study, const struct scene *scene, stru
     return ended != OK ? ended : closed;
 }
 
+static enum status check_plot(const struct request *request, struct report *report)
+{
+    if (request->script && !request->plot) return fail(report, E_USAGE, "--script prints what draws --plot FILE");
+    if (request->script && request->pick) return fail(report, E_USAGE, "--script and --pick both print on stdout");
+    if (request->plot && !gnuplot_ending(request->plot))
+        return fail(report, E_USAGE, "--plot: a file that ends in .svg, .png or .pdf, not '%.200s'", request->plot);
+    return OK;
+}
+
 enum status verb_study(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
@@ -155,19 +191,24 @@ enum status verb_study(const struct request *request, struct arena *life, struct
                               .step = choices.step,
                               .tolerance = choices.tolerance,
                               .done = no_row};
+    struct gnuplot gnuplot = {0};
+    TRY(check_plot(request, report));
+    if (request->plot && !request->script) TRY(gnuplot_open(&gnuplot, report));
     enum status status = cli_load(&scene, &diags, request, life, report);
-    const struct target table_file = {"--output", request->output, true};
-    if (status == OK) status = targets_check(&table_file, 1, &scene->deck->read, life, report);
+    const struct target files[] = {{"--output", request->output, true}, {"--plot", request->plot, true}};
+    if (status == OK) status = targets_check(files, 2, &scene->deck->read, life, report);
     if (status == OK && request->pick)
         status = read_number_list(&pick, &one, "pick", request->pick, false, life, report);
     if (status == OK) status = choose_schemes(&o, &choices, request, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, request, life, report);
     if (status == OK) status = choose_budget(&o, request, report);
-    if (status == OK && request->pick && !request->output)
+    if (status == OK && (request->pick || request->script) && !request->output)
         status = study_run(&study, scene, &o, diags, life, report);
     else if (status == OK)
         status = run_rows(&study, scene, &o, diags, request, life, report);
     if (status != OK && study.nrow && !request->quiet) study_answer(&study, stderr);
-    TRY(cli_told(diags, request, status));
-    return print_study(&study, pick, request, report);
+    status = cli_told(diags, request, status);
+    if (status == OK && request->plot) status = draw(&study, scene, &gnuplot, request, life, report);
+    gnuplot_close(&gnuplot);
+    return status == OK ? print_study(&study, pick, request, report) : status;
 }

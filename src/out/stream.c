@@ -160,6 +160,15 @@ enum status stream_put(struct stream *s, const char *text, size_t len, struct re
     return stream_end(s, to + len, report);
 }
 
+enum status stream_bytes(struct stream *s, const void *bytes, size_t len, struct report *report)
+{
+    char *to = stream_begin(s, len);
+    memcpy(to, bytes, len);
+    if (s->status != OK) return s->status;
+    s->used += len;
+    return stream_flush(s, report);
+}
+
 /* The file ends after `done` bytes of the buffer, which may be in the middle of a record: takes that
  * piece back, if this is a plain file and nobody wrote behind it. */
 static void take_back(struct stream *s, size_t done)

@@ -62,6 +62,9 @@ enum status stream_end(struct stream *s, const char *end, struct report *report)
 /* Text that is one or more whole records. */
 enum status stream_put(struct stream *s, const char *text, size_t len, struct report *report);
 
+/* What is no records, such as a picture. */
+enum status stream_bytes(struct stream *s, const void *bytes, size_t len, struct report *report);
+
 /* To be called often; now is a monotonic time [s].  The first call writes at once. */
 enum status stream_tick(struct stream *s, double now, struct report *report);
 enum status stream_flush(struct stream *s, struct report *report);

@@ -1,0 +1,248 @@
+/* curves.c -- see curves.h */
+#include "cli/curves.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/crew.h"
+#include "multirate/schemes.h"
+#include "sim/sim.h"
+
+enum { LEAST_ROWS = 500 };
+
+/* ---- in a process of its own: a deck ---- */
+
+static enum status keep_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
+{
+    (void)report;
+    ((struct curves *)((void **)sink->self)[0])->n = meta->n;
+    return OK;
+}
+
+static enum status keep_row(struct sink *sink, const double *x, struct report *report)
+{
+    struct curves *o = ((void **)sink->self)[0];
+    struct arena *life = ((void **)sink->self)[1];
+    (void)report;
+    o->x = arena_more(life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
+    memcpy(o->x + (size_t)o->rows++ * (size_t)o->n, x, (size_t)o->n * sizeof *x);
+    return OK;
+}
+
+static enum status keep_event(struct sink *sink, double t, const char *kind, const char *text, struct report *report)
+{
+    (void)sink, (void)t, (void)kind, (void)text, (void)report;
+    return OK;
+}
+
+static enum status keep_end(struct sink *sink, const struct run_summary *summary, struct report *report)
+{
+    (void)sink, (void)summary, (void)report;
+    return OK;
+}
+
+static enum status keep_tick(struct sink *sink, double now, struct report *report)
+{
+    (void)sink, (void)now, (void)report;
+    return OK;
+}
+
+/* Did the caller say when records are due? */
+static bool is_told(const struct request *request)
+{
+    for (int i = 0; i < request->nset; i++)
+        if (strncmp(request->set[i], "output.every=", strlen("output.every=")) == 0) return true;
+    return false;
+}
+
+/* A picture wants more records than the deck may have asked for: those in between are drawn, too. */
+static void refine(struct scene *scene)
+{
+    const double each = (scene->integrate.until - scene->start) / LEAST_ROWS;
+    const struct stepper_kind *kind = stepper_find(scene->integrate.scheme);
+    if (kind && kind->adaptive && scene->output.every > each) scene->output.every /= ceil(scene->output.every / each);
+}
+
+static void refine_steps(struct sim *sim)
+{
+    if (!sim->stepper.kind->adaptive && sim->every > sim->majors / LEAST_ROWS)
+        sim->every = sim->majors > LEAST_ROWS ? sim->majors / LEAST_ROWS : 1;
+}
+
+static enum status run_deck(struct curves *o, const struct request *request, struct arena *life, struct report *report)
+{
+    static const struct sink_ops ops = {keep_meta, keep_row, keep_event, keep_end, keep_tick};
+    struct scene *scene;
+    struct diags *diags = NULL;
+    struct sim sim;
+    void *to[] = {o, life};
+    struct sink sink = {&ops, to};
+    const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
+    enum status status = cli_load(&scene, &diags, request, life, report);
+    if (status == OK && !is_told(request)) refine(scene);
+    if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
+    TRY(cli_told(diags, request, status));
+    if (!is_told(request)) refine_steps(&sim);
+    o->column = sim.columns;
+    return sim_run(&sim, &sink, report);
+}
+
+/* ---- a CSV file ---- */
+
+static enum status read_name(struct curves *o, char *word, int *capacity, struct arena *life)
+{
+    const size_t n = strlen(word);
+    if (n > 1 && *word == '"' && word[n - 1] == '"') word[n - 1] = 0, word++;
+    o->column = arena_more(life, o->column, o->n, capacity, sizeof *o->column);
+    o->column[o->n++] = (struct column){.name = arena_copy(life, word, strlen(word))};
+    return OK;
+}
+
+/* One row; a field that is empty is a value that there is none of. */
+static enum status read_row(struct curves *o, char *line, long number, struct arena *life, struct report *report)
+{
+    int i = 0;
+    o->x = arena_more(life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
+    double *x = o->x + (size_t)o->rows * (size_t)o->n;
+    for (char *word; (word = strsep(&line, ",")); i++) {
+        char *end = word;
+        const double value = strtod(word, &end);
+        if (i == o->n || *end)
+            return fail(report, E_FILE, "%s:%ld: %s", o->file, number,
+                        i == o->n ? "more fields than the first line names" : "a field that is no number");
+        x[i] = *word ? value : NAN;
+    }
+    if (i < o->n) return fail(report, E_FILE, "%s:%ld: %d fields, the first line names %d", o->file, number, i, o->n);
+    o->rows++;
+    return OK;
+}
+
+static enum status read_lines(struct curves *o, FILE *file, struct arena *life, struct report *report)
+{
+    char *line = NULL;
+    size_t room = 0;
+    long number = 0;
+    int capacity = 0;
+    enum status status = OK;
+    for (ssize_t n; status == OK && (n = getline(&line, &room, file)) >= 0;) {
+        number++;
+        line[strcspn(line, "\r\n")] = 0;
+        if (!*line) continue;
+        char *rest = line;
+        if (o->n) status = read_row(o, line, number, life, report);
+        for (char *word; number == 1 && status == OK && (word = strsep(&rest, ","));)
+            status = read_name(o, word, &capacity, life);
+    }
+    free(line);
+    if (status == OK && ferror(file)) status = fail(report, E_FILE, "%s: cannot read", o->file);
+    if (status == OK && (o->n < 2 || o->rows < 1))
+        status = fail(report, E_FILE, "%s: no records: a line of names, then rows of numbers, with commas", o->file);
+    return status;
+}
+
+static enum status read_csv(struct curves *o, const struct request *request, struct arena *life, struct report *report)
+{
+    cli_confine(request, life);
+    FILE *file = fopen(o->file, "re");
+    if (!file) return fail(report, E_FILE, "cannot read '%s': %s", o->file, strerror(errno));
+    const enum status status = read_lines(o, file, life, report);
+    (void)fclose(file);
+    return status;
+}
+
+/* ---- from the one process to the other ---- */
+
+struct job {
+    const struct request *request;
+    struct curves *to;
+    enum status *ended;
+    struct arena *life;
+};
+
+static bool is_csv(const char *path)
+{
+    const size_t n = strlen(path);
+    return n > 4 && strcasecmp(path + n - 4, ".csv") == 0;
+}
+
+/* How it ended, then names and units, each with a 0 after it, then the rows. */
+static enum status tell(const struct curves *o, enum status ended, int to)
+{
+    char *text = NULL;
+    size_t n = 0;
+    FILE *words = open_memstream(&text, &n);
+    if (!words) return E_LIMIT;
+    for (int i = 0; i < o->n; i++) {
+        fputs(o->column[i].name, words);
+        fputc(0, words);
+        fputs(o->column[i].unit ? o->column[i].unit : "", words);
+        fputc(0, words);
+    }
+    enum status status = fclose(words) == 0 ? crew_tell(to, &ended, sizeof ended) : E_LIMIT;
+    if (status == OK) status = crew_tell(to, text, n);
+    if (status == OK) status = crew_tell(to, o->x, (size_t)o->rows * (size_t)o->n * sizeof *o->x);
+    free(text);
+    return status;
+}
+
+static enum status work(void *self, int i, int to, struct report *report)
+{
+    const struct job *job = self;
+    struct request one = *job->request;
+    struct curves curves = {.file = one.word[i]};
+    struct arena *life = arena_open();
+    one.word += i;
+    one.nword = 1;
+    enum status status =
+        is_csv(curves.file) ? read_csv(&curves, &one, life, report) : run_deck(&curves, &one, life, report);
+    if (curves.rows > 0 && (status == OK || status == E_VERDICT || status == E_NUMERIC || status == E_LIMIT)) {
+        if (status != OK && report->text[0]) fprintf(stderr, "fmdsub: %s: %s\n", curves.file, report->text);
+        *report = (struct report){0};
+        status = tell(&curves, status, to);
+    }
+    arena_close(life);
+    return status;
+}
+
+static void hear_columns(struct curves *o, const char *text, size_t n, struct arena *life)
+{
+    int capacity = 0;
+    text = arena_copy(life, text, n);
+    for (const char *at = text; at < text + n; at += strlen(at) + 1) {
+        o->column = arena_more(life, o->column, o->n, &capacity, sizeof *o->column);
+        o->column[o->n] = (struct column){.name = at};
+        at += strlen(at) + 1;
+        if (*at) o->column[o->n].unit = at;
+        o->n++;
+    }
+}
+
+static enum status hear(void *self, int i, const void *bytes, size_t n, struct report *report)
+{
+    struct job *job = self;
+    struct curves *o = &job->to[i];
+    (void)report;
+    if (!o->file) {
+        o->file = job->request->word[i];
+        if (*job->ended == OK) memcpy(job->ended, bytes, sizeof *job->ended);
+    } else if (!o->n) {
+        hear_columns(o, bytes, n, job->life);
+    } else {
+        o->rows = (int)(n / sizeof(double)) / o->n;
+        o->x = TAKE(job->life, double, n / sizeof(double));
+        memcpy(o->x, bytes, n);
+    }
+    return OK;
+}
+
+enum status curves_make(struct curves *o, const struct request *request, enum status *ended, struct arena *life,
+                        struct report *report)
+{
+    struct job job = {request, o, ended, life};
+    const struct crew crew = {request->nword, &job, work, hear};
+    *ended = OK;
+    return crew_run(&crew, life, report);
+}

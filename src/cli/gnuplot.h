@@ -1,0 +1,36 @@
+/* gnuplot.h -- pictures by gnuplot, a process of its own that is given a script and gives back a picture.
+ *
+ * It is begun before the program confines itself (cli_confine()), waits for its script, and is told nothing else: names go
+ * into the script between single quotes, where gnuplot reads nothing into them, data as numbers in it, and the file of
+ * the picture is ours to write. */
+#ifndef FMDSUB_CLI_GNUPLOT_H
+#define FMDSUB_CLI_GNUPLOT_H
+
+#include <stdio.h>
+#include <sys/types.h>
+
+#include "base/arena.h"
+#include "base/status.h"
+
+struct gnuplot {
+    pid_t pid;          /* 0: there is none */
+    int to;             /* its script */
+    int picture, words; /* files in memory: what it draws, what it says */
+};
+
+/* E_FILE: it is not installed, and which package has it. */
+enum status gnuplot_open(struct gnuplot *o, struct report *report);
+/* The picture of a script to a file, or without one to standard output. */
+enum status gnuplot_draw(struct gnuplot *o, const char *script, size_t n, const char *path, struct arena *life,
+                         struct report *report);
+/* One that is not needed any more. */
+void gnuplot_close(struct gnuplot *o);
+
+/* What a picture's file is by its ending: "svg", "png", "pdf"; NULL: something else. */
+const char *gnuplot_ending(const char *path);
+/* `set terminal` for that, width and height in pixels; path NULL: so many lines for a terminal. */
+void gnuplot_put_terminal(FILE *to, const char *path, int width, int height, int lines);
+/* `set output` for a script that a person runs. */
+void gnuplot_put_output(FILE *to, const char *path);
+
+#endif

@@ -1,0 +1,91 @@
+# part-plot.sh -- pictures: the scripts for gnuplot, names that would be commands, gnuplot there and missing.
+. tests/tools/lib.sh
+need_program plot
+cd "$work" || exit 1
+
+cat >two.csv <<'CSV'
+t,arm.angle,arm.x,energy.residual
+0,0.1,1,0
+0.5,0.2,0.5,
+1,0.15,0.25,1e-9
+CSV
+plot() { "$FMDSUB" plot "$@" 2>err; }
+
+# The script, letter by letter; a pattern is a panel.
+plot --script -c 'arm.*,energy.residual' -o picture.svg two.csv >script
+same "plot --script" "$ROOT/tests/refdata/plot.gnuplot" script
+plot --script -o picture.svg two.csv >script
+expect "plot --script: a panel for each column of a file without units" 3 "$(grep -c '^plot ' script)" script
+plot --script -o picture.svg "$ROOT/decks/pendulum.yaml" >script
+expect "plot --script: a panel for each unit of a deck" "$(awk '/^set ylabel/ { n++ } END { print n }' script)" "$(grep -c '^plot ' script)" script
+plot --script -o picture.svg -c pin.angle "$ROOT/decks/pendulum.yaml" >script
+expect "a deck is run with 500 records" 501 "$(awk '/^END/ { exit } /^[0-9]/ { n++ } END { print n }' script)" err
+plot --script -o picture.svg -c pin.angle --every 1 "$ROOT/decks/pendulum.yaml" >script
+expect "--every has the last word" 11 "$(awk '/^END/ { exit } /^[0-9]/ { n++ } END { print n }' script)" err
+
+refuse() { # STATUS PATTERN ARGUMENT...
+    want=$1 pattern=$2
+    shift 2
+    "$FMDSUB" "$@" >out 2>err </dev/null
+    rc=$?
+    if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "exit $rc, expected $want and: $pattern" err
+    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
+}
+refuse 2 "takes decks and CSV files" plot
+refuse 2 "ends in .svg, .png or .pdf, not 'x.gif'" plot -o x.gif two.csv
+refuse 2 "no column matches 'leg" plot --script -c 'leg*' two.csv
+refuse 2 "would overwrite an input file" plot -o two.csv.svg two.csv two.csv.svg
+refuse 6 "cannot read 'none.csv'" plot --script none.csv
+refuse 2 "ends in .svg, .png or .pdf" study --plot x.gif "$ROOT/decks/pendulum.yaml"
+refuse 2 "prints what draws --plot FILE" study --script "$ROOT/decks/pendulum.yaml"
+printf 't,a\n0,1\n1,b\n' >bad.csv
+refuse 6 "bad.csv:3: a field that is no number" plot --script bad.csv
+printf 't,a\n0,1,2\n' >bad.csv
+refuse 6 "bad.csv:2: more fields" plot --script bad.csv
+printf 't,a\n' >bad.csv
+refuse 6 "no records" plot --script bad.csv
+
+# A study's script has a line a scheme; rows go to -o.
+"$FMDSUB" study -q --repeats 0 --until 1 --schemes midpoint,dop853 --plot x.svg --script -o rows.csv "$ROOT/decks/pendulum.yaml" >script 2>err
+expect "study --script: status, lines, a picture by work" "0 2 1 0" "$? $(grep -c '^.line[0-9] << END' script) $(grep -c '^plot ' script) $(test -e x.svg; echo $((! $?)))" err script
+expect "study --script: rows" 0 "$(test "$(wc -l <rows.csv)" -gt 5; echo $?)" rows.csv
+
+# Without gnuplot: the package is named, at once; scripts are printed all the same.
+bare() { PATH=$work/none "$FMDSUB" "$@"; }
+bare plot two.csv >out 2>err
+expect "no gnuplot: status, words" "6 1 0" "$? $(grep -c 'gnuplot-nox' err) $(wc -c <out)" err
+bare study --plot x.png --budget 1000 "$ROOT/decks/whip.yaml" >out 2>err
+expect "no gnuplot, study: status, words" "6 1 0" "$? $(grep -c 'gnuplot-nox' err) $(wc -c <out)" err
+bare plot --script two.csv >out 2>err
+expect "no gnuplot: --script" 0 $? err
+
+# Where it is there.
+if ! command -v gnuplot >/dev/null; then
+    echo "skip pictures: no gnuplot (Debian: gnuplot-nox)"
+    exit 0
+fi
+for ending in svg png pdf; do
+    plot -o "a.$ending" two.csv
+    expect "plot -o a.$ending" 0 $? err
+done
+expect "a.svg" 0 "$(grep -q '<svg' a.svg; echo $?)"
+expect "a.png" 0 "$(head -c 4 a.png | grep -q PNG; echo $?)"
+expect "a.pdf" 0 "$(head -c 5 a.pdf | grep -q '%PDF-'; echo $?)"
+plot two.csv >out
+expect "plot into the terminal" "0 0" "$? $(grep -q 'arm.angle' out; echo $?)" err out
+"$FMDSUB" study -q --until 1 --schemes midpoint,dop853 --plot s.svg -o rows.csv "$ROOT/decks/pendulum.yaml" 2>err
+expect "study --plot" "0 0" "$? $(grep -q 'dop853' s.svg; echo $?)" err
+
+# Names that would be commands: of files, columns, units of nothing.
+name="a'; system('touch hit1'); \`touch hit2\` \$(touch hit3) @x %s {=99 x}.csv"
+printf '%s\n' 't,x'"'"'`touch hit4`,"y'"'"'; system(""touch hit5"")",<b>&amp;' '0,1,2,3' '1,2,3,4' >"$name"
+cp "$name" other.csv
+plot -o names.svg "$name" other.csv
+expect "names that would be commands: status" 0 $? err
+expect "names that would be commands: nothing was done" 0 "$(ls hit* 2>/dev/null | wc -l)"
+printf 't\na,b\n' >newline.csv
+mv other.csv 'line
+break.csv'
+plot -o names.svg 'line
+break.csv' two.csv
+expect "a line break in a name" 0 $? err
