@@ -2,6 +2,8 @@
  *
  * A force is fast if it reads, or acts on the relative motion of, anything fast; a load that depends on t
  * alone is always fast: it is cheap. */
+#include <string.h>
+
 #include "kind/potential.h"
 #include "la/vec3.h"
 #include "model/parts.h"
@@ -14,16 +16,28 @@ static struct model_point point_of(struct making *o, const struct marker *at)
     return p;
 }
 
+/* The scene's body in whose frame the bending of one is seen: itself; of a beam in segments that which carries the
+ * others, as what holds the beam in one piece would hold its frame. */
+static int seen_from(const struct making *o, int body)
+{
+    const struct scene_body *all = o->scene->body;
+    int first = body;
+    for (int i = 1; all[body].whole && i < o->scene->nbody; i++)
+        if (all[i].whole && strcmp(all[i].whole, all[body].whole) == 0 && o->body_of[i] < o->body_of[first]) first = i;
+    return first;
+}
+
 /* A named point; of a flexible body with its place in the frame. */
 static struct model_point named_point(struct making *o, const struct scene_point *from)
 {
     const struct scene_body *sb = &o->scene->body[from->at.body];
+    const int frame = seen_from(o, from->at.body);
     struct model_point p = point_of(o, &from->at);
     double away[3];
     p.name = from->name;
     if (!sb->flex) return p;
-    p.frame = o->body_of[from->at.body];
-    v3_diff(away, sb->at, sb->origin);
+    p.frame = o->body_of[frame];
+    v3_diff(away, sb->at, o->scene->body[frame].origin);
     m3_tmul(p.drawn, sb->R, away);
     v3_add(p.drawn, from->at.p);
     return p;

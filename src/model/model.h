@@ -82,7 +82,7 @@ struct model_point {
     const char *name; /* "body.point" */
     int body;
     double p[3];     /* from the body's centre of mass, body axes [m] */
-    int frame;       /* named points of a flexible body: that body; else 0 */
+    int frame;       /* named points of a flexible body: that body, of a beam in segments the first; else 0 */
     double drawn[3]; /* from the frame's origin, its axes, undeformed [m] */
 };
 

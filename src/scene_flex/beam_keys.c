@@ -16,7 +16,8 @@ const struct key keys_beam_body[] = {
               "elastic coordinates kept; each further joint than the first adds its freedoms (2-D: 3, 3-D: 6)"),
     PARAM_INT(struct beam_body_keys, segments, "segments", 1, 100, 0, "1",
               "for large bending: cut into bodies NAME1, NAME2, ... held together by fixed joints NAME_1, NAME_2, ...; "
-              "stations, elements and points are of the whole"),
+              "stations, elements, points and their columns are of the whole: "
+              "bending is seen from the part that carries the others"),
     PARAM_NODE(struct beam_body_keys, damping, "damping", "{alpha: a, beta: b} or {ratio: z}", 0,
                "of the material; default: none"),
     PARAM_NODE(struct beam_body_keys, masses, "masses", "{name: {station: s, mass: m}}", 0,

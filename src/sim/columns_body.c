@@ -128,7 +128,8 @@ static double rotation(const struct sim *sim, const struct origin *o)
 /* More of a point of a flexible body. */
 const struct column_kind columns_bent_point[] = {
     {COLUMN(".dx .dy", ".dx .dy .dz", "m", "displacement by bending, body axes", EVALUATE_MOTION, displacement)},
-    {COLUMN(".rz", ".rx .ry .rz", "rad", "rotation by bending, a rotation vector, body axes", EVALUATE_MOTION,
+    {COLUMN(".rz", ".rx .ry .rz", "rad",
+            "rotation by bending, a rotation vector, up to half a turn in space, body axes", EVALUATE_MOTION,
             rotation)},
     {0},
 };

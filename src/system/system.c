@@ -225,6 +225,7 @@ void system_rotation(const struct system *s, double *turn, const struct model_po
     s->ops->pose(s->view, &node, p->body);
     m3_tmulm(R, frame.R, node.R); /* drawn, both stand alike */
     vector_of_matrix(turn, R);
+    if (s->model->space == 2) turn[2] = angle_near(turn[2], node.angle - frame.angle);
 }
 
 double system_stress(const struct system *s, int body, int stress, enum bent_stress part)
