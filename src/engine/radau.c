@@ -10,7 +10,8 @@
  *     (M + h lambda C + h^2 lambda^2 K) (T^-1 da) = -T^-1 r
  *
  * (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8, for systems of second order), and u_i follows
- * v_i through rate() once an iteration.  The error is that of IV.8, (8.19): with lambda the real eigenvalue
+ * v_i through rate(): of rotations, where rate() reads u, again and again until it stands.  What v and u gain in the last
+ * iteration is what may be left.  The error is that of IV.8, (8.19): with lambda the real eigenvalue
  *
  *     g_u = h (lambda v0 + sum d_i u'_i),   g_v = h (lambda a0 + sum d_i a_i)
  *     (M + h lambda C + h^2 lambda^2 K) e_v = M g_v - h lambda K g_u,    e_u = g_u + h lambda e_v
@@ -26,7 +27,7 @@
 #include "engine/motion.h"
 #include "engine/stage_matrix.h"
 
-enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10 };
+enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10, MOST_PASSES = 20 };
 static const double KEPT = 1.2;     /* a step that may grow by less keeps h and its matrices */
 static const double WORN = .02;     /* contraction from which the next step takes another matrix */
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
@@ -35,7 +36,8 @@ static const double SLUGGISH = .99; /* contraction that leads nowhere */
 struct radau {
     struct collocation table;
     double *a[STAGES], *v[STAGES], *u[STAGES], *du[STAGES], *r[STAGES]; /* [n] */
-    double *q[STAGES];                                                  /* [nq] */
+    double *gain[STAGES], *last[STAGES]; /* [n] of u: in an iteration, in its last pass */
+    double *q[STAGES];                   /* [nq] */
     double w[STAGES][POWER_CHANNELS];
     double *before[STAGES]; /* [n] a of the last step */
     double h_before;        /* its h; 0: there was none */
@@ -56,8 +58,9 @@ static void open_stages(struct stepper *s, struct adaptive *m, int stages, struc
     struct radau *x = TAKE(life, struct radau, 1);
     collocation_radau(&x->table, stages);
     for (int i = 0; i < stages; i++) {
-        double **vector[] = {&x->a[i], &x->v[i], &x->u[i], &x->du[i], &x->r[i], &x->before[i]};
-        for (int k = 0; k < 6; k++) *vector[k] = TAKE(life, double, o->n);
+        double **vector[] = {&x->a[i], &x->v[i],    &x->u[i],    &x->du[i],
+                             &x->r[i], &x->gain[i], &x->last[i], &x->before[i]};
+        for (int k = 0; k < 8; k++) *vector[k] = TAKE(life, double, o->n);
         x->q[i] = TAKE(life, double, o->nq);
     }
     double **vector[] = {&x->e, &x->gu, &x->gv};
@@ -129,15 +132,15 @@ static void foresee(struct radau *x, const struct adaptive *m, double h, int n)
     }
 }
 
-/* The largest of both rows, rms over all stages, of changes dv and du. */
-static double size(const struct stepper *s, const struct radau *x, double *const *da, double h)
+/* Rms over all stages of changes dv = h c_i da (NULL: none) and du. */
+static double size(const struct stepper *s, const struct radau *x, double *const *da, double *const *du, double h)
 {
     const int n = s->ode->n, stages = x->table.s;
     double sum = 0;
     for (int i = 0; i < stages; i++)
         for (int k = 0; k < n; k++) {
-            const double e = h * x->table.c[i] * da[i][k];
-            const double ev = e / adaptive_scale_v(s, k), eq = h * x->table.c[i] * e / adaptive_scale_q(s, k);
+            const double ev = da ? h * x->table.c[i] * da[i][k] / adaptive_scale_v(s, k) : 0;
+            const double eq = du[i][k] / adaptive_scale_q(s, k);
             sum += ev * ev + eq * eq;
         }
     return sqrt(sum / (2 * n * stages));
@@ -162,6 +165,26 @@ static void rates(const struct stepper *s, struct radau *x, const struct adaptiv
         motion_rate(s->ode, x->du[i], x->q[i], m->q, x->u[i], x->v[i], t + x->table.c[i] * h);
 }
 
+/* Displacements for the velocities, each pass from the rates at those of the one before.  Places are those before all of
+ * them: where rates read these, too, the next iteration sees it. */
+static void follow(const struct stepper *s, struct radau *x, const struct adaptive *m, double t, double h)
+{
+    const int n = s->ode->n, stages = x->table.s;
+    for (int i = 0; i < stages; i++) zero(x->gain[i], n);
+    for (int pass = 0; pass < MOST_PASSES; pass++) {
+        rates(s, x, m, t, h);
+        collocate(x->last, x, NULL, x->du, h, n);
+        for (int i = 0; i < stages; i++)
+            for (int k = 0; k < n; k++) {
+                const double by = x->last[i][k] - x->u[i][k];
+                x->u[i][k] = x->last[i][k];
+                x->last[i][k] = by;
+                x->gain[i][k] += by;
+            }
+        if (!(size(s, x, NULL, x->last, h) > .1 * x->fnewt)) return; /* nor where it is not a number */
+    }
+}
+
 static enum status residuals(struct stepper *s, struct radau *x, double t, double h, struct trouble *why)
 {
     for (int i = 0; i < x->table.s; i++) {
@@ -183,20 +206,18 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
     collocate(x->v, x, m->v, x->a, h, n);
     collocate(x->u, x, NULL, x->v, h, n);
     place(s, x, m, t, h, true);
-    rates(s, x, m, t, h);
-    collocate(x->u, x, NULL, x->du, h, n);
+    follow(s, x, m, t, h);
     for (x->count = 1; x->count <= MOST_ITERATIONS; x->count++) {
         place(s, x, m, t, h, false);
         TRY(residuals(s, x, t, h, why));
         stage_matrix_solve(&x->matrix, x->r);
-        const double now = size(s, x, x->r, h), rounding = 1e-2 * x->fnewt;
         s->effort.sweeps++;
-        if (!isfinite(now)) break;
         for (int i = 0; i < x->table.s; i++)
             for (int k = 0; k < n; k++) x->a[i][k] += x->r[i][k];
         collocate(x->v, x, m->v, x->a, h, n);
-        rates(s, x, m, t, h);
-        collocate(x->u, x, NULL, x->du, h, n);
+        follow(s, x, m, t, h);
+        const double now = size(s, x, x->r, x->gain, h), rounding = 1e-2 * x->fnewt;
+        if (!isfinite(now)) break;
         if (x->count > 1) x->theta = now / last;
         if (x->count > 1 && x->theta >= SLUGGISH && now > rounding) break;
         const double theta = x->count > 1 ? smaller(x->theta, SLUGGISH) : smaller(larger(x->theta, .1), .9);
