@@ -79,7 +79,7 @@ enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
     struct minor *m = &p->one;
     struct instant x = {.t = c->t0, .q = c->q0, .v = c->v0, .a = c->a0, .ta = c->t0, .tb = c->t0};
     c->effort->factors++;
-    m->h = p->h = c->here.h = c->h;
+    m->h = p->h = c->h;
     p->H = c->H;
     p->ratio = c->ratio;
     TRY(c->ode->ops->slopes(c->ode, m->K, m->C, &x, SLOW, why));
@@ -111,6 +111,7 @@ enum status subcycle_renew(struct subcycle *c, struct trouble *why)
 enum status subcycle_refresh_here(struct subcycle *c, const struct instant *x, struct trouble *why)
 {
     c->effort->factors++;
+    c->here.h = c->h;
     TRY(fast_slopes(c, &c->here, x, why));
     int pivot = minor_factor(&c->here);
     if (pivot >= 0) return singular(c, pivot, why);

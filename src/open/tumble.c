@@ -10,25 +10,17 @@
 static const double SHRINKS = .5; /* a correction against the last, where the iteration leads anywhere */
 enum { MOST = 30 };
 
-/* I in axes E by column. */
-static void turn_into(double *J, const double *E, const double *I)
-{
-    const double T[9] = {E[0], E[3], E[6], E[1], E[4], E[7], E[2], E[5], E[8]};
-    s3_turn(J, T, I);
-}
-
 bool tumbles(const struct model *m, int body)
 {
     const struct model_body *b = &m->body[body];
     const struct model_joint *j = &m->joint[b->joint];
-    double J[6], A[6];
+    double A[6];
     if (m->space == 2 || b->parent != 0 || b->flex || !joint_turns_freely(model_kind(m, j->type))) return false;
     /* on a ball away from its centre gravity and the joint turn it */
     if (j->nv == 3 && v3_norm(j->b) > 0) return false;
     for (int i = 0; i < 6; i++)
         if (b->held && b->held[i] != 0) return false;
-    turn_into(J, j->Eb, b->inertia);
-    s3_invert(A, J);
+    s3_invert(A, b->inertia);
     return isfinite(v3_norm(A) + v3_norm(A + 3)) && A[0] > 0 && A[1] > 0 && A[2] > 0;
 }
 
@@ -38,7 +30,7 @@ void tumbler_make(struct tumbler *o, const struct model *m, int body)
     const struct model_joint *j = &m->joint[b->joint];
     for (int k = 0; k < 4; k++) o->iq[k] = j->iq[j->nq - 4 + k];
     for (int k = 0; k < 3; k++) o->iv[k] = j->iv[j->nv - 3 + k];
-    turn_into(o->J, j->Eb, b->inertia);
+    for (int i = 0; i < 6; i++) o->J[i] = b->inertia[i];
     s3_invert(o->Jinv, o->J);
 }
 

@@ -2,7 +2,7 @@
  *
  * The midpoint rule keeps both (engine/midpoint.h), but only as far as its equation is solved: what Newton's method
  * leaves over, 1e-14 in a step, has a sign and adds up over a million.  Here the three equations of the turn, in axes
- * of the joint on the body with its inertia J about the centre,
+ * of the body with its inertia J about the centre,
  *
  *     J (w1 - w0) + h w x J w = 0,     w = (w0 + w1)/2,     R1 = R0 cay(h w),
  *
@@ -17,7 +17,7 @@
 
 struct tumbler {
     int iq[4], iv[3];     /* places of its quaternion and of its angular velocity */
-    double J[6], Jinv[6]; /* axes of the joint on the body */
+    double J[6], Jinv[6]; /* body axes, as its angular velocity */
 };
 
 /* Does the body, a tree by itself on which nothing acts but gravity, turn freely about its centre? */
