@@ -53,6 +53,28 @@ same() {
     else not_ok "$1" "bytes differ" "$work/cmp"; fi
 }
 
+# go NAME STATUS [ARGUMENT...]: runs the deck on stdin; its last record in $last, $work/out and $work/err for the next two.
+go() {
+    go_name=$1 go_want=$2
+    shift 2
+    cat >"$work/deck.yaml"
+    "$FMDSUB" run "$@" "$work/deck.yaml" >"$work/out" 2>"$work/err"
+    ended "$go_name: status" "$go_want" $? "$work/out" "$work/err"
+    last=$(tail -n 1 "$work/out")
+}
+
+# told NAME PATTERN: words or events of that run.
+told() { if grep -q -- "$2" "$work/err" "$work/out"; then ok "$1: told"; else not_ok "$1: told" "'$2' is not in" "$work/err"; fi; }
+
+# near NAME RECORD RECORD LIMIT: numbers side by side.
+near() {
+    printf '%s\n%s\n' "$2" "$3" | awk -F, -v limit="$4" '
+        NR == 1 { for (i = 1; i <= NF; i++) a[i] = $i; n = NF }
+        NR == 2 { for (i = 1; i <= NF; i++) { d = $i - a[i]; if (d < 0) d = -d; if (d > most) most = d }; same = NF == n && n > 1 }
+        END { print most; exit !(same && most <= limit) }' >"$work/near" &&
+        ok "$1" || not_ok "$1" "$2 and $3 differ by more than $4" "$work/near" "$work/err"
+}
+
 # wanted NAME: whether it contains one of the words of D, if there are any.
 D=${D:-}
 wanted() {

@@ -24,8 +24,8 @@ printed() {
     if [ $? = 0 ]; then ok "$1"; else not_ok "$1" "$(cat "$work/line")"; fi
 }
 
-# near NAME VALUES WANTED SHARE
-near() {
+# within NAME VALUES WANTED SHARE
+within() {
     echo "$2" | awk -v wanted="$3" -v share="$4" '
         {
             n = split(wanted, w, " ")
@@ -106,7 +106,7 @@ while read -r name ratio step micro limit; do
     said=$(awk -v s="$name" -v n="$ratio" -v h="$micro" '$1 == s && $2 == n && $3 == h' "$readme")
     found=$(errors)
     printed "$name n=$ratio h=$micro us: errors" "$(echo "$said" | awk '{ print $4, $5, $6, $7 }')" "$found" 0.5
-    near "$name n=$ratio h=$micro us: evaluations" \
+    within "$name n=$ratio h=$micro us: evaluations" \
         "$(awk '$1 == "slow_evaluations" || $1 == "fast_evaluations" { printf "%s ", $2 }' "$work/stats")" \
         "$(echo "$said" | awk '{ print $8, $9 }')" 0.1
     echo "$found" | awk -v limit="$limit" '{ exit !($1 < limit && $2 < limit && $3 < limit && $4 < limit) }' &&
@@ -133,12 +133,12 @@ steady() { pick "$work/steady.csv" first "$@"; }
 pull="$(steady root1.fx -925.925926e-6) $(steady root2.fx 925.925926e-6)" # [N] over 1080 mm2 in MPa
 said="$(row 'front of the root, xx [MPa]')"
 printed "at speed: front" "$(echo "$said" | awk '{ print $3 }')" "$(steady blade.front.xx 1e-6)"
-near "at speed: front against CalculiX, linear and not" "$(echo "$said" | awk '{ print $1, $2 }')" \
+within "at speed: front against CalculiX, linear and not" "$(echo "$said" | awk '{ print $1, $2 }')" \
     "$(steady blade.front.xx 1e-6) $(steady blade.front.xx 1e-6)" 2e-3
-near "at speed: tensor against CalculiX, linear" \
+within "at speed: tensor against CalculiX, linear" \
     "$(for k in xx yy zz xy xz yz; do steady blade.front.$k 1e-6; done)" "90.593 22.896 24.853 12.267 -9.452 6.174" 4e-3
 printed "at speed: von Mises" "$(row 'its von Mises stress [MPa]' | awk '{ print $3 }')" "$(steady blade.front.von_mises 1e-6)"
-near "at speed: von Mises against CalculiX" "$(row 'its von Mises stress [MPa]' | awk '{ print $1, $2 }')" \
+within "at speed: von Mises against CalculiX" "$(row 'its von Mises stress [MPa]' | awk '{ print $1, $2 }')" \
     "$(steady blade.front.von_mises 1e-6) $(steady blade.front.von_mises 1e-6)" 3e-3
 printed "at speed: pull" "$(row 'pull over the section [MPa]' | awk '{ print $2, $3 }')" "$pull"
 printed "at speed: axial stress" "$(row 'axial stress of the beam [MPa]')" "$(steady bar.front.axial 1e-6)"
@@ -155,13 +155,13 @@ printed "frequencies: solid at rest" "$(row 'blade.json at rest')" "$(cat "$work
 printed "frequencies: solid at speed" "$(row 'blade.json at 8000 rpm')" "$(cat "$work/blade-8000")"
 printed "frequencies: beam at rest" "$(row 'beam at rest')" "$(cat "$work/bar-0")"
 printed "frequencies: beam at speed" "$(row 'beam at 8000 rpm')" "$(cat "$work/bar-8000")"
-near "frequencies: solid against CalculiX at rest" "$(cat "$work/blade-0")" "$(row 'CalculiX at rest')" 3e-3
-near "frequencies: solid against CalculiX at speed" "$(cat "$work/blade-8000")" "$(row 'CalculiX at 8000 rpm')" 4e-3
-near "frequencies: solid against CalculiX with Coriolis forces" "$(cat "$work/blade-8000")" \
+within "frequencies: solid against CalculiX at rest" "$(cat "$work/blade-0")" "$(row 'CalculiX at rest')" 3e-3
+within "frequencies: solid against CalculiX at speed" "$(cat "$work/blade-8000")" "$(row 'CalculiX at 8000 rpm')" 4e-3
+within "frequencies: solid against CalculiX with Coriolis forces" "$(cat "$work/blade-8000")" \
     "$(row 'CalculiX, with Coriolis forces')" 3e-3
 bending() { awk '{ print $1, $2, $3, $4, $6 }'; }
-near "frequencies: bending of the beam against the solid at rest" "$(bending <"$work/bar-0")" "$(bending <"$work/blade-0")" 5e-3
-near "frequencies: bending of the beam against the solid at speed" "$(bending <"$work/bar-8000")" \
+within "frequencies: bending of the beam against the solid at rest" "$(bending <"$work/bar-0")" "$(bending <"$work/blade-0")" 5e-3
+within "frequencies: bending of the beam against the solid at speed" "$(bending <"$work/bar-8000")" \
     "$(bending <"$work/blade-8000")" 0.012
 
 # ---- straight blades ----
@@ -184,7 +184,7 @@ each() { # BEFORE AFTER SCALE
     for i in 1 2; do for j in 1 2 3 4; do pick "$work/pull.csv" first "$1$i$j$2" "$3"; done; done
 }
 straight 800
-near "straight blades at 800 rpm: pull" "$(each root .fx -925.925926e-6)" "$(formula 800)" 2e-5
+within "straight blades at 800 rpm: pull" "$(each root .fx -925.925926e-6)" "$(formula 800)" 2e-5
 extensions=$(awk 'BEGIN { # int sigma/E dr by Simpson
     W = 80 * atan2(0, -1) / 3; R = 0.45; n = 1000
     for (i = 1; i <= 2; i++) for (j = 1; j <= 4; j++) {
@@ -197,9 +197,9 @@ extensions=$(awk 'BEGIN { # int sigma/E dr by Simpson
         printf "%.10g ", 2780 * W * W / 7e10 * sum * L / (3 * n)
     }
 }')
-near "straight blades at 800 rpm: extension" "$(each blade .tip.dx 1)" "$extensions" 4e-5
+within "straight blades at 800 rpm: extension" "$(each blade .tip.dx 1)" "$extensions" 4e-5
 straight 8000
-near "straight blades at 8000 rpm: pull" "$(each root .fx -925.925926e-6)" "$(formula 8000)" 2e-3
+within "straight blades at 8000 rpm: pull" "$(each root .fx -925.925926e-6)" "$(formula 8000)" 2e-3
 # to second order y'' = -k^2 y of y = r + u, k = W sqrt(rho/E), y(r0) = r0, y'(R) = 1: sigma = E (y'(r0) - 1)
 second=$(awk 'BEGIN {
     E = 7e10; k = 8000 * atan2(0, -1) / 30 * sqrt(2780 / E)
@@ -208,8 +208,8 @@ second=$(awk 'BEGIN {
         printf "%.10g ", E * (k * (1 + r * k * sin(a)) / (k * cos(a)) - 1) / 1e6
     }
 }')
-near "straight blades at 8000 rpm: pull to second order" "$(each root .fx -925.925926e-6 | awk '{ print $1, $5 }')" "$second" 2e-6
-near "straight blades: axial stress against the pull" "$(each blade .root.axial 1e-6)" "$(each root .fx -925.925926e-6)" 4e-3
+within "straight blades at 8000 rpm: pull to second order" "$(each root .fx -925.925926e-6 | awk '{ print $1, $5 }')" "$second" 2e-6
+within "straight blades: axial stress against the pull" "$(each blade .root.axial 1e-6)" "$(each root .fx -925.925926e-6)" 4e-3
 words() { awk -v k="$1" '/^0\.(05|10) / { printf "%s ", $k }' "$readme"; }
 printed "straight blades: formula" "$(words 3)" "$(formula 8000)"
 printed "straight blades: pull" "$(words 4)" "$(each root .fx -925.925926e-6)"
