@@ -1,11 +1,6 @@
 /* modes.h -- frequencies of small motions about a posture, and what they ask of the steps.
  *
- * The condensed system (2-4) linearised about the posture at rest while drives move on: M^ x'' + (G + C) x' + (K + N) x
- * = 0, K and N the symmetric and antisymmetric parts of dr/dq by central differences of r(q, 0, 0, t), so that gravity,
- * preloads and centrifugal loads are in it, G the antisymmetric part of dr/dv, the Coriolis forces of driven rotation,
- * C of the elements.  N is of loads without a potential: those that follow a body, or read other coordinates than they
- * act on.  The part G'/2 that drives bring by their acceleration is left out of it: with it, what a slow change of the
- * frequencies keeps, seems to grow.
+ * M^ x'' + (G + C) x' + (K + N) x = 0 of linear.h about the posture where the run stands.
  *
  * Where N is nothing and K positive (or G nothing) the damping of a mode is to first order, x'Cx / (2 omega). Elsewhere
  * the eigenvalues s of the whole are found: omega = |s|, damping -re s/|s|, which is negative where the mode grows. */

@@ -29,7 +29,7 @@ engine      base la system/ode2.h
 multirate   base la engine system/ode2.h
 ledger      base
 sim         base la expr deck out kind scene scene_read model open loop system engine multirate ledger
-probe       base la out sim engine
+probe       base la out sim engine system/ode2.h
 study       base out sim multirate ledger probe                      # multirate: schemes by name; ledger: its share
 cli         base expr deck out kind scene scene_read multirate sim probe study # prints the tables of words and schemes
 TABLE

@@ -1,0 +1,29 @@
+/* linear.h -- the condensed system (2-4) linearised about a posture at rest while drives move on,
+ *
+ *     M^ x'' + (G + C) x' + (K + N) x = 0
+ *
+ * K and N are the symmetric and antisymmetric parts of dr/dq by central differences of r(q, 0, 0, t), so that gravity,
+ * preloads and centrifugal loads are in it, G the antisymmetric part of dr/dv, the Coriolis forces of driven rotation,
+ * C of the elements.  N is of loads without a potential: those that follow a body, or read other coordinates than they
+ * act on.  The part G'/2 that drives bring by their acceleration is left out of it: with it, what a slow change of the
+ * frequencies keeps, seems to grow. */
+#ifndef FMDSUB_PROBE_LINEAR_H
+#define FMDSUB_PROBE_LINEAR_H
+
+#include "base/arena.h"
+#include "system/ode2.h"
+
+struct linear {
+    const struct ode2 *ode;
+    const double *q; /* [nq] posture */
+    double t;
+    int n;
+    double *M, *K, *C; /* [n x n] */
+    double *N;         /* [n x n] circulatory: the antisymmetric part of dr/dq */
+    double *G;         /* [n x n] gyroscopic: the antisymmetric part of dr/dv */
+};
+
+/* M to G of ode, q, t and n; E_NUMERIC: r is not a number there. */
+enum status linearise(struct linear *l, struct arena *life, struct trouble *why);
+
+#endif
