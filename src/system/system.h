@@ -108,7 +108,7 @@ void system_apart(const struct system *s, double *d, const struct model_measure 
 /* elements_tilt(), at the last system_energy_at(). */
 double system_tilt(const struct system *s, int force);
 
-/* Linear momentum and angular momentum about the world's origin [3] each, at the last see(). */
+/* Linear momentum and angular momentum about the world's origin [3] each, at the last system_evaluate(). */
 void system_momentum(const struct system *s, double *p, double *L);
 
 #endif
