@@ -203,6 +203,13 @@ vacuous: tests-built $(PROGRAM) $(FOUND)
 advice: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/tools/advice.sh
 
+## mutants       N (60) random one-token mutants of src from SEED (1) on: at least 85 percent are noticed by a test
+mutants:
+	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/mutants OPT=-O1 CFLAGS="-fPIC -g0" mutable
+	@BUILD=$(BUILD)/mutants CC="$(CC)" N=$(or $(N),60) SEED=$(or $(SEED),1) sh tests/tools/mutants.sh
+
+mutable: $(OBJECTS) $(UNITS:=.o) $(TOOLS)
+
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/validation/table.sh
@@ -220,7 +227,7 @@ asan:
 ## coverage      lines and branches of src that the tests reach, by folder
 coverage:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/coverage OPT=-O0 CFLAGS="$(CFLAGS) --coverage" all tests-built
-	@BUILD=$(BUILD)/coverage tests/run unit decks bad faults man order study plot hard validation users random || true
+	@BUILD=$(BUILD)/coverage tests/run unit decks bad faults man order study plot hard validation users random fuzz || true
 	@BUILD=$(BUILD)/coverage sh tests/tools/coverage.sh $(BUILD)/coverage
 
 ## golden        what would change in the golden records, column by column; WRITE=1 rewrites them

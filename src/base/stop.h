@@ -1,4 +1,5 @@
-/* stop.h -- the one global: the signal that asks a run to end after its major step; 0: none. */
+/* stop.h -- the one global: the signal that asks a run to end after its major step, or within that after a step of the
+ * scheme's own; 0: none. */
 #ifndef FMDSUB_BASE_STOP_H
 #define FMDSUB_BASE_STOP_H
 

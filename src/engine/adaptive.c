@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/stop.h"
 #include "engine/motion.h"
 
 static const struct rk_table euler = {.stages = 2, .c = {0, 1}, .a = {{0}, {1}}};
@@ -134,15 +135,16 @@ static enum status give_up(long rejected, double t, struct trouble *why)
     return E_LIMIT;
 }
 
-/* From t to end, landing there; either may be the later one.  Where accelerations jump no step is short enough; a few
- * of the round-off of t pass it, for what they miss is of that order. */
-static enum status advance(struct stepper *s, struct state *x, double t, double end, struct trouble *why)
+/* From *from to end, landing there, or short of it where the run is asked to end; either may be the later one.  Where
+ * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
+static enum status advance(struct stepper *s, struct state *x, double *from, double end, struct trouble *why)
 {
     enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
     struct adaptive *m = s->self;
+    double t = *from;
     const double least = 16 * DBL_EPSILON * fmax(fabs(t), fabs(end));
     int passed = 0;
-    while (t != end) {
+    while (t != end && !(stop && t != *from)) {
         double left = fabs(end - t), h = m->h, err = 0, way = end > t ? 1 : -1;
         int last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
@@ -164,6 +166,7 @@ static enum status advance(struct stepper *s, struct state *x, double t, double 
         t = last ? end : t + way * h;
         if (!last) TRY(recoordinate(s, x, t, why));
     }
+    *from = t;
     return OK;
 }
 
@@ -226,7 +229,8 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
     for (double t = x->t, end; t != to; t = end) {
         end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
         if (forth) TRY(turn_corner(s, &t, &end, why));
-        TRY(advance(s, x, t, end, why));
+        TRY(advance(s, x, &t, end, why));
+        if (t != end) to = end = t;
         if (end != to) { /* one-sided slopes beyond the kink */
             TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, end, 0, why));
             copy(m->a, m->rk.dv[0], o->n);

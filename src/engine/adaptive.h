@@ -2,7 +2,8 @@
  * formulas.
  *
  * From t to the end of the major step, landing on it and on every known kink and corner in time between; the step used
- * before such a cut is kept.  A step is accepted where its error is at most 1 in scales of the tolerance:
+ * before such a cut is kept.  Where the run is asked to end (base/stop.h) it ends after a step, short of that.  A step is
+ * accepted where its error is at most 1 in scales of the tolerance:
  *
  *     err = rms of e_i / (tol (Y_i + |y_i|))
  *

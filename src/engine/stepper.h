@@ -58,10 +58,10 @@ struct stepper_kind {
     /* Required.  Once, by stepper_open(): takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
     /* Required.  By each stepper_step(): one major step from x, in place, of minor step h; H = ratio * h.  `to` is the
-     * exact time at its end (the caller's i * H, free of sums).  Adds the step's work by channel into s->work, what its
-     * damping took into s->lost and what Newton left over into s->left (all set to zero before) [J].  s->fresh: nothing
-     * is known of the past, and x->a are the accelerations of (2-4) at x; cleared by a step that is taken.  Counts
-     * s->effort but for majors and rejected. */
+     * exact time at its end (the caller's i * H, free of sums); an adaptive scheme may end short of it when `stop` is
+     * set.  Adds the step's work by channel into s->work, what its damping took into s->lost and what Newton left over
+     * into s->left (all set to zero before) [J].  s->fresh: nothing is known of the past, and x->a are the accelerations
+     * of (2-4) at x; cleared by a step that is taken.  Counts s->effort but for majors and rejected. */
     enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
     /* Optional.  All that step() carries to the next one besides the state: base/recall.h.  E_LIMIT: no memory for it. */
     enum status (*recall)(struct stepper *s, struct recall *r);

@@ -182,8 +182,10 @@ static enum status major(struct sim *sim, long k, double to)
     const double over = k == sim->majors ? to - whole_step(sim, k) : 0;
     double h = p->step;
     if (fabs(over) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
-    sim->cut = over != 0;
-    return advance(sim, h, p->ratio, to);
+    const double from = sim->x.t;
+    const enum status status = advance(sim, h, p->ratio, to);
+    if (sim->x.t != from) sim->cut = over != 0 || sim->x.t != to;
+    return status;
 }
 
 static enum status check_events(struct sim *sim, struct sink *sink, struct report *report)
@@ -222,7 +224,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
             if (sink) TRY(sink->ops->tick(sink, now, report));
         }
         if (sim->watch.met) return OK;
-        if (stop && k < sim->majors) {
+        if (stop && (k < sim->majors || sim->x.t != to)) {
             if (!due) TRY(write_row(sim, sink, report));
             return stopped(sim, report);
         }

@@ -16,6 +16,23 @@ for signal in INT:130 TERM:143 HUP:129 XCPU:7; do
     whole "$name: records whole" "$work/out.csv"
 done
 
+# One record in a day: a scheme of own steps ends after one of these, with a record and a state that goes on.
+for scheme in dopri5 dop853 radau5 radau9; do
+    chaos() { timeout --preserve-status -k 3 -s INT "$@" decks/double-pendulum.yaml; }
+    chaos 0.5 "$FMDSUB" run -q -s "integrate={scheme: $scheme, tolerance: 1.0e-9, until: 86400}" --every 86400 \
+        --columns pin1.angle --final-state "$work/day.json" >"$work/out.csv" 2>"$work/err"
+    expect "SIGINT within a step of a day, $scheme: status" 130 $? "$work/err"
+    t=$(tail -n 1 "$work/out.csv" | cut -d , -f 1)
+    expect "SIGINT within a step of a day, $scheme: the record where it ended, and its state" "3 $t cut" \
+        "$(wc -l <"$work/out.csv") $(sed -n 's/^"t": \(.*\),$/\1/p' "$work/day.json") $(sed -n 's/^"last_step": "\(.*\)",$/\1/p' "$work/day.json")" "$work/out.csv"
+    until=$(awk "BEGIN { printf \"%.3f\", $t + 0.1 }")
+    cp decks/double-pendulum.yaml "$work"
+    (cd "$work" && "$FMDSUB" run -q -s "integrate={scheme: $scheme, tolerance: 1.0e-9, until: $until}" --every 86400 \
+        --columns pin1.angle -s 'initial={from: day.json, time: keep}' double-pendulum.yaml) >"$work/on.csv" 2>"$work/err"
+    expect "SIGINT within a step of a day, $scheme: it goes on" "0 $(tail -n 1 "$work/out.csv") $until" \
+        "$? $(sed -n 2p "$work/on.csv") $(tail -n 1 "$work/on.csv" | cut -d , -f 1 | awk '{ printf "%.3f", $1 }')" "$work/err"
+done
+
 # Writing to a pipe that nobody reads: still whole records, and it ends.
 { timeout --preserve-status -k 5 -s INT 0.5 "$FMDSUB" run --every 1.0e-3 --until 1.0e+5 "$deck" 2>/dev/null; echo $? >"$work/rc"; } |
     { sleep 1; cat >"$work/out.csv"; }
