@@ -46,6 +46,7 @@ struct stepper_kind {
     bool (*fits)(const struct step_options *o, struct misfit *why);
     bool two_rates;                    /* sub-cycling; else ratio plain steps are one major step */
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
+    bool yardstick;                    /* to compare with: nobody is advised to take it */
     int order;
     int adaptive; /* chooses its own steps inside H */
     bool full;    /* its matrices are full ones of all coordinates: for hundreds of these */

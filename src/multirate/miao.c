@@ -386,6 +386,7 @@ const struct stepper_kind step_miao = {
     .fits = newmark_fits,
     .single = &step_newmark,
     .two_rates = true,
+    .yardstick = true,
     .points = 1,
     .order = 2,
     .open = open,

@@ -4,13 +4,23 @@
 #include <string.h>
 
 extern const struct stepper_kind step_subcycle, step_newmark, step_generalized_alpha, step_hht, step_midpoint,
-    step_miao, step_rk4, step_dopri5, step_dop853, step_radau5, step_radau9;
+    step_miao, step_daniel, step_neal_belytschko, step_rk4, step_dopri5, step_dop853, step_radau5, step_radau9;
 
 const struct stepper_kind *const stepper_kinds[] = {
-    &step_subcycle, &step_newmark,  &step_generalized_alpha,
-    &step_hht,      &step_midpoint, &step_miao,
-    &step_rk4,      &step_dopri5,   &step_dop853,
-    &step_radau5,   &step_radau9,   NULL,
+    &step_subcycle,
+    &step_newmark,
+    &step_generalized_alpha,
+    &step_hht,
+    &step_midpoint,
+    &step_miao,
+    &step_daniel,
+    &step_neal_belytschko,
+    &step_rk4,
+    &step_dopri5,
+    &step_dop853,
+    &step_radau5,
+    &step_radau9,
+    NULL,
 };
 enum { KINDS = sizeof stepper_kinds / sizeof *stepper_kinds - 1 };
 

@@ -1,6 +1,5 @@
 /* trial_fixed.c -- what fixed steps miss, by runs at halved steps; see trial.h */
 #include <math.h>
-#include <string.h>
 
 #include "multirate/schemes.h"
 #include "study/trial.h"
@@ -9,7 +8,7 @@
 static const struct stepper_kind *fixed_kind(const struct scene *scene)
 {
     const struct stepper_kind *kind = stepper_find(scene->integrate.scheme);
-    return kind && !kind->adaptive && strcmp(kind->name, "miao") != 0 ? kind : stepper_find("midpoint");
+    return kind && !kind->adaptive && !kind->yardstick ? kind : stepper_find("midpoint");
 }
 
 /* Major steps to the run: a hundred, or so many times two that there are some to a step of the scheme of high order. */

@@ -42,7 +42,7 @@ for deck in *.yaml; do
     [ $own = 1 ] && every="--every $H"
     why=$(one_run $deck $MAJORS)
     [ "$why" ] && bad="its own: $why"
-    for scheme in midpoint newmark generalized-alpha hht subcycle miao rk4; do
+    for scheme in midpoint newmark generalized-alpha hht subcycle miao daniel rk4; do
         set -- -s integrate.scheme=$scheme
         [ $own = 1 ] && set -- -s "integrate={scheme: $scheme, step: $H, until: 1}"
         every="--every-steps 1"
