@@ -19,11 +19,14 @@
 #include "force/parts.h"
 #include "la/vec3.h"
 
+/* A turn in a step: E is of third order in it, and that of less is not round-off of what there is but of nothing. */
+static const double LEAST_TURN = 1e-7;
+
 static void give_to_rotations(double *r, const struct part_of *p, double E, const struct instant *x)
 {
     double h = x->tb - x->ta, vv = 0;
     for (int i = 0; i < p->nturn; i++) vv += x->v[p->turn[i]] * x->v[p->turn[i]];
-    if (!(vv > 0)) return;
+    if (!(h * h * vv > LEAST_TURN * LEAST_TURN)) return;
     for (int i = 0; i < p->nturn; i++) r[p->turn[i]] -= E / (h * vv) * x->v[p->turn[i]];
 }
 
@@ -38,7 +41,7 @@ static double velocity_at(double *v, const struct pose *b, const double *c, cons
     return v3_dot(lever, lever);
 }
 
-static void give_to_pair(const struct elements *e, struct sweep *s, const struct part_of *p, double power,
+static void give_to_pair(const struct elements *e, struct sweep *s, const struct part_of *p, double E, double h,
                          const double *at_a, const double *at_b)
 {
     struct pose a, b;
@@ -52,11 +55,11 @@ static void give_to_pair(const struct elements *e, struct sweep *s, const struct
     v3_take(v, va);
     v3_diff(w, b.w, a.w);
     const double N = v3_dot(v, v) + ll * v3_dot(w, w);
-    if (!(N > 0)) return;
+    if (!(h * h * N > LEAST_TURN * LEAST_TURN * ll)) return;
     for (int side = 1; side >= -1; side -= 2) {
         double F[3], n[3];
-        v3_scale(F, side * power / N, v);
-        v3_scale(n, side * power * ll / N, w);
+        v3_scale(F, side * E / (h * N), v);
+        v3_scale(n, side * E * ll / (h * N), w);
         e->ops->push(s, side > 0 ? p->b : p->a, c, F);
         e->ops->twist(s, side > 0 ? p->b : p->a, n);
     }
@@ -68,7 +71,7 @@ void give_remainder(const struct elements *e, struct sweep *s, double *r, const 
     const double h = x->tb - x->ta;
     if (fabs(E) <= 64 * DBL_EPSILON * scale || h == 0) return;
     if (p->a != p->b)
-        give_to_pair(e, s, p, E / h, at_a, at_b);
+        give_to_pair(e, s, p, E, h, at_a, at_b);
     else
         give_to_rotations(r, p, E, x);
 }

@@ -1,6 +1,7 @@
 /* sim.c -- opens a run and takes it to its end; see sim.h */
 #include "sim/sim.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -41,16 +42,34 @@ static enum status place(struct sim *sim, struct report *report)
                 shifted ? "; 'time: keep' beside 'from' goes on at the state's own time" : "");
 }
 
-/* Energy of all bodies moved by what round-off makes of the mechanism's length in the time of the run [J]: where nothing
- * moves, springs and markers still do by so much. */
-static double least_energy(const struct sim *sim)
+/* Work of the forces at the last evaluation along the mechanism's length, of torques along 1 rad [J]. */
+static double strained(const struct sim *sim)
 {
-    static const double round_off = 1e-11;
     const struct model *m = sim->model;
+    double sum = 0;
+    for (int i = 0; i < m->nforce; i++) {
+        const struct model_force *f = &m->force[i];
+        double force, elongation, power;
+        system_force(sim->system, &force, &elongation, &power, i);
+        const bool turns = f->torque || (f->measure >= 0 && m->measure[f->measure].angular);
+        sum += fabs(force) * (turns ? 1 : system_length(sim->system)) + fabs(system_force_torque(sim->system, i));
+    }
+    return sum;
+}
+
+/* Energy of all bodies moved by what round-off makes of the mechanism's length in the time of the run [J]: where nothing
+ * moves, springs and markers still do by so much; and what forces do by round-off of places. */
+static enum status least_energy(double *least, struct sim *sim, struct trouble *why)
+{
+    static const double round_off = 1e-11, of_places = 1e5 * DBL_EPSILON;
+    const struct model *m = sim->model;
+    const struct state *x = &sim->x;
     const double v = round_off * system_length(sim->system) / (sim->plan.until - m->t0);
     double mass = 0;
     for (int i = 1; i < m->nbody; i++) mass += m->body[i].mass;
-    return mass * v * v;
+    TRY(system_evaluate(sim->system, x->q, x->v, x->t, EVALUATE_FORCE, why));
+    *least = mass * v * v + of_places * strained(sim);
+    return OK;
 }
 
 /* Consistent accelerations at the start; a massless freedom shows here. */
@@ -62,11 +81,12 @@ static enum status start(struct sim *sim, struct diags *diags, struct report *re
     TRY(idle_begin(sim, diags, report));
     if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
     if (inertias_note(sim) != OK) return describe_trouble(sim, &sim->trouble, E_MODEL, report);
-    if (stepper_start(&sim->stepper, &sim->x, &why) != OK ||
+    double least;
+    if (stepper_start(&sim->stepper, &sim->x, &why) != OK || least_energy(&least, sim, &why) != OK ||
         system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
         return describe_trouble(sim, &why, E_MODEL, report);
     TRY(passes_begin(sim, diags));
-    ledger_open(&sim->ledger, sim->scene->delta, least_energy(sim), e.kinetic, e.elastic, e.gravity);
+    ledger_open(&sim->ledger, sim->scene->delta, least, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
     return OK;

@@ -154,7 +154,7 @@ static int group_of(const struct judge *j, int c)
 
 static void set_scales(struct judge *j)
 {
-    double most[4] = {1e-3, 1e-3, 1e-3, 1e-3};
+    double most[4] = {1e-3, 1e-3, 1e-2, 1e-3};
 
     for (int c = 1; c <= j->ncol; c++) {
         double least = INFINITY, largest = -INFINITY;
