@@ -210,6 +210,10 @@ mutants:
 
 mutable: $(OBJECTS) $(UNITS:=.o) $(TOOLS)
 
+## figures       figures 3 to 6 and the times of the paper, drawn anew into decks/figures
+figures: $(PROGRAM)
+	@BUILD=$(BUILD) sh decks/figures/figures.sh
+
 ## validation    published figures of ADAMS and Dymola beside ours, a table
 validation: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/validation/table.sh
@@ -328,5 +332,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: advice coverage vacuous fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: advice figures coverage vacuous fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean
