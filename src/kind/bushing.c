@@ -3,30 +3,21 @@
  * Displacement.  d_i = e_i . (x_b - x_a) along axes e_i: those of the first marker, of the second, half-way between
  * them, or fixed in the world.  With w the angular velocity of these axes, d_i' = e_i . (v_b - v_a - w x (x_b - x_a)).
  *
- * Rotation.  What takes the first marker's axes A to the second's, B, is a twist psi about the axis z, then a swing by
- * the shortest way from z_a to z_b, with c = z_a x z_b, theta the angle of z_a and z_b, g = theta/sin theta:
- *
- *     psi = atan2(y_a.x_b - x_a.y_b, x_a.x_b + y_a.y_b) and whole turns,     swing vector g c
- *
- * The swing does not depend on the twist, so that V = (kx theta_x^2 + ky theta_y^2 + kz psi^2)/2 with kz = 0 is the
- * same at any angle about z.  (A quadratic form of the rotation vector is not: its stiffness against tilt grows with
- * the turn about z.)  Along axes a_i of the first marker, b_i of the second, m_i half a twist and half a swing from
- * either, with W the relative angular velocity,
- *
- *     theta_i = g c.a_i,     theta_i' = W.(g (cos theta a_i - (z_b.a_i) z_a) + g1 (c.a_i) c)
- *     theta_i = g c.b_i,     theta_i' = W.(g (cos theta b_i - (z_a.b_i) z_b) + g1 (c.b_i) c)
- *     theta_i = g c.m_i,     theta_i' = W.(G m_i - G1 (c.m_i) c)
- *     psi' = W.(z_a + z_b)/(1 + cos theta)
- *
- * g1 = (1 - g cos theta)/sin^2 theta, G = (theta/2)/sin(theta/2), G1 = (G - 1)/sin^2 theta.  Only theta = pi is out of
- * reach.  Dampers take W about the axes swung to the other marker's z axis (in the middle: as they are), which is z'
- * across: a body that spins about its tilted axis is not braked by those about x and y.
+ * Rotation.  That of the second marker's axes B against the first's, A, by swing and twist (kind/turn.h).  The swing does
+ * not depend on the twist, so that V = (kx theta_x^2 + ky theta_y^2 + kz psi^2)/2 with kz = 0 is the same at any angle
+ * about z.  (A quadratic form of the rotation vector is not: its stiffness against tilt grows with the turn about z.)
+ * Dampers take W about the axes swung to the other marker's z axis (in the middle: as they are), which is z' across: a
+ * body that spins about its tilted axis is not braked by those about x and y.
  *
  * z is the axis about which the stiffness is another than about the two others; all three differing, the softest.  If
- * all are the same the bushing is isotropic: V = k phi.phi/2 of the rotation vector phi, phi' = T'W.
+ * all are the same the bushing is isotropic, whatever its damping, rest and preload p: with phi the rotation vector of
+ * B exp(-rest) against A and psi the twist about p,
  *
- * Swing and twist: Grassia, J. Graphics Tools 3 (1998) 29.  Axes half-way, so that the order of the bodies does not
- * matter: Masarati & Morandini, Multibody Syst. Dyn. 23 (2010) 361.
+ *     V = k phi.phi/2 - |p| psi,     phi' = T'W
+ *
+ * which is the same along axes of the first, of the second and in the middle.  For its dampers and for displacements
+ * along axes in the middle z is then the axis about which damping is another, and that of the markers.  Beyond half a
+ * turn phi is the shorter way back.
  *
  * Torques are opposite on the two bodies, and so are forces, which act at one point: at the marker of the body that
  * does not have the axes; half-way at the mean of both markers, with the torque by which these axes turn otherwise than
@@ -36,6 +27,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "kind/turn.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 
@@ -50,90 +42,30 @@ static int odd_one(const double *x)
 }
 
 /* The axis of twist; -1: isotropic. */
-static int twist_axis(const void *par)
+static int twist_axis(const struct bushing *p)
+{
+    return odd_one(p->kr);
+}
+
+/* What turns are counted about: the axis of twist; of an isotropic bushing its preload, or where axes half-way change
+ * sides with every turn and forces with them, z. */
+static bool counted(double *axis, const void *par)
 {
     const struct bushing *p = par;
-    const double *const by[] = {p->kr, p->cr, p->preload_r, p->rest_r};
-    int odd = -1;
-    for (int i = 0; i < 4 && odd < 0; i++) odd = odd_one(by[i]);
-    return odd;
+    const int z = twist_axis(p);
+    const double size = v3_norm(p->preload_r);
+    const bool sided = p->axes == AXES_MIDDLE && (v3_norm(p->preload) > 0 || v3_norm(p->rest) > 0);
+    v3_set(axis, z == 0, z == 1, z == 2 || z < 0);
+    if (z < 0 && size > 0) v3_scale(axis, 1 / size, p->preload_r);
+    return z >= 0 || size > 0 || sided;
 }
 
-/* How the axes B stand against A, both by column in the world. */
-struct turn {
-    int x, y, z; /* columns: z that of twist */
-    double A[9], B[9];
-    double c[3], sine, cosine, theta, g, psi;
-};
-
-static void find_turn(struct turn *o, int z, double counted)
+/* The turns counted, about axis z; 0 where they are about none of the axes. */
+static double counted_about(const struct bushing *p, int z, double twist)
 {
-    static const double TURN = 6.283185307179586;
-    o->x = (z + 1) % 3, o->y = (z + 2) % 3, o->z = z;
-    const double *xa = o->A + 3 * o->x, *ya = o->A + 3 * o->y, *xb = o->B + 3 * o->x, *yb = o->B + 3 * o->y;
-    v3_cross(o->c, o->A + 3 * z, o->B + 3 * z);
-    o->sine = v3_norm(o->c);
-    o->cosine = v3_dot(o->A + 3 * z, o->B + 3 * z);
-    o->theta = atan2(o->sine, o->cosine);
-    o->g = o->sine > 0 ? o->theta / o->sine : 1;
-    o->psi = atan2(v3_dot(ya, xb) - v3_dot(xa, yb), v3_dot(xa, xb) + v3_dot(ya, yb));
-    o->psi += TURN * round((counted - o->psi) / TURN);
-}
-
-/* Below this angle g1 and G1 are by their series: their differences lose digits [rad]. */
-static const double little = .05;
-
-/* row = g (cos theta e - (other.e) own) + g1 (c.e) c, for an axis e of the marker with the z axis `own`. */
-static void row_along(double *row, const struct turn *o, const double *e, const double *own, const double *other)
-{
-    const double t = o->theta * o->theta;
-    const double g1 = o->theta < little ? 1. / 3 + t * (2. / 15 + t * (2. / 63 + t * 4 / 675))
-                                        : (1 - o->g * o->cosine) / (o->sine * o->sine);
-    v3_scale(row, o->g * o->cosine, e);
-    v3_axpy(row, -o->g * v3_dot(other, e), own);
-    v3_axpy(row, g1 * v3_dot(o->c, e), o->c);
-}
-
-/* row = G e - G1 (c.e) c, for an axis e in the middle. */
-static void row_amid(double *row, const struct turn *o, const double *e)
-{
-    const double t = o->theta * o->theta, half = o->theta / 2, G = half > 0 ? half / sin(half) : 1;
-    const double G1 = o->theta < little ? 1. / 24 + t * (29. / 1920 + t * (1037. / 322560 + t * 82591 / 154828800))
-                                        : (G - 1) / (o->sine * o->sine);
-    v3_scale(row, G, e);
-    v3_axpy(row, -G1 * v3_dot(o->c, e), o->c);
-}
-
-/* p, which is across `from`, with the shortest turn that takes `from` to `to`. */
-static void swing(double *p, const double *from, const double *to)
-{
-    const double share = v3_dot(to, p) / (1 + v3_dot(from, to));
-    for (int i = 0; i < 3; i++) p[i] -= share * (from[i] + to[i]);
-}
-
-/* Axes E of one marker swung to the z axis of the other. */
-static void swing_axes(double *D, const struct turn *o, const double *E, const double *to)
-{
-    v3_copy(D + 3 * o->x, E + 3 * o->x);
-    v3_copy(D + 3 * o->y, E + 3 * o->y);
-    v3_copy(D + 3 * o->z, to);
-    swing(D + 3 * o->x, E + 3 * o->z, to);
-    swing(D + 3 * o->y, E + 3 * o->z, to);
-}
-
-/* The axes M half a twist and half a swing from A. */
-static void find_middle(double *M, const struct turn *o)
-{
-    const double cosine = cos(o->psi / 2), sine = sin(o->psi / 2), *xa = o->A + 3 * o->x, *ya = o->A + 3 * o->y;
-    double E[9], h[3];
-    for (int i = 0; i < 3; i++) {
-        E[3 * o->x + i] = cosine * xa[i] + sine * ya[i];
-        E[3 * o->y + i] = cosine * ya[i] - sine * xa[i];
-    }
-    v3_copy(E + 3 * o->z, o->A + 3 * o->z);
-    v3_sum(h, o->A + 3 * o->z, o->B + 3 * o->z);
-    v3_scale(h, 1 / v3_norm(h), h);
-    swing_axes(M, o, E, h);
+    double axis[3];
+    if (!counted(axis, p) || fabs(axis[z]) != 1) return 0;
+    return axis[z] * twist;
 }
 
 /* --- strains ----------------------------------------------------------------------------------- */
@@ -160,7 +92,7 @@ struct axes {
 static void take_middle(struct axes *o, const struct between *x, const struct turn *t)
 {
     double W[3], sum[3], size;
-    find_middle(o->E, t);
+    turn_middle(o->E, t);
     v3_sum(sum, t->A + 3 * t->z, t->B + 3 * t->z);
     size = v3_norm(sum) / 2;
     v3_copy(o->h, o->E + 3 * t->z);
@@ -259,10 +191,17 @@ static struct affine spring_about(const struct bushing *p, int i)
     return (struct affine){p->kr[i], 0, p->rest_r[i], p->preload_r[i]};
 }
 
-/* Along the angular velocity about the axes D. */
-static void damp(struct strains *o, const struct bushing *p, const struct between *x, const double *D, bool still)
+/* Along the angular velocity about the axes swung to the other's z axis, in the middle about those there. */
+static void damp(struct strains *o, const struct bushing *p, const struct between *x, const struct turn *t)
 {
-    for (int i = 0; i < 3; i++) add_turn(o, 0, D + 3 * i, (struct affine){.c = p->cr[i]}, x, still);
+    double D[9];
+    if (p->axes == AXES_MIDDLE)
+        turn_middle(D, t);
+    else if (p->axes == AXES_SECOND)
+        turn_swing_axes(D, t, t->B, t->A + 3 * t->z);
+    else
+        turn_swing_axes(D, t, t->A, t->B + 3 * t->z);
+    for (int i = 0; i < 3; i++) add_turn(o, 0, D + 3 * i, (struct affine){.c = p->cr[i]}, x, p->axes == AXES_WORLD);
 }
 
 /* Where the stiffnesses against tilt are the same and that against twist is none, no other law is thinkable. */
@@ -276,39 +215,61 @@ static void swing_and_twist(struct strains *o, const struct bushing *p, const st
     const bool still = p->axes == AXES_WORLD, middle = p->axes == AXES_MIDDLE, second = p->axes == AXES_SECOND;
     const double *E = second ? t->B : t->A, *za = t->A + 3 * t->z, *zb = t->B + 3 * t->z;
     const double *own = second ? zb : za, *other = second ? za : zb;
-    double row[3], D[9];
-    if (middle)
-        find_middle(D, t), E = D;
-    else
-        swing_axes(D, t, E, other);
+    double row[3], M[9];
+    if (middle) turn_middle(M, t), E = M;
     for (int i = 1; i < 3; i++) {
         const int k = (t->z + i) % 3;
         const double *e = E + 3 * k;
         if (middle)
-            row_amid(row, t, e);
+            turn_row_amid(row, t, e);
         else
-            row_along(row, t, e, own, other);
+            turn_row_along(row, t, e, own, other);
         add_turn(o, t->g * v3_dot(t->c, e), row, spring_about(p, k), x, still);
     }
-    v3_sum(row, za, zb);
-    v3_scale(row, 1 / (1 + t->cosine), row);
+    turn_row_twist(row, t);
     add_turn(o, t->psi, row, spring_about(p, t->z), x, still);
-    damp(o, p, x, D, still);
     if (by_convention(p, t)) o->tilt = t->theta;
 }
 
-/* Along the rotation vector. */
-static void isotropic(struct strains *o, const struct bushing *p, const struct between *x)
+/* Along the rotation vector from rest. */
+static void isotropic(struct strains *o, const struct bushing *p, const struct between *x, const struct turn *t)
 {
-    double R[9], phi[3], T[9], row[3];
-    m3_tmulm(R, x->a.E, x->b.E);
+    const bool still = p->axes == AXES_WORLD;
+    double back[3], R[9], rest[9], B[9], phi[3], T[9], row[3];
+    v3_scale(back, -1, p->rest_r);
+    matrix_of_vector(rest, back);
+    m3_mulm(B, t->B, rest);
+    m3_tmulm(R, t->A, B);
     vector_of_matrix(phi, R);
     vector_rate(T, phi);
     for (int i = 0; i < 3; i++) {
-        m3_mul(row, x->a.E, T + 3 * i); /* phi_i' = (column i of T) . W */
-        add_turn(o, phi[i], row, spring_about(p, i), x, false);
+        m3_mul(row, t->A, T + 3 * i); /* phi_i' = (column i of T) . W */
+        add_turn(o, phi[i], row, (struct affine){.k = p->kr[i]}, x, still);
     }
-    damp(o, p, x, x->a.E, false);
+}
+
+/* Axes by column with z along p. */
+static void frame_along(double *E, const double *p)
+{
+    double e[3];
+    const int least = fabs(p[0]) <= fabs(p[1]) && fabs(p[0]) <= fabs(p[2]) ? 0 : fabs(p[1]) <= fabs(p[2]) ? 1 : 2;
+    v3_set(e, least == 0, least == 1, least == 2);
+    matrix_of_axes(E, 2, p, 0, e);
+}
+
+/* The preload of an isotropic bushing, along the twist about its direction. */
+static void load_isotropic(struct strains *o, const struct bushing *p, const struct between *x, const struct turn *t)
+{
+    const double size = v3_norm(p->preload_r);
+    double E[9], row[3];
+    struct turn of;
+    if (!(size > 0)) return;
+    frame_along(E, p->preload_r);
+    m3_mulm(of.A, t->A, E);
+    m3_mulm(of.B, t->B, E);
+    turn_find(&of, 2, x->twist);
+    turn_row_twist(row, &of);
+    add_turn(o, of.psi, row, (struct affine){.preload = size}, x, p->axes == AXES_WORLD);
 }
 
 static void take_turn(struct turn *o, const struct bushing *p, const struct between *x, int z)
@@ -321,7 +282,16 @@ static void take_turn(struct turn *o, const struct bushing *p, const struct betw
         memcpy(o->A, p->on.drawn, sizeof o->A);
         m3_mulm(o->B, Q, o->A);
     }
-    find_turn(o, z, x->twist);
+    turn_find(o, z, counted_about(p, z, x->twist));
+}
+
+/* The same by the axis about which damping is another. */
+static void damp_isotropic(struct strains *o, const struct bushing *p, const struct between *x)
+{
+    const int z = odd_one(p->cr);
+    struct turn t;
+    take_turn(&t, p, x, z < 0 ? 2 : z);
+    damp(o, p, x, &t);
 }
 
 static void strains(struct strains *o, const void *par, const struct between *x)
@@ -332,12 +302,16 @@ static void strains(struct strains *o, const void *par, const struct between *x)
     take_turn(&t, p, x, z < 0 ? 2 : z);
     if (x->space == 2) t.psi = x->a.E[8] * x->angle;
     slide(o, p, x, &t);
-    if (x->space == 2)
+    if (x->space == 2) {
         add_turn(o, t.psi, x->a.E + 6, (struct affine){p->kr[2], p->cr[2], p->rest_r[2], p->preload_r[2]}, x, false);
-    else if (z < 0)
-        isotropic(o, p, x);
-    else
+    } else if (z < 0) {
+        isotropic(o, p, x, &t);
+        load_isotropic(o, p, x, &t);
+        damp_isotropic(o, p, x);
+    } else {
         swing_and_twist(o, p, x, &t);
+        damp(o, p, x, &t);
+    }
 }
 
 /* --- keys -------------------------------------------------------------------------------------- */
@@ -369,4 +343,4 @@ const struct force_kind force_bushing = {.name = "bushing",
                                          .keys = keys,
                                          .size = sizeof(struct bushing),
                                          .strains = strains,
-                                         .twist = twist_axis};
+                                         .twist = counted};

@@ -67,7 +67,7 @@ struct strain {
     double ks, kv;  /* -d(f + lost)/ds, -d(f + lost)/ds' */
 };
 
-enum { MOST_STRAINS = 9 };
+enum { MOST_STRAINS = 10 };
 struct strains {
     int n;                   /* 0 when the kind is asked */
     double at_a[3], at_b[3]; /* [m] world */
@@ -123,9 +123,9 @@ struct force_kind {
     /* The scalars between two markers, all members; par begins with struct markers. */
     void (*strains)(struct strains *o, const void *par, const struct between *x);
 
-    /* Optional.  In space: the axis of the markers (0, 1, 2) about which turns are counted, as a measure NAME.twist;
-     * -1: none. */
-    int (*twist)(const void *par);
+    /* Optional.  In space: is there an axis [3] (unit; axes of the first marker) about which turns are counted, as a
+     * measure NAME.twist? */
+    bool (*twist)(double *axis, const void *par);
 };
 
 /* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */

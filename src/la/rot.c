@@ -106,6 +106,13 @@ void vector_of_quat(double *phi, const double *q)
     v3_scale(phi, sign * (sine > 0 ? angle / sine : 2), q + 1);
 }
 
+void matrix_of_vector(double *R, const double *phi)
+{
+    const double half = v3_norm(phi) / 2, share = half > 0 ? sin(half) / (2 * half) : .5;
+    const double q[4] = {cos(half), share * phi[0], share * phi[1], share * phi[2]};
+    quat_matrix(R, q);
+}
+
 void vector_of_matrix(double *phi, const double *R)
 {
     double q[4];

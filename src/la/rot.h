@@ -36,6 +36,7 @@ void cay_rate(double *rate, const double *phi, const double *w);
 
 /* ---- rotation vectors: axis times angle, angle in [0, pi] ---- */
 
+void matrix_of_vector(double *R, const double *phi);
 void vector_of_quat(double *phi, const double *q);
 void vector_of_matrix(double *phi, const double *R);
 /* T [9]: phi' = T w, w in the axes of the turning body; |phi| < 2 pi.  In base axes it is T'. */

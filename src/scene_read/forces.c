@@ -266,12 +266,12 @@ static int marker_axes(struct builder *b, double *E, const struct node *axis, co
 }
 
 /* What counts its turns, a measure that it reads. */
-static void count_turns(struct builder *b, struct scene_force *f, const struct markers *on, int axis)
+static void count_turns(struct builder *b, struct scene_force *f, const struct markers *on, const double *axis)
 {
     struct scene_slot *slot = TAKE(b->life, struct scene_slot, 2);
     struct scene_measure m = {.node = f->node, .type = MEASURE_ANGLE, .angular = true, .a = f->a, .b = f->b};
     m.name = arena_print(b->life, "%s.twist", f->name);
-    v3_copy(m.axis, on->Ea + 3 * axis);
+    m3_mul(m.axis, on->Ea, axis);
     slot[1] = (struct scene_slot){.type = SCENE_MEASURE, .index = measure_add(b, &m)};
     f->slot = slot;
     f->nslot = 2;
@@ -284,7 +284,7 @@ static int read_between(struct builder *b, struct scene_force *f, const struct n
     struct markers *on = arena_take(b->life, 1, kind->size);
     struct marker at;
     int first, second;
-    double world[3], *E = on->drawn;
+    double world[3], axis[3], *E = on->drawn;
     if (read_keys(on, kind->keys, n, NULL, what, &b->reader)) return 1;
     if (find_two_bodies(b, &first, &second, on->bodies, what)) return 1;
     if (read_point(b, &at, on->at, what) || marker_axes(b, E, on->axis, what)) return 1;
@@ -293,7 +293,7 @@ static int read_between(struct builder *b, struct scene_force *f, const struct n
     marker_at(&f->b, b->scene, second, world);
     m3_tmulm(on->Ea, b->scene->body[first].R, E);
     m3_tmulm(on->Eb, b->scene->body[second].R, E);
-    if (kind->twist && b->scene->space == 3 && kind->twist(on) >= 0) count_turns(b, f, on, kind->twist(on));
+    if (kind->twist && b->scene->space == 3 && kind->twist(axis, on)) count_turns(b, f, on, axis);
     f->type = FORCE_BETWEEN;
     f->measure = -1;
     f->kind = kind;

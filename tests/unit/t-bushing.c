@@ -13,13 +13,14 @@
 
 #include "unit/opened.h"
 
-enum { SEEDS = 40, KINDS = 5 };
+enum { SEEDS = 40, KINDS = 6 };
 
-/* Which axis is that of twist: z, x, y, by damping, none (isotropic). */
+/* Which axis is that of twist: z, x, y, none (isotropic) with damping that has one,
+ * none, none with rest and preload. */
 static struct bushing bushing_of(int kind, int axes, struct tree_dice *d)
 {
-    static const double kr[KINDS][3] = {{3, 2, 0}, {0, 3, 3}, {3, 1, 2}, {2, 2, 2}, {2, 2, 2}};
-    static const double cr[KINDS][3] = {{1, 1, 1}, {0, 0, 0}, {1, 2, 3}, {1, 1, 3}, {1, 1, 1}};
+    static const double kr[KINDS][3] = {{3, 2, 0}, {0, 3, 3}, {3, 1, 2}, {2, 2, 2}, {2, 2, 2}, {2, 2, 2}};
+    static const double cr[KINDS][3] = {{1, 1, 1}, {0, 0, 0}, {1, 2, 3}, {1, 1, 3}, {1, 1, 1}, {1, 2, 3}};
     struct bushing p = {.axes = axes};
     double q[4];
     tree_quaternion(q, d, 3);
@@ -28,7 +29,7 @@ static struct bushing bushing_of(int kind, int axes, struct tree_dice *d)
         p.k[i] = 10 + 5 * i, p.c[i] = 1 + i;
         p.kr[i] = kr[kind][i], p.cr[i] = cr[kind][i];
         p.rest[i] = .1 * i, p.preload[i] = 2 - i;
-        if (kind < 3) p.rest_r[i] = .2 - .1 * i, p.preload_r[i] = i - .5;
+        if (kind != 3 && kind != 4) p.rest_r[i] = .2 - .1 * i, p.preload_r[i] = i - .5;
     }
     return p;
 }
@@ -169,6 +170,7 @@ static void the_order_of_the_bodies(void **state)
         struct strains o = {0}, other = {0};
         force_bushing.strains(&o, &p, &x);
         p.axes = axes == AXES_FIRST ? AXES_SECOND : axes == AXES_SECOND ? AXES_FIRST : axes;
+        if (kind == 5) continue; /* its rest is no strain of its own, see below */
         force_bushing.strains(&other, &p, &y);
         if (axes == AXES_WORLD) continue;
         for (int i = 0; i < o.n; i++) {
@@ -225,6 +227,91 @@ static void small_rotations(void **state)
                 for (int i = 0; i < 3; i++)
                     near(o.of[3 + i].s, phi[i], axes == AXES_MIDDLE ? size * size * size / 8 : size * size / 2);
             }
+        }
+}
+
+/* --- the same about all axes --- */
+
+/* What stiffness and preload do to the second body; damping left out. */
+static double kept(double *on_b, const struct bushing *p, const struct between *x)
+{
+    struct strains o = {0};
+    double V = 0;
+    force_bushing.strains(&o, p, x);
+    v3_set(on_b, 0, 0, 0);
+    for (int i = 0; i < o.n; i++) {
+        if (o.of[i].turns) v3_axpy(on_b, o.of[i].f, o.of[i].on_b);
+        V += o.of[i].V;
+    }
+    assert_true(o.tilt == 0);
+    return V;
+}
+
+/* k times the angle of the rotation from rest, about its axis; and a preload p along the mean of its directions in both
+ * bodies, |p| tan(half their angle) larger. */
+static void isotropic_by_hand(double *on_b, const struct bushing *p, const struct between *x)
+{
+    double q[3][4], phi[3], half = v3_norm(p->rest_r) / 2, pa[3], pb[3], mean[3];
+    quat_of_matrix(q[0], x->a.E), quat_of_matrix(q[1], x->b.E);
+    q[2][0] = cos(half);
+    v3_scale(q[2] + 1, half > 0 ? -sin(half) / (2 * half) : 0, p->rest_r);
+    quat_mul(q[1], q[1], q[2]);
+    v3_scale(q[0] + 1, -1, q[0] + 1);
+    quat_mul(q[1], q[1], q[0]); /* in the world */
+    vector_of_quat(phi, q[1]);
+    v3_scale(on_b, -p->kr[0], phi);
+    m3_mul(pa, x->a.E, p->preload_r), m3_mul(pb, x->b.E, p->preload_r);
+    v3_sum(mean, pa, pb);
+    const double size = v3_norm(p->preload_r), c = v3_norm(mean) / 2 / size;
+    if (size > 0) v3_axpy(on_b, 1 / (2 * c * c), mean);
+}
+
+static struct bushing isotropic_of(struct tree_dice *d, int with, double size)
+{
+    struct bushing p = {.axes = with % 3, .kr = {6, 6, 6}, .cr = {.1, .1, .1}};
+    double *const of[] = {p.rest_r, p.preload_r, p.cr};
+    for (int i = 0; i < 3; i++) of[with / 3 % 3][i] += size * tree_roll(d, .2, 1);
+    if (with >= 9)
+        for (int i = 0; i < 3; i++) p.rest_r[i] = tree_roll(d, -1, 1), p.preload_r[i] = tree_roll(d, -3, 3);
+    return p;
+}
+
+/* Whatever rest, preload and damping are: along axes of the first, of the second and in the middle. */
+static void isotropic_stays_isotropic(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < SEEDS; seed++)
+        for (int with = 0; with < 12; with++) {
+            struct tree_dice d = {seed + 1};
+            const struct between x = two_markers(&d, tree_roll(&d, .1, 2.2));
+            const struct bushing p = isotropic_of(&d, with, 1), little = isotropic_of(&d, with % 9, 1e-9),
+                                 plain = {.kr = {6, 6, 6}};
+            double got[3], want[3];
+            kept(got, &p, &x), isotropic_by_hand(want, &p, &x);
+            for (int i = 0; i < 3; i++) near(got[i], want[i], 1e-11);
+            kept(got, &little, &x), kept(want, &plain, &x);
+            for (int i = 0; i < 3; i++) near(got[i], want[i], 1e-7);
+        }
+}
+
+/* Its torque is the slope of its energy. */
+static void isotropic_has_a_potential(void **state)
+{
+    static const double at[4] = {-2, -1, 1, 2}, weight[4] = {1. / 12, -2. / 3, 2. / 3, -1. / 12}, e = 1e-3;
+    (void)state;
+    for (unsigned seed = 0; seed < SEEDS; seed++)
+        for (int with = 0; with < 12; with++) {
+            struct tree_dice d = {seed + 1};
+            struct between x = two_markers(&d, tree_roll(&d, .1, 1.8));
+            const struct bushing p = isotropic_of(&d, with, .3);
+            double got[3], spare[3], slope = 0;
+            kept(got, &p, &x);
+            v3_set(x.a.w, 1e-20, 0, 0);
+            for (int k = 0; k < 4; k++) {
+                const struct between y = later(&x, at[k] * e);
+                slope += weight[k] / e * kept(spare, &p, &y);
+            }
+            near(v3_dot(got, x.b.w), -slope, 1e-8);
         }
 }
 
@@ -389,6 +476,8 @@ int main(void)
         cmocka_unit_test(the_order_of_the_bodies),
         cmocka_unit_test(tilt_does_not_know_the_twist),
         cmocka_unit_test(small_rotations),
+        cmocka_unit_test(isotropic_stays_isotropic),
+        cmocka_unit_test(isotropic_has_a_potential),
         cmocka_unit_test(tilt_frequency),
         cmocka_unit_test(energy_of_a_spinning_disc),
         cmocka_unit_test(a_twist_winds_up),
