@@ -94,12 +94,13 @@ static bool suspected(const struct spins *o, struct system *s, const double *q, 
     static const double NEARLY = 1e-4;
     struct inverse M;
     const int n = system_ode2(s)->n;
-    double *b = TAKE(scratch, double, n), *x = TAKE(scratch, double, n), *row = TAKE(scratch, double, n);
+    double *b = TAKE(scratch, double, n), *x = TAKE(scratch, double, n);
+    struct turn_axis *of = TAKE(scratch, struct turn_axis, o->n);
     for (int i = 0; i < o->n; i++) {
         const struct spin *p = &o->spin[i];
-        system_spin_row(s, row, q, t, p->body, p->axis);
-        for (int k = 0; k < n; k++) b[k] += idle_scatter((unsigned)i) * sqrt(p->inertia) * row[k];
+        of[i] = (struct turn_axis){p->body, p->axis, idle_scatter((unsigned)i) * sqrt(p->inertia)};
     }
+    system_spin_row(s, b, q, t, of, o->n);
     if (!inverse_build(&M, system_ode2(s), q, t, scratch)) return true;
     memcpy(x, b, sizeof *x * (size_t)n);
     inverse_apply(&M, x);
@@ -178,7 +179,7 @@ static void decide_group(struct spin **of, int m, struct system *s, const struct
     int *at = TAKE(scratch, int, m), rank;
     for (int i = 0; i < m; i++) {
         at[i] = i;
-        system_spin_row(s, S + (size_t)i * (size_t)n, q, t, of[i]->body, of[i]->axis);
+        system_spin_row(s, S + (size_t)i * (size_t)n, q, t, &(struct turn_axis){of[i]->body, of[i]->axis, 1}, 1);
     }
     for (int i = 0; i < m; i++) {
         memcpy(x, S + (size_t)i * (size_t)n, sizeof *x * (size_t)n);

@@ -30,7 +30,7 @@ static bool torques(struct pushing *o, const double *q, const double *v, double 
     if (known) inverse_apply(&M, o->r);
     for (int i = 0; known && i < o->idle->n; i++) {
         const struct idle_turn *turn = &o->idle->turn[i];
-        system_spin_row(o->s, o->row, q, t, turn->body, turn->axis);
+        system_spin_row(o->s, o->row, q, t, &(struct turn_axis){turn->body, turn->axis, 1}, 1);
         o->turned[i] = -turn->inertia * idle_dot(o->row, o->r, o->ode->n);
     }
     arena_rewind(o->scratch, mark);
@@ -41,13 +41,15 @@ static bool torques(struct pushing *o, const double *q, const double *v, double 
 static bool along_turns(struct pushing *o, double *x, const double *q, double t, unsigned trial)
 {
     struct inverse M;
-    memset(x, 0, sizeof *x * (size_t)o->ode->n);
+    const struct arena_mark mark = arena_mark(o->scratch);
+    struct turn_axis *of = TAKE(o->scratch, struct turn_axis, o->idle->n);
     for (int i = 0; i < o->idle->n; i++) {
         const struct idle_turn *turn = &o->idle->turn[i];
-        system_spin_row(o->s, o->row, q, t, turn->body, turn->axis);
-        for (int k = 0; k < o->ode->n; k++)
-            x[k] += (1 + idle_scatter(trial + (unsigned)i) / 2) * turn->inertia * o->row[k];
+        const double rate = 1 + idle_scatter(trial + (unsigned)i) / 2;
+        of[i] = (struct turn_axis){turn->body, turn->axis, rate * turn->inertia};
     }
+    system_spin_row(o->s, x, q, t, of, o->idle->n);
+    arena_rewind(o->scratch, mark);
     if (!inverse_build(&M, o->ode, q, t, o->scratch)) return false;
     inverse_apply(&M, x);
     return true;
@@ -110,7 +112,7 @@ void idle_still(struct idle *o, struct system *s, const double *q, double *v, do
     struct inverse M;
     for (int i = 0; i < o->n; i++) {
         struct idle_turn *turn = &o->turn[i];
-        system_spin_row(s, row, q, t, turn->body, turn->axis);
+        system_spin_row(s, row, q, t, &(struct turn_axis){turn->body, turn->axis, 1}, 1);
         turn->dropped = idle_dot(row, v, ode->n);
         for (int k = 0; k < ode->n; k++) x[k] += turn->inertia * turn->dropped * row[k];
     }
@@ -142,7 +144,7 @@ void idle_clear(const struct idle *o, struct system *s, double *K, double stiffn
     const bool known = o->n > 0 && inverse_build(&M, system_ode2(s), q, t, scratch);
     for (int i = 0; known && i < o->n; i++) {
         const struct idle_turn *turn = &o->turn[i];
-        system_spin_row(s, row, q, t, turn->body, turn->axis);
+        system_spin_row(s, row, q, t, &(struct turn_axis){turn->body, turn->axis, 1}, 1);
         for (int k = 0; k < n; k++) x[k] = turn->inertia * row[k];
         inverse_apply(&M, x);
         clear_one(K, x, row, n);

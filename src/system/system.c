@@ -213,17 +213,23 @@ enum status system_energy_at(struct system *s, struct energies *e, const double 
     return OK;
 }
 
-void system_spin_row(struct system *s, double *row, const double *q, double t, int body, const double *axis)
+/* s->r += weight times the row of one axis, in the tree. */
+static void add_spin(struct system *s, const struct turn_axis *of)
 {
     struct pose b;
     double e[3];
-    const int *k, n = s->ops->path(s->tree.sweep, &k, body);
+    const int *k, n = s->ops->path(s->tree.sweep, &k, of->body);
+    s->ops->pose(s->tree.sweep, &b, of->body);
+    m3_mul(e, b.R, of->axis);
+    s->ops->row(s->tree.sweep, s->v, of->body, 0, b.r, NULL, e);
+    for (int i = 0; i < n; i++) s->r[k[i]] += of->weight * s->v[i];
+}
+
+void system_spin_row(struct system *s, double *row, const double *q, double t, const struct turn_axis *of, int many)
+{
     memset(s->r, 0, sizeof *s->r * (size_t)s->model->n);
     open_place(&s->tree, q);
-    s->ops->pose(s->tree.sweep, &b, body);
-    m3_mul(e, b.R, axis);
-    s->ops->row(s->tree.sweep, s->v, body, 0, b.r, NULL, e);
-    for (int i = 0; i < n; i++) s->r[k[i]] = s->v[i];
+    for (int i = 0; i < many; i++) add_spin(s, &of[i]);
     if (s->loops)
         condense_reduce(s->loops, row, s->r, q, t);
     else

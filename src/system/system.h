@@ -84,9 +84,14 @@ long system_charts(const struct system *s); /* partitions chosen since the start
 enum status system_energy_at(struct system *s, struct energies *e, const double *q, const double *v, double t,
                              struct trouble *why);
 
-/* Where positions are q: row [n of the door] := how fast the body turns about an axis of its own per unit of each
- * velocity. */
-void system_spin_row(struct system *s, double *row, const double *q, double t, int body, const double *axis);
+/* Where positions are q: row [n of the door] := how fast a body turns about an axis of its own per unit of each velocity;
+ * the sum of `many` such, each times its weight. */
+struct turn_axis {
+    int body;
+    const double *axis; /* unit, body axes */
+    double weight;
+};
+void system_spin_row(struct system *s, double *row, const double *q, double t, const struct turn_axis *of, int many);
 
 /* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
 void system_frame_spin(const struct system *s, double *w, int body);
