@@ -29,7 +29,7 @@ enum { ROWS = 16, COLUMNS = 2 * 3 * 2 * BODIES + 3 * BODIES + 2, ARGS = 24, most
 
 static const double same_tree = 1e-7;       /* of a tree under its own fixed steps, reversed or turned */
 static const double same_motion = 1e-5;     /* by dopri5, whatever coordinates are chosen */
-static const double most_unbalanced = 1e-3; /* error below which a run keeps its balance */
+static const double most_unbalanced = 5e-4; /* error below which a run keeps its balance */
 static const double most_work = 60000;      /* minor steps times bodies, of a beam three */
 
 struct table {
@@ -154,7 +154,7 @@ static int group_of(const struct judge *j, int c)
 
 static void set_scales(struct judge *j)
 {
-    double most[4] = {1e-3, 1e-3, 1e-2, 1e-3};
+    double most[4] = {1e-3, 1e-2, 1e-2, 1e-3};
 
     for (int c = 1; c <= j->ncol; c++) {
         double least = INFINITY, largest = -INFINITY;
