@@ -112,8 +112,22 @@ void elements_begin(struct elements *e, const struct sweep *s, const struct inst
 
 void elements_stepped(struct elements *e, const struct sweep *s, const struct instant *x)
 {
-    measures_turned(&e->measures, s, x->t);
     follow(e, s, x, false);
+}
+
+bool elements_turn(const struct elements *e)
+{
+    return e->measures.turns;
+}
+
+void elements_turned(struct elements *e, const struct sweep *s, double dt)
+{
+    if (e->measures.turns) measures_turned(&e->measures, s, dt);
+}
+
+void elements_look(struct elements *e, const struct sweep *view)
+{
+    measures_look(&e->measures, view);
 }
 
 bool elements_may_have_poles(const struct elements *e)

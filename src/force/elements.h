@@ -58,6 +58,10 @@ double elements_stored(const struct elements *e, const struct sweep *s, const do
 bool elements_follow(const struct elements *e);
 void elements_begin(struct elements *e, const struct sweep *s, const struct instant *x);
 void elements_stepped(struct elements *e, const struct sweep *s, const struct instant *x);
+/* Angles in space alone, see measures_turned(), measures_look(): are there any? */
+bool elements_turn(const struct elements *e);
+void elements_turned(struct elements *e, const struct sweep *s, double dt);
+void elements_look(struct elements *e, const struct sweep *view);
 /* Did a law have a corner or a jump in the last step?  Has a force grown without bound?  Which one; -1: none. */
 bool elements_may_bend(const struct elements *e);
 bool elements_bent(const struct elements *e);

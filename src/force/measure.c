@@ -14,9 +14,10 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
     o->drawn = arena_take(life, (size_t)m->nmeasure, sizeof *o->drawn);
     o->stood = TAKE(life, double, m->nmeasure);
     o->went = TAKE(life, double, m->nmeasure);
-    o->t = m->t0;
+    o->seen = TAKE(life, double, m->nmeasure);
+    o->passed = TAKE(life, double, m->nmeasure);
     for (int i = 0; i < m->nmeasure; i++) {
-        o->went[i] = NAN;
+        o->went[i] = o->passed[i] = NAN;
         if (m->measure[i].type != MEASURE_ANGLE) continue;
         m3_tmulm(o->drawn[i], m->body[m->measure[i].a.body].R, m->body[m->measure[i].b.body].R);
         o->turns = o->turns || m->space == 3;
@@ -111,24 +112,31 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
         displacement(o, m, s, def);
         break;
     case MEASURE_ANGLE:
-        angle(o, m, s, def, m->drawn[i], m->stood[i]);
+        angle(o, m, s, def, m->drawn[i], s == m->view ? m->seen[i] : m->stood[i]);
         break;
     }
 }
 
-void measures_turned(struct measures *o, const struct sweep *s, double t)
+void measures_turned(struct measures *o, const struct sweep *s, double dt)
 {
+    double *stood = s == o->view ? o->seen : o->stood, *went = s == o->view ? o->passed : o->went;
     for (int i = 0; i < o->model->nmeasure; i++) {
         struct action act;
         if (o->model->measure[i].type != MEASURE_ANGLE || o->model->space == 2) continue;
         measure_at(&act, o, s, i, NULL, NULL);
-        const double before = isnan(o->went[i]) ? act.rate : o->went[i];
-        const double now = angle_near(act.s, o->stood[i] + (t - o->t) * (before + act.rate) / 2);
+        const double before = isnan(went[i]) ? act.rate : went[i];
+        const double now = angle_near(act.s, stood[i] + dt * (before + act.rate) / 2);
         if (!isfinite(now)) continue;
-        o->stood[i] = now;
-        o->went[i] = act.rate;
+        stood[i] = now;
+        went[i] = act.rate;
     }
-    o->t = t;
+}
+
+void measures_look(struct measures *o, const struct sweep *view)
+{
+    o->view = view;
+    memcpy(o->seen, o->stood, sizeof *o->seen * (size_t)o->model->nmeasure);
+    memcpy(o->passed, o->went, sizeof *o->passed * (size_t)o->model->nmeasure);
 }
 
 void measures_set(struct measures *o, int i, double x)
@@ -141,7 +149,6 @@ void measures_recall(struct measures *o, struct recall *r)
     if (!o->turns) return;
     recall_list(r, "stood", o->stood, o->model->nmeasure);
     recall_list(r, "went", o->went, o->model->nmeasure);
-    recall_one(r, "t", o->t);
 }
 
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f)

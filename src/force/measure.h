@@ -42,11 +42,13 @@ struct row {
 struct measures {
     const struct model *model;
     const struct sweep_ops *ops;
-    double (*drawn)[9]; /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
-    double *stood;      /* [nmeasure] space, angles: at the end of the last step [rad] */
-    double *went;       /* [nmeasure] their rates there [rad/s]; NAN: not known yet */
-    double t;           /* when that was [s] */
-    bool turns;         /* there are such */
+    double (*drawn)[9];       /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
+    double *stood;            /* [nmeasure] space, angles: at the end of the last step [rad] */
+    double *went;             /* [nmeasure] their rates there [rad/s]; NAN: not known yet */
+    double *seen;             /* [nmeasure] where they stand for the sweep `view`, which looks at other instants */
+    double *passed;           /* [nmeasure] their rates there */
+    bool turns;               /* there are such */
+    const struct sweep *view; /* NULL: there is none */
 };
 
 void measures_build(struct measures *o, const struct model *m, const struct sweep_ops *ops, struct arena *life);
@@ -55,9 +57,11 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
 void measure_at(struct action *o, const struct measures *m, const struct sweep *s, int i, const double *q,
                 const double *v);
 
-/* Between steps: angles in space stand where they are at the sweep's last motion, at t; their rates tell how many whole
- * turns the step has taken. */
-void measures_turned(struct measures *o, const struct sweep *s, double t);
+/* Between steps: angles in space stand where they are at the sweep's last motion, dt after the one before; their rates at
+ * both tell how many whole turns have been taken between.  Of the view these stand for themselves. */
+void measures_turned(struct measures *o, const struct sweep *s, double dt);
+/* The view's angles are those at the end of the last step. */
+void measures_look(struct measures *o, const struct sweep *view);
 
 void measures_recall(struct measures *o, struct recall *r);
 

@@ -110,16 +110,17 @@ double loop_coordinate(const struct model *m, int loop, int order, int k, const 
 
 struct winding {
     int loop, k;
-    double stood, went; /* at the end of the last step [rad], [rad/s]; went NAN: not known yet */
+    double stood, went;  /* at the end of the last step [rad], [rad/s]; went NAN: not known yet */
+    double seen, passed; /* in the view likewise */
 };
 
 struct windings {
     const struct model *model;
     const struct sweep_ops *ops;
     int n;
-    struct winding *winding; /* [n] */
-    int *number;             /* [nloop x JOINT_MAX_V] of these, by loop */
-    double t;                /* of the last step's end [s] */
+    struct winding *winding;  /* [n] */
+    int *number;              /* [nloop x JOINT_MAX_V] of these, by loop */
+    const struct sweep *view; /* NULL: there is none */
 };
 
 bool loop_winds(const struct model *m, int loop, int k)
@@ -136,11 +137,11 @@ struct windings *windings_build(const struct model *m, const struct sweep_ops *o
 {
     struct windings *o = TAKE(life, struct windings, 1);
     const int most = m->nloop * JOINT_MAX_V;
-    *o = (struct windings){m, ops, 0, TAKE(life, struct winding, most), TAKE(life, int, most), m->t0};
+    *o = (struct windings){m, ops, 0, TAKE(life, struct winding, most), TAKE(life, int, most), NULL};
     for (int i = 0; i < most; i++) {
         if (!loop_winds(m, i / JOINT_MAX_V, i % JOINT_MAX_V)) continue;
         o->number[i] = o->n;
-        o->winding[o->n++] = (struct winding){i / JOINT_MAX_V, i % JOINT_MAX_V, 0, NAN};
+        o->winding[o->n++] = (struct winding){i / JOINT_MAX_V, i % JOINT_MAX_V, 0, NAN, 0, NAN};
     }
     return o;
 }
@@ -166,28 +167,38 @@ void windings_start(struct windings *o, const struct sweep *s)
     }
 }
 
-void windings_note(void *windings, const struct sweep *s, double t)
+void windings_note(void *windings, const struct sweep *s, double dt)
 {
     struct windings *o = windings;
     for (int i = 0; i < o->n; i++) {
         struct winding *w = &o->winding[i];
+        double *stood = s == o->view ? &w->seen : &w->stood, *went = s == o->view ? &w->passed : &w->went;
         const struct model_loop *l = &o->model->loop[w->loop];
         struct pose first, second;
         o->ops->pose(s, &first, l->first);
         o->ops->pose(s, &second, l->second);
         const double now = loop_coordinate(o->model, w->loop, 1, w->k, &first, &second);
-        const double before = isnan(w->went) ? now : w->went, x = w->stood + (t - o->t) * (before + now) / 2;
+        const double before = isnan(*went) ? now : *went, x = *stood + dt * (before + now) / 2;
         const double angle = angle_near(loop_coordinate(o->model, w->loop, 0, w->k, &first, &second), x);
         if (!isfinite(angle)) continue;
-        w->stood = angle;
-        w->went = now;
+        *stood = angle;
+        *went = now;
     }
-    o->t = t;
+}
+
+void windings_look(void *windings, const struct sweep *view)
+{
+    struct windings *o = windings;
+    o->view = view;
+    for (struct winding *w = o->winding; w < o->winding + o->n; w++) {
+        w->seen = w->stood;
+        w->passed = w->went;
+    }
 }
 
 double windings_angle(const struct windings *o, int loop, int k, double x)
 {
-    return angle_near(x, find(o, loop, k)->stood);
+    return angle_near(x, find(o, loop, k)->seen);
 }
 
 void windings_set(struct windings *o, int loop, int k, double x)
@@ -200,6 +211,5 @@ void windings_recall(struct windings *o, struct recall *r)
     recall_within(r, "windings");
     recall_each(r, "stood", o->winding, stood, o->n);
     recall_each(r, "went", o->winding, went, o->n);
-    recall_one(r, "t", o->t);
     recall_without(r);
 }

@@ -26,9 +26,11 @@ struct windings;
 struct windings *windings_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
 /* Screws have turned as far as their displacement tells: at the start. */
 void windings_start(struct windings *o, const struct sweep *s);
-/* Where the bodies are after an accepted step: no angle has gone by more than half a turn less or more than the mean of
- * its rates before and after tells. */
-void windings_note(void *windings, const struct sweep *s, double t);
+/* Where the bodies are after an accepted step, or a piece of it, dt after the last time: no angle has gone by more than
+ * half a turn less or more than the mean of its rates before and after tells.  Of `view` for itself. */
+void windings_note(void *windings, const struct sweep *s, double dt);
+/* The view's angles, of which windings_angle() tells, are those after the last step. */
+void windings_look(void *windings, const struct sweep *view);
 /* The angle k of a loop, in [-pi, pi], with its whole turns. */
 double windings_angle(const struct windings *o, int loop, int k, double x);
 void windings_recall(struct windings *o, struct recall *r);

@@ -235,23 +235,71 @@ static void solve(const struct ode2 *o, const void *F, double *x)
 
 /* --- after a step ------------------------------------------------------------------------------- */
 
-/* Angles in space and sums of energy go on from q; v [n of the tree].  The coordinates stay. */
-static int count_turns(struct ode2 *o, double *q, double *v, double t)
+static void tell(void *self, const struct sweep *s, double dt)
 {
-    struct open_tree *s = tree_of(o);
-    open_move(s, q, v);
-    elements_stepped(s->elements, s->sweep, &(struct instant){.t = t, .q = q, .v = v});
-    if (s->follow) s->follow(s->follower, s->sweep, t);
+    const struct open_tree *o = self;
+    elements_turned(o->elements, s, dt);
+    if (o->follow) o->follow->note(o->follower, s, dt);
+}
+
+static bool counts(const struct open_tree *o)
+{
+    return o->follow || elements_turn(o->elements);
+}
+
+/* Angles in space go on to q, t; v [n of the tree]. */
+static void count_turns(struct open_tree *o, const double *q, const double *v, double t)
+{
+    const int pieces = turns_pieces(&o->turns, q, v, t, o->follow);
+    o->placed = false;
+    turns_go(&o->turns, o->ops, o->sweep, pieces, tell, o);
+    open_move(o, q, v);
+    tell(o, o->sweep, pieces > 1 ? 0 : t - o->turns.t);
+    turns_begin(&o->turns, q, t);
+}
+
+/* And sums of energy.  The coordinates stay. */
+static int go_on(struct ode2 *ode, double *q, double *v, double t)
+{
+    struct open_tree *o = tree_of(ode);
+    if (counts(o))
+        count_turns(o, q, v, t);
+    else
+        open_move(o, q, v);
+    elements_stepped(o->elements, o->sweep, &(struct instant){.t = t, .q = q, .v = v});
     return 0;
 }
 
-static const struct ode2_chart turns = {.rechart = count_turns};
+static const struct ode2_chart chart = {.rechart = go_on};
 
-void open_follow(struct open_tree *o, void (*follow)(void *follower, const struct sweep *s, double t), void *follower)
+void open_begin(struct open_tree *o, const struct instant *x)
+{
+    turns_begin(&o->turns, x->q, x->t);
+    elements_begin(o->elements, o->sweep, x);
+}
+
+void open_look(struct open_tree *o, struct sweep *view, const double *q, const double *v, double t)
+{
+    if (!counts(o)) return;
+    elements_look(o->elements, view);
+    if (o->follow) o->follow->look(o->follower, view);
+    const int pieces = turns_pieces(&o->turns, q, v, t, o->follow);
+    turns_go(&o->turns, o->ops, view, pieces, tell, o);
+    o->ops->move(view, q, v, ALL);
+    tell(o, view, pieces > 1 ? 0 : t - o->turns.t);
+}
+
+void open_follow(struct open_tree *o, const struct follower *follow, void *follower)
 {
     o->follow = follow;
     o->follower = follower;
-    o->ode.chart = &turns;
+    o->ode.chart = &chart;
+}
+
+void open_recall(struct open_tree *o, struct recall *r)
+{
+    elements_recall(o->elements, r);
+    if (counts(o)) turns_recall(&o->turns, r);
 }
 
 /* --- kinks in time ------------------------------------------------------------------------------ */
@@ -282,6 +330,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     elastic_build(&o->elastic, m, life);
     if (o->elastic.n) o->M = TAKE_MATRIX(life, double, m->n, m->n);
     moves_build(&o->moves, m, life);
+    turns_build(&o->turns, m, &o->moves, life);
     floating_build(&o->floating, m, o->ops, life);
     const size_t bytes = o->ops->factor_size(o->sweep);
     o->factor = arena_take(life, 1, bytes);
@@ -305,7 +354,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .ops = &ops,
                            .move = plain ? NULL : &move,
                            .direct = &o->direct,
-                           .chart = elements_follow(o->elements) ? &turns : NULL,
+                           .chart = elements_follow(o->elements) ? &chart : NULL,
                            .breaks = isinf(first) ? NULL : &o->breaks,
                            .size = size_of,
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,

@@ -12,6 +12,7 @@
 #include "open/elastic.h"
 #include "open/floating.h"
 #include "open/posture.h"
+#include "open/turns.h"
 #include "tree/moves.h"
 #include "tree/sweep.h"
 
@@ -30,13 +31,14 @@ struct open_tree {
     struct ode2 ode;          /* of the tree */
     struct ode2_direct direct;
     struct ode2_breaks breaks;
-    double *M;              /* [n x n] of flexible bodies */
-    void *factor;           /* of M^, for accel() */
-    double *d, *zero;       /* [n] */
-    double *size;           /* [n] usual changes of the coordinates */
-    struct effect *suspect; /* [nforce] for naming the element that is not finite */
-    void (*follow)(void *follower, const struct sweep *s, double t); /* NULL: nobody does */
+    double *M;                     /* [n x n] of flexible bodies */
+    void *factor;                  /* of M^, for accel() */
+    double *d, *zero;              /* [n] */
+    double *size;                  /* [n] usual changes of the coordinates */
+    struct effect *suspect;        /* [nforce] for naming the element that is not finite */
+    const struct follower *follow; /* NULL: nobody does */
     void *follower;
+    struct turns turns; /* whole turns from step to step */
 };
 
 void open_build(struct open_tree *o, const struct model *m, struct arena *life);
@@ -45,8 +47,17 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life);
 long open_place(struct open_tree *o, const double *q);
 long open_move(struct open_tree *o, const double *q, const double *v);
 
-/* Who wants to know where the bodies are after each accepted step; before the first. */
-void open_follow(struct open_tree *o, void (*follow)(void *follower, const struct sweep *s, double t), void *follower);
+/* Who wants to know where the bodies are after each accepted step, and in a view; before the first. */
+struct follower {
+    void (*note)(void *self, const struct sweep *s, double dt);
+    void (*look)(void *self, const struct sweep *view);
+};
+void open_follow(struct open_tree *o, const struct follower *follow, void *follower);
+/* The start, after move() there. */
+void open_begin(struct open_tree *o, const struct instant *x);
+/* Angles of another sweep that looks between steps at q, v, t: whole turns there; moves it. */
+void open_look(struct open_tree *o, struct sweep *view, const double *q, const double *v, double t);
+void open_recall(struct open_tree *o, struct recall *r);
 
 /* resid() of the ode, where open_move() has been with x->q and x->v. */
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,

@@ -54,14 +54,14 @@ enum status system_start(struct system *s, double *q, double *v, struct report *
     memcpy(q, s->loops ? condense_q(s->loops) : s->model->q0, sizeof *q * (size_t)o->nq);
     memcpy(v, s->loops ? condense_v(s->loops) : s->model->v0, sizeof *v * (size_t)o->n);
     open_move(&s->tree, q, s->v);
-    elements_begin(s->tree.elements, s->tree.sweep, &(struct instant){.t = s->model->t0, .q = q, .v = s->v});
+    open_begin(&s->tree, &(struct instant){.t = s->model->t0, .q = q, .v = s->v});
     return OK;
 }
 
 void system_recall(struct system *s, struct recall *r)
 {
     recall_one(r, "constraint_worst", s->constraint_worst);
-    elements_recall(s->tree.elements, r);
+    open_recall(&s->tree, r);
     if (s->windings && recall_has(r, "windings")) windings_recall(s->windings, r);
     if (s->loops) condense_recall(s->loops, r);
 }
@@ -136,6 +136,7 @@ enum status system_evaluate(struct system *s, const double *q, const double *v, 
                accelerations = reactions || what & EVALUATE_ACCELERATION;
     TRY(evaluate_rates(s, q, v, t, why));
     if (accelerations) TRY(evaluate_accelerations(s, q, v, t, why));
+    open_look(&s->tree, s->view, s->q, s->v, t);
     if (accelerations || forces)
         s->ops->forward(s->view, s->q, s->v, accelerations ? s->a : NULL, ALL);
     else
@@ -184,11 +185,13 @@ void system_set_measure(struct system *s, int measure, double x)
     elements_set_measure(s->tree.elements, measure, x);
 }
 
+static const struct follower winding = {windings_note, windings_look};
+
 void system_follow_turns(struct system *s, struct arena *life)
 {
     if (!s->loops || s->model->space == 2) return;
     s->windings = windings_build(s->model, s->ops, life);
-    open_follow(&s->tree, windings_note, s->windings);
+    open_follow(&s->tree, &winding, s->windings);
     if (condense_started(s->loops)->status != OK) return;
     open_place(&s->tree, condense_q(s->loops));
     windings_start(s->windings, s->tree.sweep);

@@ -83,3 +83,49 @@ done
     tail -n 1 | cut -d, -f1-6 >"$work/halves"
 same "wound up, then on from there" "$work/whole" "$work/halves"
 expect "wound up there" yes "$(awk -F'[ ,]+' '/"twist"/ { print ($2 < -3.2) ? "yes" : $2 }' "$work/half.json")" "$work/half.json"
+
+# Steps of a scheme with its own go over many turns, to and fro: what is driven, and what is thrown.
+cat >"$work/fro.yaml" <<'END'
+fmdsub: 1
+bodies:
+  wheel: {mass: 1, inertia: [1, 1, 1], at: [0, 0, 0]}
+constraints:
+  shaft: {revolute: [ground, wheel], at: [0, 0, 0], axis: [0, 0, 1]}
+measures: {turn: {angle: [ground, wheel], axis: [0, 0, 1]}}
+forces: {throw: {torque: shaft, value: "-900*sin(3*t)"}}
+initial: {shaft.angle_rate: 300}
+integrate: {scheme: radau9, tolerance: 1.0e-7, until: 5}
+output: {every: 0.5, columns: [shaft.angle, turn]}
+END
+sed -e '/^forces/d; /^initial/d' -e '$a\
+drives: {spin: {drive: shaft, value: "100*sin(3*t)"}}' "$work/fro.yaml" >"$work/driven.yaml"
+sed -e 's/^  wheel:.*/&\n  ring: {mass: 1, inertia: [1, 1, 1], at: [0, 0, 0]}/; s/^  shaft:.*/&\n  free: {revolute: [ground, ring], at: [0, 0, 0], axis: [0, 0, 1]}\n  weld: {cylindrical: [ring, wheel], at: [0, 0, 0], axis: [0, 0, 1], loop: true}/' \
+    -e 's/columns:.*/columns: [{difference: shaft.angle-free.angle}, weld.angle]}/; $a\
+drives: {spin: {drive: shaft, value: "100*sin(3*t)"}, hold: {drive: free, value: "5*t"}}' -e '/^forces/d; /^initial/d' "$work/fro.yaml" >"$work/loop.yaml"
+for deck in fro driven loop; do
+    for scheme in radau9 radau5 dop853 dopri5; do
+        "$FMDSUB" run -q --set integrate.scheme=$scheme "$work/$deck.yaml" >"$work/out" 2>"$work/err"
+        awk -F, 'NR > 1 { d = $2 - $3; d = d < 0 ? -d : d; if (d > worst) worst = d; if ($2 > most) most = $2; if ($2 < least) least = $2 }
+            END { printf "%.2g rad apart, from %.4g to %.4g", worst, least, most; exit !(worst < 1e-9 && most > 80 && least < -90) }' \
+            "$work/out" >"$work/line"
+        if [ $? = 0 ]; then ok "to and fro, $deck, $scheme: posture and joint $(cat "$work/line")"
+        else not_ok "to and fro, $deck, $scheme" "posture and joint $(cat "$work/line")" "$work/out" "$work/err"; fi
+    done
+done
+
+# A ball turns by five radians in a major step: its quaternion does not tell, its rates do.
+cat >"$work/top.yaml" <<'END'
+fmdsub: 1
+gravity: [0, 0, 0]
+bodies:
+  top: {mass: 1, inertia: [0.1, 0.1, 0.2], at: [0, 0, 0]}
+  slow: {mass: 1, inertia: [1, 1, 1], at: [0, 0, 3]}
+constraints: {j: {free: [ground, top]}, k: {prismatic: [ground, slow], axis: [0, 0, 1]}}
+measures: {m: {angle: [ground, top], axis: [0, 0, 1]}}
+initial: {j.omega_z: 10}
+partition: {fast: [j]}
+integrate: {scheme: subcycle, step: 0.005, ratio: 100, until: 5}
+output: {every: 1, columns: [m]}
+END
+"$FMDSUB" run -q "$work/top.yaml" >"$work/out" 2>"$work/err"
+expect "a ball, five radians in a major step" 49.99 "$(tail -n 1 "$work/out" | awk -F, '{ printf "%.4g", $2 }')" "$work/err"
