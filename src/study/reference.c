@@ -14,6 +14,8 @@ static const double TRIAL = 1e-6;     /* tolerance of the trials */
 static const double TRIALS = .2;      /* of what the reference may cost goes to these */
 static const double MOST_TRIAL = 10;  /* [s] without a budget */
 static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
+static const double RESTS = 1e-8;     /* of its size: the range of a column that does not move */
+static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less */
 enum { MOST_DENSE = 200 };            /* coordinates up to which full matrices are the cheaper way */
 enum { HIGH = 5, MOST_KINDS = 16 };   /* order of a scheme that may be a reference */
 
@@ -30,11 +32,27 @@ static void find_ranges(struct reference *o)
     }
 }
 
+static bool same_unit(const struct outcome_column *a, const struct outcome_column *b)
+{
+    return a->unit == b->unit || (a->unit && b->unit && strcmp(a->unit, b->unit) == 0);
+}
+
+/* What is lost in round-off beside the largest column of its unit: a mode that nothing moves, next to one that bends. */
+static void find_least(struct reference *o, const struct subject *subject)
+{
+    for (int c = 0; c < o->run.n; c++) {
+        double most = 0;
+        for (int k = 0; k < o->run.n; k++)
+            if (same_unit(&subject->column[c], &subject->column[k])) most = fmax(most, o->largest[k]);
+        o->least[c] = LOST * most;
+    }
+}
+
 /* Over the range, or where it has none over its size; what is zero in both runs does not count. */
 static double share(const struct reference *o, int c, double difference)
 {
-    const double size = o->range[c] > 1e-9 * o->largest[c] ? o->range[c] : o->largest[c];
-    return difference == 0 ? 0 : difference / size;
+    const double size = o->range[c] > RESTS * o->largest[c] ? o->range[c] : o->largest[c];
+    return difference == 0 ? 0 : difference / fmax(size, o->least[c]);
 }
 
 /* The last common time before coordinates part. */
@@ -246,19 +264,21 @@ static bool is_noise(const struct reference *o, int c, const struct subject *sub
     return o->largest[c] < NOISE * most;
 }
 
-static void take_ranges(struct reference *o, struct arena *life)
+static void take_ranges(struct reference *o, const struct subject *subject, struct arena *life)
 {
     o->uncertain = TAKE(life, double, o->run.n);
+    o->least = TAKE(life, double, o->run.n);
     o->range = TAKE(life, double, o->run.n);
     o->largest = TAKE(life, double, o->run.n);
     find_ranges(o);
+    find_least(o, subject);
 }
 
 void reference_between(struct reference *o, const struct outcome *second, double parted, double uncertain,
                        struct subject *subject, struct arena *life)
 {
     o->horizon = outcome_row(&o->run, o->run.rows - 1)[0];
-    take_ranges(o, life);
+    take_ranges(o, subject, life);
     find_horizon(o, second, parted, subject);
     find_ranges(o);
     find_uncertainty(o, second, uncertain, subject);
@@ -276,7 +296,7 @@ enum status reference_make(struct reference *o, struct subject *subject, double 
     const double end = fmin(outcome_row(&o->run, o->run.rows - 1)[0], outcome_row(&second, second.rows - 1)[0]);
     if (o->run.over || second.over) o->cut = true;
     o->horizon = end;
-    take_ranges(o, life);
+    take_ranges(o, subject, life);
     find_horizon(o, &second, PARTED, subject);
     if (o->horizon - start < LEAST * (end - start))
         return fail(report, E_NUMERIC,
@@ -302,7 +322,7 @@ void reference_compare(struct errors *e, const struct reference *o, const struct
         e->instants++;
         for (int c = 0; c < o->run.n; c++) {
             const struct outcome_column *column = &subject->column[c];
-            const double d = fabs(a[c] - b[c]), size = o->largest[c];
+            const double d = fabs(a[c] - b[c]), size = fmax(o->largest[c], o->least[c]);
             double *to = column->rate > 0 ? &e->fast : &e->slow;
             if (column->rate >= 0 && !(size > 0 ? d / size <= *to : *to >= 0)) *to = size > 0 ? d / size : 0;
             if (!column->compared || share(o, c, d) <= e->worst) continue;

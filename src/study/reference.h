@@ -22,6 +22,7 @@ struct reference {
     bool cut;                     /* the budget has brought the end forward */
     double *uncertain;            /* [n] of each column, as a share of its range */
     double *range, *largest;      /* [n] up to the horizon, of values and of |values| */
+    double *least;                /* [n] no column is compared by less */
     double apart;                 /* the largest uncertainty of a coordinate */
     int left_out;                 /* columns of the deck that are not compared, the first: */
     const char *left_out_name;    /* NULL: none */

@@ -124,13 +124,15 @@ static enum status work_chain(void *self, int i, int to, struct report *report)
 
 /* ---- the rows, in the caller ----------------------------------------------------------------------------------- */
 
-/* The same numbers: one of the two schemes is the other here. */
+/* The same numbers: one of two schemes is the other here, or a tolerance changes nothing, since records keep the steps
+ * shorter than it does. */
 static bool same(const struct study_row *a, const struct study_row *b)
 {
-    const double ta = isfinite(a->setting.tolerance) ? a->setting.tolerance : a->setting.step;
-    const double tb = isfinite(b->setting.tolerance) ? b->setting.tolerance : b->setting.step;
-    return ta == tb && a->setting.kind != b->setting.kind && a->work == b->work && a->errors.worst == b->errors.worst &&
-           a->errors.slow == b->errors.slow;
+    const struct setting *x = &a->setting, *y = &b->setting;
+    const bool step = isfinite(x->step), apart = x->kind != y->kind;
+    if (step != isfinite(y->step) || (step && x->step != y->step) || (step && !apart)) return false;
+    if (apart && !step && x->tolerance != y->tolerance) return false;
+    return a->work == b->work && a->errors.worst == b->errors.worst && a->errors.slow == b->errors.slow;
 }
 
 static void show_progress(const struct study *o, const char *what, FILE *to)

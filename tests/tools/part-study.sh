@@ -106,6 +106,19 @@ same "--budget: words twice" "$work/tight1" "$work/tight2"
 expect "--budget: the end is told" 1 "$(grep -c '^the budget takes it to t = 0.0[0-9]* s of 0.1' "$work/tight1")" "$work/tight1"
 expect "--budget: what is left out is told" 0 "$(grep -q '^left out: .* budget' "$work/tight1"; echo $?)" "$work/tight1"
 
+# What stands still: round-off is not chaos.
+"$FMDSUB" study -q --repeats 0 --schemes midpoint,radau9 --set 'initial={static: true}' --until 0.04 decks/cantilever.yaml >"$work/rest.csv" 2>"$work/err"
+expect "at rest: status, errors" "0 0" "$? $(awk -F, 'NR > 1 { n++; if (!($5 < 1e-6)) bad++ } END { print bad + !n }' "$work/rest.csv")" "$work/rest.csv" "$work/err"
+expect "at rest: a tolerance that changes nothing has no row" 1 "$(grep -c '^radau9' "$work/rest.csv")" "$work/rest.csv"
+
+# The deck's own setting has its sentence, and --pick lines that a deck includes.
+"$FMDSUB" study --repeats 0 --until 1 decks/pendulum.yaml >"$work/own.csv" 2>"$work/err"
+expect "the deck's own setting" 1 "$(grep -c "^the deck's own setting, newmark at step 0.001 s: error .* work of .* times that of " "$work/err")" "$work/err"
+sed -e '/^integrate:/d' -e 's/^gravity:/include: pick.yaml\nintegrate: {until: 1}\n&/' decks/pendulum.yaml >"$work/with.yaml"
+"$FMDSUB" study -q --repeats 0 --until 1 --pick 1e-6 decks/pendulum.yaml >"$work/pick.yaml" 2>"$work/err"
+"$FMDSUB" run "$work/with.yaml" >"$work/out" 2>"$work/err"
+expect "--pick, included: status, its scheme runs" "0 1" "$? $(grep -c ", $(awk '$1 == "scheme:" { print $2 }' "$work/pick.yaml") to tolerance " "$work/err")" "$work/err" "$work/pick.yaml"
+
 # Ended on the way, the rows that are done are there, and the sentences on them; no process stays.
 "$FMDSUB" study --repeats 100000 --schemes midpoint,dop853 --until 1 decks/pendulum.yaml >"$work/some.csv" 2>"$work/err" &
 pid=$!
