@@ -190,30 +190,30 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     return OK;
 }
 
-/* The impulse of a corner in [*t, behind), and the slopes behind it. */
+/* The impulse of a corner in [*t, behind), and the slopes behind it: also where there is no impulse, but another side. */
 static enum status take_impulse(struct stepper *s, double *t, double behind, struct trouble *why)
 {
     struct adaptive *m = s->self;
     const struct ode2 *o = s->ode;
-    int met;
-    TRY(o->breaks->jump(o, &met, m->v, &m->work[POWER_DRIVE], m->q, *t, behind, why));
-    if (!met) return OK;
+    int met = 0;
+    if (o->breaks->jump) TRY(o->breaks->jump(o, &met, m->v, &m->work[POWER_DRIVE], m->q, *t, behind, why));
+    if (!met && !motion_sides(o, *t)) return OK;
     *t = behind;
     TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, *t, 0, why));
     copy(m->a, m->rk.dv[0], o->n);
     return OK;
 }
 
-/* Where drives have corners in [t, end): the impulse of one at t; *end then is where the next one is.  Round-off before
- * the end it is what jumps up to the end itself: the next interval begins with the rates there. */
+/* Where drives have corners in [t, end): the impulse of one at t, and the other side of anything that has two there;
+ * *end then is where the next one is.  Round-off before the end it is what jumps up to the end itself: the next interval begins with the rates there. */
 static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
-    if (!o->breaks || !o->breaks->jump) return OK;
+    if (!o->breaks) return OK;
     const double behind = motion_behind(*t, *end);
     if (behind >= *end) return take_impulse(s, t, *end, why);
-    double first = o->breaks->corner(o, *t, *end);
-    if (first <= behind) TRY(take_impulse(s, t, behind, why));
+    double first = o->breaks->corner ? o->breaks->corner(o, *t, *end) : INFINITY;
+    if (first <= behind || motion_sides(o, *t)) TRY(take_impulse(s, t, behind, why));
     if (first <= behind) first = o->breaks->corner(o, behind, *end);
     *end = fmin(*end, first);
     return OK;

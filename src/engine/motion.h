@@ -55,6 +55,12 @@ static inline double motion_behind(double t, double to)
     return fabs(far - t) > fabs(least - t) ? far : least;
 }
 
+/* Does what is told of time change at t, and is it asked for there? */
+static inline int motion_sides(const struct ode2 *o, double t)
+{
+    return o->breaks && o->breaks->sides && o->breaks->sides(o, t);
+}
+
 static inline void copy(double *to, const double *from, int n)
 {
     memcpy(to, from, (size_t)n * sizeof *to);

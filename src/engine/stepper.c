@@ -30,7 +30,7 @@ static void begin_anew(struct stepper *s, struct state *x)
     if (s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) s->unstarted = stepper_start(s, x, &why) != OK;
 }
 
-/* One step after the impulses of drives' corners.  A scheme that looks at points of time would miss those anywhere in
+/* One step after the impulses of drives' corners, and behind the corner at its start of anything that it asks for there.  A scheme that looks at points of time would miss those anywhere in
  * the step; one that takes means over it sees them all, and is of first order there: a corner right at the start comes
  * first in every scheme. */
 static enum status after_corners(struct stepper *s, struct state *x, double h, int ratio, double to,
@@ -40,10 +40,10 @@ static enum status after_corners(struct stepper *s, struct state *x, double h, i
     const int fresh = s->fresh;
     const double t0 = x->t, behind = motion_behind(t0, to);
     double work = 0;
-    int met;
+    int met = 0;
     single_save(s->keep, o, x);
-    TRY(o->breaks->jump(o, &met, x->v, &work, x->q, t0, s->kind->points ? to : behind, why));
-    if (!met) return s->kind->step(s, x, h, ratio, to, why);
+    if (o->breaks->jump) TRY(o->breaks->jump(o, &met, x->v, &work, x->q, t0, s->kind->points ? to : behind, why));
+    if (!met && !(s->kind->points && motion_sides(o, t0))) return s->kind->step(s, x, h, ratio, to, why);
     x->t = behind;
     enum status status = stepper_start(s, x, why);
     if (status == OK) status = s->kind->step(s, x, h, ratio, to, why);
@@ -111,7 +111,8 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
     if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
     if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
         return between_corners(s, x, h, ratio, to, why);
-    if (!s->kind->adaptive && o->breaks && o->breaks->jump) return after_corners(s, x, h, ratio, to, why);
+    if (!s->kind->adaptive && o->breaks && (o->breaks->jump || s->kind->points))
+        return after_corners(s, x, h, ratio, to, why);
     return s->kind->step(s, x, h, ratio, to, why);
 }
 

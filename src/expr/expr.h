@@ -93,6 +93,18 @@ bool expr_leap(double *before, double *behind, const struct expr_way *o);
  * *slope: what it gains with the end b of that slot.  Where the way is a point, the value and half its slope. */
 double expr_mean(double *slope, const struct expr_way *o, int slot);
 
+/* Known times at which it may bend or jump: `at`, and every period after and before it (0: once), where what is linear in
+ * the slot `slot` alone, the time, changes sides in a comparison, or a function that bends there.  Returns how many there
+ * are; corner: NULL, or room for them. */
+struct expr_corner {
+    double at, period, width; /* width: of the round-off of `at`, in units of the machine's */
+};
+int expr_corners(struct expr_corner *corner, const struct expr *e, int slot);
+/* The first of its times after t; infinity: none. */
+double expr_corner_next(const struct expr_corner *c, double t);
+/* Is t one of them, but for round-off?  *before: a time at which the expression is as it was before. */
+bool expr_corner_meets(double *before, const struct expr_corner *c, double t);
+
 /* The functions there are, for messages and the manual; ends with a NULL name. */
 struct expr_function {
     const char *name;

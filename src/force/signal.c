@@ -9,16 +9,16 @@
 
 /* --- loads --------------------------------------------------------------------------------------- */
 
-/* Values of the slots of a force. */
+/* Values of the slots of a force; the time as one of its values that has a corner there wants it. */
 static void read_slots(struct elements *e, const struct sweep *s, const struct model_force *f, const struct instant *x)
 {
     struct action act;
     e->slot[0] = x->t;
+    for (int i = 0; i < 3 && e->slot[0] == x->t; i++) e->slot[0] = signal_time(&f->value[i], x->t);
     for (int i = 0; i < f->nslot; i++) {
         const struct model_slot *slot = &f->slot[i];
         switch (slot->type) {
         case SLOT_TIME:
-            e->slot[i] = x->t;
             break;
         case SLOT_Q:
             e->slot[i] = x->q[slot->index];

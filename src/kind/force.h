@@ -156,17 +156,27 @@ enum force_type {
  * its points and constant beyond its ends. */
 struct signal {
     const struct expr *expr; /* NULL: table */
+    int ncorner;
+    const struct expr_corner *corner; /* [ncorner] of expr: known times at which it bends or jumps */
     int n;
     const double *t, *x; /* [n], t ascending */
 };
+/* Of an expression over slots. */
+struct arena;
+struct signal signal_of(const struct expr *expr, struct arena *life);
+/* Where the value is to be had at t: at a known corner on its side before, so that it does not matter with which sign
+ * the deck compares; at t = 0, where motion begins, behind it.  For slot 0 of value and slopes. */
+double signal_time(const struct signal *s, double t);
+/* Is there such a corner at t, with another side?  Not at t = 0. */
+bool signal_has_sides(const struct signal *s, double t);
 double signal_value(const struct signal *s, const double *slot);
 bool signal_reads_time(const struct signal *s);
 /* Is it 0 always? */
 bool signal_is_zero(const struct signal *s);
 /* Value, and slopes d[i] along slots which[i]. */
 double signal_slopes(const struct signal *s, double *d, const double *slot, const int *which, int n);
-/* Of time alone: value x[0], rate x[1] and acceleration x[2] at t.  A table's rate is that of the piece before t; at
- * its first point, where motion begins, that behind it. */
+/* Of time alone: value x[0], rate x[1] and acceleration x[2] at t, as signal_time() has it.  A table's rate is that of the
+ * piece before t; at its first point, where motion begins, that behind it. */
 void signal_motion(const struct signal *s, double *x, double t);
 /* By how much the rate jumps at corners in [ta, tb). */
 double signal_corner(const struct signal *s, double ta, double tb);
@@ -181,7 +191,7 @@ bool signal_pole(const struct signal *s, const double *a, const double *b, int n
 /* May it jump; the largest jump on such a way, from *before to *behind: false: none. */
 bool signal_may_leap(const struct signal *s);
 bool signal_leap(const struct signal *s, double *before, double *behind, const double *a, const double *b, int n);
-/* The first point of a table after time t, where it may bend; infinity: none. */
+/* The first point of a table or known corner after time t, where it may bend; infinity: none. */
 double signal_next(const struct signal *s, double t);
 
 #endif

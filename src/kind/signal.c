@@ -2,6 +2,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/arena.h"
 #include "expr/expr.h"
 #include "kind/force.h"
 
@@ -31,6 +32,28 @@ static double table_value(double *slope, const struct signal *s, double t)
     return s->x[i] + *slope * (t - s->t[i]);
 }
 
+struct signal signal_of(const struct expr *expr, struct arena *life)
+{
+    struct expr_corner *corner = TAKE(life, struct expr_corner, expr_corners(NULL, expr, 0));
+    return (struct signal){.expr = expr, .ncorner = expr_corners(corner, expr, 0), .corner = corner};
+}
+
+double signal_time(const struct signal *s, double t)
+{
+    double before;
+    for (int i = 0; i < s->ncorner; i++)
+        if (expr_corner_meets(&before, &s->corner[i], t)) return t == 0 ? DBL_MIN : fmin(t, before);
+    return t;
+}
+
+bool signal_has_sides(const struct signal *s, double t)
+{
+    double before;
+    for (int i = 0; t != 0 && i < s->ncorner; i++)
+        if (expr_corner_meets(&before, &s->corner[i], t)) return true;
+    return false;
+}
+
 double signal_value(const struct signal *s, const double *slot)
 {
     double slope;
@@ -48,12 +71,20 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
 /* Times of steps are products, those of tables were read: a point this near, relative to t, is at t. */
 static const double SAME = 4 * DBL_EPSILON;
 
+static void go_on(double *x, double by)
+{
+    x[0] += by * x[1];
+    x[1] += by * x[2];
+}
+
 void signal_motion(const struct signal *s, double *x, double t)
 {
     const double same = SAME * fabs(t);
     x[1] = x[2] = 0;
     if (s->expr) {
-        x[0] = expr_jet(s->expr, &x[1], &x[2], &t, 0);
+        const double there = signal_time(s, t);
+        x[0] = expr_jet(s->expr, &x[1], &x[2], &there, 0);
+        if (there != t) go_on(x, t - there);
         return;
     }
     double slope;
@@ -66,6 +97,15 @@ void signal_motion(const struct signal *s, double *x, double t)
 
 enum { FINEST = 60 }; /* halvings down to round-off */
 
+/* Motion within an interval that may be as short as round-off: no corner's side is taken. */
+static void inside(const struct signal *s, double *x, double t)
+{
+    if (s->expr)
+        x[0] = expr_jet(s->expr, &x[1], &x[2], &t, 0);
+    else
+        signal_motion(s, x, t);
+}
+
 /* What the value (k = 0) or the rate (1) gains from ta to tb beyond the mean of its own rate (Gauss, five points). */
 static double excess(const struct signal *s, int k, double *size, double ta, double tb)
 {
@@ -76,7 +116,7 @@ static double excess(const struct signal *s, int k, double *size, double ta, dou
     signal_motion(s, a, ta);
     signal_motion(s, b, tb);
     for (int i = 0; i < 5; i++) {
-        signal_motion(s, x, ta + at[i] * (tb - ta));
+        inside(s, x, ta + at[i] * (tb - ta));
         sum += weight[i] * x[k + 1];
         most = fmax(most, fabs(x[k + 1]));
     }
@@ -103,12 +143,21 @@ static double halve(const struct signal *s, int k, double *ta, double *tb, doubl
     return here;
 }
 
+/* By how much the rate may be off for the round-off of t. */
+static double late_rate(const struct signal *s, double ta, double tb)
+{
+    double a[3], b[3];
+    signal_motion(s, a, ta);
+    signal_motion(s, b, tb);
+    return 64 * DBL_EPSILON * fmax(fabs(ta), fabs(tb)) * fmax(fabs(a[2]), fabs(b[2]));
+}
+
 /* That of a true corner stays, and returns; that of a mere jump of the acceleration halves with the interval: 0. */
 static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
     if (expr_is_smooth(s->expr)) return 0;
     double size, first = excess(s, 1, &size, *ta, *tb);
-    if (fabs(first) <= 1e-6 * size) return 0;
+    if (fabs(first) <= fmax(1e-6 * size, late_rate(s, *ta, *tb))) return 0;
     double here = halve(s, 1, ta, tb, first, halvings);
     return fabs(here) > fabs(first) / 4 ? here : 0;
 }
@@ -133,15 +182,29 @@ static double table_corner(const struct signal *s, double ta, double tb)
     return INFINITY;
 }
 
+/* The first known corner in [ta, tb) at which the rate jumps; infinity: there is none. */
+static double known_corner(const struct signal *s, double ta, double tb)
+{
+    double a[3], b[3];
+    for (double t = signal_has_sides(s, ta) ? ta : signal_next(s, ta); t < tb; t = signal_next(s, t)) {
+        signal_motion(s, a, t);
+        signal_motion(s, b, t + 16 * DBL_EPSILON * fabs(t));
+        if (fabs(b[1] - a[1]) > STRAIGHT * (fabs(a[1]) + fabs(b[1]))) return t;
+    }
+    return INFINITY;
+}
+
 double signal_corner_time(const struct signal *s, double ta, double tb)
 {
     enum { PIECES = 16 };
     if (!s->expr) return table_corner(s, ta, tb);
+    const double known = known_corner(s, ta, tb);
+    tb = fmin(tb, known);
     for (int i = 0; i < PIECES; i++) {
         double a = ta + i * ((tb - ta) / PIECES), b = i + 1 < PIECES ? ta + (i + 1) * ((tb - ta) / PIECES) : tb;
         if (narrow(s, &a, &b, FINEST) != 0) return a;
     }
-    return INFINITY;
+    return known;
 }
 
 /* Is an excess in [ta, tb] that of round-off, which is beside it, too? */
@@ -193,7 +256,10 @@ bool signal_is_zero(const struct signal *s)
 
 double signal_next(const struct signal *s, double t)
 {
-    if (s->expr || s->n == 0 || t >= s->t[s->n - 1]) return INFINITY;
+    double next = INFINITY;
+    for (int i = 0; i < s->ncorner; i++) next = fmin(next, expr_corner_next(&s->corner[i], t));
+    if (s->expr) return next;
+    if (s->n == 0 || t >= s->t[s->n - 1]) return INFINITY;
     return t < s->t[0] ? s->t[0] : s->t[piece(s, t) + 1];
 }
 

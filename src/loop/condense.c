@@ -212,6 +212,15 @@ static double next_kink(const struct ode2 *ode, double t)
     return next;
 }
 
+static int has_sides(const struct ode2 *ode, double t)
+{
+    const struct condense *o = ode->self;
+    const struct model *m = o->model;
+    for (int l = model_first_drive(m); l < m->nloop; l++)
+        if (signal_has_sides(m->loop[l].drive, t)) return 1;
+    return o->tree->ode.breaks && o->tree->breaks.sides(&o->tree->ode, t);
+}
+
 static double size_of(const struct ode2 *ode, int i)
 {
     const struct condense *o = ode->self;
@@ -227,8 +236,10 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
     const struct model *m = o->model = tree->model;
     o->tree = tree;
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
-    o->breaks = (struct ode2_breaks){
-        .next = next_kink, .jump = m->ndrive ? condense_jump : NULL, .corner = m->ndrive ? condense_corner : NULL};
+    o->breaks = (struct ode2_breaks){.next = next_kink,
+                                     .sides = has_sides,
+                                     .jump = m->ndrive ? condense_jump : NULL,
+                                     .corner = m->ndrive ? condense_corner : NULL};
     o->ode = (struct ode2){.nq = m->nq,
                            .ops = &ops,
                            .move = &condense_move,

@@ -313,6 +313,15 @@ static double next_kink(const struct ode2 *o, double t)
     return next;
 }
 
+static int has_sides(const struct ode2 *o, double t)
+{
+    const struct model *m = tree_of(o)->model;
+    for (int i = 0; i < m->nforce; i++)
+        for (int k = 0; k < 3; k++)
+            if (signal_has_sides(&m->force[i].value[k], t)) return 1;
+    return 0;
+}
+
 /* --- building ----------------------------------------------------------------------------------- */
 
 static double size_of(const struct ode2 *o, int i)
@@ -343,7 +352,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     o->direct = (struct ode2_direct){
         .accel = accel, .factor_size = bytes, .factor = factor, .stiffen = stiffen, .solve = solve};
     bool plain = o->moves.nturn == 0 && o->moves.nfirst == m->n && m->nq == m->n;
-    o->breaks = (struct ode2_breaks){.next = next_kink};
+    o->breaks = (struct ode2_breaks){.next = next_kink, .sides = has_sides};
     o->ode.self = o;
     const double first = next_kink(&o->ode, -INFINITY);
     o->ode = (struct ode2){.n = m->n,

@@ -72,7 +72,7 @@ static int read_expression(struct slots *s, struct signal *o, const struct node 
     const struct expr_names names = {find_name, s};
     struct expr *expr;
     if (deck_expr(&expr, n, &names, s->b->reader.deck) != OK) return 1;
-    o->expr = expr;
+    *o = signal_of(expr, s->b->life);
     return 0;
 }
 

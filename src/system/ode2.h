@@ -101,6 +101,9 @@ struct ode2_chart {
 struct ode2_breaks {
     /* Next known kink in time after t (infinity: none). */
     double (*next)(const struct ode2 *o, double t);
+    /* Do values that are told of time have another side at t than that before it, which all functions take there?  Then a
+     * step from t that asks for them at t begins right behind it.  Optional. */
+    int (*sides)(const struct ode2 *o, double t);
     /* Corners of drives in [ta, tb): *met := 1 if there is one, else 0; v takes their impulse at q, ta, and work +=
      * what it brought [J].  For schemes that ask for accelerations at points of time and so miss it.  NULL: no drives. */
     enum status (*jump)(const struct ode2 *o, int *met, double *v, double *work, const double *q, double ta, double tb,
