@@ -68,72 +68,19 @@ int expr_reads(const struct expr *e, int *slots, int max)
     return n;
 }
 
-/* Roots and radii bend where they are 0, quotients where their divisor is. */
-static bool is_smooth(enum op op)
-{
-    switch (op) {
-    case OP_CONST:
-    case OP_SLOT:
-    case OP_ADD:
-    case OP_SUB:
-    case OP_MUL:
-    case OP_ADD_CONST:
-    case OP_SUB_CONST:
-    case OP_MUL_CONST:
-    case OP_DIV_CONST:
-    case OP_ADD_SLOT:
-    case OP_SUB_SLOT:
-    case OP_MUL_SLOT:
-    case OP_NEG:
-    case OP_SQUARE:
-    case OP_CUBE:
-    case OP_SIN:
-    case OP_COS:
-    case OP_ATAN:
-    case OP_SINH:
-    case OP_COSH:
-    case OP_TANH:
-    case OP_EXP:
-    case OP_END:
-        return true;
-    case OP_DIV:
-    case OP_DIV_SLOT:
-    case OP_POW:
-    case OP_MOD:
-    case OP_HYPOT:
-    case OP_MIN:
-    case OP_MAX:
-    case OP_LT:
-    case OP_LE:
-    case OP_GT:
-    case OP_GE:
-    case OP_EQ:
-    case OP_NE:
-    case OP_AND:
-    case OP_OR:
-    case OP_NOT:
-    case OP_TAN:
-    case OP_ASIN:
-    case OP_ACOS:
-    case OP_ATAN2:
-    case OP_LOG:
-    case OP_LOG10:
-    case OP_SQRT:
-    case OP_ABS:
-    case OP_SIGN:
-    case OP_FLOOR:
-    case OP_CEIL:
-    case OP_UNLESS:
-    case OP_SKIP:
-        break;
-    }
-    return false;
-}
+/* All others bend or jump somewhere: roots and radii where they are 0, quotients where their divisor is. */
+static const bool smooth[OP_END + 1] = {
+    [OP_CONST] = true,     [OP_SLOT] = true,      [OP_ADD] = true,       [OP_SUB] = true,       [OP_MUL] = true,
+    [OP_ADD_CONST] = true, [OP_SUB_CONST] = true, [OP_MUL_CONST] = true, [OP_DIV_CONST] = true, [OP_ADD_SLOT] = true,
+    [OP_SUB_SLOT] = true,  [OP_MUL_SLOT] = true,  [OP_NEG] = true,       [OP_SQUARE] = true,    [OP_CUBE] = true,
+    [OP_SIN] = true,       [OP_COS] = true,       [OP_ATAN] = true,      [OP_SINH] = true,      [OP_COSH] = true,
+    [OP_TANH] = true,      [OP_EXP] = true,       [OP_END] = true,
+};
 
 bool expr_is_smooth(const struct expr *e)
 {
     for (int i = 0; i < e->n; i++)
-        if (!is_smooth(e->code[i].op)) return false;
+        if (!smooth[e->code[i].op]) return false;
     return true;
 }
 

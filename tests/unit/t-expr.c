@@ -193,6 +193,16 @@ static long double difference(const struct tree *x, const double *slot, int i, l
     return d[1];
 }
 
+static char *text_of(const struct tree *x, struct arena *arena)
+{
+    enum { LONGEST = 20000 };
+    char *text = TAKE(arena, char, LONGEST);
+    FILE *to = fmemopen(text, LONGEST, "w");
+    write(to, x, 0);
+    fclose(to);
+    return text;
+}
+
 /* Values to round-off, times what the tree can magnify (judged by the slopes themselves). */
 static void random_trees(void **state)
 {
@@ -203,10 +213,7 @@ static void random_trees(void **state)
     for (int trial = 0; trial < 20000; trial++) {
         struct arena_mark mark = arena_mark(arena);
         struct tree *x = grow(arena, 1 + dice(5));
-        char *text = TAKE(arena, char, 20000);
-        FILE *to = fmemopen(text, 20000, "w");
-        write(to, x, 0);
-        fclose(to);
+        char *text = text_of(x, arena);
         struct expr *e;
         struct expr_error error;
         if (expr_parse(&e, text, strlen(text), &names, arena, &error)) {
@@ -255,10 +262,7 @@ static void spans(void **state)
     for (int trial = 0; trial < 20000; trial++) {
         struct arena_mark mark = arena_mark(arena);
         struct tree *x = grow(arena, 1 + dice(4));
-        char *text = TAKE(arena, char, 20000);
-        FILE *to = fmemopen(text, 20000, "w");
-        write(to, x, 0);
-        fclose(to);
+        char *text = text_of(x, arena);
         struct expr *e;
         struct expr_error error;
         struct expr_span span;
