@@ -244,7 +244,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     TRY(cli_told(diags, request, status));
     struct advice advice;
     const bool trial = !request->expanded && !request->no_trial;
-    if (trial) TRY(advice_find(&advice, scene, sim.stepper.ode->n, diags_open(life), report));
+    if (trial) TRY(advice_find(&advice, &sim, diags_open(life), report));
     if (request->expanded) {
         deck_print(stdout, scene->deck);
     } else if (request->format && strcmp(request->format, "json") == 0) {

@@ -72,6 +72,12 @@ static enum status least_energy(double *least, struct sim *sim, struct trouble *
     return OK;
 }
 
+/* What start_at_rest() finds, found before. */
+static void take_rest(struct sim *sim)
+{
+    memcpy(sim->x.q, sim->options.rest, sizeof *sim->x.q * (size_t)sim->stepper.ode->nq);
+}
+
 /* Consistent accelerations at the start; a massless freedom shows here. */
 static enum status start(struct sim *sim, struct diags *diags, struct report *report)
 {
@@ -79,7 +85,8 @@ static enum status start(struct sim *sim, struct diags *diags, struct report *re
     struct trouble why = {0};
     TRY(place(sim, report));
     TRY(idle_begin(sim, diags, report));
-    if (sim->scene->at_rest) TRY(start_at_rest(sim, report));
+    if (sim->scene->at_rest && !sim->options.rest) TRY(start_at_rest(sim, report));
+    if (sim->scene->at_rest && sim->options.rest) take_rest(sim);
     if (inertias_note(sim) != OK) return describe_trouble(sim, &sim->trouble, E_MODEL, report);
     double least;
     if (stepper_start(&sim->stepper, &sim->x, &why) != OK || least_energy(&least, sim, &why) != OK ||

@@ -24,6 +24,8 @@ struct sim_options {
     FILE *log;      /* plan line, progress, end summary; NULL: silent */
     FILE *warnings; /* those of the run; NULL: log */
     enum sim_progress progress;
+    const double
+        *rest;    /* where this scene stands at rest, as another run of it has found it [nq of the system]; NULL */
     bool general; /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
     bool
         counting; /* columns are all coordinates, rates and measures, then those that the deck names, and it runs to the

@@ -82,12 +82,12 @@ static bool advises_steps(const struct tried *f)
     return f->n > 0 && f->error[1] < UNRESOLVED && (f->n == 2 || f->share > .99);
 }
 
-enum status advice_find(struct advice *o, const struct scene *scene, int n, struct diags *diags, struct report *report)
+enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report)
 {
     struct trial t;
     struct arena *own = arena_open();
     *o = (struct advice){.whole = NAN, .until = NAN};
-    enum status status = trial_run(&t, scene, n, diags, own, report);
+    enum status status = trial_run(&t, sim, diags, own, report);
     if (status == OK && !t.why) {
         o->until = t.reference.horizon;
         o->parted = !t.reference.whole;

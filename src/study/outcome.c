@@ -82,7 +82,7 @@ struct integrate outcome_plan(struct step_options *how, const struct setting *se
 
 static const struct sim_options *quiet(struct sim_options *o, const struct subject *subject)
 {
-    *o = (struct sim_options){.version = subject->version, .counting = true};
+    *o = (struct sim_options){.version = subject->version, .rest = subject->rest, .counting = true};
     return o;
 }
 
@@ -127,8 +127,16 @@ static const struct stepper_kind *any_kind(void)
     return stepper_kinds[i];
 }
 
-enum status subject_open(struct subject *o, const struct scene *scene, const char *version, struct diags *diags,
-                         struct arena *life, struct report *report)
+static const double *keep_rest(const struct sim *sim, struct arena *life)
+{
+    const int nq = sim->stepper.ode->nq;
+    double *q = TAKE(life, double, nq);
+    memcpy(q, sim->x.q, sizeof *q * (size_t)nq);
+    return q;
+}
+
+enum status subject_open(struct subject *o, const struct scene *scene, const char *version, const double *rest,
+                         struct diags *diags, struct arena *life, struct report *report)
 {
     const struct integrate *plan = &scene->integrate;
     const double H = plan->step * plan->ratio * (scene->output.every_steps ? (double)scene->output.every_steps : 1);
@@ -136,11 +144,12 @@ enum status subject_open(struct subject *o, const struct scene *scene, const cha
     struct sim_options options;
     struct step_options how;
     struct sim sim;
-    *o = (struct subject){.scene = scene, .version = version, .until = plan->until, .diags = diags};
+    *o = (struct subject){.scene = scene, .version = version, .until = plan->until, .rest = rest, .diags = diags};
     o->every = scene->output.every > 0 ? scene->output.every : H > 0 ? H : (plan->until - scene->start) / 100;
     const struct integrate open = outcome_plan(&how, &any, o);
     TRY(sim_open(&sim, scene, &open, quiet(&options, o), diags, life, report));
     o->n = sim.stepper.ode->n;
+    if (scene->at_rest) o->rest = keep_rest(&sim, life);
     o->ns = sim.stepper.ode->ns;
     o->ncolumn = sim.chosen.n;
     o->column = TAKE(life, struct outcome_column, o->ncolumn);

@@ -19,6 +19,7 @@ struct subject {
         bool compared; /* the deck asks for it, and it is of the motion */
     } * column;        /* [ncolumn] */
     struct price price;
+    const double *rest; /* where the scene stands at rest, if that is its start: found once; NULL */
     struct diags *diags;
 };
 
@@ -35,9 +36,9 @@ struct outcome {
     struct report report;
 };
 
-/* Opens the deck once. */
-enum status subject_open(struct subject *o, const struct scene *scene, const char *version, struct diags *diags,
-                         struct arena *life, struct report *report);
+/* Opens the deck once.  rest: of a run of it that is open, see struct sim_options; NULL: there is none. */
+enum status subject_open(struct subject *o, const struct scene *scene, const char *version, const double *rest,
+                         struct diags *diags, struct arena *life, struct report *report);
 
 /* A way of running the deck: one scheme by a tolerance, or by a step and a ratio; NAN: not by that. */
 struct setting {

@@ -309,7 +309,7 @@ enum status study_run(struct study *o, const struct scene *scene, const struct s
     struct grid grid;
     const double until = scene->integrate.until;
     *o = (struct study){.life = life};
-    TRY(subject_open(&o->subject, scene, options->version, diags, life, report));
+    TRY(subject_open(&o->subject, scene, options->version, NULL, diags, life, report));
     TRY(grid_make(&grid, options, &o->subject, life, report));
     TRY(check_grid(&grid, &o->subject, report));
     show_progress(o, "reference", options->progress);

@@ -12,7 +12,7 @@ static const double SECONDS = .5;              /* that the counts of all runs ma
 static const double SHARE = .25;               /* of them for a run by a scheme of high order */
 static const double QUICK = 2000;              /* evaluations up to which an explicit scheme is a matter of course */
 static const double COVERED = .3;              /* of the run, without which nothing is said of fixed steps */
-enum { MOST_RECORDS = 200 };
+enum { MOST_RECORDS = 200, MOST_EVALUATIONS = 200000 };
 
 double trial_handy(double x)
 {
@@ -36,12 +36,21 @@ static void plan_records(struct trial *o)
     o->scene.output.every_steps = 0;
 }
 
+/* What it takes to open a run of bodies with so many modes, about [s]. */
+static double opening_of(const struct scene *scene)
+{
+    static const double PAIR = 1e-5; /* of modes */
+    double modes = 0;
+    for (int i = 0; i < scene->nbody; i++) modes += scene->body[i].nmode;
+    return PAIR * modes * modes;
+}
+
 enum status trial_attempt(struct outcome *o, struct trial *t, const struct setting *setting, double most,
                           struct arena *life)
 {
     *o = (struct outcome){0};
     const enum status status = outcome_run(o, setting, most, &t->subject, life, t->report);
-    t->used += o->seconds;
+    t->used += o->seconds + t->opening;
     t->work += o->work;
     if (stop) return status;
     if (status != OK || !(o->status == OK || o->status == E_VERDICT || o->over)) o->rows = 0;
@@ -137,21 +146,26 @@ static enum status find_reference(struct trial *t)
     return OK;
 }
 
-enum status trial_run(struct trial *o, const struct scene *scene, int n, struct diags *diags, struct arena *life,
+enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diags, struct arena *life,
                       struct report *report)
 {
+    const struct scene *scene = sim->scene;
+    const int n = sim->stepper.ode->n;
     enum { MOST_FREEDOMS = 2000 };
     static const double LEAST = 500; /* evaluations, by which nothing is found */
     *o = (struct trial){.scene = *scene, .start = scene->start, .until = scene->integrate.until};
     o->life = life;
     o->report = report;
-    o->most = SECONDS;
-    const enum status status = n > MOST_FREEDOMS ? OK : subject_open(&o->subject, &o->scene, NULL, diags, life, report);
+    const double *rest = scene->at_rest ? sim->x.q : NULL;
+    enum status status = OK;
+    if (n <= MOST_FREEDOMS) status = subject_open(&o->subject, &o->scene, NULL, rest, diags, life, report);
     if (stop) return status;
     if (status != OK) o->why = "no trial run of it starts";
-    if (n > MOST_FREEDOMS || LEAST * o->subject.price.evaluation > o->most)
+    if (n > MOST_FREEDOMS || LEAST * o->subject.price.evaluation > SECONDS)
         o->why = "it is too large to be tried in half a second";
     if (o->why) return OK;
+    o->most = fmin(SECONDS, MOST_EVALUATIONS * o->subject.price.evaluation);
+    o->opening = opening_of(scene);
     plan_records(o);
     TRY(find_reference(o));
     return o->why || o->own.share < COVERED ? OK : trial_fixed(o);

@@ -23,6 +23,7 @@ struct trial {
     double every;      /* [s] between its records */
     double multiple;   /* of the deck's interval: a whole number, or one over a whole number */
     double most, used; /* [s] that counts may stand for, and stand for */
+    double opening;    /* [s] of a run */
     double work;       /* in evaluations */
     struct reference reference;
     long steps;              /* of its own that the loose run took */
@@ -35,8 +36,8 @@ struct trial {
 /* The least number from x on of the form 2^a 5^b, so that what it divides ends with its figures. */
 double trial_handy(double x);
 
-/* All runs of a scene of n freedoms; E_...: ended from outside. */
-enum status trial_run(struct trial *o, const struct scene *scene, int n, struct diags *diags, struct arena *life,
+/* All runs of the scene that sim has opened; E_...: ended from outside. */
+enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diags, struct arena *life,
                       struct report *report);
 
 /* A run within `most` seconds; one that cannot be made, and one that stops, has no rows. */

@@ -31,7 +31,7 @@ for deck in "$@"; do
     steps=$(awk '$3 != "-" { print $3 }' "$work/entries" | awk '!seen[$0]++' | paste -sd, -)
     ratio=$(awk '$3 != "-" { print $4; exit }' "$work/entries")
     tolerances=$(awk '$5 != "-" { print $5 }' "$work/entries" | awk '!seen[$0]++' | paste -sd, -)
-    (ulimit -t "$LONGEST"; exec "$BUILD/fmdsub" study --repeats 1 --schemes "$schemes" ${steps:+--steps $steps} ${tolerances:+--tolerances $tolerances} \
+    (ulimit -t "$LONGEST"; exec "$BUILD/fmdsub" study --repeats 1 --budget none --schemes "$schemes" ${steps:+--steps $steps} ${tolerances:+--tolerances $tolerances} \
         ${ratio:+--ratios $ratio} "$deck") >"$work/table" 2>"$work/err"
     rc=$?
     awk -v deck="$name" -v rc=$rc '
