@@ -212,6 +212,12 @@ static void march_element(struct march *o, double h, bool back)
 
 /* ---- integrals and nodes ---- */
 
+/* In the plane nothing tilts. */
+static bool tilts(const struct flex_body *o, const struct work *w)
+{
+    return o->s && w->beam->space == 3;
+}
+
 /* Displacement and rotation of the fields W, body axes. */
 static void linear(double *phi, double *psi, const double *W, const struct work *w)
 {
@@ -239,7 +245,7 @@ static void add_element(struct flex_body *o, const struct work *w, struct march 
         turn_tensor(I, w->axes, p->I);
         for (int a = 0; a < 9; a++) I[a] *= p->ds;
         place_at(x, w, p->s);
-        flex_body_add(o, x, p->m * p->ds, I, phi, psi, o->s ? m->shift[g] : NULL, o->s ? m->turn[g] : NULL);
+        flex_body_add(o, x, p->m * p->ds, I, phi, psi, o->s ? m->shift[g] : NULL, tilts(o, w) ? m->turn[g] : NULL);
     }
 }
 
@@ -269,7 +275,7 @@ static void at_node(struct flex_body *o, const struct work *w, const struct marc
     for (int k = 0; k < w->beam->nlump; k++) {
         if (rod_node(&w->rod, w->beam->lump[k].station) != node) continue;
         turn_tensor(I, w->axes, w->inertia + 9 * k);
-        flex_body_add(o, x, w->beam->lump[k].mass, I, phi, psi, o->s ? S : NULL, o->s ? T : NULL);
+        flex_body_add(o, x, w->beam->lump[k].mass, I, phi, psi, o->s ? S : NULL, tilts(o, w) ? T : NULL);
     }
 }
 

@@ -85,19 +85,22 @@ static void spread(double *P, double *I)
  *
  *     theta x d + 1/2 q_i q_j L_ij d,   L_ij = (theta_i theta_j' + theta_j theta_i')/2 - theta_i.theta_j + [T_ij]x;
  *
- * of their integrals those of products of two d stay. */
-static void add_spread(struct flex_body *o, const double *P, const double *psi, const double *T)
+ * of their integrals those of products of two d stay.  Of its turns it takes A psi q. */
+static void add_spread(struct flex_body *o, const double *P, const double *A, const double *psi, const double *T)
 {
     const int n = o->n;
     for (int a = 0; a < 9; a++) o->xx[a] += P[a];
     for (int j = 0; j < n; j++) {
-        const double *pj = psi + 3 * j;
+        double pj[3];
+        m3_mul(pj, A, psi + 3 * j);
         double Y[9]; /* int d (theta_j x d)' dm = P [theta_j]x' */
         const double turn[9] = {0, pj[2], -pj[1], -pj[2], 0, pj[0], pj[1], -pj[0], 0};
         m3_mulmt(Y, P, turn);
         for (int a = 0; a < 9; a++) o->xf[a + 9 * j] += Y[a];
         for (int i = 0; i < n; i++) {
-            const double *pi = psi + 3 * i, *t = T + 3 * (i + n * j);
+            double pi[3], t[3] = {0};
+            m3_mul(pi, A, psi + 3 * i);
+            if (T) v3_copy(t, T + 3 * (i + n * j));
             double *ff = o->ff + 9 * (i + n * j), *xs = o->xs + 9 * (i + n * j);
             for (int c = 0; c < 3; c++) v3_cross_add(ff + 3 * c, pi, Y + 3 * c);
             for (int c = 0; c < 3; c++) { /* row c of L */
@@ -114,6 +117,20 @@ static void add_spread(struct flex_body *o, const double *P, const double *psi, 
     }
 }
 
+/* Inertia I = excess a a': it turns with the frame, and by the small body's turns about a alone, so that its axis does
+ * not tilt.  Particles have it with negative masses along a. */
+static void add_excess(struct flex_body *o, const double *I, const double *psi)
+{
+    const double excess = I[0] + I[4] + I[8];
+    double P[9], A[9];
+    for (int k = 0; k < 9; k++) {
+        A[k] = I[k] / excess;
+        P[k] = (k % 4 == 0 ? excess / 2 : 0) - I[k];
+    }
+    add_spread(o, P, A, psi, NULL);
+}
+
+/* Inertia that keeps the axes of the frame. */
 static void add_constant(struct flex_body *o, const double *I, const double *psi)
 {
     const int n = o->n;
@@ -129,8 +146,9 @@ static void add_constant(struct flex_body *o, const double *I, const double *psi
 void flex_body_add(struct flex_body *o, const double *x, double m, const double *spin, const double *phi,
                    const double *psi, const double *S, const double *T)
 {
+    static const double ROUND_OFF = 1e-9;
     const int n = o->n;
-    double P[9], I[9];
+    double P[9], I[9], A[9];
     memcpy(I, spin, sizeof I);
     o->mass += m;
     add_outer(o->xx, m, x, x);
@@ -141,8 +159,13 @@ void flex_body_add(struct flex_body *o, const double *x, double m, const double 
         for (int i = 0; i < n; i++) add_outer(o->ff + 9 * (i + n * j), m, phi + 3 * i, fj);
     }
     if (T && o->s) {
+        m3_unit(A);
         spread(P, I);
-        add_spread(o, P, psi, T);
+        add_spread(o, P, A, psi, T);
+        if (I[0] + I[4] + I[8] > ROUND_OFF * (spin[0] + spin[4] + spin[8])) {
+            add_excess(o, I, psi);
+            memset(I, 0, sizeof I);
+        }
     }
     add_constant(o, I, psi);
     if (!S || !o->s) return;

@@ -80,7 +80,8 @@ struct flex_body *flex_body_take(int n, int nnode, int nstress, bool stiffening,
 /* Adds to all integrals the mass m at x (from the centre of mass) with rotary inertia `spin` [9], where the fields are
  * phi, psi [3 x n], S [3 x n x n] (NULL: zero).  With T [3 x n x n] in a body with s the small body turns by
  * 1 + [theta]x + [theta]x^2/2 + [1/2 q'Tq]x, theta = psi q, and its inertia with it: it is a cloud of particles then,
- * with nothing in rot, rpsi and ppsi but what exceeds a cloud's inertia (one principal moment the sum of the others).
+ * with nothing in rot, rpsi and ppsi.  What exceeds a cloud's inertia (one principal moment above the sum of the others)
+ * turns about its axis but does not tilt against the frame.
  * T NULL: its inertia keeps the axes of the frame. */
 void flex_body_add(struct flex_body *o, const double *x, double m, const double *spin, const double *phi,
                    const double *psi, const double *S, const double *T);

@@ -374,6 +374,37 @@ static void test_free_modes(void **state)
     }
 }
 
+/* A blade 20 to 2.5 times as long as wide, clamped to a hub that turns at 12 of its units: flap 13.170 (Wright et al., J.
+ * Appl. Mech. 49 (1982) 197), whether the rotary inertia of its sections counts or not. */
+static void test_flap_of_wide_blades(void **state)
+{
+    static const double width[] = {.05, .1, .2, .4};
+    (void)state;
+    for (int k = 0; k < 8; k++) {
+        char text[1000];
+        double omega[3], unit = sqrt(7e10 * .01 * .01 / 12 / 2700), nearest = INFINITY;
+        snprintf(text, sizeof text,
+                 "space: 3d\n"
+                 "bodies:\n"
+                 "  hub: {mass: 1, inertia: [0.1, 0.1, 0.1], at: [0, 0, 0]}\n"
+                 "  arm:\n"
+                 "    beam: {from: [0, 0, 0], to: [1, 0, 0], elements: 20, rotary: %s}\n"
+                 "    section: {rectangle: [%g, 0.01]}\n"
+                 "    material: {E: 7.0e+10, nu: 0.3, density: 2700}\n"
+                 "    modes: 10\n"
+                 "constraints:\n"
+                 "  sh: {revolute: [ground, hub], at: [0, 0, 0], axis: [0, 0, 1]}\n"
+                 "  cl: {fixed: [hub, arm], at: [0, 0, 0]}\n"
+                 "drives: {s: {drive: sh.angle, value: \"%.17g*t\"}}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-4, until: 0.1}\n",
+                 k % 2 ? "true" : "false", width[k / 2], 12 * unit);
+        assert_int_equal(frequencies(omega, 3, text), 3);
+        for (int i = 0; i < 3; i++)
+            if (fabs(omega[i] / unit - 13.1702) < fabs(nearest)) nearest = omega[i] / unit - 13.1702;
+        near(nearest, 0, .006);
+    }
+}
+
 /* --- the rigid body as a limit -------------------------------------------------------------------- */
 
 static double stiff_end(double stiffer, bool rigid, const char *how, const char *column)
