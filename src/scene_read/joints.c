@@ -63,7 +63,9 @@ static int crossed_axes(struct builder *b, double *E, const struct joint_keys *k
     double lean = v3_dot(E, E + 3);
     if (fabs(lean) > 1e-6) {
         diag_error(b->diags, k->axis2, AT_VALUE, "E-axes", "%s: 'axis' and 'axis2' are not at right angles", what);
-        diag_hint(b->diags, "for oblique axes put a light body between two revolute joints, one about each of them");
+        diag_hint(
+            b->diags,
+            "for oblique axes put a body of mass 0 and inertia 0 between two revolute joints, one about each of them");
         return 1;
     }
     v3_axpy(E + 3, -lean, E);

@@ -27,15 +27,28 @@ void deflections_open(struct sim *sim, struct arena *life)
     }
 }
 
+static double deflection_at(const struct sim *sim, const struct deflection *o, const double *q)
+{
+    const struct model_body *body = &sim->model->body[o->body];
+    const double *phi = body->flex->node[o->node].phi;
+    double u[3] = {0, 0, 0};
+    for (int j = 0; j < body->nmode; j++) v3_axpy(u, q[body->mode_q[j]], phi + 3 * j);
+    return v3_norm(u);
+}
+
+int deflections_beyond(const struct sim *sim, const double *q, double lengths)
+{
+    for (int i = 0; i < sim->ndeflection; i++)
+        if (deflection_at(sim, &sim->deflection[i], q) > lengths * sim->deflection[i].size)
+            return sim->deflection[i].body;
+    return 0;
+}
+
 enum status deflections_note(struct sim *sim)
 {
     for (int i = 0; i < sim->ndeflection; i++) {
         struct deflection *o = &sim->deflection[i];
-        const struct model_body *body = &sim->model->body[o->body];
-        const double *phi = body->flex->node[o->node].phi;
-        double u[3] = {0, 0, 0};
-        for (int j = 0; j < body->nmode; j++) v3_axpy(u, sim->x.q[body->mode_q[j]], phi + 3 * j);
-        double far = v3_norm(u);
+        double far = deflection_at(sim, o, sim->x.q);
         if (!(far > o->most)) continue;
         o->most = far;
         o->t = sim->x.t;

@@ -58,6 +58,8 @@ void warn_of_rotations(struct sim *sim);
 /* deflections.c: the largest deflections of flexible bodies */
 void deflections_open(struct sim *sim, struct arena *life);
 enum status deflections_note(struct sim *sim);
+/* A flexible body that at q bends by more than so many of its lengths; 0: none. */
+int deflections_beyond(const struct sim *sim, const double *q, double lengths);
 void warn_of_deflections(struct sim *sim);
 /* What helps a body that bends too far. */
 const char *bending_advice(const struct flex_body *flex);

@@ -137,6 +137,14 @@ static enum status descend(struct rest *s, double *size, struct trouble *why)
     return trouble_set(why, TROUBLE_DIVERGED, 0, *size, s->t);
 }
 
+/* What bends so far is pulled apart, and goes on for ever. */
+static enum status still_whole(const struct sim *sim, const struct rest *s, struct trouble *why)
+{
+    static const double LENGTHS = 2; /* a run stops at 1 */
+    const int body = deflections_beyond(sim, s->q, LENGTHS);
+    return body ? trouble_set(why, TROUBLE_DEFLECTION, body, LENGTHS, s->t) : OK;
+}
+
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why)
 {
     struct rest s = open_rest(sim, scratch);
@@ -149,6 +157,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
         idle_clear(&sim->idle, sim->system, s.K, largest(s.K, s.n), s.q, s.t); /* any posture of them will do */
         if (!settled(&s)) {
             TRY(descend(&s, &size, why));
+            TRY(still_whole(sim, &s, why));
             continue;
         }
         memcpy(sim->x.q, s.q1, sizeof *s.q1 * (size_t)s.ode->nq);
