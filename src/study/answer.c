@@ -34,7 +34,7 @@ double study_digit(const struct study *o, const struct study_row *of)
         if (!coarse || r->errors.worst > coarse->errors.worst) coarse = r;
         if (!fine || r->errors.worst < fine->errors.worst) fine = r;
     }
-    if (!coarse || coarse->errors.worst < 3 * fine->errors.worst) return NAN;
+    if (!coarse || coarse->errors.worst < 3 * fine->errors.worst || !(fine->work > coarse->work)) return NAN;
     return pow(fine->work / coarse->work, 1 / log10(coarse->errors.worst / fine->errors.worst));
 }
 
@@ -217,7 +217,7 @@ static void print_hopeless(const struct study *o, const struct study_gap *g, FIL
 {
     fputs("left out: ", to);
     study_print_setting(&g->from, to);
-    fprintf(to, ", which takes more than %.2g evaluations, %s", g->work,
+    fprintf(to, ", which takes %.2g evaluations or more, %s", g->work,
             g->budget ? "its share of the budget" : "more than the reference");
     if (o->fastest > 0 && is_explicit(g->from.kind))
         fprintf(to, ": an explicit scheme has to follow the fastest vibration, %.3g rad/s", o->fastest);

@@ -17,7 +17,7 @@ static const double EACH = .7;        /* of what it may cost is the most that on
 static const double RESTS = 1e-8;     /* of its size: the range of a column that does not move */
 static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less */
 enum { MOST_DENSE = 200 };            /* coordinates up to which full matrices are the cheaper way */
-enum { HIGH = 5, MOST_KINDS = 16 };   /* order of a scheme that may be a reference */
+enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
 
 static void find_ranges(struct reference *o)
 {
@@ -101,7 +101,7 @@ struct trial {
 
 struct trials {
     int n;
-    struct trial trial[MOST_KINDS];
+    struct trial trial[MOST_TRIALS];
     double most; /* [s] each */
     const struct subject *subject;
 };
@@ -140,7 +140,7 @@ static enum status run_trials(struct trials *o, const struct subject *subject, d
                               struct report *report)
 {
     *o = (struct trials){.subject = subject};
-    for (int i = 0; stepper_kinds[i] && o->n < MOST_KINDS; i++) {
+    for (int i = 0; stepper_kinds[i] && o->n < MOST_TRIALS; i++) {
         const struct stepper_kind *kind = stepper_kinds[i];
         if (kind->order >= HIGH && kind->adaptive && !too_full(kind, subject))
             o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1}, INFINITY, 0};
@@ -183,7 +183,10 @@ static enum status choose(struct reference *o, struct subject *subject, double m
     enum { PAIRS = sizeof pairs / sizeof *pairs };
     struct trials trials;
     TRY(run_trials(&trials, subject, most, life, report));
-    for (int i = 0; i < trials.n; i++) o->spent += trials.trial[i].cost;
+    for (int i = 0; i < trials.n; i++) {
+        o->spent += trials.trial[i].cost;
+        o->trial[o->ntrial++] = (struct trialled){trials.trial[i].setting.kind, trials.trial[i].rate};
+    }
     const double span = subject->until - subject->scene->start, allowed = (1 - TRIALS) * most;
     for (int i = 0; i < PAIRS; i++) {
         const struct trial *a = cheapest(&trials, pairs[i][0], NULL), *b = cheapest(&trials, pairs[i][1], a);

@@ -12,20 +12,27 @@
 
 #include "study/outcome.h"
 
+enum { MOST_TRIALS = 16 };
+
 struct reference {
     struct outcome run;
     struct setting first, second; /* which two */
     double seconds, work;         /* of the first, by its counts; in evaluations */
     double spent;                 /* [s] of all that it took, likewise */
-    double horizon;               /* [s] compared up to here */
-    bool whole;                   /* the two do not part before the end */
-    bool cut;                     /* the budget has brought the end forward */
-    double *uncertain;            /* [n] of each column, as a share of its range */
-    double *range, *largest;      /* [n] up to the horizon, of values and of |values| */
-    double *least;                /* [n] no column is compared by less */
-    double apart;                 /* the largest uncertainty of a coordinate */
-    int left_out;                 /* columns of the deck that are not compared, the first: */
-    const char *left_out_name;    /* NULL: none */
+    int ntrial;
+    struct trialled {
+        const struct stepper_kind *kind;
+        double rate;           /* [s] that an error of about 1e-6 costs per second of the motion, foretold */
+    } trial[MOST_TRIALS];      /* [ntrial] */
+    double horizon;            /* [s] compared up to here */
+    bool whole;                /* the two do not part before the end */
+    bool cut;                  /* the budget has brought the end forward */
+    double *uncertain;         /* [n] of each column, as a share of its range */
+    double *range, *largest;   /* [n] up to the horizon, of values and of |values| */
+    double *least;             /* [n] no column is compared by less */
+    double apart;              /* the largest uncertainty of a coordinate */
+    int left_out;              /* columns of the deck that are not compared, the first: */
+    const char *left_out_name; /* NULL: none */
 };
 
 /* At a predicted cost of about `most` seconds; INFINITY: none.  subject->until becomes the end that is compared, and

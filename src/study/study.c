@@ -97,12 +97,19 @@ static bool enough(const struct study_row *row)
     return row->errors.worst <= ENOUGH || row->doubtful;
 }
 
+/* A step that is too long for a scheme, and says nothing but that: one of two rates is shown all the same. */
+static bool useless(const struct chain *chain, const struct study_row *row)
+{
+    return chain->ladder && row->status != OK && row->status != E_VERDICT && !row->setting.kind->two_rates;
+}
+
 static enum status work_chain(void *self, int i, int to, struct report *report)
 {
     const struct work *o = self;
     const struct chain *chain = &o->grid->chain[i];
     const double most = worth(chain, o->study), unit = o->study->subject.price.evaluation;
     double left = o->share[i], last = chain->last;
+    bool none = chain->from == 0;
     for (int k = left > 0 ? chain->from : chain->n; k < chain->n; k++) {
         const struct setting *setting = &chain->setting[k];
         struct news news;
@@ -110,11 +117,14 @@ static enum status work_chain(void *self, int i, int to, struct report *report)
         memset(&news, 0, sizeof news);
         const double next = k ? last * grid_growth(setting - 1, setting) : 0, times = 1 + repeats(o->options, next);
         if (next > most || next * times > left)
-            return tell_gap(to, (struct study_gap){*setting, i, false, !(next > most), next / unit});
+            return tell_gap(to, (struct study_gap){*setting, i, none, !(next > most), next / unit});
         const double allowed = fmin(left / 2, most);
         TRY(run_one(&news.row, &over, setting, allowed, o->study, report));
-        if (over) return tell_gap(to, (struct study_gap){*setting, i, k == 0, left / 2 < most, news.row.work});
-        TRY(crew_tell(to, &news, sizeof news));
+        if (over) return tell_gap(to, (struct study_gap){*setting, i, none, left / 2 < most, news.row.work});
+        if (!useless(chain, &news.row)) {
+            TRY(crew_tell(to, &news, sizeof news));
+            none = false;
+        }
         last = news.row.seconds;
         left -= last * (1 + repeats(o->options, last));
         if (chain->ladder && enough(&news.row)) break;
@@ -184,12 +194,16 @@ static const struct study_row *finest(const struct study *o, const struct chain 
     return last;
 }
 
-/* What an error of a millionth would cost by this chain, going by its order; INFINITY: nobody knows. */
+/* What an error of a millionth would cost by this chain: what its trial has foretold, or going by its order; INFINITY:
+ * nobody knows. */
 static double foretold(const struct study *o, const struct grid *grid, const struct study_gap *gap)
 {
     static const double WANTED = 1e-6;
     const struct study_row *last = finest(o, &grid->chain[gap->chain]);
-    if (!gap->budget || !last || !(last->errors.worst < 1)) return INFINITY;
+    if (!gap->budget) return INFINITY;
+    for (const struct trialled *t = o->reference.trial; t < o->reference.trial + o->reference.ntrial; t++)
+        if (t->kind == gap->from.kind) return t->rate * (o->subject.until - o->subject.scene->start);
+    if (!last || !(last->errors.worst < 1)) return INFINITY;
     return last->seconds * pow(fmax(1, last->errors.worst / WANTED), 1. / last->setting.kind->order);
 }
 
@@ -198,7 +212,8 @@ static void go_on(struct study *o, struct grid *grid, int gap, double *share, do
 {
     struct chain *chain = &grid->chain[o->gap[gap].chain];
     share[o->gap[gap].chain] = seconds;
-    chain->last = finest(o, chain)->seconds;
+    const struct study_row *last = finest(o, chain);
+    chain->last = last ? last->seconds : 0;
     while (!grid_same(&chain->setting[chain->from], &o->gap[gap].from)) chain->from++;
     o->gap[gap] = o->gap[--o->ngap];
 }
