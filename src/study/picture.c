@@ -175,9 +175,9 @@ void picture_script(const struct study *o, const char *title, FILE *to)
     fputs("set multiplot title ", to);
     script_put_text(to, title);
     fputs(" noenhanced\nset ylabel 'error, over the range of the worst column'\n", to);
-    if (times) put_panel(to, o, BY_TIME, .085, .4, false);
+    if (times) put_panel(to, o, BY_TIME, .085, .375, false);
     if (times) fputs("unset ylabel\nunset label 1\n", to);
-    put_panel(to, o, BY_WORK, times ? .46 : .085, times ? .775 : .76, true);
+    put_panel(to, o, BY_WORK, times ? .445 : .085, .735, true);
     fputs("unset multiplot\n", to);
     arena_close(scratch);
 }
