@@ -107,6 +107,7 @@ static void take(struct stepper *s, struct adaptive *m, double h)
     copy(m->q, m->q1, s->ode->nq);
     copy(m->v, m->v1, s->ode->n);
     note_pace(s);
+    m->cause.code = TROUBLE_NONE;
     s->effort.minors++;
 }
 
@@ -135,6 +136,20 @@ static enum status give_up(long rejected, double t, struct trouble *why)
     return E_LIMIT;
 }
 
+/* Steps that shrink to nothing may do so before what cannot be passed, as a dead point: a longer one then tells, and for
+ * all that begin again with this step. */
+static enum status too_small(struct stepper *s, double t, double h, double left, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    struct trouble cause = {0};
+    double err;
+    if (m->cause.code == TROUBLE_NONE && m->scheme->attempt(s, m, &err, t, left / 100, &cause) == E_NUMERIC)
+        m->cause = cause;
+    if (m->cause.code == TROUBLE_NONE || !why) return trouble_set(why, TROUBLE_TOO_SMALL, -1, h, t);
+    *why = m->cause;
+    return E_NUMERIC;
+}
+
 /* From *from to end, landing there, or short of it where the run is asked to end; either may be the later one.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
 static enum status advance(struct stepper *s, struct state *x, double *from, double end, struct trouble *why)
@@ -148,7 +163,7 @@ static enum status advance(struct stepper *s, struct state *x, double *from, dou
         double left = fabs(end - t), h = m->h, err = 0, way = end > t ? 1 : -1;
         int last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
-        if (t + way * h == t) return trouble_set(why, TROUBLE_TOO_SMALL, -1, h, t);
+        if (t + way * h == t) return too_small(s, t, h, way * left, why);
         enum status status = m->scheme->attempt(s, m, &err, t, way * h, why);
         if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
         if (h > least && err <= 1) passed = 0;
@@ -255,7 +270,7 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
 }
 
 const struct key adaptive_keys[] = {
-    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 0, 0.1, KEY_ABOVE | KEY_META, NULL,
+    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 1e-14, 0.1, KEY_META, NULL,
                "relative error of every step"),
     KEYS_END,
 };

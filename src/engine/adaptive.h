@@ -18,13 +18,14 @@
 
 struct adaptive {
     const struct adaptive_scheme *scheme;
-    double *q, *v, *a; /* the state inside H: [nq], [n], and its accelerations [n] */
-    double *q1, *v1;   /* the end under trial */
-    double tolerance;  /* of the scales: the deck's, or what open() makes of it */
-    double pace;       /* largest |v|/L so far [1/s] */
-    double *span;      /* [n] displacement since the start, where positions have a move of their own */
-    double h, old;     /* next step; error of the last one */
-    long rejected;     /* steps given up in this H */
+    double *q, *v, *a;    /* the state inside H: [nq], [n], and its accelerations [n] */
+    double *q1, *v1;      /* the end under trial */
+    double tolerance;     /* of the scales: the deck's, or what open() makes of it */
+    double pace;          /* largest |v|/L so far [1/s] */
+    double *span;         /* [n] displacement since the start, where positions have a move of their own */
+    double h, old;        /* next step; error of the last one */
+    long rejected;        /* steps given up in this H */
+    struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];
     struct rk rk; /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
     void *own;    /* the scheme's memory */
