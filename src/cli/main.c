@@ -216,6 +216,8 @@ int main(int argc, char **argv)
     if (status == OK) status = set_limits(&request, &report);
     if (status == OK) status = dispatch(&request, life, &report);
     if (status == OK) status = flush_words(&report);
+    if (status == E_LIMIT && !report.text[0] && stop_limit())
+        (void)fail(&report, status, "the limit of %s is reached", stop_limit());
     if (report.text[0] && status != E_SIGPIPE) {
         bool placed = strstr(report.text, ": error: ") != NULL;
         fputs(placed ? "" : "fmdsub: ", stderr);

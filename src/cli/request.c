@@ -231,6 +231,7 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     if (optind < argc) o->verb = argv[optind++];
     o->nword = argc - optind;
     o->word = argv + optind;
+    if (o->output && strcmp(o->output, "-") == 0) o->output = NULL; /* standard output */
     if (o->output && !*o->output) return fail(report, E_USAGE, "--output needs the name of a file");
     if (o->stats && !*o->stats) return fail(report, E_USAGE, "--stats= needs the name of a file");
     if (o->final_state && !*o->final_state) return fail(report, E_USAGE, "--final-state needs the name of a file");

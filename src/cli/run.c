@@ -49,7 +49,8 @@ static enum status write_stats(const struct sim *sim, const struct request *requ
                                              : "false");
     }
     if (to == stderr) return OK;
-    return fclose(to) == 0 ? OK : fail(report, E_FILE, "%s: cannot write", request->stats);
+    const bool written = !ferror(to);
+    return fclose(to) == 0 && written ? OK : fail(report, E_FILE, "%s: cannot write", request->stats);
 }
 
 static enum status stream_run(struct sim *sim, const struct request *request, struct arena *life, struct report *report)

@@ -25,6 +25,7 @@ static const char *near_pattern(const char *pattern, const struct column *all, i
         for (size_t cut = head > 1 ? head - 1 : 1; cut <= head + 1 && cut <= length; cut++) {
             const char *word = arena_print(life, "%.*s", (int)cut, all[i].name);
             int distance = text_distance(word, arena_copy(life, pattern, head));
+            if (distance > 1 && 2 * distance >= (int)head) continue; /* as much of it is wrong as right */
             const char *whole = arena_print(life, "%s%s", word, pattern + head);
             if (distance >= best || !text_match(whole, all[i].name)) continue;
             best = distance;

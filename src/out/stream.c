@@ -14,6 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/stop.h"
+
 static enum status cannot(struct report *report, const char *verb, const char *name, int error)
 {
     return fail(report, E_FILE, "cannot %s '%s': %s", verb, name, strerror(error));
@@ -122,6 +124,8 @@ enum status stream_create(struct stream *s, const char *path, struct arena *life
     if (allowed) s->fd = plain ? open_part(s->part) : open_above_2(path, 0);
     if (s->fd < 0 && allowed && plain && errno == EWOULDBLOCK)
         s->status = fail(report, E_FILE, "cannot write '%s': another process is writing '%s'", path, s->part);
+    else if (s->fd < 0 && allowed && errno == EINTR && stop) /* a named pipe that nobody reads */
+        s->status = stop_status();
     else if (s->fd < 0)
         s->status = cannot(report, "write", path, errno);
     if (s->fd < 0) s->part = NULL;

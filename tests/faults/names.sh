@@ -62,3 +62,9 @@ same "\$(N) of a parameter, where nothing is repeated" want got
 same "\$(N) in --columns" want got
 "$FMDSUB" run -q --columns 'link$(M).*' chain.yaml >got 2>err
 expect "\$(M) of no parameter: status" 2 $? err
+
+# Half of the letters wrong is no near miss.
+"$FMDSUB" run --columns 'nope*' "$ROOT/decks/pendulum.yaml" >"$work/out" 2>"$work/err"
+expect "columns far off: nothing suggested" "2 0" "$? $(grep -c 'did you mean' "$work/err")" "$work/err"
+"$FMDSUB" run --columns 'enrgy.*' "$ROOT/decks/pendulum.yaml" >"$work/out" 2>"$work/err"
+expect "columns nearly right: the word" 1 "$(grep -c "did you mean 'energy\.\*'" "$work/err")" "$work/err"

@@ -73,3 +73,25 @@ done
 ended "all three streams closed: status" 0 $? "$work/closed.csv"
 (cd "$work" && "$FMDSUB" run --until 0.5 -q -o plain.csv "$deck" 2>/dev/null)
 same "all three streams closed: data" "$work/plain.csv" "$work/closed.csv"
+
+# The counts, too, go where nothing can be written.
+if [ -w /dev/full ]; then
+    "$FMDSUB" run -q --until 0.5 --stats=/dev/full "$deck" >"$work/out" 2>"$work/err"
+    expect "full disk: counts, status" 6 $? "$work/err"
+    grep -q "/dev/full: cannot write" "$work/err" && ok "full disk: counts, told" || not_ok "full disk: counts, told" "stderr:" "$work/err"
+fi
+
+# '-' is standard output.
+"$FMDSUB" run -q --until 0.5 "$deck" >"$work/there" 2>"$work/err"
+(cd "$work" && "$FMDSUB" run -q --until 0.5 -o - "$deck") >"$work/here" 2>"$work/err"
+same "-o -: standard output" "$work/there" "$work/here"
+expect "-o -: no file of that name" no "$([ -e "$work/-" ] && echo yes || echo no)"
+
+# Named pipes with nobody at the other end.
+mkfifo "$work/pipe"
+timeout 20 "$FMDSUB" run -q --max-time 0.2 "$work/pipe" >"$work/out" 2>"$work/err"
+expect "a deck that nobody writes: status" 7 $? "$work/err"
+grep -q "limit of time" "$work/err" && ok "a deck that nobody writes: told" || not_ok "a deck that nobody writes: told" "stderr:" "$work/err"
+timeout 20 "$FMDSUB" run -q --max-time 0.2 -o "$work/pipe" "$deck" >"$work/out" 2>"$work/err"
+expect "records that nobody reads: status" 7 $? "$work/err"
+grep -q "limit of time" "$work/err" && ok "records that nobody reads: told" || not_ok "records that nobody reads: told" "stderr:" "$work/err"
