@@ -7,6 +7,7 @@
 
 #include "base/stop.h"
 #include "engine/motion.h"
+#include "engine/works.h"
 
 static const struct rk_table euler = {.stages = 2, .c = {0, 1}, .a = {{0}, {1}}};
 
@@ -23,6 +24,7 @@ void adaptive_open(struct stepper *s, struct arena *life)
     m->v1 = TAKE(life, double, o->n);
     m->a = TAKE(life, double, o->n);
     m->span = TAKE(life, double, o->n);
+    works_open(&m->works, o->n, life);
     s->self = m;
     m->scheme->open(s, m, life);
 }
@@ -103,7 +105,10 @@ static enum status first_step(struct stepper *s, double t, double most, struct t
 
 static void take(struct stepper *s, struct adaptive *m, double h)
 {
+    double before[POWER_CHANNELS];
+    copy(before, m->work, POWER_CHANNELS);
     m->scheme->take(s, m, h);
+    works_taken(&m->works, before, m->work);
     copy(m->q, m->q1, s->ode->nq);
     copy(m->v, m->v1, s->ode->n);
     note_pace(s);
@@ -193,6 +198,7 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     copy(m->v, x->v, s->ode->n);
     zero(m->work, POWER_CHANNELS);
     m->rejected = 0;
+    m->works.asked = false;
     if (s->fresh) {
         zero(m->span, s->ode->n);
         note_pace(s);
@@ -266,6 +272,8 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
     recall_list(r, "span", m->span, s->ode->n);
     recall_one(r, "h", m->h);
     recall_one(r, "error", m->old);
+    recall_one(r, "turned", m->works.turned);
+    recall_one(r, "energy", m->works.energy);
     return m->scheme->recall ? m->scheme->recall(s, m, r) : OK;
 }
 

@@ -13,8 +13,21 @@
 #ifndef FMDSUB_ENGINE_ADAPTIVE_H
 #define FMDSUB_ENGINE_ADAPTIVE_H
 
+#include <stdbool.h>
+
 #include "engine/rk.h"
 #include "engine/stepper.h"
+
+/* The scale of works, tol (energy + turned), where errors of a step's works, each channel's, are to be below 1, too: the
+ * motion alone may be smoother than the powers are. */
+struct works {
+    double turned;       /* sum of |work| of all steps and channels so far [J] */
+    double energy;       /* largest kinetic energy known, and what all but stands has [J] */
+    bool asked;          /* has it been asked for in this H? */
+    double tried, error; /* step and error of the last trial from here; 0: there was none */
+    int slow;            /* trials from here whose errors did not fall with the square of the step */
+    double *u;           /* [n] */
+};
 
 struct adaptive {
     const struct adaptive_scheme *scheme;
@@ -27,8 +40,9 @@ struct adaptive {
     long rejected;        /* steps given up in this H */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];
-    struct rk rk; /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
-    void *own;    /* the scheme's memory */
+    struct works works; /* what their errors are judged by */
+    struct rk rk;       /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
+    void *own;          /* the scheme's memory */
 };
 
 struct adaptive_scheme {
@@ -59,6 +73,9 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
 /* tol (Y_i + |y_i|) of position and of velocity i. */
 double adaptive_scale_q(const struct stepper *s, int i);
 double adaptive_scale_v(const struct stepper *s, int i);
+
+/* The error of works e [POWER_CHANNELS], of a trial from t by h that did `work`. */
+double adaptive_works(struct stepper *s, const double *e, const double *work, double t, double h);
 
 extern const struct key adaptive_keys[];
 enum status adaptive_recall(struct stepper *s, struct recall *r);

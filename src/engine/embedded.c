@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/scalar.h"
 #include "engine/motion.h"
 
 static const struct embedded_pair *pair_of(const struct adaptive *m)
@@ -33,6 +34,26 @@ static double mean_square(const struct stepper *s, const struct adaptive *m, con
     return sum / (2 * n);
 }
 
+/* x := h sum e_j w_j of the powers. */
+static void sum_works(double *x, const struct adaptive *m, const double *e, double h)
+{
+    zero(x, POWER_CHANNELS);
+    for (int j = 0; j < m->rk.stages; j++)
+        for (int c = 0; c < POWER_CHANNELS; c++) x[c] += h * e[j] * m->rk.w[j][c];
+}
+
+static double error_of_works(struct stepper *s, const struct adaptive *m, double t, double h)
+{
+    const struct embedded_pair *p = pair_of(m);
+    double e[POWER_CHANNELS], e2[POWER_CHANNELS], work[POWER_CHANNELS];
+    sum_works(work, m, p->table.b, h);
+    sum_works(e, m, p->e, h);
+    if (p->e2) sum_works(e2, m, p->e2, h);
+    for (int c = 0; p->e2 && c < POWER_CHANNELS; c++)
+        if (e[c] != 0) e[c] *= fabs(e[c]) / sqrt(e[c] * e[c] + .01 * e2[c] * e2[c]);
+    return adaptive_works(s, e, work, t, h);
+}
+
 static double error(const struct stepper *s, const struct adaptive *m, double h)
 {
     const struct embedded_pair *p = pair_of(m);
@@ -52,7 +73,7 @@ enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err,
     copy(m->q1, m->q, s->ode->nq);
     copy(m->v1, m->v, s->ode->n);
     rk_end(&m->rk, table, m->q1, m->v1, NULL, t, h);
-    *err = error(s, m, h);
+    *err = larger(error(s, m, h), error_of_works(s, m, t, h));
     return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
 }
 

@@ -253,6 +253,20 @@ static double error(const struct stepper *s, struct adaptive *m, double h)
     return sqrt(sum / (2 * n));
 }
 
+/* Of the works, by the same weights. */
+static double error_of_works(struct stepper *s, struct adaptive *m, double t, double h)
+{
+    const struct radau *x = m->own;
+    double e[POWER_CHANNELS], work[POWER_CHANNELS] = {0};
+    for (int c = 0; c < POWER_CHANNELS; c++) e[c] = h * x->table.mode[0].re * m->rk.w[0][c];
+    for (int i = 0; i < x->table.s; i++)
+        for (int c = 0; c < POWER_CHANNELS; c++) {
+            e[c] += h * x->table.d[i] * x->w[i][c];
+            work[c] += h * x->table.b[i] * x->w[i][c];
+        }
+    return adaptive_works(s, e, work, t, h);
+}
+
 /* Matrices as the step wants them; then its stages.  What a kept matrix does not solve, one of this place may. */
 static enum status stages(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
@@ -276,7 +290,7 @@ static enum status attempt(struct stepper *s, struct adaptive *m, double *err, d
     TRY(stages(s, m, t, h, why));
     motion_point(s->ode, m->q1, m->q, x->u[last], 1, t + h);
     copy(m->v1, x->v[last], n);
-    *err = error(s, m, h);
+    *err = larger(error(s, m, h), error_of_works(s, m, t, h));
     return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
 }
 
@@ -290,6 +304,7 @@ static void take(struct stepper *s, struct adaptive *m, double h)
     }
     for (int k = 0; k < n; k++) m->span[k] += x->u[last][k];
     copy(m->a, x->a[last], n);
+    copy(m->rk.w[0], x->w[last], POWER_CHANNELS);
     x->longer = x->h_before != 0 ? fabs(h / x->h_before) : 0;
     x->h_before = h;
     x->stale = x->theta > WORN;

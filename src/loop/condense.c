@@ -221,6 +221,13 @@ static int has_sides(const struct ode2 *ode, double t)
     return o->tree->ode.breaks && o->tree->breaks.sides(&o->tree->ode, t);
 }
 
+static double kinetic(const struct ode2 *ode, const double *q, const double *v, double t)
+{
+    struct condense *o = ode->self;
+    const struct ode2 *tree = &o->tree->ode;
+    return condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK ? tree->kinetic(tree, q, o->vt, t) : 0;
+}
+
 static double size_of(const struct ode2 *ode, int i)
 {
     const struct condense *o = ode->self;
@@ -244,6 +251,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .ops = &ops,
                            .move = &condense_move,
                            .chart = &o->chart,
+                           .kinetic = kinetic,
                            .size = size_of,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .settle = tree->ode.settle ? settle : NULL,

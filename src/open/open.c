@@ -324,6 +324,16 @@ static int has_sides(const struct ode2 *o, double t)
 
 /* --- building ----------------------------------------------------------------------------------- */
 
+static double kinetic(const struct ode2 *ode, const double *q, const double *v, double t)
+{
+    struct open_tree *o = tree_of(ode);
+    double T, V;
+    (void)t;
+    open_move(o, q, v);
+    o->ops->energy(o->sweep, &T, &V);
+    return T;
+}
+
 static double size_of(const struct ode2 *o, int i)
 {
     return tree_of(o)->size[i];
@@ -365,6 +375,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .direct = &o->direct,
                            .chart = elements_follow(o->elements) ? &chart : NULL,
                            .breaks = isinf(first) ? NULL : &o->breaks,
+                           .kinetic = kinetic,
                            .size = size_of,
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),

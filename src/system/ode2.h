@@ -123,6 +123,8 @@ struct ode2 {
     const struct ode2_direct *direct;
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;
+    /* Kinetic energy [J] at a state, of what drives move, too; 0 where it is not known.  NULL: not known. */
+    double (*kinetic)(const struct ode2 *o, const double *q, const double *v, double t);
     double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
     /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
      * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put

@@ -1,0 +1,95 @@
+/* t-works.c -- works of drives, loads and dampers are held by the tolerance where the motion asks for no small steps. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "unit/opened.h"
+
+#include <cmocka.h>
+
+static const char *const schemes[] = {"dopri5", "dop853", "radau5", "radau9"};
+enum { SCHEMES = sizeof schemes / sizeof *schemes };
+
+/* A wheel that is driven, and a ball that sets the steps; what acts on both, and the drive. */
+static void run_wheel(struct opened *o, const char *rest, const char *scheme, double tolerance)
+{
+    char text[1000];
+    snprintf(text, sizeof text,
+             "bodies:\n"
+             "  wheel: {mass: 1, inertia: 0.1, at: [0, 0]}\n"
+             "  ball: {mass: 1, at: [2, 0], inertia: 0.1}\n"
+             "constraints:\n"
+             "  shaft: {revolute: [ground, wheel], at: [0, 0]}\n"
+             "  slide: {prismatic: [ground, ball], axis: [0, 1]}\n"
+             "%s"
+             "integrate: {scheme: %s, tolerance: %.1e, until: 5}\n"
+             "output: {every: 1}\n",
+             rest, scheme, tolerance);
+    open_deck(o, text);
+    run(o);
+}
+
+static const double tolerances[] = {1e-4, 1e-7}; /* of every step: hundreds of these add up */
+
+/* -5 sin^2(100 t) on a wheel that turns with 10 rad/s. */
+static void test_load(void **state)
+{
+    const double exact = -50 * (2.5 - sin(1000) / 400);
+    (void)state;
+    for (int k = 0; k < 2 * SCHEMES; k++) {
+        struct opened o;
+        const double within = 300 * tolerances[k % 2] * fabs(exact);
+        run_wheel(&o,
+                  "gravity: [0, -9.81]\n"
+                  "drives: {spin: {drive: shaft, value: 10*t}}\n"
+                  "forces: {load: {torque: wheel, value: \"-5*sin(100*t)^2\"}}\n",
+                  schemes[k / 2], tolerances[k % 2]);
+        near(value(&o, "energy.external"), exact, within);
+        near(value(&o, "energy.drive"), -exact, within);
+        arena_close(o.life);
+    }
+}
+
+/* A damper on a wheel that is driven to and fro. */
+static void test_damper(void **state)
+{
+    const double exact = -18 * (2.5 + sin(600) / 240);
+    (void)state;
+    for (int k = 0; k < 2 * SCHEMES; k++) {
+        struct opened o;
+        run_wheel(&o,
+                  "drives: {spin: {drive: shaft, value: \"0.1*sin(60*t)\"}}\n"
+                  "forces: {brake: {damper: shaft, damping: 0.5}, s: {spring: slide, stiffness: 1}}\n"
+                  "initial: {slide.displacement: 1}\n",
+                  schemes[k / 2], tolerances[k % 2]);
+        near(value(&o, "energy.damper"), exact, 30 * tolerances[k % 2] * fabs(exact));
+        assert_true(o.sim.ledger.worst < 100 * tolerances[k % 2] * o.sim.ledger.norm);
+        arena_close(o.life);
+    }
+}
+
+/* Works that are round-off ask for no steps: a wheel that turns with a constant speed. */
+static void test_round_off(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2 * SCHEMES; k++) {
+        struct opened o;
+        run_wheel(&o, "drives: {spin: {drive: shaft, value: 31.7*t}}\n", schemes[k / 2], tolerances[k % 2] * 1e-3);
+        assert_true(o.sim.stepper.effort.minors + o.sim.stepper.effort.rejected < 40);
+        arena_close(o.life);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_load),
+        cmocka_unit_test(test_damper),
+        cmocka_unit_test(test_round_off),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
