@@ -33,6 +33,14 @@ static double ahead(const struct tried *f, int i)
     return f->error[i] / f->share;
 }
 
+/* As it is read with twelve figures. */
+static double plain(double x)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.12g", x);
+    return strtod(text, NULL);
+}
+
 static void advise_step(struct advice *o, const struct trial *t, double error, int order)
 {
     static const double MOST = 1e9; /* major steps in all */
@@ -44,7 +52,7 @@ static void advise_step(struct advice *o, const struct trial *t, double error, i
     *add(o) = (struct advised){.error = error,
                                .scheme = f->scheme,
                                .ratio = f->ratio,
-                               .step = t->every / steps / f->ratio,
+                               .step = plain(t->every / steps / f->ratio),
                                .tolerance = NAN,
                                .work = f->work[1] / f->share * steps / f->at[1]};
     o->whole = o->entry[o->n - 1].work;

@@ -38,8 +38,9 @@ for deck in "$@"; do
         FILENAME == ARGV[1] { if (/part after/) chaos = 1; next }
         FILENAME == ARGV[2] { split($0, c, ","); found[c[1], c[2] == "" ? c[3] + 0 : c[2] + 0] = c[5]; next }
         { setting = $3 == "-" ? $5 : $3
-          e = found[$2, setting + 0]
-          note = rc ? "no reference" : chaos ? "chaos" : ""
+          run = ($2, setting + 0) in found
+          e = run ? found[$2, setting + 0] : 0
+          note = rc || !run ? "no reference" : chaos ? "chaos" : ""
           printf "%-22s %-6s %-18s %-12s %-9.2g %.2g %s\n", deck, $1, $2 ($4 > 1 ? " " $4 ":1" : ""), setting, e, e / $1, note; n++ }
         END { if (!n) printf "%-22s no advice\n", deck }' "$work/err" "$work/table" "$work/entries"
 done | tee "$work/all"
