@@ -332,5 +332,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: advice figures coverage vacuous fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: advice figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

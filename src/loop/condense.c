@@ -262,6 +262,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
     solve_build(&o->solve, &o->rows, &o->split, life);
     closing_build(&o->closing, &o->solve, life);
     build_workspace(o, life);
+    o->start.blamed = BLAME_NOTHING;
     o->start.status = condense_begin(o, q0, v0);
     build_matrices(o, life);
     if (o->start.status == OK) o->ode.price = condense_price(o);

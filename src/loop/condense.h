@@ -16,10 +16,13 @@
 
 struct condense;
 
+enum { BLAME_NOTHING = -1, BLAME_INITIAL = -2, BLAME_PARTITION = -3 };
+
 /* How it went at the start. */
 struct condense_start {
     enum status status;
     struct report report;
+    int blamed;     /* the loop that the report is about; or BLAME_... */
     double misfit;  /* largest |C| as drawn and started */
     int misfit_row; /* of which row */
     int redundant;  /* rows that say nothing new */

@@ -167,7 +167,10 @@ enum status condense_assemble(struct condense *o, double *v, const double *q0, c
     const double left = rows_misfit(o->C, &row, &o->rows, o->q);
     loops_count_turns(o->rows.loops, COUNT_NEVER);
     if (status == OK && left <= FITS) return OK;
-    return fail(&s->report, E_MODEL,
-                "the mechanism cannot be assembled from here: constraint '%s' still misses by %.3g of its size",
-                o->model->loop[o->rows.loops->row[row].loop].name, left);
+    s->blamed = o->rows.loops->row[row].loop;
+    return fail(
+        &s->report, E_MODEL,
+        "the mechanism cannot be assembled from here: constraint '%s' still misses by %.3g of its size; draw it, or "
+        "set 'initial', nearer to a posture in which it closes, and look whether its lengths can meet",
+        o->model->loop[s->blamed].name, left);
 }

@@ -54,10 +54,11 @@ enum status condense_search_branches(struct condense *o)
     }
     if (lost == 0) return OK;
     o->start.branches = true;
-    return fail(&o->start.report, E_MODEL,
-                "the mechanism stands at a dead point, or is locked: constraint '%s' cannot close after a small motion "
-                "(it misses "
-                "by %.3g of the mechanism's size); draw it in another posture, or set 'initial:' a little to one side "
-                "[dead-point]",
-                condense_row_name(o, worst), miss);
+    o->start.blamed = o->rows.loops->row[worst].loop;
+    return fail(
+        &o->start.report, E_MODEL,
+        "the mechanism stands at a dead point, or is locked: constraint '%s' cannot close after a small motion (it "
+        "misses by %.3g of the mechanism's size); draw it in another posture, or set 'initial:' a little to one "
+        "side [dead-point]",
+        condense_row_name(o, worst), miss);
 }

@@ -34,21 +34,35 @@ static bool chosen_by_deck(const struct condense *o, int iv)
     return o->model->follow[iv] < 1e-3;
 }
 
+/* Who the report is about. */
+static struct report *blame(struct condense *o, int loop)
+{
+    o->start.blamed = loop;
+    return &o->start.report;
+}
+
+static struct report *blame_row(struct condense *o, int row)
+{
+    return blame(o, o->rows.loops->row[row].loop);
+}
+
 /* The deck's choice leaves C_qd singular: names a coordinate that must follow, and one that may lead. */
 static enum status refuse_choice(struct condense *o, struct part *p, int asked)
 {
-    int instead = -1;
-    for (int k = 0; k < p->of->nk; k++) p->weight[k] = 1;
+    int instead = -1, chosen = 0;
+    for (int k = 0; k < p->of->nk; k++) p->weight[k] = 1, chosen += chosen_by_deck(o, p->of->k[k]);
     split_choose(&o->split, p, o->rows.size, 1);
     for (int j = 0; j < p->ni && instead < 0; j++)
         if (!chosen_by_deck(o, p->ind[j])) instead = p->ind[j];
-    if (instead < 0)
-        return fail(&o->start.report, E_MODEL,
-                    "'%s' cannot be independent: the loops leave %d freedom(s), and these are chosen",
-                    place_name(o->model, asked), p->ni);
-    return fail(&o->start.report, E_MODEL,
-                "'%s' cannot be independent here: the loops' equations for the others are singular; try '%s'",
-                place_name(o->model, asked), place_name(o->model, instead));
+    if (instead < 0 || chosen > p->ni)
+        return fail(blame(o, BLAME_PARTITION), E_MODEL,
+                    "'%s' cannot be independent: its loops leave %d freedom%s, and 'independent' has %d; take one out",
+                    place_name(o->model, asked), p->ni, p->ni == 1 ? "" : "s", chosen);
+    return fail(
+        blame(o, BLAME_PARTITION), E_MODEL,
+        "'%s' cannot be independent in this posture: it is at a dead point, and the others do not follow from it; "
+        "choose '%s' in its place",
+        place_name(o->model, asked), place_name(o->model, instead));
 }
 
 /* The deck's coordinate that makes the split impossible or all but singular; -1: none. */
@@ -107,23 +121,30 @@ static enum status assemble(struct condense *o)
     struct condense_start *s = &o->start;
     double miss = s->misfit = rows_misfit(o->C, &s->misfit_row, &o->rows, o->q);
     if (!(miss <= ASSEMBLY))
-        return fail(&s->report, E_MODEL,
-                    "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
-                    "size; at most %g is closed without 'initial: {assemble: true}'",
-                    condense_row_name(o, s->misfit_row), miss, ASSEMBLY);
+        return fail(
+            blame_row(o, s->misfit_row), E_MODEL,
+            "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
+            "size (up to %g is closed): mend the places that the deck gives, or 'initial: {assemble: true}' moves "
+            "the bodies",
+            condense_row_name(o, s->misfit_row), miss, ASSEMBLY);
     for (int pass = 0; pass < 2; pass++) {
         TRY(split_all(o, o->model->follow_q, o->q, miss));
         memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
         if (!step_to(o, o->dx))
-            return fail(&s->report, E_MODEL, "the loop of constraint '%s' cannot be closed",
-                        condense_row_name(o, s->misfit_row));
+            return fail(blame_row(o, s->misfit_row), E_MODEL,
+                        "constraint '%s' cannot close its loop near the posture as drawn, which misses by %.3g of the "
+                        "mechanism's size: mend the places that the deck gives",
+                        condense_row_name(o, s->misfit_row), s->misfit);
         for (int i = 0; i < o->rows.n; i++)
             if (fabs(o->dx[i]) > s->moved) s->moved = fabs(o->dx[i]), s->moved_at = i;
         int row = 0;
         miss = rows_misfit(o->C, &row, &o->rows, o->q);
         if (condense_redundant_miss(&row, &o->split, o->C) > fmax(1e-9, 3 * s->misfit))
-            return fail(&s->report, E_MODEL, "constraint '%s' contradicts the others by %.3g of the mechanism's size",
-                        condense_row_name(o, row), miss);
+            return fail(
+                blame_row(o, row), E_MODEL,
+                "constraint '%s' contradicts the others by %.3g of the mechanism's size: they hold the same freedom; "
+                "make their places agree, or take one out",
+                condense_row_name(o, row), miss);
     }
     return condense_search_branches(o);
 }
@@ -157,24 +178,31 @@ static enum status go_to_start(struct condense *o, const double *q0)
         int closed = closing_tangent(&o->closing, o->q);
         if (closed) closing_predict(&o->closing, o->dx);
         if (!closed || !step_to(o, o->dx))
-            return fail(&o->start.report, E_MODEL,
-                        "the start ('initial' and drives) cannot be reached: '%s' locks at %d %% of the way from the "
-                        "drawn position",
-                        o->model->loop[o->lost.loop].name, 100 * k / STEPS);
+            return fail(
+                blame(o, o->lost.loop), E_MODEL,
+                "the start that 'initial' and the drives ask for cannot be reached: constraint '%s' locks at %d %% of "
+                "the way from the drawn position; ask for less, or draw the mechanism nearer to it",
+                o->model->loop[o->lost.loop].name, 100 * k / STEPS);
     }
     for (int i = 0; i < o->model->nq; i++) { /* exactly what the deck says */
         int iv = o->model->coordinate[i].iv;
         if (iv >= 0 && o->split.slot[iv] >= 0) o->q[i] = q0[i];
     }
     memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
-    return step_to(o, o->dx) ? OK : fail(&o->start.report, E_MODEL, "'initial' cannot be reached");
+    if (step_to(o, o->dx)) return OK;
+    return fail(blame(o, o->lost.loop), E_MODEL,
+                "constraint '%s' cannot be closed where 'initial' puts the mechanism; draw it nearer to that",
+                o->model->loop[o->lost.loop].name);
 }
 
 /* vt: of all coordinates at the start. */
 static enum status start_rates(struct condense *o, double *vt)
 {
     if (condense_rates(o, vt, NULL, o->q, o->v, NULL, o->model->t0, NULL) == OK) return OK;
-    return fail(&o->start.report, E_MODEL, "the loops are singular at the start");
+    return fail(
+        &o->start.report, E_MODEL,
+        "the mechanism stands at a dead point: its rates do not follow from each other; draw it in another posture, or "
+        "set 'initial:' a little to one side [dead-point]");
 }
 
 /* What `initial:` says must fit the start o->q and its velocities vt. */
@@ -188,12 +216,15 @@ static enum status agrees(struct condense *o, const double *vt, const double *q0
         int iv = m->coordinate[i].iv;
         if (iv < 0) continue;
         if (m->given_q && m->given_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
-            return fail(&o->start.report, E_MODEL, "initial '%s' %.9g does not fit the loops%s, which make it %.9g",
-                        m->coordinate[i].name, q0[i], drives, o->q[i]);
+            return fail(
+                blame(o, BLAME_INITIAL), E_MODEL,
+                "initial '%s' %.9g does not fit the loops%s, which make it %.9g: leave it out, or add 'assemble: true'",
+                m->coordinate[i].name, q0[i], drives, o->q[i]);
         if (m->given_v && m->given_v[iv] && fabs(v0[iv] - vt[iv]) > FITS * (1 + fabs(v0[iv])))
-            return fail(&o->start.report, E_MODEL,
-                        "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g", m->coordinate[i].name,
-                        v0[iv], drives, vt[iv]);
+            return fail(blame(o, BLAME_INITIAL), E_MODEL,
+                        "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g: leave it out, or add "
+                        "'assemble: true'",
+                        m->coordinate[i].name, v0[iv], drives, vt[iv]);
     }
     return OK;
 }
@@ -236,10 +267,12 @@ static enum status contradiction(struct condense *o)
         rate = redundant_rate(&row, o, o->vt);
         if (rate <= DISAGREE) return OK;
     }
-    return fail(&o->start.report, E_MODEL,
-                "%s '%s' contradicts the others at t = %.9g: by %.3g of the mechanism's size%s",
-                o->model->loop[o->rows.loops->row[row].loop].drive ? "drive" : "constraint", condense_row_name(o, row),
-                o->model->t0, rate > 0 ? rate : by, rate > 0 ? " per second" : "");
+    return fail(
+        blame_row(o, row), E_MODEL,
+        "%s '%s' contradicts the others at t = %.9g by %.3g of the mechanism's size%s: drives and loops hold the same "
+        "freedom; make them agree, or take one out",
+        o->model->loop[o->rows.loops->row[row].loop].drive ? "drive" : "constraint", condense_row_name(o, row),
+        o->model->t0, rate > 0 ? rate : by, rate > 0 ? " per second" : "");
 }
 
 /* Drives begin where they are drawn. */
@@ -251,7 +284,8 @@ static enum status draw_drives(struct condense *o)
     if (o->model->ndrive == 0) return OK;
     loops_when(l, o->model->t0, 0);
     if (condense_driven(o, false, o->model->t0, &why) != OK)
-        return fail(&o->start.report, E_MODEL, "drive '%s' or a rate of it is not a number at t = %.9g",
+        return fail(blame(o, why.index), E_MODEL,
+                    "drive '%s' or a rate of it is not a number at t = %.9g: look at its expression",
                     o->model->loop[why.index].name, o->model->t0);
     for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
     rows_misfit(o->C, &row, &o->rows, o->q);
@@ -311,9 +345,11 @@ static enum status place_start(struct condense *o, const double *q0, const doubl
     int row;
     const enum status assembled = assemble(o);
     const struct report refused = o->start.report;
+    const int blamed = o->start.blamed;
     o->start.report = (struct report){0};
     if (assembled == E_MODEL && o->start.branches && start_on_branch(o, q0, v0)) return OK;
     o->start.report = refused;
+    o->start.blamed = blamed;
     TRY(assembled);
     TRY(go_to_start(o, q0));
     const double miss = rows_misfit(o->C, &row, &o->rows, o->q);
@@ -343,7 +379,10 @@ enum status condense_begin(struct condense *o, const double *q0, const double *v
     TRY(draw_drives(o));
     TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
-        return fail(&o->start.report, E_MODEL, "nothing can move: the loops leave 0 freedoms");
+        return fail(
+            &o->start.report, E_MODEL,
+            "nothing can move: the loops leave 0 freedoms; take out a constraint that holds too much, or drive the "
+            "mechanism");
     if (is_contested(o)) TRY(contradiction(o));
     TRY(start_rates(o, o->vt));
     o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;

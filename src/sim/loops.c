@@ -15,6 +15,25 @@ static const struct node *node_of(const struct sim *sim, int l)
     return sim->scene->joint[i].node;
 }
 
+/* What the deck says wrongly, where the loops have no start; NULL: no place of it alone. */
+static const struct node *blamed(const struct sim *sim)
+{
+    const struct condense *c = system_loops(sim->system);
+    const int loop = c ? condense_started(c)->blamed : BLAME_NOTHING;
+    if (loop == BLAME_PARTITION) return node_find(sim->scene->deck->root, "partition");
+    if (loop == BLAME_INITIAL) return node_find(sim->scene->deck->root, "initial");
+    return loop >= 0 ? node_of(sim, loop) : NULL;
+}
+
+enum status sim_no_start(const struct sim *sim, enum status status, const char *why, struct report *report)
+{
+    const struct node *node = blamed(sim);
+    if (!node) return fail(report, status, "%.900s", why);
+    const struct span at = diag_span(node, AT_KEY);
+    return fail(report, status, "%.300s:%d:%d: error: %.600s", diags_source(sim->scene->deck->diags, at.file)->path,
+                at.from.line, at.from.col, why);
+}
+
 const char *sim_loop_kind(const struct sim *sim, int l)
 {
     return sim->model->loop[l].drive ? "drive" : "constraint";

@@ -245,8 +245,7 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
     case TROUBLE_MASS:
         if (is_flexible(sim))
             return "give the bodies it moves mass and inertia; or a flexible body bends too far for its frame: cut it "
-                   "into "
-                   "'segments', take fewer modes, or 'stiffening: false'";
+                   "into 'segments', take fewer modes, or 'stiffening: false'";
         return "give the bodies it moves mass and inertia";
     case TROUBLE_DEFLECTION:
         return bending_advice(sim->model->body[why->index].flex);
@@ -254,7 +253,8 @@ static const char *advice(const struct sim *sim, const struct trouble *why)
         if (why->kind == CLOSURE_REDUNDANT)
             return "others hold the same freedom, and sizes that differ from theirs by e miss by the root of e near a "
                    "dead point: make the sizes agree exactly, or weaken or leave out one of these constraints";
-        return "the mechanism may be locked here, or the step too large";
+        return "the mechanism comes to a dead point or locks here, see its posture in the last record; or the step is "
+               "too large";
     case TROUBLE_SINGULAR:
         return "look for a body without mass or inertia";
     case TROUBLE_MEMORY:

@@ -19,6 +19,8 @@ enum status advance(struct sim *sim, double h, int ratio, double to);
 
 /* loops.c: warnings about the start; the event of a new partition */
 void warn_of_loops(const struct sim *sim, struct diags *diags);
+/* Why there is no start, with the place of the constraint or of `initial` that it is about. */
+enum status sim_no_start(const struct sim *sim, enum status status, const char *why, struct report *report);
 const char *sim_loop_kind(const struct sim *sim, int l); /* "constraint" or "drive" */
 enum status write_partition(struct sim *sim, struct sink *sink, struct report *report);
 

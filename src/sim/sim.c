@@ -44,8 +44,10 @@ static enum status place(struct sim *sim, struct report *report)
     enum status status = system_start(sim->system, sim->x.q, sim->x.v, &why);
     const bool shifted = sim->scene->from && sim->model->ndrive && sim->scene->start == 0;
     if (status == OK) return OK;
-    return fail(report, status, "%.900s%s", why.text,
-                shifted ? "; 'time: keep' beside 'from' goes on at the state's own time" : "");
+    if (shifted)
+        snprintf(why.text + strlen(why.text), sizeof why.text - strlen(why.text),
+                 "; 'time: keep' beside 'from' goes on at the state's own time");
+    return sim_no_start(sim, status, why.text, report);
 }
 
 /* Work of the forces at the last evaluation along the mechanism's length, of torques along 1 rad [J]. */

@@ -88,7 +88,7 @@ static void rod(void **state)
     snprintf(text, sizeof text, deck, "false");
     ride_open(&r, text);
     assert_int_equal(r.status, E_MODEL);
-    assert_non_null(strstr(r.report.text, "without 'initial: {assemble: true}'"));
+    assert_non_null(strstr(r.report.text, "or 'initial: {assemble: true}'"));
     ride_close(&r);
 }
 

@@ -192,8 +192,8 @@ static void forced_choice(void **state)
     open_text(&o, text);
     assert_int_equal(o.status, E_MODEL);
     assert_non_null(strstr(o.report.text, "'rail.displacement' cannot be independent"));
-    assert_non_null(strstr(o.report.text, "try '"));
-    assert_null(strstr(o.report.text, "try 'rail"));
+    assert_non_null(strstr(o.report.text, "choose '"));
+    assert_null(strstr(o.report.text, "choose 'rail"));
     shut(&o);
 }
 
