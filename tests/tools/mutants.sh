@@ -1,11 +1,13 @@
 # mutants.sh -- random one-token mutants of src: how many of them does a test notice?
 #
-#     BUILD=build/mutants sh tests/tools/mutants.sh          N (60) of them from SEED (1) on, or those of the files FILES names
+#     BUILD=build/mutants sh tests/tools/mutants.sh          N (60) of them from SEED (1) on
+#
+# FILES: of these files only.  ONLY="3 7": these of them again; TESTS: by these tests and no others.
 #
 # A mutant is one comparison, sign, logical word or whole number changed, or one statement left out, in the body of a function.
 # One that compiles to the same code is none, and lines with texts in them, sizes of memory and tables are left alone.  It meets
-# the unit tests of its file and its folder, then the wrong decks, the shipped decks against their records, and the other unit
-# tests, quickest first, about 40 seconds of an idle processor in all; what takes ten times as long as ever is killed, too.  At
+# the unit tests of its file and its folder, then whatever else there is, quickest first, of unit tests, wrong decks, decks
+# against their records, faults and hard cases, about 40 seconds of an idle processor in all; what takes ten times as long as ever is killed, too.  At
 # least 85 percent have to be.  Survivors are printed as they are.
 . tests/tools/lib.sh
 export BUILD
@@ -31,6 +33,7 @@ run() {
     case $1 in
     t-*) "$BUILD/unit/$1" ;;
     decks-*) ! D=${1#decks-} sh tests/tools/part-decks.sh | grep -m 1 '^not ok' ;;
+    faults-* | hard-*) ! sh "tests/$(echo "$1" | sed 's|-|/|').sh" | grep -m 1 '^not ok' ;;
     *) ! sh "tests/tools/part-$1.sh" | grep -m 1 '^not ok' ;;
     esac
 } >/dev/null 2>&1
@@ -39,7 +42,7 @@ now() { date +%s.%N; }
 took() { awk "BEGIN { printf \"%.2f\", $(now) - $1 }"; }
 
 # What there is, with its time.
-items="bad man"
+items="bad man faults-arguments faults-check faults-warnings faults-names hard-drawn hard-told hard-counts hard-branches"
 for deck in decks/*.yaml tests/decks/*.yaml; do items="$items decks-$(basename "$deck" .yaml)"; done
 for test in "$BUILD"/unit/t-*.o; do items="$items $(basename "$test" .o)"; done
 touch "$BUILD/times"
@@ -56,9 +59,9 @@ tests_of() {
     awk -v own="$own" -v near="$work/near" -v folder="$folder" '
         BEGIN { while ((getline name < near) > 0) of[name] = 1 }
         {
-            rank = $1 == own ? 0 : $1 in of ? 1 : $1 == "bad" ? (folder ~ /^(deck|expr|scene|base|cli|out)/ ? 1 : 3) : $1 ~ /^decks-/ ? 2 : 3
+            rank = $1 == own ? 0 : $1 in of ? 1 : $1 ~ /^(bad|man|faults-)/ ? (folder ~ /^(deck|expr|scene|base|cli|out)/ ? 1 : 2) : 2
             print rank, $2, $1
-        }' "$BUILD/times" | sort -k1n -k2n | awk -v budget="$BUDGET" '{ sum += $2; if (sum <= budget || $1 < 1) print $3, $2 }'
+        }' "$BUILD/times" | sort -k1n -k2n | awk -v budget="$BUDGET" '$1 < 1 || sum + $2 <= budget { sum += $2; print $3, $2 }'
 }
 
 # ---- mutants ----
@@ -121,9 +124,10 @@ judge() {
     object=${object%.c}.o
     $CC -shared -o "$live/next.so" $(echo "$objects" | grep -vxF "$object") "$work/m.o" $LIBS && mv "$live/next.so" "$live/libfmdsub.so" || exit 2
     killer=
-    tests_of "$1" >"$work/tests"
+    if [ "${TESTS:-}" ]; then for item in $TESTS; do echo "$item $(awk -v i="$item" '$1 == i { print $2 }' "$BUILD/times")"; done
+    else tests_of "$1"; fi >"$work/tests"
     while read -r item seconds; do
-        timeout "$(awk "BEGIN { print int($seconds * 10 + 10) }")" sh "$work/one.sh" "$item" </dev/null >/dev/null 2>&1 ||
+        timeout "$(awk "BEGIN { print int(${seconds:-1} * 10 + 10) }")" sh "$work/one.sh" "$item" </dev/null >/dev/null 2>&1 ||
             { killer=$item; break; }
     done <"$work/tests"
 }
@@ -140,6 +144,7 @@ while [ $made -lt "$N" ]; do
     case $class in left-out | number) ;; *) new=$(cut -d ' ' -f 6- "$work/place") ;; esac
     compile "$file" "$line" "$at" "$len" "$new" || continue
     made=$((made + 1))
+    case " ${ONLY:-$made} " in *" $made "*) ;; *) continue ;; esac
     start=$(now)
     judge "$file"
     was=$(sed -n "${line}p" "$file" | sed 's/^ *//')

@@ -191,13 +191,30 @@ static void conditions_and_ranges_read_them(void **state)
     ride_close(&r);
 }
 
+/* Axes that the deck gives nearly at right angles are made so: all that follows takes them for a frame. */
+static void axes_stand_at_right_angles(void **state)
+{
+    struct ride r;
+    (void)state;
+    ride(&r, "fmdsub: 1\n"
+             "bodies: {b: {mass: 1, inertia: [1, 1, 1], at: [0, 0, 0]}}\n"
+             "constraints: {J: {universal: [ground, b], at: [0, 0, 0], axis: [1, 0, 0], axis2: [8.0e-7, 1, 0]}}\n"
+             "integrate: {scheme: midpoint, step: 0.1, until: 1}\n");
+    const double *E = r.sim.scene->joint[0].E;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const double dot = E[3 * i] * E[3 * j] + E[3 * i + 1] * E[3 * j + 1] + E[3 * i + 2] * E[3 * j + 2];
+            assert_true(fabs(dot - (i == j)) < 1e-15);
+        }
+    ride_close(&r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_in_the_tree_in_space),
-        cmocka_unit_test(as_in_the_tree_in_the_plane),
-        cmocka_unit_test(angles_go_on_over_whole_turns),
-        cmocka_unit_test(conditions_and_ranges_read_them),
+        cmocka_unit_test(as_in_the_tree_in_space),       cmocka_unit_test(as_in_the_tree_in_the_plane),
+        cmocka_unit_test(angles_go_on_over_whole_turns), cmocka_unit_test(conditions_and_ranges_read_them),
+        cmocka_unit_test(axes_stand_at_right_angles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
