@@ -113,9 +113,9 @@ throw() { # MOST: into $thrown, 1 ... MOST
 # compile FILE LINE COLUMN LENGTH NEW: as $work/m.o; 1: it is no mutant.
 compile() {
     cp "$1" "$work/m.c"
-    $CC $FLAGS -I"$(dirname "$1")" -w -c -o "$work/o/same.o" "$work/m.c" || exit 2
+    $CC $FLAGS -w -c -o "$work/o/same.o" "$work/m.c" || exit 2
     awk -v line="$2" -v at="$3" -v len="$4" -v new="$5" 'NR == line { $0 = substr($0, 1, at - 1) new substr($0, at + len) } { print }' "$1" >"$work/m.c"
-    $CC $FLAGS -I"$(dirname "$1")" -w -c -o "$work/m.o" "$work/m.c" 2>/dev/null && ! cmp -s "$work/m.o" "$work/o/same.o"
+    $CC $FLAGS -w -c -o "$work/m.o" "$work/m.c" 2>/dev/null && ! cmp -s "$work/m.o" "$work/o/same.o"
 }
 
 # judge FILE: what notices the mutant, in $killer; "": nothing.
