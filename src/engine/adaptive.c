@@ -1,6 +1,7 @@
 /* adaptive.c -- see adaptive.h */
 #include "engine/adaptive.h"
 
+#include "base/scalar.h"
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -19,10 +20,15 @@ void adaptive_open(struct stepper *s, struct arena *life)
     m->tolerance = s->options.tolerance;
     rk_open(&m->rk, m->scheme->stages, o, s->accel, life);
     m->q = TAKE(life, double, o->nq);
+    m->q0 = TAKE(life, double, o->nq);
     m->q1 = TAKE(life, double, o->nq);
     m->v = TAKE(life, double, o->n);
+    m->v0 = TAKE(life, double, o->n);
     m->v1 = TAKE(life, double, o->n);
     m->a = TAKE(life, double, o->n);
+    m->a0 = TAKE(life, double, o->n);
+    m->u = TAKE(life, double, o->n);
+    m->top = TAKE(life, double, o->n);
     m->span = TAKE(life, double, o->n);
     works_open(&m->works, o->n, life);
     s->self = m;
@@ -56,16 +62,20 @@ double adaptive_scale_q(const struct stepper *s, int i)
 /* What all but stands is not judged by its round-off. */
 double adaptive_scale_v(const struct stepper *s, int i)
 {
-    static const double PART = .01, SLOWEST = 1e-3; /* [1/s] */
+    static const double SLOWEST = 1e-3; /* [1/s] */
     const struct adaptive *m = s->self;
-    return m->tolerance * usual(s, i) * fmax(PART * m->pace, SLOWEST) +
-           m->tolerance * fmax(fabs(m->v[i]), fabs(m->v1[i]));
+    const double part = m->scheme->plain ? .1 : .01;
+    const double own = m->scheme->plain ? m->top[i] : fmax(fabs(m->v[i]), fabs(m->v1[i]));
+    return m->tolerance * usual(s, i) * fmax(part * m->pace, SLOWEST) + m->tolerance * own;
 }
 
 static void note_pace(struct stepper *s)
 {
     struct adaptive *m = s->self;
-    for (int i = 0; i < s->ode->n; i++) m->pace = fmax(m->pace, fabs(m->v[i]) / usual(s, i));
+    for (int i = 0; i < s->ode->n; i++) {
+        m->top[i] = larger(m->top[i], fabs(m->v[i]));
+        m->pace = fmax(m->pace, fabs(m->v[i]) / usual(s, i));
+    }
 }
 
 static void forget(struct adaptive *m)
@@ -103,16 +113,22 @@ static enum status first_step(struct stepper *s, double t, double most, struct t
     return OK;
 }
 
-static void take(struct stepper *s, struct adaptive *m, double h)
+static void take(struct stepper *s, struct adaptive *m, double t, double h)
 {
     double before[POWER_CHANNELS];
     copy(before, m->work, POWER_CHANNELS);
+    copy(m->q0, m->q, s->ode->nq);
+    copy(m->v0, m->v, s->ode->n);
+    copy(m->a0, m->a, s->ode->n);
+    m->t0 = t;
+    m->t1 = t + h;
     m->scheme->take(s, m, h);
     works_taken(&m->works, before, m->work);
     copy(m->q, m->q1, s->ode->nq);
     copy(m->v, m->v1, s->ode->n);
     note_pace(s);
     m->cause.code = TROUBLE_NONE;
+    m->elapsed += fabs(h);
     s->effort.minors++;
 }
 
@@ -141,6 +157,13 @@ static enum status give_up(long rejected, double t, struct trouble *why)
     return E_LIMIT;
 }
 
+double adaptive_share(const struct adaptive *m, double h)
+{
+    static const double LEAST = 1e-13; /* times the tolerance: what round-off leaves of an error */
+    const double x = h / (m->elapsed + 10 * h);
+    return smaller(1, larger(m->scheme->plain ? x : sqrt(x), LEAST / m->tolerance));
+}
+
 /* Steps that shrink to nothing may do so before what cannot be passed, as a dead point: a longer one then tells, and for
  * all that begin again with this step. */
 static enum status too_small(struct stepper *s, double t, double h, double left, struct trouble *why)
@@ -155,43 +178,52 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
     return E_NUMERIC;
 }
 
-/* From *from to end, landing there, or short of it where the run is asked to end; either may be the later one.  Where
- * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
-static enum status advance(struct stepper *s, struct state *x, double *from, double end, struct trouble *why)
+/* One step of the scheme's own on the way from *t to end, tried until its error will do.  Where accelerations jump no step
+ * is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
+static enum status own_step(struct stepper *s, double *t, double end, int *passed, struct trouble *why)
 {
     enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
     struct adaptive *m = s->self;
-    double t = *from;
-    const double least = 16 * DBL_EPSILON * fmax(fabs(t), fabs(end));
-    int passed = 0;
-    while (t != end && !(stop && t != *from)) {
-        double left = fabs(end - t), h = m->h, err = 0, way = end > t ? 1 : -1;
-        int last = h >= left * (1 - 1e-10), cut = last && h > left;
+    const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), left = fabs(end - *t), way = end > *t ? 1 : -1;
+    for (;;) {
+        double h = m->h, err = 0;
+        const bool last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
-        if (t + way * h == t) return too_small(s, t, h, way * left, why);
-        enum status status = m->scheme->attempt(s, m, &err, t, way * h, why);
+        if (*t + way * h == *t) return too_small(s, *t, h, way * left, why);
+        enum status status = m->scheme->attempt(s, m, &err, *t, way * h, why);
         if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
-        if (h > least && err <= 1) passed = 0;
-        const bool jump = status == OK && err > 1 && h <= least && passed++ < MOST_PASSED;
-        if (status != OK || (err > 1 && !jump)) {
-            m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
-            s->effort.rejected++;
-            if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, t, why);
-            continue;
+        err /= adaptive_share(m, h);
+        if (h > least && err <= 1) *passed = 0;
+        const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
+        if (status == OK && (err <= 1 || jump)) {
+            take(s, m, *t, way * h);
+            const double grow = m->scheme->grow(m, err);
+            if (!cut || grow < 1) m->h = h * grow;
+            m->old = fmax(err, 1e-4);
+            *t = last ? end : *t + way * h;
+            return OK;
         }
-        take(s, m, way * h);
-        const double grow = m->scheme->grow(m, err);
-        if (!cut || grow < 1) m->h = h * grow;
-        m->old = fmax(err, 1e-4);
-        t = last ? end : t + way * h;
-        if (!last) TRY(recoordinate(s, x, t, why));
+        m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
+        s->effort.rejected++;
+        if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, *t, why);
     }
-    *from = t;
+}
+
+/* From *t to end, landing there, or by one step; short of it where the run is asked to end.  Either may be the later one. */
+static enum status advance(struct stepper *s, struct state *x, double *t, double end, struct trouble *why)
+{
+    int passed = 0;
+    while (*t != end) {
+        TRY(own_step(s, t, end, &passed, why));
+        if (s->natural || stop) return OK;
+        if (*t != end) TRY(recoordinate(s, x, *t, why));
+    }
     return OK;
 }
 
-/* The slopes at the start of H: kept from the last step, new after anything has changed. */
-static enum status begin(struct stepper *s, const struct state *x, double to, struct trouble *why)
+/* The slopes at the start of H: kept from the last step, new after anything has changed.  guess: of the first step, 0:
+ * none. */
+static enum status begin(struct stepper *s, const struct state *x, double guess, double to, struct trouble *why)
 {
     struct adaptive *m = s->self;
     copy(m->q, x->q, s->ode->nq);
@@ -203,6 +235,9 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
         zero(m->span, s->ode->n);
         note_pace(s);
         TRY(first_step(s, x->t, fabs(to - x->t), why));
+        if (guess > 0) m->h = fmin(guess, fabs(to - x->t));
+    } else if (s->natural && m->known) {
+        return OK;
     } else {
         TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, x->t, 0, why));
     }
@@ -240,45 +275,69 @@ static enum status turn_corner(struct stepper *s, double *t, double *end, struct
     return OK;
 }
 
+/* Behind a kink that was landed on: its slopes are those of the other side. */
+static enum status pass_kink(struct stepper *s, double t, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, t, 0, why));
+    copy(m->a, m->rk.dv[0], s->ode->n);
+    return OK;
+}
+
 enum status adaptive_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     struct adaptive *m = s->self;
     const struct ode2 *o = s->ode;
-    (void)h, (void)ratio;
-    TRY(begin(s, x, to, why));
+    TRY(begin(s, x, s->kind->late ? h * ratio : 0, to, why));
     const int forth = to > x->t, breaks = forth && o->breaks && o->breaks->next;
-    for (double t = x->t, end; t != to; t = end) {
-        end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
+    if (s->natural && m->known) TRY(recoordinate(s, x, x->t, why)); /* records looked back from the old ones */
+    m->known = false;
+    double t = x->t;
+    do {
+        double end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
         if (forth) TRY(turn_corner(s, &t, &end, why));
         TRY(advance(s, x, &t, end, why));
-        if (t != end) to = end = t;
-        if (end != to) { /* one-sided slopes beyond the kink */
-            TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, end, 0, why));
-            copy(m->a, m->rk.dv[0], o->n);
-        }
-    }
+        if (t == end && end != to) TRY(pass_kink(s, t, why));
+    } while (t != to && !s->natural && !stop);
+    m->known = t != to;
     copy(x->q, m->q, o->nq);
     copy(x->v, m->v, o->n);
     copy(x->a, m->a, o->n);
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->work[c];
-    x->t = to;
+    x->t = t;
     return OK;
+}
+
+bool adaptive_interpolates(const struct stepper *s)
+{
+    const struct adaptive_scheme *o = s->kind->formulas;
+    return s->kind->adaptive && o->between && s->options.tolerance >= o->between_from;
+}
+
+void adaptive_between(const struct stepper *s, double *q, double *v, double t)
+{
+    const struct adaptive *m = s->self;
+    m->scheme->between(s, m, m->u, v, (t - m->t0) / (m->t1 - m->t0));
+    motion_point(s->ode, q, m->q0, m->u, 1, t);
 }
 
 enum status adaptive_recall(struct stepper *s, struct recall *r)
 {
     struct adaptive *m = s->self;
     recall_one(r, "pace", m->pace);
+    recall_list(r, "top", m->top, s->ode->n);
     recall_list(r, "span", m->span, s->ode->n);
     recall_one(r, "h", m->h);
     recall_one(r, "error", m->old);
     recall_one(r, "turned", m->works.turned);
     recall_one(r, "energy", m->works.energy);
+    recall_one(r, "elapsed", m->elapsed);
+    recall_one(r, "known", m->known);
+    if (m->known) {
+        recall_list(r, "a", m->a, s->ode->n);
+        recall_list(r, "power", m->rk.w[0], POWER_CHANNELS);
+    }
     return m->scheme->recall ? m->scheme->recall(s, m, r) : OK;
 }
 
-const struct key adaptive_keys[] = {
-    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 1e-14, 0.1, KEY_META, NULL,
-               "relative error of every step"),
-    KEYS_END,
-};
+const struct key adaptive_keys[] = {KEY_TOLERANCE, KEYS_END};

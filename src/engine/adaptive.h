@@ -3,12 +3,16 @@
  *
  * From t to the end of the major step, landing on it and on every known kink and corner in time between; the step used
  * before such a cut is kept.  Where the run is asked to end (base/stop.h) it ends after a step, short of that.  A step is
- * accepted where its error is at most 1 in scales of the tolerance:
+ * accepted where its error is at most its share in scales of the tolerance:
  *
- *     err = rms of e_i / (tol (Y_i + |y_i|))
+ *     err = rms of e_i / (tol (Y_i + |y_i|)) <= h / (t + 10 h),      t the time that has gone by,
+ *
+ * so that what all steps leave adds up to the tolerance, however many there are; and at most the root of that where the scheme
+ * goes on from a value of higher order than the error is of.
  *
  * Y_i is what makes the tolerance a share in any units: of a position its usual size L_i (a radian, the mechanism's
- * length), of a velocity L_i times a hundredth of the fastest |v_j|/L_j so far.  Starting step: Hairer, Norsett & Wanner,
+ * length), of a velocity L_i times a hundredth of the fastest |v_j|/L_j so far, a tenth where the scheme goes on from a
+ * value of the estimate's order; there |y_i| of a velocity is its largest so far.  Starting step: Hairer, Norsett & Wanner,
  * Solving Ordinary Differential Equations I, II.4. */
 #ifndef FMDSUB_ENGINE_ADAPTIVE_H
 #define FMDSUB_ENGINE_ADAPTIVE_H
@@ -33,9 +37,16 @@ struct adaptive {
     const struct adaptive_scheme *scheme;
     double *q, *v, *a;    /* the state inside H: [nq], [n], and its accelerations [n] */
     double *q1, *v1;      /* the end under trial */
+    double *q0, *v0;      /* where the last step began, */
+    double *a0;           /* its accelerations there, */
+    double t0, t1;        /* and when, and its end */
+    double *u;            /* [n] scratch */
     double tolerance;     /* of the scales: the deck's, or what open() makes of it */
     double pace;          /* largest |v|/L so far [1/s] */
+    double *top;          /* [n] largest |v| so far */
     double *span;         /* [n] displacement since the start, where positions have a move of their own */
+    double elapsed;       /* time gone by since the run's start [s] */
+    bool known;           /* a, and the slopes at the state, are those of the last step's end */
     double h, old;        /* next step; error of the last one */
     long rejected;        /* steps given up in this H */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
@@ -48,6 +59,7 @@ struct adaptive {
 struct adaptive_scheme {
     int stages; /* of rk, for an explicit method; 2 for the start of any other */
     int order;  /* of the estimate + 1: the first step goes by err^(1/order) */
+    bool plain; /* what it goes on from is of the estimate's order, not of a higher one */
     /* Required.  Once: memory into m->own. */
     void (*open)(struct stepper *s, struct adaptive *m, struct arena *life);
     /* Optional.  The state was changed from outside: what is known of steps before is of no use. */
@@ -59,6 +71,10 @@ struct adaptive_scheme {
     /* Required.  Times the step for the next one: of a trial with this error that failed; of one that was taken. */
     double (*shrink)(const struct adaptive *m, double err);
     double (*grow)(const struct adaptive *m, double err);
+    /* Optional.  Inside the step that was taken last, from m->q0, v0 to m->q, v: displacement u [n] and velocity v [n] at
+     * the part x of it. */
+    void (*between)(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
+    double between_from; /* the least tolerance that this will do for */
     /* Optional.  What it remembers. */
     enum status (*recall)(struct stepper *s, struct adaptive *m, struct recall *r);
 };
@@ -76,6 +92,12 @@ double adaptive_scale_v(const struct stepper *s, int i);
 
 /* The error of works e [POWER_CHANNELS], of a trial from t by h that did `work`. */
 double adaptive_works(struct stepper *s, const double *e, const double *work, double t, double h);
+/* Of the tolerance, what a step h may take. */
+double adaptive_share(const struct adaptive *m, double h);
+
+/* Can records be had between the ends of its own steps?  q [nq] and v [n] at t in the last one. */
+bool adaptive_interpolates(const struct stepper *s);
+void adaptive_between(const struct stepper *s, double *q, double *v, double t);
 
 extern const struct key adaptive_keys[];
 enum status adaptive_recall(struct stepper *s, struct recall *r);

@@ -7,37 +7,72 @@
  *
  * z are the accelerations of (2-4), and a begins as z.  gamma = 1/2 + f - m gives order 2, beta = (gamma + 1/2)^2/4 the
  * least damping of what the step resolves.  Of what it does not, a step leaves rho, with hht (1 + alpha)/(1 - alpha).
+ * a is z at another time, (m - f) h off: where h changes, a - z goes with it.
+ *
  * Where M^ is constant the energy is short of the work by (e = 1/2 - f; v, z, D: means of both ends, dD the difference)
  *
  *     lost = h e v.dD - h^2/4 (gamma - 1/2) z.(D + e dD),      D = M^ (a - z) = r(q, v, a, t) */
 #include "engine/implicit.h"
+#include "engine/stepped.h"
 
 enum { CHUNG, HILBER };
 struct alpha {
     double m, f, beta, gamma, *a0, *a1, *D; /* [n] */
+    double h;                               /* that a0 lags behind z by; 0: it does not */
+    double *a_before, *D_before, h_before;  /* what they were when the last step began */
+    bool again;                             /* it begins once more */
 };
+
+static struct alpha weights(const struct step_options *options, int variant)
+{
+    const double rho = options->rho_infinity;
+    const double am = variant == HILBER ? 0 : (2 * rho - 1) / (rho + 1);
+    const double af = variant == HILBER ? -options->alpha : rho / (rho + 1);
+    const double gamma = .5 + af - am, beta = (gamma + .5) * (gamma + .5) / 4;
+    return (struct alpha){.m = am, .f = af, .beta = beta, .gamma = gamma};
+}
+
+/* From the eigenvalue of a vibration, 1 - |..| being of fourth order: the part of (omega h)^3 that it is late by. */
+static double late(struct alpha o)
+{
+    return (o.beta - 1. / 12 - o.f * (o.f - o.m)) / 2;
+}
 
 static void open(struct implicit *m, struct arena *life)
 {
-    const double rho = m->options->rho_infinity, alpha = m->options->alpha;
-    const double am = m->scheme->variant == HILBER ? 0 : (2 * rho - 1) / (rho + 1);
-    const double af = m->scheme->variant == HILBER ? -alpha : rho / (rho + 1);
-    const double gamma = .5 + af - am, beta = (gamma + .5) * (gamma + .5) / 4;
     struct alpha *o = m->own = TAKE(life, struct alpha, 1);
-    double *x = TAKE(life, double, 3 * m->ode->n);
-    *o = (struct alpha){am, af, beta, gamma, x, x + m->ode->n, x + 2 * m->ode->n};
+    *o = weights(m->options, m->scheme->variant);
+    double **vector[] = {&o->a0, &o->a1, &o->D, &o->a_before, &o->D_before};
+    for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) *vector[i] = TAKE(life, double, m->ode->n);
 }
 
 static void start(struct implicit *m)
 {
-    const struct alpha *o = m->own;
-    copy(o->a0, m->a0, m->ode->n);
-    zero(o->D, m->ode->n);
+    struct alpha *o = m->own;
+    if (o->again) {
+        copy(o->a0, o->a_before, m->ode->n);
+        copy(o->D, o->D_before, m->ode->n);
+    } else {
+        copy(o->a0, m->a0, m->ode->n);
+        zero(o->D, m->ode->n);
+    }
+    o->h = o->again ? o->h_before : 0;
+    o->again = false;
+}
+
+/* The last step is taken back. */
+static void back(struct stepper *s)
+{
+    struct alpha *o = ((struct implicit *)s->self)->own;
+    o->again = true;
 }
 
 static void begin(struct implicit *m)
 {
-    const struct alpha *o = m->own;
+    struct alpha *o = m->own;
+    for (int i = 0; i < m->ode->n && o->h > 0 && o->h != m->h; i++)
+        o->a0[i] = m->a0[i] + (o->a0[i] - m->a0[i]) * (m->h / o->h);
+    o->h = m->h;
     m->cc = (1 - o->f) / (1 - o->m) * o->gamma * m->h;
     m->ck = (1 - o->f) / (1 - o->m) * o->beta * m->h * m->h;
 }
@@ -55,7 +90,10 @@ static void rates(struct implicit *m, const double *z1)
 
 static enum status accept(struct implicit *m, struct stepper *s, struct trouble *why)
 {
-    const struct alpha *o = m->own;
+    struct alpha *o = m->own;
+    copy(o->a_before, o->a0, m->ode->n);
+    copy(o->D_before, o->D, m->ode->n);
+    o->h_before = o->h;
     const double h = m->h, e = .5 - o->f, c = h * h / 4 * (o->gamma - .5), *r = m->newton.r;
     if (o->gamma > .5) TRY(implicit_resid(m, m->newton.r, o->a1, why)); /* else a = z */
     for (int i = 0; i < m->ode->n && o->gamma > .5; i++) {
@@ -69,9 +107,10 @@ static enum status accept(struct implicit *m, struct stepper *s, struct trouble 
 
 static void recall(struct implicit *m, struct recall *r)
 {
-    const struct alpha *o = m->own;
+    struct alpha *o = m->own;
     recall_list(r, "a0", o->a0, m->ode->n);
     recall_list(r, "D", o->D, m->ode->n);
+    recall_one(r, "h", o->h);
 }
 
 #define SCHEME(word)                                                                                                   \
@@ -80,16 +119,33 @@ static void recall(struct implicit *m, struct recall *r)
         .recall = recall                                                                                               \
     }
 static const struct implicit_scheme scheme[] = {SCHEME(CHUNG), SCHEME(HILBER)};
-static const struct key keys_chung[] = {KEY_RHO_INFINITY, KEY_NEWTON_TOLERANCE, KEYS_END};
+static const struct key keys_chung[] = {KEY_RHO_INFINITY, KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
 static const struct key keys_hilber[] = {PARAM_REAL(struct step_options, alpha, "alpha", NULL, -1. / 3, 0, KEY_META,
                                                     "-0.05", "0 keeps all energy, -1/3 damps most"),
-                                         KEY_NEWTON_TOLERANCE, KEYS_END};
+                                         KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
 
-#define KIND(name_, brief_, keys_, variant_)                                                                           \
-    {                                                                                                                  \
-        .name = name_, .brief = brief_, .keys = keys_, .order = 2, .formulas = &scheme[variant_], IMPLICIT_AT_END      \
-    }
-const struct stepper_kind step_generalized_alpha = KIND(
-    "generalized-alpha", "Chung and Hulbert's method, one rate, damps what 'step' cannot resolve", keys_chung, CHUNG);
-const struct stepper_kind step_hht =
-    KIND("hht", "Hilber, Hughes and Taylor's method, one rate, damps what 'step' cannot resolve", keys_hilber, HILBER);
+static double late_chung(const struct step_options *o)
+{
+    return late(weights(o, CHUNG));
+}
+
+static double late_hilber(const struct step_options *o)
+{
+    return late(weights(o, HILBER));
+}
+
+#define CHUNG_KIND                                                                                                     \
+    .name = "generalized-alpha", .keys = keys_chung, .order = 2, .late = late_chung, .back = back,                     \
+    .brief = "Chung and Hulbert's method, one rate, damps what 'step' cannot resolve"
+#define HILBER_KIND                                                                                                    \
+    .name = "hht", .keys = keys_hilber, .order = 2, .late = late_hilber, .back = back,                                 \
+    .brief = "Hilber, Hughes and Taylor's method, one rate, damps what 'step' cannot resolve"
+extern const struct stepper_kind step_generalized_alpha, step_hht;
+static const struct stepped_scheme by_error[] = {STEPPED(&step_generalized_alpha, stepped_between),
+                                                 STEPPED(&step_hht, stepped_between)};
+static const struct stepper_kind tolerant_chung = {CHUNG_KIND, TOLERANT(&by_error[CHUNG])},
+                                 tolerant_hilber = {HILBER_KIND, TOLERANT(&by_error[HILBER])};
+const struct stepper_kind step_generalized_alpha = {CHUNG_KIND, .tolerant = &tolerant_chung, .formulas = &scheme[CHUNG],
+                                                    IMPLICIT_AT_END},
+                          step_hht = {HILBER_KIND, .tolerant = &tolerant_hilber, .formulas = &scheme[HILBER],
+                                      IMPLICIT_AT_END};

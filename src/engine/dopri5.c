@@ -7,8 +7,14 @@
 /* Weights of order 5 less those of order 4. */
 static const double e[] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
 
+/* Hairer, Norsett & Wanner I, II.6. */
+static const double d[] = {-12715105075. / 11282082432,  0,
+                           87487479700. / 32700410799,   -10690763975. / 1880347072,
+                           701980252875. / 199316789632, -1453857185. / 822651844,
+                           69997945. / 29380423};
+
 static const struct embedded_pair pair = {
-    .scheme = {.stages = 7, .order = 5, EMBEDDED},
+    .scheme = {.stages = 7, .order = 5, EMBEDDED, .between = embedded_between, .between_from = 1e-6},
     .table = {.stages = 7,
               .c = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1},
               .a = {{0},
@@ -20,6 +26,7 @@ static const struct embedded_pair pair = {
                     {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}},
               .b = {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84, 0}},
     .e = e,
+    .d = d,
     .here = .17,
     .before = .04,
     .fail = .2,

@@ -88,6 +88,28 @@ void embedded_take(struct stepper *s, struct adaptive *m, double h)
     copy(m->rk.w[0], m->rk.w[last], POWER_CHANNELS);
 }
 
+/* What component i of y, of slopes k[1]... and k0 at the start, has come to at x. */
+static double dense(const struct embedded_pair *p, double *const *k, double k0, int i, double h, double x)
+{
+    const int stages = p->table.stages;
+    double change = p->table.b[0] * k0, bend = p->d[0] * k0;
+    for (int j = 1; j < stages; j++) {
+        change += p->table.b[j] * k[j][i];
+        bend += p->d[j] * k[j][i];
+    }
+    const double y = 1 - x, lead = k0 - change;
+    return h * x * (change + y * (lead + x * (change - k[stages - 1][i] - lead + y * bend)));
+}
+
+void embedded_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
+{
+    const double h = m->t1 - m->t0;
+    for (int i = 0; i < s->ode->n; i++) {
+        u[i] = dense(pair_of(m), m->rk.du, m->v0[i], i, h, x);
+        v[i] = m->v0[i] + dense(pair_of(m), m->rk.dv, m->a0[i], i, h, x);
+    }
+}
+
 double embedded_shrink(const struct adaptive *m, double err)
 {
     const struct embedded_pair *p = pair_of(m);

@@ -11,6 +11,12 @@ struct embedded_pair {
     /* e: weights less those of the embedded method.  e2, where it is not NULL, of a second one of lower order: the error
      * then is the first one's times |e| / sqrt(|e|^2 + |e2|^2 / 100), of an order higher than e alone would be. */
     const double *e, *e2;
+    /* With d, where it is not NULL, in the part x of the step
+     *
+     *     y0 + x (D + y (B + x (D - h k_last - B + y h sum d_j k_j))),   D = y1 - y0,  B = h k_0 - D,  y = 1 - x
+     *
+     * of order 4 (Shampine 1986; Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.6). */
+    const double *d;
     /* h := h clip(0.9 err^-here err_old^before, least, most); err^-fail after a step that failed. */
     double here, before, fail, least, most;
 };
@@ -23,6 +29,7 @@ void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life);
 enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
                              struct trouble *why);
 void embedded_take(struct stepper *s, struct adaptive *m, double h);
+void embedded_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
 double embedded_shrink(const struct adaptive *m, double err);
 double embedded_grow(const struct adaptive *m, double err);
 

@@ -15,6 +15,7 @@
 
 #include "engine/accel.h"
 #include "engine/implicit.h"
+#include "engine/stepped.h"
 
 static void begin(struct implicit *m)
 {
@@ -74,15 +75,30 @@ static const struct key keys[] = {
     PARAM_WORD(struct step_options, iteration, "iteration", "newton|fixed-point", 0, "newton",
                "fixed-point is (2-9), which needs small steps"),
     KEY_NEWTON_TOLERANCE,
+    KEY_TOLERANCE,
     KEYS_END,
 };
 
-const struct stepper_kind step_newmark = {
-    .name = "newmark",
-    .brief = "Newmark's method (2-5)...(2-10), one rate",
-    .keys = keys,
-    .fits = newmark_fits,
-    .order = 2,
-    .formulas = &newmark,
-    IMPLICIT_AT_END,
-};
+static double late(const struct step_options *o)
+{
+    return (o->beta - 1. / 12) / 2;
+}
+
+/* With gamma above 1/2 the order is 1, and the error another. */
+static bool fits(const struct step_options *o, struct misfit *why)
+{
+    if (!newmark_fits(o, why)) return false;
+    if (!(o->tolerance > 0) || o->gamma == .5) return true;
+    *why = (struct misfit){.code = "E-newmark", .key = "gamma", .other = "tolerance"};
+    snprintf(why->text, sizeof why->text, "gamma %g is of order 1: no steps by 'tolerance'", o->gamma);
+    why->hint = "gamma 1/2 with 'tolerance'; to damp what the step cannot resolve, scheme generalized-alpha";
+    return false;
+}
+
+#define NEWMARK                                                                                                        \
+    .name = "newmark", .brief = "Newmark's method (2-5)...(2-10), one rate", .keys = keys, .fits = fits, .order = 2,   \
+    .late = late
+extern const struct stepper_kind step_newmark;
+static const struct stepped_scheme by_error = STEPPED(&step_newmark, stepped_between);
+static const struct stepper_kind tolerant = {NEWMARK, TOLERANT(&by_error)};
+const struct stepper_kind step_newmark = {NEWMARK, .tolerant = &tolerant, .formulas = &newmark, IMPLICIT_AT_END};

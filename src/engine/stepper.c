@@ -126,7 +126,7 @@ enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio
         s->effort.majors++;
     else
         s->effort.rejected++;
-    if (status == OK && s->ode->chart && s->ode->chart->rechart) begin_anew(s, x);
+    if (status == OK && !s->natural && s->ode->chart && s->ode->chart->rechart) begin_anew(s, x);
     return status;
 }
 

@@ -37,6 +37,10 @@ struct effort {
 
 struct stepper;
 
+struct step_error {
+    const double *position, *velocity;
+};
+
 struct stepper_kind {
     const char *name;       /* deck word */
     const char *brief;      /* one line for `fmdsub list` and the manual */
@@ -54,7 +58,13 @@ struct stepper_kind {
                    * seen: the core delivers that before step().  0: drives move by their means over the step
                    * (instant.ta, tb), which hold it; or an adaptive scheme looks for corners itself */
 
+    /* Optional: the same with steps of its own by `tolerance`. */
+    const struct stepper_kind *tolerant;
+
     const void *formulas; /* of the family that open and step are those of: struct implicit_scheme; NULL: of none */
+
+    /* Where `tolerant` is: the part of (omega h)^3 that a vibration is late by in a step. */
+    double (*late)(const struct step_options *o);
 
     /* Required.  Once, by stepper_open(): takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
@@ -64,6 +74,13 @@ struct stepper_kind {
      * into s->left (all set to zero before) [J].  s->fresh: nothing is known of the past, and x->a are the accelerations
      * of (2-4) at x; cleared by a step that is taken.  Counts s->effort but for majors and rejected. */
     enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+    /* Optional.  The state goes back to where the last step began: what it carries besides goes with it, if the next thing
+     * is another step from there, afresh. */
+    void (*back)(struct stepper *s);
+    /* Optional, of two rates.  What the step just made is off by, in its decoupled variables: sizes of position and
+     * velocity [n], summed over the minor steps.  keep: it was taken; false: what is known of steps before is of no use. */
+    struct step_error (*error)(struct stepper *s);
+    void (*keep)(struct stepper *s, bool taken);
     /* Optional.  All that step() carries to the next one besides the state: base/recall.h.  E_LIMIT: no memory for it. */
     enum status (*recall)(struct stepper *s, struct recall *r);
 };
@@ -81,6 +98,7 @@ struct stepper {
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
+    bool natural;                /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
     int unstarted;               /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;         /* solves (2-4) for a */
     struct single *keep;         /* v, a before a corner */

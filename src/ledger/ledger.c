@@ -76,3 +76,19 @@ void ledger_recall(struct ledger *o, struct recall *r)
     recall_one(r, "t_worst", o->t_worst);
     recall_without(r);
 }
+
+static double between(double a, double b, double x)
+{
+    return a + x * (b - a);
+}
+
+void ledger_between(struct ledger *o, const struct ledger *before, double x, double kinetic, double elastic,
+                    double gravity)
+{
+    o->kinetic = kinetic;
+    o->elastic = elastic;
+    o->gravity = gravity;
+    for (int c = 0; c < LEDGER_CHANNELS; c++) o->work[c] = between(before->work[c], o->work[c], x);
+    o->lost = between(before->lost, o->lost, x);
+    o->residual = between(before->residual, o->residual, x);
+}

@@ -34,6 +34,11 @@ void ledger_open(struct ledger *o, double delta, double least, double kinetic, d
 void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
                  double lost, double left);
 
+/* *o, the end of a step, to the part x of it, with the energies there: from what was `before` it, works and residual go on
+ * evenly. */
+void ledger_between(struct ledger *o, const struct ledger *before, double x, double kinetic, double elastic,
+                    double gravity);
+
 struct recall;
 void ledger_recall(struct ledger *o, struct recall *r);
 

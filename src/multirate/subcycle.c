@@ -41,6 +41,7 @@
 #include <string.h>
 
 #include "engine/midpoint.h"
+#include "engine/stepped.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -90,6 +91,7 @@ static void open(struct stepper *s, struct arena *life)
     c->near = o->move ? c->nl : c->dec.ml;
     take_vectors(c, life);
     reserve(c, LEAST_CAPACITY, life);
+    if (s->options.tolerance > 0) subcycle_error_open(c, life);
 }
 
 /* ---- the iteration ----------------------------------------------------------------------------- */
@@ -244,6 +246,7 @@ static enum status accept(struct subcycle *c, struct stepper *s, struct state *x
     copy(s->work, c->work, POWER_CHANNELS);
     subcycle_compose(c);
     remember(c);
+    if (c->error) subcycle_error_measure(c);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
     for (int i = 0; i < n; i++) c->abar[i] = per * (c->v[i] - x->v[i]);
@@ -269,17 +272,25 @@ static void begin(struct subcycle *c, const struct state *x, double h, int ratio
     c->a0 = x->a;
 }
 
+/* Without fast coordinates. */
+static enum status single_rate(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why)
+{
+    copy(c->v, x->v, c->n);
+    copy(c->a, x->a, c->n);
+    TRY(implicit_once(c->plain, s, x, c->H, c->t1, why));
+    s->effort.minors++;
+    for (int i = 0; i < c->n; i++) c->dq[i] = x->v[i] - c->v[i];
+    if (c->error) subcycle_error_single(c, c->dq, c->a);
+    return OK;
+}
+
 static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     struct subcycle *c = s->self;
     long before = s->effort.sweeps;
-    if (c->ns == 0) {
-        TRY(implicit_once(c->plain, s, x, h * ratio, to, why));
-        s->effort.minors++;
-        return OK;
-    }
-    reserve(c, ratio, s->life);
     begin(c, x, h, ratio, to);
+    if (c->ns == 0) return single_rate(c, s, x, why);
+    reserve(c, ratio, s->life);
     TRY(subcycle_decouple(c, x->q, x->t, why));
     if (s->fresh) forget(c);
     int passes = s->options.symmetric ? PASSES : 1;
@@ -301,6 +312,7 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
 static enum status recall(struct stepper *s, struct recall *r)
 {
     struct subcycle *c = s->self;
+    if (c->error) subcycle_error_recall(c, r);
     if (c->ns == 0) return implicit_remember(c->plain, r);
     newton_recall(&c->newton, r);
     forecast_recall(&c->forecast, r);
@@ -317,17 +329,17 @@ static const struct key keys[] = {
     PARAM_BOOL(struct step_options, symmetric, "symmetric", KEY_NEUTRAL, "false",
                "decoupling at the average of both ends, a second pass"),
     KEY_NEWTON_TOLERANCE,
+    KEY_TOLERANCE,
     KEYS_END,
 };
 
-const struct stepper_kind step_subcycle = {
-    .name = "subcycle",
-    .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step",
-    .keys = keys,
-    .single = &step_midpoint,
-    .two_rates = true,
-    .order = 2,
-    .open = open,
-    .step = step,
-    .recall = recall,
-};
+#define SUBCYCLE                                                                                                       \
+    .name = "subcycle",                                                                                                \
+    .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step", .keys = keys, \
+    .single = &step_midpoint, .two_rates = true, .order = 2, .late = stepped_late, .error = subcycle_error,            \
+    .keep = subcycle_error_keep
+extern const struct stepper_kind step_subcycle;
+static const struct stepped_scheme by_error = STEPPED(&step_subcycle, NULL);
+static const struct stepper_kind tolerant = {SUBCYCLE, TOLERANT(&by_error)};
+const struct stepper_kind step_subcycle = {SUBCYCLE, .tolerant = &tolerant, .open = open, .step = step,
+                                           .recall = recall};

@@ -8,10 +8,12 @@
  *     decouple.h         W and P (S1)
  *     response.h         the minor steps' linearized answer to the slow unknown (S11), (S12)
  *     forecast.h         where the iteration begins
+ *     subcycle_error.c   what a step is off by, where steps go by a tolerance
  */
 #ifndef FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
 #define FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
 
+#include "engine/local_error.h"
 #include "engine/motion.h"
 #include "engine/newton.h"
 #include "multirate/decouple.h"
@@ -19,6 +21,12 @@
 #include "multirate/response.h"
 
 static const double STALE_SLOPE = .2; /* relative change of a slope that asks for a fresh factor */
+
+struct subcycle_error {
+    struct local_error slow, fast; /* of the last step that was taken: of u, of x */
+    struct local_error minor;      /* of x, on the way through the minor steps */
+    double *position, *velocity;   /* [n] sizes: of the last step */
+};
 
 struct subcycle {
     const struct ode2 *ode;
@@ -30,8 +38,9 @@ struct subcycle {
     struct minor here;    /* J of a minor step whose slopes have changed */
     int local;            /* it is in use */
     struct forecast forecast;
-    int guessed;       /* d_k are the forecast's */
-    double last_local; /* local error of the last step; negative: unknown */
+    int guessed;                  /* d_k are the forecast's */
+    double last_local;            /* local error of the last step; negative: unknown */
+    struct subcycle_error *error; /* NULL: nobody asks */
     int n, ns, nl;
     int near;     /* slow coordinates that the minor steps move */
     double alpha; /* (S7) */
@@ -104,6 +113,16 @@ enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why);
 enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why);
 /* R complete (S8); du corrected by it (S12), and all d_k with it. */
 void subcycle_slow_rows(struct subcycle *c);
+
+/* --- what the step is off by: slots and parts of the stepper's ------------------------------------ */
+
+void subcycle_error_open(struct subcycle *c, struct arena *life);
+/* Of the step found; of one of a single rate, with its accelerations at the start. */
+void subcycle_error_measure(struct subcycle *c);
+void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0);
+struct step_error subcycle_error(struct stepper *s);
+void subcycle_error_keep(struct stepper *s, bool taken);
+void subcycle_error_recall(struct subcycle *c, struct recall *r);
 
 /* Work by channel of the power w over `time`. */
 static inline void subcycle_book(struct subcycle *c, double time, const double *w)

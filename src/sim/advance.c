@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine/adaptive.h"
 #include "engine/single.h"
 #include "sim/parts.h"
 
@@ -21,6 +22,9 @@ void advance_open(struct sim *sim, struct arena *life)
 {
     sim->keep = TAKE(life, struct single, 1);
     single_open(sim->keep, sim->stepper.ode, life);
+    sim->look = TAKE(life, struct single, 1);
+    single_open(sim->look, sim->stepper.ode, life);
+    sim->stepper.natural = sim->stepper.ode->n > 0 && adaptive_interpolates(&sim->stepper);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
 }
 
@@ -125,4 +129,26 @@ static enum status halve(struct sim *sim, double h, int ratio, double to, int de
 enum status advance(struct sim *sim, double h, int ratio, double to)
 {
     return step(sim, h, ratio, to, 0);
+}
+
+static enum status natural_step(struct sim *sim, double to, int depth)
+{
+    const double t = sim->x.t;
+    const long chart = system_charts(sim->system);
+    if (sim->watched) keep(sim);
+    TRY(stepper_step(&sim->stepper, &sim->x, sim->guess.h, sim->guess.ratio, to, &sim->trouble));
+    const double end = sim->x.t;
+    TRY(book(sim));
+    if (sim->watched && depth < MOST_HALVINGS && wrong(sim, chart)) {
+        TRY(undo(sim, t));
+        return natural_step(sim, t + (end - t) / 2, depth + 1);
+    }
+    const int pole = sim->watched ? system_pole(sim->system) : -1;
+    if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
+    return note(sim, end - t, 1);
+}
+
+enum status advance_naturally(struct sim *sim, double to)
+{
+    return natural_step(sim, to, 0);
 }

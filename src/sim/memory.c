@@ -25,7 +25,8 @@ uint64_t memory_of_steps(const struct sim *sim)
     static const char *const partition[] = {"partition", NULL};
     const struct integrate *p = &sim->plan;
     const struct stepper_kind *kind = sim->stepper.kind;
-    const double steps[] = {VERSION, p->step, p->ratio};
+    const bool natural = sim->stepper.natural;
+    const double steps[] = {VERSION, natural ? sim->guess.h : p->step, natural ? sim->guess.ratio : p->ratio};
     uint64_t hash = deck_fingerprint(sim->scene->deck, partition, false);
     hash = hash_bytes(hash, kind->name, strlen(kind->name));
     hash = hash_bytes(hash, steps, sizeof steps);

@@ -16,6 +16,8 @@ void warn_of_unread(const struct sim *sim, struct diags *diags);
 /* advance.c: one major step to `to`, halved where it must be; after the stepper is open */
 void advance_open(struct sim *sim, struct arena *life);
 enum status advance(struct sim *sim, double h, int ratio, double to);
+/* One of the steps that are the scheme's own, at most to `to`. */
+enum status advance_naturally(struct sim *sim, double to);
 
 /* loops.c: warnings about the start; the event of a new partition */
 void warn_of_loops(const struct sim *sim, struct diags *diags);

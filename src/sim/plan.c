@@ -57,6 +57,12 @@ static void prefer_single_rate(struct sim *sim)
     sim->stepper.kind = kind->single;
 }
 
+/* With a tolerance, a scheme of fixed steps has steps of its own. */
+static void prefer_own_steps(struct sim *sim)
+{
+    if (sim->stepper.kind->tolerant) sim->stepper.kind = sim->stepper.kind->tolerant;
+}
+
 static enum status missing_step(struct sim *sim, struct diags *diags)
 {
     const struct step_options *o = sim->plan.options;
@@ -126,9 +132,13 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct report *repo
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
     if (!(p->until > 0)) return E_DECK;
-    prefer_single_rate(sim);
+    sim->guess = (struct guess){p->step, p->ratio};
+    if (((const struct step_options *)p->options)->tolerance > 0)
+        prefer_own_steps(sim);
+    else
+        prefer_single_rate(sim);
     double H = p->step * p->ratio;
-    if (sim->stepper.kind->adaptive) { /* its steps are its own: one call from record to record */
+    if (sim->stepper.kind->adaptive) { /* its steps are its own: counted are those from record to record */
         const struct output *out = &sim->scene->output;
         H = out->every > 0 ? out->every : p->step > 0 ? H : (p->until - sim->scene->start) / 100;
         p->step = H;

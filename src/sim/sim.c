@@ -7,6 +7,8 @@
 
 #include "base/clock.h"
 #include "base/stop.h"
+#include "engine/adaptive.h"
+#include "engine/single.h"
 #include "model/build.h"
 #include "sim/parts.h"
 
@@ -210,6 +212,12 @@ static double whole_step(const struct sim *sim, long k)
     return sim->origin.x == 0 ? meant_times(i, &sim->step) : meant_sum(&sim->origin, i, &sim->step);
 }
 
+/* The last one ends at `until`. */
+static double end_of(const struct sim *sim, long k)
+{
+    return k == sim->majors ? sim->plan.until : whole_step(sim, k);
+}
+
 /* Major step k to its end at `to`; the last may be cut: same ratio, a smaller minor step. */
 static enum status major(struct sim *sim, long k, double to)
 {
@@ -244,7 +252,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
     enum { CHECK_EVERY = 64 };
     for (long k = 1; k <= sim->majors; k++) {
         const long charts = system_charts(sim->system);
-        const double to = k == sim->majors ? sim->plan.until : whole_step(sim, k);
+        const double to = end_of(sim, k);
         if (sim->njump) TRY(jumps_check(sim, to, sink, report));
         enum status status = major(sim, k, to);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
@@ -263,6 +271,81 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
             if (!due) TRY(write_row(sim, sink, report));
             return stopped(sim, report);
         }
+    }
+    return OK;
+}
+
+/* The record number k, from 1, that is due behind record number `from`. */
+static long next_due(const struct sim *sim, long from)
+{
+    long k = from + 1;
+    while (k < sim->majors && (sim->before + k) % sim->every != 0) k++;
+    return k;
+}
+
+/* A record at t inside the last step: the state by the scheme's interpolation, works and the balance as they would be
+ * if they went on evenly. */
+static enum status write_between(struct sim *sim, double t, double t0, const struct ledger *before, struct sink *sink,
+                                 struct report *report)
+{
+    const struct state end = sim->x;
+    const struct ledger after = sim->ledger;
+    struct energies e;
+    adaptive_between(&sim->stepper, sim->look->q, sim->look->v, t);
+    sim->x = (struct state){t, sim->look->q, sim->look->v, sim->look->a};
+    enum status status = system_energy_at(sim->system, &e, sim->x.q, sim->x.v, t, &sim->trouble);
+    if (status == OK) {
+        ledger_between(&sim->ledger, before, (t - t0) / (end.t - t0), e.kinetic, e.elastic, e.gravity);
+        status = write_row(sim, sink, report);
+    } else {
+        status = describe_trouble(sim, &sim->trouble, status, report);
+    }
+    sim->x = end;
+    sim->ledger = after;
+    return status;
+}
+
+/* The records that are due in the step from t0, or at its end; *k is the next one. */
+static enum status write_due(struct sim *sim, long *k, double t0, const struct ledger *before, struct sink *sink,
+                             struct report *report)
+{
+    for (; *k <= sim->majors && end_of(sim, *k) <= sim->x.t; *k = next_due(sim, *k)) {
+        const double t = end_of(sim, *k);
+        if (t < sim->x.t)
+            TRY(write_between(sim, t, t0, before, sink, report));
+        else
+            TRY(write_row(sim, sink, report));
+    }
+    return OK;
+}
+
+/* By the steps of a scheme that chooses them; a drive that may jump is looked at from record to record. */
+static enum status step_naturally(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
+{
+    enum { CHECK_EVERY = 64 };
+    const double until = sim->plan.until;
+    double seen = sim->x.t;
+    sim->cut = true;
+    for (long k = next_due(sim, 0), i = 1; sim->x.t < until; i++) {
+        const long charts = system_charts(sim->system), due = k;
+        const double t0 = sim->x.t;
+        const struct ledger before = sim->ledger;
+        if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
+        const enum status status = advance_naturally(sim, sim->njump ? seen : until);
+        if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+        if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
+        if (sim->npass) TRY(passes_check(sim, sink, report));
+        TRY(check_events(sim, sink, report));
+        TRY(write_due(sim, &k, t0, &before, sink, report));
+        const bool last = sim->watch.met || (stop && sim->x.t < until);
+        if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
+        if (k != due || i % CHECK_EVERY == 0) {
+            const double now = clock_wall();
+            progress_show(progress, now, sim->x.t, until);
+            if (sink) TRY(sink->ops->tick(sink, now, report));
+        }
+        if (sim->watch.met) return OK;
+        if (last) return stopped(sim, report);
     }
     return OK;
 }
@@ -291,7 +374,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     TRY(write_meta(sim, sink, report));
     enum status status = write_row(sim, sink, report);
     if (status == OK) status = check_events(sim, sink, report);
-    if (status == OK) status = step_on(sim, sink, &progress, report);
+    if (status == OK) status = (sim->stepper.natural ? step_naturally : step_on)(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;
     sim->status = status;

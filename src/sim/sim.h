@@ -66,6 +66,11 @@ struct sim {
     struct idle idle; /* turns that move no mass */
     struct stepper stepper;
     struct state x;
+    struct guess {
+        double h; /* 0: none */
+        int ratio;
+    } guess;             /* of the first step, where steps are the scheme's own */
+    struct single *look; /* records between the ends of such steps */
     bool watched;        /* steps may be undone */
     struct single *keep; /* then the state before, */
     struct ledger kept;  /* and the ledger */

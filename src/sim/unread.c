@@ -10,7 +10,7 @@
 static bool reads(const struct stepper_kind *kind, const char *key)
 {
     if (strcmp(key, "step") == 0 || strcmp(key, "ratio") == 0)
-        return !kind->adaptive; /* records fall on ratio * step */
+        return !kind->adaptive; /* records fall on ratio * step; with a tolerance they are first guesses */
     return key_find(kind->keys, key) != NULL;
 }
 

@@ -63,6 +63,9 @@ static void test_fits(void **state)
     assert_false(fits(&o, &why));
     assert_string_equal(why.key, "beta");
     o.gamma = .4;
+    assert_false(fits(&o, &why)); /* of order 1, no tolerance can be kept */
+    assert_string_equal(why.key, "gamma");
+    o.tolerance = 0;
     assert_true(fits(&o, &why));
 }
 

@@ -1,0 +1,233 @@
+/* stepped.c -- see stepped.h */
+#include "engine/stepped.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/scalar.h"
+#include "engine/local_error.h"
+#include "engine/motion.h"
+
+enum { MOST_RATIO = 1000 };
+
+/* One class of coordinates: what its trial is off by, and what the filter remembers. */
+struct class
+{
+    double error;  /* of the trial, in scales of the tolerance */
+    double before; /* of the step before, against its share; 0: there was none */
+    double factor; /* the last step over the one before that */
+};
+
+struct stepped {
+    struct stepper fixed;
+    struct local_error local; /* of schemes of one rate */
+    double *a1, *dv;          /* [n] */
+    double share;             /* of the tolerance that the trial may take */
+    struct class slow, fast;  /* of one rate: all are slow */
+    double h;                 /* minor step; 0: not chosen yet */
+    int ratio;                /* of the trial */
+    double H;                 /* and its length */
+};
+
+double stepped_late(const struct step_options *o)
+{
+    (void)o;
+    return 1. / 12;
+}
+
+static const struct stepper_kind *fixed_kind(const struct adaptive *m)
+{
+    return ((const struct stepped_scheme *)m->scheme)->fixed;
+}
+
+void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
+{
+    struct stepped *o = m->own = TAKE(life, struct stepped, 1);
+    stepper_open(&o->fixed, fixed_kind(m), s->ode, &s->options, life);
+    o->a1 = TAKE(life, double, s->ode->n);
+    o->dv = TAKE(life, double, s->ode->n);
+    local_error_open(&o->local, s->ode->n, life);
+}
+
+void stepped_forget(struct adaptive *m)
+{
+    struct stepped *o = m->own;
+    o->fixed.fresh = 1;
+    o->slow = o->fast = (struct class){0};
+    local_error_forget(&o->local);
+    if (fixed_kind(m)->keep) fixed_kind(m)->keep(&o->fixed, false);
+}
+
+/* ---- a trial --------------------------------------------------------------------------------------------------- */
+
+/* Largest of [from, to) against the scales.  However long it goes on, a vibration that is off in phase is off by no more than
+ * twice its size: what is too small to be seen need not be resolved. */
+static double largest(const struct stepper *s, const struct step_error *e, int from, int to)
+{
+    const struct adaptive *m = s->self;
+    const struct stepped *o = m->own;
+    double most = 0;
+    for (int i = from; i < to; i++) {
+        const double eq = fabs(e->position[i]) / adaptive_scale_q(s, i);
+        const double ev = smaller(fabs(e->velocity[i]), 2 * o->share * m->top[i]) / adaptive_scale_v(s, i);
+        if (!(eq <= most)) most = eq; /* what is not a number stays */
+        if (!(ev <= most)) most = ev;
+    }
+    return most;
+}
+
+static void measure(struct stepper *s, struct adaptive *m, double h)
+{
+    struct stepped *o = m->own;
+    o->share = adaptive_share(m, fabs(h));
+    const int n = s->ode->n, ns = fixed_kind(m)->two_rates ? s->ode->ns : 0;
+    struct step_error e = {o->local.position, o->local.velocity};
+    if (fixed_kind(m)->error) {
+        e = fixed_kind(m)->error(&o->fixed);
+    } else {
+        for (int i = 0; i < n; i++) o->dv[i] = m->v1[i] - m->v[i];
+        local_error_try(&o->local, o->dv, m->a, h, fixed_kind(m)->late(&s->options));
+    }
+    o->fast.error = largest(s, &e, 0, ns);
+    o->slow.error = largest(s, &e, ns, n);
+}
+
+static int ratio_of(const struct stepped *o, double H)
+{
+    return o->h > 0 && o->h < H ? (int)smaller(ceil(H / o->h * (1 - 1e-9)), MOST_RATIO) : 1;
+}
+
+/* What the fixed scheme has counted. */
+static void add_effort(struct effort *to, struct effort *from)
+{
+    to->slow += from->slow;
+    to->fast += from->fast;
+    to->factors += from->factors;
+    to->sweeps += from->sweeps;
+    *from = (struct effort){0};
+}
+
+enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
+{
+    struct stepped *o = m->own;
+    struct stepper *fixed = &o->fixed;
+    struct state x = {t, m->q1, m->v1, o->a1};
+    o->H = fabs(h);
+    o->ratio = ratio_of(o, o->H);
+    copy(m->q1, m->q, s->ode->nq);
+    copy(m->v1, m->v, s->ode->n);
+    copy(o->a1, m->a, s->ode->n);
+    zero(fixed->work, POWER_CHANNELS);
+    fixed->lost = fixed->left = 0;
+    const enum status status = fixed->kind->step(fixed, &x, h / o->ratio, o->ratio, t + h, why);
+    s->last_sweeps = fixed->last_sweeps;
+    add_effort(&s->effort, &fixed->effort);
+    TRY(status);
+    measure(s, m, h);
+    *err = larger(o->slow.error, o->fast.error);
+    if (isfinite(*err)) return OK;
+    fixed->fresh = 1;
+    return trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
+}
+
+void stepped_take(struct stepper *s, struct adaptive *m, double h)
+{
+    struct stepped *o = m->own;
+    for (int c = 0; c < POWER_CHANNELS; c++) m->work[c] += o->fixed.work[c];
+    s->effort.minors += o->ratio - 1;
+    s->lost += o->fixed.lost;
+    s->left += o->fixed.left;
+    if (s->ode->move) {
+        motion_diff(s->ode, o->dv, m->q1, m->q);
+        for (int i = 0; i < s->ode->n; i++) m->span[i] += o->dv[i];
+    }
+    copy(m->a, o->a1, s->ode->n);
+    if (fixed_kind(m)->keep)
+        fixed_kind(m)->keep(&o->fixed, true);
+    else
+        local_error_keep(&o->local, h);
+}
+
+/* ---- the next step --------------------------------------------------------------------------------------------- */
+
+/* An error against its share of the tolerance goes with h^2; what is aimed at leaves room for what is not foreseen. */
+static const double AIM = .7, KEPT_FROM = .85, KEPT_TO = 1.2, LEAST = .2, MOST = 3;
+
+/* H211b: times the step of a class whose error was taken, `share` what it may be. */
+static double filter(struct class *c, double share)
+{
+    const double now = larger(c->error / share / AIM, 1e-8);
+    double factor = c->before > 0 ? pow(now * c->before, -1. / 8) * pow(c->factor, -1. / 4) : 1 / sqrt(now);
+    if (now * AIM > 1) factor = smaller(factor, 1 / sqrt(now));
+    factor = smaller(MOST, larger(LEAST, factor));
+    if (factor > KEPT_FROM && factor < KEPT_TO) factor = 1;
+    c->before = now;
+    c->factor = factor;
+    return factor;
+}
+
+/* Of a trial that failed: what it can still be. */
+static double retry(const struct class *c, double share)
+{
+    const double now = c->error / share;
+    return now > 1 ? larger(LEAST, .8 / sqrt(now)) : 1;
+}
+
+double stepped_shrink(const struct adaptive *m, double err)
+{
+    struct stepped *o = m->own;
+    const double share = larger(o->slow.error, o->fast.error) / err, minor = o->H / o->ratio;
+    o->fixed.fresh = 1; /* its predictors have gone ahead */
+    if (o->fixed.kind->back) o->fixed.kind->back(&o->fixed);
+    if (o->ratio > 1 || o->fast.error > 0) o->h = minor * retry(&o->fast, share);
+    const double factor = retry(&o->slow, share);
+    return o->ratio > 1 ? factor : smaller(factor, o->h > 0 ? o->h / minor : 1);
+}
+
+double stepped_grow(const struct adaptive *m, double err)
+{
+    struct stepped *o = m->own;
+    const double most = larger(o->slow.error, o->fast.error), share = err > 0 ? most / err : 1;
+    const bool cut = o->H < m->h * (1 - 1e-10);
+    const bool two = o->fixed.ode->ns > 0 && fixed_kind(m)->two_rates;
+    const bool all = o->fixed.ode->ns == o->fixed.ode->n;
+    if (cut && err <= 1) return 1;
+    double factor = filter(&o->slow, share);
+    if (!two) return factor;
+    const double minor = o->H / o->ratio;
+    o->h = minor * filter(&o->fast, share);
+    if (all || factor * o->H < o->h) factor = o->h / o->H;
+    return factor;
+}
+
+/* ---- records, memory ------------------------------------------------------------------------------------------- */
+
+/* Positions by Hermite's cubic; velocities by a parabola of the third derivative that local_error.h has seen. */
+void stepped_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
+{
+    const struct stepped *o = m->own;
+    const struct ode2 *ode = s->ode;
+    const double h = m->t1 - m->t0, y = 1 - x, *dx = o->dv, *rate = o->a1;
+    motion_diff(ode, o->dv, m->q, m->q0);
+    motion_rate(ode, o->a1, m->q, m->q0, o->dv, m->v, m->t1);
+    for (int i = 0; i < ode->n; i++) {
+        u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * m->v0[i] - x * rate[i]);
+        v[i] = y * m->v0[i] + x * m->v[i] - h * h / 2 * x * y * o->local.jerk[i];
+    }
+}
+
+enum status stepped_recall(struct stepper *s, struct adaptive *m, struct recall *r)
+{
+    struct stepped *o = m->own;
+    (void)s;
+    recall_within(r, "stepped");
+    recall_one(r, "minor", o->h);
+    recall_one(r, "slow", o->slow.before);
+    recall_one(r, "slow_factor", o->slow.factor);
+    recall_one(r, "fast", o->fast.before);
+    recall_one(r, "fast_factor", o->fast.factor);
+    local_error_recall(&o->local, r);
+    const enum status status = stepper_recall(&o->fixed, r);
+    recall_without(r);
+    return status;
+}

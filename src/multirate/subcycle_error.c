@@ -1,0 +1,87 @@
+/* subcycle_error.c -- what a major step of sub-cycling is off by, each class in its decoupled variables: u by du over the
+ * major step, the fast ones by the d_k over the minor steps, summed; see engine/local_error.h. */
+#include <math.h>
+
+#include "engine/stepped.h"
+#include "multirate/subcycle_parts.h"
+
+void subcycle_error_open(struct subcycle *c, struct arena *life)
+{
+    struct subcycle_error *e = c->error = TAKE(life, struct subcycle_error, 1);
+    local_error_open(&e->slow, c->nl, life);
+    local_error_open(&e->fast, c->ns, life);
+    local_error_open(&e->minor, c->ns, life);
+    e->position = TAKE(life, double, c->n);
+    e->velocity = TAKE(life, double, c->n);
+}
+
+static void measure_slow(struct subcycle *c, const double *du, const double *a0)
+{
+    struct subcycle_error *e = c->error;
+    local_error_try(&e->slow, du, a0, c->H, stepped_late(NULL));
+    for (int i = 0; i < c->nl; i++) {
+        e->position[c->ns + i] = fabs(e->slow.position[i]);
+        e->velocity[c->ns + i] = fabs(e->slow.velocity[i]);
+    }
+}
+
+/* From the minor steps of this major step alone, where there are several: at its start d_k jumps, as the slow acceleration
+ * du/H does, and that is the slow ones' error. */
+static void measure_fast(struct subcycle *c)
+{
+    struct subcycle_error *e = c->error;
+    const int n = c->ratio, first = n > 1 ? 1 : 0, second = n > 1 ? 2 : 0;
+    local_error_copy(&e->minor, &e->fast);
+    if (n > 1) local_error_forget(&e->minor);
+    zero(e->position, c->ns);
+    zero(e->velocity, c->ns);
+    for (int k = 0; k < n; k++) {
+        local_error_try(&e->minor, c->d + (long)k * c->ns, c->a0, c->h, stepped_late(NULL));
+        local_error_keep(&e->minor, c->h);
+        for (int i = 0; i < c->ns; i++) {
+            if (k >= first) e->position[i] += fabs(e->minor.position[i]) * n / (n - first);
+            if (k >= second) e->velocity[i] += fabs(e->minor.velocity[i]) * n / (n - second);
+        }
+    }
+}
+
+void subcycle_error_measure(struct subcycle *c)
+{
+    copy(c->Du, c->a0 + c->ns, c->nl); /* u' = a_L + W a_S */
+    decouple_recoil(&c->dec, c->Du, 1, c->a0);
+    measure_slow(c, c->du, c->Du);
+    measure_fast(c);
+}
+
+void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0)
+{
+    measure_slow(c, dv, a0);
+}
+
+struct step_error subcycle_error(struct stepper *s)
+{
+    const struct subcycle *c = s->self;
+    return (struct step_error){c->error->position, c->error->velocity};
+}
+
+void subcycle_error_keep(struct stepper *s, bool taken)
+{
+    const struct subcycle *c = s->self;
+    if (taken) {
+        local_error_keep(&c->error->slow, c->H);
+        local_error_copy(&c->error->fast, &c->error->minor);
+    } else {
+        local_error_forget(&c->error->slow);
+        local_error_forget(&c->error->fast);
+    }
+}
+
+void subcycle_error_recall(struct subcycle *c, struct recall *r)
+{
+    recall_within(r, "slow");
+    local_error_recall(&c->error->slow, r);
+    recall_without(r);
+    recall_within(r, "fast");
+    local_error_recall(&c->error->fast, r);
+    recall_without(r);
+}
