@@ -211,7 +211,10 @@ static void print_schemes(FILE *to)
         const struct stepper_kind *k = stepper_kinds[i];
         fprintf(to, ".It Ic %s\n", k->name);
         put_all(to, "", k->brief, ".\n");
-        fprintf(to, "Order %d%s.\n", k->order, k->two_rates ? ", two rates" : k->adaptive ? ", steps of its own" : "");
+        fprintf(to, "Order %d%s%s.\n", k->order, k->two_rates ? ", two rates" : "",
+                k->adaptive   ? ", steps of its own"
+                : k->tolerant ? ", steps of its own where there is a tolerance"
+                              : "");
     }
     fputs(".El\n", to);
 }

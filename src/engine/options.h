@@ -17,7 +17,7 @@ struct step_options {
     int iteration;       /* enum iteration; fixed-point is (2-9) as printed */
     int symmetric;       /* W at the average of both ends, second pass */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
-    double tolerance;        /* error per step in every coordinate, relative and in usual sizes */
+    double tolerance;        /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */
 };
 
 #define KEY_RHO_INFINITY                                                                                               \
@@ -29,6 +29,6 @@ struct step_options {
 
 #define KEY_TOLERANCE                                                                                                  \
     PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 1e-14, 0.1, KEY_META, NULL,                          \
-               "error of the motion, relative: the steps are the scheme's own")
+               "error of the motion, relative; the steps are the scheme's own")
 
 #endif

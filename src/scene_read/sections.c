@@ -141,9 +141,10 @@ const struct key keys_band[] = {
 };
 
 const struct key keys_integrate[] = {
-    PARAM_TEXT(struct integrate, scheme, "scheme", 0, "subcycle", "integration scheme, see `fmdsub list schemes`"),
+    PARAM_TEXT(struct integrate, scheme, "scheme", 0, "subcycle",
+               "integration scheme, see `fmdsub list schemes`; without a 'step' dopri5"),
     PARAM_REAL(struct integrate, step, "step", "s", 0, INFINITY, KEY_ABOVE, NULL,
-               "minor step h; fixed-step schemes need it"),
+               "minor step h; of a run by 'tolerance' the first guess; without both the tolerance is 1.0e-4"),
     PARAM_INT(struct integrate, ratio, "ratio", 1, 1000000, 0, "1", "n: the major step is n h"),
     PARAM_NODE(struct integrate, end, "until", "seconds, or {when: condition, latest: seconds}", KEY_REQUIRED,
                "end of the run"),

@@ -15,7 +15,7 @@ enum status sim_load(struct scene **scene, const char *path, const struct deck_o
     enum status status = scene_read(scene, deck, &schemes, diags, life);
     if (status != OK && (*scene)->integrate.scheme) { /* all errors at once: the plan's too */
         struct sim sim = {.scene = *scene, .plan = (*scene)->integrate};
-        (void)plan_steps(&sim, diags, NULL); /* they are in diags, and the deck is wrong as it is */
+        (void)plan_steps(&sim, diags, life, NULL); /* they are in diags, and the deck is wrong as it is */
     }
     return status;
 }

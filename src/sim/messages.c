@@ -115,7 +115,8 @@ void print_plan(const struct sim *sim)
             sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
             g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
-        fprintf(to, "%s to tolerance %g", kind->name, o->tolerance);
+        fprintf(to, "%s to tolerance %g%s", kind->name, o->tolerance,
+                sim->filled_in ? " (the deck has no 'step' and no 'tolerance')" : "");
     else if (p->ratio > 1 && kind->two_rates)
         fprintf(to, "%s h = %g s, H = %d h", kind->name, p->step, p->ratio);
     else

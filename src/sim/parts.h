@@ -5,7 +5,7 @@
 #include "sim/sim.h"
 
 /* plan.c: the plan checked against scheme and records */
-enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report);
+enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
 
 /* choose.c: the catalogue, and what of it is written */
 enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);

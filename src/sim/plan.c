@@ -26,6 +26,24 @@ static enum status check_options(const struct sim *sim, const struct stepper_kin
     return E_DECK;
 }
 
+/* What a deck leaves open: without a step, the motion to DEFAULT_TOLERANCE; without a scheme besides, by dopri5. */
+static void fill_in(struct sim *sim, struct arena *life)
+{
+    static const double DEFAULT_TOLERANCE = 1e-4;
+    struct integrate *p = &sim->plan;
+    const struct step_options *o = p->options;
+    const struct node *scheme = node_find(p->node, "scheme");
+    if (p->step > 0) return;
+    if (p->scheme == sim->scene->integrate.scheme && (!scheme || scheme->implied)) p->scheme = "dopri5";
+    const struct stepper_kind *kind = stepper_find(p->scheme);
+    if (o->tolerance > 0 || node_find(p->node, "tolerance") || !kind || !(kind->adaptive || kind->tolerant)) return;
+    struct step_options *filled = TAKE(life, struct step_options, 1);
+    *filled = *o;
+    filled->tolerance = DEFAULT_TOLERANCE;
+    p->options = filled;
+    sim->filled_in = true;
+}
+
 static enum status find_scheme(struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
@@ -126,9 +144,10 @@ static enum status count_steps(struct sim *sim, double H, struct report *report)
     return OK;
 }
 
-enum status plan_steps(struct sim *sim, struct diags *diags, struct report *report)
+enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life, struct report *report)
 {
     struct integrate *p = &sim->plan;
+    fill_in(sim, life);
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
     if (!(p->until > 0)) return E_DECK;

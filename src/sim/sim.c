@@ -116,7 +116,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     *sim = (struct sim){.scene = scene, .plan = *plan, .options = *options};
     TRY(model_build(&m, scene, diags, life));
     sim->model = m;
-    enum status steps = plan_steps(sim, diags, report);
+    enum status steps = plan_steps(sim, diags, life, report);
     TRY(choose_columns(sim, diags, life, report));
     TRY(steps);
     TRY(state_take(sim, m, diags, life));

@@ -66,6 +66,7 @@ struct sim {
     struct idle idle; /* turns that move no mass */
     struct stepper stepper;
     struct state x;
+    bool filled_in; /* the tolerance is not the deck's */
     struct guess {
         double h; /* 0: none */
         int ratio;
