@@ -37,9 +37,12 @@ static double mean_square(const struct stepper *s, const struct adaptive *m, con
 /* x := h sum e_j w_j of the powers. */
 static void sum_works(double *x, const struct adaptive *m, const double *e, double h)
 {
-    zero(x, POWER_CHANNELS);
-    for (int j = 0; j < m->rk.stages; j++)
-        for (int c = 0; c < POWER_CHANNELS; c++) x[c] += h * e[j] * m->rk.w[j][c];
+    double sum[POWER_CHANNELS] = {0}; /* nothing else is in it: a half of the instructions */
+    for (int j = 0; j < m->rk.stages; j++) {
+        const double *w = m->rk.w[j], by = h * e[j];
+        for (int c = 0; c < POWER_CHANNELS; c++) sum[c] += by * w[c];
+    }
+    copy(x, sum, POWER_CHANNELS);
 }
 
 static double error_of_works(struct stepper *s, const struct adaptive *m, double t, double h)

@@ -9,6 +9,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/scalar.h"
 #include "expr/code.h"
 #include "expr/expr.h"
 
@@ -220,7 +221,8 @@ double expr_corner_next(const struct expr_corner *c, double t)
 bool expr_corner_meets(double *before, const struct expr_corner *c, double t)
 {
     static const double SAME = 4 * DBL_EPSILON;
-    const double at = nearest(c, t), width = SAME * fmax(fabs(at), c->width);
+    const double at = nearest(c, t), width = SAME * larger(fabs(at), c->width);
+    if (!(fabs(t - at) <= width)) return false; /* nearly all times */
     *before = fmin(at - width, nextafter(at, -INFINITY));
-    return fabs(t - at) <= width;
+    return true;
 }

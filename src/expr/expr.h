@@ -102,7 +102,7 @@ struct expr_corner {
 int expr_corners(struct expr_corner *corner, const struct expr *e, int slot);
 /* The first of its times after t; infinity: none. */
 double expr_corner_next(const struct expr_corner *c, double t);
-/* Is t one of them, but for round-off?  *before: a time at which the expression is as it was before. */
+/* Is t one of them, but for round-off?  Then *before: a time at which the expression is as it was before. */
 bool expr_corner_meets(double *before, const struct expr_corner *c, double t);
 
 /* The functions there are, for messages and the manual; ends with a NULL name. */

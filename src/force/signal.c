@@ -9,13 +9,20 @@
 
 /* --- loads --------------------------------------------------------------------------------------- */
 
-/* Values of the slots of a force; the time as one of its values that has a corner there wants it. */
+/* The time as one of the values that has a corner there wants it. */
+static double time_of(const struct model_force *f, double t)
+{
+    double there = t;
+    for (int i = 0; i < 3 && there == t; i++) there = signal_time(&f->value[i], t);
+    return there;
+}
+
+/* Values of the slots of a force. */
 static void read_slots(struct elements *e, const struct sweep *s, const struct model_force *f, const struct instant *x)
 {
     struct action act;
-    e->slot[0] = x->t;
-    for (int i = 0; i < 3 && e->slot[0] == x->t; i++) e->slot[0] = signal_time(&f->value[i], x->t);
-    for (int i = 0; i < f->nslot; i++) {
+    e->slot[0] = f->corners ? time_of(f, x->t) : x->t;
+    for (int i = 1; i < f->nslot; i++) {
         const struct model_slot *slot = &f->slot[i];
         switch (slot->type) {
         case SLOT_TIME:

@@ -157,7 +157,7 @@ static double narrow(const struct signal *s, double *ta, double *tb, int halving
 {
     if (expr_is_smooth(s->expr)) return 0;
     double size, first = excess(s, 1, &size, *ta, *tb);
-    if (fabs(first) <= fmax(1e-6 * size, late_rate(s, *ta, *tb))) return 0;
+    if (fabs(first) <= 1e-6 * size || fabs(first) <= late_rate(s, *ta, *tb)) return 0;
     double here = halve(s, 1, ta, tb, first, halvings);
     return fabs(here) > fabs(first) / 4 ? here : 0;
 }

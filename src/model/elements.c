@@ -94,6 +94,11 @@ static bool reads_time(const struct model_force *f)
     return signal_reads_time(&f->value[0]) || signal_reads_time(&f->value[1]) || signal_reads_time(&f->value[2]);
 }
 
+static bool has_corners(const struct model_force *f)
+{
+    return f->value[0].ncorner + f->value[1].ncorner + f->value[2].ncorner > 0;
+}
+
 static enum rate class_of(const struct making *o, const struct model_force *f)
 {
     struct touched t;
@@ -139,6 +144,7 @@ static void make_force(struct making *o, struct model_force *to, const struct sc
     struct model_slot *slot = TAKE(o->life, struct model_slot, from->nslot);
     for (int i = 0; i < from->nslot; i++) slot[i] = make_slot(o, &from->slot[i]);
     to->slot = slot;
+    to->corners = has_corners(to);
     if (is_potential(o, to)) take_potential(o, to);
     to->cls = class_of(o, to);
 }

@@ -111,6 +111,7 @@ struct model_force {
     const struct force_kind *kind; /* FORCE_LAW, FORCE_BETWEEN */
     const void *par;               /* the kind's block */
     struct signal value[3];        /* FORCE_VALUE: 1; FORCE_LOAD: x, y, z (plane: torque is z) */
+    bool corners;                  /* are there known ones in any value, see signal_time()? */
     int nslot;
     const struct model_slot *slot; /* [nslot], slot 0 is t */
     struct model_point a, b;       /* FORCE_LOAD: point b, a the ground; FORCE_BETWEEN: the markers */

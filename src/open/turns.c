@@ -9,6 +9,19 @@
 static const double SHORT = 1, PIECE = .5, FAR = 2.5; /* [rad] */
 enum { MOST_PIECES = 100000 };
 
+static void find_turning(struct turns *o, const struct model *m, struct arena *life)
+{
+    int n = 0;
+    o->first = TAKE(life, int, m->nbody + 1);
+    o->turning = TAKE(life, int, m->n);
+    for (int i = 1; i < m->nbody; i++) {
+        const struct model_joint *j = &m->joint[m->body[i].joint];
+        for (int k = 0; k < j->nv; k++)
+            if (!sizes_is_length(m, j, k)) o->turning[n++] = j->iv[k];
+        o->first[i + 1] = n;
+    }
+}
+
 void turns_build(struct turns *o, const struct model *m, const struct moves *moves, struct arena *life)
 {
     *o = (struct turns){.model = m, .moves = moves, .t = m->t0};
@@ -17,6 +30,7 @@ void turns_build(struct turns *o, const struct model *m, const struct moves *mov
     o->at = TAKE(life, double, m->nq);
     o->dx = TAKE(life, double, m->n);
     o->body = TAKE(life, double, m->nbody);
+    find_turning(o, m, life);
 }
 
 void turns_begin(struct turns *o, const double *q, double t)
@@ -37,14 +51,19 @@ static bool ambiguous(const struct turns *o, const double *v, double t)
     return false;
 }
 
+/* Can no angle have turned far, as all joints together have not? */
+static bool all_short(const struct turns *o)
+{
+    double sum = 0;
+    for (int k = 0; k < o->first[o->model->nbody]; k++) sum += fabs(o->dx[o->turning[k]]);
+    return sum < .99 * SHORT;
+}
+
 static void turn_bodies(struct turns *o)
 {
-    const struct model *m = o->model;
-    for (int i = 1; i < m->nbody; i++) {
-        const struct model_joint *j = &m->joint[m->body[i].joint];
+    for (int i = 1; i < o->model->nbody; i++) {
         o->body[i] = 0;
-        for (int k = 0; k < j->nv; k++)
-            if (!sizes_is_length(m, j, k)) o->body[i] += fabs(o->dx[j->iv[k]]);
+        for (int k = o->first[i]; k < o->first[i + 1]; k++) o->body[i] += fabs(o->dx[o->turning[k]]);
     }
 }
 
@@ -66,6 +85,7 @@ int turns_pieces(struct turns *o, const double *q, const double *v, double t, bo
     double most = 0;
     if (!o->q || !o->begun || ambiguous(o, v, t)) return 1;
     moves_diff(o->moves, o->dx, q, o->q);
+    if (all_short(o)) return 1;
     turn_bodies(o);
     for (int i = 0; i < m->nmeasure; i++)
         if (m->measure[i].type == MEASURE_ANGLE)

@@ -22,6 +22,8 @@ struct turns {
     double *at;   /* [nq] on the way */
     double *dx;   /* [n] the way */
     double *body; /* [nbody] by how much its joint turns on it [rad] */
+    int *first;   /* [nbody + 1] the first of its joint's in turning; [0], [1]: 0 */
+    int *turning; /* [n] places of all velocities that turn, body by body */
 };
 
 /* Told of the sweep's motion, `dt` after it was told last, there. */

@@ -233,7 +233,6 @@ static enum status major(struct sim *sim, long k, double to)
 
 static enum status check_events(struct sim *sim, struct sink *sink, struct report *report)
 {
-    if (!events_watched(sim)) return OK;
     enum status status = events_check(sim, sink, report);
     return status == E_NUMERIC ? describe_trouble(sim, &sim->trouble, status, report) : status;
 }
@@ -258,7 +257,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
-        TRY(check_events(sim, sink, report));
+        if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (due) TRY(write_row(sim, sink, report));
         if (due || k % CHECK_EVERY == 0) {
@@ -335,7 +334,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
-        TRY(check_events(sim, sink, report));
+        if (events_watched(sim)) TRY(check_events(sim, sink, report));
         TRY(write_due(sim, &k, t0, &before, sink, report));
         const bool last = sim->watch.met || (stop && sim->x.t < until);
         if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
@@ -373,7 +372,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     sim_print_assembly(sim, sim->options.log);
     TRY(write_meta(sim, sink, report));
     enum status status = write_row(sim, sink, report);
-    if (status == OK) status = check_events(sim, sink, report);
+    if (status == OK && events_watched(sim)) status = check_events(sim, sink, report);
     if (status == OK) status = (sim->stepper.natural ? step_naturally : step_on)(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;
