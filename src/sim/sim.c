@@ -318,11 +318,20 @@ static enum status write_due(struct sim *sim, long *k, double t0, const struct l
     return OK;
 }
 
+/* Where forces jump for ever, as dry friction written as sign(rate) does at rest, there is no end. */
+static enum status too_many(struct sim *sim, long rejected)
+{
+    (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
+    return E_LIMIT;
+}
+
 /* By the steps of a scheme that chooses them; a drive that may jump is looked at from record to record. */
 static enum status step_naturally(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
-    enum { CHECK_EVERY = 64 };
+    enum { CHECK_EVERY = 64, MOST_REJECTED = 100000 }; /* from record to record */
+    const struct effort *effort = &sim->stepper.effort;
     const double until = sim->plan.until;
+    long rejected = effort->rejected;
     double seen = sim->x.t;
     sim->cut = true;
     for (long k = next_due(sim, 0), i = 1; sim->x.t < until; i++) {
@@ -330,7 +339,8 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const double t0 = sim->x.t;
         const struct ledger before = sim->ledger;
         if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
-        const enum status status = advance_naturally(sim, sim->njump ? seen : until);
+        enum status status = advance_naturally(sim, sim->njump ? seen : until);
+        if (effort->rejected - rejected > MOST_REJECTED) status = too_many(sim, effort->rejected);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
@@ -338,6 +348,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         TRY(write_due(sim, &k, t0, &before, sink, report));
         const bool last = sim->watch.met || (stop && sim->x.t < until);
         if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
+        if (k != due) rejected = effort->rejected;
         if (k != due || i % CHECK_EVERY == 0) {
             const double now = clock_wall();
             progress_show(progress, now, sim->x.t, until);

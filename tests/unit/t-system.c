@@ -264,6 +264,8 @@ static void power_is_the_rate_of_energy(void **state)
         struct fixture f;
         double a[MOST], r[MOST], w[POWER_CHANNELS], q[MOST], v[MOST], dx[MOST], e = 1e-4, E[2];
         open_tree(&f, space, 5, seed, TREE_FORCES);
+        f.m->t0 = f.t; /* turns are counted from here */
+        assert_int_equal(system_start(f.s, f.q, f.v, &(struct report){0}), OK);
         assert_int_equal(f.o->direct->accel(f.o, a, NULL, f.q, f.v, f.t, NULL), OK);
         resid(r, w, &f, a, ALL);
         for (int side = 0; side < 2; side++) {
