@@ -63,7 +63,8 @@ static void refine(struct scene *scene)
 {
     const double each = (scene->integrate.until - scene->start) / LEAST_ROWS;
     const struct stepper_kind *kind = stepper_find(scene->integrate.scheme);
-    if (kind && kind->adaptive && scene->output.every > each) scene->output.every /= ceil(scene->output.every / each);
+    const bool own = kind && (kind->adaptive || kind->tolerant) && !(scene->integrate.step > 0);
+    if (own && scene->output.every > each) scene->output.every /= ceil(scene->output.every / each);
 }
 
 static void refine_steps(struct sim *sim)
@@ -77,7 +78,7 @@ static enum status run_deck(struct curves *o, const struct request *request, str
     static const struct sink_ops ops = {keep_meta, keep_row, keep_event, keep_end, keep_tick};
     struct scene *scene;
     struct diags *diags = NULL;
-    struct sim sim;
+    struct sim sim = {0};
     void *to[] = {o, life};
     struct sink sink = {&ops, to};
     const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
@@ -85,6 +86,7 @@ static enum status run_deck(struct curves *o, const struct request *request, str
     if (status == OK && !is_told(request)) refine(scene);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
+    TRY(status);
     if (!is_told(request)) refine_steps(&sim);
     o->column = sim.columns;
     return sim_run(&sim, &sink, report);
@@ -127,7 +129,7 @@ static enum status read_lines(struct curves *o, FILE *file, struct arena *life, 
     long number = 0;
     int capacity = 0;
     enum status status = OK;
-    for (ssize_t n; status == OK && (n = getline(&line, &room, file)) >= 0;) {
+    while (status == OK && getline(&line, &room, file) >= 0) {
         number++;
         line[strcspn(line, "\r\n")] = 0;
         if (!*line) continue;

@@ -145,20 +145,21 @@ static enum status draw(const struct study *study, const struct scene *scene, st
 }
 
 /* Rows to stdout or a file as they are done; a file that is not whole keeps its other name. */
-static enum status run_rows(struct study *study, const struct scene *scene, struct study_options *o,
+static enum status run_rows(struct study *study, const struct scene *scene, const struct study_options *options,
                             struct diags *diags, const struct request *request, struct arena *life,
                             struct report *report)
 {
+    struct study_options o = *options;
     struct stream stream;
     struct rows rows = {.form = form_of(request), .absolute = request->absolute, .stream = &stream};
     if (request->output)
         TRY(stream_create(&stream, request->output, life, report));
     else
         TRY(stream_open(&stream, STDOUT_FILENO, "standard output", life, report));
-    o->done = rows_put;
-    o->self = &rows;
+    o.done = rows_put;
+    o.self = &rows;
     enum status status = rows_begin(&rows, report);
-    if (status == OK) status = study_run(study, scene, o, diags, life, report);
+    if (status == OK) status = study_run(study, scene, &o, diags, life, report);
     struct report late = {0};
     const enum status ended = rows_end(&rows, &late), closed = stream_close(&stream, status == OK, &late);
     if (status != OK || (ended == OK && closed == OK)) return status;

@@ -160,9 +160,11 @@ static double foretold(const struct trial *o, double tolerance, double span)
 static const struct trial *cheapest(const struct trials *o, double tolerance, const struct trial *but)
 {
     const struct trial *best = NULL;
-    for (const struct trial *t = o->trial; t < o->trial + o->n; t++)
-        if (t != but && isfinite(t->rate) && (!best || foretold(t, tolerance, 1) < foretold(best, tolerance, 1)))
-            best = t;
+    for (int i = 0; i < o->n; i++) {
+        const struct trial *t = &o->trial[i];
+        if (t == but || !isfinite(t->rate)) continue;
+        if (!best || foretold(t, tolerance, 1) < foretold(best, tolerance, 1)) best = t;
+    }
     return best;
 }
 
