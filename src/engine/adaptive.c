@@ -159,9 +159,10 @@ static enum status give_up(long rejected, double t, struct trouble *why)
 
 double adaptive_share(const struct adaptive *m, double h)
 {
-    static const double LEAST = 1e-13; /* times the tolerance: what round-off leaves of an error */
-    const double x = h / (m->elapsed + 10 * h);
-    return smaller(1, larger(m->scheme->plain ? x : sqrt(x), LEAST / m->tolerance));
+    static const double ROUND_OFF = 1e-13; /* times the tolerance: what it leaves of an error */
+    static const double LEAST = 1e-2;      /* of the root: ten thousand steps */
+    const double x = h / (m->elapsed + 10 * h), part = m->scheme->plain ? x : larger(LEAST, sqrt(x));
+    return smaller(1, larger(part, ROUND_OFF / m->tolerance));
 }
 
 /* Steps that shrink to nothing may do so before what cannot be passed, as a dead point: a longer one then tells, and for
@@ -178,14 +179,16 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
     return E_NUMERIC;
 }
 
-/* One step of the scheme's own on the way from *t to end, tried until its error will do.  Where accelerations jump no step
- * is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
+/* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
+ * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
 static enum status own_step(struct stepper *s, double *t, double end, int *passed, struct trouble *why)
 {
-    enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
+    enum { MOST_PASSED = 4, MOST_REJECTED = 100000, PATIENT = 10, MANY = 1000 };
+    static const double VANISHING = 1e-9; /* of the way that is left */
+    static const double RASH = .2;        /* what errors that do not fall with the step are answered by */
     struct adaptive *m = s->self;
     const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), left = fabs(end - *t), way = end > *t ? 1 : -1;
-    for (;;) {
+    for (int tries = 1;; tries++) {
         double h = m->h, err = 0;
         const bool last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
@@ -203,9 +206,15 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             *t = last ? end : *t + way * h;
             return OK;
         }
-        m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
+        const double shrink = status == OK ? m->scheme->shrink(m, err) : RASH;
+        m->h = h * (tries > PATIENT ? smaller(shrink, RASH) : shrink);
         s->effort.rejected++;
         if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, *t, why);
+        if (m->rejected % MANY == 0 && h < VANISHING * left) {
+            const enum status ended = too_small(s, *t, h, way * left, why);
+            if (m->cause.code != TROUBLE_NONE) return ended;
+        }
+        if (stop) return OK;
     }
 }
 

@@ -181,7 +181,8 @@ double stepped_shrink(const struct adaptive *m, double err)
     if (o->fixed.kind->back) o->fixed.kind->back(&o->fixed);
     if (o->ratio > 1 || o->fast.error > 0) o->h = minor * retry(&o->fast, share);
     const double factor = retry(&o->slow, share);
-    return o->ratio > 1 ? factor : smaller(factor, o->h > 0 ? o->h / minor : 1);
+    if (!(o->h > 0)) return factor;
+    return smaller(factor, o->ratio > 1 ? MOST_RATIO * o->h / o->H : o->h / minor);
 }
 
 double stepped_grow(const struct adaptive *m, double err)
@@ -197,7 +198,7 @@ double stepped_grow(const struct adaptive *m, double err)
     const double minor = o->H / o->ratio;
     o->h = minor * filter(&o->fast, share);
     if (all || factor * o->H < o->h) factor = o->h / o->H;
-    return factor;
+    return smaller(factor, MOST_RATIO * o->h / o->H);
 }
 
 /* ---- records, memory ------------------------------------------------------------------------------------------- */

@@ -91,6 +91,7 @@ void signal_motion(const struct signal *s, double *x, double t)
     x[0] = table_value(&slope, s, t);
     if (s->n < 2 || t < s->t[0] || t - s->t[s->n - 1] > same) return;
     int i = t >= s->t[s->n - 1] ? s->n - 2 : piece(s, t);
+    if (i == 0 && t != 0 && t - s->t[0] <= same) return; /* before its first point it stands; at the start it moves */
     if (i > 0 && t - s->t[i] <= same) i--;
     x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
 }
@@ -177,7 +178,7 @@ double signal_corner(const struct signal *s, double ta, double tb)
 /* A table's corners are its points. */
 static double table_corner(const struct signal *s, double ta, double tb)
 {
-    for (int i = 1; i < s->n && s->t[i] < tb; i++)
+    for (int i = s->n > 0 && s->t[0] != 0 ? 0 : 1; i < s->n && s->t[i] < tb; i++)
         if (ta - s->t[i] <= SAME * fabs(ta)) return fmax(ta, s->t[i]);
     return INFINITY;
 }

@@ -135,7 +135,8 @@ int read_partition(struct builder *b, const struct node *n)
 static int check_steps(struct builder *b, const struct integrate *o, const struct node *n)
 {
     const struct node *step = node_find(n, "step");
-    if (!step) return 0;
+    const struct node *tolerance = node_find(n, "tolerance");
+    if (!step || (tolerance && !tolerance->implied)) return 0; /* then they are first guesses */
     const double span = o->until - b->scene->start, count = span / o->step;
     if (o->until + o->step == o->until) {
         diag_error(b->diags, step, AT_VALUE, "E-step", "step %g s vanishes beside until %g s", o->step, o->until);

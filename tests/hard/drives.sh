@@ -135,3 +135,26 @@ awk -F, '
     END { printf "%.2g of %.2g rad", worst, most; exit !(most > 0.02 && worst < 1e-12) }' "$work/out" >"$work/line"
 if [ $? = 0 ]; then ok "axle: left and right differ by $(cat "$work/line")"
 else not_ok "axle: left and right" "differ by $(cat "$work/line")" "$work/err"; fi
+
+# A table that begins on the way: the cart starts with a jerk at 0.1 s, the rod on it takes the impulse, 1.5 rad/s, whole.
+cat >"$work/jerk.yaml" <<'END'
+fmdsub: 1
+bodies:
+  cart: {mass: 2, at: [0, 0]}
+  rod: {mass: 1, inertia: 1/12, at: [0, -0.5]}
+constraints:
+  rail: {prismatic: [ground, cart], at: [0, 0], axis: [1, 0]}
+  pin: {revolute: [cart, rod], at: [0, 0]}
+drives: {mv: {drive: rail, value: {table: [[0.1, 0], [0.3, 0.2], [0.6, 0.2]]}}}
+integrate: {until: 0.2}
+output: {every: 0.1, columns: [pin.angle_rate, energy.residual]}
+END
+for scheme in midpoint newmark generalized-alpha hht subcycle rk4; do
+    for how in step=1.0e-3 tolerance=1.0e-6; do echo "$scheme $how"; done
+done >"$work/ways"
+for scheme in dopri5 dop853 radau5 radau9; do echo "$scheme tolerance=1.0e-8"; done >>"$work/ways"
+while read -r scheme how; do
+    "$FMDSUB" run -q --set integrate.scheme=$scheme --set integrate.$how "$work/jerk.yaml" >"$work/out" 2>"$work/err" </dev/null
+    said=$(awk -F, 'END { print (NR == 4 && $2 > -1.50001 && $2 < -1.49999 && $3 < 1e-4 && $3 > -1e-4) ? "whole" : $2 " rad/s, " $3 " J" }' "$work/out")
+    expect "a table that begins on the way: $scheme, $how" whole "$said" "$work/err"
+done <"$work/ways"
