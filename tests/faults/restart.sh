@@ -51,7 +51,9 @@ for deck in *.yaml; do
     done
     every="--every $H"
     for scheme in dopri5 dop853 radau5 radau9; do
-        why=$(one_run $deck 4 -s "integrate={scheme: $scheme, tolerance: 1.0e-7, until: 1}")
+        tolerance=1.0e-6
+        [ $scheme = dopri5 ] && tolerance=9.0e-7 # from 1e-6 on its steps run over records, and the end of a run is a cut
+        why=$(one_run $deck 4 -s "integrate={scheme: $scheme, tolerance: $tolerance, until: 1}")
         case $why in skipped*) ;; ?*) bad="$bad; $scheme: $why" ;; esac
     done
     [ -z "$bad" ] && ok "restart: $name" && decks=$((decks + 1)) || not_ok "restart: $name" "$bad"
