@@ -14,4 +14,10 @@ static inline double smaller(double a, double b)
     return b < a ? b : a;
 }
 
+/* The larger; what is not a number stays, as a and as b. */
+static inline double worse(double a, double b)
+{
+    return b <= a || a != a ? a : b;
+}
+
 #endif

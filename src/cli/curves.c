@@ -32,24 +32,6 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     return OK;
 }
 
-static enum status keep_event(struct sink *sink, double t, const char *kind, const char *text, struct report *report)
-{
-    (void)sink, (void)t, (void)kind, (void)text, (void)report;
-    return OK;
-}
-
-static enum status keep_end(struct sink *sink, const struct run_summary *summary, struct report *report)
-{
-    (void)sink, (void)summary, (void)report;
-    return OK;
-}
-
-static enum status keep_tick(struct sink *sink, double now, struct report *report)
-{
-    (void)sink, (void)now, (void)report;
-    return OK;
-}
-
 /* Did the caller say when records are due? */
 static bool is_told(const struct request *request)
 {
@@ -75,7 +57,7 @@ static void refine_steps(struct sim *sim)
 
 static enum status run_deck(struct curves *o, const struct request *request, struct arena *life, struct report *report)
 {
-    static const struct sink_ops ops = {keep_meta, keep_row, keep_event, keep_end, keep_tick};
+    static const struct sink_ops ops = {.meta = keep_meta, .row = keep_row};
     struct scene *scene;
     struct diags *diags = NULL;
     struct sim sim = {0};

@@ -1,11 +1,11 @@
 /* adaptive.c -- see adaptive.h */
 #include "engine/adaptive.h"
 
-#include "base/scalar.h"
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/scalar.h"
 #include "base/stop.h"
 #include "engine/motion.h"
 #include "engine/works.h"
@@ -132,6 +132,15 @@ static void take(struct stepper *s, struct adaptive *m, double t, double h)
     s->effort.minors++;
 }
 
+/* The slopes at the state, at t. */
+static enum status slopes_here(struct stepper *s, double t, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, t, 0, why));
+    copy(m->a, m->rk.dv[0], s->ode->n);
+    return OK;
+}
+
 /* Better coordinates at t, where there are any: what is known in the old ones is made anew.  The state x goes along, as
  * it cannot go back behind t. */
 static enum status recoordinate(struct stepper *s, struct state *x, double t, struct trouble *why)
@@ -144,8 +153,7 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
     copy(x->q, m->q, o->nq);
     copy(x->v, m->v, o->n);
     x->t = t;
-    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, t, 0, why));
-    copy(m->a, m->rk.dv[0], o->n);
+    TRY(slopes_here(s, t, why));
     copy(x->a, m->a, o->n);
     return OK;
 }
@@ -183,12 +191,10 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
 static enum status own_step(struct stepper *s, double *t, double end, int *passed, struct trouble *why)
 {
-    enum { MOST_PASSED = 4, MOST_REJECTED = 100000, PATIENT = 10, MANY = 1000 };
-    static const double VANISHING = 1e-9; /* of the way that is left */
-    static const double RASH = .2;        /* what errors that do not fall with the step are answered by */
+    enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
     struct adaptive *m = s->self;
     const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), left = fabs(end - *t), way = end > *t ? 1 : -1;
-    for (int tries = 1;; tries++) {
+    for (;;) {
         double h = m->h, err = 0;
         const bool last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
@@ -206,14 +212,9 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             *t = last ? end : *t + way * h;
             return OK;
         }
-        const double shrink = status == OK ? m->scheme->shrink(m, err) : RASH;
-        m->h = h * (tries > PATIENT ? smaller(shrink, RASH) : shrink);
+        m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
         if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, *t, why);
-        if (m->rejected % MANY == 0 && h < VANISHING * left) {
-            const enum status ended = too_small(s, *t, h, way * left, why);
-            if (m->cause.code != TROUBLE_NONE) return ended;
-        }
         if (stop) return OK;
     }
 }
@@ -230,9 +231,8 @@ static enum status advance(struct stepper *s, struct state *x, double *t, double
     return OK;
 }
 
-/* The slopes at the start of H: kept from the last step, new after anything has changed.  guess: of the first step, 0:
- * none. */
-static enum status begin(struct stepper *s, const struct state *x, double guess, double to, struct trouble *why)
+/* The slopes at the start of H: kept from the last step, new after anything has changed. */
+static enum status begin(struct stepper *s, const struct state *x, double to, struct trouble *why)
 {
     struct adaptive *m = s->self;
     copy(m->q, x->q, s->ode->nq);
@@ -244,13 +244,11 @@ static enum status begin(struct stepper *s, const struct state *x, double guess,
         zero(m->span, s->ode->n);
         note_pace(s);
         TRY(first_step(s, x->t, fabs(to - x->t), why));
-        if (guess > 0) m->h = fmin(guess, fabs(to - x->t));
-    } else if (s->natural && m->known) {
-        return OK;
-    } else {
-        TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, x->t, 0, why));
+        copy(m->a, m->rk.dv[0], s->ode->n);
+        if (s->guess.h > 0) m->h = fmin(s->guess.h * s->guess.ratio, fabs(to - x->t));
+    } else if (!(s->natural && m->known)) {
+        TRY(slopes_here(s, x->t, why));
     }
-    copy(m->a, m->rk.dv[0], s->ode->n);
     s->fresh = 0;
     return OK;
 }
@@ -264,13 +262,12 @@ static enum status take_impulse(struct stepper *s, double *t, double behind, str
     if (o->breaks->jump) TRY(o->breaks->jump(o, &met, m->v, &m->work[POWER_DRIVE], m->q, *t, behind, why));
     if (!met && !motion_sides(o, *t)) return OK;
     *t = behind;
-    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, *t, 0, why));
-    copy(m->a, m->rk.dv[0], o->n);
-    return OK;
+    return slopes_here(s, *t, why);
 }
 
 /* Where drives have corners in [t, end): the impulse of one at t, and the other side of anything that has two there;
- * *end then is where the next one is.  Round-off before the end it is what jumps up to the end itself: the next interval begins with the rates there. */
+ * *end then is where the next one is.  Round-off before the end it is what jumps up to the end itself: the next interval
+ * begins with the rates there. */
 static enum status turn_corner(struct stepper *s, double *t, double *end, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
@@ -284,20 +281,12 @@ static enum status turn_corner(struct stepper *s, double *t, double *end, struct
     return OK;
 }
 
-/* Behind a kink that was landed on: its slopes are those of the other side. */
-static enum status pass_kink(struct stepper *s, double t, struct trouble *why)
-{
-    struct adaptive *m = s->self;
-    TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, t, 0, why));
-    copy(m->a, m->rk.dv[0], s->ode->n);
-    return OK;
-}
-
 enum status adaptive_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     struct adaptive *m = s->self;
     const struct ode2 *o = s->ode;
-    TRY(begin(s, x, s->kind->late ? h * ratio : 0, to, why));
+    (void)h, (void)ratio;
+    TRY(begin(s, x, to, why));
     const int forth = to > x->t, breaks = forth && o->breaks && o->breaks->next;
     if (s->natural && m->known) TRY(recoordinate(s, x, x->t, why)); /* records looked back from the old ones */
     m->known = false;
@@ -306,7 +295,7 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
         double end = breaks ? fmin(to, o->breaks->next(o, t)) : to;
         if (forth) TRY(turn_corner(s, &t, &end, why));
         TRY(advance(s, x, &t, end, why));
-        if (t == end && end != to) TRY(pass_kink(s, t, why));
+        if (t == end && end != to) TRY(slopes_here(s, t, why)); /* those beyond the kink */
     } while (t != to && !s->natural && !stop);
     m->known = t != to;
     copy(x->q, m->q, o->nq);
@@ -328,6 +317,21 @@ void adaptive_between(const struct stepper *s, double *q, double *v, double t)
     const struct adaptive *m = s->self;
     m->scheme->between(s, m, m->u, v, (t - m->t0) / (m->t1 - m->t0));
     motion_point(s->ode, q, m->q0, m->u, 1, t);
+}
+
+void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x)
+{
+    const double h = m->t1 - m->t0, y = 1 - x;
+    motion_diff(s->ode, dx, m->q, m->q0);
+    motion_rate(s->ode, rate, m->q, m->q0, dx, m->v, m->t1);
+    for (int i = 0; i < s->ode->n; i++) u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * m->v0[i] - x * rate[i]);
+}
+
+void adaptive_travel(const struct stepper *s, struct adaptive *m, double *dx)
+{
+    if (!s->ode->move) return;
+    motion_diff(s->ode, dx, m->q1, m->q);
+    for (int i = 0; i < s->ode->n; i++) m->span[i] += dx[i];
 }
 
 enum status adaptive_recall(struct stepper *s, struct recall *r)

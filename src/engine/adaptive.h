@@ -98,6 +98,10 @@ double adaptive_share(const struct adaptive *m, double h);
 /* Can records be had between the ends of its own steps?  q [nq] and v [n] at t in the last one. */
 bool adaptive_interpolates(const struct stepper *s);
 void adaptive_between(const struct stepper *s, double *q, double *v, double t);
+/* For between(): u by Hermite's cubic through positions and rates at both ends; dx, rate [n]: scratch. */
+void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x);
+/* For take(): m->span goes on from q to q1; dx [n]: scratch. */
+void adaptive_travel(const struct stepper *s, struct adaptive *m, double *dx);
 
 extern const struct key adaptive_keys[];
 enum status adaptive_recall(struct stepper *s, struct recall *r);

@@ -105,8 +105,7 @@ static double difference(const struct stepper *s, struct adaptive *m)
     for (int i = 0; i < s->ode->n; i++) {
         const double eq = fabs(o->dx[i]) / 15 / adaptive_scale_q(s, i);
         const double ev = fabs(m->v1[i] - o->v[i]) / 15 / adaptive_scale_v(s, i);
-        if (!(eq <= most)) most = eq; /* what is not a number stays */
-        if (!(ev <= most)) most = ev;
+        most = worse(worse(most, eq), ev);
     }
     return most;
 }
@@ -130,8 +129,7 @@ static void take_doubled(struct stepper *s, struct adaptive *m, double h)
     struct doubled *o = m->own;
     (void)h;
     for (int c = 0; c < POWER_CHANNELS; c++) m->work[c] += o->work[c];
-    if (s->ode->move) motion_diff(s->ode, o->dx, m->q1, m->q);
-    for (int i = 0; s->ode->move && i < s->ode->n; i++) m->span[i] += o->dx[i];
+    adaptive_travel(s, m, o->dx);
     copy(m->a, o->a, s->ode->n);
     copy(m->rk.w[0], o->after, POWER_CHANNELS);
 }
@@ -151,14 +149,10 @@ static double grow_doubled(const struct adaptive *m, double err)
 static void between_doubled(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
 {
     const struct doubled *o = m->own;
-    const struct ode2 *ode = s->ode;
     const double h = m->t1 - m->t0, y = 1 - x, part = x * x * (3 - 2 * x);
-    motion_diff(ode, o->dx, m->q, m->q0);
-    motion_rate(ode, o->v, m->q, m->q0, o->dx, m->v, m->t1);
-    for (int i = 0; i < ode->n; i++) {
-        u[i] = part * o->dx[i] + h * x * y * (y * m->v0[i] - x * o->v[i]);
+    adaptive_cubic(s, m, u, o->dx, o->v, x);
+    for (int i = 0; i < s->ode->n; i++)
         v[i] = m->v0[i] + part * (m->v[i] - m->v0[i]) + h * x * y * (y * m->a0[i] - x * o->a[i]);
-    }
 }
 
 static const struct adaptive_scheme doubling = {.stages = 4,
@@ -171,9 +165,7 @@ static const struct adaptive_scheme doubling = {.stages = 4,
                                                 .grow = grow_doubled,
                                                 .between = between_doubled};
 
-#define RK4                                                                                                            \
-    .name = "rk4", .brief = "classical Runge-Kutta, explicit, one rate", .order = 4, .keys = adaptive_keys,            \
-    .late = stepped_late
+#define RK4 .name = "rk4", .brief = "classical Runge-Kutta, explicit, one rate", .order = 4, .keys = adaptive_keys
 static const struct stepper_kind tolerant = {
     RK4, .formulas = &doubling, .adaptive = 1, .open = adaptive_open, .step = adaptive_step, .recall = adaptive_recall};
 const struct stepper_kind step_rk4 = {RK4, .tolerant = &tolerant, .points = 1, .open = open, .step = step};

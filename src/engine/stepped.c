@@ -70,8 +70,7 @@ static double largest(const struct stepper *s, const struct step_error *e, int f
     for (int i = from; i < to; i++) {
         const double eq = fabs(e->position[i]) / adaptive_scale_q(s, i);
         const double ev = smaller(fabs(e->velocity[i]), 2 * o->share * m->top[i]) / adaptive_scale_v(s, i);
-        if (!(eq <= most)) most = eq; /* what is not a number stays */
-        if (!(ev <= most)) most = ev;
+        most = worse(worse(most, eq), ev);
     }
     return most;
 }
@@ -113,6 +112,7 @@ enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, 
     struct stepper *fixed = &o->fixed;
     struct state x = {t, m->q1, m->v1, o->a1};
     o->H = fabs(h);
+    if (!(o->h > 0) && fixed_kind(m)->two_rates) o->h = s->guess.h;
     o->ratio = ratio_of(o, o->H);
     copy(m->q1, m->q, s->ode->nq);
     copy(m->v1, m->v, s->ode->n);
@@ -137,10 +137,7 @@ void stepped_take(struct stepper *s, struct adaptive *m, double h)
     s->effort.minors += o->ratio - 1;
     s->lost += o->fixed.lost;
     s->left += o->fixed.left;
-    if (s->ode->move) {
-        motion_diff(s->ode, o->dv, m->q1, m->q);
-        for (int i = 0; i < s->ode->n; i++) m->span[i] += o->dv[i];
-    }
+    adaptive_travel(s, m, o->dv);
     copy(m->a, o->a1, s->ode->n);
     if (fixed_kind(m)->keep)
         fixed_kind(m)->keep(&o->fixed, true);
@@ -207,14 +204,9 @@ double stepped_grow(const struct adaptive *m, double err)
 void stepped_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
 {
     const struct stepped *o = m->own;
-    const struct ode2 *ode = s->ode;
-    const double h = m->t1 - m->t0, y = 1 - x, *dx = o->dv, *rate = o->a1;
-    motion_diff(ode, o->dv, m->q, m->q0);
-    motion_rate(ode, o->a1, m->q, m->q0, o->dv, m->v, m->t1);
-    for (int i = 0; i < ode->n; i++) {
-        u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * m->v0[i] - x * rate[i]);
-        v[i] = y * m->v0[i] + x * m->v[i] - h * h / 2 * x * y * o->local.jerk[i];
-    }
+    const double h = m->t1 - m->t0, y = 1 - x;
+    adaptive_cubic(s, m, u, o->dv, o->a1, x);
+    for (int i = 0; i < s->ode->n; i++) v[i] = y * m->v0[i] + x * m->v[i] - h * h / 2 * x * y * o->local.jerk[i];
 }
 
 enum status stepped_recall(struct stepper *s, struct adaptive *m, struct recall *r)

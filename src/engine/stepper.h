@@ -87,6 +87,12 @@ struct stepper_kind {
 
 struct accel;
 
+/* The first step of a scheme that chooses its own. */
+struct guess {
+    double h; /* 0: none */
+    int ratio;
+};
+
 struct stepper {
     const struct stepper_kind *kind;
     struct ode2 *ode; /* charts change between steps, see ode2_chart */
@@ -98,11 +104,12 @@ struct stepper {
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
-    bool natural;                /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
-    int unstarted;               /* accelerations were not found in a new chart: the next step asks for them again */
-    struct accel *accel;         /* solves (2-4) for a */
-    struct single *keep;         /* v, a before a corner */
-    struct single *whole;        /* the state before a step that is taken in parts */
+    struct guess guess;
+    bool natural;         /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
+    int unstarted;        /* accelerations were not found in a new chart: the next step asks for them again */
+    struct accel *accel;  /* solves (2-4) for a */
+    struct single *keep;  /* v, a before a corner */
+    struct single *whole; /* the state before a step that is taken in parts */
     struct arena *life;
     void *self; /* the scheme's memory */
 };

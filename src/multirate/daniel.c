@@ -205,30 +205,14 @@ static const struct key keys[] = {KEYS_END};
 static const struct path constant_acceleration = {accelerated, accelerated_rate};
 static const struct path constant_velocity = {straight, straight_rate};
 
-const struct stepper_kind step_daniel = {
-    .name = "daniel",
-    .brief = "explicit sub-cycling with constant acceleration of the slow part, to compare with",
-    .keys = keys,
-    .two_rates = true,
-    .yardstick = true,
-    .points = 1,
-    .order = 2,
-    .formulas = &constant_acceleration,
-    .open = open,
-    .step = step,
-    .recall = recall,
-};
-
-const struct stepper_kind step_neal_belytschko = {
-    .name = "neal-belytschko",
-    .brief = "explicit sub-cycling with constant velocity of the slow part, to compare with",
-    .keys = keys,
-    .two_rates = true,
-    .yardstick = true,
-    .points = 1,
-    .order = 2,
-    .formulas = &constant_velocity,
-    .open = open,
-    .step = step,
-    .recall = recall,
-};
+#define KIND(name_, brief_, path_)                                                                                     \
+    {                                                                                                                  \
+        .name = name_, .brief = brief_, .keys = keys, .two_rates = true, .yardstick = true, .points = 1, .order = 2,   \
+        .formulas = path_, .open = open, .step = step, .recall = recall                                                \
+    }
+const struct stepper_kind step_daniel =
+    KIND("daniel", "explicit sub-cycling with constant acceleration of the slow part, to compare with",
+         &constant_acceleration);
+const struct stepper_kind step_neal_belytschko =
+    KIND("neal-belytschko", "explicit sub-cycling with constant velocity of the slow part, to compare with",
+         &constant_velocity);

@@ -83,8 +83,8 @@ struct run_summary {
 
 struct sink;
 
-/* All required.  Texts and arrays belong to the caller and are read before the call returns.  A
- * failure stays: whatever is reported after it returns it again. */
+/* meta and row are required; who has nothing to do with the rest leaves it NULL.  Texts and arrays belong to the caller
+ * and are read before the call returns.  A failure stays: whatever is reported after it returns it again. */
 struct sink_ops {
     enum status (*meta)(struct sink *sink, const struct run_meta *meta, struct report *report);
     /* x [n]: the chosen columns.  Allocates nothing. */
@@ -99,6 +99,23 @@ struct sink {
     const struct sink_ops *ops;
     void *self;
 };
+
+/* A sink that is NULL, or has no such slot, takes nothing. */
+static inline enum status sink_event(struct sink *sink, double t, const char *kind, const char *text,
+                                     struct report *report)
+{
+    return sink && sink->ops->event ? sink->ops->event(sink, t, kind, text, report) : OK;
+}
+
+static inline enum status sink_end(struct sink *sink, const struct run_summary *summary, struct report *report)
+{
+    return sink && sink->ops->end ? sink->ops->end(sink, summary, report) : OK;
+}
+
+static inline enum status sink_tick(struct sink *sink, double now, struct report *report)
+{
+    return sink && sink->ops->tick ? sink->ops->tick(sink, now, report) : OK;
+}
 
 /* The writers, a NULL name at the end.  open makes a sink that writes to stream, which the caller
  * opened and closes; its memory is life's. */

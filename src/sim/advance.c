@@ -15,7 +15,7 @@
 #include "sim/parts.h"
 
 enum { MOST_HALVINGS = 10 };
-enum { REJECTED_PER_MAJOR = 10, REJECTED_BESIDES = 10000 };
+enum { REJECTED_PER_MAJOR = 10, REJECTED_BESIDES = 10000, REJECTED_PER_RECORD = 100000 };
 static const double SPOILT = 1e-3; /* of what the balance may be off by, in one step */
 
 void advance_open(struct sim *sim, struct arena *life)
@@ -24,6 +24,7 @@ void advance_open(struct sim *sim, struct arena *life)
     single_open(sim->keep, sim->stepper.ode, life);
     sim->look = TAKE(life, struct single, 1);
     single_open(sim->look, sim->stepper.ode, life);
+    sim->stepper.guess = sim->guess;
     sim->stepper.natural = sim->stepper.ode->n > 0 && adaptive_interpolates(&sim->stepper);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
 }
@@ -102,11 +103,14 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
     return note(sim, h, ratio);
 }
 
-/* More steps given up than a run can mean to. */
+/* More steps given up than a run can mean to; of a scheme with its own from record to record, for where forces jump for
+ * ever, as dry friction written as sign(rate) does at rest, there is no end. */
 static enum status within_limit(struct sim *sim)
 {
-    const long rejected = sim->stepper.effort.rejected;
-    if (sim->stepper.kind->adaptive || rejected <= REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors) return OK;
+    const bool own = sim->stepper.kind->adaptive;
+    const long rejected = sim->stepper.effort.rejected - sim->rejected;
+    const long most = own ? REJECTED_PER_RECORD : REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors;
+    if (rejected <= most || (own && !sim->stepper.natural)) return OK;
     (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
     return E_LIMIT;
 }
@@ -136,7 +140,8 @@ static enum status natural_step(struct sim *sim, double to, int depth)
     const double t = sim->x.t;
     const long chart = system_charts(sim->system);
     if (sim->watched) keep(sim);
-    TRY(stepper_step(&sim->stepper, &sim->x, sim->guess.h, sim->guess.ratio, to, &sim->trouble));
+    TRY(stepper_step(&sim->stepper, &sim->x, 0, 1, to, &sim->trouble));
+    TRY(within_limit(sim));
     const double end = sim->x.t;
     TRY(book(sim));
     if (sim->watched && depth < MOST_HALVINGS && wrong(sim, chart)) {

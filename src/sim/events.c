@@ -48,7 +48,7 @@ void events_open(struct sim *sim, struct arena *life)
 static enum status write_event(struct sim *sim, struct sink *sink, const char *kind, const char *text,
                                struct report *report)
 {
-    return sink ? sink->ops->event(sink, sim->x.t, kind, text, report) : OK;
+    return sink_event(sink, sim->x.t, kind, text, report);
 }
 
 static enum status check_range(struct sim *sim, struct watched_range *r, struct sink *sink, struct report *report)

@@ -72,7 +72,7 @@ static enum status judge(struct sim *sim, struct jumping *o, double at, double b
     if (!o->reported)
         sim_warn(sim, "%s (%s): its pieces do not quite meet", text, place_of(sim, o, place, sizeof place));
     o->reported = true;
-    return sink ? sink->ops->event(sink, sim->x.t, "drive", text, report) : OK;
+    return sink_event(sink, sim->x.t, "drive", text, report);
 }
 
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report)

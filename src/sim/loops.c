@@ -86,7 +86,7 @@ enum status write_partition(struct sim *sim, struct sink *sink, struct report *r
     size_t used = strlen(text);
     for (int i = 0; i < o->n && used + 80 < sizeof text; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, " %.70s", sim_coordinate_name(sim, i));
-    return sink ? sink->ops->event(sink, sim->x.t, "partition", text, report) : OK;
+    return sink_event(sink, sim->x.t, "partition", text, report);
 }
 
 /* The name of a body as the deck knows it. */

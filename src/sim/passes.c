@@ -72,7 +72,7 @@ enum status passes_check(struct sim *sim, struct sink *sink, struct report *repo
                  sim->model->force[o->force].name);
         if (sim->options.log && !o->reported) fprintf(sim->options.log, "t = %.6g s: %s\n", sim->x.t, text);
         o->reported = true;
-        if (sink) TRY(sink->ops->event(sink, sim->x.t, "pass", text, report));
+        TRY(sink_event(sink, sim->x.t, "pass", text, report));
     }
     return OK;
 }

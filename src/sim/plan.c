@@ -78,7 +78,9 @@ static void prefer_single_rate(struct sim *sim)
 /* With a tolerance, a scheme of fixed steps has steps of its own. */
 static void prefer_own_steps(struct sim *sim)
 {
-    if (sim->stepper.kind->tolerant) sim->stepper.kind = sim->stepper.kind->tolerant;
+    if (!sim->stepper.kind->tolerant) return;
+    sim->stepper.kind = sim->stepper.kind->tolerant;
+    sim->guess = (struct guess){sim->plan.step, sim->plan.ratio};
 }
 
 static enum status missing_step(struct sim *sim, struct diags *diags)
@@ -151,7 +153,6 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life,
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
     if (!(p->until > 0)) return E_DECK;
-    sim->guess = (struct guess){p->step, p->ratio};
     if (((const struct step_options *)p->options)->tolerance > 0)
         prefer_own_steps(sim);
     else

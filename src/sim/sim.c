@@ -201,7 +201,7 @@ static enum status write_end(struct sim *sim, struct sink *sink, struct report *
     struct run_summary summary = {.facts = facts};
     if (!sink) return OK;
     summary.n = sim_facts(sim, facts, 32);
-    return sink->ops->end(sink, &summary, report);
+    return sink_end(sink, &summary, report);
 }
 
 /* When major step k (from 1) ends: the double nearest to i h, i the whole number of minor steps since t = 0, or since the
@@ -263,7 +263,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (due || k % CHECK_EVERY == 0) {
             double now = clock_wall();
             progress_show(progress, now, sim->x.t, sim->plan.until);
-            if (sink) TRY(sink->ops->tick(sink, now, report));
+            TRY(sink_tick(sink, now, report));
         }
         if (sim->watch.met) return OK;
         if (stop && (k < sim->majors || sim->x.t != to)) {
@@ -318,20 +318,11 @@ static enum status write_due(struct sim *sim, long *k, double t0, const struct l
     return OK;
 }
 
-/* Where forces jump for ever, as dry friction written as sign(rate) does at rest, there is no end. */
-static enum status too_many(struct sim *sim, long rejected)
-{
-    (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
-    return E_LIMIT;
-}
-
 /* By the steps of a scheme that chooses them; a drive that may jump is looked at from record to record. */
 static enum status step_naturally(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
-    enum { CHECK_EVERY = 64, MOST_REJECTED = 100000 }; /* from record to record */
-    const struct effort *effort = &sim->stepper.effort;
+    enum { CHECK_EVERY = 64 };
     const double until = sim->plan.until;
-    long rejected = effort->rejected;
     double seen = sim->x.t;
     sim->cut = true;
     for (long k = next_due(sim, 0), i = 1; sim->x.t < until; i++) {
@@ -339,8 +330,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const double t0 = sim->x.t;
         const struct ledger before = sim->ledger;
         if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
-        enum status status = advance_naturally(sim, sim->njump ? seen : until);
-        if (effort->rejected - rejected > MOST_REJECTED) status = too_many(sim, effort->rejected);
+        const enum status status = advance_naturally(sim, sim->njump ? seen : until);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
@@ -348,11 +338,11 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         TRY(write_due(sim, &k, t0, &before, sink, report));
         const bool last = sim->watch.met || (stop && sim->x.t < until);
         if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
-        if (k != due) rejected = effort->rejected;
+        if (k != due) sim->rejected = sim->stepper.effort.rejected;
         if (k != due || i % CHECK_EVERY == 0) {
             const double now = clock_wall();
             progress_show(progress, now, sim->x.t, until);
-            if (sink) TRY(sink->ops->tick(sink, now, report));
+            TRY(sink_tick(sink, now, report));
         }
         if (sim->watch.met) return OK;
         if (last) return stopped(sim, report);
@@ -370,8 +360,9 @@ static enum status verdict(const struct sim *sim, struct report *report)
     if (!ledger_broken(l)) return OK;
     return fail(report, E_VERDICT,
                 "the energy balance (2-26) is broken: |residual| %.3g J at t = %.6g s is %.3g of ||W|| = %.3g J, "
-                "more than delta = %g; try a smaller step, or ratio 1 [balance]",
-                l->worst, l->t_worst, ledger_share(l), l->norm, l->delta);
+                "more than delta = %g; try %s [balance]",
+                l->worst, l->t_worst, ledger_share(l), l->norm, l->delta,
+                sim->stepper.kind->adaptive ? "a smaller tolerance" : "a smaller step, or ratio 1");
 }
 
 enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)

@@ -66,11 +66,9 @@ struct sim {
     struct idle idle; /* turns that move no mass */
     struct stepper stepper;
     struct state x;
-    bool filled_in; /* the tolerance is not the deck's */
-    struct guess {
-        double h; /* 0: none */
-        int ratio;
-    } guess;             /* of the first step, where steps are the scheme's own */
+    bool filled_in;      /* the tolerance is not the deck's */
+    struct guess guess;  /* of the first step, where a tolerance makes steps the scheme's own */
+    long rejected;       /* steps, when such a scheme's last record was due */
     struct single *look; /* records between the ends of such steps */
     bool watched;        /* steps may be undone */
     struct single *keep; /* then the state before, */

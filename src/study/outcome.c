@@ -42,25 +42,13 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     return look(k);
 }
 
-static enum status keep_event(struct sink *sink, double t, const char *kind, const char *text, struct report *report)
-{
-    (void)sink, (void)t, (void)kind, (void)text, (void)report;
-    return OK;
-}
-
-static enum status keep_end(struct sink *sink, const struct run_summary *summary, struct report *report)
-{
-    (void)sink, (void)summary, (void)report;
-    return OK;
-}
-
 static enum status keep_tick(struct sink *sink, double now, struct report *report)
 {
     (void)now, (void)report;
     return look(sink->self);
 }
 
-static const struct sink_ops memory_ops = {keep_meta, keep_row, keep_event, keep_end, keep_tick};
+static const struct sink_ops memory_ops = {.meta = keep_meta, .row = keep_row, .tick = keep_tick};
 
 bool by_tolerance(const struct stepper_kind *kind)
 {

@@ -56,6 +56,7 @@ static void fill(struct cells *c, const struct study_row *r, const struct rows *
                         scale * r->uncertain,
                         0};
     memcpy(c->x, x, sizeof x);
+    for (int i = 0; i < COLUMNS; i++) c->text[i] = "";
     c->text[0] = r->setting.kind->name;
     c->text[5] = r->worst;
     c->text[15] = status_word(r);
@@ -128,7 +129,7 @@ enum status rows_begin(struct rows *o, struct report *report)
 enum status rows_put(void *self, const struct study_row *row, struct report *report)
 {
     struct rows *o = self;
-    struct cells cells = {0};
+    struct cells cells;
     if (o->n == 0) o->first = row->cpu;
     fill(&cells, row, o);
     char *to = stream_begin(o->stream, MOST_LINE + strlen(row->worst) + strlen(row->unit));

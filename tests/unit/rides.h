@@ -39,24 +39,6 @@ static enum status ride_row(struct sink *sink, const double *x, struct report *r
     return OK;
 }
 
-static enum status ride_event(struct sink *sink, double t, const char *kind, const char *text, struct report *report)
-{
-    (void)sink, (void)t, (void)kind, (void)text, (void)report;
-    return OK;
-}
-
-static enum status ride_end(struct sink *sink, const struct run_summary *summary, struct report *report)
-{
-    (void)sink, (void)summary, (void)report;
-    return OK;
-}
-
-static enum status ride_tick(struct sink *sink, double now, struct report *report)
-{
-    (void)sink, (void)now, (void)report;
-    return OK;
-}
-
 /* Opened, not run. */
 static inline void ride_build(struct ride *r, const char *text)
 {
@@ -79,7 +61,7 @@ static inline void ride_build(struct ride *r, const char *text)
 
 static inline void ride_open(struct ride *r, const char *text)
 {
-    static const struct sink_ops ops = {ride_meta, ride_row, ride_event, ride_end, ride_tick};
+    static const struct sink_ops ops = {.meta = ride_meta, .row = ride_row};
     ride_build(r, text);
     if (r->status != OK) return;
     struct sink sink = {.ops = &ops, .self = r};

@@ -47,11 +47,6 @@ static enum status keep_row(struct sink *s, const double *x, struct report *r)
     return OK;
 }
 
-static enum status no_event(struct sink *s, double t, const char *kind, const char *text, struct report *r)
-{
-    return (void)s, (void)t, (void)kind, (void)text, (void)r, OK;
-}
-
 static enum status keep_facts(struct sink *s, const struct run_summary *m, struct report *r)
 {
     struct history *o = s->self;
@@ -63,15 +58,10 @@ static enum status keep_facts(struct sink *s, const struct run_summary *m, struc
     return OK;
 }
 
-static enum status no_tick(struct sink *s, double now, struct report *r)
-{
-    return (void)s, (void)now, (void)r, OK;
-}
-
 /* said: where warnings at the start and the words of the run go. */
 static void run(struct history *o, FILE *said, const char *path, double length, int nset, const char *const *more)
 {
-    static const struct sink_ops ops = {no_meta, keep_row, no_event, keep_facts, no_tick};
+    static const struct sink_ops ops = {.meta = no_meta, .row = keep_row, .end = keep_facts};
     const char *set[MOST_SETS];
     const struct deck_options options = {.nset = nset + 1, .set = set};
     const struct sim_options say = {.version = "test", .log = said};
