@@ -48,7 +48,7 @@ struct radau {
     bool here;           /* they are of this step's start */
     double *e, *gu, *gv; /* [n] */
     double theta;        /* contraction, last seen */
-    double fnewt;        /* what the iteration may leave, in scales of the tolerance */
+    double fnewt;        /* what the iteration may leave, in scales of the tolerance: of the step's share */
     int count;           /* iterations of the last trial */
 };
 
@@ -67,7 +67,6 @@ static void open_stages(struct stepper *s, struct adaptive *m, int stages, struc
     for (int k = 0; k < 3; k++) *vector[k] = TAKE(life, double, o->n);
     stage_matrix_open(&x->matrix, &x->table, o, &s->effort, life);
     m->tolerance = .1 * pow(s->options.tolerance, (stages + 1) / (2. * stages));
-    x->fnewt = larger(10 * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)));
     x->stale = true;
     m->own = x;
 }
@@ -203,6 +202,8 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
     struct radau *x = m->own;
     const int n = s->ode->n;
     double last = 0;
+    x->fnewt =
+        larger(10 * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)) * sqrt(adaptive_share(m, fabs(h))));
     collocate(x->v, x, m->v, x->a, h, n);
     collocate(x->u, x, NULL, x->v, h, n);
     place(s, x, m, t, h, true);
