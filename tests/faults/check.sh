@@ -63,4 +63,4 @@ expect "check: no trial" "0 1" "$(grep -c '"advice"' "$work/object") $(grep -c '
 
 # Warnings are counted once, though trial runs meet them again.
 "$FMDSUB" check --strict decks/double-pendulum.yaml >"$work/words" 2>"$work/err"
-expect "check: trial runs add no warnings" 0 $? "$work/err"
+ended "check: trial runs add no warnings" 0 $? "$work/words" "$work/err"

@@ -47,4 +47,4 @@ done | tee "$work/all"
 awk '/no reference|chaos|no advice/ { other++; next }
      $NF + 0 > 0 { n++; if ($NF > 5) bad++; if ($NF > most) most = $NF; if (!least || $NF < least) least = $NF }
      $NF == 0 { n++ }
-     END { printf "%d settings, found over promised from %.2g to %.2g, %d above 5; %d of chaos or without a reference\n", n, least, most, bad, other; exit bad > 0 }' "$work/all"
+     END { printf "%d settings, found over promised from %.2g to %.2g, %d above 5; %d of chaos or without a reference\n", n, least, most, bad, other; exit bad > 0 || n == 0 }' "$work/all"

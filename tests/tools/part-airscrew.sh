@@ -16,6 +16,7 @@ printed() {
             if (NF != n || n == 0) { printf "%d printed, %d found: %s", NF, n, values; exit 1 }
             for (i = 1; i <= n; i++) {
                 places = $i ~ /\./ ? length($i) - index($i, ".") : 0
+                if (v[i] !~ /^[-+]?[0-9]/) { printf "%s is printed, %s found", $i, v[i]; exit 1 }
                 off = v[i] - $i; if (off < 0) off = -off
                 size = $i < 0 ? -$i : $i
                 if (off > 0.505 * 10^-places && off > share * size) { printf "%s is printed, %s found", $i, v[i]; exit 1 }
