@@ -59,9 +59,11 @@ static void displacement(struct action *o, const struct measures *m, const struc
     v3_copy(o->at_a, o->at_b);
 }
 
-/* The twist of the turn q = (w, x) about e, and its gradient in axes of a. */
-static double twist_angle(double *dir, const double *q, const double *e)
+/* The twist of `turn`, by the quaternion (w, x), about e, and its gradient in the axes that e is in. */
+static double twist_angle(double *dir, const double *turn, const double *e)
 {
+    double q[4];
+    quat_of_matrix(q, turn);
     const double w = q[0], *x = q + 1;
     double y = v3_dot(e, x), across[3], size = 1 / (w * w + y * y);
     v3_cross(across, x, e);
@@ -69,28 +71,45 @@ static double twist_angle(double *dir, const double *q, const double *e)
     return 2 * atan2(y, w);
 }
 
+/* Of b in axes of a. */
+static void angle_on(struct action *o, const struct pose *a, const struct pose *b, const double *drawn,
+                     const double *axis)
+{
+    double R[9], turn[9], dir[3];
+    m3_tmulm(R, a->R, b->R);
+    m3_mulmt(turn, R, drawn);
+    o->s = twist_angle(dir, turn, axis);
+    m3_mul(o->dir, a->R, dir);
+    v3_copy(o->dir_a, o->dir);
+}
+
+/* Of Q = R_b (R_a drawn)', in the world. */
+static void angle_in_world(struct action *o, const struct pose *a, const struct pose *b, const double *drawn,
+                           const double *axis)
+{
+    double R[9], Q[9];
+    m3_mulm(R, a->R, drawn);
+    m3_mulmt(Q, b->R, R);
+    o->s = twist_angle(o->dir, Q, axis);
+    m3_tmul(o->dir_a, Q, o->dir);
+}
+
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
                   const double *drawn, double stood)
 {
     struct pose a, b;
-    double w[3];
     m->ops->pose(s, &a, def->a.body);
     m->ops->pose(s, &b, def->b.body);
     o->turning = true;
     if (m->model->space == 2) {
         v3_copy(o->dir, def->axis);
+        v3_copy(o->dir_a, o->dir);
         o->s = def->axis[2] * (b.angle - a.angle);
     } else {
-        double R[9], turn[9], q[4], dir[3];
-        m3_tmulm(R, a.R, b.R);
-        m3_mulmt(turn, R, drawn);
-        quat_of_matrix(q, turn);
-        o->s = twist_angle(dir, q, def->axis);
+        (def->in_world ? angle_in_world : angle_on)(o, &a, &b, drawn, def->axis);
         o->s = angle_near(o->s, stood);
-        m3_mul(o->dir, a.R, dir);
     }
-    v3_diff(w, b.w, a.w);
-    o->rate = v3_dot(o->dir, w);
+    o->rate = v3_dot(o->dir, b.w) - v3_dot(o->dir_a, a.w);
 }
 
 void measure_at(struct action *o, const struct measures *m, const struct sweep *s, int i, const double *q,
@@ -154,7 +173,7 @@ void measures_recall(struct measures *o, struct recall *r)
 void action_push(const struct measures *m, struct sweep *s, const struct action *o, double f)
 {
     double on_a[3], on_b[3];
-    v3_scale(on_a, -f, o->dir);
+    v3_scale(on_a, -f, o->turning ? o->dir_a : o->dir);
     v3_scale(on_b, f, o->dir);
     if (o->turning) {
         m->ops->twist(s, o->body_a, on_a);
@@ -197,5 +216,5 @@ void row_add_measure(struct row *o, const struct measures *m, const struct sweep
         return;
     }
     row_add_body(o, m, s, act->body_b, act->turning ? NULL : act->at_b, act->dir, 1);
-    row_add_body(o, m, s, act->body_a, act->turning ? NULL : act->at_a, act->dir, -1);
+    row_add_body(o, m, s, act->body_a, act->turning ? NULL : act->at_a, act->turning ? act->dir_a : act->dir, -1);
 }

@@ -9,8 +9,10 @@
  *     angle, plane  s = angle_b - angle_a    (continuous)
  *     angle, space  the twist about e of the turn of b against a since drawn, with unit quaternion (w, x):
  *                   s = 2 atan2(e.x, w),     dir = (w^2 e + w x cross e + (e.x) x) / (w^2 + (e.x)^2)  in axes of a
+ *    in the world  the same of the turn Q that takes a to b, both as drawn, with e and dir in axes of the world: torques
+ *                  f dir on b, -f Q'dir on a, s' = dir . (w_b - Q w_a); it alone keeps no angular momentum
  *
- * The last is from (w, x)' = (-W.x, w W + W cross x)/2 with W the relative angular velocity in axes of a.  Two
+ * The last but one is from (w, x)' = (-W.x, w W + W cross x)/2 with W the relative angular velocity in axes of a.  Two
  * points in one place have no direction: dir is 0 then.  It is known up to whole turns, and is the one nearest to where
  * the angle stood at the end of the last step, so that it goes on through half a turn, and a spring winds up. */
 #ifndef FMDSUB_FORCE_MEASURE_H
@@ -27,6 +29,7 @@ struct action {
     bool turning; /* dir is a torque's */
     int body_a, body_b;
     double dir[3];           /* world axes */
+    double dir_a[3];         /* of a torque on a; else it is dir, too */
     double at_a[3], at_b[3]; /* world points of the two bodies where a force acts */
 };
 

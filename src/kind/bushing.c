@@ -49,12 +49,13 @@ static int twist_axis(const struct bushing *p)
 
 /* What turns are counted about: the axis of twist; of an isotropic bushing its preload, or where axes half-way change
  * sides with every turn and forces with them, z. */
-static bool counted(double *axis, const void *par)
+static bool counted(double *axis, bool *in_world, const void *par)
 {
     const struct bushing *p = par;
     const int z = twist_axis(p);
     const double size = v3_norm(p->preload_r);
     const bool sided = p->axes == AXES_MIDDLE && (v3_norm(p->preload) > 0 || v3_norm(p->rest) > 0);
+    *in_world = p->axes == AXES_WORLD;
     v3_set(axis, z == 0, z == 1, z == 2 || z < 0);
     if (z < 0 && size > 0) v3_scale(axis, 1 / size, p->preload_r);
     return z >= 0 || size > 0 || sided;
@@ -64,7 +65,8 @@ static bool counted(double *axis, const void *par)
 static double counted_about(const struct bushing *p, int z, double twist)
 {
     double axis[3];
-    if (!counted(axis, p) || fabs(axis[z]) != 1) return 0;
+    bool in_world;
+    if (!counted(axis, &in_world, p) || fabs(axis[z]) != 1) return 0;
     return axis[z] * twist;
 }
 

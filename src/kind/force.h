@@ -123,9 +123,9 @@ struct force_kind {
     /* The scalars between two markers, all members; par begins with struct markers. */
     void (*strains)(struct strains *o, const void *par, const struct between *x);
 
-    /* Optional.  In space: is there an axis [3] (unit; axes of the first marker) about which turns are counted, as a
-     * measure NAME.twist? */
-    bool (*twist)(double *axis, const void *par);
+    /* Optional.  In space: is there an axis [3] (unit; axes of the markers as drawn) about which turns are counted, as a
+     * measure NAME.twist?  in_world: it stays as drawn, the first body does not take it along. */
+    bool (*twist)(double *axis, bool *in_world, const void *par);
 };
 
 /* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */

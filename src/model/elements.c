@@ -58,6 +58,7 @@ static void make_measure(struct making *o, struct model_measure *to, const struc
     to->a = point_of(o, &from->a);
     to->b = point_of(o, &from->b);
     v3_copy(to->axis, from->axis);
+    to->in_world = from->in_world;
     to->fast = o->body[to->a.body].fast || o->body[to->b.body].fast;
 }
 

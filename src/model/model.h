@@ -93,6 +93,7 @@ struct model_measure {
     int iq, iv;
     struct model_point a, b;
     double axis[3]; /* unit, axes of a's body */
+    bool in_world;  /* an angle in space as the world sees it: axis is in its axes */
     bool fast;      /* reads the relative motion of anything fast */
 };
 

@@ -51,12 +51,12 @@ static bool ambiguous(const struct turns *o, const double *v, double t)
     return false;
 }
 
-/* Can no angle have turned far, as all joints together have not? */
+/* Can no angle have turned far, as twice all joints together have not: what the world sees counts some for both bodies? */
 static bool all_short(const struct turns *o)
 {
     double sum = 0;
     for (int k = 0; k < o->first[o->model->nbody]; k++) sum += fabs(o->dx[o->turning[k]]);
-    return sum < .99 * SHORT;
+    return 2 * sum < .99 * SHORT;
 }
 
 static void turn_bodies(struct turns *o)
@@ -68,7 +68,7 @@ static void turn_bodies(struct turns *o)
 }
 
 /* The most that body b turns against a: by all joints between. */
-static double turned(const struct turns *o, int a, int b)
+static double turned_between(const struct turns *o, int a, int b)
 {
     double sum = 0;
     while (a != b) {
@@ -77,6 +77,13 @@ static double turned(const struct turns *o, int a, int b)
         *farther = o->model->body[*farther].parent;
     }
     return sum;
+}
+
+/* The most that an angle changes; what the world sees of two bodies is turned by either. */
+static double turned(const struct turns *o, const struct model_measure *m)
+{
+    if (!m->in_world) return turned_between(o, m->a.body, m->b.body);
+    return turned_between(o, 0, m->a.body) + turned_between(o, 0, m->b.body);
 }
 
 int turns_pieces(struct turns *o, const double *q, const double *v, double t, bool loops)
@@ -88,9 +95,9 @@ int turns_pieces(struct turns *o, const double *q, const double *v, double t, bo
     if (all_short(o)) return 1;
     turn_bodies(o);
     for (int i = 0; i < m->nmeasure; i++)
-        if (m->measure[i].type == MEASURE_ANGLE)
-            most = fmax(most, turned(o, m->measure[i].a.body, m->measure[i].b.body));
-    for (int i = 0; loops && i < m->nloop; i++) most = fmax(most, turned(o, m->loop[i].first, m->loop[i].second));
+        if (m->measure[i].type == MEASURE_ANGLE) most = fmax(most, turned(o, &m->measure[i]));
+    for (int i = 0; loops && i < m->nloop; i++)
+        most = fmax(most, turned_between(o, m->loop[i].first, m->loop[i].second));
     return !(most > SHORT) ? 1 : (int)fmin(MOST_PIECES, 1 + ceil(most / PIECE));
 }
 

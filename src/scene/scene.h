@@ -71,6 +71,7 @@ struct scene_measure {
     int joint, k;       /* MEASURE_COORDINATE: k-th rate of the joint */
     struct marker a, b; /* MEASURE_COORDINATE: of the ground */
     double axis[3];     /* axes of a's body */
+    bool in_world;      /* a turn as the world sees it, axis in its axes */
     double drawn;       /* its value in the drawn position */
 };
 

@@ -266,12 +266,14 @@ static int marker_axes(struct builder *b, double *E, const struct node *axis, co
 }
 
 /* What counts its turns, a measure that it reads. */
-static void count_turns(struct builder *b, struct scene_force *f, const struct markers *on, const double *axis)
+static void count_turns(struct builder *b, struct scene_force *f, const struct markers *on, const double *axis,
+                        bool in_world)
 {
     struct scene_slot *slot = TAKE(b->life, struct scene_slot, 2);
-    struct scene_measure m = {.node = f->node, .type = MEASURE_ANGLE, .angular = true, .a = f->a, .b = f->b};
+    struct scene_measure m = {
+        .node = f->node, .type = MEASURE_ANGLE, .angular = true, .a = f->a, .b = f->b, .in_world = in_world};
     m.name = arena_print(b->life, "%s.twist", f->name);
-    m3_mul(m.axis, on->Ea, axis);
+    m3_mul(m.axis, in_world ? on->drawn : on->Ea, axis);
     slot[1] = (struct scene_slot){.type = SCENE_MEASURE, .index = measure_add(b, &m)};
     f->slot = slot;
     f->nslot = 2;
@@ -285,6 +287,7 @@ static int read_between(struct builder *b, struct scene_force *f, const struct n
     struct marker at;
     int first, second;
     double world[3], axis[3], *E = on->drawn;
+    bool in_world;
     if (read_keys(on, kind->keys, n, NULL, what, &b->reader)) return 1;
     if (find_two_bodies(b, &first, &second, on->bodies, what)) return 1;
     if (read_point(b, &at, on->at, what) || marker_axes(b, E, on->axis, what)) return 1;
@@ -293,7 +296,7 @@ static int read_between(struct builder *b, struct scene_force *f, const struct n
     marker_at(&f->b, b->scene, second, world);
     m3_tmulm(on->Ea, b->scene->body[first].R, E);
     m3_tmulm(on->Eb, b->scene->body[second].R, E);
-    if (kind->twist && b->scene->space == 3 && kind->twist(axis, on)) count_turns(b, f, on, axis);
+    if (kind->twist && b->scene->space == 3 && kind->twist(axis, &in_world, on)) count_turns(b, f, on, axis, in_world);
     f->type = FORCE_BETWEEN;
     f->measure = -1;
     f->kind = kind;

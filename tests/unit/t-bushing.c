@@ -401,6 +401,45 @@ static void a_twist_winds_up(void **state)
     }
 }
 
+/* A body that a pin (z) holds on one that has been turned over by x is seen by the world as turned by Q = Rx(x) Rz(z)
+ * Rx(-x), by z about (0, -sin x, cos x).  Its twist about the world's z goes on through half turns, backwards where x is
+ * more than a quarter turn. */
+static void the_world_sees_a_twist_turned_over(void **state)
+{
+    static const struct {
+        double x, z, tilt, soft, preload;
+    } runs[] = {{0.4, 9, 100, .1, 0},  {2.9, 9, 100, .1, 0}, {2.9, -7, 100, .1, 2},
+                {0.3, -60, 3, 3, 1.5}, {2.9, 60, 3, 3, 1.5}, {-3, 60, 3, 3, 1.5}};
+    (void)state;
+    for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
+        const double x = runs[i].x, z = runs[i].z, k = runs[i].tilt, p = runs[i].preload;
+        struct opened o;
+        char text[1000];
+        snprintf(
+            text, sizeof text,
+            "bodies:\n"
+            "  c: {mass: 1, inertia: [0.01, 0.01, 0.02], at: [0, 0, 0]}\n"
+            "  d: {mass: 1, inertia: [0.01, 0.01, 0.02], at: [0, 0, 0]}\n"
+            "constraints:\n"
+            "  over: {revolute: [ground, c], at: [0, 0, 0], axis: [1, 0, 0]}\n"
+            "  pin: {revolute: [c, d], at: [0, 0, 0], axis: [0, 0, 1]}\n"
+            "forces:\n"
+            "  b: {bushing: [c, d], at: [0, 0, 0], axes: world, rotation: [%g, %g, %g], rotation_preload: [0, 0, %g]}\n"
+            "drives: {o: {drive: over, value: \"%g*min(t, 1)\"}, p: {drive: pin, value: \"%g*max(t - 1, 0)\"}}\n"
+            "integrate: {scheme: midpoint, step: 1.0e-3, until: 2}\n"
+            "output: {every: 0.1, columns: [b.twist]}\n",
+            k, k, runs[i].soft, p, x, z);
+        open_deck(&o, text);
+        run(&o);
+        const double twist = angle_near(2 * atan2(cos(x) * sin(z / 2), cos(z / 2)), cos(x) > 0 ? z : -z);
+        const double tilt = acos(cos(x) * cos(x) + sin(x) * sin(x) * cos(z)), all = angle_near(z, 0);
+        const double V = runs[i].soft < k ? (k * tilt * tilt + runs[i].soft * twist * twist) / 2 : k * all * all / 2;
+        near(value(&o, "b.twist"), twist, 1e-9);
+        near(value(&o, "energy.elastic"), V - p * twist, 1e-7);
+        arena_close(o.life);
+    }
+}
+
 /* A twist with preload and rest beyond half a turn against a spring with preload and rest along the joint that leaves only
  * this twist free: motion, energy, power, and the torque, which is the spring's. */
 static void rest_and_preload_beyond_half_a_turn(void **state)
@@ -481,6 +520,7 @@ int main(void)
         cmocka_unit_test(tilt_frequency),
         cmocka_unit_test(energy_of_a_spinning_disc),
         cmocka_unit_test(a_twist_winds_up),
+        cmocka_unit_test(the_world_sees_a_twist_turned_over),
         cmocka_unit_test(rest_and_preload_beyond_half_a_turn),
         cmocka_unit_test(large_tilts_are_told),
     };
