@@ -67,6 +67,7 @@ enum trouble_code {
     TROUBLE_TOO_SMALL,  /* the step fell below what t can resolve; value: the step */
     TROUBLE_MASS,       /* M^ not positive definite; index: coordinate */
     TROUBLE_LAW,        /* a force is not finite; kind: element kind, index: element */
+    TROUBLE_CONDITION,  /* the condition that ends the run is not a number */
     TROUBLE_CLOSURE,    /* a loop cannot be closed, or its equations are singular; index: loop joint */
     TROUBLE_DRIVE,      /* a drive or a rate of it is not finite; index: loop joint */
     TROUBLE_MEMORY,     /* a matrix is larger than what is left; value: its bytes; the status is E_LIMIT */

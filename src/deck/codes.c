@@ -239,7 +239,8 @@ const struct diag_help diag_helps[] = {
      "The matrix of a step has no inverse: a body without mass or inertia, or a spring of negative stiffness that "
      "just holds the balance. Give the body mass, or try another step."},
     {"not-finite",
-     "A force, a drive or a state is no number (a division by 0, the root of a negative number, an overflow). Look at "
+     "A force, a drive, the condition that ends the run or a state is no number (a division by 0, the root of a "
+     "negative number, an overflow). Look at "
      "the expression that is named, and guard it: if(x > 0, sqrt(x), 0). If the motion grew before, the step is too "
      "large or "
      "the model is unstable."},

@@ -40,7 +40,7 @@ enum op {
     FUNCTIONS(OP_NAME)
     STEPS(OP_NAME)
     /* flow */
-    OP_UNLESS, /* takes one; if it is 0, skips `index` operations */
+    OP_UNLESS, /* takes one; if it is 0, skips `index` operations; if it is NaN, stays that and skips both branches */
     OP_SKIP,   /* skips `index` operations */
     OP_END
 };

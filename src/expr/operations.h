@@ -7,12 +7,19 @@
 #define FMDSUB_EXPR_OPERATIONS_H
 
 #include <math.h>
+#include <stdbool.h>
 
 #define LOG_OF_10 2.302585092994045684
 
 static inline double op_sign(double x)
 {
-    return (double)((x > 0) - (x < 0));
+    return x != x ? x : (double)((x > 0) - (x < 0));
+}
+
+/* Of a and b; of what is not a number nothing is known. */
+static inline double op_relation(bool is, double a, double b)
+{
+    return a != a || b != b ? NAN : is;
 }
 
 /* x/(a^2 + b^2), without overflow. */
@@ -46,7 +53,7 @@ static inline double op_over_square(double x, double a, double b)
 
 /* Constant from step to step: OP, f */
 #define STEPS(X) \
-    X(NOT,   a == 0) \
+    X(NOT,   1 - a) \
     X(SIGN,  op_sign(a)) \
     X(FLOOR, floor(a)) \
     X(CEIL,  ceil(a))
@@ -74,16 +81,16 @@ static inline double op_over_square(double x, double a, double b)
     X(MIN, a > b || b != b) \
     X(MAX, a < b || b != b)
 
-/* OP, f = 1 or 0 */
+/* OP, f = 1 or 0; NaN where it is not known.  The operands of the last two are such. */
 #define TRUTHS(X) \
-    X(LT,  a < b) \
-    X(LE,  a <= b) \
-    X(GT,  a > b) \
-    X(GE,  a >= b) \
-    X(EQ,  a == b) \
-    X(NE,  a != b) \
-    X(AND, a != 0 && b != 0) \
-    X(OR,  a != 0 || b != 0)
+    X(LT,  op_relation(a < b, a, b)) \
+    X(LE,  op_relation(a <= b, a, b)) \
+    X(GT,  op_relation(a > b, a, b)) \
+    X(GE,  op_relation(a >= b, a, b)) \
+    X(EQ,  op_relation(a == b, a, b)) \
+    X(NE,  op_relation(a != b, a, b)) \
+    X(AND, a == 0 || b == 0 ? 0 : a * b) \
+    X(OR,  a == 1 || b == 1 ? 1 : a + b)
 
 /* clang-format on */
 

@@ -65,6 +65,8 @@ static enum made if_then(struct parser *p)
     p->condition = outer;
     if (made == FAILED) return FAILED;
     if (made != TRUTH) return parse_wrong(p, start, p->at - start, "expected a condition such as 't < 1'");
+    if (emit_is_constant(p, from) && isnan(p->code[from].value))
+        return parse_wrong(p, start, p->at - start, "one side of the condition is no finite number");
     if (!scan_accept(p, ',')) return parse_expected(p, "','");
     bool known = emit_is_constant(p, from), yes = known && p->code[from].value != 0;
     p->stack--;

@@ -63,7 +63,13 @@ static void pass(struct number *stack, const struct expr *e, const double *slot,
             y = variable(slot, x->index, which, n);
             two(x->op - OP_ADD_SLOT + OP_ADD, s - 1, &y);
         } else if (x->op == OP_UNLESS) {
-            if ((--s)->x == 0) x += x->index;
+            s--;
+            if (s->x != s->x) {
+                *s++ = constant(NAN);
+                x += x->index, x += x->index;
+            } else if (s->x == 0) {
+                x += x->index;
+            }
         } else if (x->op == OP_SKIP) {
             x += x->index;
         } else {

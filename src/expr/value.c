@@ -31,6 +31,10 @@ double expr_value(const struct expr *e, const double *slot)
         FUNCTIONS(ONE)
         STEPS(STEP)
         case OP_UNLESS:
+            if (top != top) {
+                x += x->index, x += x->index;
+                break;
+            }
             if (top == 0) x += x->index;
             top = *--s;
             break;

@@ -3,6 +3,7 @@
  *
  * Both are reported at the end of the step in which they happen; the step is not cut there. */
 #include <assert.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "expr/expr.h"
@@ -71,7 +72,9 @@ static enum status check_condition(struct sim *sim, struct sink *sink, struct re
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
     for (int i = 0; i < when->nslot; i++) w->value[i] = record_value(sim, w->slot[i]);
-    bool is = expr_value(when->expr, w->value) != 0, turned = is && !w->was;
+    const double truth = expr_value(when->expr, w->value);
+    if (isnan(truth)) return trouble_set(&sim->trouble, TROUBLE_CONDITION, -1, truth, sim->x.t);
+    const bool is = truth != 0, turned = is && !w->was;
     w->was = is;
     bool start = sim->stepper.effort.majors == 0;
     if (start && is && sim->options.log) {

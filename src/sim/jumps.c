@@ -46,12 +46,9 @@ static bool follows(struct jumping *o, const struct signal *s, double a, double 
 }
 
 /* Where the deck has the drive's value. */
-static const char *place_of(const struct sim *sim, const struct jumping *o, char *text, size_t size)
+static const struct node *value_of(const struct sim *sim, const struct jumping *o)
 {
-    const struct node *n = node_find(sim->scene->drive[o->loop - model_first_drive(sim->model)].node, "value");
-    const struct source *s = diags_source(sim->scene->deck->diags, n->file);
-    snprintf(text, size, "%.200s:%d:%d", s ? s->path : "", n->mark.line, n->mark.col);
-    return text;
+    return node_find(sim->scene->drive[o->loop - model_first_drive(sim->model)].node, "value");
 }
 
 static enum status judge(struct sim *sim, struct jumping *o, double at, double before, double behind, struct sink *sink,
@@ -68,9 +65,10 @@ static enum status judge(struct sim *sim, struct jumping *o, double at, double b
         return fail(report, E_NUMERIC,
                     "stopped at t = %.12g s: %s (%s); nothing follows a step in position: let it move there in some "
                     "time [drive-jump]",
-                    sim->x.t, text, place_of(sim, o, place, sizeof place));
+                    sim->x.t, text, place_of(place, sizeof place, sim, value_of(sim, o)));
     if (!o->reported)
-        sim_warn(sim, "%s (%s): its pieces do not quite meet", text, place_of(sim, o, place, sizeof place));
+        sim_warn(sim, "%s (%s): its pieces do not quite meet", text,
+                 place_of(place, sizeof place, sim, value_of(sim, o)));
     o->reported = true;
     return sink_event(sink, sim->x.t, "drive", text, report);
 }

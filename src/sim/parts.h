@@ -119,6 +119,10 @@ __attribute__((format(printf, 2, 3))) void sim_warn(struct sim *sim, const char 
 /* What has been noted of the run and is too much. */
 void warn_at_end(struct sim *sim);
 void print_end(const struct sim *sim, double wall);
+/* FILE:LINE:COLUMN of the node; text. */
+const char *place_of(char *text, size_t size, const struct sim *sim, const struct node *node);
+
+/* stops.c: why a run stopped, in words */
 enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
                              struct report *report);
 

@@ -74,7 +74,7 @@ static long double call1(int i, long double a)
 {
     long double (*const f[])(long double) = {sinl,  cosl,  atanl, tanhl, expl,  sqrtl,  logl,   fabsl,
                                              sinhl, coshl, tanl,  asinl, acosl, log10l, floorl, ceill};
-    return i < 16 ? f[i](a) : (a > 0) - (a < 0);
+    return i < 16 ? f[i](a) : a != a ? a : (a > 0) - (a < 0);
 }
 
 static long double call2(int i, long double a, long double b)
@@ -130,7 +130,7 @@ static long double exact(const struct tree *x, const long double *slot)
     case 'g':
         return call2(x->index, a, b);
     default:
-        return a < 1 ? b : exact(x->c, slot);
+        return a != a ? a : a < 1 ? b : exact(x->c, slot);
     }
 }
 
@@ -601,6 +601,46 @@ static void smooth(void **state)
     arena_close(arena);
 }
 
+/* Of what is not a number nothing is known, unless the other side of and, or decides. */
+static void unknown_truths(void **state)
+{
+    static const struct {
+        const char *text;
+        double value; /* at t = -1, x = NaN */
+    } list[] = {{"sqrt(t) > 1", NAN},
+                {"sqrt(t) <= 1", NAN},
+                {"not sqrt(t) > 1", NAN},
+                {"sqrt(t) != sqrt(t)", NAN},
+                {"x == 1", NAN},
+                {"t > 0 and sqrt(t) > 1", 0},
+                {"sqrt(t) > 1 and t > 0", 0},
+                {"t < 0 and sqrt(t) > 1", NAN},
+                {"t < 0 or sqrt(t) > 1", 1},
+                {"sqrt(t) > 1 or t < 0", 1},
+                {"t > 0 or x < 2", NAN},
+                {"sign(x) == 0", NAN},
+                {"if(x > 0, 2, 3) > 1", NAN},
+                {"if(t > 0, x, 3) > 1", 1},
+                {"if(t < 0, 5, x) > 1", 1},
+                {"2 + if(x < 1, 2, 3) > 1", NAN}};
+    struct arena *arena = arena_open();
+    (void)state;
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        struct expr *e;
+        struct expr_error error;
+        const double slot[SLOTS] = {-1, NAN}, want = list[i].value;
+        const int which = 0;
+        double d, value[3];
+        assert_int_equal(expr_parse_truth(&e, list[i].text, strlen(list[i].text), &names, arena, &error), 0);
+        value[0] = expr_value(e, slot);
+        value[1] = expr_slopes(e, &d, slot, &which, 1);
+        value[2] = expr_jet(e, &d, &d, slot, which);
+        for (int k = 0; k < 3; k++)
+            if (isnan(want) ? !isnan(value[k]) : value[k] != want) fail_msg("%s: %g", list[i].text, value[k]);
+    }
+    arena_close(arena);
+}
+
 /* A truth by itself is what it is as the condition of if. */
 static void truths(void **state)
 {
@@ -640,9 +680,10 @@ static void truths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values), cmocka_unit_test(errors), cmocka_unit_test(limits),       cmocka_unit_test(corners),
-        cmocka_unit_test(slots),  cmocka_unit_test(speed),  cmocka_unit_test(random_trees), cmocka_unit_test(truths),
-        cmocka_unit_test(jets),   cmocka_unit_test(smooth), cmocka_unit_test(spans),
+        cmocka_unit_test(values),       cmocka_unit_test(errors), cmocka_unit_test(limits),
+        cmocka_unit_test(corners),      cmocka_unit_test(slots),  cmocka_unit_test(speed),
+        cmocka_unit_test(random_trees), cmocka_unit_test(truths), cmocka_unit_test(jets),
+        cmocka_unit_test(smooth),       cmocka_unit_test(spans),  cmocka_unit_test(unknown_truths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
