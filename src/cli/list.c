@@ -46,6 +46,15 @@ static void print_schemes(void)
                stepper_kinds[i]->brief);
 }
 
+static void print_effects(void)
+{
+    for (int i = 0; i < EFFECTS; i++) {
+        const struct effect_kind *e = &effect_kinds[i];
+        printf("%s: %s\n    tells      %s\n    left out   %s\n    costs      %s\n    watched    %s\n", e->name,
+               e->brief, e->evidence, e->threshold, e->cost, e->watched);
+    }
+}
+
 static enum status print_columns(const struct request *request, struct arena *life, struct report *report)
 {
     struct request one = *request;
@@ -71,7 +80,7 @@ static enum status print_columns(const struct request *request, struct arena *li
 
 enum status verb_list(const struct request *request, struct arena *life, struct report *report)
 {
-    static const char *const topics[] = {"schemes", "joints", "forces", "sections", "columns"};
+    static const char *const topics[] = {"schemes", "joints", "forces", "effects", "sections", "columns"};
     const char *topic = request->nword ? request->word[0] : "";
     bool one_word = strcmp(topic, "columns") != 0 && strcmp(topic, "page") != 0;
     if (one_word && request->nword > 1) return fail(report, E_USAGE, "'fmdsub list %.40s' takes nothing more", topic);
@@ -86,6 +95,8 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
         print_sections("constraints.NAME", life);
     } else if (strcmp(topic, "forces") == 0) {
         print_sections("forces.NAME", life);
+    } else if (strcmp(topic, "effects") == 0) {
+        print_effects();
     } else if (strcmp(topic, "sections") == 0) {
         print_sections(NULL, life);
     } else if (strcmp(topic, "columns") == 0) {
@@ -93,9 +104,10 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
     } else if (strcmp(topic, "page") == 0) {
         return page_print(stdout, request->nword - 1, request->word + 1, report);
     } else {
-        const char *nearest = text_nearest(topic, topics, 5);
-        return fail(report, E_USAGE, "no list of '%.40s'%s%s%s (schemes, joints, forces, sections, columns DECK)",
-                    topic, nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+        const char *nearest = text_nearest(topic, topics, (int)(sizeof topics / sizeof *topics));
+        return fail(report, E_USAGE,
+                    "no list of '%.40s'%s%s%s (schemes, joints, forces, effects, sections, columns DECK)", topic,
+                    nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
     }
     return OK;
 }

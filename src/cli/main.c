@@ -28,7 +28,7 @@ const struct verb verbs[] = {
     {"study", "DECK", "what accuracy costs: error against time over schemes, ratios, steps", verb_study},
     {"plot", "DECK or FILE.csv ...", "columns over time as a picture, by gnuplot", verb_plot},
     {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},
-    {"list", "[schemes|joints|forces|sections|columns DECK]", "what a deck may say", verb_list},
+    {"list", "[schemes|joints|forces|effects|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
     {"explain", "CODE", "what a message means and how to cure it", verb_explain},
     {"new", "pendulum|mechanism|beam", "print a commented starter deck", verb_new},

@@ -29,7 +29,11 @@ static cJSON *words_schema(const char *words)
     for (const char *w = words; *w; w += strcspn(w, "|"), w += *w == '|') {
         char word[64];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(w, "|"), w);
-        cJSON_AddItemToArray(list, cJSON_CreateString(word));
+        const bool truth = strcmp(word, "true") == 0;
+        if (truth || strcmp(word, "false") == 0)
+            cJSON_AddItemToArray(list, cJSON_CreateBool(truth));
+        else
+            cJSON_AddItemToArray(list, cJSON_CreateString(word));
     }
     return o;
 }

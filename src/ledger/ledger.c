@@ -27,15 +27,18 @@ static double least_norm(const struct ledger *o)
                   round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 
-void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
-                 double lost, double left)
+void ledger_add(struct ledger *o, const double *work, double lost, double left)
+{
+    for (int i = 0; i < LEDGER_CHANNELS; i++) o->work[i] += work[i];
+    o->lost += lost;
+    o->left += left;
+}
+
+void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity)
 {
     o->kinetic = kinetic;
     o->elastic = elastic;
     o->gravity = gravity;
-    for (int i = 0; i < LEDGER_CHANNELS; i++) o->work[i] += work[i];
-    o->lost += lost;
-    o->left += left;
     double kin = kinetic - o->kinetic0;
     double taken = o->lost - o->work[LEDGER_DAMPER] - o->work[LEDGER_FRICTION];
     double internal = elastic - o->elastic0 + taken;

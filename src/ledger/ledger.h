@@ -30,9 +30,10 @@ struct ledger {
 
 void ledger_open(struct ledger *o, double delta, double least, double kinetic, double elastic, double gravity);
 
-/* The end of an accepted step at t: energies there, and the step's works [LEDGER_CHANNELS]. */
-void ledger_push(struct ledger *o, double t, double kinetic, double elastic, double gravity, const double *work,
-                 double lost, double left);
+/* The end of an accepted step: its works [LEDGER_CHANNELS]; each step's. */
+void ledger_add(struct ledger *o, const double *work, double lost, double left);
+/* The balance there, at t, by the energies: where somebody looks, but always at the end. */
+void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity);
 
 /* *o, the end of a step, to the part x of it, with the energies there: from what was `before` it, works and residual go on
  * evenly. */

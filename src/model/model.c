@@ -24,6 +24,7 @@ enum status model_build(struct model **out, const struct scene *scene, struct di
     make_start(&o);
     warn_of_spin(&o);
     make_kept(&o);
+    make_effects(&o);
     *out = m;
     return OK;
 }

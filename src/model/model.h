@@ -20,6 +20,7 @@ struct model_body {
     double inertia[6];            /* xx yy zz xy xz yz: tensor about the centre of mass, body axes [kg m2] */
     double at[3];                 /* drawn position of the centre of mass, world [m] */
     double R[9];                  /* drawn orientation, body to world, by column */
+    const double *swung;          /* [6] inertia for w x J w; NULL: its own */
     double *held;                 /* [6] likewise: holds turns that move no mass, see system/idle.h; NULL: flexible */
     int parent;                   /* -1 for the ground */
     int joint;                    /* its tree joint; -1 for the ground */
@@ -135,9 +136,14 @@ struct model_kept {
     struct flex_kept kept;
 };
 
+/* Which floating trees (open/floating.h) keep their momenta only as far as the scheme does by itself: none; those of more
+ * than a rigid body that no force but gravity acts on from outside; all. */
+enum model_drift { DRIFT_NONE, DRIFT_ALONE, DRIFT_ALL };
+
 struct model {
     int space; /* 2 or 3 */
     double gravity[3];
+    enum model_drift drift;
     int n, ns, near, nq; /* as in ode2.h */
     int nbody;
     const struct model_body *body; /* [nbody], 0 is the ground, parents first */

@@ -54,6 +54,8 @@ void make_elements(struct making *o);
 void warn_of_spin(struct making *o);
 /* kept.c: what the modes of beams keep, and warnings of what they do not */
 void make_kept(struct making *o);
+/* effects.c: the model goes without what the deck turns off */
+void make_effects(struct making *o);
 /* start.c: q0, v0 */
 void make_start(struct making *o);
 

@@ -16,6 +16,15 @@ static bool may_turn(const struct making *o, int body)
     return false;
 }
 
+/* Where the deck has turned a body's stiffening off; NULL: it has not. */
+static const struct node *turned_off_at(const struct scene *scene, const struct scene_body *sb)
+{
+    if (!sb->flex || sb->flex->s) return NULL;
+    const struct node *own = node_find(sb->node, "stiffening");
+    if (own && !own->implied) return own;
+    return node_find(scene->effects_node, "stiffening");
+}
+
 static void warn(struct making *o, const struct scene_body *sb, const struct node *at, double limit)
 {
     char what[100];
@@ -33,7 +42,7 @@ void warn_of_spin(struct making *o)
     struct arena *scratch = arena_open();
     for (int i = 1; i < o->scene->nbody; i++) {
         const struct scene_body *sb = &o->scene->body[i];
-        const struct node *at = sb->flex && !sb->flex->s ? node_find(sb->node, "stiffening") : NULL;
+        const struct node *at = turned_off_at(o->scene, sb);
         double limit = INFINITY, e[3];
         if (!at) continue;
         for (; i < o->scene->nbody && o->scene->body[i].node == sb->node; i++) { /* segments: the weakest */

@@ -104,10 +104,12 @@ static bool is_free(const struct roots *r, int root)
 /* More than one body held in its centre, or one that others that fly turn. */
 static bool floats(const struct model *m, const struct roots *r, int body)
 {
+    if (m->drift == DRIFT_ALL) return false;
     const struct model_body *b = &m->body[body];
     const struct model_joint *j = &m->joint[b->joint];
     if (b->parent != 0 || !travels(m, j) || r->tied[body]) return false;
-    return r->count[body] > 1 || b->flex || v3_norm(j->b) > 0 || (r->turned[body] && is_free(r, body));
+    if (r->count[body] > 1 || b->flex) return m->drift == DRIFT_NONE || !is_free(r, body);
+    return v3_norm(j->b) > 0 || (r->turned[body] && is_free(r, body));
 }
 
 static bool is_by_itself(const struct model *m, const struct roots *r, int body)

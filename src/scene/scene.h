@@ -12,6 +12,7 @@
 #include "deck/deck.h"
 #include "deck/diag.h"
 #include "flex/body.h"
+#include "kind/effect.h"
 #include "kind/force.h"
 #include "kind/joint.h"
 
@@ -205,6 +206,8 @@ struct scene {
     struct scene_condition when; /* ends the run */
     struct output output;
     double delta; /* of (2-26) */
+    struct effect_wishes effects;
+    const struct node *effects_node; /* NULL: not given */
 };
 
 /* Checks the deck and fills a scene; all errors go to diags, the status is diags' own.  schemes: what the schemes read of

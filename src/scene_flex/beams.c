@@ -36,6 +36,14 @@ static int read_axes(struct builder *b, struct scene_body *body, struct draft *o
     return 0;
 }
 
+bool wants_effect(const struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own)
+{
+    const struct node *n = node_find(map, key);
+    const int wish = b->scene->effects.wish[id];
+    if ((n && !n->implied) || wish == WISH_AUTO) return own;
+    return wish == WISH_ON;
+}
+
 static int read_axis(struct builder *b, struct scene_body *body, struct draft *o, const struct beam_body_keys *k,
                      const char *what)
 {
@@ -46,8 +54,9 @@ static int read_axis(struct builder *b, struct scene_body *body, struct draft *o
     if (errors) return errors;
     const struct node *sections = k->section ? k->section : k->sections;
     o->beam.elements = a.elements;
-    o->rotary = a.rotary;
-    o->shear = a.shear >= 0 ? a.shear : sections && gives_shear(sections);
+    const bool shear = a.shear >= 0 ? a.shear : sections && gives_shear(sections);
+    o->rotary = wants_effect(b, k->beam, "rotary", EFFECT_ROTARY, a.rotary);
+    o->shear = wants_effect(b, k->beam, "shear", EFFECT_SHEAR, shear);
     return read_axes(b, body, o, &a, what);
 }
 
@@ -210,7 +219,7 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     warn_of_beam(b, o, k.material, k.beam, k.section ? k.section : k.sections, what);
     o->modes = node_find(n, "modes");
     o->beam.modes = body->nmode = k.modes;
-    o->beam.stiffening = k.stiffening;
+    o->beam.stiffening = wants_effect(b, n, "stiffening", EFFECT_STIFFENING, k.stiffening);
     weigh_beam(body, o);
     if (k.segments > 1) cut_beam(b, index, k.segments);
     return 0;

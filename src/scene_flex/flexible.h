@@ -48,6 +48,9 @@ extern const struct key keys_reduced[], keys_beam_body[], keys_beam[], keys_sect
     keys_damping[], keys_lump[], keys_station[], keys_probe[];
 
 /* A beam that is still to be made. */
+/* An effect that a key of the body itself may decide, as `own` says: else as `effects` wishes it. */
+bool wants_effect(const struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own);
+
 struct draft {
     struct flex_beam beam;
     bool round;               /* sections are circles: corners lie on them */

@@ -55,6 +55,13 @@ static bool is_planar(const struct flex_body *o, struct arena *life)
     return true;
 }
 
+/* Without displacements of second order: what the deck wishes of files, which have no key of their own for it. */
+static void take_off_stiffening(struct flex_body *o)
+{
+    o->s = o->xs = NULL;
+    for (int i = 0; i < o->nnode; i++) o->node[i].S = o->node[i].T = NULL;
+}
+
 static int read_file(struct builder *b, struct scene_body *body, double *centre, const struct node *n)
 {
     struct flex_body *flex;
@@ -67,6 +74,7 @@ static int read_file(struct builder *b, struct scene_body *body, double *centre,
                        "'%s' moves out of the plane of x and y: it needs a 3-D deck", diag_clip(b->diags, n->text));
             return 1;
         }
+        if (b->scene->effects.wish[EFFECT_STIFFENING] == WISH_OFF) take_off_stiffening(flex);
         body->flex = flex;
         body->nmode = flex->n;
         return 0;

@@ -11,7 +11,7 @@ struct deck_keys {
     const char *title;
     int units, space;
     const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *drives, *initial,
-        *partition, *integrate, *output, *energy;
+        *partition, *integrate, *output, *energy, *effects;
 };
 struct body_keys {
     double mass;
@@ -104,6 +104,8 @@ int read_initial(struct builder *b, const struct node *n);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
 int read_output(struct builder *b, const struct node *n);
+/* effects.c: before the bodies, which it has a say in */
+int read_effects(struct builder *b, const struct node *n);
 /* Is it the name of an expression among the output's columns?  No force or condition reads these. */
 bool is_output_formula(const struct deck *deck, const char *name);
 

@@ -77,6 +77,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
     b.reader.sections = sections_fixed(&b.reader.nsection);
     read_keys(&k, keys_deck, deck->root, NULL, "the deck", &b.reader);
     scene->title = k.title ? k.title : "";
+    read_effects(&b, k.effects);
     if (k.bodies) {
         read_space(&b, &k);
         if (k.gravity && read_place(&b, scene->gravity, k.gravity, "'gravity'") == 0) warn_of_gravity(&b, k.gravity);

@@ -28,6 +28,7 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, integrate, "integrate", "map", KEY_REQUIRED, "scheme, step, ratio, end"),
     PARAM_NODE(struct deck_keys, output, "output", "map", 0, "columns and how often"),
     PARAM_NODE(struct deck_keys, energy, "energy", "map", 0, "the verdict on the energy balance"),
+    PARAM_NODE(struct deck_keys, effects, "effects", "map", 0, "what of the physics is computed, see `fmdsub explain`"),
     KEYS_END,
 };
 
@@ -247,6 +248,7 @@ static const struct section fixed[] = {
     {"output", NULL, "records", keys_output},
     {"output.every", NULL, "records by major steps", keys_every},
     {"energy", NULL, "the balance (2-26)", keys_energy},
+    {"effects", NULL, "what of the physics is computed", keys_effects},
 };
 enum { FIXED = sizeof fixed / sizeof *fixed };
 

@@ -18,6 +18,15 @@ enum { MOST_HALVINGS = 10 };
 enum { REJECTED_PER_MAJOR = 10, REJECTED_BESIDES = 10000, REJECTED_PER_RECORD = 100000 };
 static const double SPOILT = 1e-3; /* of what the balance may be off by, in one step */
 
+/* Is there a watch that reads what the look at the energies leaves: bodies where the step has ended? */
+static bool looks_always(const struct sim *sim)
+{
+    const bool watched = sim->watched || sim->nspin || sim->ntilt || sim->npass || sim->idle.n || sim->negative;
+    const bool written = sim->needs & NEED_ENERGY && sim->every == 1;
+    return watched || written || (sim->nrotation && sim->model->nloop) || sim->stepper.kind->adaptive ||
+           effect_wish(&sim->scene->effects, EFFECT_LEDGER) == WISH_ON;
+}
+
 void advance_open(struct sim *sim, struct arena *life)
 {
     sim->keep = TAKE(life, struct single, 1);
@@ -27,16 +36,23 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->stepper.guess = sim->guess;
     sim->stepper.natural = sim->stepper.ode->n > 0 && adaptive_interpolates(&sim->stepper);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
+    sim->looks_always = looks_always(sim);
+}
+
+enum status look_at_energies(struct sim *sim)
+{
+    struct energies e;
+    TRY(system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &sim->trouble));
+    ledger_look(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity);
+    return OK;
 }
 
 /* Books the step that was just accepted.  A state whose energy is unknown ends the run: it is no step to halve. */
 static enum status book(struct sim *sim)
 {
-    struct energies e;
     const struct stepper *s = &sim->stepper;
-    TRY(system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &sim->trouble));
-    ledger_push(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity, s->work, s->lost, s->left);
-    return OK;
+    ledger_add(&sim->ledger, s->work, s->lost, s->left);
+    return sim->looks_always ? look_at_energies(sim) : OK;
 }
 
 static enum status note(struct sim *sim, double h, int ratio)

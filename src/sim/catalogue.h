@@ -22,8 +22,13 @@ enum column_use {
     USE_TURNS     /* final states: an angle that a posture gives up to whole turns */
 };
 
-/* What a column needs besides SEE_... of system.h: the whole turns of joints that close loops. */
-enum { NEED_TURNS = 1 << 8 };
+/* What a column needs besides EVALUATE_... of system.h. */
+enum {
+    NEED_TURNS = 1 << 8,    /* the whole turns of joints that close loops */
+    NEED_RATES = 1 << 9,    /* of a mechanism with loops the rates of all joints */
+    NEED_ENERGY = 1 << 10,  /* the ledger as it stands at the instant */
+    NEED_MOMENTUM = 1 << 11 /* momenta that are kept to round-off */
+};
 
 /* A row: one quantity of one sort of thing. */
 struct column_kind {
@@ -32,7 +37,7 @@ struct column_kind {
     const char *plane, *space;
     const char *unit; /* NULL: none */
     const char *brief;
-    unsigned needs; /* SEE_... of system.h, NEED_...: what is to be known of the instant */
+    unsigned needs; /* EVALUATE_... of system.h, NEED_...: what is to be known of the instant */
 
     /* Its value, after what it needs was seen.  Runs in every record: allocates nothing, cannot fail. */
     double (*value)(const struct sim *sim, const struct origin *o);

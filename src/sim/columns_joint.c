@@ -23,7 +23,7 @@ static double acceleration(const struct sim *sim, const struct origin *o)
 /* Names and units are those of the kind of joint. */
 const struct column_kind columns_coordinate[] = {
     {COLUMN(NULL, NULL, NULL, "joint coordinate", EVALUATE_NOTHING, position), .use = USE_POSITION},
-    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", EVALUATE_NOTHING, rate), .use = USE_RATE},
+    {COLUMN(NULL, NULL, NULL, "rate of a joint coordinate", NEED_RATES, rate), .use = USE_RATE},
     {COLUMN(NULL, NULL, NULL, "acceleration of a joint coordinate", EVALUATE_ACCELERATION, acceleration)},
     {0},
 };

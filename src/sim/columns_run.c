@@ -27,17 +27,17 @@ FIGURE(numerical, sim->ledger.lost)
 FIGURE(residual, sim->ledger.residual)
 
 const struct column_kind columns_energy[] = {
-    {COLUMN(".kinetic", ".kinetic", "J", "kinetic energy", EVALUATE_NOTHING, kinetic)},
-    {COLUMN(".elastic", ".elastic", "J", "energy in springs and in flexible bodies", EVALUATE_NOTHING, elastic)},
-    {COLUMN(".gravity", ".gravity", "J", "energy in the field of gravity", EVALUATE_NOTHING, gravity)},
-    {COLUMN(".external", ".external", "J", "work of external forces since the start", EVALUATE_NOTHING, external)},
-    {COLUMN(".drive", ".drive", "J", "work of drives since the start", EVALUATE_NOTHING, drive)},
-    {COLUMN(".damper", ".damper", "J", "work of dampers since the start (negative: taken)", EVALUATE_NOTHING, damper)},
-    {COLUMN(".friction", ".friction", "J", "work of friction since the start", EVALUATE_NOTHING, friction)},
-    {COLUMN(".numerical", ".numerical", "J", "taken by the scheme's own damping since the start", EVALUATE_NOTHING,
+    {COLUMN(".kinetic", ".kinetic", "J", "kinetic energy", NEED_ENERGY, kinetic)},
+    {COLUMN(".elastic", ".elastic", "J", "energy in springs and in flexible bodies", NEED_ENERGY, elastic)},
+    {COLUMN(".gravity", ".gravity", "J", "energy in the field of gravity", NEED_ENERGY, gravity)},
+    {COLUMN(".external", ".external", "J", "work of external forces since the start", NEED_ENERGY, external)},
+    {COLUMN(".drive", ".drive", "J", "work of drives since the start", NEED_ENERGY, drive)},
+    {COLUMN(".damper", ".damper", "J", "work of dampers since the start (negative: taken)", NEED_ENERGY, damper)},
+    {COLUMN(".friction", ".friction", "J", "work of friction since the start", NEED_ENERGY, friction)},
+    {COLUMN(".numerical", ".numerical", "J", "taken by the scheme's own damping since the start", NEED_ENERGY,
             numerical),
      .own = true},
-    {COLUMN(".residual", ".residual", "J", "W_kin + W_int - W_ext of (2-26)", EVALUATE_NOTHING, residual),
+    {COLUMN(".residual", ".residual", "J", "W_kin + W_int - W_ext of (2-26)", NEED_ENERGY, residual),
      .use = USE_WRITTEN, .own = true},
     {0},
 };
@@ -57,9 +57,9 @@ static double angular_momentum(const struct sim *sim, const struct origin *o)
 }
 
 const struct column_kind columns_momentum[] = {
-    {COLUMN(".x .y", ".x .y .z", "N s", "momentum of all bodies", EVALUATE_MOTION, momentum)},
-    {COLUMN(".lz", ".lx .ly .lz", "N m s", "angular momentum of all bodies about the world's origin", EVALUATE_MOTION,
-            angular_momentum)},
+    {COLUMN(".x .y", ".x .y .z", "N s", "momentum of all bodies", EVALUATE_MOTION | NEED_MOMENTUM, momentum)},
+    {COLUMN(".lz", ".lx .ly .lz", "N m s", "angular momentum of all bodies about the world's origin",
+            EVALUATE_MOTION | NEED_MOMENTUM, angular_momentum)},
     {0},
 };
 

@@ -16,6 +16,15 @@ void warn_of_unread(const struct sim *sim, struct diags *diags);
 /* advance.c: one major step to `to`, halved where it must be; after the stepper is open */
 void advance_open(struct sim *sim, struct arena *life);
 enum status advance(struct sim *sim, double h, int ratio, double to);
+/* Energies at the state, and the balance by them.  Where no watch looks at each step: are they to be looked at at the end
+ * of major step k, of which a record is due? */
+enum status look_at_energies(struct sim *sim);
+static inline bool look_is_due(const struct sim *sim, long k, bool record)
+{
+    enum { LOOK_EVERY = 8 };
+    return !sim->looks_always && ((sim->before + k) % LOOK_EVERY == 0 || k == sim->majors || sim->watch.met ||
+                                  (record && sim->needs & NEED_ENERGY));
+}
 /* One of the steps that are the scheme's own, at most to `to`. */
 enum status advance_naturally(struct sim *sim, double to);
 

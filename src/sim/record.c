@@ -9,8 +9,9 @@ double record_value(const struct sim *sim, const struct origin *o)
 
 enum status record_evaluate(struct sim *sim, unsigned needs)
 {
-    if (!needs && !sim->model->nloop) return OK; /* with loops even rates of the state are to be found */
-    return system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, needs, &sim->trouble);
+    const unsigned what = needs & EVALUATE_ALL;
+    if (!what && !(sim->model->nloop && needs & NEED_RATES)) return OK;
+    return system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, what, &sim->trouble);
 }
 
 enum status record_fill(struct sim *sim)

@@ -118,6 +118,8 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     sim->model = m;
     enum status steps = plan_steps(sim, diags, life, report);
     TRY(choose_columns(sim, diags, life, report));
+    if (!(sim->needs & NEED_MOMENTUM) && effect_wish(&scene->effects, EFFECT_MOMENTUM) == WISH_AUTO)
+        m->drift = DRIFT_ALONE;
     TRY(steps);
     TRY(state_take(sim, m, diags, life));
     events_open(sim, life);
@@ -237,6 +239,15 @@ static enum status check_events(struct sim *sim, struct sink *sink, struct repor
     return status == E_NUMERIC ? describe_trouble(sim, &sim->trouble, status, report) : status;
 }
 
+/* The loops, too, where records do not look at them. */
+static enum status check_energies(struct sim *sim, struct report *report)
+{
+    enum status status = look_at_energies(sim);
+    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+    system_note_closure(sim->system, sim->x.q, sim->x.t);
+    return OK;
+}
+
 /* Who sends a signal knows of it; a limit has to be reported. */
 static enum status stopped(const struct sim *sim, struct report *report)
 {
@@ -259,6 +270,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
+        if (look_is_due(sim, k, due)) TRY(check_energies(sim, report));
         if (due) TRY(write_row(sim, sink, report));
         if (due || k % CHECK_EVERY == 0) {
             double now = clock_wall();
@@ -267,6 +279,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         }
         if (sim->watch.met) return OK;
         if (stop && (k < sim->majors || sim->x.t != to)) {
+            if (!sim->looks_always) TRY(check_energies(sim, report));
             if (!due) TRY(write_row(sim, sink, report));
             return stopped(sim, report);
         }

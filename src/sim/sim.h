@@ -70,6 +70,7 @@ struct sim {
     struct guess guess;  /* of the first step, where a tolerance makes steps the scheme's own */
     long rejected;       /* steps, when such a scheme's last record was due */
     struct single *look; /* records between the ends of such steps */
+    bool looks_always;   /* energies are looked at after every step */
     bool watched;        /* steps may be undone */
     struct single *keep; /* then the state before, */
     struct ledger kept;  /* and the ledger */

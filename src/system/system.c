@@ -86,6 +86,11 @@ double system_constraint_worst(const struct system *s)
     return s->constraint_worst;
 }
 
+void system_note_closure(struct system *s, const double *q, double t)
+{
+    if (s->loops) s->constraint_worst = fmax(s->constraint_worst, condense_worst(s->loops, q, t));
+}
+
 double system_length(const struct system *s)
 {
     return sizes_length(s->model);

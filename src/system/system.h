@@ -77,6 +77,8 @@ double system_force_torque(const struct system *s, int i);
 struct condense;
 struct condense *system_loops(const struct system *s);
 double system_constraint_worst(const struct system *s);
+/* The loops at q and t are looked at for it. */
+void system_note_closure(struct system *s, const double *q, double t);
 int system_place(const struct system *s, int i);
 long system_charts(const struct system *s); /* partitions chosen since the start */
 

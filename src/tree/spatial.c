@@ -270,7 +270,7 @@ static inline void collect_forces(struct part *restrict x, const struct link *re
     double w[3], al[3], L[3], N[3];
     m3_tmul(w, x->R, x->w);
     m3_tmul(al, x->R, x->al);
-    s3_mul(L, l->inertia, w);
+    s3_mul(L, l->swung, w);
     s3_mul(N, l->inertia, al);
     v3_cross_add(N, w, L);
     m3_mul(x->N, x->R, N);

@@ -28,6 +28,7 @@ struct link {
     double a[3], b[3];         /* the joint's point from the parent's, the child's centre [m] */
     double mass;
     double inertia[6]; /* about the centre */
+    double swung[6];   /* the same for w x J w */
     double turned[9];  /* inner axes by column in body axes */
 };
 

@@ -74,6 +74,7 @@ static void build_link(struct link *l, const struct link *parent, const struct m
     l->mass = body->mass;
     for (int k = 0; k < 6; k++) inertia[k] = body->inertia[k] + (body->held ? body->held[k] : 0);
     turn_inertia(l->inertia, l->turned, inertia);
+    turn_inertia(l->swung, l->turned, body->swung ? body->swung : inertia);
 }
 
 static void build_ground(struct sweep *s, const struct model *m)

@@ -13,6 +13,10 @@
 
 #include <cmocka.h>
 
+#ifndef OPENED_HEAD
+#define OPENED_HEAD "fmdsub: 1\n" /* what each of these decks begins with */
+#endif
+
 struct opened {
     struct arena *life;
     struct scene *scene;
@@ -35,7 +39,7 @@ static void open_beside(struct opened *o, const char *text, const char *beside)
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/deck.yaml", folder);
     snprintf(file, sizeof file, "%s/body.json", folder);
-    write_file(path, "fmdsub: 1\n", text);
+    write_file(path, OPENED_HEAD, text);
     if (beside) write_file(file, "", beside);
     const struct sim_options options = {.version = "test"};
     o->report = (struct report){0};

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "la/vec3.h"
+#define OPENED_HEAD "fmdsub: 1\neffects: {momentum: true}\n"
 #include "opened.h"
 
 /* --- mechanisms --------------------------------------------------------------------------------- */
