@@ -137,6 +137,12 @@ const struct diag_help diag_helps[] = {
                     "cylindrical for a prismatic."},
     {"W-assembly", "The joints of a loop miss each other as drawn. Give the places of its bodies with more digits."},
     {"E-ground", "A load must act on a body that can move."},
+    {"E-hold",
+     "'hold' is 'rigid' or a map of its keys: {restitution: 0.5}, or {stiffness: 1.0e+6} for stops that give way."},
+    {"E-exclusive", "The marked key goes with another kind of stop or contact. 'stiffness' makes one compliant, then "
+                    "'damping' and 'exponent' say more of it; 'restitution' is of rigid ones."},
+    {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "
+                      "way: drive another joint, and put a spring along this one."},
     {"E-kind",
      "A force acts along a length, a torque along an angle. A gear ties two angles or two displacements, a rack "
      "an angle and then a displacement."},

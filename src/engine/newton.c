@@ -22,8 +22,9 @@
  * Round-off stop: no further decrease while tiny, relative and in SI units; with a matrix of this very iterate (so that
  * a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
 static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
-static const double ROUGH = 1e-9;  /* corrections above show what a matrix is worth */
-static const double LATER = .1;    /* of the least contraction that is believed, after two iterations */
+static const double ROUND_OFF = 1e-14; /* tolerance of a step that must be exact */
+static const double ROUGH = 1e-9;      /* corrections above show what a matrix is worth */
+static const double LATER = .1;        /* of the least contraction that is believed, after two iterations */
 static const double AT_ONCE = .03; /* of the tolerance, after one iteration: its contraction is assumed, not measured */
 static const double POWERED = 1e2; /* tolerances the last correction may have where power is integrated */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
@@ -272,6 +273,7 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
     for (;;) {
         double dk = 0;
         TRY(eq->resid(eq->self, nt->r, &dk, z, why));
+        if (sharpened(&dk)) nt->tol = smaller(nt->tol, ROUND_OFF);
         if (dk > .2 && nt->fresh < 2 && nt->refreshed < MOST_REFRESHED) {
             TRY(eq->refresh(eq->self, z, why));
             newton_refreshed(nt);

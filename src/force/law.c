@@ -79,6 +79,7 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
         if (!p->stores) to->w[POWER_EXTERNAL] += (law.f - lost) * act.rate;
     }
     if (to->dk && !p->linear) *to->dk = fmax(*to->dk, change(law.ks, p->kref));
+    if (to->dk && end && f->kind->sharp && law.f != 0 && *to->dk < SHARP) *to->dk += SHARP;
     if (to->effect) *to->effect = (struct effect){.force = law.f, .elongation = act.s, .power = law.f * act.rate};
 }
 

@@ -112,6 +112,7 @@ struct force_kind {
 
     /* Optional, with mean().  Is there a corner or a jump of f between s0 and s1? */
     bool (*bends)(const void *par, double s0, double s1);
+    bool sharp; /* where it acts, steps are solved to round-off, so that many bounces keep the energy */
 
     /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
     double (*dissipative)(const void *par, double s, double v, double t);
@@ -129,7 +130,7 @@ struct force_kind {
 };
 
 /* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */
-#define FORCE_KINDS(of) of(bushing) of(spring) of(damper) of(curve) of(curve_rate)
+#define FORCE_KINDS(of) of(bushing) of(spring) of(damper) of(curve) of(curve_rate) of(unilateral)
 #define FORCE_KIND(name) extern const struct force_kind force_##name;
 FORCE_KINDS(FORCE_KIND)
 #undef FORCE_KIND

@@ -10,8 +10,8 @@
 #define AXIS(flags, brief) PARAM_NODE(struct joint_keys, axis, "axis", "vector", flags, brief)
 #define AXIS2(flags, brief) PARAM_NODE(struct joint_keys, axis2, "axis2", "vector", flags, brief)
 #define RANGE(unit)                                                                                                    \
-    PARAM_NODE(struct joint_keys, range, "range", "[lowest, highest] [" unit "]", 0,                                   \
-               "where the coordinate should stay: leaving it is reported, nothing holds it")
+    PARAM_NODE(struct joint_keys, range, "range", "[lowest, highest] [" unit "], or a map", 0,                         \
+               "where the coordinate should stay: leaving it is reported; what holds it there is a map's 'hold'")
 #define FRAME                                                                                                          \
     PARAM_WORD(struct joint_keys, frame, "frame", "world|joint", 0, "world",                                           \
                "axes of its reaction columns; joint: the joint's own, which go with the first body")

@@ -48,6 +48,7 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
     for (int inner = 0, alone = 0, slow = 0; inner < INNER; inner++) {
         double dk = 0;
         TRY(minor_rows(c, d, power, &dk, x, why));
+        sharpened(&dk);
         if (dk > STALE_SLOPE || slow) {
             TRY(subcycle_refresh_here(c, x, why));
             alone = 1;

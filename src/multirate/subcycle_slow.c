@@ -25,6 +25,7 @@ enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why)
         .t = mid, .q = c->qbar, .v = c->vbar, .a = c->abar, .qa = c->q0, .qb = c->qn, .ta = c->t0, .tb = c->t1};
     TRY(c->ode->ops->resid(c->ode, c->r, power, &dk, &x, SLOW, why));
     c->effort->slow++;
+    sharpened(&dk);
     if (dk > STALE_SLOPE) c->newton.stale = 1;
     subcycle_book(c, c->H, power);
     for (int i = 0; i < nl; i++) c->slow[i] = c->H * c->r[ns + i];

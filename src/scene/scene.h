@@ -12,6 +12,7 @@
 #include "deck/deck.h"
 #include "deck/diag.h"
 #include "flex/body.h"
+#include "kind/contact.h"
 #include "kind/effect.h"
 #include "kind/force.h"
 #include "kind/joint.h"
@@ -47,6 +48,13 @@ struct scene_term {
     double factor;
 };
 
+/* What holds a coordinate at the ends of its range. */
+struct scene_hold {
+    double restitution; /* rigid: of its impacts */
+    double k, c;        /* compliant: see kind/unilateral.h; k 0: rigid */
+    int root;
+};
+
 struct scene_joint {
     const char *name;
     const struct node *node;
@@ -57,11 +65,12 @@ struct scene_joint {
     double number;  /* of its kind, see kind/joint.h: length, ratio, radius; NAN: none */
     int nterm;      /* gear, rack: what they tie, 0 when drawn */
     struct scene_term term[2];
-    double E[9]; /* joint axes x, y, z by column, world, drawn */
-    bool ranged; /* its coordinate should stay in range[0] ... range[1] */
-    double range[2];
-    bool loop; /* the deck wants it out of the tree */
-    bool own;  /* reactions in joint axes */
+    double E[9];                   /* joint axes x, y, z by column, world, drawn */
+    bool ranged;                   /* its coordinate should stay in range[0] ... range[1] */
+    double range[2];               /* an end may be infinite where it is held */
+    const struct scene_hold *hold; /* NULL: nothing holds it there */
+    bool loop;                     /* the deck wants it out of the tree */
+    bool own;                      /* reactions in joint axes */
 };
 
 struct scene_measure {
@@ -112,6 +121,17 @@ struct scene_force {
     const struct scene_slot *slot; /* [nslot]; slot 0 is t */
     struct marker a, b;            /* of the ground where it has none: along a measure both, a load's a */
     bool torque, body_axes;
+};
+
+/* A rigid contact, by its pair: see kind/contact.h. */
+struct scene_contact {
+    const char *name;
+    const struct node *node;
+    enum contact_pair pair;
+    struct contact_law law;
+    int measure;  /* PAIR_STOP */
+    double side;  /* it is closed from above: 1, from below: -1 */
+    double limit; /* [m] or [rad] */
 };
 
 /* A measure that moves as a function of time, s(q) = c(t): rheonomic constraint. */
@@ -185,6 +205,8 @@ struct scene {
     struct scene_measure *measure;
     int nforce;
     struct scene_force *force;
+    int ncontact;
+    struct scene_contact *contact;
     int ndrive;
     struct scene_drive *drive;
     int nfast;

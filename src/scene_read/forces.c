@@ -330,10 +330,11 @@ static int read_force(struct builder *b, struct scene_force *f, const struct nod
 int read_forces(struct builder *b, const struct node *n)
 {
     int errors = 0;
+    struct scene *scene = b->scene;
+    scene->force = TAKE(b->life, struct scene_force, (n ? n->count : 0) + 2 * scene->njoint);
+    make_stops(b);
     if (!n) return 0;
     if (read_map(n, "'forces'", &b->reader)) return 1;
-    struct scene *scene = b->scene;
-    scene->force = TAKE(b->life, struct scene_force, n->count);
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_force f = {0};
         if (!may_own_columns(n->item[i]->key)) {

@@ -92,16 +92,6 @@ static int joint_axes(struct builder *b, struct scene_joint *j, const struct joi
     return 0;
 }
 
-static int read_range(struct builder *b, struct scene_joint *j, const struct node *n, const char *what)
-{
-    if (read_vector(j->range, 2, n, what, &b->reader)) return 1;
-    j->ranged = true;
-    if (j->range[0] < j->range[1]) return 0;
-    diag_error(b->diags, n, AT_VALUE, "E-range", "%s: 'range' goes from %g to %g; the lower end comes first", what,
-               j->range[0], j->range[1]);
-    return 1;
-}
-
 /* What coordinates are tied is read when all joints are known. */
 static int check_number(struct builder *b, const struct scene_joint *j, const char *what)
 {

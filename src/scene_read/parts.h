@@ -35,6 +35,10 @@ struct value_keys { /* force, torque */
     const struct node *on, *value;
     int frame;
 };
+struct range_keys {
+    double lower, upper; /* NAN: no end there */
+    const struct node *hold;
+};
 struct drive_keys {
     const struct node *drive, *value;
 };
@@ -80,7 +84,7 @@ struct vector_keys {
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_rod[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[],
     keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[],
-    keys_band[];
+    keys_band[], keys_range[], keys_hold[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);
@@ -93,6 +97,10 @@ int read_ties(struct builder *b);
 /* measures.c: a plain coordinate by name, "hub.angle", or by that of its joint if it has one only; 0, or 1 and an error
  */
 int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what);
+/* stops.c: the range of a joint's coordinate; what holds it there, among forces and contacts; one that a drive moves */
+int read_range(struct builder *b, struct scene_joint *j, const struct node *n, const char *what);
+void make_stops(struct builder *b);
+int check_stops(struct builder *b);
 int read_forces(struct builder *b, const struct node *n);
 int read_drives(struct builder *b, const struct node *n);
 /* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */

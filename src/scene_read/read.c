@@ -86,6 +86,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
         read_measures(&b, k.measures);
         read_forces(&b, k.forces);
         read_drives(&b, k.drives);
+        check_stops(&b);
         make_flexible(&b);
         read_initial(&b, k.initial);
         warn_of_drives(&b);

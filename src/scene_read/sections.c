@@ -111,6 +111,27 @@ const struct key keys_torque[] = {
     KEYS_END,
 };
 
+const struct key keys_range[] = {
+    PARAM_REAL(struct range_keys, lower, "lower", "m or rad", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "lower end; default: none"),
+    PARAM_REAL(struct range_keys, upper, "upper", "m or rad", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "upper end; default: none"),
+    PARAM_NODE(struct range_keys, hold, "hold", "rigid, or a map", 0,
+               "stops at the ends; default: none, leaving the range is reported"),
+    KEYS_END,
+};
+
+const struct key keys_hold[] = {
+    PARAM_REAL(struct scene_hold, restitution, "restitution", NULL, 0, 1, 0, "0",
+               "rigid: speed after an impact over that before"),
+    PARAM_REAL(struct scene_hold, k, "stiffness", "N/m^n or N m/rad^n", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "makes the stops compliant: push per depth to the power of n; default: rigid"),
+    PARAM_WORD(struct scene_hold, root, "exponent", "1|1.5", 0, "1", "n, of compliant ones"),
+    PARAM_REAL(struct scene_hold, c, "damping", "N s/m or N m s/rad", 0, INFINITY, KEY_BELOW, "0",
+               "compliant: push per rate while they push; they never pull"),
+    KEYS_END,
+};
+
 const struct key keys_table[] = {
     PARAM_TABLE(struct table_keys, points, "table", "[[t, x], ...]", 0,
                 "points of time; linear between, constant beyond the ends"),
@@ -230,6 +251,8 @@ static const struct section fixed[] = {
     {"bodies.NAME.masses.NAME", NULL, "a mass it carries", keys_lump},
     {"bodies.NAME.points.NAME", NULL, "a point of a beam", keys_station},
     {"bodies.NAME.stress.NAME", NULL, "a place where stresses are wanted", keys_probe},
+    {"constraints.NAME.range", NULL, "ends of a coordinate, and what stops it there", keys_range},
+    {"constraints.NAME.range.hold", NULL, "stops, rigid or compliant", keys_hold},
     {"measures.NAME", "distance", "distance of two points", keys_distance},
     {"measures.NAME", "displacement", "displacement along an axis", keys_displacement},
     {"measures.NAME", "angle", "turn of a body against another", keys_angle},

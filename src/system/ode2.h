@@ -25,6 +25,16 @@ struct ode2;
 /* Channels of power, along v. */
 enum channel { POWER_EXTERNAL, POWER_DRIVE, POWER_DAMPER, POWER_FRICTION, POWER_CHANNELS };
 
+#define SHARP 1e3
+
+/* *dk without it; was it there? */
+static inline int sharpened(double *dk)
+{
+    if (*dk < SHARP) return 0;
+    *dk -= SHARP;
+    return 1;
+}
+
 struct instant {
     double t;
     const double *q;       /* [nq] */
@@ -40,7 +50,7 @@ struct ode2_ops {
     /* r [n]: the residual of the asked classes' bodies and elements, all rows (written, not added).
      * w [POWER_CHANNELS]: power along v by channel [W]; NULL: not wanted.
      * dk: largest relative change of a slope since the last slopes(), above .2 asks for a fresh
-     * factor; NULL: not wanted; systems without changing slopes write 0. */
+     * factor; plus SHARP where the solution is wanted to round-off; NULL: not wanted; systems without changing slopes write 0. */
     enum status (*resid)(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
                          struct trouble *why);
     /* M^ [n x n] by column, of the asked classes, exact and symmetric. */

@@ -1,0 +1,24 @@
+/* contact.h -- what may not be passed, and what holds back: rigid contacts and their laws.
+ *
+ * A contact has a gap g(q), open where it is positive, and pushes with a force N >= 0 along its gradient where it is
+ * closed: 0 <= g, N >= 0, one of them 0 (Signorini).  An impact turns the speed of approach round by Newton's
+ * restitution.  Across, a friction force of at most mu N resists sliding (Coulomb). */
+#ifndef FMDSUB_KIND_CONTACT_H
+#define FMDSUB_KIND_CONTACT_H
+
+enum contact_pair {
+    PAIR_STOP,     /* an end of the range of a joint's coordinate: g = side (s - limit) */
+    PAIR_PLANE,    /* a sphere, or with radius 0 a point, over a plane */
+    PAIR_SPHERES,  /* two spheres side by side */
+    PAIR_HOLE,     /* a sphere inside of another */
+    PAIR_FRICTION, /* no gap: friction along the coordinate of a joint */
+    CONTACT_PAIRS
+};
+
+struct contact_law {
+    double restitution;      /* speed after over speed before, [0, 1] */
+    double holding, sliding; /* coefficients of friction where it sticks and where it slides; 0: smooth */
+    double speed;            /* of the surface, along its direction [m/s] */
+};
+
+#endif
