@@ -142,7 +142,7 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study plot airscrew hard validation users random fuzz reduce
+	@$(RUN) unit decks bad faults man order study plot diff airscrew hard validation users random fuzz reduce
 
 ## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(FUZZES) $(BENCHES)
@@ -158,11 +158,12 @@ unit: $(UNITS)
 ## order         orders of the schemes
 ## study         what the study finds
 ## plot          pictures by gnuplot
+## diff          two records compared
 ## airscrew      the numbers of decks/airscrew/README
 ## hard          cases that break simulators
 ## users         scenes as users bring them, each with numbers checked by hand
 ## reduce        fmdsub-reduce
-decks bad faults man-examples order study plot airscrew hard users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
+decks bad faults man-examples order study plot diff airscrew hard users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 ## random        mechanisms drawn at random, N of them (30) from SEED (1) on: orders, invariances, restarts
@@ -332,5 +333,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: advice figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: advice figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff airscrew hard order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -23,7 +23,7 @@ struct request {
     const char *set[MOST_SETS];    /* --set, and --columns, --every, --until as such */
     const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *budget, *plot,
-        *columns, *at, *final_state;
+        *columns, *at, *final_state, *rel, *abs;
     bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, help, version;
     const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
@@ -52,6 +52,7 @@ extern const struct verb verbs[];
 enum status verb_run(const struct request *request, struct arena *life, struct report *report);
 enum status verb_check(const struct request *request, struct arena *life, struct report *report);
 enum status verb_study(const struct request *request, struct arena *life, struct report *report);
+enum status verb_diff(const struct request *request, struct arena *life, struct report *report);
 enum status verb_plot(const struct request *request, struct arena *life, struct report *report);
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report);
 enum status verb_list(const struct request *request, struct arena *life, struct report *report);

@@ -1,13 +1,12 @@
 /* curves.c -- see curves.h */
 #include "cli/curves.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/crew.h"
+#include "cli/recorded.h"
 #include "multirate/schemes.h"
 #include "sim/sim.h"
 
@@ -55,7 +54,8 @@ static void refine_steps(struct sim *sim)
         sim->every = sim->majors > LEAST_ROWS ? sim->majors / LEAST_ROWS : 1;
 }
 
-static enum status run_deck(struct curves *o, const struct request *request, struct arena *life, struct report *report)
+static enum status run_deck(struct curves *o, const struct request *request, bool fine, struct arena *life,
+                            struct report *report)
 {
     static const struct sink_ops ops = {.meta = keep_meta, .row = keep_row};
     struct scene *scene;
@@ -65,76 +65,22 @@ static enum status run_deck(struct curves *o, const struct request *request, str
     struct sink sink = {&ops, to};
     const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
     enum status status = cli_load(&scene, &diags, request, life, report);
-    if (status == OK && !is_told(request)) refine(scene);
+    fine = fine && !is_told(request);
+    if (status == OK && fine) refine(scene);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
     TRY(status);
-    if (!is_told(request)) refine_steps(&sim);
+    if (fine) refine_steps(&sim);
     o->column = sim.columns;
     return sim_run(&sim, &sink, report);
 }
 
-/* ---- a CSV file ---- */
+/* ---- a file of records ---- */
 
-static enum status read_name(struct curves *o, char *word, int *capacity, struct arena *life)
-{
-    const size_t n = strlen(word);
-    if (n > 1 && *word == '"' && word[n - 1] == '"') word[n - 1] = 0, word++;
-    o->column = arena_more(life, o->column, o->n, capacity, sizeof *o->column);
-    o->column[o->n++] = (struct column){.name = arena_copy(life, word, strlen(word))};
-    return OK;
-}
-
-/* One row; a field that is empty is a value that there is none of. */
-static enum status read_row(struct curves *o, char *line, long number, struct arena *life, struct report *report)
-{
-    int i = 0;
-    o->x = arena_more(life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
-    double *x = o->x + (size_t)o->rows * (size_t)o->n;
-    for (char *word; (word = strsep(&line, ",")); i++) {
-        char *end = word;
-        const double value = strtod(word, &end);
-        if (i == o->n || *end)
-            return fail(report, E_FILE, "%s:%ld: %s", o->file, number,
-                        i == o->n ? "more fields than the first line names" : "a field that is no number");
-        x[i] = *word ? value : NAN;
-    }
-    if (i < o->n) return fail(report, E_FILE, "%s:%ld: %d fields, the first line names %d", o->file, number, i, o->n);
-    o->rows++;
-    return OK;
-}
-
-static enum status read_lines(struct curves *o, FILE *file, struct arena *life, struct report *report)
-{
-    char *line = NULL;
-    size_t room = 0;
-    long number = 0;
-    int capacity = 0;
-    enum status status = OK;
-    while (status == OK && getline(&line, &room, file) >= 0) {
-        number++;
-        line[strcspn(line, "\r\n")] = 0;
-        if (!*line) continue;
-        char *rest = line;
-        if (o->n) status = read_row(o, line, number, life, report);
-        for (char *word; number == 1 && status == OK && (word = strsep(&rest, ","));)
-            status = read_name(o, word, &capacity, life);
-    }
-    free(line);
-    if (status == OK && ferror(file)) status = fail(report, E_FILE, "%s: cannot read", o->file);
-    if (status == OK && (o->n < 2 || o->rows < 1))
-        status = fail(report, E_FILE, "%s: no records: a line of names, then rows of numbers, with commas", o->file);
-    return status;
-}
-
-static enum status read_csv(struct curves *o, const struct request *request, struct arena *life, struct report *report)
+static enum status read_file(struct curves *o, const struct request *request, struct arena *life, struct report *report)
 {
     cli_confine(request, life);
-    FILE *file = fopen(o->file, "re");
-    if (!file) return fail(report, E_FILE, "cannot read '%s': %s", o->file, strerror(errno));
-    const enum status status = read_lines(o, file, life, report);
-    (void)fclose(file);
-    return status;
+    return recorded_read(o, life, report);
 }
 
 /* ---- from the one process to the other ---- */
@@ -142,15 +88,10 @@ static enum status read_csv(struct curves *o, const struct request *request, str
 struct job {
     const struct request *request;
     struct curves *to;
+    bool fine;
     enum status *ended;
     struct arena *life;
 };
-
-static bool is_csv(const char *path)
-{
-    const size_t n = strlen(path);
-    return n > 4 && strcasecmp(path + n - 4, ".csv") == 0;
-}
 
 /* How it ended, then names and units, each with a 0 after it, then the rows. */
 static enum status tell(const struct curves *o, enum status ended, int to)
@@ -180,8 +121,8 @@ static enum status work(void *self, int i, int to, struct report *report)
     struct arena *life = arena_open();
     one.word += i;
     one.nword = 1;
-    enum status status =
-        is_csv(curves.file) ? read_csv(&curves, &one, life, report) : run_deck(&curves, &one, life, report);
+    enum status status = recorded_is(curves.file) ? read_file(&curves, &one, life, report)
+                                                  : run_deck(&curves, &one, job->fine, life, report);
     if (curves.rows > 0 && (status == OK || status == E_VERDICT || status == E_NUMERIC || status == E_LIMIT)) {
         if (status != OK && report->text[0]) fprintf(stderr, "fmdsub: %s: %s\n", curves.file, report->text);
         *report = (struct report){0};
@@ -222,10 +163,10 @@ static enum status hear(void *self, int i, const void *bytes, size_t n, struct r
     return OK;
 }
 
-enum status curves_make(struct curves *o, const struct request *request, enum status *ended, struct arena *life,
-                        struct report *report)
+enum status curves_make(struct curves *o, const struct request *request, bool fine, enum status *ended,
+                        struct arena *life, struct report *report)
 {
-    struct job job = {request, o, ended, life};
+    struct job job = {request, o, fine, ended, life};
     const struct crew crew = {request->nword, &job, work, hear};
     *ended = OK;
     return crew_run(&crew, life, report);

@@ -1,4 +1,4 @@
-/* curves.h -- records of a run, or of a CSV file, as `fmdsub plot` draws them. */
+/* curves.h -- records of a run, or of a file, as `fmdsub plot` draws and `fmdsub diff` compares them. */
 #ifndef FMDSUB_CLI_CURVES_H
 #define FMDSUB_CLI_CURVES_H
 
@@ -11,9 +11,11 @@ struct curves {
     double *x;             /* [rows x n] by row */
 };
 
-/* Of each of the request's words: decks are run, those that end in .csv read, each in a process of its own that is confined
- * to the file's folder.  A run that stops on the way is drawn as far as it came, and fails after that: status. */
-enum status curves_make(struct curves *o, const struct request *request, enum status *ended, struct arena *life,
-                        struct report *report);
+/* Of each of the request's words: decks are run, files of records
+ * (recorded.h) read, each in a process of its own that is confined
+ * to the file's folder.  A run that stops on the way is kept as far as it came, and fails after that: ended.  fine: a
+ * deck that says nothing else is given as many records as a picture wants. */
+enum status curves_make(struct curves *o, const struct request *request, bool fine, enum status *ended,
+                        struct arena *life, struct report *report);
 
 #endif

@@ -27,6 +27,7 @@ const struct verb verbs[] = {
     {"check", "DECK", "check a deck and print what it makes", verb_check},
     {"study", "DECK", "what accuracy costs: error against time over schemes, ratios, steps", verb_study},
     {"plot", "DECK or FILE.csv ...", "columns over time as a picture, by gnuplot", verb_plot},
+    {"diff", "A B", "two records compared, column by column: files that run wrote, or decks", verb_diff},
     {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},
     {"list", "[schemes|joints|forces|effects|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
@@ -139,7 +140,7 @@ static enum status flush_words(struct report *report)
 
 static enum status dispatch(const struct request *request, struct arena *life, struct report *report)
 {
-    const char *names[16];
+    const char *names[32];
     int n = 0;
     if (request->version) return printf("fmdsub %s\n", FMDSUB_VERSION), OK;
     const bool asked = request->verb && strcmp(request->verb, "help") == 0;

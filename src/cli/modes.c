@@ -93,5 +93,6 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     TRY(modes_find(&modes, &sim, life, report));
     if (!request->quiet) warn_of_growth(&modes);
     warn_of_doubt(&modes);
-    return table_print(mode_table(&sim, &modes, life), !isatty(STDOUT_FILENO), stdout, report);
+    return table_print(mode_table(&sim, &modes, life), table_form_of(request->format, isatty(STDOUT_FILENO)), stdout,
+                       report);
 }

@@ -267,7 +267,7 @@ static enum status check(const struct request *request, struct arena *life, stru
 {
     const struct target picture = {"--output", request->output, true};
     struct files read = {.arena = life};
-    if (request->nword < 1) return fail(report, E_USAGE, "'fmdsub plot' takes decks and CSV files");
+    if (request->nword < 1) return fail(report, E_USAGE, "'fmdsub plot' takes decks and files of records");
     if (request->nword > MOST_FILES) return fail(report, E_USAGE, "'fmdsub plot' takes up to %d files", MOST_FILES);
     if (request->output && !gnuplot_ending(request->output))
         return fail(report, E_USAGE, "--output: a file that ends in .svg, .png or .pdf, not '%.200s'", request->output);
@@ -284,7 +284,7 @@ enum status verb_plot(const struct request *request, struct arena *life, struct 
     if (!request->script) TRY(gnuplot_open(&gnuplot, report));
     o->nfile = request->nword;
     o->file = TAKE(life, struct curves, o->nfile);
-    enum status status = curves_make(o->file, request, &ended, life, report);
+    enum status status = curves_make(o->file, request, true, &ended, life, report);
     if (status == OK) status = make_panels(o, request, life, report);
     if (status == OK) status = draw(o, &gnuplot, request, life, report);
     gnuplot_close(&gnuplot);

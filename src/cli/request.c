@@ -8,14 +8,15 @@
 #include "out/columns.h"
 
 const struct cli_option cli_options[] = {
-    {"format", "csv|ndjson|json", 'f', "run check study", "form of the records (default csv); check: json"},
-    {"output", "FILE", 'o', "run study plot",
+    {"format", "csv|ndjson|json", 'f', "run check study modes diff",
+     "form of records and tables (default csv); check: json"},
+    {"output", "FILE", 'o', "run study plot diff",
      "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf)"},
-    {"set", "PATH=VALUE", 's', "run check study plot modes list", "change the deck: --set integrate.ratio=10"},
-    {"columns", "'t,hub.*'", 'c', "run plot", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
-    {"every", "SECONDS", 0, "run plot", "time between records"},
+    {"set", "PATH=VALUE", 's', "run check study plot modes list diff", "change the deck: --set integrate.ratio=10"},
+    {"columns", "'t,hub.*'", 'c', "run plot diff", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
+    {"every", "SECONDS", 0, "run plot diff", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
-    {"until", "SECONDS", 0, "run study plot", "end of the run"},
+    {"until", "SECONDS", 0, "run study plot diff", "end of the run"},
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
     {"progress", "auto|always|never", 0, "run", "progress line on stderr (auto: on a terminal)"},
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
@@ -30,6 +31,8 @@ const struct cli_option cli_options[] = {
     {"plot", "FILE", 0, "study", "a picture, by gnuplot: FILE.svg, FILE.png or FILE.pdf"},
     {"script", NULL, 0, "study plot", "print what gnuplot would be given, draw nothing"},
     {"absolute", NULL, 0, "study", "errors in the unit of the worst column"},
+    {"rel", "1e-6,PATTERN=1e-3", 0, "diff", "allowed difference, as a share of the column's largest value in A"},
+    {"abs", "1e-12,PATTERN=X", 0, "diff", "and in the column's unit, added to that"},
     {"at", "SECONDS", 0, "modes", "linearise there instead of at the start"},
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
     {"no-trial", NULL, 0, "check", "no trial runs: steps by the frequencies at the start"},
@@ -43,7 +46,7 @@ const struct cli_option cli_options[] = {
     {0},
 };
 
-enum { MOST_OPTIONS = 40, FIRST_CODE = 1000 };
+enum { MOST_OPTIONS = 64, FIRST_CODE = 1000 };
 
 static int count_options(void)
 {
@@ -158,6 +161,8 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"repeats", &o->repeats},
                  {"budget", &o->budget},
                  {"plot", &o->plot},
+                 {"rel", &o->rel},
+                 {"abs", &o->abs},
                  {"at", &o->at},
                  {"final-state", &o->final_state},
                  {"max-memory", &o->max_memory},

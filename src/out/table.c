@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "out/cell.h"
@@ -146,48 +147,43 @@ const char *table_draw(const struct table *table, struct arena *life)
     return text;
 }
 
-/* A text field of RFC 4180: quoted when it must be, quotes in it doubled. */
-static char *put_quoted(char *to, const char *text)
+static void put_lines(const struct table *table, enum table_form form, FILE *to)
 {
-    bool quote = strpbrk(text, ",\"\r\n") || *text == ' ' || (*text && text[strlen(text) - 1] == ' ');
-    if (!quote) return stpcpy(to, text);
-    *to++ = '"';
-    for (; *text; text++) {
-        if (*text == '"') *to++ = '"';
-        *to++ = *text;
+    struct table_line line = {.form = form, .to = to};
+    table_line_head(&line, table->columns, table->n);
+    for (int i = 0; i < table->used; i++) {
+        const struct cell *cell = &table->cells[i];
+        const int c = i % table->n;
+        if (c == 0) table_line_begin(&line);
+        if (cell->text)
+            table_line_text(&line, &table->columns[c], cell->text);
+        else
+            table_line_number(&line, &table->columns[c], cell->x);
+        if (c + 1 == table->n || i + 1 == table->used) table_line_end(&line);
     }
-    *to++ = '"';
-    return to;
-}
-
-static size_t csv_bytes(const struct table *table)
-{
-    size_t bytes = 1;
-    for (int c = 0; c < table->n; c++) bytes += 2 * strlen(table->columns[c].name) + 3;
-    for (int i = 0; i < table->used; i++)
-        bytes += (table->cells[i].text ? 2 * strlen(table->cells[i].text) + 2 : NUMBER_MOST) + 1;
-    return bytes;
+    table_line_foot(&line);
 }
 
 const char *table_csv(const struct table *table, struct arena *life)
 {
-    char *text = TAKE(life, char, csv_bytes(table)), *to = text;
-    for (int c = 0; c < table->n; c++) {
-        to = put_quoted(to, table->columns[c].name);
-        *to++ = c + 1 < table->n ? ',' : '\n';
-    }
-    for (int i = 0; i < table->used; i++) {
-        const struct cell *cell = &table->cells[i];
-        to = cell->text ? put_quoted(to, cell->text) : cell_put(to, cell->x, "");
-        *to++ = (i + 1) % table->n && i + 1 < table->used ? ',' : '\n';
-    }
-    return text;
+    char *text = NULL;
+    size_t n = 0;
+    FILE *to = open_memstream(&text, &n);
+    if (!to) return "";
+    put_lines(table, TABLE_CSV, to);
+    const bool whole = fclose(to) == 0;
+    const char *copy = arena_copy(life, text, whole ? n : 0);
+    free(text);
+    return copy;
 }
 
-enum status table_print(const struct table *table, bool csv, FILE *file, struct report *report)
+enum status table_print(const struct table *table, enum table_form form, FILE *file, struct report *report)
 {
-    const char *text = csv ? table_csv(table, table->life) : table_draw(table, table->life);
-    if (fputs(text, file) < 0 || fflush(file) != 0)
+    if (form == TABLE_DRAWN)
+        fputs(table_draw(table, table->life), file);
+    else
+        put_lines(table, form, file);
+    if (fflush(file) != 0 || ferror(file))
         return fail(report, errno == EPIPE ? E_SIGPIPE : E_FILE, "cannot write the table: %s", strerror(errno));
     return OK;
 }

@@ -7,7 +7,8 @@
  *     --------  ------  -------  --------
  *     subcycle       5  1.25e-6      0.14
  *
- * The CSV form has plain names and shortest round-trip numbers. */
+ * The other forms have plain names and shortest round-trip numbers: CSV, one JSON object a row (NDJSON), or all of them
+ * in {"rows":[...]}. */
 #ifndef FMDSUB_OUT_TABLE_H
 #define FMDSUB_OUT_TABLE_H
 
@@ -37,7 +38,27 @@ void table_text(struct table *table, const char *text);
 const char *table_draw(const struct table *table, struct arena *life);
 const char *table_csv(const struct table *table, struct arena *life);
 
-/* The drawn form, or CSV, on file; E_FILE when it cannot be written. */
-enum status table_print(const struct table *table, bool csv, FILE *file, struct report *report);
+enum table_form { TABLE_DRAWN, TABLE_CSV, TABLE_NDJSON, TABLE_JSON };
+
+/* "csv", "ndjson", "json"; NULL: for people on a terminal, else CSV. */
+enum table_form table_form_of(const char *word, bool terminal);
+
+/* On file; E_FILE when it cannot be written. */
+enum status table_print(const struct table *table, enum table_form form, FILE *file, struct report *report);
+
+/* One line of a table that is written as it comes: fields by put_..., then the end of the line.  NDJSON and JSON: members of
+ * an object.  head: the line of names, of JSON what opens the list. */
+struct table_line {
+    enum table_form form;
+    FILE *to;
+    long rows; /* begun */
+    int n;     /* fields of this one so far */
+};
+void table_line_head(struct table_line *o, const struct table_column *columns, int n);
+void table_line_begin(struct table_line *o);
+void table_line_number(struct table_line *o, const struct table_column *column, double x);
+void table_line_text(struct table_line *o, const struct table_column *column, const char *text);
+void table_line_end(struct table_line *o);
+void table_line_foot(struct table_line *o);
 
 #endif

@@ -31,7 +31,7 @@ refuse() { # STATUS PATTERN ARGUMENT...
     if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "exit $rc, expected $want and: $pattern" err
     else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
 }
-refuse 2 "takes decks and CSV files" plot
+refuse 2 "takes decks and files of records" plot
 refuse 2 "ends in .svg, .png or .pdf, not 'x.gif'" plot -o x.gif two.csv
 refuse 2 "no column matches 'leg" plot --script -c 'leg*' two.csv
 refuse 2 "would overwrite an input file" plot -o two.csv.svg two.csv two.csv.svg

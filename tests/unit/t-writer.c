@@ -750,13 +750,13 @@ static void a_table_that_cannot_be_printed_says_so(void **state)
 {
     (void)state;
     FILE *full = fopen("/dev/full", "w");
-    assert_int_equal(table_print(example_table(), true, full, &report), E_FILE);
+    assert_int_equal(table_print(example_table(), TABLE_CSV, full, &report), E_FILE);
     assert_string_equal(report.text, "cannot write the table: No space left on device");
     fclose(full);
     const char *path = in_folder("table");
     FILE *file = fopen(path, "w");
     struct table *table = example_table();
-    assert_int_equal(table_print(table, false, file, &report), OK);
+    assert_int_equal(table_print(table, TABLE_DRAWN, file, &report), OK);
     fclose(file);
     assert_string_equal(text_of(path), table_draw(table, life));
 }

@@ -1,0 +1,92 @@
+# part-diff.sh -- two records compared: what is the same, what differs, what cannot be compared; the same records in three forms.
+. tests/tools/lib.sh
+need_program diff
+cd "$work" || exit 1
+pendulum=$ROOT/decks/pendulum.yaml
+
+cat >a.csv <<'CSV'
+t,arm.x,arm.y
+0,1,0
+0.5,-2,1e-13
+1,1.5,
+CSV
+sed 's/^0.5,-2,/0.5,-2.0001,/' a.csv >b.csv
+sed '/^0.5/d' a.csv >half.csv
+sed '/^1,/d' a.csv >short.csv
+diff_of() { # NAME WANTED ARGUMENT...: the rows without their heading in $rows
+    name=$1 want=$2
+    shift 2
+    "$FMDSUB" diff "$@" >out 2>err </dev/null
+    ended "$name" "$want" $? out err
+    rows=$(sed 1d out)
+}
+diff_of "a record is the same as itself" 0 a.csv a.csv
+expect "its rows" "arm.x,,0,2.0000009999999997e-6,0,1,1,same arm.y,,0,1.0000001e-12,0,0,0,same" "$(echo $rows)" out
+diff_of "a number that moved" 1 a.csv b.csv
+expect "where, by how much" "arm.x,,0.00010000000000021103,2.0000009999999997e-6,0.5,-2,-2.0001,differs" "$(echo "$rows" | head -n 1)" out
+expect "words" "3 times compared (a has 3, b 3), 2 columns, 1 differs" "$(cat err)" err
+diff_of "a tolerance for all" 0 --rel 1e-4 a.csv b.csv
+expect "verdicts" "same same" "$(echo $(echo "$rows" | sed 's/.*,//'))" out
+diff_of "a tolerance for one column" 0 --abs 0,'*.x=1e-3' a.csv b.csv
+expect "what is allowed of each" "0.001002 1e-19" "$(echo $(echo "$rows" | cut -d , -f 4))" out
+diff_of "a tolerance for another column" 1 --rel 'arm.y=1' a.csv b.csv
+diff_of "columns that are asked for" 0 -c arm.y a.csv b.csv
+expect "are compared alone" "arm.y" "$(echo "$rows" | cut -d , -f 1)" out
+diff_of "times that only one has" 0 a.csv half.csv
+expect "words: times in common" "2 times compared (a has 3, b 2)" "$(sed 's/, 2 col.*//' err)" err
+diff_of "a record that ends early" 1 a.csv short.csv
+expect "words: where" "the records do not begin and end together: 0 to 1 and 0 to 0.5" "$(tail -n 1 err)" err
+sed 's/arm.y/arm.z/' a.csv >other.csv
+diff_of "a column that only one has" 1 a.csv other.csv
+expect "verdicts of lone columns" "same only in a only in b" "$(echo $(echo "$rows" | sed 's/.*,//'))" out
+sed 's/^1,1.5,$/1,1.5,0/' a.csv >filled.csv
+diff_of "a value that only one has" 1 --abs 1e9 a.csv filled.csv
+diff_of "quiet" 1 -q a.csv b.csv
+expect "no words, all rows" "2 0" "$(grep -c arm out) $(wc -c <err)" err
+diff_of "as JSON" 1 -f json a.csv b.csv
+expect "an object a row" 2 "$(grep -c '"column":"arm' out)" out
+
+# The same records in three forms, and made anew from the deck.
+for form in csv ndjson json; do "$FMDSUB" run -q -f $form -o "p.$form" --until 2 "$pendulum" 2>err || not_ok "run -f $form" "failed" err; done
+diff_of "CSV and NDJSON" 0 --rel 0 --abs 0 p.csv p.ndjson
+expect "all columns, none differs" "8 0" "$(echo "$rows" | wc -l) $(echo "$rows" | grep -vc '^[a-z.]*,[^,]*,0,0,[0-9.]*,.*,same$')" out
+diff_of "NDJSON and JSON" 0 --rel 0 --abs 0 p.ndjson p.json
+expect "units of NDJSON" "ball.x,m" "$(echo "$rows" | head -n 1 | cut -d , -f 1,2)" out
+diff_of "a golden file and its deck" 0 --rel 0 --abs 0 --until 2 p.csv "$pendulum"
+expect "five times of eight columns" "5 times compared (a has 5, b 5), 8 columns, 0 differ" "$(tail -n 1 err)" err
+diff_of "a golden file and a deck that changed" 1 --until 2 -s 'bodies.ball.at=[-1.01, 0]' p.csv "$pendulum"
+diff_of "with records between" 0 --rel 0 --abs 0 --until 2 --every 0.1 -c 'ball.*' p.csv "$pendulum"
+expect "words: records between" "5 times compared (a has 5, b 21), 4 columns, 0 differ" "$(tail -n 1 err)" err
+
+refuse() { # STATUS PATTERN ARGUMENT...
+    want=$1 pattern=$2
+    shift 2
+    "$FMDSUB" "$@" >out 2>err </dev/null
+    rc=$?
+    if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "exit $rc, expected $want and: $pattern" err
+    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
+}
+sed 's/^\([0-9]\)/9\1/' a.csv >later.csv
+refuse 2 "have no time in common: t 0 to 1 and 90 to 91" diff a.csv later.csv
+refuse 2 "takes two" diff a.csv
+refuse 2 "--rel takes NUMBER or PATTERN=NUMBER" diff --rel x=y a.csv b.csv
+refuse 2 "no column that both have fits .leg" diff -c 'leg*' a.csv b.csv
+refuse 2 "would overwrite an input file" diff -o a.csv a.csv b.csv
+refuse 6 "cannot read 'none.csv'" diff a.csv none.csv
+sed 4q p.ndjson | sed '$s/.......$//' >cut.ndjson
+refuse 6 "cut.ndjson:4: no object" diff p.csv cut.ndjson
+printf '{"type":"row","t":0}\n' >bare.ndjson
+refuse 6 "bare.ndjson:1: a row before the line of type meta" diff p.csv bare.ndjson
+printf '{"type":"meta","columns":["t","a"]}\n{"type":"row","t":0,"a":"x"}\n' >words.ndjson
+refuse 6 "words.ndjson:2: a value that is no number" diff p.csv words.ndjson
+printf 'x' >no.json
+refuse 6 "no.json: no JSON" diff p.csv no.json
+"$FMDSUB" diff a.csv a.csv >/dev/full 2>err
+expect "a full disk" 6 $? err
+
+# What `plot` takes, too: NDJSON, and CSV whose first column has another name.
+printf 'time,a\n0,1\n1,2\n' >time.csv
+"$FMDSUB" plot --script -c a time.csv >out 2>err
+expect "plot: a first column of another name" "0 2" "$? $(awk '/^END/ { exit } /^[01] / { n++ } END { print n + 0 }' out)" err
+"$FMDSUB" plot --script -c ball.x p.ndjson >out 2>err
+expect "plot: NDJSON" "0 1" "$? $(grep -c "^set ylabel 'ball.x \[m\]'" out)" out err
