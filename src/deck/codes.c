@@ -259,7 +259,8 @@ const struct diag_help diag_helps[] = {
                 "and subcycle keep "
                 "the balance best. Forces that jump, and stiff parts that the step does not resolve, break it; "
                 "rho_infinity below 1 damps "
-                "those."},
+                "those, but not what a start does against dampers and springs that the step does not resolve: there it "
+                "swings over, and puts in energy that nothing has."},
     {"no-equilibrium",
      "'static' looks for the nearest stable equilibrium and found none: a part that nothing holds, or forces "
      "that have no balance near the drawn posture. Hold the part, or start nearer by 'initial:'."},

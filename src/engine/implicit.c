@@ -136,26 +136,51 @@ static enum status iterate(struct implicit *m, struct trouble *why)
 }
 
 /* Do dampers take energy while a velocity and its acceleration turn round in the step?  Then one is too stiff for it: they
- * alternate from step to step, and the powers at both ends are large where the mean velocity is small. */
+ * alternate from step to step, and the powers at both ends are large where the mean velocity is small.  Schemes that damp
+ * on their own do away with it in few steps, and not all of these turn it round. */
 static bool overdamped(const struct implicit *m)
 {
+    const double most = m->scheme->accept ? .25 : 1;
     if (m->scheme->middle || m->w[POWER_DAMPER] == 0) return false;
     for (int i = 0; i < m->ode->n; i++)
-        if (m->v0[i] * m->v[i] < 0 && m->a0[i] * m->z[i] < 0) return true;
+        if (fabs(m->v[i] - m->v0[i]) > most * fabs(m->v[i] + m->v0[i]) && m->a0[i] * m->z[i] < 0) return true;
     return false;
 }
 
-/* What dampers take at the mean velocity: with it the balance of linear dampers is exact at any step [W]. */
-static enum status mean_damping(struct implicit *m, double *power, struct trouble *why)
+/* What dampers take at the velocities m->hs, at the end of the step [W]. */
+static enum status damping_at(struct implicit *m, double *power, struct trouble *why)
 {
     struct instant there = m->x;
     double w[POWER_CHANNELS];
     there.v = m->hs;
-    for (int i = 0; i < m->ode->n; i++) m->hs[i] = (m->v0[i] + m->v[i]) / 2;
     m->effort->slow++;
     m->effort->fast++;
     TRY(m->ode->ops->resid(m->ode, m->newton.dz, w, NULL, &there, ALL, why));
     *power = w[POWER_DAMPER];
+    return OK;
+}
+
+/* What dampers take of their mean forces -C v, v = (v0 + v1)/2, along the step's displacement h u: with it the balance of
+ * linear dampers is exact at any step [W].  v' C u = ((v + u)' C (v + u) - (v - u)' C (v - u))/4, and u may be v. */
+static enum status mean_damping(struct implicit *m, double *power, struct trouble *why)
+{
+    const int n = m->ode->n;
+    double against = 0;
+    bool apart = false;
+    for (int i = 0; i < n; i++) {
+        const double v = (m->v0[i] + m->v[i]) / 2, u = m->dx[i] / m->h;
+        if (fabs(u - v) > 1e-12 * (fabs(m->v0[i]) + fabs(m->v[i]))) apart = true;
+    }
+    if (apart) {
+        for (int i = 0; i < n; i++) m->hs[i] = ((m->v0[i] + m->v[i]) / 2 - m->dx[i] / m->h) / 2;
+        TRY(damping_at(m, &against, why));
+    }
+    for (int i = 0; i < n; i++) {
+        const double v = (m->v0[i] + m->v[i]) / 2;
+        m->hs[i] = apart ? (v + m->dx[i] / m->h) / 2 : v;
+    }
+    TRY(damping_at(m, power, why));
+    *power -= against;
     return OK;
 }
 

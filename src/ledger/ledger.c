@@ -31,6 +31,7 @@ void ledger_add(struct ledger *o, const double *work, double lost, double left)
 {
     for (int i = 0; i < LEDGER_CHANNELS; i++) o->work[i] += work[i];
     o->lost += lost;
+    o->gained = larger(o->gained, -o->lost);
     o->left += left;
 }
 
@@ -51,9 +52,17 @@ void ledger_look(struct ledger *o, double t, double kinetic, double elastic, dou
     }
 }
 
+struct ledger_verdict ledger_judge(const struct ledger *o)
+{
+    const double of = larger(o->norm, o->kinetic0 + fabs(o->elastic0));
+    if (o->gained * o->norm > o->worst * of) return (struct ledger_verdict){true, o->gained, of};
+    return (struct ledger_verdict){false, o->worst, o->norm};
+}
+
 double ledger_share(const struct ledger *o)
 {
-    return o->norm > 0 ? o->worst / o->norm : 0;
+    const struct ledger_verdict v = ledger_judge(o);
+    return v.of > 0 ? v.wrong / v.of : 0;
 }
 
 bool ledger_broken(const struct ledger *o)
@@ -72,6 +81,7 @@ void ledger_recall(struct ledger *o, struct recall *r)
     recall_one(r, "gravity", o->gravity);
     recall_list(r, "work", o->work, LEDGER_CHANNELS);
     recall_one(r, "lost", o->lost);
+    recall_one(r, "gained", o->gained);
     recall_one(r, "left", o->left);
     recall_one(r, "residual", o->residual);
     recall_one(r, "norm", o->norm);

@@ -6,7 +6,8 @@
  * what dampers, friction and the scheme's own damping took; W_ext the work of external forces, drives and gravity.
  * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, the drives' share in W_ext for itself, at least 1e-2
  * of the energy at the start and what round-off leaves of a difference of energies, or moves of a mechanism at rest: print
- * (2-26*) leaves it undefined.
+ * (2-26*) leaves it undefined.  A scheme's own damping may only take: what it has put in, on the whole, breaks the
+ * balance, too, as where a start that the step does not resolve makes it swing over.
  * The works come from the integrator, summed by its own quadrature. */
 #ifndef FMDSUB_LEDGER_LEDGER_H
 #define FMDSUB_LEDGER_LEDGER_H
@@ -22,6 +23,7 @@ struct ledger {
     double kinetic, elastic, gravity;    /* now [J] */
     double work[LEDGER_CHANNELS];        /* done on the system so far [J] */
     double lost;                         /* taken by the scheme's own damping so far [J] */
+    double gained;                       /* the most that it has put in at any time, on the whole [J] */
     double left;                         /* sum of what Newton left over, a size [J] */
     double residual;                     /* W_kin + W_int - W_ext now [J] */
     double norm;                         /* ||W|| [J] */
@@ -43,7 +45,13 @@ void ledger_between(struct ledger *o, const struct ledger *before, double x, dou
 struct recall;
 void ledger_recall(struct ledger *o, struct recall *r);
 
-/* Worst residual over the norm: above delta the balance is broken. */
+/* What is wrong most, and what it is measured against [J]: the worst residual and the norm, or what the scheme's damping has
+ * put in and the norm or the energy at the start, if that is more.  By its share, above delta, the balance is broken. */
+struct ledger_verdict {
+    bool gained;
+    double wrong, of;
+};
+struct ledger_verdict ledger_judge(const struct ledger *o);
 double ledger_share(const struct ledger *o);
 bool ledger_broken(const struct ledger *o);
 

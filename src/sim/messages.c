@@ -174,12 +174,13 @@ static void put_energy(FILE *to, double joule, int digits)
 /* A balance that is kept tells of no instability; errors of any size may stand beside it. */
 static void print_balance(const struct ledger *l, FILE *to)
 {
-    fprintf(to, "energy balance %s: off by ", ledger_broken(l) ? "broken" : "kept");
-    put_energy(to, l->worst, 2);
+    const struct ledger_verdict v = ledger_judge(l);
+    fprintf(to, "energy balance %s: %s ", ledger_broken(l) ? "broken" : "kept",
+            v.gained ? "the scheme put in" : "off by");
+    put_energy(to, v.wrong, 2);
     fputs(" of ", to);
-    put_energy(to, l->norm, 3);
-    fprintf(to, " (%.2g; limit %g); how far off the motion is, `fmdsub study` tells\n",
-            l->norm > 0 ? ledger_share(l) : 0, l->delta);
+    put_energy(to, v.of, 3);
+    fprintf(to, " (%.2g; limit %g); how far off the motion is, `fmdsub study` tells\n", ledger_share(l), l->delta);
 }
 
 void print_end(const struct sim *sim, double wall)

@@ -371,6 +371,13 @@ static enum status verdict(const struct sim *sim, struct report *report)
                     "a body without geometric stiffening turned faster than it can: what it did beyond is wrong "
                     "[W-stiffening]");
     if (!ledger_broken(l)) return OK;
+    if (ledger_judge(l).gained)
+        return fail(
+            report, E_VERDICT,
+            "the scheme's own damping, which is to take energy, has put in %.3g J, %.3g of what there is, more "
+            "than delta = %g: 'step' does not resolve a damper or a spring at the start, and %s swings over; try "
+            "a smaller step, or midpoint [balance]",
+            l->gained, ledger_share(l), l->delta, sim->stepper.kind->name);
     return fail(report, E_VERDICT,
                 "the energy balance (2-26) is broken: |residual| %.3g J at t = %.6g s is %.3g of ||W|| = %.3g J, "
                 "more than delta = %g; try %s [balance]",
