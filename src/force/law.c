@@ -49,19 +49,27 @@ static bool past_half_turn(const struct elements *e, const struct model_measure 
     return def->type == MEASURE_ANGLE && e->model->space == 3 && fabs(end[1] - end[0]) > 3;
 }
 
+/* The measure at both ends of the step, of a law that stores; else NULL. A coordinate's are read here, into at[2]. */
+static const double *ends_of_step(double *at, const struct part_of *p, const struct model_measure *def,
+                                  const struct instant *x)
+{
+    if (!x->qa || !x->qb || !p->stores) return NULL;
+    if (def->type != MEASURE_COORDINATE) return p->ends ? p->end : NULL;
+    at[0] = x->qa[def->iq], at[1] = x->qb[def->iq];
+    return at;
+}
+
 static void load(struct elements *e, struct sweep *s, struct part_of *p, const struct loading *to,
                  const struct instant *x)
 {
     const struct model_force *f = &e->model->force[p->force];
     const struct model_measure *def = &e->model->measure[f->measure];
-    const double *end = NULL,
-                 coordinate_end[2] = {x->qa && x->qb ? x->qa[def->iq] : 0, x->qa && x->qb ? x->qb[def->iq] : 0};
+    const bool along = def->type == MEASURE_COORDINATE;
     struct action act;
     struct law law;
-    double lost;
+    double lost, coordinate_end[2];
     measure_at(&act, &e->measures, s, f->measure, x->q, x->v);
-    bool along = def->type == MEASURE_COORDINATE;
-    if (x->qa && x->qb && p->stores) end = along ? coordinate_end : p->ends ? p->end : NULL;
+    const double *end = ends_of_step(coordinate_end, p, def, x);
     if (end && past_half_turn(e, def, end)) end = NULL;
     law_over(&law, &lost, f->kind, f->par, p->linear, act.s, act.rate, end, x->t);
     if (along) {
@@ -111,14 +119,11 @@ static void slopes(struct elements *e, struct sweep *s, struct part_of *p, doubl
 {
     const struct model_force *f = &e->model->force[p->force];
     const struct model_measure *def = &e->model->measure[f->measure];
-    const double coordinate_end[2] = {x->qa && x->qb ? x->qa[def->iq] : 0, x->qa && x->qb ? x->qb[def->iq] : 0};
-    const bool along = def->type == MEASURE_COORDINATE;
     struct action act;
     struct law law;
-    double lost;
+    double lost, coordinate_end[2];
     measure_at(&act, &e->measures, s, f->measure, x->q, x->v);
-    const double *end = NULL;
-    if (x->qa && x->qb && p->stores) end = along ? coordinate_end : p->ends ? p->end : NULL;
+    const double *end = ends_of_step(coordinate_end, p, def, x);
     law_over(&law, &lost, f->kind, f->par, p->linear, act.s, act.rate, end, x->t);
     p->kref = law.ks;
     row_clear(&e->row);

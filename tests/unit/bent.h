@@ -97,6 +97,10 @@ static inline struct bent bent_tree(int nbody, int most, unsigned seed, unsigned
     bent_number(m, body, joint, fast, fast_modes, true);
     m->ns = m->n;
     bent_number(m, body, joint, fast, fast_modes, false);
+    double *q = TAKE(arena, double, m->nq);
+    for (int i = 0; i < m->njoint; i++)
+        if (tree_turns(&joint[i], m->space)) tree_quaternion(q + joint[i].iq[joint[i].nq - 4], d, 3);
+    m->q0 = q, m->v0 = TAKE(arena, double, m->n);
     return (struct bent){m, cloud};
 }
 
