@@ -6,12 +6,11 @@
 
 #include "base/scalar.h"
 
-static const double FADE = .8;      /* a step */
-static const double GROWTH = .05;   /* a step, of what is not seen but for the first place */
-static const double LEAVES = .5;    /* any matrix that is kept, at most */
-static const double LEAST = 1e-6;   /* that is believed, */
-static const double HEARSAY = 3e-4; /* before this step has shown any */
-static const double SURPRISE = .1;  /* of what was foreseen: too good, the slow part is still to come */
+static const double FADE = .8;     /* a step */
+static const double GROWTH = .05;  /* a step, of what is not seen but for the first place */
+static const double LEAVES = .5;   /* any matrix that is kept, at most */
+static const double LEAST = 1e-6;  /* that is believed, */
+static const double SURPRISE = .1; /* of what was foreseen: too good, the slow part is still to come */
 
 void contraction_forget(struct contraction *o)
 {
@@ -52,12 +51,12 @@ void contraction_renewed(struct contraction *o)
 }
 
 /* Quotients may go to and fro: of three corrections the larger one of two is to be expected again. */
-double contraction_after(struct contraction *o, double theta)
+double contraction_after(struct contraction *o, double theta, double hearsay)
 {
     const int k = o->at++;
     const double now = smaller(1, larger(theta, LEAST)), before = o->theta;
     double ahead = k < CONTRACTION_PLACES ? o->old[k].ahead : 0, worse = 1;
-    if (k == 0) return ahead > 0 ? smaller(LEAVES, larger(HEARSAY, ahead)) : LEAVES;
+    if (k == 0) return ahead > 0 ? smaller(LEAVES, larger(hearsay, ahead)) : LEAVES;
     if (k <= CONTRACTION_PLACES) {
         const struct prospect *said = &o->old[k - 1];
         o->seen[k - 1] = now;

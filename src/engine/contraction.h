@@ -7,7 +7,7 @@
  * this step has come out worse than foreseen so far; or, where it has come out far better, what was foreseen: the slow
  * part of the error is still there.  What has not been seen for some steps is trusted less and less, and what was never
  * seen is the root of what is seen.  A new matrix has what new matrices had before: that may be long ago, and have been
- * at rest, so that before a step has shown a quotient itself none below 3e-4 is believed. */
+ * at rest, so that before a step has shown a quotient itself not any is believed. */
 #ifndef FMDSUB_ENGINE_CONTRACTION_H
 #define FMDSUB_ENGINE_CONTRACTION_H
 
@@ -31,8 +31,9 @@ void contraction_forget(struct contraction *o);
 /* A step begins; a new matrix. */
 void contraction_begin(struct contraction *o);
 void contraction_renewed(struct contraction *o);
-/* The next quotient to expect; theta: of this iteration, not read at the first. */
-double contraction_after(struct contraction *o, double theta);
+/* The next quotient to expect; theta: of this iteration, not read at the first, where none below `hearsay` is
+ * believed. */
+double contraction_after(struct contraction *o, double theta, double hearsay);
 void contraction_recall(struct contraction *o, struct recall *r);
 
 #endif

@@ -7,7 +7,8 @@
  *
  * Corrections are measured as velocities against the running maximum of |v_i| and |H a_i| of each
  * coordinate.  A coordinate at rest has no such scale; there the energy of the correction,
- * dz . J dz = dz . r, against twice the kinetic energy decides. */
+ * dz . J dz = dz . r, against twice the kinetic energy decides.  A major step of sub-cycling is judged by that energy
+ * throughout: it may leave what its minor steps would leave together, so that the drift of a run stays bounded. */
 #ifndef FMDSUB_ENGINE_NEWTON_H
 #define FMDSUB_ENGINE_NEWTON_H
 
@@ -18,36 +19,41 @@
 #include "engine/stepper.h"
 
 enum verdict { CONVERGED, CONTINUE, REFRESH, FAILED };
+enum { NEWTON_WAYS = 2 };
 
 struct newton {
     const struct ode2 *ode;
     struct effort *effort;
     double tolerance; /* asked for; 0: from the error of the step */
     int limit;
-    double *scale, *per; /* [n] running maximum of velocity, 1 / scale with its floor */
-    double *dz, *r;      /* [n] last correction and residual */
-    double top;          /* largest scale */
-    double energy;       /* running maximum of v . M v */
-    int age;             /* steps since energy was looked at */
-    struct contraction contraction;
+    double *scale, *per;                         /* [n] running maximum of velocity, 1 / scale with its floor */
+    double *dz, *r;                              /* [n] last correction and residual */
+    double top;                                  /* largest scale */
+    double energy;                               /* running maximum of v . M v */
+    int age, life;                               /* steps since energy was looked at; after which it is due again */
+    struct contraction contraction[NEWTON_WAYS]; /* of the largest correction */
+    struct contraction norms[NEWTON_WAYS];       /* of pairs: of the norm of energy */
+    int way, next;                               /* of pairs: of iterating, in this step and in the next one */
     struct renewal renewal;
     struct remainder remainder; /* of newton_solve(), where all n coordinates are solved for with a matrix */
-    int pairs;    /* errors go round two blocks of unknowns: contraction is measured over two iterations, */
-    double theta; /* that to expect of the first one is the last step's, */
-    double trust; /* and this is the least that is believed: a large part of the error may vanish at once and leave a
-                   * small one that converges slowly, which shows from the third iteration on */
-    int stale;    /* a fresh matrix is due at the next step */
+    int pairs; /* errors go round two blocks of unknowns: the norm of energy may decide, see little_energy(), and what a
+                * matrix is worth shows over two iterations */
+    int steps; /* of pairs: small steps that one is worth; it may leave the energy that they would leave together */
+    int stale; /* a fresh matrix is due at the next step */
     bool matrix_free; /* the iteration has no matrix: none is to blame, none is asked for */
 
     /* of the iteration under way */
     double tol, first, last, last2, remain; /* remain: what is left of the last residual, as a factor */
     double first_square, square;            /* energy of the first and of the last correction */
+    double norm;                            /* of pairs: of the last correction, against that of the motion */
+    double light;                           /* of pairs: the largest one against scales not far below the largest */
     int count;                              /* iterations done */
     int fresh;                              /* > 0: the matrix belongs to this or the last iterate */
     bool newest;                            /* no better matrix is to be had in this step */
     int bad, refreshed;
     int rounding; /* the last correction is of the size of round-off */
     int powered;  /* some power flows: its quadrature wants the last correction small too */
+    double flow;  /* of pairs: energy that powers bring and take in the step, all counted alike */
     int worst;    /* row of the largest correction */
 };
 

@@ -15,6 +15,7 @@ void forecast_open(struct forecast *f, const struct decouple *dec, struct arena 
     for (int i = 0; i < 12; i++) *fast[i] = TAKE(life, double, f->ns);
     for (int i = 0; i < 4; i++) *known[i] = TAKE(life, double, f->ml);
     f->fit = TAKE(life, struct fit, f->nl);
+    f->leap = TAKE(life, struct leap, f->ns);
     f->ay = TAKE(life, double, f->nl);
     f->aybefore = TAKE(life, double, f->nl);
 }
@@ -33,7 +34,8 @@ void forecast_forget(struct forecast *f, const struct decouple *dec, const doubl
     copy(f->w, u0, f->ml);
     f->H = f->Hbefore = H;
     for (int i = 0; i < f->nl; i++) f->fit[i] = (struct fit){0};
-    f->kept = 0;
+    for (int i = 0; i < f->ns; i++) f->leap[i] = (struct leap){{0}, 0, 0, 0, 0};
+    f->kept = f->leaps = 0;
 }
 
 /* The driving by the slow coordinates: y and w - w_last constant, w H f_k as a ramp. */
@@ -82,7 +84,7 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
         f->g[i] -= h * f->trend[i] * p->H;
     }
     copy(f->v, v0, ns);
-    response_run(p, d, f->c, f->g, f->x, f->v, f->s, 0);
+    response_run(p, d, f->c, f->g, NULL, f->x, f->v, f->s, 0);
 }
 
 /* c := what the slow coordinates do to the fast rows in minor step k. */
@@ -96,13 +98,44 @@ static void driving_at(struct forecast *f, const struct response *p, const doubl
     dense_gemv(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
 }
 
+static const double PROVED = .25, FADE = .8; /* of squares: a leap that is foreseen halves what is left */
+
+/* phi at the start of a major step, where it jumps. */
+static void leap_ahead(struct forecast *f, const double *jump)
+{
+    for (int i = 0; i < f->ns; i++) {
+        struct leap *o = &f->leap[i];
+        o->said = fit_next(&o->fit);
+        f->phi[i] += jump[i];
+        f->phi1[i] += jump[i + f->ns];
+        f->phi2[i] += jump[i + 2 * f->ns];
+        o->plain = f->phi[i] + f->phi1[i] + f->phi2[i];
+        if (o->with <= PROVED * o->without) f->phi[i] += o->said;
+    }
+    f->leaps = 1;
+}
+
+/* phi has turned out to be f->g. */
+static void leap_learn(struct forecast *f)
+{
+    for (int i = 0; i < f->ns && f->leaps; i++) {
+        struct leap *o = &f->leap[i];
+        const double miss = f->g[i] - o->plain, left = miss - o->said;
+        o->with = FADE * o->with + left * left;
+        o->without = FADE * o->without + miss * miss;
+        fit_learn(&o->fit, miss);
+    }
+    f->leaps = 0;
+}
+
 /* J d_k = h { phi - K_SL y_k+1/2 - C_SL w - K_SS x_k } - V v_k. */
 void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
-                    const double *w, int k)
+                    const double *w, const double *jump, int k)
 {
     const struct minor *m = &p->one;
     int ns = p->ns;
-    if (k == 0) return;
+    if (k == 0 && !jump) return;
+    if (k == 0) leap_ahead(f, jump);
     driving_at(f, p, w, k);
     for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
     dense_gemv(d, -p->h, m->K, x, ns, ns, p->n);
@@ -132,6 +165,7 @@ void forecast_force(struct forecast *f, const struct response *p, const double *
     int ns = p->ns, known = k > 0 && rest;
     double per = 1 / p->h;
     if (!known) force_of(f, p, d, x, v, w, k);
+    if (k == 0) leap_learn(f);
     for (int i = 0; i < ns; i++) {
         double guess = f->phi1[i] + f->phi2[i], phi = known ? f->phi[i] + guess - per * rest[i] : f->g[i];
         double step = k > 0 ? phi - f->phi[i] : guess;
@@ -218,6 +252,9 @@ void forecast_recall(struct forecast *f, struct recall *r)
     recall_list(r, "w", f->w, f->ml);
     recall_list(r, "trend", f->trend, f->ns);
     fits_recall(f->fit, r, "fit", f->nl, sizeof *f->fit);
+    fits_recall(&f->leap->fit, r, "leap", f->ns, sizeof *f->leap);
+    recall_each(r, "with", f->leap, with, f->ns);
+    recall_each(r, "without", f->leap, without, f->ns);
     recall_list(r, "phi", f->phi, f->ns);
     recall_list(r, "phi1", f->phi1, f->ns);
     recall_list(r, "phi2", f->phi2, f->ns);

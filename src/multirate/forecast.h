@@ -9,7 +9,8 @@
  *
  * Before the first sweep phi goes on from the last minor step with its trend over the last major step, which is exact
  * for a linear system under constant loads.  In the first sweep phi goes on from the minor steps that have just been
- * found, by a parabola; from step to step, where du/n jumps, only its differences do. */
+ * found, by a parabola; from step to step, where du/n, W and x jump, by what is known of the jump (subcycle_jump.c) or,
+ * where nothing is, only its differences do. */
 #ifndef FMDSUB_MULTIRATE_FORECAST_H
 #define FMDSUB_MULTIRATE_FORECAST_H
 
@@ -17,11 +18,20 @@
 #include "engine/fit.h"
 #include "multirate/response.h"
 
+/* What phi jumps by from one major step to the next besides what is known of it: foreseen where that has proved. */
+struct leap {
+    struct fit fit;
+    double said, plain;   /* what was expected; phi without it */
+    double with, without; /* squares of what was left with it and without it, older ones fading */
+};
+
 struct forecast {
     int ns, nl, ml;
     double *as, *dx, *vs;      /* [ns] the last minor step: acceleration, displacement, mean velocity */
     double *y, *w;             /* [ml] half of its slow displacement, its slow velocity */
     double *trend;             /* [ns] rate of the force that the linear model does not know */
+    struct leap *leap;         /* [ns] */
+    int leaps;                 /* the leap of the step under way is still to be learned from */
     struct fit *fit;           /* [nl] */
     double *phi, *phi1, *phi2; /* [ns] of the last minor step, its first and second difference */
     int kept;                  /* the step foreseen last was accepted */
@@ -48,10 +58,11 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
                    const double *v0);
 /* Its local error, h/12 |a_k - a_k-1| summed and H/12 |a_y - a_y,last|, in units 1/per [n]; before keep(). */
 double forecast_error(const struct forecast *f, const struct found *x, const double *per);
-/* In the first sweep: d [ns] of minor step k from x, v [ns] at its start; then phi for d as it was found, after one
- * correction by J of the rest [ns] of the fast rows (NULL: however). */
+/* In the first sweep: d [ns] of minor step k from x, v [ns] at its start; of k = 0 where the jumps [ns x 3] of phi and of
+ * its differences are known, else (NULL) it stays as it is; then phi for d as it was found, after one correction by J of
+ * the rest [ns] of the fast rows (NULL: however). */
 void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
-                    const double *w, int k);
+                    const double *w, const double *jump, int k);
 void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
                     const double *w, const double *rest, int k);
 void forecast_recall(struct forecast *f, struct recall *r);

@@ -295,8 +295,8 @@ enum status response_slow(struct response *p, struct decouple *dec, const double
 
 /* ---- answers */
 
-void response_run(const struct response *p, double *d, const double *c, const double *g, double *x, double *v,
-                  double *s, int add)
+void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
+                  double *x, double *v, double *s, int add)
 {
     const struct minor *m = &p->one;
     int n = p->n, ns = p->ns;
@@ -304,6 +304,9 @@ void response_run(const struct response *p, double *d, const double *c, const do
     for (int k = 0; k < p->ratio; k++, d += ns) {
         double f = (k + .5) / p->ratio;
         for (int i = 0; i < ns; i++) s[i] = -c[i] - f * g[i];
+        double power = 1;
+        for (int j = 0; j < (more ? more->terms : 0); j++, power *= f)
+            for (int i = 0; i < ns; i++) s[i] -= power * more->x[i + j * ns];
         dense_gemv(s, -h, m->K, x, ns, ns, n);
         dense_gemv(s, -1, m->V, v, ns, ns, ns);
         minor_solve(m, s);

@@ -100,10 +100,16 @@ int response_masses(struct response *p, const struct decouple *dec);
  * structure does not allow it: dec has to go dense. */
 enum status response_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why);
 
-/* d_k [ns x ratio] := (add: +=) the answer to constant part c [ns] and linear part g [ns] (times f_k) of
- * the fast rows, from offsets x, v [ns] (overwritten). */
-void response_run(const struct response *p, double *d, const double *c, const double *g, double *x, double *v,
-                  double *scratch, int add);
+/* sum of x_m f_k^m, x [ns x terms]. */
+struct powers {
+    const double *x;
+    int terms;
+};
+
+/* d_k [ns x ratio] := (add: +=) the answer to constant part c [ns], linear part g [ns] (times f_k) and what is more (NULL:
+ * nothing) of the fast rows, from offsets x, v [ns] (overwritten). */
+void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
+                  double *x, double *v, double *scratch, int add);
 
 /* Du [nl]: the correction of the slow unknown for slow rows R [nl] and a change dxn [ns] of x_n; c, g
  * [ns]: what it means for the minor steps, as in response_run. */

@@ -34,16 +34,23 @@
  * (`symmetric`) makes the step symmetric in time, and the energy error does not drift.
  *
  * One Newton iteration for the whole major step: each sweep corrects every d_k once, with J (S11), and the slow
- * unknown through the linearized answer of the minor steps (S12), both of response.h. */
+ * unknown through the linearized answer of the minor steps (S12), both of response.h.  As a rule that is two sweeps: one
+ * of all minor steps, begun from what is known of their forces (forecast.h, subcycle_jump.c), and one that asks a few of
+ * them how they have changed (subcycle_coarse.c). */
 #include "engine/stepper.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
+
+#include "base/scalar.h"
 
 #include "engine/midpoint.h"
 #include "engine/stepped.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
+
+static const double AT_REST = 1e-3; /* of the largest scale: less is rest where the norm of energy decides */
 
 enum { LEAST_CAPACITY = 64, PASSES = 2, SWEEPS = 16 };
 
@@ -53,6 +60,7 @@ static void reserve(struct subcycle *c, int ratio, struct arena *life)
     c->capacity = ratio < LEAST_CAPACITY ? LEAST_CAPACITY : ratio;
     c->d = TAKE_MATRIX(life, double, c->ns, c->capacity);
     c->dbefore = TAKE_MATRIX(life, double, c->ns, c->capacity);
+    c->coarse.rows = TAKE_MATRIX(life, double, c->dec.ml, c->capacity);
 }
 
 static void take_vectors(struct subcycle *c, struct arena *life)
@@ -83,13 +91,14 @@ static void open(struct stepper *s, struct arena *life)
     newton_open(&c->newton, o, &s->effort, &s->options, life);
     c->newton.limit = SWEEPS;
     c->newton.pairs = 1;
-    c->newton.trust = .1;
     decouple_open(&c->dec, o, &s->effort, life);
     response_open(&c->resp, &c->dec, life);
     minor_open(&c->here, &c->resp, life);
     forecast_open(&c->forecast, &c->dec, life);
     c->near = o->move ? c->nl : c->dec.ml;
     take_vectors(c, life);
+    subcycle_last_open(c, life);
+    subcycle_coarse_open(c, life);
     reserve(c, LEAST_CAPACITY, life);
     if (s->options.tolerance > 0) subcycle_error_open(c, life);
 }
@@ -98,7 +107,8 @@ static void open(struct stepper *s, struct arena *life)
 
 static enum verdict judge(struct subcycle *c)
 {
-    double err = 0, small = 0, sum = 0;
+    double err = 0, small = 0, sum = 0, light = 0;
+    const double most = 1 / larger(AT_REST * c->newton.top, DBL_MIN);
     zero(c->sum, c->ns);
     for (int i = 0; i < c->nl; i++) c->sum[c->ns + i] = fabs(c->Du[i]);
     for (int k = 0; k < c->ratio; k++) {
@@ -109,11 +119,13 @@ static enum verdict judge(struct subcycle *c)
         double e = c->sum[i] * c->newton.per[i];
         sum += c->sum[i];
         if (c->sum[i] > small) small = c->sum[i];
+        light = larger(light, smaller(e, c->sum[i] * most));
         if (e > err) {
             err = e;
             c->newton.worst = i;
         }
     }
+    c->newton.light = light;
     struct instant start = {.t = c->t0, .q = c->q0, .v = c->v0, .ta = c->t0, .tb = c->t0};
     return newton_judge(&c->newton, isfinite(sum) ? err : NAN, small, c->square, &start);
 }
@@ -121,11 +133,11 @@ static enum verdict judge(struct subcycle *c)
 static enum status sweep(struct subcycle *c, enum verdict *verdict, struct trouble *why)
 {
     zero(c->work, POWER_CHANNELS);
-    c->push = c->square = 0;
+    c->push = c->square = c->newton.flow = 0;
     memcpy(c->dbefore, c->d, (size_t)c->ns * (size_t)c->ratio * sizeof *c->d);
     subcycle_compose(c);
     TRY(subcycle_slow_bodies(c, why));
-    TRY(subcycle_fast_rows(c, why));
+    TRY(c->coarse.on ? subcycle_coarse_rows(c, why) : subcycle_fast_rows(c, why));
     subcycle_slow_rows(c);
     *verdict = judge(c);
     return OK;
@@ -137,6 +149,9 @@ static enum status solve(struct subcycle *c, struct trouble *why)
     for (;;) {
         enum verdict verdict;
         TRY(sweep(c, &verdict, why));
+        const struct newton *nt = &c->newton;
+        c->coarse.on =
+            verdict == CONTINUE && nt->way && nt->count == 1 && !nt->powered && !c->coarse.varied && !c->resp.drives;
         if (verdict == CONVERGED) return OK;
         if (verdict == REFRESH) TRY(subcycle_refresh(c, why));
         if (verdict == FAILED)
@@ -173,6 +188,8 @@ static void energy_scale(struct subcycle *c)
 
 static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
 {
+    c->newton.steps = c->ratio;
+    subcycle_coarse_plan(c);
     newton_begin(&c->newton, c->last_local);
     energy_scale(c);
     int changed = c->resp.h != c->h || c->resp.H != c->H || c->resp.ratio != c->ratio;
@@ -194,6 +211,9 @@ static void forget(struct subcycle *c)
     newton_forget(&c->newton);
     newton_scale(&c->newton, c->v0, c->a0, c->H);
     forecast_forget(&c->forecast, &c->dec, c->a0, c->v0, c->u0, c->H);
+    c->last.h = 0;
+    c->coarse.rest = 0;
+    c->coarse.missed = 0;
     c->last_local = -1;
 }
 
@@ -246,6 +266,7 @@ static enum status accept(struct subcycle *c, struct stepper *s, struct state *x
     copy(s->work, c->work, POWER_CHANNELS);
     subcycle_compose(c);
     remember(c);
+    subcycle_last_keep(c);
     if (c->error) subcycle_error_measure(c);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
@@ -305,7 +326,10 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
         status = accept(c, s, x, why);
         s->fresh = status != OK; /* what predicts has gone ahead */
     }
-    c->newton.stale |= status != OK;
+    if (status != OK) {
+        c->newton.stale = 1;
+        c->last.h = 0;
+    }
     return status;
 }
 
@@ -316,6 +340,8 @@ static enum status recall(struct stepper *s, struct recall *r)
     if (c->ns == 0) return implicit_remember(c->plain, r);
     newton_recall(&c->newton, r);
     forecast_recall(&c->forecast, r);
+    subcycle_last_recall(c, r);
+    subcycle_coarse_recall(c, r);
     recall_one(r, "last_local", c->last_local);
     recall_one(r, "local", c->local);
     recall_one(r, "structured", c->dec.structured);

@@ -10,15 +10,14 @@
 
 enum { INNER = 12 };
 
-/* es: the fast rows (S6) of minor step k at its trial point; c->r its fast bodies' share. */
-static enum status minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
-                              struct trouble *why)
+enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
+                                struct trouble *why)
 {
     int ns = c->ns;
     double per = 1 / c->h;
     subcycle_velocity(c, d);
     subcycle_point(c, c->qmid, c->q, .5, x->t);
-    subcycle_point(c, c->qend, c->q, 1, x->tb);
+    if (x->qb) subcycle_point(c, c->qend, c->q, 1, x->tb);
     for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
     decouple_out(&c->dec, c->a, c->pull, c->a, c->near);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
@@ -47,8 +46,9 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
     double enough = fmax(.1 * c->newton.tol, 1e-13), before = INFINITY;
     for (int inner = 0, alone = 0, slow = 0; inner < INNER; inner++) {
         double dk = 0;
-        TRY(minor_rows(c, d, power, &dk, x, why));
-        sharpened(&dk);
+        TRY(subcycle_minor_rows(c, d, power, &dk, x, why));
+        c->coarse.varied |= sharpened(&dk);
+        c->coarse.varied |= dk > STALE_SLOPE;
         if (dk > STALE_SLOPE || slow) {
             TRY(subcycle_refresh_here(c, x, why));
             alone = 1;
@@ -75,7 +75,7 @@ static void minor_sums(struct subcycle *c, const double *d)
     }
 }
 
-static void begin(struct subcycle *c)
+void subcycle_rewind(struct subcycle *c)
 {
     copy(c->q, c->q0, c->ode->nq);
     copy(c->vs, c->v0, c->ns);
@@ -85,24 +85,31 @@ static void begin(struct subcycle *c)
     zero(c->esum, c->ns);
 }
 
+void subcycle_minor_time(const struct subcycle *c, struct instant *x, int k)
+{
+    x->ta = c->t0 + k * c->h;
+    x->tb = subcycle_minor_end(c, k);
+    x->t = x->ta + (x->tb - x->ta) / 2;
+}
+
 enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
 {
-    struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->qend};
+    struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->ode->pointwise ? NULL : c->qend};
     struct forecast *f = &c->forecast;
-    begin(c);
+    subcycle_rewind(c);
+    const double *jump = c->guessed ? subcycle_jump(c) : NULL;
     for (int k = 0; k < c->ratio; k++) {
         double *d = c->d + (long)k * c->ns, power[POWER_CHANNELS];
-        x.ta = c->t0 + k * c->h;
-        x.tb = subcycle_minor_end(c, k);
-        x.t = x.ta + (x.tb - x.ta) / 2;
+        subcycle_minor_time(c, &x, k);
         if (c->guessed) {
-            forecast_minor(f, &c->resp, d, c->xn, c->vs, c->w, k);
+            forecast_minor(f, &c->resp, d, c->xn, c->vs, c->w, jump, k);
             copy(c->dbefore + (long)k * c->ns, d, c->ns);
         }
         TRY(minor(c, d, power, &x, why));
         if (c->guessed) forecast_force(f, &c->resp, d, c->xn, c->vs, c->w, c->local ? NULL : c->rest, k);
         subcycle_book(c, c->h, power);
         minor_sums(c, d);
+        if (c->newton.way || k >= c->ratio - JUMP_TERMS) subcycle_coarse_keep(c, k);
         subcycle_velocity(c, d);
         subcycle_point(c, c->q, c->q, 1, x.tb);
         subcycle_advance(c, d);

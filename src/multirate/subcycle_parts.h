@@ -4,6 +4,8 @@
  *     subcycle_matrix.c  what is formed at its start: W and u0 (S1), damping (S7), J (S11), the slow rows' matrix (S12)
  *     subcycle_point.c   where the unknowns lead: velocities and positions of minor steps (S2)-(S4), the end (S9)
  *     subcycle_fast.c    the minor steps of a sweep: r_k (S6), d_k corrected
+ *     subcycle_coarse.c  the same where a few minor steps stand for all
+ *     subcycle_jump.c    what is known of how forces jump from one major step to the next
  *     subcycle_slow.c    slow bodies (S5), slow rows R (S8), du corrected and all d_k with it
  *     decouple.h         W and P (S1)
  *     response.h         the minor steps' linearized answer to the slow unknown (S11), (S12)
@@ -12,6 +14,8 @@
  */
 #ifndef FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
 #define FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
+
+#include <math.h>
 
 #include "engine/local_error.h"
 #include "engine/motion.h"
@@ -26,6 +30,33 @@ struct subcycle_error {
     struct local_error slow, fast; /* of the last step that was taken: of u, of x */
     struct local_error minor;      /* of x, on the way through the minor steps */
     double *position, *velocity;   /* [n] sizes: of the last step */
+};
+
+enum { JUMP_TERMS = 3 };
+
+/* What the major step before was in, and what of it the fast rows saw last. */
+struct last_step {
+    double h;      /* its minor step; 0: there is none */
+    double *W;     /* [nl x ns] */
+    double *Mss;   /* [ns x ns] */
+    double *share; /* [ns] of its slow bodies in the fast rows, whatever d_k is */
+    double *x, *y; /* [ns], [nl] x_n and H w */
+    int terms;     /* minor steps of which the next two are known */
+    double *a;     /* [ns x JUMP_TERMS] accelerations of its minor steps, from the last one back */
+    double *rows;  /* [ml x JUMP_TERMS] slow rows of the fast bodies there */
+    double *jump;  /* [ns x JUMP_TERMS] what all that changes in the force on the fast ones, and in its differences */
+};
+
+enum { COARSE_POINTS = 3 };
+
+/* Sweeps in which a few minor steps stand for all. */
+struct coarse {
+    bool on;       /* the sweep under way is one */
+    bool varied;   /* slopes of a minor step have changed in this major step */
+    int rest;      /* steps in which none will be tried */
+    double missed; /* share of the steps in which one has not been enough, older ones fading */
+    double *rows;  /* [ml x ratio] slow rows of the fast bodies in all minor steps, as the last whole sweep left them */
+    double *left;  /* [ns x COARSE_POINTS] what is left in the fast rows: of powers of f_k */
 };
 
 struct subcycle {
@@ -68,6 +99,8 @@ struct subcycle {
     double *r;                   /* [n] of the last evaluation */
     double *es, *rest;           /* [ns] r_k,S, then the correction of d_k; r_k,S */
     double *R, *Du;              /* [nl] slow rows, the correction of du */
+    struct last_step last;
+    struct coarse coarse;
     double *c, *g;               /* [ns] what it means for the fast rows: constant, linear in k */
     double *dq;                  /* [n] displacement */
     double *sum;                 /* [n] size of the corrections of a sweep */
@@ -111,6 +144,36 @@ double subcycle_middle(struct subcycle *c);
 enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why);
 /* All minor steps: every d_k corrected (S6); R: what the fast bodies bring to the slow rows. */
 enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why);
+/* es: the fast rows (S6) of a minor step at the trial point of d, x; c->r its fast bodies' share. */
+enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
+                                struct trouble *why);
+/* Before the minor steps: at the start of the major one. */
+void subcycle_rewind(struct subcycle *c);
+/* Times of minor step k. */
+void subcycle_minor_time(const struct subcycle *c, struct instant *x, int k);
+
+/* --- coarse sweeps ------------------------------------------------------------------------------ */
+
+void subcycle_coarse_open(struct subcycle *c, struct arena *life);
+/* Before a step: whether one will be tried after its first sweep. */
+void subcycle_coarse_plan(struct subcycle *c);
+/* The slow rows of minor step k are kept as they are after its correction c->es. */
+void subcycle_coarse_keep(struct subcycle *c, int k);
+/* As subcycle_fast_rows(), from a few minor steps: how their rows have changed since the last whole sweep is
+ * interpolated; what they leave of the fast rows is c, g. */
+enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why);
+void subcycle_coarse_recall(struct subcycle *c, struct recall *r);
+
+/* --- from step to step -------------------------------------------------------------------------- */
+
+void subcycle_last_open(struct subcycle *c, struct arena *life);
+/* A step that is taken, after its sweeps. */
+void subcycle_last_keep(struct subcycle *c);
+/* After the first slow bodies of a step: the jump of the force and of its two differences [ns x JUMP_TERMS]; NULL: not
+ * known. */
+const double *subcycle_jump(struct subcycle *c);
+void subcycle_last_recall(struct subcycle *c, struct recall *r);
+
 /* R complete (S8); du corrected by it (S12), and all d_k with it. */
 void subcycle_slow_rows(struct subcycle *c);
 
@@ -130,6 +193,7 @@ static inline void subcycle_book(struct subcycle *c, double time, const double *
     for (int i = 0; i < POWER_CHANNELS; i++) {
         c->work[i] += time * w[i];
         c->newton.powered |= w[i] != 0;
+        c->newton.flow += fabs(time * w[i]);
     }
 }
 

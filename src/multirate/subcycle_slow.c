@@ -54,14 +54,15 @@ static void complete(struct subcycle *c)
 static void correct(struct subcycle *c)
 {
     int ns = c->ns, nl = c->nl;
-    for (int i = 0; i < ns; i++) c->s1[i] = c->xn[i] - c->xbefore[i];
+    for (int i = 0; i < ns; i++) c->s1[i] = c->coarse.on ? 0 : c->xn[i] - c->xbefore[i];
     response_correct(&c->resp, &c->dec, c->Du, c->c, c->g, c->R, c->s1);
     c->square += fabs(dot(c->R, c->Du, nl));
     for (int i = 0; i < nl; i++) c->du[i] += c->Du[i];
-    if (!c->resp.drives) return;
+    const struct powers more = {c->coarse.left, COARSE_POINTS};
+    if (!c->resp.drives && !c->coarse.on) return;
     zero(c->s1, ns);
     zero(c->s2, ns);
-    response_run(&c->resp, c->d, c->c, c->g, c->s1, c->s2, c->s3, 1);
+    response_run(&c->resp, c->d, c->c, c->g, c->coarse.on ? &more : NULL, c->s1, c->s2, c->s3, 1);
 }
 
 void subcycle_slow_rows(struct subcycle *c)

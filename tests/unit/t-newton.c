@@ -54,7 +54,7 @@ static void iterate(double *said, struct contraction *c, const double *theta, in
 {
     contraction_begin(c);
     if (fresh) contraction_renewed(c);
-    for (int k = 0; k < n; k++) said[k] = contraction_after(c, k ? theta[k] : 1);
+    for (int k = 0; k < n; k++) said[k] = contraction_after(c, k ? theta[k] : 1, 3e-4);
 }
 
 /* Errors go to and fro between two blocks: small quotients are followed by large ones. */

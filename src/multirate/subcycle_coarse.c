@@ -1,0 +1,137 @@
+/* subcycle_coarse.c -- sweeps in which a few minor steps stand for all.
+ *
+ * After a whole sweep the rows of all minor steps are known, and the next sweep asks how they have changed: smoothly over
+ * the major step, since what changed is du and, in all minor steps alike, the point about which they vibrate.  So a few
+ * of them are evaluated; a polynomial through these gives the change of the slow rows' sum and what is left of the fast
+ * rows, which corrects all d_k by the linear answer of response_run().
+ *
+ * Not where fast and slow coordinates are coupled by springs or dampers, where the change is a vibration itself; not
+ * where slopes change; not where power flows, for work is to be that of the motion found. */
+#include "la/dense.h"
+#include "multirate/subcycle_parts.h"
+
+enum { LEAST = 5, REST = 64 }; /* LEAST: minor steps that it is worth for */
+static const double FADE = .8;
+
+void subcycle_coarse_open(struct subcycle *c, struct arena *life)
+{
+    c->coarse.left = TAKE_MATRIX(life, double, c->ns, COARSE_POINTS);
+}
+
+void subcycle_coarse_plan(struct subcycle *c)
+{
+    struct coarse *o = &c->coarse;
+    const struct newton *nt = &c->newton;
+    if (nt->way && nt->count > 1) o->missed = FADE * o->missed + (1 - FADE) * (nt->count > 2);
+    if (o->rest > 0) o->rest--;
+    const double bearable = (double)(c->ratio - COARSE_POINTS) / (c->ratio + COARSE_POINTS);
+    if (o->missed > bearable) {
+        o->rest = REST;
+        o->missed = bearable * FADE;
+    }
+    o->on = false;
+    o->varied = false;
+    c->newton.next = o->rest == 0 && c->ratio >= LEAST && !c->resp.drives;
+}
+
+void subcycle_coarse_keep(struct subcycle *c, int k)
+{
+    const int ml = c->dec.ml;
+    double *rows = c->coarse.rows + (long)k * ml, per = -1 / c->h;
+    copy(rows, c->r + c->ns, ml);
+    if (c->dec.reach) dense_gemv(rows, per, c->dec.MsW, c->es, ml, c->ns, ml);
+    if (c->resp.drives) dense_gemv(rows, per, c->resp.Q, c->es, ml, c->ns, ml);
+}
+
+/* at: minor steps; weight: of the sum over all, exact for polynomials; power: coefficients of that which is 1 at this
+ * one and 0 at the others. */
+struct nodes {
+    int at[COARSE_POINTS];
+    double weight[COARSE_POINTS], power[COARSE_POINTS][COARSE_POINTS];
+};
+
+/* power := coefficients of the polynomial through 1 at f[i] and 0 at the other f. */
+static void lagrange(double *power, const double *f, int i)
+{
+    int degree = 0;
+    power[0] = 1;
+    for (int j = 0; j < COARSE_POINTS; j++) {
+        if (j == i) continue;
+        const double per = 1 / (f[i] - f[j]);
+        power[degree + 1] = 0;
+        for (int m = ++degree; m >= 0; m--) power[m] = per * ((m > 0 ? power[m - 1] : 0) - f[j] * power[m]);
+    }
+}
+
+static struct nodes nodes_of(int n)
+{
+    static const double gauss[COARSE_POINTS] = {.1127016654, .5, .8872983346};
+    struct nodes p = {.at = {0}};
+    double f[COARSE_POINTS], sums[COARSE_POINTS] = {0};
+    for (int i = 0; i < COARSE_POINTS; i++) p.at[i] = (int)(gauss[i] * n), f[i] = (p.at[i] + .5) / n;
+    for (int k = 0; k < n; k++) {
+        double power = 1;
+        for (int m = 0; m < COARSE_POINTS; m++, power *= (k + .5) / n) sums[m] += power;
+    }
+    for (int i = 0; i < COARSE_POINTS; i++) {
+        lagrange(p.power[i], f, i);
+        p.weight[i] = dot(p.power[i], sums, COARSE_POINTS);
+    }
+    return p;
+}
+
+/* Node i, where c->es and c->r were found. */
+static void node_sums(struct subcycle *c, const struct nodes *p, int i)
+{
+    const int ns = c->ns, ml = c->dec.ml;
+    const double *rows = c->coarse.rows + (long)p->at[i] * ml, h = c->h * p->weight[i];
+    for (int j = 0; j < ml; j++) c->R[j] += h * (c->r[ns + j] - rows[j]);
+    for (int m = 0; m < COARSE_POINTS; m++)
+        for (int j = 0; j < ns; j++) c->coarse.left[j + m * ns] += p->power[i][m] * c->es[j];
+    for (int j = 0; j < ns; j++) {
+        c->push += p->weight[i] * c->es[j] * c->v[j];
+        c->rest[j] = c->es[j];
+    }
+    minor_solve(&c->resp.one, c->es);
+    c->square += p->weight[i] * dot(c->rest, c->es, ns);
+}
+
+static enum status node(struct subcycle *c, const struct nodes *p, int i, struct trouble *why)
+{
+    struct instant x = {.q = c->qmid, .v = c->v, .a = c->a, .qa = c->q, .qb = c->ode->pointwise ? NULL : c->qend};
+    const int k = p->at[i];
+    double power[POWER_CHANNELS], dk = 0;
+    subcycle_minor_time(c, &x, k);
+    TRY(subcycle_minor_rows(c, c->d + (long)k * c->ns, power, &dk, &x, why));
+    c->coarse.varied |= sharpened(&dk);
+    c->coarse.varied |= dk > STALE_SLOPE;
+    subcycle_book(c, c->h * p->weight[i], power);
+    node_sums(c, p, i);
+    return OK;
+}
+
+enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
+{
+    const struct nodes p = nodes_of(c->ratio);
+    subcycle_rewind(c);
+    zero(c->coarse.left, c->ns * COARSE_POINTS);
+    for (int k = 0, i = 0; k <= p.at[COARSE_POINTS - 1]; k++) {
+        const double *d = c->d + (long)k * c->ns;
+        if (k == p.at[i]) TRY(node(c, &p, i++, why));
+        subcycle_velocity(c, d);
+        subcycle_point(c, c->q, c->q, 1, subcycle_minor_end(c, k));
+        subcycle_advance(c, d);
+    }
+    for (int k = 0; k < c->ratio; k++)
+        for (int j = 0; j < c->dec.ml; j++) c->R[j] += c->h * c->coarse.rows[j + (long)k * c->dec.ml];
+    zero(c->dsum, c->ns);
+    return OK;
+}
+
+void subcycle_coarse_recall(struct subcycle *c, struct recall *r)
+{
+    recall_within(r, "coarse");
+    recall_one(r, "rest", c->coarse.rest);
+    recall_one(r, "missed", c->coarse.missed);
+    recall_without(r);
+}
