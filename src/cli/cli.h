@@ -55,6 +55,7 @@ enum status verb_study(const struct request *request, struct arena *life, struct
 enum status verb_diff(const struct request *request, struct arena *life, struct report *report);
 enum status verb_plot(const struct request *request, struct arena *life, struct report *report);
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report);
+enum status verb_stability(const struct request *request, struct arena *life, struct report *report);
 enum status verb_list(const struct request *request, struct arena *life, struct report *report);
 enum status verb_schema(const struct request *request, struct arena *life, struct report *report);
 enum status verb_explain(const struct request *request, struct arena *life, struct report *report);
@@ -69,8 +70,11 @@ void cli_confine(const struct request *request, struct arena *life);
 enum status cli_told(const struct diags *diags, const struct request *request, enum status status);
 bool cli_color(const struct request *request);
 
-/* check --format json */
+/* The run on to --at. */
 struct sim;
+enum status cli_go_to(struct sim *sim, const struct request *request, struct report *report);
+
+/* check --format json */
 struct model;
 /* A frequency that moves nothing in the whole run is round-off: none. */
 double check_omega(const struct sim *sim, double omega);

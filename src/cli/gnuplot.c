@@ -161,3 +161,11 @@ void gnuplot_put_output(FILE *to, const char *path)
     script_put_text(to, path);
     fputc('\n', to);
 }
+
+enum status gnuplot_check(const char *plot, bool script, struct report *report)
+{
+    if (script && !plot) return fail(report, E_USAGE, "--script prints what draws --plot FILE");
+    if (plot && !gnuplot_ending(plot))
+        return fail(report, E_USAGE, "--plot: a file that ends in .svg, .png or .pdf, not '%.200s'", plot);
+    return OK;
+}

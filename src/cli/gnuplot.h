@@ -6,6 +6,7 @@
 #ifndef FMDSUB_CLI_GNUPLOT_H
 #define FMDSUB_CLI_GNUPLOT_H
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <sys/types.h>
 
@@ -25,6 +26,9 @@ enum status gnuplot_draw(struct gnuplot *o, const char *script, size_t n, const 
                          struct report *report);
 /* One that is not needed any more. */
 void gnuplot_close(struct gnuplot *o);
+
+/* --plot and --script as they were given, NULL: not. */
+enum status gnuplot_check(const char *plot, bool script, struct report *report);
 
 /* What a picture's file is by its ending: "svg", "png", "pdf"; NULL: something else. */
 const char *gnuplot_ending(const char *path);

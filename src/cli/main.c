@@ -29,6 +29,7 @@ const struct verb verbs[] = {
     {"plot", "DECK or FILE.csv ...", "columns over time as a picture, by gnuplot", verb_plot},
     {"diff", "A B", "two records compared, column by column: files that run wrote, or decks", verb_diff},
     {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},
+    {"stability", "DECK", "which steps a scheme can take: growth from step to step", verb_stability},
     {"list", "[schemes|joints|forces|effects|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
     {"explain", "CODE", "what a message means and how to cure it", verb_explain},
@@ -50,7 +51,7 @@ static void help(FILE *to, const struct verb *about)
         fprintf(to, "usage: fmdsub %s [options] %s\n\n  %s\n", about->name, about->usage, about->brief);
     else
         fprintf(to, "usage: fmdsub VERB [options] [DECK]    (DECK '-': standard input)\n\n");
-    for (const struct verb *v = verbs; v->name && !about; v++) fprintf(to, "  %-8s %s\n", v->name, v->brief);
+    for (const struct verb *v = verbs; v->name && !about; v++) fprintf(to, "  %-9s %s\n", v->name, v->brief);
     fprintf(to, "\noptions:\n");
     for (const struct cli_option *o = cli_options; o->name; o++) {
         if (about && !cli_serves(o, about->name)) continue;

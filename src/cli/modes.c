@@ -8,7 +8,7 @@
 #include "cli/cli.h"
 #include "out/table.h"
 
-static const double two_pi = 6.28318530717958647693, MOST_MAJORS = 1e12;
+static const double two_pi = 6.28318530717958647693;
 
 static const char *participants(const struct sim *sim, const struct mode *m, struct arena *life)
 {
@@ -38,24 +38,6 @@ static struct table *mode_table(const struct sim *sim, const struct modes *modes
         table_text(table, participants(sim, m, life));
     }
     return table;
-}
-
-static enum status at_time(struct sim *sim, const struct request *request, struct report *report)
-{
-    char *end;
-    if (!request->at) return OK;
-    double t = strtod(request->at, &end);
-    if (*end || !(t >= 0) || !isfinite(t)) return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
-    if (t == sim->x.t) return OK;
-    if (t < sim->x.t) return fail(report, E_USAGE, "--at %.40s is before the start, t = %g s", request->at, sim->x.t);
-    double majors = ceil((t - sim->origin.x) / (sim->plan.step * sim->plan.ratio) - 1e-9) - (double)sim->before;
-    if (!(majors <= MOST_MAJORS))
-        return fail(report, E_LIMIT, "--at %.40s is %.3g major steps away: the limit is %g", request->at, majors,
-                    MOST_MAJORS);
-    sim->plan.until = t;
-    sim->majors = (long)fmax(1, majors);
-    enum status status = sim_run(sim, NULL, report);
-    return status == E_VERDICT ? OK : status;
 }
 
 static void warn_of_growth(const struct modes *modes)
@@ -89,7 +71,7 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
-    TRY(at_time(&sim, request, report));
+    TRY(cli_go_to(&sim, request, report));
     TRY(modes_find(&modes, &sim, life, report));
     if (!request->quiet) warn_of_growth(&modes);
     warn_of_doubt(&modes);

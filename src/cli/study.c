@@ -1,12 +1,12 @@
 /* study.c -- fmdsub study: schemes, ratios, steps and tolerances on one deck, as a table or as CSV, and what they say */
 #include "study/study.h"
-#include "multirate/schemes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/choices.h"
 #include "cli/cli.h"
 #include "cli/gnuplot.h"
 #include "out/columns.h"
@@ -14,44 +14,6 @@
 #include "out/targets.h"
 #include "study/picture.h"
 #include "study/rows.h"
-
-enum { MOST_CHOICES = 64 };
-
-static enum status read_number_list(double *x, int *n, const char *option, const char *list, bool whole,
-                                    struct arena *life, struct report *report)
-{
-    const char **words = columns_split(n, list, life);
-    if (*n == 0) return fail(report, E_USAGE, "--%s names no number", option);
-    if (*n > MOST_CHOICES) return fail(report, E_USAGE, "--%s: more than %d", option, MOST_CHOICES);
-    for (int i = 0; i < *n; i++) {
-        char *end;
-        x[i] = strtod(words[i], &end);
-        if (*end || !(x[i] > 0) || !isfinite(x[i]) || (whole && x[i] != floor(x[i])) || (whole && x[i] > 1e6))
-            return fail(report, E_USAGE, "--%s: expected %s, found '%.40s'", option,
-                        whole ? "whole numbers from 1" : "positive numbers", words[i]);
-    }
-    return OK;
-}
-
-struct choices {
-    const struct stepper_kind *scheme[MOST_CHOICES];
-    int ratio[MOST_CHOICES];
-    double step[MOST_CHOICES], tolerance[MOST_CHOICES];
-};
-
-static enum status choose_schemes(struct study_options *o, struct choices *c, const struct request *request,
-                                  struct arena *life, struct report *report)
-{
-    if (!request->schemes) return OK;
-    const char **words = columns_split(&o->nscheme, request->schemes, life);
-    if (o->nscheme == 0) return fail(report, E_USAGE, "--schemes names no scheme");
-    if (o->nscheme > MOST_CHOICES) return fail(report, E_USAGE, "--schemes: more than %d", MOST_CHOICES);
-    for (int i = 0; i < o->nscheme; i++) {
-        c->scheme[i] = stepper_find(words[i]);
-        if (!c->scheme[i]) return fail(report, E_USAGE, "--schemes: no scheme '%.40s'", words[i]);
-    }
-    return OK;
-}
 
 static enum status choose_budget(struct study_options *o, const struct request *request, struct report *report)
 {
@@ -73,20 +35,18 @@ static enum status choose_numbers(struct study_options *o, struct choices *c, co
 {
     double x[MOST_CHOICES];
     int one = 0;
-    if (request->ratios) TRY(read_number_list(x, &o->nratio, "ratios", request->ratios, true, life, report));
-    for (int i = 0; i < o->nratio; i++) c->ratio[i] = (int)x[i];
-    if (request->steps) TRY(read_number_list(c->step, &o->nstep, "steps", request->steps, false, life, report));
-    if (request->tolerances)
-        TRY(read_number_list(c->tolerance, &o->ntolerance, "tolerances", request->tolerances, false, life, report));
-    for (int i = 0; i < o->ntolerance; i++)
-        if (c->tolerance[i] > .1) return fail(report, E_USAGE, "--tolerances: at most 0.1");
+    TRY(choices_read(c, request, life, report));
+    o->nscheme = c->nscheme;
+    o->nratio = c->nratio;
+    o->nstep = c->nstep;
+    o->ntolerance = c->ntolerance;
     o->repeats = -1;
     if (!request->repeats) return OK;
     if (strcmp(request->repeats, "0") == 0) {
         o->repeats = 0;
         return OK;
     }
-    TRY(read_number_list(x, &one, "repeats", request->repeats, true, life, report));
+    TRY(choices_numbers(x, &one, "repeats", request->repeats, true, life, report));
     if (one != 1) return fail(report, E_USAGE, "--repeats takes one number");
     o->repeats = (int)x[0];
     return OK;
@@ -169,10 +129,8 @@ static enum status run_rows(struct study *study, const struct scene *scene, cons
 
 static enum status check_plot(const struct request *request, struct report *report)
 {
-    if (request->script && !request->plot) return fail(report, E_USAGE, "--script prints what draws --plot FILE");
+    TRY(gnuplot_check(request->plot, request->script, report));
     if (request->script && request->pick) return fail(report, E_USAGE, "--script and --pick both print on stdout");
-    if (request->plot && !gnuplot_ending(request->plot))
-        return fail(report, E_USAGE, "--plot: a file that ends in .svg, .png or .pdf, not '%.200s'", request->plot);
     return OK;
 }
 
@@ -199,8 +157,7 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     const struct target files[] = {{"--output", request->output, true}, {"--plot", request->plot, true}};
     if (status == OK) status = targets_check(files, 2, &scene->deck->read, life, report);
     if (status == OK && request->pick)
-        status = read_number_list(&pick, &one, "pick", request->pick, false, life, report);
-    if (status == OK) status = choose_schemes(&o, &choices, request, life, report);
+        status = choices_numbers(&pick, &one, "pick", request->pick, false, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, request, life, report);
     if (status == OK) status = choose_budget(&o, request, report);
     if (status == OK && (request->pick || request->script) && !request->output)

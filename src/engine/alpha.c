@@ -67,6 +67,15 @@ static void back(struct stepper *s)
     o->again = true;
 }
 
+static double *carried(struct stepper *s, double h, bool next)
+{
+    struct alpha *o = ((struct implicit *)s->self)->own;
+    if (!next) return o->a0;
+    o->again = true;
+    o->h_before = h;
+    return o->a_before;
+}
+
 static void begin(struct implicit *m)
 {
     struct alpha *o = m->own;
@@ -135,10 +144,10 @@ static double late_hilber(const struct step_options *o)
 }
 
 #define CHUNG_KIND                                                                                                     \
-    .name = "generalized-alpha", .keys = keys_chung, .order = 2, .late = late_chung, .back = back,                     \
+    .name = "generalized-alpha", .keys = keys_chung, .order = 2, .late = late_chung, .back = back, .carried = carried, \
     .brief = "Chung and Hulbert's method, one rate, damps what 'step' cannot resolve"
 #define HILBER_KIND                                                                                                    \
-    .name = "hht", .keys = keys_hilber, .order = 2, .late = late_hilber, .back = back,                                 \
+    .name = "hht", .keys = keys_hilber, .order = 2, .late = late_hilber, .back = back, .carried = carried,             \
     .brief = "Hilber, Hughes and Taylor's method, one rate, damps what 'step' cannot resolve"
 extern const struct stepper_kind step_generalized_alpha, step_hht;
 static const struct stepped_scheme by_error[] = {STEPPED(&step_generalized_alpha, stepped_between),

@@ -77,6 +77,9 @@ struct stepper_kind {
     /* Optional.  The state goes back to where the last step began: what it carries besides goes with it, if the next thing
      * is another step from there, afresh. */
     void (*back)(struct stepper *s);
+    /* Optional.  Accelerations [n] that it carries as a part of the motion, besides x->a, in steps of h: those that the next
+     * step begins with although it is afresh, to be filled; or those that the last step has left. */
+    double *(*carried)(struct stepper *s, double h, bool next);
     /* Optional, of two rates.  What the step just made is off by, in its decoupled variables: sizes of position and
      * velocity [n], summed over the minor steps.  keep: it was taken; false: what is known of steps before is of no use. */
     struct step_error (*error)(struct stepper *s);

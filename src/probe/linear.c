@@ -19,7 +19,7 @@ static enum status displaced_resid(double *r, const struct linear *l, double *q1
 {
     struct instant x = {.t = l->t, .q = q1, .v = zero, .ta = l->t, .tb = l->t};
     displaced(l, q1, dx);
-    TRY(l->ode->ops->resid(l->ode, r, NULL, NULL, &x, ALL, why));
+    TRY(l->ode->ops->resid(l->ode, r, NULL, NULL, &x, l->cls, why));
     if (!l->ode->move) return OK;
     memcpy(work, r, sizeof *work * (size_t)l->n);
     l->ode->move->rate(l->ode, r, q1, l->q, dx, work, l->t);
@@ -72,9 +72,9 @@ static enum status gyroscopic(double *G, const struct linear *l, double t, struc
     for (int j = 0; j < n; j++) {
         const double step = rate * usual(l, j);
         v[j] = step;
-        TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, ALL, why));
+        TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, l->cls, why));
         v[j] = -step;
-        TRY(l->ode->ops->resid(l->ode, down, NULL, NULL, &x, ALL, why));
+        TRY(l->ode->ops->resid(l->ode, down, NULL, NULL, &x, l->cls, why));
         v[j] = 0;
         for (int i = 0; i < n; i++) G[i + j * n] = (up[i] - down[i]) / (2 * step);
     }
@@ -110,8 +110,8 @@ enum status linearise(struct linear *l, struct arena *life, struct trouble *why)
     l->G = TAKE_MATRIX(life, double, n, n);
     l->N = TAKE_MATRIX(life, double, n, n);
     struct instant x = {.t = l->t, .q = l->q, .v = zero, .ta = l->t, .tb = l->t};
-    TRY(l->ode->ops->mass(l->ode, l->M, l->q, l->t, ALL, why));
-    TRY(l->ode->ops->slopes(l->ode, l->K, l->C, &x, ALL, why));
+    TRY(l->ode->ops->mass(l->ode, l->M, l->q, l->t, l->cls, why));
+    TRY(l->ode->ops->slopes(l->ode, l->K, l->C, &x, l->cls, why));
     TRY(stiffness(l, life, why));
     TRY(gyroscopic(l->G, l, l->t, life, why));
     return steady(l, life, why);

@@ -18,12 +18,13 @@ struct linear {
     const double *q; /* [nq] posture */
     double t;
     int n;
+    unsigned cls;      /* of these classes' bodies and elements: ALL, or what one of them brings */
     double *M, *K, *C; /* [n x n] */
     double *N;         /* [n x n] circulatory: the antisymmetric part of dr/dq */
     double *G;         /* [n x n] gyroscopic: the antisymmetric part of dr/dv */
 };
 
-/* M to G of ode, q, t and n; E_NUMERIC: r is not a number there. */
+/* M to G of ode, q, t, n and cls; E_NUMERIC: r is not a number there. */
 enum status linearise(struct linear *l, struct arena *life, struct trouble *why);
 
 #endif

@@ -298,7 +298,7 @@ static double unknown_mass(const double *M, double *L, int n)
 enum status modes_find(struct modes *o, const struct sim *sim, struct arena *life, struct report *report)
 {
     const struct ode2 *ode = sim->stepper.ode;
-    struct linear l = {.ode = ode, .q = sim->x.q, .t = sim->x.t, .n = ode->n};
+    struct linear l = {.ode = ode, .q = sim->x.q, .t = sim->x.t, .n = ode->n, .cls = ALL};
     struct trouble why = {0};
     int n = ode->n;
     *o = (struct modes){.slow_worst = -1, .fast_worst = -1};

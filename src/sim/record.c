@@ -1,4 +1,7 @@
 /* record.c -- the chosen columns at the present state, by one look at the system */
+#include <string.h>
+
+#include "engine/motion.h"
 #include "la/vec3.h"
 #include "sim/parts.h"
 
@@ -36,4 +39,25 @@ enum status sim_mass(double *mass, double *centre, struct sim *sim, struct repor
     }
     if (*mass > 0) v3_scale(centre, 1 / *mass, centre);
     return OK;
+}
+
+enum status sim_row(double *row, struct sim *sim, const double *q, const double *v, struct report *report)
+{
+    const struct state x = sim->x;
+    struct arena *scratch = arena_open();
+    const struct ode2 *ode = sim->stepper.ode;
+    double *at = TAKE(scratch, double, ode->nq), *vt = TAKE(scratch, double, ode->n);
+    memcpy(at, q, sizeof *at * (size_t)ode->nq);
+    memcpy(vt, v, sizeof *vt * (size_t)ode->n);
+    sim->x = (struct state){x.t, at, vt, x.a};
+    const enum status status = record_fill(sim);
+    sim->x = x;
+    if (status == OK) memcpy(row, sim->row, sizeof *row * (size_t)sim->chosen.n);
+    arena_close(scratch);
+    return status == OK ? OK : describe_trouble(sim, &sim->trouble, status, report);
+}
+
+void sim_move(const struct sim *sim, double *q, const double *dx)
+{
+    motion_point(sim->stepper.ode, q, q, dx, 1, sim->x.t);
 }

@@ -173,6 +173,10 @@ void sim_clear_idle(const struct sim *sim, double *K);
 /* Mass, and centre of mass as the bodies stand [3], world axes. */
 enum status sim_mass(double *mass, double *centre, struct sim *sim, struct report *report);
 
+/* The chosen columns [chosen.n] at another state at the run's time; the run stays.  q moved by dx [n]. */
+enum status sim_row(double *row, struct sim *sim, const double *q, const double *v, struct report *report);
+void sim_move(const struct sim *sim, double *q, const double *dx);
+
 /* Is chosen column i asked for by the deck, and of the motion, so that two runs may be compared by it? */
 bool sim_column_compared(const struct sim *sim, int i);
 /* Of chosen column i: 1: a fast coordinate, 0: a slow one, -1: something else. */

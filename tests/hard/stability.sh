@@ -1,0 +1,66 @@
+# stability.sh -- fmdsub stability: what it says grows, grows in a run by that much; the paper's scheme grows where its
+# readers found it to, and subcycle nowhere; the linearised system is that of the deck.
+. tests/tools/lib.sh
+cd "$work" || exit 1
+
+# A rider of half the cart's mass on it: coupled by mass.  M = [.5 .5; .5 1.5], K = diag(200, 1).
+cat >pair.yaml <<'DECK'
+fmdsub: 1
+bodies:
+  cart: {mass: 1, inertia: 1, at: [0, 0]}
+  rider: {mass: 0.5, inertia: 1, at: [0, 0]}
+constraints:
+  rail: {prismatic: [ground, cart], axis: [1, 0], at: [0, 0]}
+  slot: {prismatic: [cart, rider], axis: [1, 0], at: [0, 0]}
+forces:
+  soft: {spring: rail.displacement, stiffness: 1}
+  stiff: {spring: slot.displacement, stiffness: 200}
+partition: {fast: [slot]}
+initial: {rail.displacement: 0.1, slot.displacement: 0.01}
+integrate: {scheme: miao, step: 0.02, ratio: 10, until: 40}
+output: {every: {steps: 1}, columns: [rail.displacement, slot.displacement]}
+DECK
+
+# x0 x2 - x1^2 of three records goes with radius^2 a step.
+agrees() { # NAME DECK ARGUMENT...
+    name=$1 deck=$2
+    shift 2
+    said=$("$FMDSUB" stability -q -f csv --schemes "$1" --steps "$2" --ratios "$3" "$deck" | awk -F, 'NR == 2 { print $4 }')
+    "$FMDSUB" run -q --set integrate.scheme="$1" --set integrate.step="$2" --set integrate.ratio="$3" "$deck" 2>err |
+        awk -F, -v said="$said" 'NR > 1 { x[NR] = $3 }
+            END { a = x[NR-3] * x[NR-1] - x[NR-2]^2; b = x[NR-2] * x[NR] - x[NR-1]^2; r = sqrt(b / a)
+                  printf "%.12g %.12g %.2g\n", said, r, r - said; exit !(said > 1 && r - said < 1e-6 && said - r < 1e-6) }' >out &&
+        ok "stability agrees with a run: $name" || not_ok "stability agrees with a run: $name" "radius said, of the run" out err
+}
+agrees "miao 10:1" pair.yaml miao 0.02 10
+agrees "miao 5:1" pair.yaml miao 0.02 5
+sed 's/until: 40/until: 4/' pair.yaml >short.yaml
+sed 's/until: 40/until: 16/' pair.yaml >middle.yaml
+agrees "miao 20:1" middle.yaml miao 0.004 20
+agrees "rk4 beyond its limit" short.yaml rk4 0.2 1
+
+"$FMDSUB" stability pair.yaml >out 2>err
+rc=$?
+expect "stability: schemes that grow" "0 4" "$rc $(awk -F, '/unstable/ { n[$1]++ } END { for (i in n) c++; print c }' out)" out
+expect "stability: subcycle, midpoint and newmark at no step" 0 "$(grep -c -e '^subcycle.*unstable' -e '^midpoint.*unstable' -e '^newmark.*unstable' out)" out
+expect "stability: a sentence" 1 "$(grep -c '^miao 10:1 grows at .* of the fast and .* of the slow coordinates, where .slot.displacement. moves most' err)" err
+"$FMDSUB" stability -q -f json --schemes midpoint --steps 0.1 pair.yaml >out 2>err
+expect "stability: M, K and the columns' rows" "0 1 1 2" "$? $(grep -c '"M":\[\[0.5,0.5\],\[0.5,1.5\]\]' out) $(grep -c '"K":\[\[\(200\|199.999999\)' out) $(grep -o '"name":"[a-z]*.displacement","unit":"m"' out | wc -l)" out err
+
+# The motion's own growth is no fault of a scheme's.
+"$FMDSUB" stability --schemes midpoint,newmark,subcycle --at 0.01 --steps 0.001,0.01,1 "$ROOT/decks/heavy-top.yaml" >out 2>err
+expect "stability: a motion that grows itself" "0 0 8 1" "$? $(grep -c unstable out) $(grep -c coarse out) $(grep -c '^the motion itself grows here' err)" out err
+
+# Decks of all kinds: loops, flexible bodies, drives; nothing that keeps energy grows.
+for deck in four-bar andrews flexible-crank flexible-robot heavy-top rotor suspension; do
+    "$FMDSUB" stability -q -f csv --at 0.01 --schemes midpoint,newmark,subcycle "$ROOT/decks/$deck.yaml" >out 2>err
+    rc=$?
+    expect "stability $deck" "0 0 0" "$rc $(grep -c unstable out) $(grep -c 'no step' out)" err out
+done
+
+"$FMDSUB" stability --schemes dopri5 pair.yaml >out 2>err
+expect "stability: a scheme that chooses its steps" "2 1" "$? $(grep -c 'chooses its own steps' err)" err
+"$FMDSUB" stability -f ndjson pair.yaml >out 2>err
+expect "stability: no ndjson" 2 $? err
+"$FMDSUB" stability --plot s.svg --script -q pair.yaml >out 2>err
+expect "stability --script" "0 21" "$? $(grep -c '^.line[0-9]* <<' out)" err
