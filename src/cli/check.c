@@ -51,12 +51,13 @@ static void print_kept(FILE *to, const struct model *m, int body)
     }
 }
 
-static void print_title(FILE *to, const struct scene *scene)
+static void print_title(FILE *to, const struct sim *sim)
 {
+    const struct scene *scene = sim->scene;
     text_put(to, scene->deck->name);
     fputs(": ", to);
     text_put(to, scene->title);
-    fprintf(to, "%s%s\n", *scene->title ? ", " : "", scene->space == 2 ? "planar" : "spatial");
+    fprintf(to, "%s%s\n", *scene->title ? ", " : "", sim_space(sim));
 }
 
 static void print_bodies(FILE *to, const struct model *m, int count)
@@ -235,7 +236,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     struct scene *scene;
     struct diags *diags = NULL;
     struct sim sim;
-    const struct sim_options options = {.version = FMDSUB_VERSION};
+    const struct sim_options options = {.version = FMDSUB_VERSION, .drawn = true};
     if (request->format && (strcmp(request->format, "json") != 0 || request->expanded))
         return fail(report, E_USAGE,
                     "'fmdsub check' prints words, or one object by --format json, or a deck by --expanded");
@@ -250,7 +251,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     } else if (request->format && strcmp(request->format, "json") == 0) {
         TRY(check_json(&sim, trial ? &advice : NULL, life, report));
     } else {
-        print_title(stdout, scene);
+        print_title(stdout, &sim);
         print_bodies(stdout, sim.model, scene->nbody - 1);
         TRY(print_mass(stdout, &sim, report));
         print_coordinates(stdout, &sim);

@@ -61,7 +61,7 @@ static enum status print_columns(const struct request *request, struct arena *li
     struct scene *scene;
     struct diags *diags = NULL;
     struct sim sim;
-    const struct sim_options options = {.version = FMDSUB_VERSION};
+    const struct sim_options options = {.version = FMDSUB_VERSION, .drawn = true};
     if (request->nword != 2)
         return fail(report, E_USAGE, "'fmdsub list columns' takes one deck%s",
                     request->nword > 2 ? "" : "; '-' is standard input");

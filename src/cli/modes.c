@@ -67,7 +67,7 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     struct diags *diags = NULL;
     struct sim sim;
     struct modes modes;
-    const struct sim_options options = {.version = FMDSUB_VERSION, .counting = true};
+    const struct sim_options options = {.version = FMDSUB_VERSION, .counting = true, .drawn = true};
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));

@@ -33,6 +33,9 @@ const struct diag_help diag_helps[] = {
     {"E-documents", "A deck is one YAML document. Delete what follows the second '---', or make it a deck of its own."},
     {"E-empty", "The deck is empty. `fmdsub new` writes one to start from."},
     {"E-duplicate", "A key may be given once in a map. Delete one of the two, or rename it."},
+    {"E-effects",
+     "'effects' turns off what this scene needs: 'out_of_plane: false' is for scenes whose joints keep every "
+     "body in planes of one normal. Leave it to 'auto', which does this by itself."},
     /* limits */
     {"E-limit-depth", "Lists and maps may be nested 64 deep."},
     {"E-limit-anchors", "A deck may hold 1000 anchors and 1000 aliases."},

@@ -110,10 +110,9 @@ void print_plan(const struct sim *sim)
     const double *g = m->gravity;
     if (!to) return;
     text_put(to, sim->scene->deck->name);
-    fprintf(to, ": %s, %d bod%s, %d freedom%s (%d fast), %s, ", m->space == 2 ? "planar" : "spatial",
-            sim->scene->nbody - 1, sim->scene->nbody == 2 ? "y" : "ies", sim->stepper.ode->n,
-            sim->stepper.ode->n == 1 ? "" : "s", sim->stepper.ode->ns,
-            g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
+    fprintf(to, ": %s, %d bod%s, %d freedom%s (%d fast), %s, ", sim_space(sim), sim->scene->nbody - 1,
+            sim->scene->nbody == 2 ? "y" : "ies", sim->stepper.ode->n, sim->stepper.ode->n == 1 ? "" : "s",
+            sim->stepper.ode->ns, g[0] == 0 && g[1] == 0 && g[2] == 0 ? "no gravity" : "gravity");
     if (kind->adaptive)
         fprintf(to, "%s to tolerance %g%s", kind->name, o->tolerance,
                 sim->filled_in ? " (the deck has no 'step' and no 'tolerance')" : "");

@@ -110,6 +110,9 @@ enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct re
 /* formulas.c: the deck's expressions of columns join the catalogue */
 enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *life);
 
+/* flatten.c: steps in a plane where the motion stays in one; after the watches that look at turns in space */
+enum status flatten_open(struct sim *sim, struct diags *diags, struct arena *life);
+
 /* record.c: what columns need (SEE_... of their rows) at the present state; one column, after that; all that are
  * written */
 enum status record_evaluate(struct sim *sim, unsigned needs);

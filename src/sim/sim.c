@@ -85,7 +85,7 @@ static enum status least_energy(double *least, struct sim *sim, struct trouble *
 /* What start_at_rest() finds, found before. */
 static void take_rest(struct sim *sim)
 {
-    memcpy(sim->x.q, sim->options.rest, sizeof *sim->x.q * (size_t)sim->stepper.ode->nq);
+    system_press(sim->system, sim->x.q, sim->options.rest);
 }
 
 /* Consistent accelerations at the start; a massless freedom shows here. */
@@ -132,6 +132,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     jumps_open(sim, life);
     sim->system = system_build(m, life);
     idle_open(sim, life);
+    TRY(flatten_open(sim, diags, life));
     if (follows_turns(sim)) system_follow_turns(sim->system, life);
     TRY(state_turns(sim, diags));
     sim->x = new_state(m, life);
@@ -141,6 +142,13 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     advance_open(sim, life);
     TRY(start(sim, diags, report));
     return memory_take(sim, life, report);
+}
+
+const double *sim_positions(const struct sim *sim)
+{
+    const double *q = sim->x.q, *v = sim->x.v;
+    system_lift(sim->system, &q, &v);
+    return q;
 }
 
 const char *sim_coordinate_name(const struct sim *sim, int i)

@@ -10,6 +10,7 @@
 
 #include "engine/stepper.h"
 #include "ledger/ledger.h"
+#include "model/flat.h"
 #include "out/meant.h"
 #include "out/sink.h"
 #include "scene/scene.h"
@@ -24,8 +25,8 @@ struct sim_options {
     FILE *log;      /* plan line, progress, end summary; NULL: silent */
     FILE *warnings; /* those of the run; NULL: log */
     enum sim_progress progress;
-    const double
-        *rest;    /* where this scene stands at rest, as another run of it has found it [nq of the system]; NULL */
+    const double *rest; /* where this scene stands at rest, as another run of it has found it [nq of the model]; NULL */
+    bool drawn;   /* in the deck's own space, even where the motion stays in a plane: small motions are looked at */
     bool general; /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
     bool
         counting; /* columns are all coordinates, rates and measures, then those that the deck names, and it runs to the
@@ -63,10 +64,14 @@ struct sim {
     struct sim_options options;
     struct integrate plan; /* as run: scheme, step, ratio, until */
     struct system *system;
-    struct idle idle; /* turns that move no mass */
+    struct model_spatial spatial; /* why a spatial model's motion does not stay in a plane */
+    bool flat;                    /* it does, and steps are taken there */
+    struct idle idle;             /* turns that move no mass */
     struct stepper stepper;
     struct state x;
-    bool filled_in;      /* the tolerance is not the deck's */
+    const double *q,
+        *v;         /* positions and, without loops, rates there as the model has them, at the last record_evaluate() */
+    bool filled_in; /* the tolerance is not the deck's */
     struct guess guess;  /* of the first step, where a tolerance makes steps the scheme's own */
     long rejected;       /* steps, when such a scheme's last record was due */
     struct single *look; /* records between the ends of such steps */
@@ -181,6 +186,11 @@ void sim_move(const struct sim *sim, double *q, const double *dx);
 bool sim_column_compared(const struct sim *sim, int i);
 /* Of chosen column i: 1: a fast coordinate, 0: a slow one, -1: something else. */
 int sim_column_rate(const struct sim *sim, int i);
+
+/* "planar", "spatial", "spatial, in a plane". */
+const char *sim_space(const struct sim *sim);
+/* Where it stands, as the model has it [nq]. */
+const double *sim_positions(const struct sim *sim);
 
 /* The run's settings and its summary as facts, for sinks and for people. */
 int sim_settings(const struct sim *sim, struct pair *facts, int most);

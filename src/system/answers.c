@@ -1,4 +1,5 @@
-/* answers.c -- what the output asks of a system where system_evaluate() has last looked at it. */
+/* answers.c -- what the output asks of a system where system_evaluate() has last looked at it; of one that steps in a plane
+ * the one in space answers, but for angles of joints that close loops, which the plane knows with their turns. */
 #include "la/rot.h"
 #include "la/vec3.h"
 #include "system/parts.h"
@@ -7,21 +8,25 @@
 
 const double *system_rates(const struct system *s)
 {
+    s = system_seen(s);
     return s->v;
 }
 
 const double *system_accelerations(const struct system *s)
 {
+    s = system_seen(s);
     return s->a;
 }
 
 void system_pose(const struct system *s, struct pose *o, int body)
 {
+    s = system_seen(s);
     s->ops->pose(s->view, o, body);
 }
 
 void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p)
 {
+    s = system_seen(s);
     struct pose b;
     double d[3], turned[3];
     s->ops->pose(s->view, &b, p->body);
@@ -36,12 +41,14 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 
 void system_centre(const struct system *s, struct pose *o, int body)
 {
+    s = system_seen(s);
     s->ops->pose(s->view, o, body);
     if (s->model->body[body].flex) elastic_centre(o, &s->tree.elastic, body, s->q, s->v, s->a);
 }
 
 void system_displacement(const struct system *s, double *d, const struct model_point *p)
 {
+    s = system_seen(s);
     struct pose frame;
     double x[3], v[3], a[3], away[3];
     system_point(s, x, v, a, p);
@@ -53,6 +60,7 @@ void system_displacement(const struct system *s, double *d, const struct model_p
 
 void system_rotation(const struct system *s, double *turn, const struct model_point *p)
 {
+    s = system_seen(s);
     struct pose frame, node;
     double R[9];
     s->ops->pose(s->view, &frame, p->frame);
@@ -64,11 +72,13 @@ void system_rotation(const struct system *s, double *turn, const struct model_po
 
 double system_stress(const struct system *s, int body, int stress, enum bent_stress part)
 {
+    s = system_seen(s);
     return bent_stress(&s->model->body[body], stress, part, s->q);
 }
 
 void system_measure(const struct system *s, double *value, double *rate, int measure)
 {
+    s = system_seen(s);
     elements_measure(s->tree.elements, s->view, value, rate, measure, s->q, s->v);
 }
 
@@ -91,6 +101,7 @@ static void slid(const struct system *s, double *d, const struct model_joint *j)
 /* On the deck's second body, about the joint's point on it: the child, or the parent, which feels the opposite. */
 void system_reaction(const struct system *s, double *f, double *n, int joint)
 {
+    s = system_seen(s);
     const struct model_joint *j = &s->model->joint[joint];
     double d[3];
     s->ops->reaction(s->view, f, n, joint);
@@ -103,11 +114,13 @@ void system_reaction(const struct system *s, double *f, double *n, int joint)
 
 void system_loop_reaction(const struct system *s, double *f, double *n, int loop)
 {
+    s = system_seen(s);
     loops_reaction(s->shown, f, n, loop, s->lambda);
 }
 
 double system_loop_coordinate(const struct system *s, int loop, int order, int k)
 {
+    if (s->flat && s->flat->full->loop[loop].type != s->model->loop[loop].type) s = s->seen;
     const struct model_loop *l = &s->model->loop[loop];
     struct pose first, second;
     s->ops->pose(s->view, &first, l->first);
@@ -118,16 +131,19 @@ double system_loop_coordinate(const struct system *s, int loop, int order, int k
 
 void system_drive(const struct system *s, double *force, double *power, int loop)
 {
+    s = system_seen(s);
     loops_drive(s->shown, force, power, loop, s->lambda);
 }
 
 double system_loop_force(const struct system *s, int loop)
 {
+    s = system_seen(s);
     return loops_force(s->shown, loop, s->lambda);
 }
 
 void system_force(const struct system *s, double *force, double *elongation, double *power, int i)
 {
+    s = system_seen(s);
     *force = s->effect[i].force;
     *elongation = s->effect[i].elongation;
     *power = s->effect[i].power;
@@ -135,6 +151,7 @@ void system_force(const struct system *s, double *force, double *elongation, dou
 
 double system_force_torque(const struct system *s, int i)
 {
+    s = system_seen(s);
     return s->effect[i].torque;
 }
 
@@ -142,12 +159,14 @@ double system_force_torque(const struct system *s, int i)
 
 void system_energies(const struct system *s, struct energies *e)
 {
+    s = system_seen(s);
     *e = s->energies;
 }
 
 /* p = sum m v,  L = sum (r x m v + I w) */
 void system_momentum(const struct system *s, double *p, double *L)
 {
+    s = system_seen(s);
     v3_set(p, 0, 0, 0);
     v3_set(L, 0, 0, 0);
     for (int i = 0; i < s->tree.elastic.n; i++) {

@@ -4,6 +4,7 @@
 
 #include "loop/condense.h"
 #include "loop/coordinates.h"
+#include "model/flat.h"
 #include "open/open.h"
 #include "system/system.h"
 
@@ -17,11 +18,26 @@ struct system {
     struct loops *shown; /* the loops there */
     double *lambda;      /* [rows] at the last system_evaluate() */
     double constraint_worst;
+    const struct model_flat *flat; /* steps are in its plane; NULL: they are not, and the next, too */
+    struct system *seen;           /* all of space, for what the output asks */
+    double *Q, *V;                 /* [nq], [n] there */
     /* at the last system_evaluate() */
     double *q, *v, *a, *r;         /* [nq], [n] */
     struct effect *effect;         /* [nforce] */
     double *near_q[2], *near_v[2]; /* [nq], [n] two states of system_leap() */
     struct energies energies;
 };
+
+/* What the output asks for is asked of this. */
+static inline const struct system *system_seen(const struct system *s)
+{
+    return s->seen ? s->seen : s;
+}
+
+/* flat.c: system_evaluate() of one that steps in a plane; that of any by itself */
+enum status flat_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
+                          struct trouble *why);
+enum status system_evaluate_itself(struct system *s, const double *q, const double *v, double t, unsigned what,
+                                   struct trouble *why);
 
 #endif

@@ -68,12 +68,13 @@ void system_recall(struct system *s, struct recall *r)
 
 struct condense *system_loops(const struct system *s)
 {
-    return s->loops;
+    return system_seen(s)->loops;
 }
 
 int system_place(const struct system *s, int i)
 {
-    return s->loops ? condense_place(s->loops, i) : i;
+    const int place = s->loops ? condense_place(s->loops, i) : i;
+    return s->flat ? s->flat->of[place] : place;
 }
 
 long system_charts(const struct system *s)
@@ -93,7 +94,7 @@ void system_note_closure(struct system *s, const double *q, double t)
 
 double system_length(const struct system *s)
 {
-    return sizes_length(s->model);
+    return sizes_length(system_seen(s)->model);
 }
 
 /* --- at an output instant ------------------------------------------------------------------------ */
@@ -102,6 +103,7 @@ static void evaluate_energies(struct system *s, struct energies *e, struct sweep
                               const double *v)
 {
     s->ops->energy(sweep, &e->kinetic, &e->gravity);
+    if (s->flat) e->gravity += s->flat->level;
     e->elastic = elements_stored(s->tree.elements, sweep, q, v) + elastic_stored(&s->tree.elastic, q);
 }
 
@@ -135,6 +137,12 @@ static void push_loops(struct system *s, double t)
 
 enum status system_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
                             struct trouble *why)
+{
+    return s->seen ? flat_evaluate(s, q, v, t, what, why) : system_evaluate_itself(s, q, v, t, what, why);
+}
+
+enum status system_evaluate_itself(struct system *s, const double *q, const double *v, double t, unsigned what,
+                                   struct trouble *why)
 {
     const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
     const bool reactions = what & EVALUATE_REACTION, forces = reactions || what & EVALUATE_FORCE,
@@ -187,6 +195,7 @@ int system_leap(struct system *s, double *before, double *behind, const double *
 
 void system_set_measure(struct system *s, int measure, double x)
 {
+    if (s->seen) return; /* postures in the plane know them */
     elements_set_measure(s->tree.elements, measure, x);
 }
 
@@ -204,6 +213,7 @@ void system_follow_turns(struct system *s, struct arena *life)
 
 void system_set_loop_coordinate(struct system *s, int loop, int k, double x)
 {
+    if (s->seen) return;
     windings_set(s->windings, loop, k, x);
 }
 
@@ -282,6 +292,7 @@ bool system_bent(const struct system *s)
 void system_apart(const struct system *s, double *d, const struct model_measure *m)
 {
     double a[3], b[3], v[3];
+    if (s->flat) m = &s->model->measure[m - s->flat->full->measure];
     s->ops->point(s->tree.sweep, a, v, m->a.body, m->a.p);
     s->ops->point(s->tree.sweep, b, v, m->b.body, m->b.p);
     v3_diff(d, b, a);

@@ -1,0 +1,415 @@
+/* flat.c -- see flat.h */
+#include "model/flat.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "la/vec3.h"
+
+static const double PARALLEL = 1e-12;
+
+struct flattening {
+    const struct model *full;
+    struct model *plane;
+    struct arena *life;
+    struct model_spatial *why;
+    double P[9];    /* x, y and the normal by column, world */
+    double (*T)[9]; /* [nbody] body axes to those of the plane when drawn */
+    double size;    /* of the mechanism, for what stands at one height [m] */
+    int *of, *to;   /* places in the full model; there: in the plane, -1: none */
+};
+
+static bool spatial(struct flattening *o, const char *name, const char *why)
+{
+    *o->why = (struct model_spatial){name, why};
+    return false;
+}
+
+/* ---- the normal ---- */
+
+static bool along(const double *axis, const double *normal)
+{
+    double across[3];
+    v3_cross(across, axis, normal);
+    return v3_norm(across) <= PARALLEL;
+}
+
+static bool across(const double *axis, const double *normal)
+{
+    return fabs(v3_dot(axis, normal)) <= PARALLEL;
+}
+
+/* z of a joint's axes, world. */
+static void joint_axis(double *axis, const struct model *m, const struct model_joint *j)
+{
+    m3_mul(axis, m->body[j->parent].R, j->Ea + 6);
+}
+
+static bool keeps(const struct model *m, const struct model_joint *j, const double *normal)
+{
+    double axis[3];
+    joint_axis(axis, m, j);
+    if (j->type == JOINT_REVOLUTE || j->type == JOINT_PLANAR) return along(axis, normal);
+    return j->type == JOINT_FIXED || (j->type == JOINT_PRISMATIC && across(axis, normal));
+}
+
+static bool all_keep(struct flattening *o, const double *normal)
+{
+    const struct model *m = o->full;
+    for (int i = 0; i < m->njoint; i++)
+        if (!keeps(m, &m->joint[i], normal)) return spatial(o, m->joint[i].name, "lets its bodies out of the plane");
+    return true;
+}
+
+/* That of the first joint that has one; of slides alone one of the world's axes. */
+static bool find_normal(double *normal, struct flattening *o)
+{
+    const struct model *m = o->full;
+    for (int i = 0; i < m->njoint; i++) {
+        const enum joint_type type = m->joint[i].type;
+        if (type == JOINT_FIXED || type == JOINT_PRISMATIC) continue;
+        joint_axis(normal, m, &m->joint[i]);
+        return all_keep(o, normal);
+    }
+    for (int k = 2; k >= 0; k--) {
+        v3_set(normal, k == 0, k == 1, k == 2);
+        if (all_keep(o, normal)) return true;
+    }
+    return false;
+}
+
+/* Of a normal along an axis of the world the plane's axes are the others, so that components of loads are theirs. */
+static void lay(double *P, const double *normal)
+{
+    double *x = P, *y = P + 3, *z = P + 6;
+    for (int k = 0; k < 3; k++) {
+        double e[3] = {k == 0, k == 1, k == 2};
+        if (!along(normal, e)) continue;
+        v3_copy(z, e);
+        v3_set(x, k == 2, k == 0, k == 1);
+        v3_set(y, k == 1, k == 2, k == 0);
+        return;
+    }
+    const double *up = fabs(normal[2]) < .9 ? (const double[]){0, 0, 1} : (const double[]){1, 0, 0};
+    v3_copy(z, normal);
+    v3_cross(x, up, z);
+    v3_scale(x, 1 / v3_norm(x), x);
+    v3_cross(y, z, x);
+}
+
+/* ---- places ---- */
+
+static void transpose(double *T, const double *A)
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) T[i + 3 * k] = A[k + 3 * i];
+}
+
+/* Without its part along the normal, which stands still. */
+static void press(double *x)
+{
+    x[2] = 0;
+}
+
+static void place(double *x, const struct flattening *o, int body, const double *p)
+{
+    double turned[3];
+    m3_mul(turned, o->T[body], p);
+    v3_copy(x, turned);
+    press(x);
+}
+
+static void turn_axes(double *E, const struct flattening *o, int body)
+{
+    double turned[9];
+    m3_mulm(turned, o->T[body], E);
+    memcpy(E, turned, sizeof turned);
+}
+
+/* How far above the origin a point stands, along the normal [m]. */
+static double height(const struct flattening *o, const struct model_point *p)
+{
+    double x[3];
+    m3_mul(x, o->full->body[p->body].R, p->p);
+    v3_add(x, o->full->body[p->body].at);
+    return v3_dot(x, o->P + 6);
+}
+
+static bool level(const struct flattening *o, const struct model_point *a, const struct model_point *b)
+{
+    return fabs(height(o, a) - height(o, b)) <= PARALLEL * o->size;
+}
+
+static void move_point(struct model_point *x, const struct flattening *o)
+{
+    place(x->p, o, x->body, x->p);
+}
+
+/* ---- bodies and joints ---- */
+
+static bool flatten_bodies(struct flattening *o)
+{
+    const struct model *m = o->full;
+    struct model_body *body = TAKE(o->life, struct model_body, m->nbody);
+    memcpy(body, m->body, sizeof *body * (size_t)m->nbody);
+    for (int i = 0; i < m->nbody; i++) {
+        double Pt[9], at[3], inertia[6];
+        if (body[i].flex) return spatial(o, body[i].name, "is flexible");
+        transpose(Pt, o->P);
+        m3_mulm(o->T[i], Pt, body[i].R);
+        m3_mul(at, Pt, body[i].at);
+        v3_copy(body[i].at, at);
+        press(body[i].at);
+        m3_unit(body[i].R);
+        s3_turn(inertia, o->T[i], body[i].inertia);
+        memcpy(body[i].inertia, inertia, sizeof inertia);
+        body[i].held = NULL; /* turns about the normal are no idle ones, see sim */
+    }
+    o->plane->body = body;
+    return true;
+}
+
+static void flatten_joints(struct flattening *o)
+{
+    const struct model *m = o->full;
+    struct model_joint *joint = TAKE(o->life, struct model_joint, m->njoint);
+    memcpy(joint, m->joint, sizeof *joint * (size_t)m->njoint);
+    for (int i = 0; i < m->njoint; i++) {
+        struct model_joint *j = &joint[i];
+        place(j->a, o, j->parent, j->a);
+        place(j->b, o, j->child, j->b);
+        turn_axes(j->Ea, o, j->parent);
+        turn_axes(j->Eb, o, j->child);
+        for (int k = 0; k < j->nv; k++) j->iq[k] = o->to[j->iq[k]], j->iv[k] = o->to[j->iv[k]];
+        j->own = NULL;
+    }
+    o->plane->joint = joint;
+}
+
+/* What it holds in the plane; false: nothing, or more than motion in it. */
+static bool flatten_type(struct model_loop *l, const struct flattening *o)
+{
+    double axis[3];
+    m3_mul(axis, o->full->body[l->first].R, l->Ea + 6);
+    const enum joint_type type = l->type;
+    if (type == JOINT_FIXED || type == JOINT_DISTANCE || type == JOINT_GEAR || type == JOINT_RACK) return true;
+    if (type == JOINT_PRISMATIC || type == JOINT_POINT_ON_LINE) return across(axis, o->P + 6);
+    if (type == JOINT_SPHERICAL || type == JOINT_CYLINDRICAL) l->type = JOINT_REVOLUTE;
+    return type == JOINT_SPHERICAL || (l->type == JOINT_REVOLUTE && along(axis, o->P + 6));
+}
+
+static bool flatten_loops(struct flattening *o)
+{
+    const struct model *m = o->full;
+    struct model_loop *loop = TAKE(o->life, struct model_loop, m->nloop);
+    if (m->nloop) memcpy(loop, m->loop, sizeof *loop * (size_t)m->nloop);
+    for (int i = 0; i < m->nloop; i++) {
+        struct model_loop *l = &loop[i];
+        const struct model_point a = {.body = l->first, .p = {l->a[0], l->a[1], l->a[2]}};
+        const struct model_point b = {.body = l->second, .p = {l->b[0], l->b[1], l->b[2]}};
+        const bool ball = l->type == JOINT_SPHERICAL;
+        l->own = NULL;
+        if (l->drive) continue;
+        if (!flatten_type(l, o)) return spatial(o, l->name, "does not hold its bodies in the plane alone");
+        if (l->nterm) continue;
+        if (!level(o, &a, &b)) return spatial(o, l->name, "joins points of different heights");
+        place(l->a, o, l->first, l->a);
+        place(l->b, o, l->second, l->b);
+        turn_axes(l->Ea, o, l->first);
+        turn_axes(l->Eb, o, l->second);
+        if (ball) m3_unit(l->Ea), m3_unit(l->Eb);
+    }
+    o->plane->loop = loop;
+    return true;
+}
+
+/* ---- measures and forces ---- */
+
+static bool flatten_measure(struct model_measure *s, const struct flattening *o)
+{
+    double axis[3] = {0, 0, 0}, Pt[9];
+    transpose(Pt, o->P);
+    switch (s->type) {
+    case MEASURE_COORDINATE:
+        s->iq = o->to[s->iq];
+        s->iv = o->to[s->iv];
+        return true;
+    case MEASURE_DISTANCE:
+        if (!level(o, &s->a, &s->b)) return false;
+        break;
+    case MEASURE_DISPLACEMENT:
+    case MEASURE_ANGLE:
+        m3_mul(axis, s->in_world ? Pt : o->T[s->a.body], s->axis);
+        v3_copy(s->axis, axis);
+        if (s->type == MEASURE_ANGLE) v3_set(s->axis, 0, 0, axis[2] < 0 ? -1 : 1);
+        if (s->type == MEASURE_DISPLACEMENT && fabs(axis[2]) > PARALLEL) return false;
+        if (s->type == MEASURE_ANGLE && fabs(axis[2]) < 1 - PARALLEL) return false;
+        break;
+    }
+    move_point(&s->a, o);
+    move_point(&s->b, o);
+    return true;
+}
+
+static bool flatten_measures(struct flattening *o)
+{
+    const struct model *m = o->full;
+    struct model_measure *measure = TAKE(o->life, struct model_measure, m->nmeasure);
+    if (m->nmeasure) memcpy(measure, m->measure, sizeof *measure * (size_t)m->nmeasure);
+    for (int i = 0; i < m->nmeasure; i++)
+        if (!flatten_measure(&measure[i], o))
+            return spatial(o, measure[i].name ? measure[i].name : "a measure", "is not of motion in the plane");
+    o->plane->measure = measure;
+    return true;
+}
+
+/* The component of a load that is the k-th of the plane's; -1: a mixture. */
+static int component(const double *T, int k)
+{
+    for (int c = 0; c < 3; c++)
+        if (fabs(T[k + 3 * c] - 1) <= PARALLEL) return c;
+    return -1;
+}
+
+static bool flatten_load(struct model_force *f, const struct flattening *o)
+{
+    double Pt[9];
+    struct signal value[3];
+    const int from = f->torque ? 2 : 0, to = f->torque ? 3 : 2;
+    transpose(Pt, o->P);
+    memcpy(value, f->value, sizeof value);
+    for (int k = from; k < to; k++) {
+        const int c = component(f->body_axes ? o->T[f->b.body] : Pt, k);
+        if (c < 0) return false;
+        f->value[k] = value[c];
+    }
+    return true;
+}
+
+static bool flatten_forces(struct flattening *o)
+{
+    const struct model *m = o->full;
+    struct model_force *force = TAKE(o->life, struct model_force, m->nforce);
+    if (m->nforce) memcpy(force, m->force, sizeof *force * (size_t)m->nforce);
+    for (int i = 0; i < m->nforce; i++) {
+        struct model_force *f = &force[i];
+        struct model_slot *slot = TAKE(o->life, struct model_slot, f->nslot);
+        if (f->type == FORCE_BETWEEN) return spatial(o, f->name, "acts in all directions");
+        if (f->type == FORCE_LOAD && !flatten_load(f, o)) return spatial(o, f->name, "has components across the axes");
+        for (int k = 0; k < f->nslot; k++) {
+            slot[k] = f->slot[k];
+            if (slot[k].type == SLOT_Q || slot[k].type == SLOT_V) slot[k].index = o->to[slot[k].index];
+            if (slot[k].index < 0) return spatial(o, f->name, "reads a coordinate out of the plane");
+        }
+        f->slot = slot;
+        move_point(&f->a, o);
+        move_point(&f->b, o);
+    }
+    o->plane->force = force;
+    return true;
+}
+
+/* ---- coordinates ---- */
+
+#define GATHER(member, type)                                                                                           \
+    if (m->member) {                                                                                                   \
+        type *gathered = TAKE(o->life, type, p->n);                                                                    \
+        for (int k = 0; k < p->n; k++) gathered[k] = m->member[o->of[k]];                                              \
+        p->member = gathered;                                                                                          \
+    }
+
+static int count_below(const struct flattening *o, int limit)
+{
+    int n = 0;
+    while (n < o->plane->n && o->of[n] < limit) n++;
+    return n;
+}
+
+static void flatten_coordinates(struct flattening *o)
+{
+    const struct model *m = o->full;
+    struct model *p = o->plane;
+    struct model_coordinate *list = TAKE(o->life, struct model_coordinate, p->n);
+    p->nq = p->ncoordinate = p->n;
+    p->ns = count_below(o, m->ns);
+    p->near = count_below(o, m->near);
+    for (int k = 0; k < p->n; k++) {
+        list[k] = m->coordinate[o->of[k]];
+        list[k].iq = list[k].iv = k;
+    }
+    p->coordinate = list;
+    GATHER(urgent, bool)
+    GATHER(follow, double)
+    GATHER(follow_q, double)
+    GATHER(follow_v, double)
+    GATHER(q0, double)
+    GATHER(v0, double)
+    GATHER(given_q, bool)
+    GATHER(given_v, bool)
+}
+
+/* All of rigid bodies. */
+static bool choose_coordinates(struct flattening *o)
+{
+    const struct model *m = o->full;
+    o->of = TAKE(o->life, int, m->n);
+    o->to = TAKE(o->life, int, m->n);
+    if (m->nq != m->n) return spatial(o, "the deck", "has joints that turn freely");
+    for (int k = 0; k < m->n; k++) o->of[k] = o->to[k] = k;
+    o->plane->n = m->n;
+    return true;
+}
+
+/* ---- all ---- */
+
+static double size_of(const struct model *m)
+{
+    double size = 0;
+    for (int i = 0; i < m->nbody; i++) size = fmax(size, v3_norm(m->body[i].at));
+    for (int i = 0; i < m->njoint; i++) size = fmax(size, fmax(v3_norm(m->joint[i].a), v3_norm(m->joint[i].b)));
+    return size;
+}
+
+static double still_energy(const struct flattening *o)
+{
+    const struct model *m = o->full;
+    const double *n = o->P + 6;
+    double sum = 0;
+    for (int i = 1; i < m->nbody; i++) sum += m->body[i].mass * v3_dot(m->body[i].at, n);
+    return -sum * v3_dot(m->gravity, n);
+}
+
+static bool flatten(struct flattening *o)
+{
+    double g[3], Pt[9], normal[3];
+    if (o->full->space == 2 || o->full->n == 0) return spatial(o, "the deck", "is planar as it is");
+    if (!find_normal(normal, o)) return false;
+    lay(o->P, normal);
+    *o->plane = *o->full;
+    o->plane->space = 2;
+    transpose(Pt, o->P);
+    m3_mul(g, Pt, o->full->gravity);
+    v3_copy(o->plane->gravity, g);
+    press(o->plane->gravity);
+    if (!choose_coordinates(o) || !flatten_bodies(o)) return false;
+    flatten_joints(o);
+    if (!flatten_measures(o) || !flatten_loops(o) || !flatten_forces(o)) return false;
+    flatten_coordinates(o);
+    o->plane->npoint = o->plane->nkept = 0;
+    return true;
+}
+
+const struct model_flat *model_flatten(const struct model *full, struct model_spatial *why, struct arena *life)
+{
+    struct flattening o = {.full = full,
+                           .plane = TAKE(life, struct model, 1),
+                           .life = life,
+                           .why = why,
+                           .T = arena_take(life, (size_t)full->nbody, sizeof *o.T),
+                           .size = size_of(full)};
+    if (!flatten(&o)) return NULL;
+    struct model_flat *flat = TAKE(life, struct model_flat, 1);
+    *flat = (struct model_flat){.full = full, .plane = o.plane, .of = o.of, .level = still_energy(&o)};
+    v3_copy(flat->normal, o.P + 6);
+    return flat;
+}
