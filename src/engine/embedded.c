@@ -52,8 +52,10 @@ static double error_of_works(struct stepper *s, const struct adaptive *m, double
     sum_works(work, m, p->table.b, h);
     sum_works(e, m, p->e, h);
     if (p->e2) sum_works(e2, m, p->e2, h);
-    for (int c = 0; p->e2 && c < POWER_CHANNELS; c++)
-        if (e[c] != 0) e[c] *= fabs(e[c]) / sqrt(e[c] * e[c] + .01 * e2[c] * e2[c]);
+    for (int c = 0; p->e2 && c < POWER_CHANNELS; c++) {
+        const double square = e[c] * e[c] + .01 * e2[c] * e2[c];
+        e[c] = square > 0 ? e[c] * (fabs(e[c]) / sqrt(square)) : 0; /* they may underflow */
+    }
     return adaptive_works(s, e, work, t, h);
 }
 

@@ -84,12 +84,29 @@ static void test_round_off(void **state)
     }
 }
 
+/* Forces so small that the squares of their works are 0: next to nothing, and a spring's bump far away. */
+static void test_tiny(void **state)
+{
+    static const char *const force[] = {"1.0e-170*sin(10*t)", "-3000*exp(-((slide.displacement - 1)/0.05)^2)"};
+    (void)state;
+    for (int k = 0; k < 2 * SCHEMES; k++) {
+        struct opened o;
+        char rest[300];
+        snprintf(rest, sizeof rest,
+                 "forces: {f: {force: slide, value: \"%s\"}}\ninitial: {slide.displacement_rate: 0.01}\n", force[k % 2]);
+        run_wheel(&o, rest, schemes[k / 2], 1e-6);
+        near(value(&o, "slide.displacement"), .05, 1e-12);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_load),
         cmocka_unit_test(test_damper),
         cmocka_unit_test(test_round_off),
+        cmocka_unit_test(test_tiny),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
