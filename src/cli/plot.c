@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "cli/cli.h"
 #include "cli/curves.h"
 #include "cli/gnuplot.h"
+#include "cli/recorded.h"
 #include "out/columns.h"
 #include "out/script.h"
 #include "out/targets.h"
@@ -32,6 +34,7 @@ struct panel {
 };
 
 struct plot {
+    bool quiet;
     int nfile;
     struct curves *file; /* [nfile] */
     int npanel;
@@ -67,12 +70,34 @@ static bool is_drawn(const struct plot *o, int pattern, const char *name)
     return false;
 }
 
+/* Is there a record in which both it and what it is drawn over are numbers? */
+static bool has_points(const struct curves *o, int c)
+{
+    for (int r = 0; c >= 0 && r < o->rows; r++) {
+        const double *x = o->x + (size_t)r * (size_t)o->n;
+        if (isfinite(x[0]) && isfinite(x[c])) return true;
+    }
+    return false;
+}
+
+/* In any file; else it is told that there is nothing to draw. */
+static bool can_draw(const struct plot *o, const char *name)
+{
+    for (int f = 0; f < o->nfile; f++)
+        if (has_points(&o->file[f], find_column(&o->file[f], name))) return true;
+    if (o->quiet) return false;
+    fputs("fmdsub: no number in column '", stderr);
+    text_put(stderr, name);
+    fputs("': it is not drawn\n", stderr);
+    return false;
+}
+
 /* Into the panel of its pattern and unit.  alone: units are not known, and nobody has said what goes together. */
 static enum status put_column(struct plot *o, int pattern, const char *name, bool alone, struct report *report)
 {
     const char *unit = unit_of(o, name);
     struct panel *panel = NULL;
-    if (is_drawn(o, pattern, name)) return OK;
+    if (is_drawn(o, pattern, name) || !can_draw(o, name)) return OK;
     for (int p = 0; p < o->npanel && !(alone && !unit); p++)
         if (o->panel[p].pattern == pattern && same_unit(o->panel[p].unit, unit)) panel = &o->panel[p];
     if (!panel) {
@@ -96,16 +121,29 @@ static const char *pattern_of(const char *item, struct arena *life)
     return arena_copy(life, item, n);
 }
 
-static enum status put_pattern(struct plot *o, int pattern, const char *words, struct arena *life,
-                               struct report *report)
+/* Nothing matches, though a run of a deck would have made it. */
+static enum status not_found(const struct curves *o, const char *item, const char *name, const struct report *none,
+                             struct report *report)
 {
+    if (strchr(item, '=') && recorded_is(o->file))
+        return fail(report, E_USAGE,
+                    "%s: '%.200s' is an expression, which only a run computes: draw the deck, or run it with "
+                    "--columns \"%.200s\" first; records have the columns that they have",
+                    o->file, name, item);
+    return fail(report, E_USAGE, "%s: %.900s", o->file, none->text);
+}
+
+/* item: a pattern, or "name = expression". */
+static enum status put_pattern(struct plot *o, int pattern, const char *item, struct arena *life, struct report *report)
+{
+    const char *words = pattern_of(item, life);
     int found = 0;
     for (int f = 0; f < o->nfile; f++) {
         const struct curves *curves = &o->file[f];
         struct selection chosen;
         struct report none = {0};
         if (columns_select(&chosen, curves->column, curves->n, &words, 1, E_USAGE, life, &none) != OK) {
-            if (f + 1 == o->nfile && !found) return fail(report, E_USAGE, "%s: %.900s", curves->file, none.text);
+            if (f + 1 == o->nfile && !found) return not_found(curves, item, words, &none, report);
             continue;
         }
         for (int i = 1; i < chosen.n; i++, found++)
@@ -119,8 +157,7 @@ static enum status make_panels(struct plot *o, const struct request *request, st
     int n = 0;
     const char **item = request->columns ? columns_split(&n, request->columns, life) : NULL;
     for (int i = 0; i < n; i++)
-        if (strcmp(item[i], o->file[0].column[0].name) != 0)
-            TRY(put_pattern(o, i, pattern_of(item[i], life), life, report));
+        if (strcmp(item[i], o->file[0].column[0].name) != 0) TRY(put_pattern(o, i, item[i], life, report));
     for (int f = 0; f < o->nfile && n == 0; f++)
         for (int c = 1; c < o->file[f].n; c++) TRY(put_column(o, 0, o->file[f].column[c].name, true, report));
     return o->npanel ? OK : fail(report, E_USAGE, "no column to draw over %s", o->file[0].column[0].name);
@@ -128,13 +165,18 @@ static enum status make_panels(struct plot *o, const struct request *request, st
 
 /* ---- the script ---- */
 
-/* $file0 ...: the columns that are drawn, and what they are drawn over. */
+/* $file0 ...: the columns that are drawn, and what they are drawn over.  A line ends at what is no number (NaN), and goes
+ * on behind it; over a datum that is missing gnuplot would draw it. */
 static void put_data(FILE *to, const struct curves *o, int number)
 {
     fprintf(to, "$file%d << END\n", number);
     for (int r = 0; r < o->rows; r++)
         for (int c = 0; c < o->n; c++) {
-            script_put_number(to, o->x[(size_t)r * (size_t)o->n + (size_t)c]);
+            const double x = o->x[(size_t)r * (size_t)o->n + (size_t)c];
+            if (isfinite(x))
+                script_put_number(to, x);
+            else
+                fputs("NaN", to);
             fputc(c + 1 < o->n ? ' ' : '\n', to);
         }
     fputs("END\n", to);
@@ -179,7 +221,7 @@ static void put_panel(FILE *to, const struct plot *o, const struct panel *p)
     for (int i = 0; i < p->n; i++)
         for (int f = 0; f < o->nfile; f++) {
             const int c = find_column(&o->file[f], p->name[i]);
-            if (c < 0) continue;
+            if (!has_points(&o->file[f], c)) continue;
             fprintf(to, "%s$file%d using 1:%d with lines lw 1.6 dt %d lc rgb '%s' title ", n++ ? ", \\\n  " : "", f,
                     c + 1, p->n == 1 ? 1 + f / 8 : 1 + (f + i / 8) % 5, script_color(p->n == 1 ? f : i));
             put_title(to, o, p->name[i], o->file[f].file);
@@ -218,12 +260,32 @@ static void put_terminal(FILE *to, const struct plot *o, const struct request *r
     if (request->script && request->output) gnuplot_put_output(to, request->output);
 }
 
+/* One for all panels: each would have its own where files and columns end at different times. */
+static void put_range(FILE *to, const struct plot *o)
+{
+    double from = INFINITY, until = -INFINITY;
+    for (int f = 0; f < o->nfile; f++)
+        for (int r = 0; r < o->file[f].rows; r++) {
+            const double x = o->file[f].x[(size_t)r * (size_t)o->file[f].n];
+            if (!isfinite(x)) continue;
+            from = fmin(from, x);
+            until = fmax(until, x);
+        }
+    if (!(from < until)) return;
+    fputs("set xrange [", to);
+    script_put_number(to, from);
+    fputs(":", to);
+    script_put_number(to, until);
+    fputs("]\n", to);
+}
+
 static void put_script(FILE *to, const struct plot *o, const char *path)
 {
     const struct column *over = &o->file[0].column[0];
     const double width = picture_width(o);
     for (int f = 0; f < o->nfile; f++) put_data(to, &o->file[f], f);
-    fputs("set datafile missing '?'\nset border 3 lc rgb '#404040'\nset tics nomirror out\n"
+    put_range(to, o);
+    fputs("set border 3 lc rgb '#404040'\nset tics nomirror out\n"
           "set key at graph 1.02,1 left top Left reverse noenhanced samplen 2 spacing 1.2\n",
           to);
     if (path) fputs("set grid lt 1 lc rgb '#e4e4e4'\n", to);
@@ -281,6 +343,7 @@ enum status verb_plot(const struct request *request, struct arena *life, struct 
     struct gnuplot gnuplot = {0};
     enum status ended = OK;
     TRY(check(request, life, report));
+    o->quiet = request->quiet;
     if (!request->script) TRY(gnuplot_open(&gnuplot, report));
     o->nfile = request->nword;
     o->file = TAKE(life, struct curves, o->nfile);

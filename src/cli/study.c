@@ -52,16 +52,40 @@ static enum status choose_numbers(struct study_options *o, struct choices *c, co
     return OK;
 }
 
+static enum status choose_pick(double *pick, const struct request *request, struct arena *life, struct report *report)
+{
+    double x[MOST_CHOICES];
+    int one = 0;
+    TRY(choices_numbers(x, &one, "pick", request->pick, false, life, report));
+    if (one != 1) return fail(report, E_USAGE, "--pick takes one error, not '%.200s'", request->pick);
+    *pick = x[0];
+    return OK;
+}
+
+/* What was measured in a small part of the run is no choice for all of it; in a larger one that is told, even if the rest
+ * is not to be. */
+static enum status print_pick(const struct study *study, double pick, struct report *report)
+{
+    static const double LEAST = .1;
+    const struct study_row *row = study_pick(study, pick);
+    const struct subject *s = &study->subject;
+    const double whole = s->scene->integrate.until, share = study_share(study);
+    const char *why = study->reference.cut ? "the budget allows no more: raise --budget" : "two references part there";
+    if (share < LEAST)
+        return fail(report, E_NUMERIC, "nothing is picked: errors are known up to t = %.4g s only, of %.4g s (%s)",
+                    s->until, whole, why);
+    if (!row) return fail(report, E_VERDICT, "no run of the study has an error below %g", pick);
+    study_print_pick(study, row, stdout);
+    if (share < 1)
+        fprintf(stderr, "fmdsub: picked by errors up to t = %.4g s only, of %.4g s (%s)\n", s->until, whole, why);
+    return OK;
+}
+
 /* The wanted setting alone, or what the rows say. */
 static enum status print_study(const struct study *study, double pick, const struct request *request,
                                struct report *report)
 {
-    if (request->pick) {
-        const struct study_row *row = study_pick(study, pick);
-        if (!row) return fail(report, E_VERDICT, "no run of the study has an error below %g", pick);
-        study_print_pick(row, stdout);
-        return OK;
-    }
+    if (request->pick) return print_pick(study, pick, report);
     if (!request->quiet) study_answer(study, stderr);
     return OK;
 }
@@ -141,7 +165,6 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     struct choices choices = {0};
     struct study study = {0};
     double pick = 0;
-    int one = 0;
     struct study_options o = {.version = FMDSUB_VERSION,
                               .log = request->quiet ? NULL : stderr,
                               .progress = request->quiet || !isatty(STDERR_FILENO) ? NULL : stderr,
@@ -156,8 +179,7 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     enum status status = cli_load(&scene, &diags, request, life, report);
     const struct target files[] = {{"--output", request->output, true}, {"--plot", request->plot, true}};
     if (status == OK) status = targets_check(files, 2, &scene->deck->read, life, report);
-    if (status == OK && request->pick)
-        status = choices_numbers(&pick, &one, "pick", request->pick, false, life, report);
+    if (status == OK && request->pick) status = choose_pick(&pick, request, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, request, life, report);
     if (status == OK) status = choose_budget(&o, request, report);
     if (status == OK && (request->pick || request->script) && !request->output)

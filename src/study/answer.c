@@ -56,6 +56,16 @@ static const struct study_row *pick_other(const struct study *o, double error, c
     return best;
 }
 
+/* "1.8 times the work of", or `same` where nobody minds the difference. */
+static void print_times(double times, const char *what, const char *same, FILE *to)
+{
+    static const double NEAR = 1.05;
+    if (times < NEAR && times > 1 / NEAR)
+        fputs(same, to);
+    else
+        fprintf(to, "%.2g times %s", times, what);
+}
+
 /* ---- a level ---- */
 
 /* "; each further digit: x 1.4 with radau9, x 2.5 with dopri5, which takes 1.8 times the work" */
@@ -66,10 +76,10 @@ static void print_digits(const struct study *o, double error, const struct study
     if (isfinite(digit)) fprintf(to, "; each further digit: x %.2g with %s", digit, r->setting.kind->name);
     if (!next) return;
     if (isfinite(digit) && isfinite(other))
-        fprintf(to, ", x %.2g with %s, which takes", other, next->setting.kind->name);
+        fprintf(to, ", x %.2g with %s, which takes ", other, next->setting.kind->name);
     else
-        fprintf(to, "; %s takes", next->setting.kind->name);
-    fprintf(to, " %.2g times the work", next->work / r->work);
+        fprintf(to, "; %s takes ", next->setting.kind->name);
+    print_times(next->work / r->work, "the work", "as much work", to);
 }
 
 /* The most accurate, where none is as accurate as asked for. */
@@ -125,7 +135,8 @@ static void print_own(const struct study *o, FILE *to)
             own->work);
     if (best == own) fputs(": the least for that error", to);
     if (best && best != own) {
-        fprintf(to, ", %.2g times that of ", own->work / best->work);
+        fputs(", ", to);
+        print_times(own->work / best->work, "that of ", "as much as ", to);
         study_print_setting(&best->setting, to);
         fprintf(to, " (%.2g)", best->errors.worst);
     }
@@ -175,10 +186,9 @@ static void print_why(const struct study *o, const struct study_row *two, FILE *
     const struct study_row *twin = twin_of(o, two);
     const double share = 100. * o->subject.ns / o->subject.n;
     if (!twin) return;
-    fprintf(to,
-            "; against %s, the same at one rate, it takes %.2g times the work (%.0f %% of the coordinates are fast, "
-            "%.3g sweeps a major step)",
-            twin->setting.kind->name, two->work / twin->work, share,
+    fprintf(to, "; against %s, the same at one rate, it takes ", twin->setting.kind->name);
+    print_times(two->work / twin->work, "the work", "as much work", to);
+    fprintf(to, " (%.0f %% of the coordinates are fast, %.3g sweeps a major step)", share,
             (double)two->effort.sweeps / fmax(1, (double)two->effort.majors));
 }
 
@@ -194,7 +204,7 @@ static void print_two_rates(const struct study *o, const struct stepper_kind *ki
     fprintf(to, " (%.2g)", two->errors.worst);
     if (one) {
         fprintf(to, two->work < one->work ? " pays: " : " does not pay here: ");
-        fprintf(to, "%.2g times the work of ", two->work / one->work);
+        print_times(two->work / one->work, "the work of ", "as much work as ", to);
         study_print_setting(&one->setting, to);
         fprintf(to, " (%.2g)", one->errors.worst);
     } else {
@@ -254,8 +264,17 @@ void study_answer(const struct study *o, FILE *to)
         if (stepper_kinds[i]->two_rates) print_two_rates(o, stepper_kinds[i], to);
 }
 
-void study_print_pick(const struct study_row *r, FILE *to)
+double study_share(const struct study *o)
 {
+    const double start = o->subject.scene->start;
+    return (o->subject.until - start) / (o->subject.scene->integrate.until - start);
+}
+
+void study_print_pick(const struct study *o, const struct study_row *r, FILE *to)
+{
+    if (study_share(o) < 1)
+        fprintf(to, "# its error was measured up to t = %.4g s only, of %.4g s\n", o->subject.until,
+                o->subject.scene->integrate.until);
     fprintf(to, "integrate:\n  scheme: %s\n", r->setting.kind->name);
     if (isfinite(r->setting.tolerance)) fprintf(to, "  tolerance: %.3e\n", r->setting.tolerance);
     if (isfinite(r->setting.step)) fprintf(to, "  step: %.12g\n", r->setting.step);

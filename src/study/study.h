@@ -75,8 +75,10 @@ const struct study_row *study_pick(const struct study *o, double error);
 double study_digit(const struct study *o, const struct study_row *of);
 /* answer.c: what the rows say, in sentences. */
 void study_answer(const struct study *o, FILE *to);
+/* The part of the deck's run in which errors were measured. */
+double study_share(const struct study *o);
 /* The row as lines of a deck. */
-void study_print_pick(const struct study_row *row, FILE *to);
+void study_print_pick(const struct study *o, const struct study_row *row, FILE *to);
 /* "newmark at tolerance 1e-4" */
 void study_print_setting(const struct setting *setting, FILE *to);
 

@@ -2,10 +2,10 @@ set terminal svg size 970,480 font 'Arial,13' background 'white'
 set output 'picture.svg'
 $file0 << END
 0 0.1 1 0
-0.5 0.2 0.5 ?
+0.5 0.2 0.5 NaN
 1 0.15 0.25 1e-9
 END
-set datafile missing '?'
+set xrange [0:1]
 set border 3 lc rgb '#404040'
 set tics nomirror out
 set key at graph 1.02,1 left top Left reverse noenhanced samplen 2 spacing 1.2

@@ -45,6 +45,20 @@ refuse 6 "bad.csv:2: more fields" plot --script bad.csv
 printf 't,a\n' >bad.csv
 refuse 6 "no records" plot --script bad.csv
 
+# One range for all panels, whichever file ends where; what is no number is a gap, a column without any is left out, by name.
+printf 't,arm.angle,arm.x\n0,1,nan\n1,1e400,\n3,2,nan\n' >holes.csv
+plot --script two.csv holes.csv >script
+expect "plot --script: one range" "1 set xrange [0:3]" "$(grep -c xrange script) $(grep xrange script)" script
+expect "plot --script: holes" "0 1 NaN" "$(awk '/^.file1/ { on = 1 } on && $1 == 0 { a = $2 } on && $1 == 1 { print 0, a, $2 }' script)" script
+expect "plot --script: nothing of a column without numbers" 0 "$(grep -c 'using 1:3.*holes' script)" script
+printf 't,a,b\n0,1,nan\n1,2,\n' >half.csv
+plot --script half.csv >script
+expect "plot: a column without numbers" "0 1 1" "$? $(grep -c '^plot ' script) $(grep -c "no number in column 'b'" err)" script err
+printf 't,b\n0,nan\n1,\n' >half.csv
+refuse 2 "no column to draw over t" plot -q half.csv
+refuse 2 "two.csv: 'sp' is an expression, which only a run computes" plot -c 'sp=hypot(arm.x,arm.angle)' two.csv
+refuse 2 "pick takes one error, not '1e-2,1e-3'" study --pick 1e-2,1e-3 "$ROOT/decks/pendulum.yaml"
+
 # A study's script has a line a scheme; rows go to -o.
 "$FMDSUB" study -q --repeats 0 --until 1 --schemes midpoint,dop853 --plot x.svg --script -o rows.csv "$ROOT/decks/pendulum.yaml" >script 2>err
 expect "study --script: status, lines, a picture by work" "0 2 1 0" "$? $(grep -c '^.line[0-9] << END' script) $(grep -c '^plot ' script) $(test -e x.svg; echo $((! $?)))" err script

@@ -106,6 +106,13 @@ same "--budget: words twice" "$work/tight1" "$work/tight2"
 expect "--budget: the end is told" 1 "$(grep -c '^the budget takes it to t = 0.0[0-9]* s of 0.1' "$work/tight1")" "$work/tight1"
 expect "--budget: what is left out is told" 0 "$(grep -q '^left out: .* budget' "$work/tight1"; echo $?)" "$work/tight1"
 
+# A pick by a part of the run says so in its lines, and beside them even with -q; by less than a tenth there is none.
+"$FMDSUB" study -q --repeats 0 --budget 1.5 --pick 0.5 decks/flexible-crank.yaml >"$work/pick.yaml" 2>"$work/err"
+expect "--pick, part of the run: status, lines, words" "0 1 1" "$? $(grep -c '^# its error was measured up to t = 0.0[0-9]* s only, of 0.1 s' "$work/pick.yaml") $(grep -c 'picked by errors up to .*budget' "$work/err")" "$work/pick.yaml" "$work/err"
+"$FMDSUB" study -q --repeats 0 --budget 0.1 --pick 0.5 decks/flexible-crank.yaml >"$work/pick.yaml" 2>"$work/err"
+expect "--pick, less than a tenth: status, lines, words" "5 0 1" "$? $(wc -l <"$work/pick.yaml") $(grep -c 'nothing is picked: .*--budget' "$work/err")" "$work/pick.yaml" "$work/err"
+expect "as much work, not 1 times the work" 0 "$(cat "$work"/tight1 "$work/answer" | grep -c ' 1 times')" "$work/answer"
+
 # What stands still: round-off is not chaos.
 "$FMDSUB" study -q --repeats 0 --schemes midpoint,radau9 --set 'initial={static: true}' --until 0.04 decks/cantilever.yaml >"$work/rest.csv" 2>"$work/err"
 expect "at rest: status, errors" "0 0" "$? $(awk -F, 'NR > 1 { n++; if (!($5 < 1e-6)) bad++ } END { print bad + !n }' "$work/rest.csv")" "$work/rest.csv" "$work/err"

@@ -93,7 +93,8 @@ static void test_tiny(void **state)
         struct opened o;
         char rest[300];
         snprintf(rest, sizeof rest,
-                 "forces: {f: {force: slide, value: \"%s\"}}\ninitial: {slide.displacement_rate: 0.01}\n", force[k % 2]);
+                 "forces: {f: {force: slide, value: \"%s\"}}\ninitial: {slide.displacement_rate: 0.01}\n",
+                 force[k % 2]);
         run_wheel(&o, rest, schemes[k / 2], 1e-6);
         near(value(&o, "slide.displacement"), .05, 1e-12);
         arena_close(o.life);
