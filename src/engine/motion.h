@@ -28,6 +28,16 @@ static inline void motion_again(const struct ode2 *o, double *q1, const double *
         motion_point(o, q1, q0, dx, s, t);
 }
 
+/* The same, where q1 holds a posture nearby. */
+static inline void motion_onward(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
+                                 double t)
+{
+    if (o->move && o->move->onward)
+        o->move->onward(o, q1, q0, dx, s, t);
+    else
+        motion_point(o, q1, q0, dx, s, t);
+}
+
 /* dx with q1 = q0 (+) dx. */
 static inline void motion_diff(const struct ode2 *o, double *dx, const double *q1, const double *q0)
 {

@@ -5,7 +5,7 @@
  *
  *     dx_d := dx_d - C_qd^-1 C_qi d,   then dx_d := dx_d - C_qd^-1 C(q) again and again,
  *
- * with the same factor.  C_qd changes by something like d, so that the first correction s is half of d squared and the
+ * with the same factor; where drives have gone on since, C(q) of there goes with C_qi d.  C_qd changes by something like d, so that the first correction s is half of d squared and the
  * later ones shrink at the rate 2 s/d.  For late iterates nothing is missed, and all that is left to do is to see it.
  */
 #include <math.h>
@@ -20,7 +20,7 @@ static inline double farther(double far, double x, double per)
 
 /* dx of the dependents along the tangent at the posture that `last` leads to, which becomes the change from there; how
  * far that is, in scales. */
-static double go_along(const struct closing *o, double *dx, double *last)
+static double go_along(struct closing *o, double *dx, double *last, bool driven)
 {
     static const double NEAR = 1e-9; /* way that is none: its rate would be that of round-off */
     const double *per = o->rows->per;
@@ -30,9 +30,10 @@ static double go_along(const struct closing *o, double *dx, double *last)
         last[k] = dx[k] - last[k];
         far = farther(far, last[k], per[k]);
     }
+    if (driven) rows_values(o->C, o->rows);
     for (int i = 0; i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
-        for (int r = 0; r < p->nr; r++) o->x[r] = 0;
+        for (int r = 0; r < p->nr; r++) o->x[r] = driven ? -o->C[p->row[r]] : 0;
         factor_take(&o->solve->block[i].C_qd, o->x, last);
         factor_solve(&o->solve->block[i].C_qd, o->x);
         for (int r = 0; r < p->nr; r++) {
@@ -45,14 +46,13 @@ static double go_along(const struct closing *o, double *dx, double *last)
 }
 
 /* Closes a way that begins `far` from a closed posture, with the factors of there.  0: not closed, or not quickly. */
-static int step_on(struct closing *o, double *q1, const struct way *way, double far)
+static int step_on(struct closing *o, double *q1, const struct way *way, double far, int corrections)
 {
     static const double QUICK = 1e-2;    /* rate at which corrections must shrink */
     static const double LITTLE = 1e-16;  /* correction that may be missing */
     static const double NOTHING = 1e-15; /* and one that is round-off */
-    enum { MOST_CORRECTIONS = 3 };
     double size = far, rate = 2 / size;
-    for (int i = 0; i < MOST_CORRECTIONS; i++) {
+    for (int i = 0; i < corrections; i++) {
         closing_put(o, q1, way);
         rows_place(o->rows, q1);
         rows_values(o->C, o->rows);
@@ -76,12 +76,13 @@ static bool any_follows(const struct closing *o)
     return false;
 }
 
-int closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s)
+int closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
+                  bool driven)
 {
     if (isnan(q1[0]) || q1 == q0 || any_follows(o) || solve_factor(o->solve, q1, 0, NULL) != OK) return 0;
     moves_diff(&o->rows->tree->moves, o->last, q1, q0);
     split_spread(o->split, o->full, dx);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
-    const double far = go_along(o, o->dx, o->last);
-    return step_on(o, q1, &(struct way){q0, o->full, s, o->dx}, far);
+    const double far = go_along(o, o->dx, o->last, driven);
+    return step_on(o, q1, &(struct way){q0, o->full, s, o->dx}, far, corrections);
 }

@@ -17,11 +17,20 @@ static void point(const struct ode2 *ode, double *q1, const double *q0, const do
     condense_point(ode->self, q1, q0, dx, s, t, 0);
 }
 
+enum { LATE = 3, EARLY = 6 }; /* corrections of a way from a late iterate, from another posture */
+
 static void again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
     struct condense *o = ode->self;
     loops_when(o->rows.loops, t, 0);
-    if (!closing_again(&o->closing, q1, q0, dx, s)) condense_point(o, q1, q0, dx, s, t, 0);
+    if (!closing_again(&o->closing, q1, q0, dx, s, LATE, false)) condense_point(o, q1, q0, dx, s, t, 0);
+}
+
+static void onward(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+{
+    struct condense *o = ode->self;
+    loops_when(o->rows.loops, t, 0);
+    if (!closing_again(&o->closing, q1, q0, dx, s, EARLY, o->model->ndrive > 0)) condense_point(o, q1, q0, dx, s, t, 0);
 }
 
 enum status condense_lost(const struct condense *o, double t, struct trouble *why)
@@ -56,4 +65,4 @@ static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const
     for (int i = 0; i < ode->n; i++) dxrate[i] = status == OK ? o->at[o->split.ind[i]] : NAN;
 }
 
-const struct ode2_move condense_move = {.point = point, .again = again, .diff = diff, .rate = rate};
+const struct ode2_move condense_move = {.point = point, .again = again, .onward = onward, .diff = diff, .rate = rate};

@@ -68,7 +68,7 @@ static void take_vectors(struct subcycle *c, struct arena *life)
     double **slow[] = {&c->du, &c->u0, &c->w, &c->pull, &c->R, &c->slow, &c->Du};
     double **fast[] = {&c->vs, &c->dx, &c->xn,   &c->xbefore, &c->dsum, &c->dmean, &c->esum, &c->es,
                        &c->cs, &c->c,  &c->rest, &c->g,       &c->s1,   &c->s2,    &c->s3};
-    double **place[] = {&c->q, &c->qmid, &c->qend, &c->qn, &c->qbar};
+    double **place[] = {&c->q, &c->qmid, &c->qend, &c->qnext, &c->qn, &c->qbar};
     double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum};
     for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
     for (size_t i = 0; i < sizeof fast / sizeof *fast; i++) *fast[i] = TAKE(life, double, c->ns);
@@ -286,6 +286,7 @@ static void begin(struct subcycle *c, const struct state *x, double h, int ratio
     c->h = h;
     c->H = h * ratio;
     c->ratio = ratio;
+    c->ended = false;
     c->t0 = x->t;
     c->t1 = to;
     c->q0 = x->q;

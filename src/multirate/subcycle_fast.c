@@ -16,7 +16,8 @@ enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *pow
     int ns = c->ns;
     double per = 1 / c->h;
     subcycle_velocity(c, d);
-    subcycle_point(c, c->qmid, c->q, .5, x->t);
+    if (c->ode->move) copy(c->qmid, c->q, c->ode->nq);
+    subcycle_onward(c, c->qmid, c->q, .5, x->t);
     if (x->qb) subcycle_point(c, c->qend, c->q, 1, x->tb);
     for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
     decouple_out(&c->dec, c->a, c->pull, c->a, c->near);
@@ -85,6 +86,20 @@ void subcycle_rewind(struct subcycle *c)
     zero(c->esum, c->ns);
 }
 
+/* q_k+1 from q_k; the middle, where the fast bodies have just been, is near. */
+static void next_point(struct subcycle *c, double t)
+{
+    double *before = c->q;
+    if (!c->ode->move) {
+        subcycle_point(c, c->q, c->q, 1, t);
+        return;
+    }
+    copy(c->qnext, c->qmid, c->ode->nq);
+    subcycle_onward(c, c->qnext, c->q, 1, t);
+    c->q = c->qnext;
+    c->qnext = before;
+}
+
 void subcycle_minor_time(const struct subcycle *c, struct instant *x, int k)
 {
     x->ta = c->t0 + k * c->h;
@@ -111,7 +126,8 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
         minor_sums(c, d);
         if (c->newton.way || k >= c->ratio - JUMP_TERMS) subcycle_coarse_keep(c, k);
         subcycle_velocity(c, d);
-        subcycle_point(c, c->q, c->q, 1, x.tb);
+        next_point(c, x.tb);
+        x.qa = c->q;
         subcycle_advance(c, d);
     }
     c->guessed = 0;

@@ -88,7 +88,9 @@ struct subcycle {
     double *du, *u0, *w;         /* [nl] */
     double *vs, *xn, *xbefore;   /* [ns] v_S,k and x_k on the way, at its end v_S,n and x_n; x_n before the sweep */
     double *q, *qmid, *qend;     /* [nq] q_k, q_k+1/2, q_k+1 of the minor step under way */
+    double *qnext;               /* [nq] q_k+1 when d_k has been corrected */
     double *qn;                  /* [nq] q_n */
+    bool ended;                  /* it has been found in this step, for this or other unknowns */
     double *v, *a;               /* [n] v_k, a_k; near slow rows */
     double *qbar, *vbar, *abar;  /* [nq], [n], [n] where the slow bodies are asked */
     double *pull;                /* [near] du/H */
@@ -129,6 +131,10 @@ void subcycle_fast_velocity(struct subcycle *c, const double *d);
 void subcycle_velocity(struct subcycle *c, const double *d);
 /* x1 = x0 (+) s h v_k, at time t, as far as the minor steps move. */
 void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, double t);
+/* The same where x1 holds a posture nearby; it is not x0. */
+void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t);
+/* q after k minor steps that have led to x_k = c->xn, in one go: of motion that is `straight`. */
+void subcycle_place(struct subcycle *c, double *q, int k);
 /* x_n, v_S after d_k at v_k (S3). */
 void subcycle_advance(struct subcycle *c, const double *d);
 /* When minor step k ends. */

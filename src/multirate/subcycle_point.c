@@ -3,6 +3,8 @@
  *
  * The minor steps move only what fast bodies and elements know of the slow coordinates, the first `near`; the
  * others follow at the end (all of them where positions have a move of their own). */
+#include <math.h>
+
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -29,6 +31,16 @@ void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, 
     }
 }
 
+void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t)
+{
+    if (!c->ode->move || !c->ode->move->onward) {
+        subcycle_point(c, x1, x0, s, t);
+        return;
+    }
+    for (int i = 0; i < c->n; i++) c->dq[i] = c->h * c->v[i];
+    c->ode->move->onward(c->ode, x1, x0, c->dq, s, t);
+}
+
 void subcycle_advance(struct subcycle *c, const double *d)
 {
     for (int i = 0; i < c->ns; i++) {
@@ -42,13 +54,44 @@ double subcycle_minor_end(const struct subcycle *c, int k)
     return k + 1 < c->ratio ? c->t0 + (k + 1) * c->h : c->t1;
 }
 
-/* q_n = q_0 + P (H w, x_n). */
-static void straight_end(struct subcycle *c)
+/* dq := P (k h w, x_k). */
+static void displacement(struct subcycle *c, int k)
 {
-    for (int i = 0; i < c->ns; i++) c->qn[i] = c->q0[i] + c->xn[i];
-    for (int i = 0; i < c->nl; i++) c->qn[c->ns + i] = c->H * c->w[i];
-    decouple_recoil(&c->dec, c->qn + c->ns, -1, c->xn);
-    for (int i = c->ns; i < c->n; i++) c->qn[i] += c->q0[i];
+    const double time = k < c->ratio ? k * c->h : c->H;
+    copy(c->dq, c->xn, c->ns);
+    for (int i = 0; i < c->nl; i++) c->dq[c->ns + i] = time * c->w[i];
+    decouple_recoil(&c->dec, c->dq + c->ns, -1, c->xn);
+}
+
+void subcycle_place(struct subcycle *c, double *q, int k)
+{
+    displacement(c, k);
+    motion_point(c->ode, q, c->q0, c->dq, 1, k < c->ratio ? c->t0 + k * c->h : c->t1);
+}
+
+/* q_n, v_S,n and x_n by all minor steps, one after the other. */
+static void by_steps(struct subcycle *c)
+{
+    copy(c->vs, c->v0, c->ns);
+    zero(c->xn, c->ns);
+    copy(c->qn, c->q0, c->ode->nq);
+    for (int k = 0; k < c->ratio; k++) {
+        const double *d = c->d + (long)k * c->ns;
+        subcycle_velocity(c, d);
+        subcycle_advance(c, d);
+        subcycle_point(c, c->qn, c->qn, 1, subcycle_minor_end(c, k));
+    }
+}
+
+/* q_n = q_0 (+) P (H w, x_n), where that is the same. */
+static void in_one_go(struct subcycle *c)
+{
+    displacement(c, c->ratio);
+    if (c->ended)
+        motion_again(c->ode, c->qn, c->q0, c->dq, 1, c->t1);
+    else
+        motion_point(c->ode, c->qn, c->q0, c->dq, 1, c->t1);
+    c->ended = true;
 }
 
 void subcycle_compose(struct subcycle *c)
@@ -57,17 +100,15 @@ void subcycle_compose(struct subcycle *c)
     copy(c->vs, c->v0, c->ns);
     zero(c->xn, c->ns);
     zero(c->dsum, c->ns);
-    if (c->ode->move) copy(c->qn, c->q0, c->ode->nq);
     for (int k = 0; k < c->ratio; k++) {
         const double *d = c->d + (long)k * c->ns;
         subcycle_fast_velocity(c, d);
         subcycle_advance(c, d);
         for (int i = 0; i < c->ns; i++) c->dsum[i] += d[i];
-        if (!c->ode->move) continue;
-        decouple_out(&c->dec, c->v, c->w, c->v, c->near);
-        subcycle_point(c, c->qn, c->qn, 1, subcycle_minor_end(c, k));
     }
-    if (!c->ode->move) straight_end(c);
+    const bool straight = !c->ode->move || c->ode->straight;
+    if (straight) in_one_go(c);
+    if (!straight || isnan(c->qn[0])) by_steps(c);
 }
 
 double subcycle_middle(struct subcycle *c)

@@ -25,7 +25,7 @@ struct ode2;
 /* Channels of power, along v. */
 enum channel { POWER_EXTERNAL, POWER_DRIVE, POWER_DAMPER, POWER_FRICTION, POWER_CHANNELS };
 
-#define SHARP 1e3
+#define SHARP 1e12 /* above any change of a slope that one would write */
 
 /* *dk without it; was it there? */
 static inline int sharpened(double *dk)
@@ -80,6 +80,9 @@ struct ode2_move {
     /* Optional.  point() to round-off, where q1 holds what this or point() has given for the same q0, s, t and another
      * dx: found from there, with less work where they are near each other. */
     void (*again)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
+    /* Optional.  The same where q1 holds any posture nearby, of any time; the less work the nearer, and less where
+     * resid() has just been there. */
+    void (*onward)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
 };
 
 /* Solvers that know the structure.  NULL, or a NULL member: dense. */
@@ -142,6 +145,7 @@ struct ode2 {
      * residual.  x->t is the middle of a step of the midpoint rule, and x->tb where an interval is several of them.
      * E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
     enum status (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why);
+    int straight;  /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int pointwise; /* nothing looks at qa and qb: they need not be known, and may be NULL */
     void *self;    /* the owner's */
 };
