@@ -168,6 +168,7 @@ struct model {
     const double *q0, *v0;                     /* [nq], [n] initial state */
     const bool *given_q, *given_v;             /* [nq], [n] does the deck say so? NULL: of none */
     double t0;                                 /* when it starts [s] */
+    double length;                             /* as the run that this one goes on from told it [m]; 0: there is none */
     bool assemble;                             /* it need not fit the loops: the nearest one that does */
     const int *body_of;                        /* model's index of the scene's body i (body 0: ground) */
     const int *joint_of;                       /* model's index of the scene's joint i; -1: not in the tree */

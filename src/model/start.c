@@ -130,5 +130,6 @@ void make_start(struct making *o)
     m->given_q = given_q;
     m->given_v = given_v;
     m->t0 = scene->start;
+    m->length = scene->length;
     m->assemble = scene->assemble;
 }

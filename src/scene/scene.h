@@ -220,6 +220,7 @@ struct scene {
     const struct node *angles; /* {measure: angle} of that state; NULL: none */
     const struct node *left;   /* all of it; NULL: none */
     const char *tree;          /* names of its tree's joints in order, with blanks between; NULL: not told */
+    double length;             /* the mechanism's by that state [m]; 0: not told */
     bool keeps;                /* the run goes on at its time */
     bool any_deck;             /* it may be another deck's, or edited */
     bool at_rest;              /* start in static equilibrium, found from there */

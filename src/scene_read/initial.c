@@ -156,6 +156,7 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     warn_of_clock(b, initial, n, k.t);
     b->scene->left = root;
     b->scene->tree = k.tree;
+    b->scene->length = k.length;
     b->scene->from = k.state;
     b->scene->angles = k.angles;
     return 0;

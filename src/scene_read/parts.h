@@ -63,7 +63,7 @@ struct from_keys {
 };
 struct state_keys {
     int version;
-    double t;
+    double t, length;
     int last_step;
     const char *deck, *tree, *check;
     const struct node *state, *angles, *memory;

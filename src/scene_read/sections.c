@@ -224,6 +224,8 @@ const struct key keys_state[] = {
                "whether the last major step was cut to end at 'until'"),
     PARAM_TEXT(struct state_keys, deck, "deck", 0, NULL, "fingerprint of the deck, but for its start, end and output"),
     PARAM_TEXT(struct state_keys, tree, "tree", 0, NULL, "joints that have the coordinates, in the order of the tree"),
+    PARAM_REAL(struct state_keys, length, "length", "m", 0, INFINITY, 0, NULL,
+               "what is usual of displacements, where the start of that run told it and bodies do not"),
     PARAM_NODE(struct state_keys, state, "state", "{coordinate or rate: number}", KEY_REQUIRED,
                "all coordinates and all rates, by their column names"),
     PARAM_NODE(struct state_keys, angles, "angles", "{measure: number}", 0,

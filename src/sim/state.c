@@ -303,6 +303,8 @@ enum status sim_write_state(struct sim *sim, struct stream *stream, struct repor
     TRY(put_text(&w, "last_step", sim->cut ? "cut" : "whole", ","));
     TRY(put_hash(&w, "deck", memory_of_deck(sim), ","));
     TRY(put_tree(sim, &w));
+    const double length = system_start_length(sim->system);
+    if (length > 0) TRY(put_number(&w, "length", length, ","));
     TRY(put_angles(sim, &w));
     TRY(put_state(sim, &w));
     TRY(put_memory(sim, &w));

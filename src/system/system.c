@@ -261,6 +261,11 @@ void system_frame_spin(const struct system *s, double *w, int body)
     m3_tmul(w, frame.R, frame.w);
 }
 
+double system_start_length(const struct system *s)
+{
+    return sizes_of_start(s->model);
+}
+
 bool system_may_bend(const struct system *s)
 {
     return elements_may_bend(s->tree.elements);

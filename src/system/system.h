@@ -109,6 +109,9 @@ void system_frame_spin(const struct system *s, double *w, int body);
 
 /* Have forces along measures laws with corners or jumps?  Was there one in the last step?  That step is undone: q and v
  * at t are those before it. */
+/* The mechanism's length [m], where only the start tells it, or the state that it goes on from; else 0. */
+double system_start_length(const struct system *s);
+
 bool system_may_bend(const struct system *s);
 bool system_bent(const struct system *s);
 /* Forces given as expressions that divide?  Has one grown without bound in the last step?  Its number; -1: none. */

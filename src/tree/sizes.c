@@ -43,9 +43,17 @@ static double drawn_apart(const struct model *m)
     return most;
 }
 
-static double displaced(const struct model *m)
+static double by_bodies(const struct model *m)
+{
+    const double length = longest_arm(m);
+    return length > 0 ? length : drawn_apart(m);
+}
+
+double sizes_of_start(const struct model *m)
 {
     double most = 0;
+    if (by_bodies(m) > 0) return 0;
+    if (m->length > 0) return m->length;
     for (int i = 0; i < m->njoint && m->q0; i++) {
         const struct model_joint *j = &m->joint[i];
         for (int k = 0; k < j->nv; k++)
@@ -56,9 +64,8 @@ static double displaced(const struct model *m)
 
 double sizes_length(const struct model *m)
 {
-    double length = longest_arm(m);
-    if (!(length > 0)) length = drawn_apart(m);
-    if (!(length > 0)) length = displaced(m);
+    double length = by_bodies(m);
+    if (!(length > 0)) length = sizes_of_start(m);
     return length > 0 ? length : 1;
 }
 

@@ -7,6 +7,8 @@
 /* A length of the mechanism [m]: the largest arm of a joint on a body, or rod; the ground's place in the world does not
  * count.  Without any, how far bodies stand from each other, or what the start displaces; 1 where nothing tells. */
 double sizes_length(const struct model *m);
+/* That, where the start alone tells it; else 0. */
+double sizes_of_start(const struct model *m);
 
 /* Is the k-th rate of a joint along a length? */
 bool sizes_is_length(const struct model *m, const struct model_joint *j, int k);

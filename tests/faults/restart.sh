@@ -84,3 +84,12 @@ END
     [ -s rest ] && [ "$(tail -n 1 whole)" = "$(tail -n 1 rest)" ] && ok "restart: the tree that 'initial' asked for" ||
         not_ok "restart: the tree that 'initial' asked for" "another end" err
 fi
+
+# What the start displaces is the only length of a slide by itself: the state tells it, and the tolerance means the same.
+if wanted length; then
+    for scheme in radau5 radau9 dop853 dopri5; do
+        H=0.01 every="--every 0.01"
+        why=$(one_run slide-damped.yaml 4 -s "integrate={scheme: $scheme, tolerance: 1.0e-7, until: 1}")
+        [ -z "$why" ] && ok "restart: length, $scheme" || not_ok "restart: length, $scheme" "$why"
+    done
+fi
