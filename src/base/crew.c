@@ -24,12 +24,15 @@ struct head {
 
 struct member {
     pid_t pid; /* 0: not begun, or over */
-    int from;  /* the pipe; -1: closed */
+    int job;
+    int from; /* the pipe; -1: closed */
     bool over, heard;
     struct report end;
     char *bytes; /* [capacity] */
     size_t used, capacity;
     size_t taken; /* of these have been heard */
+    void *piece;  /* [room] heard last, where any order will do */
+    size_t room;
 };
 
 static enum status write_all(int to, const void *bytes, size_t n)
@@ -73,6 +76,8 @@ static void be_child(const struct crew *o, int i, int to, pid_t parent)
 
 static enum status begin(struct member *m, const struct crew *o, int i, struct report *report)
 {
+    *m = (struct member){
+        .job = i, .from = -1, .bytes = m->bytes, .capacity = m->capacity, .piece = m->piece, .room = m->room};
     int ends[2];
     const pid_t parent = getpid();
     if (pipe(ends) != 0) return fail(report, E_LIMIT, "no pipe for a process of its own: %s", strerror(errno));
@@ -132,8 +137,19 @@ static void receive(struct member *m, struct arena *life)
     bury(m);
 }
 
+/* A piece in a place of its own, aligned. */
+static void *place_of(struct member *m, const struct crew *o, size_t n, struct arena *life)
+{
+    if (!o->any_order) return arena_take(life, n, 1);
+    if (n > m->room) {
+        m->room = 2 * n;
+        m->piece = arena_take(life, m->room, 1);
+    }
+    return m->piece;
+}
+
 /* Whole pieces that wait. */
-static enum status hear(struct member *m, const struct crew *o, int i, struct arena *life, struct report *report)
+static enum status hear(struct member *m, const struct crew *o, struct arena *life, struct report *report)
 {
     struct head head;
     while (m->used - m->taken >= sizeof head) {
@@ -145,9 +161,9 @@ static enum status hear(struct member *m, const struct crew *o, int i, struct ar
             memcpy(&m->end, at, sizeof m->end);
             continue;
         }
-        void *aligned = arena_take(life, head.n, 1);
+        void *aligned = place_of(m, o, head.n, life);
         memcpy(aligned, at, head.n);
-        TRY(o->hear(o->self, i, aligned, head.n, report));
+        TRY(o->hear(o->self, m->job, aligned, head.n, report));
     }
     return OK;
 }
@@ -174,42 +190,64 @@ static void wait_for(struct member *m, struct pollfd *fds, int n, struct arena *
         if (m[i].from >= 0 && fds[i].revents) receive(&m[i], life);
 }
 
-/* In the order of the jobs, as far as they have come. */
-static enum status hear_all(struct member *m, const struct crew *o, struct arena *life, struct report *report)
+static enum status settle(const struct member *m, const struct crew *o, struct report *report)
 {
-    for (int i = 0; i < o->n; i++) {
+    if (m->end.status == OK || stop) return OK;
+    if (o->lost) return o->lost(o->self, m->job, &m->end, report);
+    return m->end.text[0] ? fail(report, m->end.status, "%s", m->end.text) : m->end.status;
+}
+
+/* In the order of the jobs as far as they have come, or as they come. */
+static enum status hear_all(struct member *m, const struct crew *o, int n, struct arena *life, struct report *report)
+{
+    for (int i = 0; i < n; i++) {
         if (m[i].heard) continue;
-        TRY(hear(&m[i], o, i, life, report));
-        if (!m[i].over) return OK;
+        TRY(hear(&m[i], o, life, report));
+        if (!m[i].over && !o->any_order) return OK;
+        if (!m[i].over) continue;
         m[i].heard = true;
-        if (m[i].end.status == OK || stop) continue;
-        return m[i].end.text[0] ? fail(report, m[i].end.status, "%s", m[i].end.text) : m[i].end.status;
+        TRY(settle(&m[i], o, report));
     }
     return OK;
 }
 
-static enum status run(struct member *m, const struct crew *o, struct arena *life, struct report *report)
+/* Who takes the next job: of n places the first that is done, or where order counts the next. */
+static struct member *next_free(struct member *m, const struct crew *o, int n, int job)
 {
-    const int most = processors();
-    struct pollfd *fds = TAKE(life, struct pollfd, o->n);
+    if (!o->any_order) return &m[job];
+    for (int i = 0; i < n; i++)
+        if (m[i].heard) return &m[i];
+    return NULL;
+}
+
+static enum status run(struct member *m, const struct crew *o, int n, int most, struct arena *life,
+                       struct report *report)
+{
+    struct pollfd *fds = TAKE(life, struct pollfd, n);
     int begun = 0, passed = 0;
     for (;;) {
         int busy = 0;
-        for (int i = 0; i < begun; i++) busy += m[i].from >= 0;
-        for (; begun < o->n && busy < most && !stop; busy++, begun++) TRY(begin(&m[begun], o, begun, report));
-        if (busy == 0) return hear_all(m, o, life, report);
-        wait_for(m, fds, begun, life);
-        if (stop && !passed++) pass_on(m, begun, SIGTERM);
-        TRY(hear_all(m, o, life, report));
+        for (int i = 0; i < n; i++) busy += m[i].from >= 0;
+        for (; begun < o->n && busy < most && !stop; busy++, begun++) {
+            struct member *free = next_free(m, o, n, begun);
+            if (!free) break;
+            TRY(begin(free, o, begun, report));
+        }
+        if (busy == 0) return hear_all(m, o, o->any_order ? n : begun, life, report);
+        wait_for(m, fds, n, life);
+        if (stop && !passed++) pass_on(m, n, SIGTERM);
+        TRY(hear_all(m, o, o->any_order ? n : begun, life, report));
+        if (o->idle) o->idle(o->self);
     }
 }
 
 enum status crew_run(const struct crew *o, struct arena *life, struct report *report)
 {
-    struct member *m = TAKE(life, struct member, o->n);
-    for (int i = 0; i < o->n; i++) m[i].from = -1;
-    const enum status status = run(m, o, life, report);
-    for (int i = 0; i < o->n; i++) {
+    const int most = o->most ? o->most : processors(), n = o->any_order && most < o->n ? most : o->n;
+    struct member *m = TAKE(life, struct member, n);
+    for (int i = 0; i < n; i++) m[i] = (struct member){.from = -1, .heard = o->any_order};
+    const enum status status = run(m, o, n, most, life, report);
+    for (int i = 0; i < n; i++) {
         if (m[i].from >= 0) close(m[i].from);
         if (m[i].pid <= 0) continue;
         kill(m[i].pid, SIGKILL);

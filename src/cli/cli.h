@@ -12,7 +12,7 @@
 
 #define FMDSUB_VERSION "0.1.0"
 
-enum { MOST_SETS = 256 };
+enum { MOST_SETS = 256, MOST_OVERS = 32 };
 
 /* The command line, read. */
 struct request {
@@ -23,8 +23,11 @@ struct request {
     const char *set[MOST_SETS];    /* --set, and --columns, --every, --until as such */
     const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *budget, *plot,
-        *columns, *at, *final_state, *rel, *abs;
-    bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, help, version;
+        *columns, *at, *final_state, *rel, *abs, *sample, *seed, *of, *jobs, *shard, *slurm;
+    int nover;
+    const char *over[MOST_OVERS];
+    bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, latin, times, resume, list, merge,
+        help, version;
     const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
 };
@@ -54,6 +57,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
 enum status verb_study(const struct request *request, struct arena *life, struct report *report);
 enum status verb_diff(const struct request *request, struct arena *life, struct report *report);
 enum status verb_plot(const struct request *request, struct arena *life, struct report *report);
+enum status verb_sweep(const struct request *request, struct arena *life, struct report *report);
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report);
 enum status verb_stability(const struct request *request, struct arena *life, struct report *report);
 enum status verb_list(const struct request *request, struct arena *life, struct report *report);

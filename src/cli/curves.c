@@ -167,7 +167,7 @@ enum status curves_make(struct curves *o, const struct request *request, bool fi
                         struct arena *life, struct report *report)
 {
     struct job job = {request, o, fine, ended, life};
-    const struct crew crew = {request->nword, &job, work, hear};
+    const struct crew crew = {.n = request->nword, .self = &job, .work = work, .hear = hear};
     *ended = OK;
     return crew_run(&crew, life, report);
 }

@@ -8,18 +8,18 @@
 #include "out/columns.h"
 
 const struct cli_option cli_options[] = {
-    {"format", "csv|ndjson|json", 'f', "run check study modes stability diff",
+    {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep",
      "form of records and tables (default csv); check: json"},
-    {"output", "FILE", 'o', "run study plot diff",
+    {"output", "FILE", 'o', "run study plot diff sweep",
      "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf)"},
-    {"set", "PATH=VALUE", 's', "run check study plot modes stability list diff",
+    {"set", "PATH=VALUE", 's', "run check study plot modes stability list diff sweep",
      "change the deck: --set integrate.ratio=10"},
     {"columns", "'t,hub.*'", 'c', "run plot diff", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
-    {"every", "SECONDS", 0, "run plot diff", "time between records"},
+    {"every", "SECONDS", 0, "run plot diff sweep", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
-    {"until", "SECONDS", 0, "run study plot diff", "end of the run"},
+    {"until", "SECONDS", 0, "run study plot diff sweep", "end of the run"},
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
-    {"progress", "auto|always|never", 0, "run", "progress line on stderr (auto: on a terminal)"},
+    {"progress", "auto|always|never", 0, "run sweep", "progress line on stderr (auto: on a terminal)"},
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
     {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
     {"schemes", "a,b", 0, "study stability", "schemes to compare (default: those that make sense for the deck)"},
@@ -35,6 +35,18 @@ const struct cli_option cli_options[] = {
     {"absolute", NULL, 0, "study", "errors in the unit of the worst column"},
     {"rel", "1e-6,PATTERN=1e-3", 0, "diff", "allowed difference, as a share of the column's largest value in A"},
     {"abs", "1e-12,PATTERN=X", 0, "diff", "and in the column's unit, added to that"},
+    {"over", "NAME=VALUES", 0, "sweep", "a parameter or deck path: [a, b], from:to:n, from:to:log:n, ~normal(mean,sd)"},
+    {"sample", "N", 0, "sweep", "how often what has a distribution is drawn: normal, uniform, loguniform"},
+    {"seed", "N", 0, "sweep", "of what is drawn (default 1)"},
+    {"latin", NULL, 0, "sweep", "draw by Latin hypercube: each N-th part of a range once"},
+    {"of", "'max(a.b), last(t)'", 0, "sweep", "numbers to keep of each run (default: last of every column)"},
+    {"times", NULL, 0, "sweep", "a column of CPU seconds"},
+    {"jobs", "N", 0, "sweep", "points at once (default: one for each processor)"},
+    {"resume", NULL, 0, "sweep", "go on with what --output FILE holds already"},
+    {"shard", "I/N", 0, "sweep", "the I-th of N parts only"},
+    {"list", NULL, 0, "sweep", "print a command for each point, run nothing"},
+    {"slurm", "N", 0, "sweep", "print a job script of N tasks, run nothing"},
+    {"merge", NULL, 0, "sweep", "put tables of parts together: the words are files"},
     {"at", "SECONDS", 0, "modes stability", "linearise there instead of at the start"},
     {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
     {"no-trial", NULL, 0, "check", "no trial runs: steps by the frequencies at the start"},
@@ -163,6 +175,12 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"repeats", &o->repeats},
                  {"budget", &o->budget},
                  {"plot", &o->plot},
+                 {"sample", &o->sample},
+                 {"seed", &o->seed},
+                 {"of", &o->of},
+                 {"jobs", &o->jobs},
+                 {"shard", &o->shard},
+                 {"slurm", &o->slurm},
                  {"rel", &o->rel},
                  {"abs", &o->abs},
                  {"at", &o->at},
@@ -174,13 +192,20 @@ static enum status take(struct request *o, const char *name, const char *value, 
         bool *to;
     } flags[] = {{"quiet", &o->quiet},       {"verbose", &o->verbose},   {"strict", &o->strict},
                  {"help", &o->help},         {"version", &o->version},   {"expanded", &o->expanded},
-                 {"absolute", &o->absolute}, {"no-trial", &o->no_trial}, {"script", &o->script}};
+                 {"absolute", &o->absolute}, {"no-trial", &o->no_trial}, {"script", &o->script},
+                 {"latin", &o->latin},       {"times", &o->times},       {"resume", &o->resume},
+                 {"list", &o->list},         {"merge", &o->merge}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (strcmp(flags[i].name, name) == 0) return *flags[i].to = true, OK;
     if (strcmp(name, "set") == 0) return add_set(o, NULL, value, report);
     if (strcmp(name, "columns") == 0) return add_columns(o, value, life, report);
+    if (strcmp(name, "over") == 0) {
+        if (o->nover == MOST_OVERS) return fail(report, E_USAGE, "more than %d times --over", MOST_OVERS);
+        o->over[o->nover++] = value;
+        return OK;
+    }
     if (strcmp(name, "every") == 0) return add_set(o, "--every", arena_print(life, "output.every=%s", value), report);
     if (strcmp(name, "every-steps") == 0)
         return add_set(o, "--every-steps", arena_print(life, "output.every={steps: %s}", value), report);

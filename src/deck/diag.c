@@ -228,6 +228,13 @@ bool diags_full(const struct diags *d)
     return d->errors >= KEPT;
 }
 
+const char *diags_first(const struct diags *d)
+{
+    for (int i = 0; i < d->n; i++)
+        if (d->item[i]->level == ERROR) return d->item[i]->text;
+    return NULL;
+}
+
 int diags_warnings(const struct diags *d)
 {
     return d->warnings;

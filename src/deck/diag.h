@@ -74,6 +74,8 @@ int diags_errors(const struct diags *d);
 /* So many errors that no more are kept: loops over what a deck holds may end. */
 bool diags_full(const struct diags *d);
 int diags_warnings(const struct diags *d);
+/* The first error, in words; NULL: there is none. */
+const char *diags_first(const struct diags *d);
 void diags_print(FILE *to, const struct diags *d, bool color);
 
 /* ---- all codes, each with its cure, for `fmdsub explain CODE`; ends with a NULL code ---- */

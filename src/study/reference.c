@@ -146,7 +146,7 @@ static enum status run_trials(struct trials *o, const struct subject *subject, d
             o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1}, INFINITY, 0};
     }
     o->most = fmin(TRIALS * most / o->n, MOST_TRIAL);
-    const struct crew crew = {o->n, o, try_one, hear_trial};
+    const struct crew crew = {.n = o->n, .self = o, .work = try_one, .hear = hear_trial};
     return crew_run(&crew, life, report);
 }
 
@@ -248,7 +248,7 @@ static enum status run_both(struct reference *o, struct outcome *second, const s
                             struct arena *life, struct report *report)
 {
     struct both both = {.setting = {o->first, o->second}, .most = EACH * most, .subject = subject, .life = life};
-    const struct crew crew = {2, &both, run_one, hear_one};
+    const struct crew crew = {.n = 2, .self = &both, .work = run_one, .hear = hear_one};
     TRY(crew_run(&crew, life, report));
     o->run = both.run[0];
     o->seconds = both.run[0].seconds;

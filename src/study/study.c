@@ -239,7 +239,7 @@ static enum status run_grid(struct study *o, struct grid *grid, const struct stu
                             struct report *report)
 {
     struct work work = {o, grid, options, TAKE(life, double, grid->n), o};
-    const struct crew crew = {grid->n, &work, work_chain, hear_news};
+    const struct crew crew = {.n = grid->n, .self = &work, .work = work_chain, .hear = hear_news};
     for (int i = 0; i < grid->n; i++) work.share[i] = EQUAL * options->budget / grid->n;
     TRY(crew_run(&crew, life, report));
     const double left = options->budget - spent(o, options);

@@ -31,7 +31,8 @@ ledger      base
 sim         base la expr deck out kind scene scene_read model open loop system engine multirate ledger
 probe       base la out sim engine system/ode2.h
 study       base out sim multirate ledger probe                      # multirate: schemes by name; ledger: its share
-cli         base expr deck out kind scene scene_read multirate sim probe study # prints the tables of words and schemes
+sweep       base deck out scene sim
+cli         base expr deck out kind scene scene_read multirate sim probe study sweep # prints the tables of words and schemes
 TABLE
 
 rules='

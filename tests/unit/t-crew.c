@@ -49,7 +49,7 @@ static void in_order(void **state)
     struct heard heard = {0};
     struct report report = {0};
     struct arena *life = arena_open();
-    const struct crew crew = {JOBS, &heard, work, hear};
+    const struct crew crew = {.n = JOBS, .self = &heard, .work = work, .hear = hear};
     (void)state;
     assert_int_equal(crew_run(&crew, life, &report), OK);
     assert_int_equal(heard.n, 2 * JOBS);
@@ -70,7 +70,7 @@ static void failing(void **state)
     struct heard heard = {0};
     struct report report = {0};
     struct arena *life = arena_open();
-    const struct crew crew = {JOBS, &heard, work_badly, hear};
+    const struct crew crew = {.n = JOBS, .self = &heard, .work = work_badly, .hear = hear};
     (void)state;
     assert_int_equal(crew_run(&crew, life, &report), E_NUMERIC);
     assert_string_equal(report.text, "job 2 cannot");
@@ -90,7 +90,7 @@ static void killed(void **state)
     struct heard heard = {0};
     struct report report = {0};
     struct arena *life = arena_open();
-    const struct crew crew = {1, &heard, be_killed, hear};
+    const struct crew crew = {.n = 1, .self = &heard, .work = be_killed, .hear = hear};
     (void)state;
     assert_int_equal(crew_run(&crew, life, &report), E_LIMIT);
     assert_non_null(strstr(report.text, "signal 9"));
@@ -103,7 +103,7 @@ static void stopped(void **state)
     struct heard heard = {0};
     struct report report = {0};
     struct arena *life = arena_open();
-    const struct crew crew = {JOBS, &heard, work, hear};
+    const struct crew crew = {.n = JOBS, .self = &heard, .work = work, .hear = hear};
     (void)state;
     stop = SIGINT;
     assert_int_equal(crew_run(&crew, life, &report), E_SIGINT);
@@ -116,7 +116,7 @@ static void none(void **state)
 {
     struct report report = {0};
     struct arena *life = arena_open();
-    const struct crew crew = {0, NULL, work, hear};
+    const struct crew crew = {.n = 0, .self = NULL, .work = work, .hear = hear};
     (void)state;
     assert_int_equal(crew_run(&crew, life, &report), OK);
     arena_close(life);
