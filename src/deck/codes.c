@@ -144,6 +144,11 @@ const struct diag_help diag_helps[] = {
      "'hold' is 'rigid' or a map of its keys: {restitution: 0.5}, or {stiffness: 1.0e+6} for stops that give way."},
     {"E-exclusive", "The marked key goes with another kind of stop or contact. 'stiffness' makes one compliant, then "
                     "'damping' and 'exponent' say more of it; 'restitution' is of rigid ones."},
+    {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
+                  "'initial'."},
+    {"E-scheme-contact",
+     "Rigid contacts cut steps where they strike, which scheme midpoint does, at a 'step'. Leave 'scheme' out, or make "
+     "the contact compliant by a 'stiffness'."},
     {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "
                       "way: drive another joint, and put a spring along this one."},
     {"E-kind",

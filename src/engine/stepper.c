@@ -8,6 +8,7 @@
 #include "engine/kinematic.h"
 #include "engine/motion.h"
 #include "engine/single.h"
+#include "engine/touch.h"
 
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life)
@@ -20,6 +21,7 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     s->whole = TAKE(life, struct single, 1);
     single_open(s->whole, ode, life);
     kind->open(s, life);
+    if (ode->contact && ode->contact->m > 0) s->touch = touch_open(s, life);
 }
 
 /* A new chart, if there is a better one: what was known in the old one is forgotten.  The step has been taken: if its
@@ -109,6 +111,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
     if (s->unstarted) TRY(stepper_start(s, x, why));
     s->unstarted = 0;
     if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
+    if (s->touch) return touch_step(s, x, h, ratio, to, why);
     if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
         return between_corners(s, x, h, ratio, to, why);
     if (!s->kind->adaptive && o->breaks && (o->breaks->jump || s->kind->points))
@@ -119,7 +122,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     memset(s->work, 0, sizeof s->work);
-    s->lost = s->left = 0;
+    s->lost = s->left = s->struck = 0;
     s->last_sweeps = 0;
     enum status status = any_step(s, x, h, ratio, to, why);
     if (status == OK)
@@ -145,6 +148,7 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "unstarted", s->unstarted);
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
+    if (s->touch) touch_recall(s->touch, r);
     recall_without(r);
     return status;
 }

@@ -89,6 +89,7 @@ struct stepper_kind {
 };
 
 struct accel;
+struct touch;
 
 /* The first step of a scheme that chooses its own. */
 struct guess {
@@ -104,6 +105,7 @@ struct stepper {
     double work[POWER_CHANNELS]; /* of the last accepted step [J] */
     double lost;                 /* energy taken by the scheme's own damping in the last step [J]; some schemes give
                                   * back of it within a vibration what they have taken before */
+    double struck;               /* energy taken by impacts in the last step [J] */
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
@@ -111,6 +113,7 @@ struct stepper {
     bool natural;         /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
     int unstarted;        /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;  /* solves (2-4) for a */
+    struct touch *touch;  /* rigid contacts; NULL: there are none */
     struct single *keep;  /* v, a before a corner */
     struct single *whole; /* the state before a step that is taken in parts */
     struct arena *life;

@@ -25,9 +25,23 @@ void measure_end(struct elements *e, const struct instant *x, int end, enum rate
     }
 }
 
+void elements_press(struct elements *e, const struct contacts *contacts, const double *f)
+{
+    e->contacts = contacts;
+    e->press = f;
+}
+
+static void press(struct elements *e, struct sweep *s, double *r)
+{
+    const double *f = e->press;
+    for (int i = 0; i < e->model->ncontact; f += contact_rows(&e->model->contact[i]), i++)
+        contacts_push(e->contacts, s, r, i, f);
+}
+
 void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
                    const struct instant *x, enum rate cls)
 {
+    if (e->press) press(e, s, r);
     if (e->model->nforce == 0) return; /* before any register is saved */
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) load_plain(&e->plain[i], r, w, effect, x);
     if (x->qa && x->qb && e->ends[cls]) {

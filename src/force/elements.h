@@ -28,6 +28,10 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
 void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
                    const struct instant *x, enum rate cls);
 
+/* Contacts push with f from now on, NULL: none does; where ALL loads are asked for. */
+struct contacts;
+void elements_press(struct elements *e, const struct contacts *contacts, const double *f);
+
 /* Does none of them ask for the ends of the interval? */
 bool elements_are_pointwise(const struct elements *e);
 

@@ -11,6 +11,7 @@
 #ifndef FMDSUB_FORCE_PARTS_H
 #define FMDSUB_FORCE_PARTS_H
 
+#include "contact/contact.h"
 #include "force/elements.h"
 #include "force/measure.h"
 
@@ -88,7 +89,9 @@ struct elements {
     double *slot, *slope; /* [most_slots] an expression's arguments, its slopes along them */
     int *which;           /* [most_slots] 1, 2, ... */
     struct row row, column;
-    const struct reduction *to; /* of elements_slopes_reduced(), while it runs */
+    const struct contacts *contacts; /* that push with */
+    const double *press;             /* these forces; NULL: none */
+    const struct reduction *to;      /* of elements_slopes_reduced(), while it runs */
 };
 
 /* First and last + 1 of a class in a list sorted by class. */

@@ -35,13 +35,18 @@ void ledger_add(struct ledger *o, const double *work, double lost, double left)
     o->left += left;
 }
 
+void ledger_strike(struct ledger *o, double struck)
+{
+    o->struck += struck;
+}
+
 void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity)
 {
     o->kinetic = kinetic;
     o->elastic = elastic;
     o->gravity = gravity;
     double kin = kinetic - o->kinetic0;
-    double taken = o->lost - o->work[LEDGER_DAMPER] - o->work[LEDGER_FRICTION];
+    double taken = o->lost + o->struck - o->work[LEDGER_DAMPER] - o->work[LEDGER_FRICTION];
     double internal = elastic - o->elastic0 + taken;
     double drive = o->work[LEDGER_DRIVE], external = o->work[LEDGER_EXTERNAL] - (gravity - o->gravity0);
     o->residual = kin + internal - external - drive;
@@ -103,5 +108,6 @@ void ledger_between(struct ledger *o, const struct ledger *before, double x, dou
     o->gravity = gravity;
     for (int c = 0; c < LEDGER_CHANNELS; c++) o->work[c] = between(before->work[c], o->work[c], x);
     o->lost = between(before->lost, o->lost, x);
+    o->struck = between(before->struck, o->struck, x);
     o->residual = between(before->residual, o->residual, x);
 }

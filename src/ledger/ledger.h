@@ -24,6 +24,7 @@ struct ledger {
     double work[LEDGER_CHANNELS];        /* done on the system so far [J] */
     double lost;                         /* taken by the scheme's own damping so far [J] */
     double gained;                       /* the most that it has put in at any time, on the whole [J] */
+    double struck;                       /* taken by impacts so far [J] */
     double left;                         /* sum of what Newton left over, a size [J] */
     double residual;                     /* W_kin + W_int - W_ext now [J] */
     double norm;                         /* ||W|| [J] */
@@ -34,6 +35,7 @@ void ledger_open(struct ledger *o, double delta, double least, double kinetic, d
 
 /* The end of an accepted step: its works [LEDGER_CHANNELS]; each step's. */
 void ledger_add(struct ledger *o, const double *work, double lost, double left);
+void ledger_strike(struct ledger *o, double struck);
 /* The balance there, at t, by the energies: where somebody looks, but always at the end. */
 void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity);
 

@@ -150,6 +150,38 @@ static void make_force(struct making *o, struct model_force *to, const struct sc
     to->cls = class_of(o, to);
 }
 
+static bool has_friction(const struct contact_law *law)
+{
+    return law->holding > 0 || law->sliding > 0;
+}
+
+static void make_contact(struct making *o, struct model_contact *to, const struct scene_contact *from)
+{
+    *to = (struct model_contact){.name = from->name,
+                                 .pair = from->pair,
+                                 .law = from->law,
+                                 .iq = -1,
+                                 .iv = -1,
+                                 .side = from->side,
+                                 .limit = from->limit,
+                                 .radius = from->radius,
+                                 .other = from->other};
+    if (from->pair == PAIR_STOP) {
+        const struct model_measure *m = &o->m->measure[from->measure];
+        to->iq = m->iq;
+        to->iv = m->iv;
+        to->angular = m->angular;
+        to->fast = m->fast;
+        return;
+    }
+    to->a = point_of(o, &from->a);
+    to->b = point_of(o, &from->b);
+    to->fast = o->body[to->a.body].fast || o->body[to->b.body].fast;
+    to->across = has_friction(&from->law) ? o->scene->space - 1 : 0;
+    v3_copy(to->normal, from->normal);
+    v3_copy(to->along, from->along);
+}
+
 void make_elements(struct making *o)
 {
     const struct scene *scene = o->scene;
@@ -162,6 +194,10 @@ void make_elements(struct making *o)
     for (int i = 0; i < scene->nforce; i++) make_force(o, &force[i], &scene->force[i]);
     m->force = force;
     m->nforce = scene->nforce;
+    struct model_contact *contact = TAKE(o->life, struct model_contact, scene->ncontact);
+    for (int i = 0; i < scene->ncontact; i++) make_contact(o, &contact[i], &scene->contact[i]);
+    m->contact = contact;
+    m->ncontact = scene->ncontact;
     struct model_point *point = TAKE(o->life, struct model_point, scene->npoint);
     for (int i = 0; i < scene->npoint; i++) point[i] = named_point(o, &scene->point[i]);
     m->point = point;

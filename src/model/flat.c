@@ -383,6 +383,7 @@ static bool flatten(struct flattening *o)
 {
     double g[3], Pt[9], normal[3];
     if (o->full->space == 2 || o->full->n == 0) return spatial(o, "the deck", "is planar as it is");
+    if (o->full->ncontact) return spatial(o, o->full->contact[0].name, "is a rigid contact");
     if (!find_normal(normal, o)) return false;
     lay(o->P, normal);
     *o->plane = *o->full;

@@ -11,6 +11,7 @@
 
 #include "base/rate.h"
 #include "flex/statics.h"
+#include "kind/contact.h"
 #include "kind/force.h"
 #include "kind/joint.h"
 
@@ -120,6 +121,22 @@ struct model_force {
     bool torque, body_axes;        /* FORCE_LOAD */
 };
 
+/* A rigid contact, see kind/contact.h. */
+struct model_contact {
+    const char *name;
+    enum contact_pair pair;
+    struct contact_law law;
+    int iq, iv;              /* PAIR_STOP: its coordinate */
+    double side, limit;      /* and where it is closed, see contact/contact.h */
+    bool angular;            /* its gap is an angle */
+    struct model_point a, b; /* others: centre of the sphere; a point of the plane, centre of the other sphere */
+    double normal[3];        /* of the plane, and */
+    double along[3];         /* where its friction is counted from; axes of b's body */
+    double radius, other;    /* of the sphere at a; of that at b */
+    int across;              /* directions of friction */
+    bool fast;
+};
+
 struct model_coordinate {
     const char *name; /* "hub.angle" */
     int joint, k;     /* which one of its joint; a mode: its body's joint, and behind the joint's own */
@@ -161,6 +178,8 @@ struct model {
     const struct model_measure *measure;
     int nforce;
     const struct model_force *force;
+    int ncontact;
+    const struct model_contact *contact;
     int npoint;
     const struct model_point *point; /* named points, for output */
     int ncoordinate;

@@ -129,9 +129,12 @@ struct scene_contact {
     const struct node *node;
     enum contact_pair pair;
     struct contact_law law;
-    int measure;  /* PAIR_STOP */
-    double side;  /* it is closed from above: 1, from below: -1 */
-    double limit; /* [m] or [rad] */
+    int measure;        /* PAIR_STOP */
+    double side;        /* it is closed from above: 1, from below: -1 */
+    double limit;       /* [m] or [rad] */
+    struct marker a, b; /* others, as in model.h */
+    double normal[3], along[3];
+    double radius, other;
 };
 
 /* A measure that moves as a function of time, s(q) = c(t): rheonomic constraint. */

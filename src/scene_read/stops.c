@@ -8,19 +8,13 @@
 #include "kind/unilateral.h"
 #include "scene_read/parts.h"
 
-static int rigid_refused(struct builder *b, const struct node *n, const char *what)
-{
-    diag_error(b->diags, n, AT_VALUE, "E-hold", "%s: rigid stops are not there yet: give a 'stiffness'", what);
-    return 1;
-}
-
 static int read_hold(struct builder *b, struct scene_joint *j, const struct node *n, const char *what)
 {
     struct scene_hold *o = TAKE(b->life, struct scene_hold, 1);
     static const char *const rigid[] = {"rigid"};
     j->hold = o;
     if (n->type != NODE_MAP) {
-        if (n->type == NODE_SCALAR && strcmp(n->text, "rigid") == 0) return rigid_refused(b, n, what);
+        if (n->type == NODE_SCALAR && strcmp(n->text, "rigid") == 0) return 0;
         unknown_name(b, n, AT_VALUE, "E-hold", "kind of stop", n->type == NODE_SCALAR ? n->text : "(not a name)", rigid,
                      1);
         return 1;
@@ -36,7 +30,6 @@ static int read_hold(struct builder *b, struct scene_joint *j, const struct node
         return 1;
     }
     if (o->k > 0) return 0;
-    if (!c || c->implied) return rigid_refused(b, n, what);
     if (c && c->implied) c = NULL;
     if (power && !power->implied) c = power;
     if (!c) return 0;

@@ -245,6 +245,14 @@ static void add_drive(struct listing *l, int i)
     add_angular(l, columns_drive, origin, l->m->measure[d->measure].angular);
 }
 
+static void add_contact(struct listing *l, int i)
+{
+    const struct model_contact *c = &l->m->contact[i];
+    const struct origin origin = {.of = own(l, c->name, l->scene->contact[i].node), .index = i};
+    add_angular(l, columns_contact, origin, c->angular);
+    if (c->across) add_rows(l, columns_rubbing, origin);
+}
+
 /* ---- all ---- */
 
 static void add_of_run(struct listing *l, const char *name, const struct column_kind *table,
@@ -266,7 +274,9 @@ void catalogue_build(struct catalogue *o, const struct scene *scene, const struc
     for (int i = 0; i < m->nmeasure; i++) add_measure(&l, i);
     for (int i = 0; i < m->nforce; i++) add_force(&l, i);
     for (int i = 0; i < m->ndrive; i++) add_drive(&l, i);
+    for (int i = 0; i < m->ncontact; i++) add_contact(&l, i);
     add_of_run(&l, "energy", columns_energy, NULL);
+    if (m->ncontact) add_of_run(&l, "energy", columns_impact, NULL);
     add_of_run(&l, "momentum", columns_momentum, NULL);
     add_of_run(&l, "step", columns_step, NULL);
 }
@@ -299,7 +309,10 @@ const struct column_table column_tables[] = {
     {"F", "forces at points", columns_load},
     {"F", "bushings", columns_bushing},
     {"D", NULL, columns_drive},
+    {"C", "rigid stops and contacts", columns_contact},
+    {"C", "with friction", columns_rubbing},
     {"energy", NULL, columns_energy},
+    {"energy", "scenes with rigid contacts", columns_impact},
     {"momentum", NULL, columns_momentum},
     {"step", NULL, columns_step},
     {0},

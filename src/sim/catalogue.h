@@ -56,7 +56,8 @@ extern const struct column_kind columns_time[], columns_coordinate[], columns_lo
     columns_loop_reaction[], columns_tie[], columns_rod[], columns_gear[], columns_mode[], columns_beam_stress[],
     columns_beam_shear[], columns_solid_stress[], columns_von_mises[], columns_body[], columns_point[],
     columns_bent_point[], columns_measure[], columns_law[], columns_load[], columns_bushing[], columns_drive[],
-    columns_energy[], columns_momentum[], columns_step[], columns_formula[];
+    columns_energy[], columns_impact[], columns_contact[], columns_rubbing[], columns_momentum[], columns_step[],
+    columns_formula[];
 
 /* The tables by sorts of things, for the manual; a last one without rows. */
 struct column_table {

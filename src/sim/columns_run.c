@@ -23,6 +23,7 @@ FIGURE(external, sim->ledger.work[LEDGER_EXTERNAL])
 FIGURE(drive, sim->ledger.work[LEDGER_DRIVE])
 FIGURE(damper, sim->ledger.work[LEDGER_DAMPER])
 FIGURE(friction, sim->ledger.work[LEDGER_FRICTION])
+FIGURE(impact, sim->ledger.struck)
 FIGURE(numerical, sim->ledger.lost)
 FIGURE(residual, sim->ledger.residual)
 
@@ -39,6 +40,12 @@ const struct column_kind columns_energy[] = {
      .own = true},
     {COLUMN(".residual", ".residual", "J", "W_kin + W_int - W_ext of (2-26)", NEED_ENERGY, residual),
      .use = USE_WRITTEN, .own = true},
+    {0},
+};
+
+/* Where there are rigid contacts. */
+const struct column_kind columns_impact[] = {
+    {COLUMN(".impact", ".impact", "J", "taken by impacts of rigid contacts since the start", NEED_ENERGY, impact)},
     {0},
 };
 

@@ -89,6 +89,7 @@ enum status memory_recall(struct sim *sim, struct recall *r)
     jumps_recall(sim, r);
     extremes_recall(sim, r);
     ledger_recall(&sim->ledger, r);
+    if (sim->stepper.touch) recall_one(r, "struck", sim->ledger.struck);
     system_recall(sim->system, r);
     return stepper_recall(&sim->stepper, r);
 }

@@ -61,6 +61,13 @@ static inline bool events_watched(const struct sim *sim)
 }
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report);
 
+/* contacts.c: rigid contacts: which schemes take them; the start, without overlaps; forces in what records look at;
+ * events of the last major step */
+enum status contacts_plan(const struct sim *sim, struct diags *diags);
+enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report);
+enum status contacts_press(struct sim *sim);
+enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report);
+
 /* Watches of the step, below: one that has nothing to watch need not be called. */
 
 /* rotations.c: the farthest turn of a ball or free joint in one step */

@@ -34,7 +34,8 @@ static void fill_in(struct sim *sim, struct arena *life)
     const struct step_options *o = p->options;
     const struct node *scheme = node_find(p->node, "scheme");
     if (p->step > 0) return;
-    if (p->scheme == sim->scene->integrate.scheme && (!scheme || scheme->implied)) p->scheme = "dopri5";
+    if (p->scheme == sim->scene->integrate.scheme && (!scheme || scheme->implied))
+        p->scheme = sim->scene->ncontact ? "midpoint" : "dopri5";
     const struct stepper_kind *kind = stepper_find(p->scheme);
     if (o->tolerance > 0 || node_find(p->node, "tolerance") || !kind || !(kind->adaptive || kind->tolerant)) return;
     struct step_options *filled = TAKE(life, struct step_options, 1);
@@ -152,6 +153,7 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life,
     fill_in(sim, life);
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
+    if (sim->scene->ncontact) TRY(contacts_plan(sim, diags));
     if (!(p->until > 0)) return E_DECK;
     if (((const struct step_options *)p->options)->tolerance > 0)
         prefer_own_steps(sim);

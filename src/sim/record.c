@@ -17,6 +17,7 @@ enum status record_evaluate(struct sim *sim, unsigned needs)
     sim->v = sim->x.v;
     system_lift(sim->system, &sim->q, &sim->v);
     if (!what && !(sim->model->nloop && needs & NEED_RATES)) return OK;
+    if (sim->stepper.touch) TRY(contacts_press(sim));
     return system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, what, &sim->trouble);
 }
 

@@ -9,6 +9,7 @@
 #include "base/stop.h"
 #include "engine/adaptive.h"
 #include "engine/single.h"
+#include "la/vec3.h"
 #include "model/build.h"
 #include "sim/parts.h"
 
@@ -67,6 +68,12 @@ static double strained(const struct sim *sim)
     return sum;
 }
 
+/* Work of the weight of what contacts carry along the mechanism's length [J]. */
+static double carried(const struct sim *sim, double mass)
+{
+    return sim->stepper.touch ? mass * v3_norm(sim->model->gravity) * system_length(sim->system) : 0;
+}
+
 /* Energy of all bodies moved by what round-off makes of the mechanism's length in the time of the run [J]: where nothing
  * moves, springs and markers still do by so much; and what forces do by round-off of places. */
 static enum status least_energy(double *least, struct sim *sim, struct trouble *why)
@@ -78,7 +85,7 @@ static enum status least_energy(double *least, struct sim *sim, struct trouble *
     double mass = 0;
     for (int i = 1; i < m->nbody; i++) mass += m->body[i].mass;
     TRY(system_evaluate(sim->system, x->q, x->v, x->t, EVALUATE_FORCE, why));
-    *least = mass * v * v + of_places * strained(sim);
+    *least = mass * v * v + of_places * (strained(sim) + carried(sim, mass));
     return OK;
 }
 
@@ -103,6 +110,7 @@ static enum status start(struct sim *sim, struct diags *diags, struct report *re
         system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
         return describe_trouble(sim, &why, E_MODEL, report);
     TRY(passes_begin(sim, diags));
+    if (sim->stepper.touch) TRY(contacts_begin(sim, diags, report));
     ledger_open(&sim->ledger, sim->scene->delta, least, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
@@ -140,6 +148,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     warn_of_loops(sim, diags);
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), sim->plan.options, life);
     advance_open(sim, life);
+    if (sim->stepper.touch) sim->press = TAKE(life, double, sim->stepper.ode->contact->nrow);
     TRY(start(sim, diags, report));
     return memory_take(sim, life, report);
 }
@@ -274,6 +283,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->njump) TRY(jumps_check(sim, to, sink, report));
         enum status status = major(sim, k, to);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+        if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));

@@ -125,7 +125,8 @@ struct sim {
         int force;   /* of the model: along a distance */
         double d[3]; /* from its first end to its second at the end of the last step, world axes [m] */
         bool reported;
-    } * pass; /* [npass] */
+    } * pass;      /* [npass] */
+    double *press; /* [rows of contacts] their forces where a record is due */
     int njump;
     struct jumping {
         int loop;    /* of the model: a drive that may jump */

@@ -125,6 +125,25 @@ struct ode2_breaks {
     double (*corner)(const struct ode2 *o, double ta, double tb);
 };
 
+/* What touches, see engine/touch.h: resid() and accel() know nothing of it. */
+struct ode2_touch {
+    double restitution;
+    double holding, sliding; /* coefficients of friction where it sticks, where it slides */
+    int across;              /* directions of friction; 0: smooth */
+    double size;             /* a usual gap: of 1e-12 of it, it is closed */
+};
+struct ode2_contact {
+    int m, nrow;                 /* contacts; 1 + across of them, summed */
+    const struct ode2_touch *of; /* [m] */
+    void *self;                  /* the owner's */
+    /* Gaps g [m] at q, t: open above 0. */
+    enum status (*gap)(const struct ode2_contact *o, double *g, const double *q, double t, struct trouble *why);
+    /* Of contacts with on[i], one behind the other, each with 1 + across rows: G [rows x n], row after row, the gradient
+     * of the gap, then directions across; b [rows]: rates that come not from v but from what is driven. */
+    enum status (*rows)(const struct ode2_contact *o, double *G, double *b, const int *on, const double *q, double t,
+                        struct trouble *why);
+};
+
 struct ode2 {
     int n;        /* independent velocities */
     int ns;       /* of these fast, the first ns */
@@ -136,6 +155,7 @@ struct ode2 {
     const struct ode2_direct *direct;
     const struct ode2_chart *chart;
     const struct ode2_breaks *breaks;
+    const struct ode2_contact *contact; /* NULL: nothing touches */
     /* Kinetic energy [J] at a state, of what drives move, too; 0 where it is not known.  NULL: not known. */
     double (*kinetic)(const struct ode2 *o, const double *q, const double *v, double t);
     double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */

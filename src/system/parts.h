@@ -2,6 +2,7 @@
 #ifndef FMDSUB_SYSTEM_PARTS_H
 #define FMDSUB_SYSTEM_PARTS_H
 
+#include "contact/contact.h"
 #include "loop/condense.h"
 #include "loop/coordinates.h"
 #include "model/flat.h"
@@ -16,7 +17,11 @@ struct system {
     struct windings *windings; /* NULL: nobody asks for them */
     struct sweep *view;
     struct loops *shown; /* the loops there */
-    double *lambda;      /* [rows] at the last system_evaluate() */
+    struct contacts *contacts;
+    struct ode2_contact touching; /* as the engine sees them */
+    double *row, *still;          /* [(1 + 2) n], [n] zeros */
+    double *press;                /* [rows] forces of contacts at the instant that is looked at */
+    double *lambda;               /* [rows] at the last system_evaluate() */
     double constraint_worst;
     const struct model_flat *flat; /* steps are in its plane; NULL: they are not, and the next, too */
     struct system *seen;           /* all of space, for what the output asks */
@@ -39,5 +44,7 @@ enum status flat_evaluate(struct system *s, const double *q, const double *v, do
                           struct trouble *why);
 enum status system_evaluate_itself(struct system *s, const double *q, const double *v, double t, unsigned what,
                                    struct trouble *why);
+/* touching.c: rigid contacts, behind the door. */
+void touching_build(struct system *s, struct arena *life);
 
 #endif

@@ -36,6 +36,7 @@ struct system *system_build(const struct model *m, struct arena *life)
         s->near_v[i] = TAKE(life, double, m->n);
     }
     if (m->nloop) build_loops(s, life);
+    if (m->ncontact) touching_build(s, life);
     return s;
 }
 
@@ -135,7 +136,7 @@ static void push_loops(struct system *s, double t)
     loops_push(s->shown, s->view, s->lambda);
 }
 
-enum status system_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
+static enum status evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
                             struct trouble *why)
 {
     return s->seen ? flat_evaluate(s, q, v, t, what, why) : system_evaluate_itself(s, q, v, t, what, why);
@@ -162,6 +163,15 @@ enum status system_evaluate_itself(struct system *s, const double *q, const doub
     if (reactions) s->ops->backward(s->view, s->r, ALL);
     if (what & EVALUATE_ENERGY) evaluate_energies(s, &s->energies, s->view, s->q, s->v);
     return OK;
+}
+
+enum status system_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
+                            struct trouble *why)
+{
+    if (s->contacts) elements_press(s->tree.elements, s->contacts, s->press);
+    const enum status status = evaluate(s, q, v, t, what, why);
+    if (s->contacts) elements_press(s->tree.elements, NULL, NULL);
+    return status;
 }
 
 /* q, v and t at s->q, s->v, s->a moved on by h, in q1 and v1. */

@@ -127,6 +127,11 @@ void system_apart(const struct system *s, double *d, const struct model_measure 
 /* elements_tilt(), at the last system_energy_at(). */
 double system_tilt(const struct system *s, int force);
 
+/* Forces of contacts [rows of ode2_contact] in all that system_evaluate() looks at from now on. */
+void system_push_contacts(struct system *s, const double *f);
+double system_gap(const struct system *s, int contact);              /* at the last system_evaluate() */
+void system_slip(const struct system *s, double *rate, int contact); /* likewise: rates along its rows */
+
 /* Linear momentum and angular momentum about the world's origin [3] each, at the last system_evaluate(). */
 void system_momentum(const struct system *s, double *p, double *L);
 

@@ -21,10 +21,11 @@ scene_flex  base la deck kind flex scene
 scene_read  base la expr deck kind scene scene_flex
 model       base la deck kind flex scene                             # deck: warns and refuses at the deck's lines
 tree        base la kind flex model system/ode2.h
-force       base la kind model tree system/ode2.h
+contact     base la kind model tree
+force       base la kind model tree contact system/ode2.h
 open        base la kind flex model tree force system/ode2.h
 loop        base la kind model tree force open system/ode2.h
-system      base la kind flex model tree force open loop
+system      base la kind flex model tree contact force open loop
 engine      base la system/ode2.h
 multirate   base la engine system/ode2.h
 ledger      base

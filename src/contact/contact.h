@@ -1,0 +1,41 @@
+/* contact.h -- gaps of rigid contacts on a tree, the rows of their gradients, and what pushes at them.
+ *
+ *     stop              g = side (s - limit)              of a joint's coordinate s
+ *     sphere, plane     g = n . (x_a - x_b) - r           n fixed in body b; a point is a sphere with r = 0
+ *     spheres           g = |x_a - x_b| - r_a - r_b
+ *     sphere in a hole  g = r_b - r_a - |x_a - x_b|
+ *
+ * With n the direction in which the gap opens for body a and c the place where they touch,
+ *
+ *     g' = n . (v_a - v_b),   v the velocity of each body at c,
+ *
+ * and friction acts along the relative velocity there across n: in the plane along (n_y, -n_x), in space along two
+ * directions at right angles. */
+#ifndef FMDSUB_CONTACT_CONTACT_H
+#define FMDSUB_CONTACT_CONTACT_H
+
+#include "base/arena.h"
+#include "model/model.h"
+#include "tree/sweep.h"
+
+struct contacts;
+
+struct contacts *contacts_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
+
+/* The rows of one: 1, and 1 or 2 across. */
+static inline int contact_rows(const struct model_contact *c)
+{
+    return 1 + c->across;
+}
+
+/* A usual gap of contact i: 1 rad, or the length given. */
+double contact_size(const struct model_contact *c, double length);
+
+/* Where the sweep's bodies are placed at q: the gap of contact i. */
+double contacts_gap(const struct contacts *o, const struct sweep *s, int i, const double *q);
+/* Its rows [1 + across][n of the model], written. */
+void contacts_rows(const struct contacts *o, const struct sweep *s, double *y, int i);
+/* Pushes with f [1 + across] along them: bodies of the sweep, or r [n] -= what acts along coordinates. */
+void contacts_push(const struct contacts *o, struct sweep *s, double *r, int i, const double *f);
+
+#endif

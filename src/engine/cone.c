@@ -1,0 +1,64 @@
+/* cone.c -- see cone.h */
+#include "engine/cone.h"
+
+#include <math.h>
+
+#include "base/scalar.h"
+
+enum { SWEEPS = 4000 };
+static const double EXACT = 1e-16, ENOUGH = 1e-12; /* of the rates, in a sweep that changes nothing */
+
+static double rate(const double *p, const double *W, const double *u0, int i, int rows)
+{
+    double u = u0[i];
+    for (int j = 0; j < rows; j++) u += W[i + j * rows] * p[j];
+    return u;
+}
+
+/* p to x; by how much that moves its own rate. */
+static double set(double *p, double x, double w)
+{
+    const double moved = fabs(x - *p) * w;
+    *p = x;
+    return moved;
+}
+
+static double normal(double *p, const double *W, const double *u0, const struct cone *c, int rows)
+{
+    const int i = c->row;
+    const double w = W[i + i * rows], x = p[i] - rate(p, W, u0, i, rows) / w;
+    return w > 0 ? set(&p[i], c->held ? x : larger(0, x), w) : 0;
+}
+
+static double across(double *p, const double *W, const double *u0, const struct cone *c, int rows)
+{
+    double x[2] = {0}, w = 0, moved = 0;
+    for (int k = 0; k < c->across; k++) {
+        const int i = c->row + 1 + k;
+        w = larger(w, W[i + i * rows]);
+        x[k] = rate(p, W, u0, i, rows);
+    }
+    if (!(w > 0)) return 0;
+    const double most = c->held ? INFINITY : c->mu * p[c->row];
+    for (int k = 0; k < c->across; k++) x[k] = c->slides ? -most * c->slide[k] : p[c->row + 1 + k] - x[k] / w;
+    const double size = hypot(x[0], x[1]);
+    for (int k = 0; k < c->across; k++)
+        moved = larger(moved, set(&p[c->row + 1 + k], size > most ? x[k] * (most / size) : x[k], w));
+    return moved;
+}
+
+bool cone_solve(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size)
+{
+    double moved = INFINITY, before = INFINITY;
+    for (int k = 0; k < SWEEPS && !(moved <= EXACT * size); k++) {
+        before = smaller(before, moved);
+        moved = 0;
+        for (int i = 0; i < n; i++) {
+            moved = larger(moved, normal(p, W, u0, &cone[i], rows));
+            if (cone[i].across) moved = larger(moved, across(p, W, u0, &cone[i], rows));
+        }
+        if (!isfinite(moved)) return false;
+        if (moved <= ENOUGH * size && moved >= before) break; /* round-off */
+    }
+    return moved <= ENOUGH * size;
+}

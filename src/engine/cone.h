@@ -1,0 +1,27 @@
+/* cone.h -- impulses of contacts that push, and rub within a cone.
+ *
+ * With rates u = u0 + W p along the rows of all contacts, find p such that of each
+ *
+ *     0 <= u_n,  p_n >= 0,  one of them 0;
+ *     u_t = 0 where |p_t| < mu p_n, else p_t = -mu p_n u_t / |u_t|;
+ *
+ * by projected Gauss-Seidel, contact by contact (Moreau; Jean, Comput. Methods Appl. Mech. Eng. 177 (1999) 235).  W may be
+ * singular: then the rates are unique and the impulses one choice of many. */
+#ifndef FMDSUB_ENGINE_CONE_H
+#define FMDSUB_ENGINE_CONE_H
+
+#include <stdbool.h>
+
+struct cone {
+    int row;         /* its first row, the normal one */
+    int across;      /* rows behind it: 0, 1 or 2 */
+    double mu;       /* of its friction */
+    bool held;       /* all its rates are to be 0, whatever that takes */
+    bool slides;     /* it slides along slide [across], unit: p_t = -mu p_n slide */
+    double slide[2]; /* */
+};
+
+/* p [rows]: from where they are; W [rows x rows] by column.  size: of rates, for what is 0.  false: they do not settle. */
+bool cone_solve(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size);
+
+#endif

@@ -1,0 +1,63 @@
+/* touch.h -- rigid contacts in steps of the implicit midpoint rule.
+ *
+ * Between impacts a contact is open or closed.  A step in which some are closed solves, for its velocities at the end v1
+ * and impulses p,
+ *
+ *     M (v1 - v0) - h Q = Gn~' p_n + Gt' p_t,
+ *     0 <= g(q1), p_n >= 0, one of them 0;   u_t(q1, v1) = 0 where |p_t| < mu p_n, else p_t = -mu p_n u_t/|u_t|
+ *
+ * at the middle, with Gn~ = Gn + c dq' such that Gn~ dq = g1 - g0 (Gonzalez, J. Nonlinear Sci. 6 (1996) 449): a contact
+ * that stays closed does no work and does not drift; what sticks does not creep.  Then what is left of the velocity along
+ * the rows that push is taken away, a loss of third order in h that is booked as an impact's.
+ *
+ * An open contact whose gap turns negative cuts the step where it is 0.  There is the impact: all contacts that touch, by
+ * Newton's restitution on speeds of approach, with friction in the cone of the impulses.  Where the next flight would be
+ * shorter than the step, restitution is 0 and the contact closes, so that bounces end. */
+#ifndef FMDSUB_ENGINE_TOUCH_H
+#define FMDSUB_ENGINE_TOUCH_H
+
+#include "base/arena.h"
+#include "base/recall.h"
+#include "engine/stepper.h"
+
+enum touching { TOUCH_OPEN, TOUCH_SLIDES, TOUCH_STICKS };
+
+enum touch_what { TOUCH_IMPACT, TOUCH_CLOSES, TOUCH_OPENS, TOUCH_STARTS_STICKING, TOUCH_STARTS_SLIDING };
+struct touch_event {
+    enum touch_what what;
+    int contact;
+    double t;
+    double before, after; /* of an impact: rates of the gap */
+    double impulse, loss; /* along the gap; of all of the impact [J] */
+};
+
+/* One contact, for records. */
+struct touch_state {
+    enum touching state;
+    double force[3]; /* [1 + across] mean over the last step [N] or [N m] */
+    double impulse;  /* along the gap since the start [N s] or [N m s] */
+    long impacts;    /* likewise */
+};
+
+struct touch;
+
+struct touch *touch_open(struct stepper *s, struct arena *life);
+
+/* Where the run stands at the start, to go on with steps of about h: which contacts are closed.  A gap below 0: *overlap is it, its contact returned; -1:
+ * none. */
+int touch_begin(struct touch *o, double *overlap, const struct state *x, double h, struct trouble *why);
+
+/* As kind->step() of a scheme of one rate. */
+enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+
+const struct touch_state *touch_state(const struct touch *o, int contact);
+/* Forces [rows] of closed contacts at x itself, for accelerations there. */
+enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why);
+/* What has happened since touch_clear(). */
+int touch_events(const struct touch *o, const struct touch_event **list);
+void touch_clear(struct touch *o);
+long touch_impacts(const struct touch *o);
+
+void touch_recall(struct touch *o, struct recall *r);
+
+#endif

@@ -1,0 +1,65 @@
+/* touch_forces.c -- forces of closed contacts at an instant: with
+ *
+ *     a = M^-1 (Q + G' f),   G a + G. v + b. >= 0, f_n >= 0, one of them 0
+ *
+ * and the friction of what sticks or slides there.  G. v + b. is a difference along the motion. */
+#include <float.h>
+#include <math.h>
+
+#include "base/scalar.h"
+#include "engine/accel.h"
+#include "engine/motion.h"
+#include "engine/touch_parts.h"
+
+/* c [rows] += sign (G v + b) at q (+) s v, t + s. */
+static enum status add_rates(struct touch *o, double *c, const struct state *x, double s, double sign,
+                             struct trouble *why)
+{
+    motion_point(o->ode, o->q1, x->q, x->v, s, x->t + s);
+    TRY(o->c->rows(o->c, o->middle.G, o->middle.b, o->on, o->q1, x->t + s, why));
+    touch_rates(o, o->u1, &o->middle, x->v);
+    for (int i = 0; i < o->rows; i++) c[i] += sign * o->u1[i];
+    return OK;
+}
+
+static void directions(struct touch *o)
+{
+    for (int k = 0; k < o->n; k++) {
+        struct cone *c = &o->cone[k];
+        const struct ode2_touch *of = &o->c->of[o->contact[k]];
+        const double *u = o->u + c->row + 1;
+        const double size = c->across > 1 ? hypot(u[0], u[1]) : c->across ? fabs(u[0]) : 0;
+        c->slides = o->state[o->contact[k]] == TOUCH_SLIDES && size > 0;
+        c->mu = c->slides ? of->sliding : of->holding;
+        for (int j = 0; j < c->across && c->slides; j++) c->slide[j] = u[j] / size;
+    }
+}
+
+enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why)
+{
+    const double d = 1e-4 * o->usual;
+    const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
+    zero(f, o->c->nrow);
+    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
+    touch_choose(o, o->p);
+    if (o->n == 0) return OK;
+    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
+    TRY(matrix_factor(&o->M, 0, 0, &at, why));
+    TRY(accel_solve(o->stepper->accel, o->a, NULL, x->q, x->v, x->t, why));
+    touch_compliance(o, &o->M, o->end.G, o->end.G);
+    touch_rates(o, o->u, &o->end, x->v);
+    directions(o);
+    zero(o->l, o->rows);
+    TRY(add_rates(o, o->l, x, d, 1, why));
+    TRY(add_rates(o, o->l, x, -d, -1, why));
+    double size = DBL_MIN;
+    for (int i = 0; i < o->rows; i++) {
+        o->u[i] = dot(o->end.G + i * o->ode->n, o->a, o->ode->n) + o->l[i] / (2 * d);
+        size = larger(size, fabs(o->u[i]));
+    }
+    zero(o->l, o->rows);
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size)) return OK; /* jammed: there are none */
+    for (int k = 0; k < o->n; k++)
+        for (int j = 0; j <= o->cone[k].across; j++) f[o->first[o->contact[k]] + j] = o->l[o->cone[k].row + j];
+    return OK;
+}

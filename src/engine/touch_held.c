@@ -1,0 +1,189 @@
+/* touch_held.c -- a step of the midpoint rule in which closed contacts push; see touch.h */
+#include <float.h>
+#include <math.h>
+
+#include "base/scalar.h"
+#include "engine/motion.h"
+#include "engine/touch_parts.h"
+
+enum { LIMIT = 60, RENEW = 6 };
+static const double EXACT = 1e-15, ENOUGH = 1e-11, STILL = 1e-13; /* of the largest velocity */
+
+/* Where v1 leads: the instant in the middle, and the end. */
+static struct instant place(struct touch *o, const struct state *x, double h, double t1)
+{
+    const int n = o->ode->n;
+    for (int i = 0; i < n; i++) {
+        o->vm[i] = .5 * (x->v[i] + o->v1[i]);
+        o->a[i] = (o->v1[i] - x->v[i]) / h;
+        o->dx[i] = h * o->vm[i];
+    }
+    const double middle = x->t + .5 * (t1 - x->t);
+    motion_point(o->ode, o->q, x->q, o->dx, .5, middle);
+    motion_point(o->ode, o->q1, x->q, o->dx, 1, t1);
+    return (struct instant){.t = middle,
+                            .q = o->q,
+                            .v = o->vm,
+                            .a = o->a,
+                            .qa = x->q,
+                            .qb = o->ode->pointwise ? NULL : o->q1,
+                            .ta = x->t,
+                            .tb = t1};
+}
+
+/* Rows of normals in the middle that do exactly the change of the gap. */
+static void correct_normals(struct touch *o, double h)
+{
+    const int n = o->ode->n;
+    double size = 0;
+    for (int i = 0; i < n; i++) size += o->weight[i] * o->dx[i] * o->dx[i];
+    if (!(size > DBL_MIN)) return;
+    for (int k = 0; k < o->n; k++) {
+        double *G = o->middle.G + o->cone[k].row * n;
+        const int i = o->contact[k];
+        const double c = (o->g1[i] - o->g0[i] - h * o->middle.b[o->cone[k].row] - dot(G, o->dx, n)) / size;
+        for (int j = 0; j < n; j++) G[j] += c * o->weight[j] * o->dx[j];
+    }
+}
+
+static enum status rows_there(struct touch *o, const struct instant *x, double h, struct trouble *why)
+{
+    const struct ode2_contact *c = o->c;
+    TRY(c->gap(o->c, o->g1, o->q1, x->tb, why));
+    TRY(c->rows(o->c, o->middle.G, o->middle.b, o->on, o->q, x->t, why));
+    TRY(c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, x->tb, why));
+    correct_normals(o, h);
+    return OK;
+}
+
+/* One correction of v1 and p; *err: how large, of velocities. */
+static enum status correct(struct touch *o, double *err, struct instant *x, double h, int count, struct trouble *why)
+{
+    struct effort *effort = &o->stepper->effort;
+    const int n = o->ode->n;
+    TRY(o->ode->ops->resid(o->ode, o->r, NULL, NULL, x, ALL, why));
+    effort->slow++;
+    effort->fast++;
+    effort->sweeps++;
+    if (count % RENEW == 0 && (count > 0 || o->hfactor != h)) {
+        TRY(matrix_factor(&o->J, h / 2, h * h / 4, x, why));
+        o->hfactor = h;
+    }
+    TRY(rows_there(o, x, h, why));
+    touch_compliance(o, &o->J, o->middle.G, o->end.G);
+    copy(o->y, o->r, n);
+    matrix_solve(&o->J, o->y);
+    for (int i = 0; i < n; i++) o->vf[i] = o->v1[i] - h * o->y[i];
+    touch_rates(o, o->u, &o->end, o->vf);
+    for (int k = 0; k < o->n; k++) {
+        const int row = o->cone[k].row;
+        o->u[row] += 2 / h * o->g1[o->contact[k]] - dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
+    }
+    const double size = larger(o->top, DBL_MIN);
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size))
+        return trouble_set(why, TROUBLE_DIVERGED, -1, INFINITY, x->tb);
+    touch_kick(o, o->vf, o->l);
+    *err = 0;
+    for (int i = 0; i < n; i++) {
+        const double d = fabs(o->vf[i] - o->v1[i]);
+        *err = d <= *err ? *err : d; /* what is not a number stays */
+        o->v1[i] = o->vf[i];
+    }
+    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_DIVERGED, -1, *err, x->tb);
+}
+
+static enum status iterate(struct touch *o, struct instant *at, const struct state *x, double h, double t1,
+                           struct trouble *why)
+{
+    double err = INFINITY, before = INFINITY;
+    for (int k = 0; k < LIMIT; k++) {
+        *at = place(o, x, h, t1);
+        before = err;
+        TRY(correct(o, &err, at, h, k, why));
+        const double size = larger(o->top, DBL_MIN);
+        if (err <= EXACT * size || (err <= ENOUGH * size && err > .5 * before)) return OK;
+    }
+    return trouble_set(why, TROUBLE_DIVERGED, -1, err, t1);
+}
+
+/* Works: of all else, of friction, of what drives the surfaces. */
+static enum status book(struct touch *o, struct instant *at, double h, struct trouble *why)
+{
+    struct stepper *s = o->stepper;
+    double w[POWER_CHANNELS], rub = 0, driven = 0;
+    TRY(o->ode->ops->resid(o->ode, o->r, w, NULL, at, ALL, why));
+    s->effort.slow++;
+    s->effort.fast++;
+    for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += h * w[c];
+    touch_rates(o, o->u, &o->middle, o->vm);
+    for (int i = 0; i < o->rows; i++) driven -= o->l[i] * o->middle.b[i];
+    for (int k = 0; k < o->n; k++)
+        for (int j = 1; j <= o->cone[k].across; j++) rub += o->l[o->cone[k].row + j] * o->u[o->cone[k].row + j];
+    s->work[POWER_FRICTION] += rub;
+    s->work[POWER_DRIVE] += driven;
+    return OK;
+}
+
+/* Takes what is left of the rates along rows that push and stick. */
+static enum status settle(struct touch *o, const struct instant *at, struct trouble *why)
+{
+    double most = 0, taken = 0, driven = 0;
+    int kept = 0;
+    touch_keep_impulses(o, o->l);
+    for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0;
+    touch_choose(o, o->p);
+    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, at->tb, why));
+    touch_rates(o, o->u, &o->end, o->v1);
+    for (int k = 0; k < o->n; k++) {
+        struct cone *c = &o->cone[k];
+        c->held = true;
+        if (c->across && !(hypot(o->u[c->row + 1], c->across > 1 ? o->u[c->row + 2] : 0) <= 1e-9 * o->top))
+            c->across = 0;
+        most = larger(most, fabs(o->u[c->row]));
+        kept++;
+    }
+    if (kept == 0 || most <= (o->took > 0 ? STILL : 0) * o->top) return OK; /* right behind an impact, to 0 */
+    const struct instant there = {.t = at->tb, .q = o->q1, .v = o->v1, .ta = at->tb, .tb = at->tb};
+    TRY(matrix_factor(&o->M, 0, 0, &there, why));
+    touch_compliance(o, &o->M, o->end.G, o->end.G);
+    zero(o->l, o->rows);
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top))
+        return trouble_set(why, TROUBLE_DIVERGED, -1, INFINITY, at->tb);
+    touch_kick(o, o->v1, o->l);
+    touch_rates(o, o->u1, &o->end, o->v1);
+    for (int i = 0; i < o->rows; i++) {
+        taken -= .5 * o->l[i] * (o->u[i] + o->u1[i]);
+        driven -= o->l[i] * o->end.b[i];
+    }
+    o->stepper->struck += taken;
+    o->stepper->work[POWER_DRIVE] += driven;
+    return OK;
+}
+
+enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
+{
+    const struct ode2 *ode = o->ode;
+    struct instant at;
+    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
+    touch_choose(o, o->p);
+    if (o->took != h)
+        for (int i = 0; i < o->rows; i++) o->l[i] *= o->took > 0 ? h / o->took : 0;
+    for (int k = 0; k < o->n; k++) {
+        const struct ode2_touch *of = &o->c->of[o->contact[k]];
+        o->cone[k].mu = o->state[o->contact[k]] == TOUCH_STICKS ? of->holding : of->sliding;
+    }
+    TRY(o->c->gap(o->c, o->g0, x->q, x->t, why));
+    copy(o->v1, x->v, ode->n);
+    for (int i = 0; i < ode->n && !o->stepper->fresh; i++) o->v1[i] += h * x->a[i];
+    TRY(iterate(o, &at, x, h, t1, why));
+    TRY(book(o, &at, h, why));
+    at = place(o, x, h, t1);
+    TRY(settle(o, &at, why));
+    copy(x->q, o->q1, ode->nq);
+    copy(x->v, o->v1, ode->n);
+    copy(x->a, o->a, ode->n);
+    x->t = t1;
+    o->took = h;
+    o->stepper->fresh = 0;
+    return OK;
+}

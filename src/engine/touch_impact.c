@@ -1,0 +1,101 @@
+/* touch_impact.c -- impacts: velocities that jump; see touch.h
+ *
+ *     M (v1 - v0) = G' p,   0 <= u_n1 + e min(u_n0, 0), p_n >= 0, one of them 0
+ *
+ * and the cone of friction on the rates across behind the impact.  The loss is -p.(u0 + u1)/2.  With friction and several
+ * contacts Newton's restitution can gain energy (Kane & Levinson, Dynamics (1985)): then e is halved until it does not. */
+#include <float.h>
+#include <math.h>
+
+#include "base/scalar.h"
+#include "engine/accel.h"
+#include "engine/motion.h"
+#include "engine/touch_parts.h"
+
+enum { HALVINGS = 20 };
+static const double AT_REST = 1e-9; /* of the largest velocity */
+
+/* Restitution of the k-th: none of what is closed, and none where it would be back within the step. */
+static double restitution(const struct touch *o, int k, double h, int last)
+{
+    const int i = o->contact[k], row = o->cone[k].row, n = o->ode->n;
+    const double e = o->c->of[i].restitution, un = o->u[row], an = dot(o->end.G + row * n, o->a, n);
+    if (o->closed[i] || last || !(un < 0) || e == 0) return 0;
+    if (an < 0 && 2 * e * -un < -an * h) return 0;
+    return an < 0 && -un <= AT_REST * 1e-3 * o->top ? 0 : e;
+}
+
+/* p and the loss [J] with e times the restitutions y. */
+static bool strike(struct touch *o, double *loss, double e)
+{
+    for (int i = 0; i < o->rows; i++) o->u1[i] = o->u[i];
+    for (int k = 0; k < o->n; k++) {
+        const int row = o->cone[k].row;
+        o->u1[row] += e * o->g1[k] * smaller(o->u[row], 0);
+    }
+    zero(o->l, o->rows);
+    if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top)) return false;
+    *loss = 0;
+    for (int i = 0; i < o->rows; i++) {
+        double u1 = o->u[i];
+        for (int j = 0; j < o->rows; j++) u1 += o->W[i + j * o->rows] * o->l[j];
+        o->u1[i] = u1;
+        *loss -= .5 * o->l[i] * (o->u[i] + u1);
+    }
+    return true;
+}
+
+static void note_all(struct touch *o, const struct state *x, double loss)
+{
+    for (int k = 0; k < o->n; k++) {
+        const struct cone *c = &o->cone[k];
+        const int i = o->contact[k], was = o->closed[i];
+        const double before = o->u[c->row], after = o->u1[c->row], p = o->l[c->row];
+        o->closed[i] = fabs(after) <= AT_REST * o->top;
+        o->impulse[i] += p;
+        if (p > 0 && !was) {
+            o->impacts[i]++;
+            o->all++;
+            touch_note(o, (struct touch_event){TOUCH_IMPACT, i, x->t, before, after, p, loss});
+        }
+        if (o->closed[i] != was)
+            touch_note(o, (struct touch_event){.what = was ? TOUCH_OPENS : TOUCH_CLOSES, .contact = i, .t = x->t});
+        const double slip = c->across ? hypot(o->u1[c->row + 1], c->across > 1 ? o->u1[c->row + 2] : 0) : 0;
+        if (o->closed[i] != was || !o->closed[i])
+            o->state[i] = !o->closed[i]                           ? TOUCH_OPEN
+                          : c->across && slip <= AT_REST * o->top ? TOUCH_STICKS
+                                                                  : TOUCH_SLIDES;
+        for (int j = 0; j <= c->across; j++) o->p[o->first[i] + j] = 0;
+    }
+}
+
+enum status touch_impact(struct touch *o, struct state *x, double h, const int *touches, int last, struct trouble *why)
+{
+    struct stepper *s = o->stepper;
+    const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
+    double loss = 0, driven = 0, e = 1;
+    for (int i = 0; i < o->c->m; i++) o->on[i] = touches[i] || o->closed[i];
+    touch_choose(o, o->p);
+    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
+    TRY(matrix_factor(&o->M, 0, 0, &at, why));
+    TRY(accel_solve(s->accel, o->a, NULL, x->q, x->v, x->t, why));
+    touch_compliance(o, &o->M, o->end.G, o->end.G);
+    touch_rates(o, o->u, &o->end, x->v);
+    for (int k = 0; k < o->n; k++) {
+        const struct ode2_touch *of = &o->c->of[o->contact[k]];
+        o->g1[k] = restitution(o, k, h, last);
+        o->cone[k].mu = of->sliding;
+        o->top = larger(o->top, fabs(o->u[o->cone[k].row]));
+    }
+    for (int i = 0; i <= HALVINGS; i++, e = i < HALVINGS ? e / 2 : 0) {
+        if (!strike(o, &loss, e)) return trouble_set(why, TROUBLE_DIVERGED, -1, INFINITY, x->t);
+        if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
+    }
+    touch_kick(o, x->v, o->l);
+    for (int i = 0; i < o->rows; i++) driven -= o->l[i] * o->end.b[i];
+    s->struck += loss;
+    s->work[POWER_DRIVE] += driven;
+    note_all(o, x, loss);
+    o->took = 0;
+    return stepper_start(s, x, why);
+}

@@ -1,0 +1,73 @@
+/* touch_parts.h -- what the files of touch.h share. */
+#ifndef FMDSUB_ENGINE_TOUCH_PARTS_H
+#define FMDSUB_ENGINE_TOUCH_PARTS_H
+
+#include "engine/cone.h"
+#include "engine/matrix.h"
+#include "engine/single.h"
+#include "engine/touch.h"
+
+enum { MOST_EVENTS = 256 };
+
+/* Rows of contacts at an instant. */
+struct touch_rows {
+    double *G; /* [rows x n] row after row */
+    double *b; /* [rows] */
+};
+
+struct touch {
+    const struct ode2 *ode;
+    const struct ode2_contact *c;
+    struct stepper *stepper;
+    int *first;      /* [m] the first of a contact's rows among all */
+    int *on;         /* [m] is it looked at now? */
+    int *closed;     /* [m] */
+    int *state;      /* [m] enum touching */
+    double *p;       /* [rows] impulses of the last step, */
+    double took;     /* that long */
+    double *impulse; /* [m] since the start */
+    long *impacts;   /* [m] */
+    long all;        /* impacts */
+    double top;      /* largest velocity met, of any coordinate */
+    double usual;    /* step [s] */
+    int begun;
+    int nevent, lost_events;
+    struct touch_event event[MOST_EVENTS];
+    struct touch_state *shown; /* [m] */
+
+    /* of the step under way */
+    struct cone *cone; /* [m] those that are on */
+    int n, rows;       /* of these; their rows */
+    int *contact;      /* [m] their numbers */
+    struct matrix J;   /* of the step */
+    double hfactor;    /* for which it was made; 0: none */
+    struct matrix M;   /* of impacts */
+    struct touch_rows middle, end;
+    double *X, *W;                            /* [n x rows], [rows x rows] */
+    double *u, *u1, *l;                       /* [rows] */
+    double *g, *g0, *g1;                      /* [m] */
+    double *v1, *vm, *a, *dx, *r, *y, *vf;    /* [n] */
+    double *q, *q1;                           /* [nq] */
+    double *weight;                           /* [n] of displacements, for Gonzalez' correction */
+    struct single start, part;                /* the state before a step, before a part of it */
+    int *closed0, *state0, *closed1, *state1; /* [m] likewise */
+    double *p0, *p1;                          /* [rows] */
+};
+
+/* touch.c: those with on[i] become cone[0..n); their impulses are l. */
+void touch_choose(struct touch *o, double *p);
+void touch_keep_impulses(struct touch *o, const double *p);
+void touch_note(struct touch *o, struct touch_event e);
+/* u [rows] := G v + b */
+void touch_rates(const struct touch *o, double *u, const struct touch_rows *R, const double *v);
+/* X := F^-1 G', W := G1 X */
+void touch_compliance(struct touch *o, const struct matrix *F, const double *G, const double *G1);
+/* v += X p */
+void touch_kick(const struct touch *o, double *v, const double *p);
+
+/* touch_held.c: one step h of x with the closed contacts held, or x as it was. */
+enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why);
+/* touch_impact.c: of all contacts that touch or are closed. */
+enum status touch_impact(struct touch *o, struct state *x, double h, const int *touches, int last, struct trouble *why);
+
+#endif

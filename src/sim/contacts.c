@@ -1,0 +1,85 @@
+/* contacts.c -- rigid contacts of a run: schemes that take them, the start, events */
+#include <math.h>
+#include <string.h>
+
+#include "engine/touch.h"
+#include "sim/parts.h"
+
+/* Rigid contacts cut steps at impacts: that is written for the midpoint rule. */
+enum status contacts_plan(const struct sim *sim, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const struct step_options *o = p->options;
+    const char *name = sim->scene->contact[0].name;
+    const struct node *scheme = node_find(p->node, "scheme"), *tolerance = node_find(p->node, "tolerance"),
+                      *ratio = node_find(p->node, "ratio");
+    const bool single = strcmp(p->scheme, "midpoint") == 0 || (strcmp(p->scheme, "subcycle") == 0 && p->ratio == 1);
+    if (o->tolerance > 0 && single) {
+        diag_error(diags, tolerance ? tolerance : p->node, AT_KEY, "E-scheme-contact",
+                   "'%.60s' is a rigid contact: it needs a 'step', not a 'tolerance'", name);
+        diag_hint(diags, "give 'step'; or make the contact compliant by a 'stiffness'");
+        return E_DECK;
+    }
+    if (single) return OK;
+    const bool rates = strcmp(p->scheme, "subcycle") == 0;
+    diag_error(diags,
+               rates && ratio ? ratio
+               : scheme       ? scheme
+                              : p->node,
+               AT_VALUE, "E-scheme-contact",
+               rates ? "'%.60s' is a rigid contact: subcycle takes those at ratio 1 only"
+                     : "'%.60s' is a rigid contact: only scheme midpoint takes those",
+               name);
+    diag_hint(diags, rates
+                         ? "set 'ratio' to 1, or make the contact compliant by a 'stiffness'"
+                         : "write 'scheme: midpoint', or leave it out; or make the contact compliant by a 'stiffness'");
+    return E_DECK;
+}
+
+enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report)
+{
+    double overlap;
+    struct trouble why = {0};
+    const int i = touch_begin(sim->stepper.touch, &overlap, &sim->x, sim->plan.step, &why);
+    (void)diags;
+    if (i < 0) return OK;
+    const struct model_contact *c = &sim->model->contact[i];
+    return fail(
+        report, E_MODEL,
+        "no start: contact '%.60s' overlaps by %.6g %s where the run starts; move the bodies apart by 'initial' or "
+        "in the drawing [E-overlap]",
+        c->name, -overlap, c->angular ? "rad" : "m");
+}
+
+enum status contacts_press(struct sim *sim)
+{
+    TRY(touch_forces(sim->stepper.touch, sim->press, &sim->x, &sim->trouble));
+    system_push_contacts(sim->system, sim->press);
+    return OK;
+}
+
+static enum status tell(struct sim *sim, const struct touch_event *e, struct sink *sink, struct report *report)
+{
+    static const char *const kind[] = {[TOUCH_IMPACT] = "impact",
+                                       [TOUCH_CLOSES] = "closes",
+                                       [TOUCH_OPENS] = "opens",
+                                       [TOUCH_STARTS_STICKING] = "sticks",
+                                       [TOUCH_STARTS_SLIDING] = "slips"};
+    const struct model_contact *c = &sim->model->contact[e->contact];
+    char text[240];
+    if (e->what == TOUCH_IMPACT)
+        snprintf(text, sizeof text, "%.60s: %.9g to %.9g %s, impulse %.9g %s, loss %.9g J", c->name, e->before,
+                 e->after, c->angular ? "rad/s" : "m/s", e->impulse, c->angular ? "N m s" : "N s", e->loss);
+    else
+        snprintf(text, sizeof text, "%.60s", c->name);
+    return sink_event(sink, e->t, kind[e->what], text, report);
+}
+
+enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report)
+{
+    const struct touch_event *list;
+    const int n = touch_events(sim->stepper.touch, &list);
+    for (int i = 0; i < n; i++) TRY(tell(sim, &list[i], sink, report));
+    touch_clear(sim->stepper.touch);
+    return OK;
+}
