@@ -45,8 +45,10 @@ static enum status check_redundant_rows(struct condense *o, double t, struct tro
     for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
         for (int r = p->nr; r < p->of->nrow; r++) {
             const double miss = fabs(o->C[p->row[r]]);
+            const int loop = o->rows.loops->row[p->row[r]].loop;
+            if (miss <= o->holds && miss > o->missed) o->missed = miss, o->missed_by = loop;
             if (miss <= o->holds) continue;
-            const enum status status = trouble_set(why, TROUBLE_CLOSURE, o->rows.loops->row[p->row[r]].loop, miss, t);
+            const enum status status = trouble_set(why, TROUBLE_CLOSURE, loop, miss, t);
             if (why) why->kind = CLOSURE_REDUNDANT;
             return status;
         }
@@ -317,6 +319,12 @@ long condense_charts(const struct condense *c)
 bool condense_dropped(const struct condense *c, int row)
 {
     return split_drops(&c->split, row);
+}
+
+double condense_missed(const struct condense *c, int *loop)
+{
+    *loop = c->missed_by;
+    return c->missed;
 }
 
 double condense_ratio(struct condense *c)

@@ -64,6 +64,8 @@ int condense_place(const struct condense *c, int i);                  /* place i
 /* Whose reactions no dynamics can tell, because rows are redundant: unique [nloop], unique_joint [njoint]. */
 void condense_mark(struct condense *c, bool *unique, bool *unique_joint);
 bool condense_dropped(const struct condense *c, int row);
+/* The most that a redundant row has missed by so far, of the mechanism's size; of which loop. */
+double condense_missed(const struct condense *c, int *loop);
 double condense_ratio(struct condense *c);      /* least pivot ratio of C_qd at the start */
 long condense_charts(const struct condense *c); /* partitions chosen since the start */
 

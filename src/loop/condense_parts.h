@@ -33,8 +33,10 @@ struct condense {
     struct ode2_chart chart;
     struct ode2_breaks breaks;
     struct condense_start start;
-    double *q, *v;    /* [nq], [n] start */
-    double holds;     /* |C| up to which redundant rows hold; 0: there are none */
+    double *q, *v; /* [nq], [n] start */
+    double holds;  /* |C| up to which redundant rows hold; 0: there are none */
+    double missed; /* the most that one has missed by, in a run that goes on; of loop missed_by */
+    int missed_by;
     struct miss lost; /* the last way that could not be closed: point() can only say that there was one */
     bool few;         /* independents, against the tree: M^ and slopes without its own matrices */
     long charts;

@@ -109,6 +109,8 @@ void condense_recall(struct condense *o, struct recall *r)
 {
     recall_within(r, "loops");
     recall_one(r, "holds", o->holds);
+    recall_one(r, "missed", o->missed);
+    recall_one(r, "missed_by", o->missed_by);
     recall_one(r, "price", o->ode.price);
     recall_one(r, "charts", o->charts);
     recall_list(r, "drawn", o->rows.loops->drawn, o->rows.loops->nrow);

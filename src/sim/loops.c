@@ -1,4 +1,5 @@
 /* loops.c -- what a run says of its loops: what was closed at the start, what is redundant, new partitions */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -65,6 +66,21 @@ void warn_of_loops(const struct sim *sim, struct diags *diags)
     diag_warn(diags, node_of(sim, l), AT_KEY, "W-assembly",
               "%s '%s' misses by %.3g of the mechanism's size as drawn; closed by moving '%s' %.3g",
               sim_loop_kind(sim, l), sim->model->loop[l].name, s->misfit, sim_place_name(sim, s->moved_at), s->moved);
+}
+
+void warn_of_misfits(struct sim *sim)
+{
+    static const double ROUND_OFF = 1e-11;
+    const struct condense *c = system_loops(sim->system);
+    int loop;
+    const double miss = c ? condense_missed(c, &loop) : 0;
+    if (!(miss > ROUND_OFF)) return;
+    sim_warn(
+        sim,
+        "the redundant equations of %s '%s' miss by up to %.2g of the mechanism's size: beside what others hold it has "
+        "sizes that are not quite the same, and near dead points the motion is off by the root of that, %.2g, or "
+        "more; make the sizes agree exactly, or leave one out [W-redundant]",
+        sim_loop_kind(sim, loop), sim->model->loop[loop].name, miss, sqrt(miss));
 }
 
 void sim_print_assembly(const struct sim *sim, FILE *to)

@@ -156,6 +156,7 @@ void warn_at_end(struct sim *sim)
     warn_of_rotations(sim);
     warn_of_spins(sim);
     warn_of_tilts(sim);
+    warn_of_misfits(sim);
     warn_of_deflections(sim);
 }
 

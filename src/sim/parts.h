@@ -109,6 +109,8 @@ enum status passes_check(struct sim *sim, struct sink *sink, struct report *repo
 void tilts_open(struct sim *sim, struct arena *life);
 void tilts_note(struct sim *sim);
 void warn_of_tilts(struct sim *sim);
+/* loops.c: redundant equations that do not say the same to round-off */
+void warn_of_misfits(struct sim *sim);
 
 /* jumps.c: drives that jump in the major step that ends at `to` */
 void jumps_open(struct sim *sim, struct arena *life);

@@ -107,11 +107,11 @@ void system_spin_row(struct system *s, double *row, const double *q, double t, c
 /* Angular velocity of a body's frame in its own axes [3], at the last system_energy_at(). */
 void system_frame_spin(const struct system *s, double *w, int body);
 
-/* Have forces along measures laws with corners or jumps?  Was there one in the last step?  That step is undone: q and v
- * at t are those before it. */
 /* The mechanism's length [m], where only the start tells it, or the state that it goes on from; else 0. */
 double system_start_length(const struct system *s);
 
+/* Have forces along measures laws with corners or jumps?  Was there one in the last step?  That step is undone: q and v
+ * at t are those before it. */
 bool system_may_bend(const struct system *s);
 bool system_bent(const struct system *s);
 /* Forces given as expressions that divide?  Has one grown without bound in the last step?  Its number; -1: none. */

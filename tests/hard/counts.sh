@@ -105,6 +105,13 @@ then ok "a crank too long by 1e-6: differs by $(cat "$work/cmp")"
 else not_ok "a crank too long by 1e-6" "not the motion of equal cranks" "$work/cmp" "$work/err"; fi
 "$FMDSUB" run --set parameters.a=0.3 "$work/odd.yaml" >"$work/out" 2>"$work/err"
 expect "a crank too long by 1e-6, through the flat posture: status" 5 $? "$work/err"
+"$FMDSUB" run -q --set parameters.a=0.3 --set parameters.e=0 "$work/odd.yaml" >"$work/equal" 2>"$work/err"
+ended "equal cranks, through the flat posture: status" 0 $? "$work/equal" "$work/err"
+grep -q "not quite the same" "$work/err" && not_ok "equal cranks: nothing to tell" "stderr:" "$work/err" || ok "equal cranks: nothing to tell"
+"$FMDSUB" run -q --set parameters.a=0.3 --set parameters.e=1.0e-8 "$work/odd.yaml" >"$work/out" 2>"$work/err"
+grep -q "'head[0-9]' miss by up to 1.[0-9]e-08 of the mechanism's size.*not quite the same" "$work/err" &&
+    ok "a crank too long by 1e-8, through the flat posture: told" ||
+    not_ok "a crank too long by 1e-8, through the flat posture: told" "stderr:" "$work/err"
 "$FMDSUB" run --set parameters.e=1.0e-2 "$work/odd.yaml" >"$work/out" 2>"$work/err"
 expect "a crank too long by 1e-2: status" 4 $? "$work/err"
 grep -q "dead point, or is locked: constraint '[a-z0-9]*' cannot close" "$work/err" && ok "a crank too long by 1e-2: told" ||
