@@ -63,6 +63,8 @@ enum status verb_stability(const struct request *request, struct arena *life, st
 enum status verb_list(const struct request *request, struct arena *life, struct report *report);
 enum status verb_schema(const struct request *request, struct arena *life, struct report *report);
 enum status verb_explain(const struct request *request, struct arena *life, struct report *report);
+/* explain of a deck: its effects */
+enum status explain_deck(const struct request *request, struct arena *life, struct report *report);
 enum status verb_new(const struct request *request, struct arena *life, struct report *report);
 
 /* The only deck named, read and checked; its warnings and errors are printed. */

@@ -33,7 +33,8 @@ const struct verb verbs[] = {
     {"stability", "DECK", "which steps a scheme can take: growth from step to step", verb_stability},
     {"list", "[schemes|joints|forces|effects|sections|columns DECK]", "what a deck may say", verb_list},
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
-    {"explain", "CODE", "what a message means and how to cure it", verb_explain},
+    {"explain", "CODE or DECK",
+     "what a message means and how to cure it; a deck's effects: what each costs and changes", verb_explain},
     {"new", "pendulum|mechanism|beam", "print a commented starter deck", verb_new},
     {0},
 };

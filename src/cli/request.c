@@ -8,16 +8,16 @@
 #include "out/columns.h"
 
 const struct cli_option cli_options[] = {
-    {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep",
+    {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep explain",
      "form of records and tables (default csv); check: json"},
     {"output", "FILE", 'o', "run study plot diff sweep",
      "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf)"},
-    {"set", "PATH=VALUE", 's', "run check study plot modes stability list diff sweep",
+    {"set", "PATH=VALUE", 's', "run check study plot modes stability list diff sweep explain",
      "change the deck: --set integrate.ratio=10"},
     {"columns", "'t,hub.*'", 'c', "run plot diff", "columns in place of the deck's, also NAME=EXPRESSION of columns"},
     {"every", "SECONDS", 0, "run plot diff sweep", "time between records"},
     {"every-steps", "N", 0, "run", "major steps between records"},
-    {"until", "SECONDS", 0, "run study plot diff sweep", "end of the run"},
+    {"until", "SECONDS", 0, "run study plot diff sweep explain", "end of the run"},
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
     {"progress", "auto|always|never", 0, "run sweep", "progress line on stderr (auto: on a terminal)"},
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},

@@ -10,6 +10,9 @@ static const struct prices {
     double body, row, mode, pair; /* of a body, an equation of a loop, a mode, two modes of a mechanism [s] */
 } PLANAR = {.10e-6, .62e-6, .20e-6, .00055e-6}, SPATIAL = {.70e-6, .42e-6, .30e-6, .0035e-6};
 static const double ROWS = .030e-6; /* two equations of loops */
+static const double BALANCE = 1.28; /* momenta of what floats, by instructions of a satellite */
+static const double LOOK = .4;      /* at the energies, likewise of a pendulum and chains */
+enum { LOOK_EVERY = 8 };            /* steps, but where each is looked at */
 static const double FULL = .58e-9;  /* factors of a matrix for all stages, for n^3 */
 static const double STRUCTURED = 4; /* one that knows the structure, in evaluations */
 
@@ -36,7 +39,7 @@ static void count_bodies(double *bodies, double *modes, const struct model *m)
 void price_find(struct price *o, const struct sim *sim)
 {
     const struct ode2 *ode = sim->stepper.ode;
-    const struct prices *p = sim->model->space == 3 ? &SPATIAL : &PLANAR;
+    const struct prices *p = sim->model->space == 3 && !(sim->flat && !sim->options.drawn) ? &SPATIAL : &PLANAR;
     const double n = ode->n, r = count_rows(sim);
     double bodies, modes;
     count_bodies(&bodies, &modes, sim->model);
@@ -44,10 +47,18 @@ void price_find(struct price *o, const struct sim *sim)
     o->full = FULL * n * n * n;
     o->structured = STRUCTURED * o->evaluation;
     o->fast = n > 0 ? ode->ns / n : 0;
+    o->balance = system_floating(sim->system) ? BALANCE : 0;
+    o->look = LOOK * o->evaluation / (sim->looks_always ? 1 : LOOK_EVERY);
 }
 
 double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e)
 {
-    return o->evaluation * ((double)e->slow * (1 - o->fast) + (double)e->fast * o->fast) +
+    return o->evaluation * ((double)e->slow * (1 - o->fast) + (double)e->fast * o->fast) + o->look * (double)e->majors +
            (kind->full ? o->full : o->structured) * (double)e->factors;
+}
+
+double price_books(const struct price *o, const struct effort *e)
+{
+    return o->evaluation * o->balance * ((double)e->slow * (1 - o->fast) + (double)e->fast * o->fast) +
+           o->look * (double)e->majors;
 }

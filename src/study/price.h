@@ -11,11 +11,15 @@ struct price {
     double evaluation;       /* of all bodies [s] */
     double full, structured; /* a matrix of all coordinates for all stages, one that knows the structure [s] */
     double fast;             /* an evaluation of the fast part, as a share of all */
+    double balance;          /* of the momenta of what floats, as a share of an evaluation */
+    double look;             /* at the energies after a major step [s] */
 };
 
 /* Of an open run, which is of no other use: it looks at its loops. */
 void price_find(struct price *o, const struct sim *sim);
 
 double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e);
+/* What momenta and energies take besides, which those prices have as a usual share. */
+double price_books(const struct price *o, const struct effort *e);
 
 #endif

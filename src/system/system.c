@@ -78,6 +78,11 @@ int system_place(const struct system *s, int i)
     return s->flat ? s->flat->of[place] : place;
 }
 
+int system_floating(const struct system *s)
+{
+    return s->tree.floating.n;
+}
+
 long system_charts(const struct system *s)
 {
     return s->loops ? condense_charts(s->loops) : 0;

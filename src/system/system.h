@@ -21,6 +21,8 @@ struct system *system_build(const struct model *m, struct arena *life);
 struct model_flat;
 struct system *system_flatten(struct system *full, const struct model_flat *flat, struct arena *life);
 bool system_is_flat(const struct system *s);
+/* Trees whose momenta are kept to round-off. */
+int system_floating(const struct system *s);
 /* The other way round: q of the door from positions of the deck's model. */
 void system_press(const struct system *s, double *q, const double *full);
 /* Positions and, where there are no loops, rates of the door as the deck's model has them; others stay as they are. */

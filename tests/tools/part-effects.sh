@@ -54,3 +54,29 @@ for deck in decks/*.yaml; do
     "$FMDSUB" check --no-trial "$deck" 2>/dev/null | head -n 1 | grep -q 'spatial, in a plane'
     expect "${deck#decks/} is not taken for planar" 1 $?
 done
+
+# explain DECK: what decides, what turning it costs and changes.
+"$FMDSUB" explain --format json decks/floating-satellite.yaml >"$work/told" 2>"$work/err"
+expect "explain tells of a deck" 0 $? "$work/err"
+tr -d '\n\t ' <"$work/told" >"$work/flat"
+for want in '"effect":"out_of_plane","state":"on"' '"effect":"momentum","state":"on"' '"effect":"gravity","state":"absent"' \
+    '"effect":"ledger","state":"off"'; do
+    grep -qF "$want" "$work/flat"
+    expect "explain: $want" 0 $? "$work/told"
+done
+# Stiffening off changes the satellite as a run by hand says.
+"$FMDSUB" run -q decks/floating-satellite.yaml >"$work/on.csv" 2>"$work/err"
+"$FMDSUB" run -q --set effects.stiffening=false decks/floating-satellite.yaml >"$work/off.csv" 2>"$work/err"
+awk -F, 'NR == FNR { for (i = 1; i <= NF; i++) on[FNR, i] = $i; next }
+    FNR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }
+    { for (i = 2; i <= NF; i++) {
+        d = $i - on[FNR, i]; if (d < 0) d = -d; if (d > change[i]) change[i] = d
+        x = on[FNR, i] + 0; if (x < 0) x = -x; if (x > most[i]) most[i] = x } }
+    END { for (i in name) if (name[i] !~ /^energy.residual/ && most[i] > 0 && change[i] / most[i] > worst) worst = change[i] / most[i]
+          printf "%.4g\n", worst }' "$work/on.csv" "$work/off.csv" >"$work/hand"
+sed -n 's/.*"effect":"stiffening"[^}]*"change_if_turned":\([0-9.e-]*\).*/\1/p' "$work/flat" | awk '{ printf "%.4g\n", $1 }' >"$work/said"
+same "explain says what stiffening changes" "$work/hand" "$work/said"
+"$FMDSUB" explain E-tab >"$work/out" 2>"$work/err"
+expect "explain CODE stays" 0 $? "$work/err"
+"$FMDSUB" explain --format json E-tab >"$work/out" 2>"$work/err"
+expect "explain CODE has no form" 2 $? "$work/err"
