@@ -177,6 +177,11 @@ memory: $(PROGRAM) $(FOUND) $(TOOLS)
 	@MOST=1000000 BUILD=$(BUILD) sh tests/faults/memory.sh | tee $(BUILD)/memory.log
 	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/memory.log
 
+## kills         runs that are killed at random N (200) times, from SEED (1) on, and go on from their checkpoints: the same bytes
+kills: $(PROGRAM) $(TOOLS)
+	@KILLS=$(or $(N),200) SEED=$(or $(SEED),1) BUILD=$(BUILD) sh tests/faults/resume.sh | tee $(BUILD)/kills.log
+	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/kills.log
+
 ## bytes         N (20000) decks with one byte changed, from SEED (1) on: each is checked, no signal, no hang
 bytes: $(PROGRAM) $(TOOLS)
 	@mkdir -p $(BUILD)/bytes
@@ -335,5 +340,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: advice figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: kills advice figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

@@ -23,7 +23,7 @@ struct request {
     const char *set[MOST_SETS];    /* --set, and --columns, --every, --until as such */
     const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *budget, *plot,
-        *columns, *at, *final_state, *rel, *abs, *sample, *seed, *of, *jobs, *shard, *slurm;
+        *columns, *at, *final_state, *resume_from, *rel, *abs, *sample, *seed, *of, *jobs, *shard, *slurm;
     int nover;
     const char *over[MOST_OVERS];
     bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, latin, times, resume, list, merge,

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <stdint.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -57,6 +58,26 @@ static void allow_output(const struct ruleset *o, const char *path, struct arena
     if (part) allow_folder(o, part, WRITE | READ | MAKE | REMOVE | TRUNCATE, life);
 }
 
+/* May the deck ask for checkpoints, which go into the folder where the run is started?  It is not read yet: the word tells,
+ * in its text or in a setting, or that it includes others. */
+static bool keeps_checkpoints(const struct request *request)
+{
+    static const char *const word[] = {"checkpoint", "include"};
+    struct stat st;
+    bool found = false;
+    if (strcmp(request->verb, "run") != 0) return false;
+    for (int i = 0; i < request->nset; i++) found = found || strstr(request->set[i], word[0]);
+    if (found || stat(request->word[0], &st) != 0 || !S_ISREG(st.st_mode)) return found;
+    const int fd = open(request->word[0], O_RDONLY | O_CLOEXEC);
+    char *text = fd < 0 || st.st_size == 0 ? MAP_FAILED : mmap(NULL, (size_t)st.st_size, PROT_READ, MAP_PRIVATE, fd, 0);
+    if (fd >= 0) close(fd);
+    if (text == MAP_FAILED) return false;
+    for (size_t i = 0; i < sizeof word / sizeof *word; i++)
+        found = found || memmem(text, (size_t)st.st_size, word[i], strlen(word[i]));
+    munmap(text, (size_t)st.st_size);
+    return found;
+}
+
 void cli_confine(const struct request *request, struct arena *life)
 {
     const char *deck = request->word[0];
@@ -70,6 +91,8 @@ void cli_confine(const struct request *request, struct arena *life)
     allow_output(&o, request->output, life);
     allow_output(&o, request->plot, life);
     allow_output(&o, request->final_state, life);
+    if (request->resume_from) allow(&o, request->resume_from, READ);
+    if (keeps_checkpoints(request)) allow(&o, ".", WRITE | READ | MAKE | REMOVE | TRUNCATE);
     allow_output(&o, request->stats, life);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) (void)syscall(RESTRICT_SELF, o.fd, 0);
     close(o.fd);

@@ -21,6 +21,7 @@ const struct cli_option cli_options[] = {
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
     {"progress", "auto|always|never", 0, "run sweep", "progress line on stderr (auto: on a terminal)"},
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
+    {"resume", "FILE", 0, "run", "go on from a checkpoint, with -o behind what is there of the records"},
     {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
     {"schemes", "a,b", 0, "study stability", "schemes to compare (default: those that make sense for the deck)"},
     {"ratios", "1,5,10", 0, "study stability", "ratios for sub-cycling schemes"},
@@ -69,14 +70,33 @@ static int count_options(void)
     return n;
 }
 
-static void build(struct option *longs, char *shorts)
+/* The first word that is a verb, as far as it can be seen before options are read. */
+static const char *probable_verb(int argc, char **argv)
+{
+    for (int k = 1; k < argc; k++)
+        for (int i = 0; cli_options[i].name; i++)
+            if (*argv[k] && cli_options[i].verbs && cli_serves(&cli_options[i], argv[k])) return argv[k];
+    return "";
+}
+
+/* One name may be two options: run --resume FILE, sweep --resume.  Of those the verb's own is meant, else the first. */
+static bool is_meant(int option, const char *verb)
+{
+    const char *name = cli_options[option].name;
+    int meant = -1;
+    for (int i = count_options() - 1; i >= 0; i--)
+        if (strcmp(cli_options[i].name, name) == 0 && (meant < 0 || !cli_serves(&cli_options[meant], verb))) meant = i;
+    return meant == option;
+}
+
+static void build(struct option *longs, char *shorts, const char *verb)
 {
     int n = count_options();
     *shorts++ = ':';
     for (int i = 0; i < n; i++) {
         const struct cli_option *o = &cli_options[i];
         int takes = !o->value ? no_argument : o->value[0] == '[' ? optional_argument : required_argument;
-        longs[i] = (struct option){o->name, takes, NULL, FIRST_CODE + i};
+        if (is_meant(i, verb)) *longs++ = (struct option){o->name, takes, NULL, FIRST_CODE + i};
         if (!o->letter) continue;
         *shorts++ = o->letter;
         if (takes == required_argument) *shorts++ = ':';
@@ -185,6 +205,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"abs", &o->abs},
                  {"at", &o->at},
                  {"final-state", &o->final_state},
+                 {"resume", &o->resume_from},
                  {"max-memory", &o->max_memory},
                  {"max-time", &o->max_time}};
     struct {
@@ -196,7 +217,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"latin", &o->latin},       {"times", &o->times},       {"resume", &o->resume},
                  {"list", &o->list},         {"merge", &o->merge}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-        if (strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
+        if (value && strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (strcmp(flags[i].name, name) == 0) return *flags[i].to = true, OK;
     if (strcmp(name, "set") == 0) return add_set(o, NULL, value, report);
@@ -252,7 +273,7 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     struct option longs[MOST_OPTIONS] = {0};
     char shorts[2 * MOST_OPTIONS];
     *o = (struct request){0};
-    build(longs, shorts);
+    build(longs, shorts, probable_verb(argc, argv));
     opterr = 0;
     for (int code; (code = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
         if (code == ':') return fail(report, E_USAGE, "option '%.80s' needs a value (fmdsub --help)", argv[optind - 1]);

@@ -7,6 +7,7 @@
 #include "cli/cli.h"
 #include "out/number.h"
 #include "out/targets.h"
+#include "sim/checkpoint.h"
 #include "sim/sim.h"
 
 static bool shows_progress(const struct request *request)
@@ -53,13 +54,43 @@ static enum status write_stats(const struct sim *sim, const struct request *requ
     return fclose(to) == 0 && written ? OK : fail(report, E_FILE, "%s: cannot write", request->stats);
 }
 
+static const char *form_of(const struct request *request)
+{
+    return request->format ? request->format : "csv";
+}
+
+/* One JSON value is whole or nothing. */
+static enum status check_form(const struct request *request, const struct scene *scene, struct report *report)
+{
+    if (strcmp(form_of(request), "json") != 0 || !(request->resume_from || scene->checkpoint.file)) return OK;
+    return fail(report, E_USAGE, "checkpoints are of records as csv or ndjson: a json that is cut is none");
+}
+
+/* The stream of a run that is new, or goes on. */
+static enum status begin_stream(struct stream *stream, struct sim *sim, const struct request *request,
+                                struct arena *life, struct report *report)
+{
+    long long bytes = 0;
+    if (!request->resume_from) {
+        TRY(open_stream(stream, request, life, report));
+        return checkpoint_open(sim, stream, form_of(request), report);
+    }
+    TRY(checkpoint_take(sim, request->resume_from, form_of(request), &bytes, life, report));
+    if (request->output)
+        TRY(stream_resume(stream, request->output, bytes, life, report));
+    else
+        TRY(open_stream(stream, request, life, report));
+    stream->before = request->output ? 0 : bytes;
+    if (!request->quiet) fprintf(stderr, "resumed at t = %.12g s\n", sim->x.t);
+    return checkpoint_open(sim, stream, form_of(request), report);
+}
+
 static enum status stream_run(struct sim *sim, const struct request *request, struct arena *life, struct report *report)
 {
     struct stream stream;
     struct report closing = {0};
-    const struct format *format = format_find(request->format ? request->format : "csv");
-    TRY(open_stream(&stream, request, life, report));
-    struct sink sink = format->open(&stream, life);
+    TRY(begin_stream(&stream, sim, request, life, report));
+    struct sink sink = format_find(form_of(request))->open(&stream, life);
     enum status status = sim_run(sim, &sink, report);
     enum status closed = stream_close(&stream, status == OK || status == E_VERDICT, &closing);
     if (closed != OK && (status == OK || status == E_VERDICT)) {
@@ -121,6 +152,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
         .progress = shows_progress(request) ? PROGRESS_ALWAYS : PROGRESS_NEVER,
     };
     enum status status = cli_load(&scene, &diags, request, life, report);
+    if (status == OK) status = check_form(request, scene, report);
     if (status == OK) status = check_targets(request, scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));

@@ -160,6 +160,7 @@ static cJSON *deck_schema(void)
     put_nested(properties, "partition", "partition");
     put_nested(properties, "integrate", "integrate");
     put_nested(properties, "output", "output");
+    put_nested(properties, "checkpoint", "checkpoint");
     put_nested(properties, "energy", "energy");
     return root;
 }

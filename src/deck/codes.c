@@ -85,6 +85,8 @@ const struct diag_help diag_helps[] = {
     {"E-path",
      "Files named in a deck lie in the deck's own folder or below it. Write a relative path without '..'; links must "
      "not lead out."},
+    {"E-checkpoint", "A checkpoint goes into a file of the folder where the run is started: a plain name, without '/' "
+                     "and without a '.' in front."},
     {"E-csv",
      "A CSV file holds the same number of columns of decimal numbers in every row, separated by commas, with at most "
      "one row of names at the top. Empty lines and lines after '#' are skipped."},

@@ -57,19 +57,19 @@ static bool is_at(int fd, const char *path)
            ours.st_ino == there.st_ino;
 }
 
-/* The part file, locked and empty; -1 with errno, EWOULDBLOCK: another process writes it.  File
- * systems without locks go without. */
-static int open_part(const char *part)
+/* The part file, locked, cut to `keep` bytes and with the next to be written behind them; -1 with errno, EWOULDBLOCK:
+ * another process writes it.  File systems without locks go without. */
+static int open_part(const char *part, int create, off_t keep)
 {
     for (;;) {
-        int fd = open_above_2(part, O_CREAT | O_NOFOLLOW | O_NONBLOCK);
+        int fd = open_above_2(part, create | O_NOFOLLOW | O_NONBLOCK);
         if (fd < 0) return -1;
         bool busy = flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         if (!busy && !is_at(fd, part)) {
             close(fd);
             continue;
         }
-        if (!busy && ftruncate(fd, 0) == 0) return fd;
+        if (!busy && ftruncate(fd, keep) == 0 && lseek(fd, keep, SEEK_SET) == keep) return fd;
         int error = errno;
         close(fd);
         errno = error;
@@ -121,7 +121,7 @@ enum status stream_create(struct stream *s, const char *path, struct arena *life
     bool plain = s->part != NULL;
 
     bool allowed = !there || access(path, W_OK) == 0; /* a rename would not ask */
-    if (allowed) s->fd = plain ? open_part(s->part) : open_above_2(path, 0);
+    if (allowed) s->fd = plain ? open_part(s->part, O_CREAT, 0) : open_above_2(path, 0);
     if (s->fd < 0 && allowed && plain && errno == EWOULDBLOCK)
         s->status = fail(report, E_FILE, "cannot write '%s': another process is writing '%s'", path, s->part);
     else if (s->fd < 0 && allowed && errno == EINTR && stop) /* a named pipe that nobody reads */
@@ -131,6 +131,33 @@ enum status stream_create(struct stream *s, const char *path, struct arena *life
     if (s->fd < 0) s->part = NULL;
     if (s->fd >= 0 && plain && there) (void)fchmod(s->fd, st.st_mode & 0777);
     return s->status;
+}
+
+enum status stream_resume(struct stream *s, const char *path, long long bytes, struct arena *life,
+                          struct report *report)
+{
+    struct stat st = {0};
+    const char *part = stream_part(path, life);
+    start(s, -1, path, S_IFREG, life);
+    s->target = target_of(path, life);
+    if (!part || stat(part, &st) != 0)
+        return s->status = fail(report, E_FILE, "nothing to go on with: there is no '%s.part'", path);
+    if (st.st_size < bytes)
+        return s->status = fail(report, E_FILE, "'%s' has %lld bytes, and had %lld when the checkpoint was written",
+                                part, (long long)st.st_size, bytes);
+    s->fd = open_part(part, 0, (off_t)bytes);
+    if (s->fd < 0 && errno == EWOULDBLOCK)
+        return s->status = fail(report, E_FILE, "cannot write '%s': another process is writing '%s'", path, part);
+    if (s->fd < 0) return s->status = cannot(report, "write", part, errno);
+    s->part = part;
+    s->written = bytes;
+    return OK;
+}
+
+void stream_mute(struct stream *s, bool mute)
+{
+    if (s->mute) s->used = 0;
+    s->mute = mute;
 }
 
 void stream_reserve(struct stream *s, size_t most)
@@ -209,6 +236,7 @@ static size_t piece(const struct stream *s, const char *from, size_t left)
 enum status stream_flush(struct stream *s, struct report *report)
 {
     if (s->status != OK) return s->status;
+    if (s->mute) s->used = 0;
     for (size_t done = 0; done < s->used;) {
         const char *from = s->bytes + done;
         ssize_t sent = s->write(s->fd, from, piece(s, from, s->used - done));

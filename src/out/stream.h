@@ -32,11 +32,13 @@ struct stream {
     const char *target; /* [path] of a file of our own; NULL: someone else's descriptor */
     const char *part;   /* [path] where it is written; NULL: the target itself, or renamed */
     bool pipe;          /* write in atomic pieces */
+    bool mute;          /* what is put is dropped */
     enum status status; /* of the first failure */
     char *bytes;        /* [capacity] */
     size_t capacity, used;
     double flushed;    /* [s] monotonic time of the last flush by stream_tick */
     long long written; /* bytes that left */
+    long long before;  /* and that left before, by another process */
     struct arena *life;
     ssize_t (*write)(int fd, const void *bytes, size_t n); /* the system's; a test puts its own here */
 };
@@ -48,6 +50,14 @@ enum status stream_open(struct stream *s, int fd, const char *name, struct arena
  * stream_close.  Something other than a plain file, such as /dev/null or a named pipe, is written
  * directly.  E_FILE also when another process is writing path.part. */
 enum status stream_create(struct stream *s, const char *path, struct arena *life, struct report *report);
+
+/* The same that goes on behind the first `bytes` of an unfinished path.part; what lies behind them is cut.  E_FILE where
+ * there is none, or it is shorter. */
+enum status stream_resume(struct stream *s, const char *path, long long bytes, struct arena *life,
+                          struct report *report);
+
+/* Drops what is put from now on; no longer. */
+void stream_mute(struct stream *s, bool mute);
 
 /* The part file of `path`; NULL: that is written directly. */
 const char *stream_part(const char *path, struct arena *life);

@@ -192,6 +192,13 @@ struct output {
     const struct node *node, *every_node; /* NULL: not given */
 };
 
+/* Where a run keeps all that it needs to go on. */
+struct checkpoint {
+    double every;     /* [s]; 0: not in seconds */
+    int steps;        /* major steps */
+    const char *file; /* a plain name; NULL: nowhere */
+};
+
 struct scene {
     const struct deck *deck;
     const char *title;
@@ -231,6 +238,7 @@ struct scene {
     struct integrate integrate;
     struct scene_condition when; /* ends the run */
     struct output output;
+    struct checkpoint checkpoint;
     double delta; /* of (2-26) */
     struct effect_wishes effects;
     const struct node *effects_node; /* NULL: not given */

@@ -11,7 +11,7 @@ struct deck_keys {
     const char *title;
     int units, space;
     const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *drives, *initial,
-        *partition, *integrate, *output, *energy, *effects;
+        *partition, *integrate, *output, *checkpoint, *energy, *effects;
 };
 struct body_keys {
     double mass;
@@ -71,6 +71,10 @@ struct state_keys {
 struct output_keys {
     const struct node *every, *columns;
 };
+struct checkpoint_keys {
+    const struct node *every;
+    const char *file;
+};
 struct every_keys {
     int steps;
 };
@@ -83,8 +87,8 @@ struct vector_keys {
 };
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_rod[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[],
-    keys_integrate[], keys_output[], keys_every[], keys_energy[], keys_omega[], keys_state[], keys_from[], keys_until[],
-    keys_band[], keys_range[], keys_hold[];
+    keys_integrate[], keys_output[], keys_every[], keys_checkpoint[], keys_checkpoint_every[], keys_energy[],
+    keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[], keys_range[], keys_hold[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);
@@ -112,6 +116,7 @@ int read_initial(struct builder *b, const struct node *n);
 int read_partition(struct builder *b, const struct node *n);
 int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
 int read_output(struct builder *b, const struct node *n);
+int read_checkpoint(struct builder *b, const struct node *n);
 /* effects.c: before the bodies, which it has a say in */
 int read_effects(struct builder *b, const struct node *n);
 /* Is it the name of an expression among the output's columns?  No force or condition reads these. */

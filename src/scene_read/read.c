@@ -94,6 +94,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
     }
     if (k.integrate) read_integrate(&b, k.integrate, schemes);
     read_output(&b, k.output);
+    read_checkpoint(&b, k.checkpoint);
     read_energy(&b, k.energy);
     if (diags_errors(diags) == 0) deck_warn_unused(deck);
     return diags_status(diags);

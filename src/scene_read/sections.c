@@ -27,6 +27,8 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]}", 0, "coordinates that take the minor step"),
     PARAM_NODE(struct deck_keys, integrate, "integrate", "map", KEY_REQUIRED, "scheme, step, ratio, end"),
     PARAM_NODE(struct deck_keys, output, "output", "map", 0, "columns and how often"),
+    PARAM_NODE(struct deck_keys, checkpoint, "checkpoint", "{every: 0.5, file: name}", 0,
+               "all that the run needs to go on with --resume, kept in a file"),
     PARAM_NODE(struct deck_keys, energy, "energy", "map", 0, "the verdict on the energy balance"),
     PARAM_NODE(struct deck_keys, effects, "effects", "map", 0, "what of the physics is computed, see `fmdsub explain`"),
     KEYS_END,
@@ -186,6 +188,19 @@ const struct key keys_every[] = {
     KEYS_END,
 };
 
+const struct key keys_checkpoint[] = {
+    PARAM_NODE(struct checkpoint_keys, every, "every", "seconds or {steps: N}", KEY_REQUIRED,
+               "simulated time between two of them, at the end of the next major step; or N major steps"),
+    PARAM_TEXT(struct checkpoint_keys, file, "file", KEY_REQUIRED, NULL,
+               "plain name, in the folder where the run is started; each takes the place of the one before"),
+    KEYS_END,
+};
+
+const struct key keys_checkpoint_every[] = {
+    PARAM_INT(struct every_keys, steps, "steps", 1, 1000000000, KEY_REQUIRED, NULL, "major steps between them"),
+    KEYS_END,
+};
+
 const struct key keys_energy[] = {
     PARAM_REAL(struct energy_keys, delta, "delta", NULL, 0, INFINITY, KEY_ABOVE, "0.01",
                "largest share of ||W|| that (2-26) may miss"),
@@ -272,6 +287,8 @@ static const struct section fixed[] = {
     {"integrate.until", NULL, "an end that the motion decides", keys_until},
     {"output", NULL, "records", keys_output},
     {"output.every", NULL, "records by major steps", keys_every},
+    {"checkpoint", NULL, "to go on from after a fall", keys_checkpoint},
+    {"checkpoint.every", NULL, "by major steps", keys_checkpoint_every},
     {"energy", NULL, "the balance (2-26)", keys_energy},
     {"effects", NULL, "what of the physics is computed", keys_effects},
 };

@@ -15,8 +15,8 @@ enum { VERSION = 2 }; /* of the spans: another where a run would not go on the s
 
 uint64_t memory_of_deck(const struct sim *sim)
 {
-    static const char *const apart[] = {"title",  "parameters", "initial",   "integrate",
-                                        "output", "energy",     "partition", NULL};
+    static const char *const apart[] = {"title",  "parameters", "initial",    "integrate", "output",
+                                        "energy", "partition",  "checkpoint", NULL};
     return deck_fingerprint(sim->scene->deck, apart, true);
 }
 

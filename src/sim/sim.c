@@ -205,6 +205,16 @@ static enum status write_meta(const struct sim *sim, struct sink *sink, struct r
     return sink ? sink->ops->meta(sink, &meta, report) : OK;
 }
 
+/* Of a run that goes on it has been written: the sink hears of it all the same. */
+static enum status write_head(const struct sim *sim, struct sink *sink, struct report *report)
+{
+    if (!sim->place.resumed) return write_meta(sim, sink, report);
+    stream_mute(sim->saves.stream, true);
+    const enum status status = write_meta(sim, sink, report);
+    stream_mute(sim->saves.stream, false);
+    return status;
+}
+
 static enum status write_row(struct sim *sim, struct sink *sink, struct report *report)
 {
     if (!sink) return OK;
@@ -273,11 +283,18 @@ static enum status stopped(const struct sim *sim, struct report *report)
     return fail(report, stop_status(), "stopped at t = %.12g s: the limit of %s is reached", sim->x.t, limit);
 }
 
+/* A checkpoint, where one is due. */
+static enum status save(struct sim *sim, long step, long due, double seen, struct report *report)
+{
+    sim->place = (struct run_place){sim->place.resumed, step, due, seen};
+    return checkpoint_due(sim) ? checkpoint_write(sim, report) : OK;
+}
+
 /* Steps from record to record: the clock is read there and every so many steps, not at each. */
 static enum status step_on(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
     enum { CHECK_EVERY = 64 };
-    for (long k = 1; k <= sim->majors; k++) {
+    for (long k = sim->place.step + 1; k <= sim->majors; k++) {
         const long charts = system_charts(sim->system);
         const double to = end_of(sim, k);
         if (sim->njump) TRY(jumps_check(sim, to, sink, report));
@@ -295,6 +312,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
             progress_show(progress, now, sim->x.t, sim->plan.until);
             TRY(sink_tick(sink, now, report));
         }
+        if (sim->saves.stream) TRY(save(sim, k, 0, 0, report));
         if (sim->watch.met) return OK;
         if (stop && (k < sim->majors || sim->x.t != to)) {
             if (!sim->looks_always) TRY(check_energies(sim, report));
@@ -354,9 +372,10 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
 {
     enum { CHECK_EVERY = 64 };
     const double until = sim->plan.until;
-    double seen = sim->x.t;
+    const bool on = sim->place.resumed;
+    double seen = on ? sim->place.seen : sim->x.t;
     sim->cut = true;
-    for (long k = next_due(sim, 0), i = 1; sim->x.t < until; i++) {
+    for (long k = on ? sim->place.due : next_due(sim, 0), i = sim->place.step + 1; sim->x.t < until; i++) {
         const long charts = system_charts(sim->system), due = k;
         const double t0 = sim->x.t;
         const struct ledger before = sim->ledger;
@@ -375,6 +394,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
             progress_show(progress, now, sim->x.t, until);
             TRY(sink_tick(sink, now, report));
         }
+        if (sim->saves.stream) TRY(save(sim, i, k, seen, report));
         if (sim->watch.met) return OK;
         if (last) return stopped(sim, report);
     }
@@ -410,9 +430,9 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.log : NULL, wall, sim->x.t);
     print_plan(sim);
     sim_print_assembly(sim, sim->options.log);
-    TRY(write_meta(sim, sink, report));
-    enum status status = write_row(sim, sink, report);
-    if (status == OK && events_watched(sim)) status = check_events(sim, sink, report);
+    TRY(write_head(sim, sink, report));
+    enum status status = sim->place.resumed ? OK : write_row(sim, sink, report);
+    if (status == OK && events_watched(sim) && !sim->place.resumed) status = check_events(sim, sink, report);
     if (status == OK) status = (sim->stepper.natural ? step_naturally : step_on)(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;

@@ -133,7 +133,18 @@ struct sim {
         double x[3]; /* it and its rates at the end of the last step */
         double most; /* its largest value so far [m] or [rad] */
         bool reported;
-    } * jump;               /* [njump] */
+    } * jump; /* [njump] */
+    struct run_place {
+        bool resumed; /* the run goes on from a checkpoint */
+        long step;    /* steps that have been taken: major ones, or those that a scheme chooses */
+        long due;     /* of such a scheme: the record that is due next, */
+        double seen;  /* and how far drives have been looked at */
+    } place;          /* at a checkpoint */
+    struct {
+        struct stream *stream; /* of records; NULL: no checkpoints are written */
+        const char *format;
+        double next; /* [s] */
+    } saves;
     double cpu;             /* seconds of stepping, without records */
     int warnings;           /* told in the course of the run and at its end */
     struct trouble trouble; /* why it stopped */

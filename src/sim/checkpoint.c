@@ -1,0 +1,229 @@
+/* checkpoint.c -- see checkpoint.h */
+#include "sim/checkpoint.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/hash.h"
+#include "base/recall.h"
+#include "sim/parts.h"
+
+static const char MAGIC[] = "fmdsub checkpoint 1 ";
+enum { HASH_DIGITS = 16, HEAD = sizeof MAGIC - 1 + HASH_DIGITS + 1 };
+
+/* ---- what is kept ---------------------------------------------------------------------------------------------- */
+
+/* Whose it is. */
+struct whose {
+    long deck, format, steps;
+};
+
+static struct whose whose_of(const struct sim *sim, const char *format)
+{
+    static const char *const none[] = {NULL};
+    return (struct whose){(long)deck_fingerprint(sim->scene->deck, none, true),
+                          (long)hash_bytes(HASH_NOTHING, format, strlen(format)), (long)memory_of_steps(sim)};
+}
+
+static void owner_recall(struct whose *o, struct recall *r)
+{
+    recall_within(r, "owner");
+    recall_one(r, "deck", o->deck);
+    recall_one(r, "format", o->format);
+    recall_one(r, "steps", o->steps);
+    recall_without(r);
+}
+
+static void effort_recall(struct effort *o, struct recall *r)
+{
+    recall_within(r, "effort");
+    recall_one(r, "majors", o->majors);
+    recall_one(r, "minors", o->minors);
+    recall_one(r, "slow", o->slow);
+    recall_one(r, "fast", o->fast);
+    recall_one(r, "factors", o->factors);
+    recall_one(r, "sweeps", o->sweeps);
+    recall_one(r, "rejected", o->rejected);
+    recall_without(r);
+}
+
+/* How far the run has come. */
+static void run_recall(struct sim *sim, long *bytes, struct recall *r)
+{
+    recall_within(r, "run");
+    recall_one(r, "t", sim->x.t);
+    recall_one(r, "step", sim->place.step);
+    recall_one(r, "due", sim->place.due);
+    recall_one(r, "seen", sim->place.seen);
+    recall_one(r, "bytes", *bytes);
+    recall_one(r, "rows", sim->rows);
+    recall_one(r, "warnings", sim->warnings);
+    recall_one(r, "rejected", sim->rejected);
+    recall_one(r, "cut", sim->cut);
+    recall_each(r, "pass_x", sim->pass, d[0], sim->npass);
+    recall_each(r, "pass_y", sim->pass, d[1], sim->npass);
+    recall_each(r, "pass_z", sim->pass, d[2], sim->npass);
+    recall_each(r, "pass_reported", sim->pass, reported, sim->npass);
+    effort_recall(&sim->stepper.effort, r);
+    recall_without(r);
+}
+
+/* ---- written --------------------------------------------------------------------------------------------------- */
+
+static enum status put(struct stream *s, const struct recall *r, struct arena *scratch, struct report *report)
+{
+    char head[HEAD + 1];
+    uint64_t hash = HASH_NOTHING;
+    const char **line = TAKE(scratch, const char *, r->n);
+    for (int i = 0; i < r->n; i++) {
+        line[i] = arena_print(scratch, "%s %s\n", r->span[i].name, r->span[i].text);
+        hash = hash_bytes(hash, line[i], strlen(line[i]));
+    }
+    snprintf(head, sizeof head, "%s%016" PRIx64 "\n", MAGIC, hash);
+    TRY(stream_put(s, head, strlen(head), report));
+    for (int i = 0; i < r->n; i++) TRY(stream_put(s, line[i], strlen(line[i]), report));
+    return OK;
+}
+
+static enum status write_file(struct sim *sim, struct arena *scratch, struct report *report)
+{
+    struct stream stream;
+    struct recall r;
+    struct whose owner = whose_of(sim, sim->saves.format);
+    long bytes = (long)(sim->saves.stream->before + sim->saves.stream->written);
+    recall_keep(&r, scratch);
+    owner_recall(&owner, &r);
+    run_recall(sim, &bytes, &r);
+    TRY(memory_recall(sim, &r));
+    TRY(stream_create(&stream, sim->scene->checkpoint.file, scratch, report));
+    const enum status status = put(&stream, &r, scratch, report);
+    const enum status closed = stream_close(&stream, status == OK, report);
+    return status != OK ? status : closed;
+}
+
+enum status checkpoint_write(struct sim *sim, struct report *report)
+{
+    TRY(stream_flush(sim->saves.stream, report)); /* what it says has been written, has been */
+    struct arena *scratch = arena_open();
+    const enum status status = write_file(sim, scratch, report);
+    arena_close(scratch);
+    return status;
+}
+
+bool checkpoint_due(struct sim *sim)
+{
+    const struct checkpoint *c = &sim->scene->checkpoint;
+    if (c->steps > 0) return sim->place.step % c->steps == 0;
+    if (sim->x.t < sim->saves.next) return false;
+    sim->saves.next = (floor(sim->x.t / c->every * (1 + 1e-12)) + 1) * c->every;
+    return true;
+}
+
+static enum status check_place(const char *path, struct report *report)
+{
+    char head[sizeof MAGIC];
+    FILE *file = fopen(path, "re");
+    if (!file) return OK; /* it is not there, or writing it will tell */
+    const size_t n = fread(head, 1, sizeof MAGIC - 1, file);
+    (void)fclose(file);
+    if (n == 0 || (n == sizeof MAGIC - 1 && memcmp(head, MAGIC, n) == 0)) return OK;
+    return fail(report, E_FILE, "checkpoint: '%s' is there already and is something else", path);
+}
+
+enum status checkpoint_open(struct sim *sim, struct stream *stream, const char *format, struct report *report)
+{
+    const struct checkpoint *c = &sim->scene->checkpoint;
+    if (!c->file) return OK;
+    TRY(check_place(c->file, report));
+    sim->saves.stream = stream;
+    sim->saves.format = format;
+    if (c->every > 0) sim->saves.next = (floor(sim->x.t / c->every * (1 + 1e-12)) + 1) * c->every;
+    return OK;
+}
+
+/* ---- taken back ------------------------------------------------------------------------------------------------ */
+
+static enum status read_file(char **text, const char *path, struct arena *life, struct report *report)
+{
+    FILE *file = fopen(path, "re");
+    size_t n = 0, capacity = 1 << 16;
+    if (!file) return fail(report, E_FILE, "cannot read '%s'", path);
+    char *bytes = TAKE(life, char, capacity + 1);
+    for (size_t got; (got = fread(bytes + n, 1, capacity - n, file)) > 0;) {
+        n += got;
+        if (n < capacity) continue;
+        char *wider = TAKE(life, char, 2 * capacity + 1);
+        memcpy(wider, bytes, n);
+        bytes = wider;
+        capacity *= 2;
+    }
+    const bool bad = ferror(file);
+    (void)fclose(file);
+    bytes[n] = 0;
+    *text = bytes;
+    if (bad) return fail(report, E_FILE, "cannot read '%s'", path);
+    if (n < HEAD || strlen(bytes) != n || strncmp(bytes, MAGIC, sizeof MAGIC - 1) != 0)
+        return fail(report, E_FILE, "'%s' is no checkpoint of this version", path);
+    if (strtoull(bytes + sizeof MAGIC - 1, NULL, 16) != hash_bytes(HASH_NOTHING, bytes + HEAD, n - HEAD))
+        return fail(report, E_FILE, "checkpoint '%s' is damaged: its checksum does not fit", path);
+    return OK;
+}
+
+/* Lines "name numbers" apart, in place. */
+static int split(struct recalled *span, char *text)
+{
+    int n = 0;
+    for (char *line = text, *end; *line; line = end + 1) {
+        end = strchr(line, '\n');
+        if (!end) break;
+        *end = 0;
+        char *blank = strchr(line, ' ');
+        if (!blank) continue;
+        *blank = 0;
+        if (span) span[n] = (struct recalled){line, blank + 1};
+        if (!span) *blank = ' ', *end = '\n';
+        n++;
+    }
+    return n;
+}
+
+static enum status check_owner(const struct sim *sim, struct recall *r, const char *format, const char *path,
+                               struct report *report)
+{
+    const struct whose want = whose_of(sim, format);
+    struct whose have = {0};
+    owner_recall(&have, r);
+    if (have.deck != want.deck || *r->wrong)
+        return fail(report, E_MODEL,
+                    "no start: checkpoint '%s' is of another deck: it goes with this one's text, tables, bodies and "
+                    "--set as they were",
+                    path);
+    if (have.format != want.format)
+        return fail(report, E_MODEL, "no start: the records of checkpoint '%s' are not in form %s", path, format);
+    if (have.steps != want.steps)
+        return fail(report, E_MODEL, "no start: checkpoint '%s' is of another version of the program", path);
+    return OK;
+}
+
+enum status checkpoint_take(struct sim *sim, const char *path, const char *format, long long *bytes, struct arena *life,
+                            struct report *report)
+{
+    struct recall r;
+    char *text = NULL;
+    long written = 0;
+    TRY(read_file(&text, path, life, report));
+    const int n = split(NULL, text + HEAD);
+    struct recalled *span = TAKE(life, struct recalled, n);
+    split(span, text + HEAD);
+    recall_back(&r, span, n);
+    TRY(check_owner(sim, &r, format, path, report));
+    run_recall(sim, &written, &r);
+    TRY(memory_recall(sim, &r));
+    if (*r.wrong) return fail(report, E_MODEL, "no start: checkpoint '%s' does not fit this run ('%s')", path, r.wrong);
+    *bytes = written;
+    sim->place.resumed = true;
+    return OK;
+}
