@@ -197,10 +197,18 @@ static void print_frequencies(FILE *to, const struct sim *sim, bool suggest, str
 static void print_advised(FILE *to, const struct advised *a)
 {
     fprintf(to, "%s at ", a->scheme);
-    if (isfinite(a->step)) fprintf(to, "step %.6g", a->step);
+    if (isfinite(a->step)) fprintf(to, "step %.12g", a->step);
     if (isfinite(a->tolerance)) fprintf(to, "tolerance %.0e", a->tolerance);
     if (a->ratio > 1) fprintf(to, ", ratio %d", a->ratio);
     fprintf(to, " (%.2g evaluations)", a->work);
+}
+
+/* Why no step is among it. */
+static void print_no_steps(FILE *to, const struct advice *o)
+{
+    fprintf(to, "  no fixed step: %s", o->no_steps);
+    if (isfinite(o->corner)) fprintf(to, ", such as t = %.9g s; schemes with a tolerance step onto them", o->corner);
+    fputc('\n', to);
 }
 
 /* What trial runs have told of steps and tolerances. */
@@ -220,6 +228,8 @@ static void print_advice(FILE *to, const struct sim *sim, const struct advice *o
         print_advised(to, &o->entry[i]);
     }
     fputs(o->n ? "\n" : "  none that a scheme here can promise\n", to);
+    if (o->steps_until < o->until) fprintf(to, "  fixed steps were tried up to t = %.4g s\n", o->steps_until);
+    if (o->no_steps) print_no_steps(to, o);
 }
 
 static void print_records(FILE *to, const struct sim *sim)
@@ -257,7 +267,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         print_coordinates(stdout, &sim);
         print_closures(stdout, &sim, life);
         print_forces(stdout, sim.model);
-        print_frequencies(stdout, &sim, !trial || !advice_step(&advice, 1e-2), life);
+        print_frequencies(stdout, &sim, !trial || !(advice.no_steps || advice_step(&advice, 1e-2)), life);
         if (trial) print_advice(stdout, &sim, &advice);
         print_records(stdout, &sim);
     }

@@ -155,6 +155,8 @@ static void add_advice(cJSON *steps, const struct advice *o)
     facts_add(steps, "trial_evaluations", facts_number(round(o->work)));
     facts_add(steps, "trial_until", number_or_null(o->until));
     facts_add(steps, "trial_parts", cJSON_CreateBool(o->parted));
+    if (isfinite(o->steps_until)) facts_add(steps, "trial_of_steps_until", facts_number(o->steps_until));
+    if (o->no_steps) cJSON_AddStringToObject(steps, "no_step", o->no_steps);
     if (o->why) cJSON_AddStringToObject(steps, "no_advice", o->why);
 }
 
@@ -180,7 +182,7 @@ static void add_steps(cJSON *to, const struct sim *sim, const struct advice *adv
     if (modes_find(&modes, sim, life, &quiet) != OK) return;
     cJSON *omega = cJSON_AddArrayToObject(to, "omega");
     for (int i = 0; i < modes.n; i++) cJSON_AddItemToArray(omega, facts_number(check_omega(sim, modes.mode[i].omega)));
-    if (!advice || !advice_step(advice, 1e-2)) add_suggestion(steps, &modes, sim);
+    if (!advice || !(advice->no_steps || advice_step(advice, 1e-2))) add_suggestion(steps, &modes, sim);
 }
 
 enum status check_json(struct sim *sim, const struct advice *advice, struct arena *life, struct report *report)

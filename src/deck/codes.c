@@ -193,6 +193,12 @@ const struct diag_help diag_helps[] = {
     {"W-partition", "Where no coordinate is fast, everything takes the major step, ratio times step. Name the fast "
                     "coordinates in partition:, or take ratio 1. Where all are fast, as in one loop with a fast "
                     "coordinate, everything takes the minor step, and a ratio saves nothing."},
+    {"W-pulse",
+     "A load changes twice within one fixed step: on and off again, say. The step asks for it at a few times, or takes "
+     "its "
+     "mean, and what comes and goes between is missed or counted for a whole step. Take a step by which both times are "
+     "ends of steps, or give a 'tolerance': a scheme that chooses its steps steps onto the times at which an "
+     "expression of t or a table is known to change."},
     {"W-time",
      "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
      "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},

@@ -28,6 +28,9 @@ static inline bool look_is_due(const struct sim *sim, long k, bool record)
 /* One of the steps that are the scheme's own, at most to `to`. */
 enum status advance_naturally(struct sim *sim, double to);
 
+/* pulses.c: warnings of loads that come and go within one fixed step */
+void warn_of_pulses(const struct sim *sim, struct diags *diags);
+
 /* loops.c: warnings about the start; the event of a new partition */
 void warn_of_loops(const struct sim *sim, struct diags *diags);
 /* Why there is no start, with the place of the constraint or of `initial` that it is about. */

@@ -145,6 +145,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(state_turns(sim, diags));
     sim->x = new_state(m, life);
     warn_of_unread(sim, diags);
+    warn_of_pulses(sim, diags);
     warn_of_loops(sim, diags);
     stepper_open(&sim->stepper, sim->stepper.kind, system_ode2(sim->system), sim->plan.options, life);
     advance_open(sim, life);

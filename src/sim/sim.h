@@ -194,6 +194,9 @@ enum status sim_mass(double *mass, double *centre, struct sim *sim, struct repor
 enum status sim_row(double *row, struct sim *sim, const double *q, const double *v, struct report *report);
 void sim_move(const struct sim *sim, double *q, const double *dx);
 
+/* May forces or drives bend or jump where nobody knows of it beforehand: by the state, not at known times? */
+bool sim_bends_unseen(const struct sim *sim);
+
 /* Is chosen column i asked for by the deck, and of the motion, so that two runs may be compared by it? */
 bool sim_column_compared(const struct sim *sim, int i);
 /* Of chosen column i: 1: a fast coordinate, 0: a slow one, -1: something else. */

@@ -10,8 +10,7 @@
 
 static const double levels[] = {1e-2, 1e-4, 1e-6};
 enum { LEVELS = sizeof levels / sizeof *levels };
-static const double AIM = .5;        /* of the error that is promised */
-static const double UNRESOLVED = .5; /* an error from which nothing follows */
+static const double AIM = .5; /* of the error that is promised */
 
 static struct advised *add(struct advice *o)
 {
@@ -33,6 +32,20 @@ static double ahead(const struct tried *f, int i)
     return f->error[i] / f->share;
 }
 
+/* Major steps to an interval for an error, where corners lie in steps anyhow, and errors are at the mercy of where: the coarsest of the settings that were
+ * tried from which on all were as good, or finer ones by order 1 from the worst of the last. */
+static double steps_by_trial(const struct tried *f, double aim)
+{
+    enum { LAST = 3 };
+    int good = f->nlevel;
+    double worst = 0;
+    while (good > 0 && f->level[good - 1].error / f->share <= aim) good--;
+    if (good < f->nlevel) return f->level[good].at;
+    for (int i = f->nlevel < LAST ? 0 : f->nlevel - LAST; i < f->nlevel; i++)
+        if (f->level[i].error < UNRESOLVED) worst = fmax(worst, f->level[i].at * f->level[i].error / f->share);
+    return worst / aim;
+}
+
 /* As it is read with twelve figures. */
 static double plain(double x)
 {
@@ -41,18 +54,25 @@ static double plain(double x)
     return strtod(text, NULL);
 }
 
-static void advise_step(struct advice *o, const struct trial *t, double error, int order)
+static void advise_step(struct advice *o, const struct trial *t, double error)
 {
     static const double MOST = 1e9; /* major steps in all */
     const struct tried *f = &t->fixed;
-    const double per = t->every / (t->until - t->start), by = fmax(1, t->multiple);
-    const double m = f->at[1] * pow(ahead(f, 1) / (AIM * error), 1 / power(f, order));
-    const double steps = by * trial_handy(fmax(m, LEAST_STEPS * per) / by);
+    const double per = t->every / (t->until - t->start);
+    const int order = stepper_find(f->scheme)->order;
+    const double aim = AIM * error, smooth = f->at[1] * pow(ahead(f, 1) / aim, 1 / power(f, order));
+    const double m = t->unseen ? steps_by_trial(f, aim) : smooth;
+    const double steps = t->base * trial_handy(fmax(m, LEAST_STEPS * per) / t->base);
+    const double step = plain(t->every / steps / f->ratio);
     if (!(steps <= MOST * per)) return;
+    if (!corners_met(&t->corners, step * f->ratio, &o->corner)) {
+        o->no_steps = "loads or drives bend or jump at times that are no ends of equal steps";
+        return;
+    }
     *add(o) = (struct advised){.error = error,
                                .scheme = f->scheme,
                                .ratio = f->ratio,
-                               .step = plain(t->every / steps / f->ratio),
+                               .step = step,
                                .tolerance = NAN,
                                .work = f->work[1] / f->share * steps / f->at[1]};
     o->whole = o->entry[o->n - 1].work;
@@ -94,15 +114,17 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
 {
     struct trial t;
     struct arena *own = arena_open();
-    *o = (struct advice){.whole = NAN, .until = NAN};
+    *o = (struct advice){.whole = NAN, .until = NAN, .steps_until = NAN, .corner = NAN};
     enum status status = trial_run(&t, sim, diags, own, report);
     if (status == OK && !t.why) {
         o->until = t.reference.horizon;
         o->parted = !t.reference.whole;
         const bool steps = advises_steps(&t.fixed);
-        const int order = steps ? stepper_find(t.fixed.scheme)->order : 0;
+        o->no_steps = t.no_steps;
+        o->corner = t.corner;
+        o->steps_until = steps ? t.tried_until : NAN;
         for (int i = 0; i < LEVELS; i++) {
-            if (steps) advise_step(o, &t, levels[i], order);
+            if (steps) advise_step(o, &t, levels[i]);
             if (t.own.n) advise_tolerance(o, &t, levels[i]);
         }
     }

@@ -4,7 +4,10 @@
  * count.  Two schemes of high order at a tight tolerance, against each other, are the reference; one of them at a loose
  * tolerance gives errors over tolerance.  The scheme of fixed steps runs with at most a hundredth of the motion to a
  * step, then half of that, until what it misses falls as its order says.  Errors are those of the deck's columns over
- * their ranges, as in a study; from what was seen they go on with the order that was seen, and with time as its share.
+ * their ranges, as in a study, both of the part that was tried.  That has all known corners of loads and drives in it, and
+ * a step is advised by which they are ends of steps; one in the middle makes a scheme one of first order, or a pulse is
+ * missed.  From what was seen errors go on with the order that was seen, and with time as its share; where there may be
+ * corners that are not known, with order 1.
  * All is decided by counts of evaluations. */
 #ifndef FMDSUB_STUDY_ADVICE_H
 #define FMDSUB_STUDY_ADVICE_H
@@ -26,6 +29,9 @@ struct advice {
     double whole;               /* of a run by the fixed steps advised to the smallest error; NAN: there is none */
     double until;               /* [s] the motion was looked at up to here */
     bool parted;                /* where two runs at a tight tolerance part: chaos */
+    double steps_until;         /* [s] fixed steps were tried up to here; NAN: none is advised */
+    const char *no_steps;       /* why none is advised; NULL: some are, or they resolve nothing */
+    double corner;              /* [s] that is said with it; NAN: none is */
     const char *why;            /* why there is no advice; NULL: there is some */
 };
 

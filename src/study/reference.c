@@ -279,6 +279,12 @@ static void take_ranges(struct reference *o, const struct subject *subject, stru
     find_least(o, subject);
 }
 
+void reference_up_to(struct reference *o, double end)
+{
+    o->horizon = end;
+    find_ranges(o);
+}
+
 void reference_between(struct reference *o, const struct outcome *second, double parted, double uncertain,
                        struct subject *subject, struct arena *life)
 {

@@ -50,6 +50,9 @@ void reference_between(struct reference *o, const struct outcome *second, double
 /* Is kind among those whose matrices are too large here? */
 bool too_full(const struct stepper_kind *kind, const struct subject *subject);
 
+/* What is compared ends at `end` from now on, and ranges are of that part. */
+void reference_up_to(struct reference *o, double end);
+
 struct errors {
     double fast, slow;      /* coordinates, over their largest value; NAN: there are none */
     double worst, absolute; /* columns of the deck, over their range, and in the unit of that; NAN: none is compared */

@@ -166,7 +166,13 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     if (o->why) return OK;
     o->most = fmin(SECONDS, MOST_EVALUATIONS * o->subject.price.evaluation);
     o->opening = opening_of(scene);
+    o->tried_until = o->corner = NAN;
+    o->unseen = sim_bends_unseen(sim);
+    corners_find(&o->corners, sim, o->until, life);
     plan_records(o);
     TRY(find_reference(o));
-    return o->why || o->own.share < COVERED ? OK : trial_fixed(o);
+    if (!o->why && o->own.share < COVERED) o->no_steps = "trial runs have not come far enough";
+    const struct step_options *how = scene->integrate.options;
+    if (how->tolerance > 0) o->no_steps = "the deck has a tolerance, which rules over a step";
+    return o->why || o->no_steps ? OK : trial_fixed(o);
 }

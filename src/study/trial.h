@@ -2,9 +2,12 @@
 #ifndef FMDSUB_STUDY_TRIAL_H
 #define FMDSUB_STUDY_TRIAL_H
 
+#include "study/corners.h"
 #include "study/reference.h"
 
-enum { LEAST_STEPS = 100 }; /* major ones to a run: nobody wants fewer */
+enum { LEAST_STEPS = 100 };          /* major ones to a run: nobody wants fewer */
+enum { MOST_LEVELS = 24 };           /* halvings */
+static const double UNRESOLVED = .5; /* an error from which nothing follows */
 
 /* Errors of one scheme at two settings, and what these cost. */
 struct tried {
@@ -14,23 +17,32 @@ struct tried {
     double at[2], error[2], work[2]; /* coarse, fine: major steps to an interval of records; of a
                                       * tolerance the one given, and the one it was as good as */
     double share;                    /* of the run that errors and work are of */
+    int nlevel;                      /* of fixed steps: all settings that were tried in the same part of the run */
+    struct level {
+        double at, error;
+    } level[MOST_LEVELS]; /* [nlevel] from the coarsest */
 };
 
 struct trial {
     struct scene scene; /* with records of the trial's own */
     struct subject subject;
     double start, until;
-    double every;      /* [s] between its records */
-    double multiple;   /* of the deck's interval: a whole number, or one over a whole number */
-    double most, used; /* [s] that counts may stand for, and stand for */
-    double opening;    /* [s] of a run */
-    double work;       /* in evaluations */
+    double every;           /* [s] between its records */
+    double multiple;        /* of the deck's interval: a whole number, or one over a whole number */
+    double most, used;      /* [s] that counts may stand for, and stand for */
+    double opening;         /* [s] of a run */
+    double work;            /* in evaluations */
+    struct corners corners; /* of loads and drives in time */
+    double base;            /* major steps to an interval are a multiple of this: a whole number */
+    bool unseen;            /* there may be corners that are not known */
     struct reference reference;
     long steps;              /* of its own that the loose run took */
     struct tried own, fixed; /* a scheme that chooses its steps; one of fixed steps, the deck's if it is that */
     struct arena *life;
     struct report *report;
-    const char *why; /* it gives nothing */
+    const char *why;            /* it gives nothing */
+    const char *no_steps;       /* why fixed steps give nothing; NULL: they do, or nothing has come of them */
+    double tried_until, corner; /* [s] that is said with it: how far they were tried, a corner; NAN: not */
 };
 
 /* The least number from x on of the form 2^a 5^b, so that what it divides ends with its figures. */
@@ -45,7 +57,7 @@ enum status trial_attempt(struct outcome *o, struct trial *t, const struct setti
                           struct arena *life);
 
 /* trial_fixed.c: steps are halved until what is missed falls as it should; where that takes too long, over a shorter part
- * of the run. */
+ * of the run, if no corner is beyond it.  All corners are ends of steps. */
 enum status trial_fixed(struct trial *t);
 
 #endif

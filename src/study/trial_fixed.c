@@ -1,5 +1,6 @@
 /* trial_fixed.c -- what fixed steps miss, by runs at halved steps; see trial.h */
 #include <math.h>
+#include <string.h>
 
 #include "multirate/schemes.h"
 #include "study/trial.h"
@@ -23,25 +24,43 @@ struct next {
     double m, end, seconds;
 };
 
-static struct next first_run(const struct trial *t)
+static double price_of(const struct next *next, const struct trial *t)
 {
     static const double A_STEP = 4; /* evaluations */
-    const double by = fmax(1, t->multiple), per = t->every / (t->until - t->start);
+    return A_STEP * next->m * t->fixed.ratio * (next->end - t->start) / t->every * t->subject.price.evaluation;
+}
+
+static struct next first_run(const struct trial *t)
+{
+    const double per = t->every / (t->until - t->start);
     struct next next = {.end = t->reference.horizon};
-    next.m = by * fmax(1, ceil(first_steps(t) * per / by - 1e-9));
-    next.seconds = A_STEP * next.m * t->fixed.ratio * (next.end - t->start) / t->every * t->subject.price.evaluation;
+    next.m = t->base * fmax(1, ceil(first_steps(t) * per / t->base - 1e-9));
+    next.seconds = price_of(&next, t);
     return next;
 }
 
-/* A shorter part of the run where that one takes so long that there is nothing left for another; true: it is another
- * part. */
+/* The last of the corners; before all: none. */
+static double last_corner(const struct trial *t)
+{
+    return t->corners.n ? t->corners.t[t->corners.n - 1] : -INFINITY;
+}
+
+/* Is there room for so many runs like the next? */
+static bool fits(const struct next *next, const struct trial *t, double runs)
+{
+    return t->used + runs * next->seconds <= t->most;
+}
+
+enum { LEFT = 3 }; /* runs */
+
+/* A shorter part of the run where that one takes so long that there is nothing left for another, as long as no corner is
+ * beyond it; true: it is another part. */
 static bool shorten(struct next *next, const struct trial *t)
 {
-    enum { LEFT = 3 };
     const double before = next->end;
-    while (t->used + LEFT * next->seconds > t->most) {
+    while (!fits(next, t, LEFT)) {
         const double span = next->end - t->start, records = floor(span / t->every / 4 + 1e-9);
-        if (records < 1) break;
+        if (records < 1 || t->start + records * t->every < last_corner(t)) break;
         next->end = t->start + records * t->every;
         next->seconds *= records * t->every / span;
     }
@@ -55,6 +74,8 @@ static void note(struct tried *f, double m, double error, double work)
         f->error[0] = f->error[1];
         f->work[0] = f->work[1];
     }
+    if (f->n == 0) f->nlevel = 0;
+    if (f->nlevel < MOST_LEVELS) f->level[f->nlevel++] = (struct level){m, error};
     f->n = f->n ? 2 : 1;
     f->at[1] = m;
     f->error[1] = error;
@@ -67,7 +88,8 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     struct outcome run;
     struct arena *life = arena_open();
     const struct setting setting = {kind, NAN, t->every / next->m / t->fixed.ratio, t->fixed.ratio};
-    t->reference.horizon = t->subject.until = next->end;
+    reference_up_to(&t->reference, next->end);
+    t->subject.until = next->end;
     const enum status status = trial_attempt(&run, t, &setting, t->most - t->used, life);
     reference_compare(&e, &t->reference, &t->subject, &run);
     arena_close(life);
@@ -77,30 +99,84 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     return status;
 }
 
+static bool told_enough(const struct trial *t)
+{
+    static const double KNOWN = .05;
+    return t->fixed.n == 2 && t->fixed.error[1] <= KNOWN;
+}
+
 /* Is what the last runs have missed told well enough to go on from? */
 static bool told(const struct trial *t, int order)
 {
-    static const double KNOWN = .05, SMALL = 1e-3, LEAST = 5e-7; /* less than anybody asks for */
+    static const double SMALL = 1e-3, LEAST = 5e-7; /* less than anybody asks for */
     const struct tried *f = &t->fixed;
+    if (t->unseen && f->error[1] >= LEAST) return false; /* nothing is known to go on by */
     if (f->error[1] < LEAST && f->share == t->own.share) return true;
-    return f->n == 2 && f->error[1] <= KNOWN &&
-           (f->error[0] / f->error[1] >= pow(2, order - .6) || f->error[1] <= SMALL);
+    return told_enough(t) && (f->error[0] / f->error[1] >= pow(2, order - .6) || f->error[1] <= SMALL);
+}
+
+static void give_up(struct trial *t, const char *why, double corner)
+{
+    t->no_steps = why;
+    t->corner = corner;
+    t->fixed.n = 0;
+}
+
+/* Are all corners ends of steps, and within what is compared? */
+static bool meets_corners(struct trial *t)
+{
+    const double grid = corners_grid(&t->corners, t->every);
+    t->base = grid > 0 ? corners_both(fmax(1, t->multiple), grid) : 0;
+    if (t->base == 0)
+        give_up(t, "loads or drives bend or jump at times that are no ends of equal steps", t->corners.t[0]);
+    else if (last_corner(t) > t->reference.horizon)
+        give_up(t, "trial runs have not come to where a load or drive bends or jumps", last_corner(t));
+    return t->base > 0 && !t->no_steps;
+}
+
+/* Does what is to come look like the part that was tried?  By the ranges of columns, which in a drift grow with time. */
+static bool is_like_the_rest(const struct trial *t, const double *whole)
+{
+    static const double LESS = .1;
+    for (int c = 0; c < t->reference.run.n; c++)
+        if (t->subject.column[c].compared && whole[c] > t->reference.least[c] &&
+            t->reference.range[c] < LESS * t->fixed.share * whole[c])
+            return false;
+    return true;
+}
+
+static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
+{
+    enum status status = OK;
+    struct next next = first_run(t);
+    while (status == OK && t->used < t->most) {
+        if (t->unseen && told_enough(t) && !fits(&next, t, LEFT)) break;
+        if (shorten(&next, t)) t->fixed.n = 0;
+        if (t->corners.n && !fits(&next, t, 1)) break;
+        status = attempt(&next, t, kind);
+        if (told(t, kind->order)) break;
+        next.m *= 2;
+        next.seconds *= 2;
+    }
+    t->tried_until = next.end;
+    if (t->fixed.n == 0 && t->corners.n)
+        give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
+    return status;
 }
 
 enum status trial_fixed(struct trial *t)
 {
     const struct stepper_kind *kind = fixed_kind(&t->scene);
     const double horizon = t->reference.horizon;
-    enum status status = OK;
+    double *whole = TAKE(t->life, double, t->reference.run.n);
+    memcpy(whole, t->reference.range, sizeof *whole * (size_t)t->reference.run.n);
     t->fixed = (struct tried){.scheme = kind->name, .ratio = kind->two_rates ? t->scene.integrate.ratio : 1};
-    struct next next = first_run(t);
-    while (status == OK && t->used < t->most) {
-        if (shorten(&next, t)) t->fixed.n = 0;
-        status = attempt(&next, t, kind);
-        if (told(t, kind->order)) break;
-        next.m *= 2;
-        next.seconds *= 2;
-    }
-    t->reference.horizon = horizon;
+    if (!meets_corners(t)) return OK;
+    const enum status status = halve_steps(t, kind);
+    if (!t->no_steps && t->corners.n && !(t->fixed.error[1] < UNRESOLVED))
+        give_up(t, "those that there was time to try resolve nothing", NAN);
+    if (!t->no_steps && !is_like_the_rest(t, whole))
+        give_up(t, "they were tried in a part of the run that is not like the rest", NAN);
+    reference_up_to(&t->reference, horizon);
     return status;
 }

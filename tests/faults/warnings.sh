@@ -28,6 +28,14 @@ silent() { # NAME DECK [SET [SET [SET]]]
 }
 
 silent "nothing to warn of, planar" "$plane"
+pulse() { printf '%s\nforces: {hit: {torque: pin, value: %s}}' "$plane" "$1"; }
+warned "a pulse within a step" "$(pulse '"if(t > 0.0041 and t < 0.0048, 600, 0)"')" "^deck.yaml:6:36: warning: 'hit' changes at t = 0.0041 s and at 0.0048 s, within one step of 0.001 s.*\[W-pulse\]"
+warned "one that begins with a step" "$(pulse '"if(t > 0.004 and t < 0.0048, 600, 0)"')" W-pulse
+warned "a table that comes and goes within a step" "$(pulse '{table: [[0, 0], [0.0041, 0], [0.0042, 600], [0.0048, 0], [0.02, 0]]}')" W-pulse
+silent "a pulse of one step" "$(pulse '"if(t > 0.004 and t < 0.005, 600, 0)"')"
+silent "a pulse over the end of a step" "$(pulse '"if(t > 0.0045 and t < 0.0053, 600, 0)"')"
+silent "a pulse and a tolerance" "$(pulse '"if(t > 0.0041 and t < 0.0048, 600, 0)"')" integrate.tolerance=1e-6
+silent "a fine table that goes on" "$(pulse '{table: [[0, 0], [0.0041, 41], [0.0042, 42], [0.0048, 48], [0.02, 200]]}')"
 silent "nothing to warn of, spatial" "$space"
 warned "gravity in mm/s2" "$plane" "^--set:1:9: warning: gravity of 9810 m/s2 is 1e+03 times that of the earth \[W-units\]" 'gravity=[0, -9810]'
 silent "gravity of the sun" "$plane" 'gravity=[0, -274]'
