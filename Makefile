@@ -211,6 +211,10 @@ vacuous: tests-built $(PROGRAM) $(FOUND)
 advice: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/tools/advice.sh
 
+## trust         the error that run estimates beside the one that is found, on shipped decks
+trust: $(PROGRAM)
+	@BUILD=$(BUILD) sh tests/tools/trust.sh
+
 ## mutants       N (60) random one-token mutants of src from SEED (1) on: at least 85 percent are noticed by a test
 mutants:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/mutants OPT=-O1 CFLAGS="-fPIC -g0" mutable
@@ -340,5 +344,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: kills advice figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

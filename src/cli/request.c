@@ -23,6 +23,7 @@ const struct cli_option cli_options[] = {
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
     {"resume", "FILE", 0, "run", "go on from a checkpoint, with -o behind what is there of the records"},
     {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
+    {"verify", NULL, 0, "run", "a second run at half the step or a tenth of the tolerance; what differs"},
     {"schemes", "a,b", 0, "study stability", "schemes to compare (default: those that make sense for the deck)"},
     {"ratios", "1,5,10", 0, "study stability", "ratios for sub-cycling schemes"},
     {"steps", "h1,h2", 0, "study stability",
@@ -215,7 +216,8 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"help", &o->help},         {"version", &o->version},   {"expanded", &o->expanded},
                  {"absolute", &o->absolute}, {"no-trial", &o->no_trial}, {"script", &o->script},
                  {"latin", &o->latin},       {"times", &o->times},       {"resume", &o->resume},
-                 {"list", &o->list},         {"merge", &o->merge}};
+                 {"list", &o->list},         {"merge", &o->merge},
+                 {"verify", &o->verify}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (value && strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)

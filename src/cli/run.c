@@ -9,6 +9,7 @@
 #include "out/targets.h"
 #include "sim/checkpoint.h"
 #include "sim/sim.h"
+#include "study/verify.h"
 
 static bool shows_progress(const struct request *request)
 {
@@ -91,7 +92,10 @@ static enum status stream_run(struct sim *sim, const struct request *request, st
     struct report closing = {0};
     TRY(begin_stream(&stream, sim, request, life, report));
     struct sink sink = format_find(form_of(request))->open(&stream, life);
-    enum status status = sim_run(sim, &sink, report);
+    struct verify verify;
+    verify_open(&verify, sim, &sink, diags_open(life), life);
+    enum status status = sim_run(sim, request->verify ? &verify.sink : &sink, report);
+    if (request->verify && !request->quiet) verify_print(&verify, stderr);
     enum status closed = stream_close(&stream, status == OK || status == E_VERDICT, &closing);
     if (closed != OK && (status == OK || status == E_VERDICT)) {
         *report = closing;

@@ -217,6 +217,12 @@ const struct diag_help diag_helps[] = {
      "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
      "meant to "
      "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
+    {"W-tolerance",
+     "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
+     "parts from "
+     "others near it, makes more of it. The estimate is meant to be right within a factor of thirty: --verify makes a "
+     "second run at a tenth of the tolerance and prints what differs. Take a tolerance smaller by about as much as the "
+     "error is larger."},
     {"W-branch",
      "Where the bars of a parallelogram lie in one line it can go on as one or fold: branches meet. The rates "
      "of 'initial' have said which way, and the run starts a little along it. Drawn a little to one side, "

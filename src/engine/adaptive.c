@@ -7,6 +7,7 @@
 
 #include "base/scalar.h"
 #include "base/stop.h"
+#include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/works.h"
 
@@ -113,6 +114,24 @@ static enum status first_step(struct stepper *s, double t, double most, struct t
     return OK;
 }
 
+/* What the trial, of error err in scales of the tolerance, is off by. */
+static void note_missed(const struct stepper *s, const struct adaptive *m, double err, double h)
+{
+    struct missed *o = s->missed;
+    const struct adaptive_scheme *scheme = m->scheme;
+    if (!o) return;
+    double *position = o->v[0], *velocity = o->v[1];
+    const double less = scheme->sharper > 0 ? pow(smaller(1, err * m->tolerance), scheme->sharper) : 1;
+    scheme->off(s, m, position, velocity, h);
+    for (int i = 0; i < o->n; i++) {
+        position[i] *= less;
+        velocity[i] *= less;
+    }
+    o->steps++;
+    missed_add(o, position, velocity);
+    if (scheme->drifts) missed_drift(o, s->ode, m->v, h);
+}
+
 static void take(struct stepper *s, struct adaptive *m, double t, double h)
 {
     double before[POWER_CHANNELS];
@@ -148,6 +167,7 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
     struct adaptive *m = s->self;
     struct ode2 *o = s->ode;
     if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
+    if (s->missed) missed_rechart(s->missed);
     zero(m->span, o->n);
     forget(m);
     copy(x->q, m->q, o->nq);
@@ -201,10 +221,12 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         if (*t + way * h == *t) return too_small(s, *t, h, way * left, why);
         enum status status = m->scheme->attempt(s, m, &err, *t, way * h, why);
         if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
+        const double whole = err;
         err /= adaptive_share(m, h);
         if (h > least && err <= 1) *passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
         if (status == OK && (err <= 1 || jump)) {
+            note_missed(s, m, whole, way * h);
             take(s, m, *t, way * h);
             const double grow = m->scheme->grow(m, err);
             if (!cut || grow < 1) m->h = h * grow;

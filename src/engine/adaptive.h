@@ -75,6 +75,12 @@ struct adaptive_scheme {
      * the part x of it. */
     void (*between)(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
     double between_from; /* the least tolerance that this will do for */
+    /* Required.  What the estimate says that the trial is off by [n], of any sign. */
+    void (*off)(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
+    /* What the scheme goes on from is off by the estimate times its share of the scales to this power: about by how much its
+     * order is the higher one, over the order of the estimate and 1; of schemes of high order as measured (`make trust`). */
+    double sharper;
+    bool drifts; /* what steps leave in the energy adds up: see missed_drift() */
     /* Optional.  What it remembers. */
     enum status (*recall)(struct stepper *s, struct adaptive *m, struct recall *r);
 };

@@ -36,7 +36,7 @@ static const double e3[] = {
 };
 
 static const struct embedded_pair pair = {
-    .scheme = {.stages = 13, .order = 8, EMBEDDED},
+    .scheme = {.stages = 13, .order = 8, .sharper = .2, EMBEDDED},
     .table = {.stages = 13,
               .c = {0, 0.0526001519587677318785587544488, 0.0789002279381515978178381316732,
                     0.118350341907227396726757197510, 0.281649658092772603273242802490, 1. / 3, .25, 4. / 13,

@@ -14,7 +14,7 @@ static const double d[] = {-12715105075. / 11282082432,  0,
                            69997945. / 29380423};
 
 static const struct embedded_pair pair = {
-    .scheme = {.stages = 7, .order = 5, EMBEDDED, .between = embedded_between, .between_from = 1e-6},
+    .scheme = {.stages = 7, .order = 5, .sharper = 1. / 5, EMBEDDED, .between = embedded_between, .between_from = 1e-6},
     .table = {.stages = 7,
               .c = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1},
               .a = {{0},

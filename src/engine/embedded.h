@@ -24,12 +24,13 @@ struct embedded_pair {
 /* All slots of the scheme but stages and order. */
 #define EMBEDDED                                                                                                       \
     .open = embedded_open, .attempt = embedded_attempt, .take = embedded_take, .shrink = embedded_shrink,              \
-    .grow = embedded_grow
+    .grow = embedded_grow, .off = embedded_off, .drifts = true
 void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life);
 enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
                              struct trouble *why);
 void embedded_take(struct stepper *s, struct adaptive *m, double h);
 void embedded_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
+void embedded_off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
 double embedded_shrink(const struct adaptive *m, double err);
 double embedded_grow(const struct adaptive *m, double err);
 

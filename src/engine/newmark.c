@@ -84,6 +84,11 @@ static double late(const struct step_options *o)
     return (o->beta - 1. / 12) / 2;
 }
 
+static double fades(const struct step_options *o)
+{
+    return (o->gamma - .5) / 2;
+}
+
 /* With gamma above 1/2 the order is 1, and the error another. */
 static bool fits(const struct step_options *o, struct misfit *why)
 {
@@ -97,7 +102,7 @@ static bool fits(const struct step_options *o, struct misfit *why)
 
 #define NEWMARK                                                                                                        \
     .name = "newmark", .brief = "Newmark's method (2-5)...(2-10), one rate", .keys = keys, .fits = fits, .order = 2,   \
-    .late = late
+    .late = late, .fades = fades
 extern const struct stepper_kind step_newmark;
 static const struct stepped_scheme by_error = STEPPED(&step_newmark, stepped_between);
 static const struct stepper_kind tolerant = {NEWMARK, TOLERANT(&by_error)};

@@ -312,6 +312,15 @@ static void take(struct stepper *s, struct adaptive *m, double h)
     x->here = false;
 }
 
+static void off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
+{
+    const struct radau *x = m->own;
+    for (int k = 0; k < s->ode->n; k++) {
+        position[k] = x->gu[k] + h * x->table.mode[0].re * x->e[k];
+        velocity[k] = x->e[k];
+    }
+}
+
 static double root(const struct radau *x, double err)
 {
     return pow(larger(err, 1e-10), 1. / (x->table.s + 1));
@@ -355,8 +364,9 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
 
 #define RADAU(open_)                                                                                                   \
     .stages = 2, .open = open_, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,    \
-    .recall = recall
-static const struct adaptive_scheme radau5 = {.order = 4, RADAU(open5)}, radau9 = {.order = 6, RADAU(open9)};
+    .recall = recall, .off = off
+static const struct adaptive_scheme radau5 = {.order = 4, .sharper = 2. / 4, .drifts = true, RADAU(open5)},
+                                    radau9 = {.order = 6, .sharper = .35, RADAU(open9)};
 
 const struct stepper_kind step_radau5 = {
     .name = "radau5",

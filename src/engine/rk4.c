@@ -33,6 +33,7 @@ static enum status one(struct stepper *s, struct state *x, double h, double t1, 
     rk_end(&m->rk, &table, x->q, x->v, s->work, x->t, h);
     copy(x->a, m->rk.dv[3], s->ode->n);
     x->t = t1;
+    s->fresh = 0;
     return OK;
 }
 
@@ -134,6 +135,16 @@ static void take_doubled(struct stepper *s, struct adaptive *m, double h)
     copy(m->rk.w[0], o->after, POWER_CHANNELS);
 }
 
+static void off_doubled(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
+{
+    const struct doubled *o = m->own;
+    (void)h;
+    for (int i = 0; i < s->ode->n; i++) {
+        position[i] = o->dx[i] / 15;
+        velocity[i] = (m->v1[i] - o->v[i]) / 15;
+    }
+}
+
 static double shrink_doubled(const struct adaptive *m, double err)
 {
     (void)m;
@@ -163,9 +174,19 @@ static const struct adaptive_scheme doubling = {.stages = 4,
                                                 .take = take_doubled,
                                                 .shrink = shrink_doubled,
                                                 .grow = grow_doubled,
-                                                .between = between_doubled};
+                                                .between = between_doubled,
+                                                .off = off_doubled,
+                                                .drifts = true};
 
-#define RK4 .name = "rk4", .brief = "classical Runge-Kutta, explicit, one rate", .order = 4, .keys = adaptive_keys
+/* The sixth term of exp(i omega h). */
+static double late(const struct step_options *o)
+{
+    (void)o;
+    return 1. / 120;
+}
+
+#define RK4                                                                                                            \
+    .name = "rk4", .brief = "classical Runge-Kutta, explicit, one rate", .order = 4, .late = late, .keys = adaptive_keys
 static const struct stepper_kind tolerant = {
     RK4, .formulas = &doubling, .adaptive = 1, .open = adaptive_open, .step = adaptive_step, .recall = adaptive_recall};
 const struct stepper_kind step_rk4 = {RK4, .tolerant = &tolerant, .points = 1, .open = open, .step = step};

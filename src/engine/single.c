@@ -1,6 +1,8 @@
 /* single.c -- see single.h */
 #include "engine/single.h"
 
+#include "engine/missed.h"
+
 void single_open(struct single *keep, const struct ode2 *ode, struct arena *life)
 {
     keep->q = TAKE(life, double, ode->nq);
@@ -23,6 +25,27 @@ void single_restore(const struct single *keep, const struct ode2 *o, struct stat
     x->t = t;
 }
 
+/* One step whose local error is looked at. */
+static enum status one_looked_at(struct stepper *s, struct state *x, double h, double t1,
+                                 enum status (*one)(struct stepper *s, struct state *x, double h, double t1,
+                                                    struct trouble *why),
+                                 struct trouble *why)
+{
+    const struct stepper_kind *kind = s->kind;
+    const double fades = kind->fades ? kind->fades(&s->options) : 0;
+    if (s->fresh) missed_break(s->missed);
+    const long told = s->missed->told;
+    missed_before(s->missed, x->v, h);
+    const enum status status = one(s, x, h, t1, why);
+    if (status != OK)
+        missed_break(s->missed);
+    else
+        missed_after(s->missed, x->v, fades != 0 ? 1 : kind->order, fades != 0 ? fades : kind->late(&s->options));
+    if (fades != 0 && s->missed->told > told)
+        missed_drift(s->missed, s->ode, x->v, h * (double)(s->missed->told - told));
+    return status;
+}
+
 enum status single_steps(struct single *keep, struct stepper *s, struct state *x, double h, int ratio, double to,
                          enum status (*one)(struct stepper *s, struct state *x, double h, double t1,
                                             struct trouble *why),
@@ -31,7 +54,9 @@ enum status single_steps(struct single *keep, struct stepper *s, struct state *x
     double t0 = x->t;
     if (ratio > 1) single_save(keep, s->ode, x);
     for (int k = 1; k <= ratio; k++) {
-        enum status status = one(s, x, h, k < ratio ? t0 + k * h : to, why);
+        const double t1 = k < ratio ? t0 + k * h : to;
+        const bool look = s->missed && s->kind->late && missed_looks(s->missed);
+        enum status status = look ? one_looked_at(s, x, h, t1, one, why) : one(s, x, h, t1, why);
         if (status == OK) continue;
         if (k > 1) {
             single_restore(keep, s->ode, x, t0);

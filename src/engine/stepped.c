@@ -44,6 +44,7 @@ void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
 {
     struct stepped *o = m->own = TAKE(life, struct stepped, 1);
     stepper_open(&o->fixed, fixed_kind(m), s->ode, &s->options, life);
+    o->fixed.missed = NULL;
     o->a1 = TAKE(life, double, s->ode->n);
     o->dv = TAKE(life, double, s->ode->n);
     local_error_open(&o->local, s->ode->n, life);
@@ -128,6 +129,17 @@ enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, 
     if (isfinite(*err)) return OK;
     fixed->fresh = 1;
     return trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
+}
+
+void stepped_off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
+{
+    struct stepped *o = m->own;
+    const bool own = fixed_kind(m)->error;
+    const struct step_error e =
+        own ? fixed_kind(m)->error(&o->fixed) : (struct step_error){o->local.position, o->local.velocity};
+    (void)h;
+    copy(position, e.position, s->ode->n);
+    copy(velocity, e.velocity, s->ode->n);
 }
 
 void stepped_take(struct stepper *s, struct adaptive *m, double h)

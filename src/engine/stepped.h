@@ -19,6 +19,7 @@ void stepped_forget(struct adaptive *m);
 enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
                             struct trouble *why);
 void stepped_take(struct stepper *s, struct adaptive *m, double h);
+void stepped_off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
 double stepped_shrink(const struct adaptive *m, double err);
 double stepped_grow(const struct adaptive *m, double err);
 void stepped_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
@@ -37,6 +38,7 @@ enum status stepped_recall(struct stepper *s, struct adaptive *m, struct recall 
                    .shrink = stepped_shrink,                                                                           \
                    .grow = stepped_grow,                                                                               \
                    .between = between_,                                                                                \
+                   .off = stepped_off,                                                                                 \
                    .recall = stepped_recall},                                                                          \
         .fixed = fixed_                                                                                                \
     }

@@ -6,6 +6,7 @@
 
 #include "engine/accel.h"
 #include "engine/kinematic.h"
+#include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
 #include "engine/touch.h"
@@ -20,8 +21,12 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     single_open(s->keep, ode, life);
     s->whole = TAKE(life, struct single, 1);
     single_open(s->whole, ode, life);
+    s->missed = TAKE(life, struct missed, 1);
+    missed_open(s->missed, ode->n, life);
     kind->open(s, life);
     if (ode->contact && ode->contact->m > 0) s->touch = touch_open(s, life);
+    ode->along[0] = s->missed->position; /* not those of a stepper inside */
+    ode->along[1] = s->missed->velocity;
 }
 
 /* A new chart, if there is a better one: what was known in the old one is forgotten.  The step has been taken: if its
@@ -29,7 +34,9 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
 static void begin_anew(struct stepper *s, struct state *x)
 {
     struct trouble why;
-    if (s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) s->unstarted = stepper_start(s, x, &why) != OK;
+    if (!s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) return;
+    if (s->missed) missed_rechart(s->missed);
+    s->unstarted = stepper_start(s, x, &why) != OK;
 }
 
 /* One step after the impulses of drives' corners, and behind the corner at its start of anything that it asks for there.  A scheme that looks at points of time would miss those anywhere in
@@ -147,6 +154,7 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "fresh", s->fresh);
     recall_one(r, "unstarted", s->unstarted);
     recall_one(r, "last_sweeps", s->last_sweeps);
+    if (s->missed) missed_recall(s->missed, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
     if (s->touch) touch_recall(s->touch, r);
     recall_without(r);

@@ -63,8 +63,10 @@ struct stepper_kind {
 
     const void *formulas; /* of the family that open and step are those of: struct implicit_scheme; NULL: of none */
 
-    /* Where `tolerant` is: the part of (omega h)^3 that a vibration is late by in a step. */
+    /* Optional.  The part of (omega h)^(order + 1) that a vibration is late by in a step; with fades(), where that is not 0,
+     * of (omega h)^2 that it loses of its size. */
     double (*late)(const struct step_options *o);
+    double (*fades)(const struct step_options *o);
 
     /* Required.  Once, by stepper_open(): takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
@@ -89,6 +91,7 @@ struct stepper_kind {
 };
 
 struct accel;
+struct missed;
 struct touch;
 
 /* The first step of a scheme that chooses its own. */
@@ -113,6 +116,7 @@ struct stepper {
     bool natural;         /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
     int unstarted;        /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;  /* solves (2-4) for a */
+    struct missed *missed; /* what steps have missed so far; NULL: nobody asks */
     struct touch *touch;  /* rigid contacts; NULL: there are none */
     struct single *keep;  /* v, a before a corner */
     struct single *whole; /* the state before a step that is taken in parts */

@@ -84,6 +84,19 @@ static int improve(struct condense *o, int i)
     return 0;
 }
 
+/* What goes along with v, as velocities of the whole tree in ode.along's places; those of none are taken off: drives move,
+ * too. */
+static bool take_along(struct condense *o, double *const *whole, const double *q, double t)
+{
+    if (!o->ode.along[0]) return false;
+    if (condense_rates(o, o->rt, NULL, q, o->zero, NULL, t, NULL) != OK) return false;
+    for (int k = 0; k < 2; k++) {
+        if (condense_rates(o, whole[k], NULL, q, o->ode.along[k], NULL, t, NULL) != OK) return false;
+        for (int i = 0; i < o->tree->ode.n; i++) whole[k][i] -= o->rt[i];
+    }
+    return true;
+}
+
 /* Whole velocities first, then the splits, then the velocities of the new independent ones.  The tangent is the one on
  * which the next step begins.  Where these cannot be found, the split stays, and the next step says so. */
 int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
@@ -95,13 +108,18 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (!closing_tangent(&o->closing, q)) return 0;
     for (int i = 0; i < o->split.npart; i++) wanted += gain_too_large(o, i);
-    if (!wanted || condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) != OK) return 0;
+    if (!wanted) return 0;
+    double *const whole[] = {o->va, o->vb};
+    const bool along = take_along(o, whole, q, t);
+    if (condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) != OK) return 0;
     for (int i = 0; i < o->split.npart; i++)
         if (o->split.part[i].resplit_due) changed |= improve(o, i);
     condense_number(o); /* also where all have come back to the split that they had */
     if (!changed) return 0;
     o->charts++;
     for (int i = 0; i < o->ode.n; i++) v[i] = o->vt[o->split.ind[i]];
+    for (int k = 0; along && k < 2; k++)
+        for (int i = 0; i < o->ode.n; i++) o->ode.along[k][i] = whole[k][o->split.ind[i]];
     return 1;
 }
 

@@ -100,7 +100,7 @@ static void open(struct stepper *s, struct arena *life)
     subcycle_last_open(c, life);
     subcycle_coarse_open(c, life);
     reserve(c, LEAST_CAPACITY, life);
-    if (s->options.tolerance > 0) subcycle_error_open(c, life);
+    subcycle_error_open(c, life);
 }
 
 /* ---- the iteration ----------------------------------------------------------------------------- */
@@ -267,7 +267,7 @@ static enum status accept(struct subcycle *c, struct stepper *s, struct state *x
     subcycle_compose(c);
     remember(c);
     subcycle_last_keep(c);
-    if (c->error) subcycle_error_measure(c);
+    if (c->looked) subcycle_error_measure(c, s->missed != NULL);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
     for (int i = 0; i < n; i++) c->abar[i] = per * (c->v[i] - x->v[i]);
@@ -302,16 +302,13 @@ static enum status single_rate(struct subcycle *c, struct stepper *s, struct sta
     TRY(implicit_once(c->plain, s, x, c->H, c->t1, why));
     s->effort.minors++;
     for (int i = 0; i < c->n; i++) c->dq[i] = x->v[i] - c->v[i];
-    if (c->error) subcycle_error_single(c, c->dq, c->a);
+    if (c->looked) subcycle_error_single(c, c->dq, c->a);
     return OK;
 }
 
-static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+static enum status two_rates(struct subcycle *c, struct stepper *s, struct state *x, int ratio, struct trouble *why)
 {
-    struct subcycle *c = s->self;
     long before = s->effort.sweeps;
-    begin(c, x, h, ratio, to);
-    if (c->ns == 0) return single_rate(c, s, x, why);
     reserve(c, ratio, s->life);
     TRY(subcycle_decouple(c, x->q, x->t, why));
     if (s->fresh) forget(c);
@@ -334,10 +331,20 @@ static enum status step(struct stepper *s, struct state *x, double h, int ratio,
     return status;
 }
 
+static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    struct subcycle *c = s->self;
+    begin(c, x, h, ratio, to);
+    c->looked = subcycle_error_looks(s);
+    const enum status status = c->ns == 0 ? single_rate(c, s, x, why) : two_rates(c, s, x, ratio, why);
+    if (c->looked) subcycle_error_note(s, status == OK);
+    return status;
+}
+
 static enum status recall(struct stepper *s, struct recall *r)
 {
     struct subcycle *c = s->self;
-    if (c->error) subcycle_error_recall(c, r);
+    subcycle_error_recall(c, r);
     if (c->ns == 0) return implicit_remember(c->plain, r);
     newton_recall(&c->newton, r);
     forecast_recall(&c->forecast, r);

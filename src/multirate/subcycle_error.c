@@ -2,6 +2,8 @@
  * major step, the fast ones by the d_k over the minor steps, summed; see engine/local_error.h. */
 #include <math.h>
 
+#include "base/scalar.h"
+#include "engine/missed.h"
 #include "engine/stepped.h"
 #include "multirate/subcycle_parts.h"
 
@@ -45,12 +47,41 @@ static void measure_fast(struct subcycle *c)
     }
 }
 
-void subcycle_error_measure(struct subcycle *c)
+/* The time by which the slow coordinates are late in this step. */
+static double lag(const struct subcycle *c)
+{
+    double off = 0, fastest = 0;
+    for (int i = 0; i < c->nl; i++) {
+        off = larger(off, c->error->position[c->ns + i]);
+        fastest = larger(fastest, fabs(c->u0[i]));
+    }
+    return fastest > 0 ? off / fastest : 0;
+}
+
+/* The fast ones follow the slow ones, and are late with them: in what they move by in the whole step. */
+static void follow(struct subcycle *c)
+{
+    struct subcycle_error *e = c->error;
+    const double late = lag(c);
+    const int n = c->ratio;
+    for (int i = 0; i < c->ns && n > 1; i++) {
+        double mean = c->v0[i], change = 0;
+        for (int k = 0; k < n; k++) {
+            mean += (1 - (k + .5) / n) * c->d[(long)k * c->ns + i];
+            change += c->d[(long)k * c->ns + i];
+        }
+        e->position[i] += late * fabs(mean);
+        e->velocity[i] += late * fabs(change) / c->H;
+    }
+}
+
+void subcycle_error_measure(struct subcycle *c, bool fixed)
 {
     copy(c->Du, c->a0 + c->ns, c->nl); /* u' = a_L + W a_S */
     decouple_recoil(&c->dec, c->Du, 1, c->a0);
     measure_slow(c, c->du, c->Du);
     measure_fast(c);
+    if (fixed) follow(c);
 }
 
 void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0)
@@ -74,6 +105,32 @@ void subcycle_error_keep(struct stepper *s, bool taken)
         local_error_forget(&c->error->slow);
         local_error_forget(&c->error->fast);
     }
+}
+
+bool subcycle_error_looks(struct stepper *s)
+{
+    const struct subcycle *c = s->self;
+    struct missed *o = s->missed;
+    if (!o) return true;
+    if (!missed_looks(o)) return false;
+    if (s->fresh || c->H != o->h) missed_break(o);
+    if (o->seen == 0) subcycle_error_keep(s, false);
+    o->h = c->H;
+    return true;
+}
+
+void subcycle_error_note(struct stepper *s, bool taken)
+{
+    enum { BURST = 3 };
+    const struct subcycle *c = s->self;
+    struct missed *o = s->missed;
+    if (!o) return;
+    if (!taken) {
+        missed_break(o);
+        return;
+    }
+    subcycle_error_keep(s, true);
+    if (++o->seen >= BURST) missed_add(o, c->error->position, c->error->velocity);
 }
 
 void subcycle_error_recall(struct subcycle *c, struct recall *r)

@@ -69,9 +69,10 @@ struct subcycle {
     struct minor here;    /* J of a minor step whose slopes have changed */
     int local;            /* it is in use */
     struct forecast forecast;
-    int guessed;                  /* d_k are the forecast's */
-    double last_local;            /* local error of the last step; negative: unknown */
-    struct subcycle_error *error; /* NULL: nobody asks */
+    int guessed;       /* d_k are the forecast's */
+    double last_local; /* local error of the last step; negative: unknown */
+    struct subcycle_error *error;
+    bool looked; /* is the step under way measured? */
     int n, ns, nl;
     int near;     /* slow coordinates that the minor steps move */
     double alpha; /* (S7) */
@@ -186,8 +187,13 @@ void subcycle_slow_rows(struct subcycle *c);
 /* --- what the step is off by: slots and parts of the stepper's ------------------------------------ */
 
 void subcycle_error_open(struct subcycle *c, struct arena *life);
+/* Is the step that begins to be measured?  Those of a tolerance all; of fixed ones three behind one another now and then. */
+bool subcycle_error_looks(struct stepper *s);
+/* It was, and is told where nobody else asks for it. */
+void subcycle_error_note(struct stepper *s, bool taken);
 /* Of the step found; of one of a single rate, with its accelerations at the start. */
-void subcycle_error_measure(struct subcycle *c);
+/* fixed: for the sums of engine/missed.h, not for the choice of steps. */
+void subcycle_error_measure(struct subcycle *c, bool fixed);
 void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0);
 struct step_error subcycle_error(struct stepper *s);
 void subcycle_error_keep(struct stepper *s, bool taken);

@@ -65,7 +65,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     int n = 0;
-    if (most < 20) return 0;
+    if (most < 24) return 0;
     facts[n++] = pair_text("status", status_word(sim));
     facts[n++] = pair_number("exit", sim->status);
     facts[n++] = pair_number("t_end", sim->x.t);
@@ -89,6 +89,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
         facts[n++] = pair_number("partitions", (double)system_charts(sim->system));
     }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
+    n += trust_facts(sim, facts + n);
     if (sim->nspin) facts[n++] = pair_bool("buckling_speed_passed", spins_passed(sim));
     return n;
 }
@@ -158,6 +159,7 @@ void warn_at_end(struct sim *sim)
     warn_of_tilts(sim);
     warn_of_misfits(sim);
     warn_of_deflections(sim);
+    warn_of_trust(sim);
 }
 
 /* "61.9 kJ" */
@@ -180,7 +182,7 @@ static void print_balance(const struct ledger *l, FILE *to)
     put_energy(to, v.wrong, 2);
     fputs(" of ", to);
     put_energy(to, v.of, 3);
-    fprintf(to, " (%.2g; limit %g); how far off the motion is, `fmdsub study` tells\n", ledger_share(l), l->delta);
+    fprintf(to, " (%.2g; limit %g)\n", ledger_share(l), l->delta);
 }
 
 void print_end(const struct sim *sim, double wall)
@@ -200,6 +202,7 @@ void print_end(const struct sim *sim, double wall)
     fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; %.3g s\n", e->slow, e->fast, e->factors,
             wall);
     print_balance(l, to);
+    print_trust(sim, to);
 }
 
 const char *place_of(char *text, size_t size, const struct sim *sim, const struct node *node)

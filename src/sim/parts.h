@@ -134,6 +134,15 @@ enum status record_evaluate(struct sim *sim, unsigned needs);
 double record_value(const struct sim *sim, const struct origin *o);
 enum status record_fill(struct sim *sim);
 
+/* trust.c: how far the run is off, noted with each record; at the end */
+void trust_open(struct sim *sim, struct arena *life);
+void trust_note(struct sim *sim);
+void trust_find(struct sim *sim);
+/* Three facts. */
+int trust_facts(const struct sim *sim, struct pair *facts);
+void warn_of_trust(struct sim *sim);
+void print_trust(const struct sim *sim, FILE *to);
+
 /* rest.c: moves sim->x to a stable static equilibrium near it, at rest */
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);
 

@@ -151,6 +151,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     advance_open(sim, life);
     if (sim->stepper.touch) sim->press = TAKE(life, double, sim->stepper.ode->contact->nrow);
     TRY(start(sim, diags, report));
+    trust_open(sim, life);
     return memory_take(sim, life, report);
 }
 
@@ -222,6 +223,7 @@ static enum status write_row(struct sim *sim, struct sink *sink, struct report *
     enum status status = record_fill(sim);
     if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
     sim->rows++;
+    trust_note(sim);
     return sink->ops->row(sink, sim->row, report);
 }
 
@@ -437,6 +439,8 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     if (status == OK) status = (sim->stepper.natural ? step_naturally : step_on)(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;
+    sim->trust.column = -1;
+    if (sink && (status == OK || status == E_VERDICT) && !sim->options.counting) trust_find(sim);
     sim->status = status;
     progress_close(&progress);
     if (status != E_FILE && status != E_SIGPIPE) {

@@ -15,6 +15,7 @@
 #include "out/sink.h"
 #include "scene/scene.h"
 #include "sim/catalogue.h"
+#include "sim/trust.h"
 #include "system/idle.h"
 
 enum sim_progress { PROGRESS_NEVER, PROGRESS_ALWAYS };
@@ -97,6 +98,7 @@ struct sim {
     bool cut;            /* and it ended where no step of a longer run does */
     const char *forgets; /* why what is in the state besides coordinates is left there; NULL: it is not */
     long rows;
+    struct trust trust;
     double min_h; /* smallest minor step taken */
     int nrotation;
     int *rotation;       /* [nrotation] ball and free joints */

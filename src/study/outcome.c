@@ -32,13 +32,17 @@ static enum status look(struct keeper *k)
     return E_LIMIT;
 }
 
+void outcome_keep(struct outcome *o, const double *x, struct arena *life)
+{
+    o->x = arena_more(life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
+    memcpy(o->x + (size_t)o->rows++ * (size_t)o->n, x, (size_t)o->n * sizeof *x);
+}
+
 static enum status keep_row(struct sink *sink, const double *x, struct report *report)
 {
     struct keeper *k = sink->self;
-    struct outcome *o = k->to;
     (void)report;
-    o->x = arena_more(k->life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
-    memcpy(o->x + (size_t)o->rows++ * (size_t)o->n, x, (size_t)o->n * sizeof *x);
+    outcome_keep(k->to, x, k->life);
     return look(k);
 }
 

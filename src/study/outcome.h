@@ -60,6 +60,9 @@ enum status outcome_check(const struct setting *setting, const struct subject *s
 enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
                         struct arena *life, struct report *report);
 
+/* A row x [n] more. */
+void outcome_keep(struct outcome *o, const double *x, struct arena *life);
+
 /* Rows r [2] of a and of b at the next common time behind those; false: there is none. */
 bool outcome_next(int *r, const struct outcome *a, const struct outcome *b);
 

@@ -105,10 +105,9 @@ struct ode2_direct {
 
 /* Between accepted major steps only. */
 struct ode2_chart {
-    /* Angles known up to whole turns go on from q.  A better chart (partition, rotation base) there: 1 if it changed,
-     * then carry() every velocity-like vector that is kept. */
+    /* Angles known up to whole turns go on from q.  A better chart (partition, rotation base) there: 1 if it changed;
+     * the vectors o->along then go with v. */
     int (*rechart)(struct ode2 *o, double *q, double *v, double t);
-    void (*carry)(const struct ode2 *o, double *x);
 };
 
 struct ode2_breaks {
@@ -165,6 +164,7 @@ struct ode2 {
      * residual.  x->t is the middle of a step of the midpoint rule, and x->tb where an interval is several of them.
      * E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
     enum status (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why);
+    double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */
     int straight;  /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int pointwise; /* nothing looks at qa and qb: they need not be known, and may be NULL */
     void *self;    /* the owner's */

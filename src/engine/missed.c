@@ -1,0 +1,117 @@
+/* missed.c -- see missed.h */
+#include "engine/missed.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+void missed_open(struct missed *o, int n, struct arena *life)
+{
+    double **vector[] = {&o->position, &o->velocity, &o->way, &o->extent};
+    *o = (struct missed){.n = n};
+    for (int i = 0; i < 4; i++) *vector[i] = TAKE(life, double, n);
+    for (int k = 0; k < MISSED_ORDER + 2; k++) o->v[k] = TAKE(life, double, n);
+}
+
+/* Steps to the next burst: uneven, so that bursts do not fall in with what moves. */
+static long pause(const struct missed *o)
+{
+    enum { DENSE = 256, EVER = 16, LONGEST = 96 };
+    const long most = (o->steps - DENSE) / EVER;
+    const unsigned long mixed = ((unsigned long)o->steps * 2654435761u & 0xffffffffu) >> 8;
+    return most <= 0 ? 0 : (long)(mixed % (unsigned long)(most < LONGEST ? most : LONGEST));
+}
+
+void missed_add(struct missed *o, const double *position, const double *velocity)
+{
+    const double times = (double)(o->steps - o->told);
+    for (int i = 0; i < o->n; i++) {
+        o->position[i] += times * fabs(position[i]);
+        o->velocity[i] += times * fabs(velocity[i]);
+    }
+    o->told = o->steps;
+    o->next = o->steps + pause(o);
+    o->seen = 0;
+}
+
+void missed_before(struct missed *o, const double *v, double h)
+{
+    if (h != o->h) o->seen = 0;
+    o->h = h;
+    if (o->seen == 0) memcpy(o->v[o->seen++], v, (size_t)o->n * sizeof *v);
+}
+
+/* v[k], v[k+1] ... := differences of order k, of those there at a distance of one step. */
+static void take_differences(struct missed *o, int most)
+{
+    for (int k = 1; k <= most; k++)
+        for (int j = most; j >= k; j--)
+            for (int i = 0; i < o->n; i++) o->v[j][i] -= o->v[j - 1][i];
+}
+
+void missed_after(struct missed *o, const double *v, int order, double late)
+{
+    const int most = order + 1;
+    memcpy(o->v[o->seen++], v, (size_t)o->n * sizeof *v);
+    if (o->seen <= most) return;
+    take_differences(o, most);
+    for (int i = 0; i < o->n; i++) {
+        o->v[order][i] *= late * o->h;
+        o->v[most][i] *= late;
+    }
+    missed_add(o, o->v[order], o->v[most]);
+}
+
+/* How far the error of a velocity moves a vibration of size x, in usual sizes, on in a unit of time: its frequency changes
+ * by x dx/8 (a pendulum's, by its amplitude); what turns on and on, by all of it. */
+static double shear(double x)
+{
+    return x * x < 8 ? x * x / 8 : 1;
+}
+
+void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h)
+{
+    for (int i = 0; i < o->n; i++) {
+        o->way[i] += h * v[i] / (ode->size ? ode->size(ode, i) : 1);
+        if (fabs(o->way[i]) > o->extent[i]) o->extent[i] = fabs(o->way[i]);
+        o->position[i] += shear(o->extent[i]) * fabs(h) * o->velocity[i];
+    }
+}
+
+void missed_break(struct missed *o)
+{
+    o->seen = 0;
+}
+
+void missed_rechart(struct missed *o)
+{
+    double most = 0;
+    o->seen = 0;
+    for (int i = 0; i < o->n; i++) most = o->extent[i] > most ? o->extent[i] : most;
+    for (int i = 0; i < o->n; i++) {
+        o->way[i] = 0;
+        o->extent[i] = most;
+        o->position[i] = fabs(o->position[i]);
+        o->velocity[i] = fabs(o->velocity[i]);
+    }
+}
+
+void missed_recall(struct missed *o, struct recall *r)
+{
+    recall_within(r, "missed");
+    recall_list(r, "position", o->position, o->n);
+    recall_list(r, "velocity", o->velocity, o->n);
+    recall_list(r, "way", o->way, o->n);
+    recall_list(r, "extent", o->extent, o->n);
+    recall_one(r, "steps", o->steps);
+    recall_one(r, "told", o->told);
+    recall_one(r, "next", o->next);
+    recall_one(r, "seen", o->seen);
+    recall_one(r, "h", o->h);
+    for (int k = 0; k < o->seen; k++) {
+        char name[24];
+        snprintf(name, sizeof name, "v%d", k);
+        recall_list(r, name, o->v[k], o->n);
+    }
+    recall_without(r);
+}

@@ -1,0 +1,245 @@
+/* trust.c -- see trust.h */
+#include "sim/trust.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "engine/missed.h"
+#include "engine/motion.h"
+#include "engine/single.h"
+#include "sim/parts.h"
+
+static const double SMALL = 1e-6; /* of usual sizes: what the state is moved by */
+static const double UNKNOWN = .5; /* of a column's range: an error from which nothing follows */
+static const double AMPLE = 1.5;  /* times what is summed, so that few estimates are too small */
+static const double FAR = 300;    /* times the tolerance */
+enum { DRAWS = 2 };
+
+void trust_open(struct sim *sim, struct arena *life)
+{
+    const struct ode2 *ode = sim->stepper.ode;
+    struct trust *o = &sim->trust;
+    const int columns = sim->chosen.n;
+    double **of_columns[] = {&o->low, &o->high, &o->base, &o->sum, &o->off};
+    for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = TAKE(life, double, columns);
+    o->dq = TAKE(life, double, ode->n);
+    o->dv = TAKE(life, double, ode->n);
+    o->every = 1;
+    for (int i = 0; i < TRUST_PLACES; i++) {
+        struct trust_place *p = &o->place[i];
+        double **vector[] = {&p->v, &p->position, &p->velocity};
+        p->q = TAKE(life, double, ode->nq);
+        for (int k = 0; k < 3; k++) *vector[k] = TAKE(life, double, ode->n);
+    }
+}
+
+/* ---- on the way ------------------------------------------------------------------------------------------------ */
+
+/* Every other place goes. */
+static void thin(struct trust *o)
+{
+    for (int i = 0; 2 * i + 1 < o->n; i++) {
+        const struct trust_place odd = o->place[2 * i + 1];
+        o->place[2 * i + 1] = o->place[i];
+        o->place[i] = odd;
+    }
+    o->n /= 2;
+    o->every *= 2;
+}
+
+static void keep(struct sim *sim)
+{
+    struct trust *o = &sim->trust;
+    const struct ode2 *ode = sim->stepper.ode;
+    const struct missed *missed = sim->stepper.missed;
+    struct trust_place *p = &o->place[o->n++];
+    p->t = sim->x.t;
+    p->chart = system_charts(sim->system);
+    copy(p->q, sim->x.q, ode->nq);
+    copy(p->v, sim->x.v, ode->n);
+    copy(p->position, missed->position, ode->n);
+    copy(p->velocity, missed->velocity, ode->n);
+}
+
+/* The last place is left for the end of the run. */
+void trust_note(struct sim *sim)
+{
+    struct trust *o = &sim->trust;
+    for (int i = 0; i < sim->chosen.n; i++) {
+        const double x = sim->row[i];
+        if (o->seen == 0) o->low[i] = o->high[i] = x;
+        if (x < o->low[i]) o->low[i] = x;
+        if (x > o->high[i]) o->high[i] = x;
+    }
+    if (++o->seen % o->every != 0) return;
+    if (o->n == TRUST_PLACES - 1) thin(o);
+    keep(sim);
+}
+
+/* ---- at the end ------------------------------------------------------------------------------------------------ */
+
+static double usual(const struct ode2 *ode, int i)
+{
+    return ode->size ? ode->size(ode, i) : 1;
+}
+
+/* What makes the errors of a place so small that columns answer in proportion; 0: there are none. */
+static double reduction(const struct trust_place *p, const struct ode2 *ode)
+{
+    double pace = 0, most = 0;
+    for (int i = 0; i < ode->n; i++) pace = fmax(pace, fabs(p->v[i]) / usual(ode, i));
+    for (int i = 0; i < ode->n; i++) {
+        most = fmax(most, p->position[i] / usual(ode, i));
+        most = fmax(most, p->velocity[i] / usual(ode, i) / fmax(pace, 1e-3));
+    }
+    return most > 0 ? SMALL / most : 0;
+}
+
+/* -1 or 1, the same in every run. */
+static double sign(int draw, int i)
+{
+    return ((unsigned)(i + 1) * 2654435761u + (unsigned)draw * 2246822519u) >> (draw + 13) & 1 ? -1 : 1;
+}
+
+/* Columns where the place is moved by so much of what was missed; by 0: where it is.  false: they cannot be had. */
+static bool columns_at(struct sim *sim, const struct trust_place *p, double by, int draw)
+{
+    const struct ode2 *ode = sim->stepper.ode;
+    struct trust *o = &sim->trust;
+    for (int i = 0; i < ode->n; i++) {
+        o->dq[i] = by * sign(draw, i) * p->position[i];
+        o->dv[i] = p->v[i] + by * sign(draw, i + ode->n) * p->velocity[i];
+    }
+    sim->x = (struct state){p->t, sim->look->q, o->dv, sim->look->a};
+    motion_point(ode, sim->x.q, p->q, o->dq, 1, p->t);
+    return record_fill(sim) == OK;
+}
+
+static void look_at(struct sim *sim, const struct trust_place *p)
+{
+    struct trust *o = &sim->trust;
+    const double by = reduction(p, sim->stepper.ode);
+    const size_t bytes = (size_t)sim->chosen.n * sizeof *o->sum;
+    if (by == 0 || !columns_at(sim, p, 0, 0)) return;
+    memcpy(o->base, sim->row, bytes);
+    memset(o->sum, 0, bytes);
+    for (int k = 0; k < DRAWS; k++) {
+        if (!columns_at(sim, p, by, k)) return;
+        for (int i = 0; i < sim->chosen.n; i++) o->sum[i] += pow((sim->row[i] - o->base[i]) / by, 2);
+    }
+    for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], sqrt(o->sum[i] / DRAWS));
+}
+
+/* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
+static double share(const struct sim *sim, int i)
+{
+    static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
+    const struct trust *o = &sim->trust;
+    const double size = fmax(fabs(o->low[i]), fabs(o->high[i])), range = o->high[i] - o->low[i];
+    double least = 0;
+    for (int k = 0; k < sim->chosen.n; k++) {
+        const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
+        if (a == b || (a && b && strcmp(a, b) == 0)) least = fmax(least, fmax(fabs(o->low[k]), fabs(o->high[k])));
+    }
+    return o->off[i] > 0 ? AMPLE * o->off[i] / fmax(range > RESTS * size ? range : size, LOST * least) : 0;
+}
+
+static void find_worst(struct sim *sim)
+{
+    struct trust *o = &sim->trust;
+    o->worst = 0;
+    for (int i = 0; i < sim->chosen.n; i++) {
+        if (!sim_column_compared(sim, i) || !(share(sim, i) >= o->worst)) continue;
+        o->worst = share(sim, i);
+        o->column = i;
+    }
+}
+
+static bool has_jumped(const struct sim *sim)
+{
+    for (int i = 0; i < sim->njump; i++)
+        if (sim->jump[i].reported) return true;
+    return false;
+}
+
+/* Why the steps cannot tell; NULL: they can. */
+static const char *reason(const struct sim *sim)
+{
+    const struct missed *missed = sim->stepper.missed;
+    const bool tells = sim->stepper.kind->adaptive || sim->stepper.kind->late;
+    if (sim->stepper.ode->n == 0) return NULL;
+    if (!tells) return "its scheme does not tell what its steps leave";
+    if (has_jumped(sim)) return "a drive jumps";
+    if (2 * missed->told < missed->steps || missed->told == 0)
+        return "too few steps lie between corners of forces or drives";
+    return NULL;
+}
+
+void trust_find(struct sim *sim)
+{
+    struct trust *o = &sim->trust;
+    const struct state end = sim->x;
+    const struct trouble trouble = sim->trouble;
+    const long chart = system_charts(sim->system);
+    o->column = -1;
+    o->why = reason(sim);
+    if (o->why) return;
+    keep(sim);
+    for (int i = 0; i < o->n; i++)
+        if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
+    sim->x = end;
+    sim->trouble = trouble;
+    find_worst(sim);
+    o->known = o->column >= 0 && o->worst < UNKNOWN;
+}
+
+/* ---- told ------------------------------------------------------------------------------------------------------ */
+
+static double tolerance(const struct sim *sim)
+{
+    return sim->stepper.kind->adaptive ? ((const struct step_options *)sim->plan.options)->tolerance : 0;
+}
+
+int trust_facts(const struct sim *sim, struct pair *facts)
+{
+    const struct trust *o = &sim->trust;
+    const bool any = o->column >= 0;
+    facts[0] = pair_number("estimated_error", o->known ? o->worst : NAN);
+    facts[1] = pair_text("estimated_error_column", any ? sim->columns[o->column].name : NULL);
+    facts[2] = pair_bool("resolved", o->known || !any);
+    return 3;
+}
+
+void warn_of_trust(struct sim *sim)
+{
+    const struct trust *o = &sim->trust;
+    if (!(tolerance(sim) > 0) || o->column < 0 || !(o->worst > FAR * tolerance(sim))) return;
+    char error[24] = "more than half";
+    if (o->known) snprintf(error, sizeof error, "%.2g", o->worst);
+    sim_warn(sim,
+             "the estimated error, %s of the range of '%.60s', is far above the tolerance of %g: what the steps miss "
+             "adds up "
+             "or grows; take a smaller tolerance, and measure with --verify [W-tolerance]",
+             error, sim->columns[o->column].name, tolerance(sim));
+}
+
+void print_trust(const struct sim *sim, FILE *to)
+{
+    const struct trust *o = &sim->trust;
+    if (sim->status != OK && sim->status != E_VERDICT) return;
+    if (o->why)
+        fprintf(to, "estimated error: not known: %s; `fmdsub run --verify` measures it\n", o->why);
+    else if (o->column < 0)
+        fputs("estimated error: not known: no column of the motion is written\n", to);
+    else if (!o->known)
+        fprintf(
+            to,
+            "estimated error: not known, above half the range of '%s': the steps do not resolve what moves there; take "
+            "%s\n",
+            sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
+    else
+        fprintf(
+            to,
+            "estimated error: %.1g of the range of '%s', summed over the steps; `fmdsub run --verify` measures it\n",
+            o->worst, sim->columns[o->column].name);
+}

@@ -1,0 +1,32 @@
+/* trust.h -- how far a run is off, as its own steps tell.
+ *
+ * engine/missed.h sums what steps leave in coordinates and rates.  At a few records the state is moved by a small part of
+ * that, each coordinate this way or that, and each column tells what it makes of it: its root mean square over some draws,
+ * over the column's range in the run. */
+#ifndef FMDSUB_SIM_TRUST_H
+#define FMDSUB_SIM_TRUST_H
+
+#include <stdbool.h>
+
+enum { TRUST_PLACES = 6 };
+
+struct trust {
+    double *low, *high; /* [columns] over the records */
+    int n;              /* records kept for the end, */
+    long every, seen;   /* one of so many; records so far */
+    struct trust_place {
+        double t;
+        long chart;                          /* of system_charts() */
+        double *q, *v, *position, *velocity; /* [nq], [n], what was missed up to there [n] */
+    } place[TRUST_PLACES];
+    double *base, *sum; /* [columns] values at a place; squares of what they are moved by */
+    double *dq, *dv;    /* [n] */
+    double *off;        /* [columns] largest at a place */
+
+    bool known;
+    const char *why; /* not */
+    double worst;    /* over its range */
+    int column;      /* of the chosen ones */
+};
+
+#endif

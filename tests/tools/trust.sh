@@ -1,0 +1,129 @@
+# trust.sh -- the error that `fmdsub run` estimates beside the one that is found, on shipped decks.
+#
+#     BUILD=build sh tests/tools/trust.sh [NAME ...]                  default: all lines of the list below
+#
+# Found: the largest difference from the reference (dop853 or radau9 to 1e-12, at the run's own records) in any column, over
+# the column's range.  Fails where the estimate is not between a third and thirty times that.
+. tests/tools/lib.sh
+
+# name, deck, reference, what the run is: settings; with a ? shown, not judged: sub-cycling of what one force drives as fast
+# as slow, a stiff beam to 1e-7 of its range, and rk4 where what it leaves turns back
+cat >"$work/list" <<'LIST'
+andrews           decks/andrews.yaml            dop853
+axle              decks/axle.yaml               dop853
+bearing           decks/bearing.yaml            dop853
+bricard           decks/bricard.yaml            dop853
+cantilever        decks/cantilever.yaml         radau9
+cardan            decks/cardan.yaml             radau9
+chain             decks/chain.yaml              dop853
+double-four-bar   decks/double-four-bar.yaml    dop853
+driven-telescope  decks/driven-telescope.yaml   radau9
+flexible-robot    decks/flexible-robot.yaml     radau9
+four-bar          decks/four-bar.yaml           dop853
+free-top          decks/free-top.yaml           dop853
+geared-pendulum   decks/geared-pendulum.yaml    dop853
+governor          decks/governor.yaml           dop853
+heavy-top         decks/heavy-top.yaml          dop853
+heavy-top-slow    decks/heavy-top-slow.yaml     dop853
+parallelogram     decks/parallelogram.yaml      dop853
+pendulum          decks/pendulum.yaml           dop853
+quick-return      decks/quick-return.yaml       dop853
+screw-actuator    decks/screw-actuator.yaml     dop853
+slider-crank      decks/slider-crank.yaml       dop853
+spin-up           decks/spin-up.yaml            radau9
+spin-up-simo      decks/spin-up-simo.yaml       radau9
+spring-pendulum   decks/spring-pendulum.yaml    dop853
+suspension        decks/suspension.yaml         dop853
+telescope         decks/telescope.yaml          radau9
+turbine-blade     decks/turbine-blade.yaml      radau9
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=rk4 integrate.step=2e-2
+heavy-top         decks/heavy-top.yaml          dop853  integrate.scheme=dopri5 integrate.tolerance=1e-6
+heavy-top         decks/heavy-top.yaml          dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+four-bar          decks/four-bar.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-6
+four-bar          decks/four-bar.yaml           dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+four-bar          decks/four-bar.yaml           dop853  integrate.scheme=midpoint integrate.tolerance=1e-4
+andrews           decks/andrews.yaml            dop853  integrate.scheme=dopri5 integrate.tolerance=1e-6
+andrews           decks/andrews.yaml            dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+chain             decks/chain.yaml              dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+chain             decks/chain.yaml              dop853  integrate.scheme=generalized-alpha integrate.tolerance=1e-4
+chain             decks/chain.yaml              dop853  integrate.scheme=rk4 integrate.step=5e-3
+flexible-crank    decks/flexible-crank.yaml     radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
+flexible-crank    decks/flexible-crank.yaml     radau9  integrate.scheme=radau5 integrate.tolerance=1e-4
+flexible-crank    decks/flexible-crank.yaml     radau9  integrate.scheme=radau9 integrate.tolerance=1e-6
+spin-up           decks/spin-up.yaml            radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
+driven-telescope  decks/driven-telescope.yaml   radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
+driven-telescope  decks/driven-telescope.yaml   radau9  integrate.scheme=radau5 integrate.tolerance=1e-4
+bar-slider        decks/bar-slider.yaml         dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+?bar-slider       decks/bar-slider.yaml         dop853  integrate.scheme=subcycle integrate.tolerance=1e-3
+?bar-slider       decks/bar-slider.yaml         dop853
+bar-slider        decks/bar-slider.yaml         dop853  integrate.ratio=1
+stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9
+stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
+spring-pendulum   decks/spring-pendulum.yaml    dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=rk4 integrate.step=2e-2
+chain             decks/chain.yaml              dop853  integrate.scheme=rk4 integrate.step=5e-3
+governor          decks/governor.yaml           dop853  integrate.scheme=rk4 integrate.step=5e-3
+heavy-top         decks/heavy-top.yaml          dop853  integrate.scheme=rk4 integrate.step=2e-4
+?slider-crank      decks/slider-crank.yaml       dop853  integrate.scheme=rk4 integrate.step=5e-3
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=radau9 integrate.tolerance=1e-4
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=radau9 integrate.tolerance=1e-7
+andrews           decks/andrews.yaml            dop853  integrate.scheme=radau9 integrate.tolerance=1e-4
+andrews           decks/andrews.yaml            dop853  integrate.scheme=radau9 integrate.tolerance=1e-7
+flexible-crank    decks/flexible-crank.yaml     radau9  integrate.scheme=radau9 integrate.tolerance=1e-5
+?spin-up           decks/spin-up.yaml            dopri5  integrate.scheme=radau9 integrate.tolerance=1e-6
+four-bar          decks/four-bar.yaml           dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+four-bar          decks/four-bar.yaml           dop853  integrate.scheme=radau5 integrate.tolerance=1e-7
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=radau5 integrate.tolerance=1e-6
+slider-crank      decks/slider-crank.yaml       dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+quick-return      decks/quick-return.yaml       dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=newmark integrate.gamma=0.6 integrate.beta=0.31
+pendulum          decks/pendulum.yaml           dop853  integrate.scheme=hht
+chain             decks/chain.yaml              dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+slider-crank      decks/slider-crank.yaml       dop853  integrate.scheme=rk4 integrate.tolerance=1e-5
+telescope         decks/telescope.yaml          radau9  integrate.tolerance=1e-3
+stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9  integrate.tolerance=1e-3
+LIST
+
+errors() { # RUN REFERENCE: "error column", the worst
+    awk -F, 'function abs(x) { return x < 0 ? -x : x }
+        /^#/ { next }
+        FNR == 1 { file++; if (file == 1) for (i = 1; i <= NF; i++) name[i] = $i; n = NF; next }
+        file == 1 { for (i = 2; i <= NF; i++) x[$1 + 0, i] = $i; seen[$1 + 0] = 1; next }
+        ($1 + 0) in seen { common++; for (i = 2; i <= NF; i++) { d = abs(x[$1 + 0, i] - $i); if (d > e[i]) e[i] = d } }
+        { for (i = 2; i <= NF; i++) { if (FNR == 2 || $i < low[i]) low[i] = $i; if (FNR == 2 || $i > high[i]) high[i] = $i
+              if (abs($i) > size[i]) size[i] = abs($i) } }
+        END { worst = -1
+              for (i = 2; i <= n; i++) {
+                  if (name[i] ~ /^(h|sweeps|energy\..*)$/) continue
+                  r = high[i] - low[i]; if (r < 1e-8 * size[i]) r = size[i]
+                  if (r < 1e-6) continue
+                  if (e[i] / r > worst) { worst = e[i] / r; w = name[i] } }
+              print worst, w, common }' "$1" "$2"
+}
+
+printf '%-17s %-34s %-22s %9s %9s %8s\n' deck scheme "worst column" found estimated quotient
+while read -r name deck reference settings; do
+    mark=
+    case $name in '?'*) mark=" (known)" name=${name#?} ;; esac
+    [ $# -eq 0 ] || case " $* " in *" $name "*) ;; *) continue ;; esac
+    sets=
+    for s in $settings; do sets="$sets --set $s"; done
+    "$FMDSUB" run -q --stats="$work/stats" $sets "$deck" >"$work/run" 2>"$work/err" ||
+        { echo "$name $settings: the run fails: $(tail -n 1 "$work/err")"; continue; }
+    [ -s "$work/$name.csv" ] ||
+        "$FMDSUB" run -q --set integrate.scheme=$reference --set integrate.tolerance=1e-12 "$deck" >"$work/$name.csv" 2>"$work/err" ||
+        { echo "$name: the reference fails: $(tail -n 1 "$work/err")"; continue; }
+    found=$(errors "$work/run" "$work/$name.csv")
+    awk -v name="$name" -v found="$found" -v mark="$mark" -v settings="$(echo "$settings" | sed 's/integrate\.//g')" '
+        $1 == "estimated_error" { e = $2 }
+        END { split(found, f, " ")
+              told = e == "-" ? "not known" : sprintf("%9.2g %8.2g", e, e / f[1])
+              printf "%-17s %-34s %-22s %9.2g %s%s\n", name, settings, f[2], f[1], told, mark }' "$work/stats"
+done <"$work/list" | tee "$work/table"
+awk 'NR == 1 || /\(known\)/ { next } /fails/ { bad++; next } /not known/ { unknown++; next } NF { n++; decks[$1] = 1; if ($NF < 1 / 3 || $NF > 30) bad++; if (!least || $NF < least) least = $NF; if ($NF > most) most = $NF }
+     END { for (d in decks) shipped++
+           printf "%d runs of %d decks: estimated over found from %.2g to %.2g, %d not within 1/3 and 30; %d told not to be known\n", n, shipped, least, most, bad, unknown
+           exit bad > 0 || n == 0 }' "$work/table"

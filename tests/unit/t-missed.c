@@ -1,0 +1,69 @@
+/* t-missed.c -- what steps leave, summed: of a vibration what it is late by; in a new split of coordinates what it was. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "engine/missed.h"
+#include "unit/opened.h"
+
+#include <cmocka.h>
+
+/* A mass on a spring, omega = 3/s, from 1 m, for 20 s; late by c (omega h)^order omega t of its size. */
+static double summed(const char *integrate)
+{
+    struct opened o;
+    char text[600];
+    snprintf(text, sizeof text,
+             "bodies:\n"
+             "  box: {mass: 1, inertia: 1, at: [0, 0]}\n"
+             "constraints:\n"
+             "  slide: {prismatic: [ground, box], axis: [1, 0]}\n"
+             "forces:\n"
+             "  spring: {spring: slide, stiffness: 9}\n"
+             "initial: {slide.displacement: 1}\n"
+             "integrate: {%s, until: 20}\n"
+             "output: {every: 1}\n",
+             integrate);
+    open_deck(&o, text);
+    run(&o);
+    const double x = o.sim.stepper.missed->position[0], v = o.sim.stepper.missed->velocity[0];
+    near(v / x, 3, .3);
+    arena_close(o.life);
+    return x;
+}
+
+static void within_two(double x, double late)
+{
+    assert_true(x > late / 2 && x < 2 * late);
+}
+
+static void test_vibration(void **state)
+{
+    const double h = .01, t = 20, x = 3 * h;
+    (void)state;
+    within_two(summed("scheme: midpoint, step: 0.01"), x * x / 12 * 3 * t);
+    within_two(summed("scheme: newmark, step: 0.01, beta: 0.25, gamma: 0.5"), x * x / 12 * 3 * t);
+    within_two(summed("scheme: newmark, step: 0.01, beta: 0.25, gamma: 0.5, ratio: 5"), x * x / 12 * 3 * t);
+    within_two(summed("scheme: rk4, step: 0.01"), x * x * x * x / 120 * 3 * t);
+}
+
+/* Bursts ever more apart stand for all steps: a run of many steps is summed as one of few. */
+static void test_bursts(void **state)
+{
+    const double few = summed("scheme: midpoint, step: 0.02"), many = summed("scheme: midpoint, step: 0.0002");
+    (void)state;
+    near(few / many, 1e4, 2e3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_vibration),
+        cmocka_unit_test(test_bursts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
