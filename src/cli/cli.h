@@ -26,8 +26,8 @@ struct request {
         *columns, *at, *final_state, *resume_from, *rel, *abs, *sample, *seed, *of, *jobs, *shard, *slurm;
     int nover;
     const char *over[MOST_OVERS];
-    bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, latin, times, resume, list, merge, verify,
-        help, version;
+    bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, latin, times, resume, list, merge,
+        verify, help, version;
     const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
 };

@@ -216,8 +216,7 @@ static enum status take(struct request *o, const char *name, const char *value, 
                  {"help", &o->help},         {"version", &o->version},   {"expanded", &o->expanded},
                  {"absolute", &o->absolute}, {"no-trial", &o->no_trial}, {"script", &o->script},
                  {"latin", &o->latin},       {"times", &o->times},       {"resume", &o->resume},
-                 {"list", &o->list},         {"merge", &o->merge},
-                 {"verify", &o->verify}};
+                 {"list", &o->list},         {"merge", &o->merge},       {"verify", &o->verify}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         if (value && strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)

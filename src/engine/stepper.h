@@ -113,13 +113,13 @@ struct stepper {
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
     struct guess guess;
-    bool natural;         /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
-    int unstarted;        /* accelerations were not found in a new chart: the next step asks for them again */
-    struct accel *accel;  /* solves (2-4) for a */
+    bool natural;          /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
+    int unstarted;         /* accelerations were not found in a new chart: the next step asks for them again */
+    struct accel *accel;   /* solves (2-4) for a */
     struct missed *missed; /* what steps have missed so far; NULL: nobody asks */
-    struct touch *touch;  /* rigid contacts; NULL: there are none */
-    struct single *keep;  /* v, a before a corner */
-    struct single *whole; /* the state before a step that is taken in parts */
+    struct touch *touch;   /* rigid contacts; NULL: there are none */
+    struct single *keep;   /* v, a before a corner */
+    struct single *whole;  /* the state before a step that is taken in parts */
     struct arena *life;
     void *self; /* the scheme's memory */
 };

@@ -7,6 +7,7 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
+#include "engine/touch.h"
 #include "sim/parts.h"
 
 static const double SMALL = 1e-6; /* of usual sizes: what the state is moved by */
@@ -170,6 +171,7 @@ static const char *reason(const struct sim *sim)
     if (sim->stepper.ode->n == 0) return NULL;
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
+    if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
     if (2 * missed->told < missed->steps || missed->told == 0)
         return "too few steps lie between corners of forces or drives";
     return NULL;
