@@ -48,7 +48,7 @@ UNITS    := $(foreach u,$(patsubst t-%,%,$(subst $(comma), ,$(U))),$(or $(filter
 endif
 UNITS    := $(UNITS:%=$(BUILD)/unit/t-%)
 REDUNITS := $(if $(HAVE),$(patsubst tests/reduce/t-%.c,$(BUILD)/reduce/t-%,$(sort $(wildcard tests/reduce/t-*.c))))
-TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/reach.so \
+TOOLS    := $(BUILD)/tools/compare $(BUILD)/tools/cputime $(BUILD)/tools/badwrite.so $(BUILD)/tools/badsine.so $(BUILD)/tools/reach.so \
             $(BUILD)/tools/badalloc.so $(BUILD)/tools/everyalloc $(BUILD)/tools/bytes
 RANDOM   := $(BUILD)/random/mechanism $(BUILD)/random/judge
 FUZZED   := deck expression table body

@@ -60,6 +60,7 @@ enum status verb_plot(const struct request *request, struct arena *life, struct 
 enum status verb_sweep(const struct request *request, struct arena *life, struct report *report);
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report);
 enum status verb_stability(const struct request *request, struct arena *life, struct report *report);
+enum status verb_selftest(const struct request *request, struct arena *life, struct report *report);
 enum status verb_list(const struct request *request, struct arena *life, struct report *report);
 enum status verb_schema(const struct request *request, struct arena *life, struct report *report);
 enum status verb_explain(const struct request *request, struct arena *life, struct report *report);

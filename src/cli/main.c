@@ -35,6 +35,7 @@ const struct verb verbs[] = {
     {"schema", "", "the deck's grammar as a JSON Schema", verb_schema},
     {"explain", "CODE or DECK",
      "what a message means and how to cure it; a deck's effects: what each costs and changes", verb_explain},
+    {"selftest", "", "this program against references that it has with it: status 0, or 70", verb_selftest},
     {"new", "pendulum|mechanism|beam", "print a commented starter deck", verb_new},
     {0},
 };
