@@ -41,8 +41,8 @@ static void press(struct elements *e, struct sweep *s, double *r)
 void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
                    const struct instant *x, enum rate cls)
 {
+    if (e->model->nforce == 0 && !e->press) return; /* before any register is saved */
     if (e->press) press(e, s, r);
-    if (e->model->nforce == 0) return; /* before any register is saved */
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) load_plain(&e->plain[i], r, w, effect, x);
     if (x->qa && x->qb && e->ends[cls]) {
         measure_end(e, x, 0, cls);

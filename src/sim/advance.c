@@ -37,6 +37,7 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->stepper.natural = sim->stepper.ode->n > 0 && adaptive_interpolates(&sim->stepper);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
     sim->looks_always = looks_always(sim);
+    sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;
 }
 
 enum status look_at_energies(struct sim *sim)
@@ -60,6 +61,7 @@ static enum status note(struct sim *sim, double h, int ratio)
 {
     sim->last_h = h;
     if (h < sim->min_h) sim->min_h = h;
+    if (!sim->noting) return OK;
     if (sim->nrotation) rotations_note(sim, h, ratio);
     if (sim->nspin) spins_note(sim);
     if (sim->ntilt) tilts_note(sim);

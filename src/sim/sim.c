@@ -298,13 +298,14 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
 {
     enum { CHECK_EVERY = 64 };
     for (long k = sim->place.step + 1; k <= sim->majors; k++) {
-        const long charts = system_charts(sim->system);
+        const bool loops = sim->model->nloop > 0;
+        const long charts = loops ? system_charts(sim->system) : 0;
         const double to = end_of(sim, k);
         if (sim->njump) TRY(jumps_check(sim, to, sink, report));
         enum status status = major(sim, k, to);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
-        if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
+        if (loops && system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;

@@ -76,6 +76,7 @@ struct sim {
     struct guess guess;  /* of the first step, where a tolerance makes steps the scheme's own */
     long rejected;       /* steps, when such a scheme's last record was due */
     struct single *look; /* records between the ends of such steps */
+    bool noting;         /* there are watches of the step */
     bool looks_always;   /* energies are looked at after every step */
     bool watched;        /* steps may be undone */
     struct single *keep; /* then the state before, */

@@ -53,7 +53,7 @@ void price_find(struct price *o, const struct sim *sim)
 
 double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e)
 {
-    return o->evaluation * ((double)e->slow * (1 - o->fast) + (double)e->fast * o->fast) + o->look * (double)e->majors +
+    return o->evaluation * ((double)e->slow * (1 - o->fast) + (double)e->fast * o->fast) +
            (kind->full ? o->full : o->structured) * (double)e->factors;
 }
 

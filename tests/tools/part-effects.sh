@@ -30,7 +30,7 @@ flat() { # NAME DECK [ARGUMENT...]
     expect "$name says the same" 0 $? "$work/out"
 }
 
-for deck in tests/effects/flat-*.yaml tests/bench/effects/*-space.yaml; do
+for deck in tests/effects/flat-*.yaml decks/effect-plane.yaml tests/bench/effects/*-space.yaml; do
     name=${deck##*/}
     case $name in crank-*) continue ;; esac
     flat "${name%.yaml}" "$deck"
@@ -49,8 +49,9 @@ tail -n 5 "$work/whole.csv" >"$work/a"
 tail -n 5 "$work/on.csv" >"$work/b"
 same "a scene in a plane goes on from its state" "$work/a" "$work/b"
 
-# Every spatial deck that is shipped leaves every plane.
+# Every spatial deck that is shipped leaves every plane, but for the one that shows this.
 for deck in decks/*.yaml; do
+    [ "$deck" = decks/effect-plane.yaml ] && continue
     "$FMDSUB" check --no-trial "$deck" 2>/dev/null | head -n 1 | grep -q 'spatial, in a plane'
     expect "${deck#decks/} is not taken for planar" 1 $?
 done

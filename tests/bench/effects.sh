@@ -1,0 +1,89 @@
+# effects.sh -- what effects cost that a scene does not call for, in instructions by callgrind: the same number every time.
+#
+# Each limit that is passed fails.  A count is the difference of two runs over the steps between them.  With UPDATE=1 the counts
+# become the reference in tests/bench/effects/counts, against which a scene may grow by one in a hundred.
+. tests/tools/lib.sh
+command -v valgrind >/dev/null || { skip effects "valgrind is not installed"; exit 0; }
+scenes=tests/bench/effects
+FROM=120 TO=520 # steps between which a step is counted
+counts=$scenes/counts
+
+collected() { # FUNCTIONS COMMAND...: instructions; their functions into the file
+    to=$1
+    shift
+    valgrind --tool=callgrind --compress-strings=no --callgrind-out-file="$work/cg" "$@" >/dev/null 2>"$work/err"
+    sed -n 's/^fn=//p' "$work/cg" | sort -u >"$to"
+    awk '/Collected/ { print $NF }' "$work/err"
+}
+
+of_run() { # FUNCTIONS DECK UNTIL [ARGUMENT...]
+    fns=$1 deck=$2 until=$3
+    shift 3
+    collected "$fns" "$FMDSUB" run -q --every-steps 100000000 --until "$until" "$@" "$deck"
+}
+
+step() { # NAME DECK H [ARGUMENT...]: of a step, into $work/NAME
+    name=$1 deck=$2 h=$3
+    shift 3
+    a=$(of_run "$work/fn" "$deck" "$(awk -v h="$h" -v n="$FROM" 'BEGIN { printf "%.12g", n * h }')" "$@")
+    b=$(of_run "$work/$name.fn" "$deck" "$(awk -v h="$h" -v n="$TO" 'BEGIN { printf "%.12g", n * h }')" "$@")
+    awk -v a="$a" -v b="$b" -v n=$((TO - FROM)) 'BEGIN { printf "%.0f\n", (b - a) / n }' >"$work/$name"
+    printf '%-28s %8s\n' "$name" "$(cat "$work/$name")"
+}
+
+at_most() { # WHAT VALUE LIMIT
+    if awk -v x="$2" -v most="$3" 'BEGIN { exit !(x > 0 && x <= most) }'; then ok "$1: $2, at most $3"
+    else not_ok "$1" "$2 is more than $3"; fi
+}
+
+# wanted WHAT VALUE WANTED LIMIT: a goal that is not met yet, and may not get further off.
+wanted() {
+    if awk -v x="$2" -v most="$3" 'BEGIN { exit !(x > most) }' && awk -v x="$2" -v most="$4" 'BEGIN { exit !(x <= most) }'; then
+        known "$1" "$2, wanted $3"
+    else at_most "$1" "$2" "$3"; fi
+}
+
+ratio() { awk -v a="$(cat "$work/$1")" -v b="$(cat "$work/$2")" 'BEGIN { printf "%.4f", a / b }'; }
+
+for twin in pend chain fourbar; do
+    step $twin-plane $scenes/$twin-plane.yaml 1.0e-3 --columns "t,$(sed -n 's/.*columns: \[\([a-z0-9.]*\).*/\1/p' $scenes/$twin-plane.yaml)"
+    step $twin-space $scenes/$twin-space.yaml 1.0e-3 --columns "t,$(sed -n 's/.*columns: \[\([a-z0-9.]*\).*/\1/p' $scenes/$twin-space.yaml)"
+    at_most "$twin: space that is planar, of the plane" "$(ratio $twin-space $twin-plane)" 1.02
+done
+step pend-ledger $scenes/pend-plane.yaml 1.0e-3 --columns t,pin.angle --set effects.ledger=true
+at_most "energies, of a pendulum's step" \
+    "$(awk -v a="$(cat "$work/pend-plane")" -v b="$(cat "$work/pend-ledger")" 'BEGIN { printf "%.4f", (b - a) / 7 / a }')" .03
+wanted "a pendulum's step" "$(cat "$work/pend-plane")" 2600 2640
+step satellite decks/floating-satellite.yaml 2.0e-3 --columns t,float.omega_x
+at_most "a satellite's step without momenta" "$(cat "$work/satellite")" 50924
+step heavy-top decks/heavy-top.yaml 1.0e-4 --columns t
+step crank-plane $scenes/crank-plane.yaml 2.0e-5 --columns t
+step crank-space $scenes/crank-space.yaml 2.0e-5 --columns t
+
+# No flexible kernel in rigid scenes.
+for scene in pend-plane chain-plane fourbar-plane heavy-top; do
+    grep -E '^(flex_|affine_|planar_bend|planar_stand|spatial_flex)' "$work/$scene.fn" | grep -v _build >"$work/flexible"
+    expect "$scene executes no flexible kernel" 0 "$(wc -l <"$work/flexible")" "$work/flexible"
+done
+
+# A record of t alone with loops.
+a=$(of_run "$work/fn" $scenes/fourbar-plane.yaml .4 --columns t)
+b=$(collected "$work/fn" "$FMDSUB" run -q --every-steps 1 --until .4 --columns t $scenes/fourbar-plane.yaml)
+at_most "a record of t with loops" "$(awk -v a="$a" -v b="$b" 'BEGIN { printf "%.0f", (b - a) / 399 }')" 700
+
+# The chain by newmark against the bare loop.
+FROM=500 TO=2500 step chain-newmark decks/chain.yaml 1.0e-3 --columns pin1.angle --set parameters.N=8 \
+    --set integrate.scheme=newmark --set integrate.step=1.0e-3
+a=$(collected "$work/fn" "$BUILD/bench/bare_chain" 8 1e-3 500)
+b=$(collected "$work/fn" "$BUILD/bench/bare_chain" 8 1e-3 2500)
+awk -v a="$a" -v b="$b" 'BEGIN { printf "%.0f\n", (b - a) / 2000 }' >"$work/bare"
+wanted "chain of 8 by newmark, of the bare loop" "$(ratio chain-newmark bare)" 1.45 1.53
+
+# None may grow by a hundredth.
+for name in pend-plane chain-plane fourbar-plane heavy-top satellite crank-plane crank-space chain-newmark; do
+    echo "$name $(cat "$work/$name")"
+done >"$work/now"
+[ "${UPDATE:-}" = 1 ] && cp "$work/now" $counts
+while read -r name was; do
+    at_most "$name, of its reference" "$(awk -v a="$(cat "$work/$name")" -v b="$was" 'BEGIN { printf "%.4f", a / b }')" 1.01
+done <$counts
