@@ -80,7 +80,7 @@ static enum status print_columns(const struct request *request, struct arena *li
 
 enum status verb_list(const struct request *request, struct arena *life, struct report *report)
 {
-    static const char *const topics[] = {"schemes", "joints", "forces", "effects", "sections", "columns"};
+    static const char *const topics[] = {"schemes", "joints", "forces", "contacts", "effects", "sections", "columns"};
     const char *topic = request->nword ? request->word[0] : "";
     bool one_word = strcmp(topic, "columns") != 0 && strcmp(topic, "page") != 0;
     if (one_word && request->nword > 1) return fail(report, E_USAGE, "'fmdsub list %.40s' takes nothing more", topic);
@@ -97,6 +97,10 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
         print_sections("forces.NAME", life);
     } else if (strcmp(topic, "effects") == 0) {
         print_effects();
+    } else if (strcmp(topic, "contacts") == 0) {
+        static const char *const paths[] = {"surfaces.NAME", "contacts.NAME", "contacts.NAME.friction",
+                                            "constraints.NAME.range", "constraints.NAME.range.hold"};
+        for (int i = 0; i < 5; i++) print_sections(paths[i], life);
     } else if (strcmp(topic, "sections") == 0) {
         print_sections(NULL, life);
     } else if (strcmp(topic, "columns") == 0) {
@@ -106,8 +110,8 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
     } else {
         const char *nearest = text_nearest(topic, topics, (int)(sizeof topics / sizeof *topics));
         return fail(report, E_USAGE,
-                    "no list of '%.40s'%s%s%s (schemes, joints, forces, effects, sections, columns DECK)", topic,
-                    nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+                    "no list of '%.40s'%s%s%s (schemes, joints, forces, contacts, effects, sections, columns DECK)",
+                    topic, nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
     }
     return OK;
 }

@@ -149,6 +149,15 @@ const struct diag_help diag_helps[] = {
      "'hold' is 'rigid' or a map of its keys: {restitution: 0.5}, or {stiffness: 1.0e+6} for stops that give way."},
     {"E-exclusive", "The marked key goes with another kind of stop or contact. 'stiffness' makes one compliant, then "
                     "'damping' and 'exponent' say more of it; 'restitution' is of rigid ones."},
+    {"E-unknown-surface",
+     "The surface is not known here: surfaces stand in 'surfaces:', as plane, point, points, sphere "
+     "or hole; a contact names two of them."},
+    {"E-pair",
+     "These two surfaces do not make a contact. Known are point or sphere and plane, sphere and sphere or point, "
+     "point or sphere and hole."},
+    {"E-static", "What sticks is held by at least the friction that resists sliding: 'static' is not below 'kinetic'."},
+    {"E-contact-flexible", "Surfaces of flexible bodies do not touch yet. Fix a small rigid body at the place, and let "
+                           "that touch."},
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",

@@ -5,7 +5,7 @@
 
 #include "base/scalar.h"
 
-enum { SWEEPS = 4000 };
+enum { SWEEPS = 4000, STALLED = 40 };
 static const double EXACT = 1e-16, ENOUGH = 1e-12; /* of the rates, in a sweep that changes nothing */
 
 static double rate(const double *p, const double *W, const double *u0, int i, int rows)
@@ -49,16 +49,17 @@ static double across(double *p, const double *W, const double *u0, const struct 
 
 bool cone_solve(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size)
 {
-    double moved = INFINITY, before = INFINITY;
-    for (int k = 0; k < SWEEPS && !(moved <= EXACT * size); k++) {
-        before = smaller(before, moved);
+    double moved = INFINITY, least = INFINITY;
+    for (int k = 0, since = 0; k < SWEEPS && !(moved <= EXACT * size); k++) {
         moved = 0;
         for (int i = 0; i < n; i++) {
             moved = larger(moved, normal(p, W, u0, &cone[i], rows));
             if (cone[i].across) moved = larger(moved, across(p, W, u0, &cone[i], rows));
         }
         if (!isfinite(moved)) return false;
-        if (moved <= ENOUGH * size && moved >= before) break; /* round-off */
+        since = moved < .9 * least ? 0 : since + 1;
+        least = smaller(least, moved);
+        if (moved <= ENOUGH * size && since > STALLED) break; /* round-off */
     }
     return moved <= ENOUGH * size;
 }

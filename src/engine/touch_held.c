@@ -31,7 +31,19 @@ static struct instant place(struct touch *o, const struct state *x, double h, do
                             .tb = t1};
 }
 
-/* Rows of normals in the middle that do exactly the change of the gap. */
+/* The row G in the middle such that it does exactly the change of the gap; `size` is that of the displacement, squared.
+ * Where that is a matter of round-off, or of an iterate that is far off, the row stays. */
+static void correct_row(const struct touch *o, double *G, double change, double size)
+{
+    static const double MOST = .1; /* of the row */
+    const int n = o->ode->n;
+    const double off = change - dot(G, o->dx, n);
+    double own = 0;
+    for (int j = 0; j < n; j++) own += G[j] * G[j] / o->weight[j];
+    if (off * off > MOST * MOST * own * size) return;
+    for (int j = 0; j < n; j++) G[j] += off / size * o->weight[j] * o->dx[j];
+}
+
 static void correct_normals(struct touch *o, double h)
 {
     const int n = o->ode->n;
@@ -39,10 +51,9 @@ static void correct_normals(struct touch *o, double h)
     for (int i = 0; i < n; i++) size += o->weight[i] * o->dx[i] * o->dx[i];
     if (!(size > DBL_MIN)) return;
     for (int k = 0; k < o->n; k++) {
-        double *G = o->middle.G + o->cone[k].row * n;
-        const int i = o->contact[k];
-        const double c = (o->g1[i] - o->g0[i] - h * o->middle.b[o->cone[k].row] - dot(G, o->dx, n)) / size;
-        for (int j = 0; j < n; j++) G[j] += c * o->weight[j] * o->dx[j];
+        const int i = o->contact[k], row = o->cone[k].row;
+        const double change = o->g1[i] - o->g0[i] - h * o->middle.b[row];
+        correct_row(o, o->middle.G + row * n, change, size);
     }
 }
 

@@ -10,8 +10,8 @@ struct deck_keys {
     int version;
     const char *title;
     int units, space;
-    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *drives, *initial,
-        *partition, *integrate, *output, *checkpoint, *energy, *effects;
+    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *surfaces, *contacts,
+        *drives, *initial, *partition, *integrate, *output, *checkpoint, *energy, *effects;
 };
 struct body_keys {
     double mass;
@@ -34,6 +34,17 @@ struct measure_keys {
 struct value_keys { /* force, torque */
     const struct node *on, *value;
     int frame;
+};
+struct surface_keys {
+    const struct node *on, *at, *normal, *along;
+    double radius;
+};
+struct contact_keys {
+    const struct node *between, *friction;
+    double restitution, speed;
+};
+struct friction_keys {
+    double kinetic, holding; /* NAN: not given */
 };
 struct range_keys {
     double lower, upper; /* NAN: no end there */
@@ -88,7 +99,8 @@ struct vector_keys {
 extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], keys_rod[], keys_distance[],
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[],
     keys_integrate[], keys_output[], keys_every[], keys_checkpoint[], keys_checkpoint_every[], keys_energy[],
-    keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[], keys_range[], keys_hold[];
+    keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[], keys_range[], keys_hold[], keys_plane[],
+    keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_contact[], keys_friction[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);
@@ -105,6 +117,8 @@ int find_coordinate(struct builder *b, struct scene_measure *m, const struct nod
 int read_range(struct builder *b, struct scene_joint *j, const struct node *n, const char *what);
 void make_stops(struct builder *b);
 int check_stops(struct builder *b);
+/* contacts.c: behind the forces, whose stops are contacts, too */
+int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts);
 int read_forces(struct builder *b, const struct node *n);
 int read_drives(struct builder *b, const struct node *n);
 /* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */

@@ -85,6 +85,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
         read_joints(&b, k.constraints);
         read_measures(&b, k.measures);
         read_forces(&b, k.forces);
+        read_contacts(&b, k.surfaces, k.contacts);
         read_drives(&b, k.drives);
         check_stops(&b);
         make_flexible(&b);

@@ -19,6 +19,8 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, measures, "measures", "{name: measure}", 0,
                "distances, displacements, angles to print, to read in expressions, to put forces on"),
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
+    PARAM_NODE(struct deck_keys, surfaces, "surfaces", "{name: surface}", 0, "planes, points, spheres that may touch"),
+    PARAM_NODE(struct deck_keys, contacts, "contacts", "{name: contact}", 0, "which of them touch, with what friction"),
     PARAM_NODE(struct deck_keys, drives, "drives", "{name: drive}", 0, "coordinates and measures that move as told"),
     PARAM_NODE(struct deck_keys, initial, "initial",
                "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file, time: keep}", 0,
@@ -110,6 +112,45 @@ const struct key keys_torque[] = {
     PARAM_NODE(struct value_keys, value, "value", "expression, or three of them on a body in 3-D, or a table",
                KEY_REQUIRED, "[N m]; positive when it drives the measure upwards"),
     PARAM_WORD(struct value_keys, frame, "frame", "world|body", 0, "world", "axes of a torque on a body"),
+    KEYS_END,
+};
+
+#define SURFACE(word, shape, brief) PARAM_NODE(struct surface_keys, on, word, shape, KEY_REQUIRED, brief)
+#define RADIUS                                                                                                         \
+    PARAM_REAL(struct surface_keys, radius, "radius", "m", 0, INFINITY, KEY_REQUIRED | KEY_ABOVE | KEY_BELOW, NULL,    \
+               "its radius")
+#define CENTRE                                                                                                         \
+    PARAM_NODE(struct surface_keys, at, "at", "vector [m]", 0,                                                         \
+               "its centre when drawn, world; default: the body's centre of mass")
+const struct key keys_plane[] = {
+    SURFACE("plane", "body", "the body that it is fixed in"),
+    PARAM_NODE(struct surface_keys, at, "at", "vector [m]", KEY_REQUIRED, "a point of it when drawn, world"),
+    PARAM_NODE(struct surface_keys, normal, "normal", "vector", KEY_REQUIRED, "away from it, to the side that is free"),
+    PARAM_NODE(struct surface_keys, along, "along", "vector", KEY_SPATIAL,
+               "a direction in it, of 'speed' and the first component of friction"),
+    KEYS_END,
+};
+const struct key keys_spot[] = {SURFACE("point", "body or body.point", "the point"), KEYS_END};
+const struct key keys_spots[] = {
+    SURFACE("points", "[body.point, ...]", "the points; contact NAME has NAME.1, NAME.2, ..."), KEYS_END};
+const struct key keys_sphere[] = {SURFACE("sphere", "body", "the body that it is fixed in"), CENTRE, RADIUS, KEYS_END};
+const struct key keys_hole[] = {SURFACE("hole", "body", "the body that it is in"), CENTRE, RADIUS, KEYS_END};
+
+const struct key keys_contact[] = {
+    PARAM_NODE(struct contact_keys, between, "between", "[surface, surface]", KEY_REQUIRED, "what touches"),
+    PARAM_REAL(struct contact_keys, restitution, "restitution", NULL, 0, 1, 0, "0",
+               "speed after an impact over that before"),
+    PARAM_NODE(struct contact_keys, friction, "friction", "number, or a map", 0,
+               "coefficient of friction; default: none"),
+    PARAM_REAL(struct contact_keys, speed, "speed", "m/s", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, "0",
+               "of a belt: of the plane's surface, along it; in 2-D to the right where its normal points up"),
+    KEYS_END,
+};
+const struct key keys_friction[] = {
+    PARAM_REAL(struct friction_keys, kinetic, "kinetic", NULL, 0, INFINITY, KEY_REQUIRED | KEY_BELOW, NULL,
+               "coefficient where it slides"),
+    PARAM_REAL(struct friction_keys, holding, "static", NULL, 0, INFINITY, KEY_BELOW, NULL,
+               "coefficient where it sticks; default: kinetic"),
     KEYS_END,
 };
 
@@ -276,6 +317,13 @@ static const struct section fixed[] = {
     {"forces.NAME", "force", "a force along a measure or at a point", keys_force},
     {"forces.NAME", "torque", "a torque along a measure or on a body", keys_torque},
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},
+    {"surfaces.NAME", "plane", "a plane, fixed in a body", keys_plane},
+    {"surfaces.NAME", "point", "a point of a body", keys_spot},
+    {"surfaces.NAME", "points", "several points of bodies", keys_spots},
+    {"surfaces.NAME", "sphere", "a ball; in 2-D a disc", keys_sphere},
+    {"surfaces.NAME", "hole", "the inside of a ball; in 2-D of a bore", keys_hole},
+    {"contacts.NAME", NULL, "two surfaces that touch, rigid", keys_contact},
+    {"contacts.NAME.friction", NULL, "Coulomb's friction", keys_friction},
     {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},
     {"drives.NAME.value", NULL, "a table in place of an expression", keys_table},
     {"initial", NULL, "going on from a state", keys_from},

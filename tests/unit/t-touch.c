@@ -157,10 +157,197 @@ static void reactions(void **state)
     arena_close(o.life);
 }
 
+/* ---- surfaces ---- */
+
+#define FLOOR "surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, toe: {point: b}}\n"
+#define BLOCK                                                                                                          \
+    "bodies: {b: {mass: 1, inertia: 0.1, at: [0, 0]}}\nconstraints: {f: {planar: [ground, b], at: [0, 0]}}\n" FLOOR
+
+/* mu = .5: at 0.9 of the friction angle it stays for ever, at 1.1 it slides as a point does. */
+static void on_an_incline(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct opened o;
+        char text[900];
+        const double tilt = atan((k ? 1.1 : .9) * .5), g = 9.81, T = k ? 1 : 100;
+        snprintf(text, sizeof text,
+                 "gravity: [%.17g, %.17g]\n" BLOCK "contacts: {c: {between: [floor, toe], friction: 0.5}}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-2, until: %g}\n",
+                 g * sin(tilt), -g * cos(tilt), T);
+        open_deck(&o, text);
+        run(&o);
+        near(value(&o, "f.x"), k ? .5 * g * (sin(tilt) - .5 * cos(tilt)) : 0, k ? 1e-13 : 0);
+        assert_true(value(&o, "f.y") == 0 && value(&o, "c.state") == (k ? 1 : 2));
+        near(value(&o, "f.x_accel"), k ? g * (sin(tilt) - .5 * cos(tilt)) : 0, 1e-12);
+        near(o.sim.ledger.residual, 0, 1e-13);
+        arena_close(o.life);
+    }
+}
+
+/* A ball slides, then rolls at 5/7 of its speed; in space along (0.6, 0.8). */
+static void sliding_to_rolling(void **state)
+{
+    static const char *const text[] = {
+        "gravity: [0, -9.81]\nbodies: {b: {mass: 1, inertia: 0.004, at: [0, 0.1]}}\n"
+        "constraints: {f: {planar: [ground, b]}}\ninitial: {f.x_rate: 1}\n"
+        "surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, ball: {sphere: b, radius: 0.1}}\n",
+        "gravity: [0, 0, -9.81]\nbodies: {b: {mass: 1, inertia: [0.004, 0.004, 0.004], at: [0, 0, 0.1]}}\n"
+        "constraints: {f: {free: [ground, b]}}\ninitial: {f.x_rate: 0.6, f.y_rate: 0.8}\n"
+        "surfaces: {floor: {plane: ground, at: [0, 0, 0], normal: [0, 0, 1]}, ball: {sphere: b, radius: 0.1}}\n"};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct opened o;
+        char all[900];
+        snprintf(all, sizeof all,
+                 "%scontacts: {c: {between: [ball, floor], friction: 0.3}}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n",
+                 text[k]);
+        open_deck(&o, all);
+        run(&o);
+        const double slides = 2. / 7 / (.3 * 9.81),
+                     x = slides - .5 * .3 * 9.81 * slides * slides + (1 - slides) * 5 / 7;
+        near(value(&o, "f.x"), k ? .6 * x : x, 3e-7);
+        near(value(&o, "f.x_rate"), k ? .6 * 5 / 7 : 5. / 7, 1e-13);
+        near(value(&o, k ? "b.wx" : "f.angle_rate"), k ? -.8 * 50 / 7 : -50. / 7, 1e-12);
+        near(value(&o, "energy.friction"), -1. / 7, 1e-13);
+        near(o.sim.ledger.worst, 0, 1e-13);
+        arena_close(o.life);
+    }
+}
+
+/* Painleve's rod, mu = 2: sliding is not possible, it jams in the first step; at mu = 1 it slides on. */
+static void a_rod_jams(void **state)
+{
+    static const double want[] = {.7826, .7948};
+    (void)state;
+    for (int mu = 1; mu <= 2; mu++)
+        for (int k = 0; k < 2; k++) {
+            struct opened o;
+            char text[900];
+            snprintf(
+                text, sizeof text,
+                "gravity: [0, -9.81]\nparameters: {th: 1.1}\n"
+                "bodies: {b: {mass: 1, inertia: 1/12, at: [0, 0.5*sin(th)], orient: th, points: {toe: [-0.5, 0]}}}\n"
+                "constraints: {f: {planar: [ground, b], at: [0, 0.5*sin(th)]}}\n"
+                "surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, toe: {point: b.toe}}\n"
+                "contacts: {c: {between: [toe, floor], friction: %d}}\ninitial: {f.x_rate: -3}\n"
+                "integrate: {scheme: midpoint, step: %g, until: 0.05}\n",
+                mu, k ? 1e-4 : 1e-3);
+            open_deck(&o, text);
+            const double drawn = 9.81 * .5 * sin(1.1), first = 4.5 + drawn;
+            run(&o);
+            const double now = value(&o, "energy.kinetic") + 9.81 * (.5 * sin(1.1) + value(&o, "f.y"));
+            near(now / first, want[mu - 1], 2e-4);
+            assert_true(value(&o, "c.state") == mu);
+            near(o.sim.ledger.worst, 0, 1e-12);
+            arena_close(o.life);
+        }
+}
+
+/* A plate with five feet, thrown: more points than freedoms.  It ends flat and at rest. */
+static void a_plate(void **state)
+{
+    (void)state;
+    struct opened o;
+    open_deck(
+        &o,
+        "gravity: [0, 0, -9.81]\nbodies: {b: {mass: 1, inertia: [0.1, 0.2, 0.3], at: [0, 0, 0.3], points: {\n"
+        "  a: [0.5, 0.4, -0.1], b: [-0.5, 0.4, -0.1], c: [-0.5, -0.4, -0.1], d: [0.5, -0.4, -0.1], e: [0, 0, -0.1]}}}\n"
+        "constraints: {f: {free: [ground, b]}}\ninitial: {f.x_rate: 0.6, f.y_rate: 0.8, f.omega: [0.5, 0.3, 1]}\n"
+        "surfaces: {floor: {plane: ground, at: [0, 0, 0], normal: [0, 0, 1]}, feet: {points: [b.a, b.b, b.c, b.d, "
+        "b.e]}}\n"
+        "contacts: {c: {between: [feet, floor], friction: 0.3, restitution: 0.3}}\n"
+        "integrate: {scheme: midpoint, step: 1.0e-3, until: 2}\n");
+    run(&o);
+    near(value(&o, "f.z"), -.2, 1e-12);
+    near(value(&o, "f.x_rate"), 0, 1e-12);
+    near(value(&o, "b.wz"), 0, 1e-12);
+    near(value(&o, "c.1.gap"), 0, 1e-12);
+    near(o.sim.ledger.worst / o.sim.ledger.norm, 0, 1e-5);
+    arena_close(o.life);
+}
+
+/* A pin dropped in a hole bounces, is held and swings: gap 0, energy kept to the booked loss. */
+static void a_pin_in_a_hole(void **state)
+{
+    (void)state;
+    struct opened o;
+    open_deck(&o, "gravity: [0, -9.81]\nbodies: {b: {mass: 1, inertia: 0.1, at: [0.3, 0.2]}}\n"
+                  "constraints: {f: {planar: [ground, b], at: [0, 0]}}\n"
+                  "surfaces: {bore: {hole: ground, at: [0, 0], radius: 1.1}, pin: {sphere: b, radius: 0.1}}\n"
+                  "contacts: {c: {between: [bore, pin], restitution: 0.3}}\n"
+                  "integrate: {scheme: midpoint, step: 1.0e-2, until: 4}\n");
+    run(&o);
+    near(value(&o, "c.gap"), 0, 1e-15);
+    near(o.sim.ledger.worst, 0, 1e-12);
+    assert_true(value(&o, "c.state") == 1 && value(&o, "energy.impact") > 9);
+    arena_close(o.life);
+}
+
+/* Three balls in a row, at once: Newton's law for both contacts has the answer (-1/3, 2/3, 2/3). */
+static void a_cradle(void **state)
+{
+    (void)state;
+    struct opened o;
+    open_deck(
+        &o,
+        "bodies: {a: {mass: 1, inertia: 1, at: [0, 0]}, b: {mass: 1, inertia: 1, at: [0.2, 0]}, c: {mass: 1, inertia: "
+        "1, at: [0.4, 0]}}\nconstraints: {x: {prismatic: [ground, a], axis: [1, 0]},\n"
+        " y: {prismatic: [ground, b], axis: [1, 0]}, z: {prismatic: [ground, c], axis: [1, 0]}}\n"
+        "surfaces: {sa: {sphere: a, radius: 0.1}, sb: {sphere: b, radius: 0.1}, sc: {sphere: c, radius: 0.1}}\n"
+        "contacts: {ab: {between: [sa, sb], restitution: 1}, bc: {between: [sb, sc], restitution: 1}}\n"
+        "initial: {x.displacement: -0.1, x.displacement_rate: 1}\n"
+        "integrate: {scheme: midpoint, step: 1.0e-2, until: 0.5}\n");
+    run(&o);
+    near(value(&o, "x.displacement_rate"), -1. / 3, 1e-12);
+    near(value(&o, "y.displacement_rate"), 2. / 3, 1e-12);
+    near(value(&o, "z.displacement_rate"), 2. / 3, 1e-12);
+    near(o.sim.ledger.worst, 0, 1e-14);
+    arena_close(o.life);
+}
+
+/* A rod falls on its corner: the impulse by hand, smooth and sticking. */
+static void a_rod_on_its_corner(void **state)
+{
+    static const double e[] = {.5, 1, 0};
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        struct opened o;
+        char text[900];
+        const double th = acos(-1) / 6, h = .2, v = sqrt(2 * 9.81 * h), c = .5 * cos(th), s = .5 * sin(th), J = 1. / 12;
+        snprintf(text, sizeof text,
+                 "gravity: [0, -9.81]\nbodies: {b: {mass: 1, inertia: 1/12, at: [0, 0.45], orient: pi/6, points: {toe: "
+                 "[-0.5, 0]}}}\nconstraints: {f: {planar: [ground, b], at: [0, 0]}}\n"
+                 "surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, toe: {point: b.toe}}\n"
+                 "contacts: {c: {between: [toe, floor], restitution: %g%s}}\n"
+                 "integrate: {scheme: midpoint, step: 1.0e-2, until: %.17g}\n",
+                 e[k], k == 2 ? ", friction: 10" : "", sqrt(2 * h / 9.81) + 1e-9);
+        open_deck(&o, text);
+        run(&o);
+        /* toe at (-c, -s) from the centre: u = (vx + s w, vy - c w); W = [1 + s s/J, -s c/J; -s c/J, 1 + c c/J] */
+        const double a = 1 + s * s / J, b = -s * c / J, d = 1 + c * c / J;
+        const double p = k == 2 ? v / (d - b * b / a) : (1 + e[k]) * v / d;
+        near(value(&o, "c.impulse"), p, 1e-6);
+        near(value(&o, "f.y_rate"), p - v, 1e-6);
+        near(value(&o, "f.angle_rate"), (-c * p + (k == 2 ? s * (-b / a * p) : 0)) / J, 1e-5);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_ball_comes_to_rest), cmocka_unit_test(without_loss),
-                                       cmocka_unit_test(two_stops), cmocka_unit_test(in_a_loop),
-                                       cmocka_unit_test(reactions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_ball_comes_to_rest),
+                                       cmocka_unit_test(without_loss),
+                                       cmocka_unit_test(two_stops),
+                                       cmocka_unit_test(in_a_loop),
+                                       cmocka_unit_test(reactions),
+                                       cmocka_unit_test(on_an_incline),
+                                       cmocka_unit_test(sliding_to_rolling),
+                                       cmocka_unit_test(a_rod_jams),
+                                       cmocka_unit_test(a_plate),
+                                       cmocka_unit_test(a_pin_in_a_hole),
+                                       cmocka_unit_test(a_cradle),
+                                       cmocka_unit_test(a_rod_on_its_corner)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

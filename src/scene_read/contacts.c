@@ -1,0 +1,259 @@
+/* contacts.c -- surfaces of bodies, and which of them touch: rigid contacts, see kind/contact.h */
+#include <math.h>
+#include <string.h>
+
+#include "la/rot.h"
+#include "la/vec3.h"
+#include "scene_read/parts.h"
+
+enum shape { SHAPE_PLANE, SHAPE_POINT, SHAPE_POINTS, SHAPE_SPHERE, SHAPE_HOLE, SHAPES };
+
+static const struct {
+    const char *word, *brief;
+    const struct key *keys;
+} shapes[SHAPES] = {{"plane", "a plane, fixed in a body", keys_plane},
+                    {"point", "a point of a body", keys_spot},
+                    {"points", "several points of bodies", keys_spots},
+                    {"sphere", "a ball; in 2-D a disc", keys_sphere},
+                    {"hole", "the inside of a ball; in 2-D of a bore", keys_hole}};
+
+struct surface {
+    const struct node *node;
+    enum shape shape;
+    int n;
+    struct marker *at; /* [n] */
+    double radius, normal[3], along[3];
+};
+
+static int shape_of(struct builder *b, const struct node *n)
+{
+    const char *words[SHAPES];
+    for (int i = 0; i < SHAPES; i++) {
+        words[i] = shapes[i].word;
+        if (node_find(n, words[i])) return i;
+    }
+    if (not_there(b, n, "surfaces", "surface")) return -1;
+    unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-surface", "kind of surface",
+                 n->count ? n->item[0]->key : "", words, SHAPES);
+    return -1;
+}
+
+/* Bodies that bend have contacts at bodies of their own. */
+static int refuse_bending(struct builder *b, const struct node *n, int body, const char *what)
+{
+    if (!b->draft[body] && !b->scene->body[body].flex) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-contact-flexible", "%s: '%.60s' bends: its surfaces do not touch yet", what,
+               b->scene->body[body].name);
+    diag_hint(b->diags, "fix a small rigid body at the place, and let that touch");
+    return 1;
+}
+
+/* A place on a body, by default its centre. */
+static int place_on_body(struct builder *b, struct marker *o, const struct surface_keys *k, const char *what)
+{
+    double world[3];
+    const int body = find_body(b, k->on);
+    if (body < 0 || refuse_bending(b, k->on, body, what)) return 1;
+    *o = (struct marker){.body = body};
+    if (!k->at) return 0;
+    if (read_place(b, world, k->at, what)) return 1;
+    marker_at(o, b->scene, body, world);
+    return 0;
+}
+
+/* Directions when drawn into the body's axes. */
+static int read_axes(struct builder *b, struct surface *o, const struct surface_keys *k, const char *what)
+{
+    double normal[3], along[3] = {0};
+    const double *R = b->scene->body[o->at->body].R;
+    if (read_direction(b, normal, k->normal, what)) return 1;
+    if (k->along && read_direction(b, along, k->along, what)) return 1;
+    if (fabs(v3_dot(normal, along)) > 1e-6) {
+        diag_error(b->diags, k->along, AT_VALUE, "E-axes", "%s: 'along' does not lie in the plane", what);
+        return 1;
+    }
+    m3_tmul(o->normal, R, normal);
+    m3_tmul(o->along, R, along);
+    return 0;
+}
+
+static int read_spots(struct builder *b, struct surface *o, const struct node *list, const char *what)
+{
+    const bool one = o->shape == SHAPE_POINT;
+    if (!one && (read_list(list, what, &b->reader) || list->count == 0)) return 1;
+    o->n = one ? 1 : list->count;
+    o->at = TAKE(b->life, struct marker, o->n);
+    for (int i = 0; i < o->n; i++) {
+        const struct node *n = one ? list : list->item[i];
+        if (read_point(b, &o->at[i], n, what) || refuse_bending(b, n, o->at[i].body, what)) return 1;
+    }
+    return 0;
+}
+
+static int read_surface(struct builder *b, struct surface *o, const struct node *n)
+{
+    char what[100];
+    struct surface_keys k = {0};
+    snprintf(what, sizeof what, "surface '%.60s'", n->key);
+    if (read_map(n, what, &b->reader)) return 1;
+    const int shape = shape_of(b, n);
+    if (shape < 0) return 1;
+    *o = (struct surface){.node = n, .shape = shape, .n = 1};
+    if (read_keys(&k, shapes[shape].keys, n, NULL, what, &b->reader)) return 1;
+    if (shape == SHAPE_POINT || shape == SHAPE_POINTS) return read_spots(b, o, k.on, what);
+    o->at = TAKE(b->life, struct marker, 1);
+    o->radius = k.radius;
+    if (place_on_body(b, o->at, &k, what)) return 1;
+    return shape == SHAPE_PLANE ? read_axes(b, o, &k, what) : 0;
+}
+
+/* ---- contacts ---- */
+
+static const struct surface *find_surface(struct builder *b, const struct surface *all, int n, const struct node *name)
+{
+    const char **list = TAKE(b->life, const char *, n);
+    for (int i = 0; i < n; i++) {
+        list[i] = all[i].node->key;
+        if (name->type == NODE_SCALAR && strcmp(list[i], name->text) == 0) return &all[i];
+    }
+    unknown_name(b, name, AT_VALUE, "E-unknown-surface", "surface",
+                 name->type == NODE_SCALAR ? name->text : "(no name)", list, n);
+    return NULL;
+}
+
+/* The pair, with the surface that has the spheres first; CONTACT_PAIRS: it is none. */
+static enum contact_pair pair_of(const struct surface **first, const struct surface **second)
+{
+    const struct surface *a = *first, *b = *second;
+    if (a->shape == SHAPE_PLANE || a->shape == SHAPE_HOLE) {
+        *first = b;
+        *second = a;
+    }
+    a = *first;
+    b = *second;
+    if (a->shape == SHAPE_PLANE || a->shape == SHAPE_HOLE) return CONTACT_PAIRS;
+    if (b->shape == SHAPE_PLANE) return PAIR_PLANE;
+    if (b->shape == SHAPE_HOLE) return PAIR_HOLE;
+    if (a->shape != SHAPE_SPHERE) {
+        *first = b;
+        *second = a;
+    }
+    return (*first)->shape == SHAPE_SPHERE && (*second)->n == 1 ? PAIR_SPHERES : CONTACT_PAIRS;
+}
+
+static int read_friction(struct builder *b, struct contact_law *law, const struct node *n, const char *what)
+{
+    static const struct key number[] = {
+        PARAM_REAL(struct contact_law, sliding, "friction", NULL, 0, INFINITY, KEY_BELOW, NULL, ""), KEYS_END};
+    struct friction_keys k = {NAN, NAN};
+    if (!n) return 0;
+    if (n->type != NODE_MAP) {
+        if (read_number(&law->sliding, n, number, &b->reader)) return 1;
+        law->holding = law->sliding;
+        return 0;
+    }
+    if (read_keys(&k, keys_friction, n, NULL, "'friction'", &b->reader)) return 1;
+    law->sliding = k.kinetic;
+    law->holding = isnan(k.holding) ? k.kinetic : k.holding;
+    if (law->holding >= law->sliding) return 0;
+    diag_error(b->diags, node_find(n, "static"), AT_VALUE, "E-static",
+               "%s: its friction holds less, %g, than it resists sliding, %g", what, law->holding, law->sliding);
+    return 1;
+}
+
+static void add(struct builder *b, const struct scene_contact *like, const struct surface *first,
+                const struct surface *second)
+{
+    struct scene *scene = b->scene;
+    for (int i = 0; i < first->n; i++) {
+        struct scene_contact *o = &scene->contact[scene->ncontact++];
+        *o = *like;
+        if (first->n > 1) o->name = arena_print(b->life, "%s.%d", like->name, i + 1);
+        o->a = first->at[i];
+        o->b = *second->at;
+    }
+}
+
+static int read_contact(struct builder *b, const struct surface *all, int n, const struct node *node)
+{
+    char what[100];
+    struct contact_keys k = {0};
+    snprintf(what, sizeof what, "contact '%.60s'", node->key);
+    if (read_map(node, what, &b->reader) || read_keys(&k, keys_contact, node, NULL, what, &b->reader)) return 1;
+    if (k.between->type != NODE_LIST || k.between->count != 2) {
+        diag_error(b->diags, k.between, AT_VALUE, "E-type", "%s: expected two surfaces, [first, second]", what);
+        return 1;
+    }
+    const struct surface *first = find_surface(b, all, n, k.between->item[0]),
+                         *second = find_surface(b, all, n, k.between->item[1]);
+    if (!first || !second) return 1;
+    struct scene_contact o = {.name = node->key, .node = node, .pair = pair_of(&first, &second), .measure = -1};
+    if (o.pair == CONTACT_PAIRS) {
+        diag_error(b->diags, k.between, AT_VALUE, "E-pair", "%s: %s and %s do not make a contact", what,
+                   shapes[first->shape].word, shapes[second->shape].word);
+        diag_hint(b->diags,
+                  "known pairs: point or sphere and plane, sphere and sphere or point, point or sphere and hole");
+        return 1;
+    }
+    for (int i = 0; i < first->n; i++)
+        if (first->at[i].body == second->at->body) {
+            diag_error(b->diags, k.between, AT_VALUE, "E-same-body", "%s: both surfaces are on '%.60s'", what,
+                       b->scene->body[second->at->body].name);
+            return 1;
+        }
+    o.law.restitution = k.restitution;
+    o.law.speed = k.speed;
+    o.radius = first->radius;
+    o.other = second->radius;
+    v3_copy(o.normal, second->normal);
+    v3_copy(o.along, second->along);
+    if (k.speed != 0 && o.pair != PAIR_PLANE) {
+        diag_error(b->diags, node_find(node, "speed"), AT_KEY, "E-pair", "%s: 'speed' is that of a plane, a belt",
+                   what);
+        return 1;
+    }
+    if (read_friction(b, &o.law, k.friction, what)) return 1;
+    add(b, &o, first, second);
+    return 0;
+}
+
+static int count_spots(const struct surface *all, int n)
+{
+    int most = 1;
+    for (int i = 0; i < n; i++) most = all[i].n > most ? all[i].n : most;
+    return most;
+}
+
+/* Behind the stops. */
+static void make_room(struct builder *b, int more)
+{
+    struct scene *scene = b->scene;
+    struct scene_contact *all = TAKE(b->life, struct scene_contact, scene->ncontact + more);
+    if (scene->ncontact) memcpy(all, scene->contact, (size_t)scene->ncontact * sizeof *all);
+    scene->contact = all;
+}
+
+int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts)
+{
+    int errors = 0, n = 0;
+    if (surfaces && read_map(surfaces, "'surfaces'", &b->reader)) return 1;
+    if (contacts && read_map(contacts, "'contacts'", &b->reader)) return 1;
+    struct surface *all = TAKE(b->life, struct surface, surfaces ? surfaces->count : 0);
+    for (int i = 0; surfaces && i < surfaces->count && !diags_full(b->diags); i++)
+        if (read_surface(b, &all[n], surfaces->item[i]))
+            errors++;
+        else
+            n++;
+    if (errors || !contacts) return errors;
+    make_room(b, contacts->count * count_spots(all, n));
+    for (int i = 0; i < contacts->count && !diags_full(b->diags); i++) {
+        const struct node *c = contacts->item[i];
+        if (may_own_columns(c->key)) {
+            errors += read_contact(b, all, n, c);
+        } else {
+            diag_error(b->diags, c, AT_KEY, "E-name", "'%.60s' cannot name a contact", c->key);
+            errors++;
+        }
+    }
+    return errors;
+}
