@@ -182,6 +182,7 @@ const struct diag_help diag_helps[] = {
     {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
                     "them, or those above a frequency."},
     {"E-newmark", "Newmark's method is stable for every step if 2 beta >= gamma >= 1/2."},
+    {"E-order", "Order 4 goes with fixed steps and without damping by rho_infinity."},
     {"E-step", "The step is too long or too short for the run."},
     {"E-ratio", "A major step (ratio times step) must fit into the run."},
     {"E-every", "Records fall on the ends of major steps: 'every' is a multiple of ratio times step, or {steps: N}."},

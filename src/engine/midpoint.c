@@ -11,6 +11,7 @@
  * Newton for a with J = M^ + (h/2) C + (h^2/4) K.  state.a is the mean acceleration of the step. */
 #include "engine/midpoint.h"
 
+#include "engine/composed.h"
 #include "engine/stepped.h"
 
 static void begin(struct implicit *m)
@@ -37,16 +38,18 @@ static void rates(struct implicit *m, const double *a)
 
 const struct implicit_scheme midpoint_rule = {.middle = true, .begin = begin, .rates = rates};
 
-static const struct key keys[] = {KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
+static const struct key keys[] = {KEY_ORDER, KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
 
 #define MIDPOINT                                                                                                       \
     .name = "midpoint", .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems", .keys = keys, \
-    .order = 2, .late = stepped_late
+    .fits = composed_fits, .order = 2, .late = stepped_late
 static const struct stepped_scheme by_error = STEPPED(&step_midpoint, stepped_between);
 static const struct stepper_kind tolerant = {MIDPOINT, TOLERANT(&by_error)};
+static const struct stepper_kind fourth = {MIDPOINT, COMPOSED(&step_midpoint)};
 const struct stepper_kind step_midpoint = {
     MIDPOINT,
     .tolerant = &tolerant,
+    .fourth = &fourth,
     .formulas = &midpoint_rule,
     .open = implicit_open,
     .step = implicit_step,

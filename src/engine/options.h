@@ -15,6 +15,7 @@ struct step_options {
     double alpha;        /* of Hilber, Hughes and Taylor */
     double beta, gamma;  /* (2-5), (2-6) */
     int iteration;       /* enum iteration; fixed-point is (2-9) as printed */
+    int order;           /* of schemes that can be composed: 2 or 4 */
     int symmetric;       /* W at the average of both ends, second pass */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
     double tolerance;        /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */

@@ -14,6 +14,7 @@
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life)
 {
+    if (options->order == 4 && kind->fourth) kind = kind->fourth;
     *s = (struct stepper){.kind = kind, .ode = ode, .options = *options, .fresh = 1, .life = life};
     s->accel = TAKE(life, struct accel, 1);
     accel_open(s->accel, ode, &s->effort, life);

@@ -61,6 +61,9 @@ struct stepper_kind {
     /* Optional: the same with steps of its own by `tolerance`. */
     const struct stepper_kind *tolerant;
 
+    /* Optional: the same composed to order 4 (engine/composed.h), taken where `order` is 4. */
+    const struct stepper_kind *fourth;
+
     const void *formulas; /* of the family that open and step are those of: struct implicit_scheme; NULL: of none */
 
     /* Optional.  The part of (omega h)^(order + 1) that a vibration is late by in a step; with fades(), where that is not 0,

@@ -45,6 +45,7 @@
 
 #include "base/scalar.h"
 
+#include "engine/composed.h"
 #include "engine/midpoint.h"
 #include "engine/stepped.h"
 #include "la/dense.h"
@@ -362,6 +363,7 @@ static const struct key keys[] = {
     KEY_RHO_INFINITY,
     PARAM_BOOL(struct step_options, symmetric, "symmetric", KEY_NEUTRAL, "false",
                "decoupling at the average of both ends, a second pass"),
+    KEY_ORDER,
     KEY_NEWTON_TOLERANCE,
     KEY_TOLERANCE,
     KEYS_END,
@@ -370,10 +372,11 @@ static const struct key keys[] = {
 #define SUBCYCLE                                                                                                       \
     .name = "subcycle",                                                                                                \
     .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step", .keys = keys, \
-    .single = &step_midpoint, .two_rates = true, .order = 2, .late = stepped_late, .error = subcycle_error,            \
-    .keep = subcycle_error_keep
+    .single = &step_midpoint, .two_rates = true, .fits = composed_fits, .order = 2, .late = stepped_late,              \
+    .error = subcycle_error, .keep = subcycle_error_keep
 extern const struct stepper_kind step_subcycle;
 static const struct stepped_scheme by_error = STEPPED(&step_subcycle, NULL);
 static const struct stepper_kind tolerant = {SUBCYCLE, TOLERANT(&by_error)};
-const struct stepper_kind step_subcycle = {SUBCYCLE, .tolerant = &tolerant, .open = open, .step = step,
-                                           .recall = recall};
+static const struct stepper_kind fourth = {SUBCYCLE, COMPOSED(&step_subcycle)};
+const struct stepper_kind step_subcycle = {SUBCYCLE,     .tolerant = &tolerant, .fourth = &fourth,
+                                           .open = open, .step = step,          .recall = recall};

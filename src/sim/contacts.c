@@ -20,6 +20,12 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
         diag_hint(diags, "give 'step'; or make the contact compliant by a 'stiffness'");
         return E_DECK;
     }
+    if (single && o->order == 4) {
+        diag_error(diags, node_find(p->node, "order"), AT_VALUE, "E-scheme-contact",
+                   "'%.60s' is a rigid contact: steps of order 4 go back in time, which impacts do not", name);
+        diag_hint(diags, "order: 2; or make the contact compliant by a 'stiffness'");
+        return E_DECK;
+    }
     if (single) return OK;
     const bool rates = strcmp(p->scheme, "subcycle") == 0;
     diag_error(diags,

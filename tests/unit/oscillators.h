@@ -440,8 +440,13 @@ static inline double carrier_energy(const struct carrier *s, const double *q, co
 
 enum { RUN_MOST = 16 };
 
-static const struct step_options step_defaults = {
-    .beta = .25, .gamma = .5, .iteration = ITERATION_NEWTON, .rho_infinity = 1, .alpha = -.05, .tolerance = 1e-6};
+static const struct step_options step_defaults = {.order = 2,
+                                                  .beta = .25,
+                                                  .gamma = .5,
+                                                  .iteration = ITERATION_NEWTON,
+                                                  .rho_infinity = 1,
+                                                  .alpha = -.05,
+                                                  .tolerance = 1e-6};
 
 struct run {
     struct stepper stepper;
