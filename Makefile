@@ -142,7 +142,7 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study plot diff sweep airscrew hard effects validation users random fuzz reduce
+	@$(RUN) unit decks bad faults man order study plot diff sweep animate airscrew hard effects validation users random fuzz reduce
 
 ## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(FUZZES) $(BENCHES)
@@ -160,12 +160,13 @@ unit: $(UNITS)
 ## plot          pictures by gnuplot
 ## diff          two records compared
 ## sweep         many points, in parts, on as many machines
+## animate       moving pictures
 ## airscrew      the numbers of decks/airscrew/README
 ## effects       what effects that are left out change
 ## hard          cases that break simulators
 ## users         scenes as users bring them, each with numbers checked by hand
 ## reduce        fmdsub-reduce
-decks bad faults man-examples order study plot diff sweep airscrew hard effects users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
+decks bad faults man-examples order study plot diff sweep animate airscrew hard effects users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 ## random        mechanisms drawn at random, N of them (30) from SEED (1) on: orders, invariances, restarts
@@ -344,5 +345,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built install uninstall clean

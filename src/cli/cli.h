@@ -57,6 +57,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
 enum status verb_study(const struct request *request, struct arena *life, struct report *report);
 enum status verb_diff(const struct request *request, struct arena *life, struct report *report);
 enum status verb_plot(const struct request *request, struct arena *life, struct report *report);
+enum status verb_animate(const struct request *request, struct arena *life, struct report *report);
 enum status verb_sweep(const struct request *request, struct arena *life, struct report *report);
 enum status verb_modes(const struct request *request, struct arena *life, struct report *report);
 enum status verb_stability(const struct request *request, struct arena *life, struct report *report);

@@ -40,16 +40,18 @@ static bool is_told(const struct request *request)
 }
 
 /* A picture wants more records than the deck may have asked for: those in between are drawn, too. */
-static void refine(struct scene *scene)
+void curves_refine(struct scene *scene, const struct request *request)
 {
+    if (is_told(request)) return;
     const double each = (scene->integrate.until - scene->start) / LEAST_ROWS;
     const struct stepper_kind *kind = stepper_find(scene->integrate.scheme);
     const bool own = kind && (kind->adaptive || kind->tolerant) && !(scene->integrate.step > 0);
     if (own && scene->output.every > each) scene->output.every /= ceil(scene->output.every / each);
 }
 
-static void refine_steps(struct sim *sim)
+void curves_refine_steps(struct sim *sim, const struct request *request)
 {
+    if (is_told(request)) return;
     if (!sim->stepper.kind->adaptive && sim->every > sim->majors / LEAST_ROWS)
         sim->every = sim->majors > LEAST_ROWS ? sim->majors / LEAST_ROWS : 1;
 }
@@ -65,12 +67,11 @@ static enum status run_deck(struct curves *o, const struct request *request, boo
     struct sink sink = {&ops, to};
     const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
     enum status status = cli_load(&scene, &diags, request, life, report);
-    fine = fine && !is_told(request);
-    if (status == OK && fine) refine(scene);
+    if (status == OK && fine) curves_refine(scene, request);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
     TRY(status);
-    if (fine) refine_steps(&sim);
+    if (fine) curves_refine_steps(&sim, request);
     o->column = sim.columns;
     return sim_run(&sim, &sink, report);
 }

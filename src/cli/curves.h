@@ -18,4 +18,9 @@ struct curves {
 enum status curves_make(struct curves *o, const struct request *request, bool fine, enum status *ended,
                         struct arena *life, struct report *report);
 
+/* As many records as a picture wants, unless the caller says how many: before the run is built, and behind that. */
+struct sim;
+void curves_refine(struct scene *scene, const struct request *request);
+void curves_refine_steps(struct sim *sim, const struct request *request);
+
 #endif

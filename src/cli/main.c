@@ -27,6 +27,7 @@ const struct verb verbs[] = {
     {"check", "DECK", "check a deck and print what it makes", verb_check},
     {"study", "DECK", "what accuracy costs: error against time over schemes, ratios, steps", verb_study},
     {"plot", "DECK or FILE.csv ...", "columns over time as a picture, by gnuplot", verb_plot},
+    {"animate", "DECK", "the motion as moving pictures: a page for a browser, or glTF", verb_animate},
     {"sweep", "DECK", "one deck at many points: a table of what each run gives", verb_sweep},
     {"diff", "A B", "two records compared, column by column: files that run wrote, or decks", verb_diff},
     {"modes", "DECK", "frequencies of small motions and who takes part", verb_modes},

@@ -33,7 +33,8 @@ sim         base la expr deck out kind scene scene_read model open loop system e
 probe       base la out sim engine system/ode2.h
 study       base out sim multirate ledger probe                      # multirate: schemes by name; ledger: its share
 sweep       base deck out scene sim
-cli         base expr deck out kind scene scene_read multirate sim probe study sweep # prints the tables of words and schemes
+film        base la deck out kind flex scene model tree system sim
+cli         base expr deck out kind scene scene_read multirate sim probe study sweep film # prints the tables of words and schemes
 TABLE
 
 rules='

@@ -1,0 +1,82 @@
+# part-animate.sh -- moving pictures: what is seen stands where the records say.
+. tests/tools/lib.sh
+need_program animate
+cd "$work" || exit 1
+animate() { "$FMDSUB" animate "$@" 2>err; }
+
+# frames FILE NAME: the numbers of a thing in a page, all of its frames.
+frames() { grep "\"name\":\"$2\"" "$1" | sed 's/.*"p":\[\([^]]*\)\].*/\1/' | tr , '\n'; }
+# apart A B: largest difference of two lists of numbers, more than a millionth or not.
+apart() { paste "$1" "$2" | awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; n++ } END { print (n > 10 && most < 2e-6 && NF == 2) ? "same" : "apart by " most " of " n }'; }
+
+animate --every 0.1 -o p.html "$ROOT/decks/pendulum.yaml"
+ended "a page" 0 $? p.html err
+expect "words" "p.html: 101 frames of 2 things, t = 0 to 10 s" "$(cat err)"
+"$FMDSUB" run -q --every 0.1 -c 'ball.x,ball.y' "$ROOT/decks/pendulum.yaml" | sed 1d | cut -d , -f 2,3 | tr , '\n' >want
+frames p.html ball | awk 'NR % 7 == 1 || NR % 7 == 2' >got
+expect "a rigid body stands where the records say" same "$(apart want got)"
+expect "columns of the deck beside" "8" "$(sed -n '/^"columns"/,/^<\/script/p' p.html | grep -c '^{"n":')" p.html
+expect "one file, nothing from outside" "1 0" "$(grep -c '</html>' p.html) $(grep -c 'https*://\|src=\|import(' p.html)" p.html
+animate -o q.html "$ROOT/decks/pendulum.yaml"
+expect "500 records where nobody says how many" "q.html: 501 frames" "$(sed 's/ of .*//' err)" err
+
+# In space: turned as the quaternion says. A flexible body: its tip by frame and coordinates.
+animate --every 0.05 -c 'bar2.q*' -o b.html "$ROOT/decks/bricard.yaml"
+"$FMDSUB" run -q --every 0.05 -c 'bar2.q*' "$ROOT/decks/bricard.yaml" 2>/dev/null | sed 1d >q.csv
+frames b.html bar2 | awk 'NR % 7 == 4 || NR % 7 == 5 || NR % 7 == 6 || NR % 7 == 0' | paste - - - - >got.q
+awk -F '[,\t]' '{ s = 1; getline line <"got.q"; split(line, g, "\t"); if ($2 * g[1] + $3 * g[2] + $4 * g[3] + $5 * g[4] < 0) s = -1
+    for (i = 1; i <= 4; i++) print $(i + 1), s * g[i] }' q.csv | awk '{ print $1 >"a"; print $2 >"b" }'
+expect "a body in space turns as the records say" same "$(apart a b)"
+cat >beam.yaml <<'YAML'
+fmdsub: 1
+title: "a <b> & </script>"
+gravity: [0, -9.81]
+bodies:
+  arm:
+    beam: {from: [0, 0], to: [2, 0], elements: 8}
+    section: {rectangle: [0.02, 0.01]}
+    material: steel
+    modes: 4
+    points: {tip: {station: 1}}
+constraints:
+  clamp: {fixed: [ground, arm], at: [0, 0]}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.3}
+output: {every: 0.01, columns: [arm.tip.x, arm.tip.y]}
+YAML
+animate --every 0.01 -o beam.html beam.yaml
+ended "a beam" 0 $? beam.html err
+expect "a title that would be markup" "1 0" "$(sed -n '/^const D=/p' beam.html | grep -c u003c) $(sed -n '/^const D=/p' beam.html | grep -c '<')"
+grep '"name":"arm"' beam.html | sed 's/[{}"]//g' | awk '
+    function list(name,   s) { s = $0; sub(".*," name ":\\[", "", s); sub("\\].*", "", s); return s }
+    { n = $0; sub(/.*,n:/, "", n); n += 0; nv = $0; sub(/.*,nv:/, "", nv); nv += 0
+      split(list("x"), x, ","); split(list("m"), m, ","); k = split(list("p"), p, ",")
+      for (f = 0; f < k / (7 + n); f++) for (c = 1; c <= 2; c++) {
+          at = x[3 * (nv - 1) + c]; for (j = 0; j < n; j++) at += p[f * (7 + n) + 8 + j] * m[3 * (j * nv + nv - 1) + c]
+          print p[f * (7 + n) + c] + at } }' >got
+"$FMDSUB" run -q beam.yaml 2>/dev/null | sed 1d | cut -d , -f 2,3 | tr , '\n' >want
+paste want got | awk 'NR % 2 == 0 { d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; n++; if ($1 < low) low = $1 } END { print n, (low < -0.05), (most < 0.002 * -low) }' >tip
+expect "the tip of a beam bends as the records say" "31 1 1" "$(cat tip)" tip
+
+refuse() { # STATUS PATTERN ARGUMENT...
+    want=$1 pattern=$2
+    shift 2
+    "$FMDSUB" animate "$@" >out 2>err </dev/null
+    rc=$?
+    if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub animate $*" "exit $rc, expected $want and: $pattern" err
+    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
+}
+refuse 2 "writes --output FILE.html" "$ROOT/decks/pendulum.yaml"
+refuse 2 "writes --output FILE.html" -o p.avi "$ROOT/decks/pendulum.yaml"
+refuse 6 "none/p.html" -o none/p.html "$ROOT/decks/pendulum.yaml"
+animate -o stopped.html --max-time 1 --until 1e6 --every 1 "$ROOT/decks/pendulum.yaml"
+expect "a run that is stopped is shown as far as it came" "7 yes" "$? $(grep -q '</html>' stopped.html && echo yes)" err
+
+# In a browser, where there is one: the page draws, and says no error.
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+if [ -z "$browser" ]; then
+    skip "in a browser" "none is installed (Debian: chromium)"
+    exit 0
+fi
+timeout 120 "$browser" --headless=new --no-sandbox --disable-gpu --user-data-dir="$work/profile" --enable-logging=stderr --virtual-time-budget=2000 \
+    --dump-dom "file://$work/beam.html#t=0.1" >dom 2>log
+expect "in a browser: the time, a curve's value, no errors" "1 1 0" "$(grep -c 't = 0.1000 s' dom) $(grep -c 'arm.tip.y \[m\] = -0\.' dom) $(grep -c 'CONSOLE' log)" log
