@@ -68,6 +68,7 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_each(r, "pass_z", sim->pass, d[2], sim->npass);
     recall_each(r, "pass_reported", sim->pass, reported, sim->npass);
     effort_recall(&sim->stepper.effort, r);
+    trust_recall(sim, r);
     recall_without(r);
 }
 

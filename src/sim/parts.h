@@ -136,6 +136,8 @@ enum status record_fill(struct sim *sim);
 
 /* trust.c: how far the run is off, noted with each record; at the end */
 void trust_open(struct sim *sim, struct arena *life);
+struct recall;
+void trust_recall(struct sim *sim, struct recall *r);
 void trust_note(struct sim *sim);
 void trust_find(struct sim *sim);
 /* Three facts. */

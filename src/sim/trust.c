@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/recall.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
@@ -75,6 +76,30 @@ void trust_note(struct sim *sim)
     if (++o->seen % o->every != 0) return;
     if (o->n == TRUST_PLACES - 1) thin(o);
     keep(sim);
+}
+
+void trust_recall(struct sim *sim, struct recall *r)
+{
+    static const char *const name[TRUST_PLACES] = {"first", "second", "third", "fourth", "fifth", "sixth"};
+    struct trust *o = &sim->trust;
+    recall_within(r, "trust");
+    recall_list(r, "low", o->low, sim->chosen.n);
+    recall_list(r, "high", o->high, sim->chosen.n);
+    recall_one(r, "n", o->n);
+    recall_one(r, "every", o->every);
+    recall_one(r, "seen", o->seen);
+    for (int i = 0; i < TRUST_PLACES; i++) {
+        struct trust_place *p = &o->place[i];
+        recall_within(r, name[i]);
+        recall_one(r, "t", p->t);
+        recall_one(r, "chart", p->chart);
+        recall_list(r, "q", p->q, sim->stepper.ode->nq);
+        recall_list(r, "v", p->v, sim->stepper.ode->n);
+        recall_list(r, "position", p->position, sim->stepper.ode->n);
+        recall_list(r, "velocity", p->velocity, sim->stepper.ode->n);
+        recall_without(r);
+    }
+    recall_without(r);
 }
 
 /* ---- at the end ------------------------------------------------------------------------------------------------ */
