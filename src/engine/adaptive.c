@@ -132,6 +132,13 @@ static void note_missed(const struct stepper *s, const struct adaptive *m, doubl
     if (scheme->drifts) missed_drift(o, s->ode, m->v, h);
 }
 
+static double sum_of(const double *work)
+{
+    double sum = 0;
+    for (int c = 0; c < POWER_CHANNELS; c++) sum += fabs(work[c]);
+    return sum;
+}
+
 static void take(struct stepper *s, struct adaptive *m, double t, double h)
 {
     double before[POWER_CHANNELS];
@@ -143,6 +150,7 @@ static void take(struct stepper *s, struct adaptive *m, double t, double h)
     m->t1 = t + h;
     m->scheme->take(s, m, h);
     works_taken(&m->works, before, m->work);
+    s->swing = larger(s->swing, sum_of(m->work));
     copy(m->q, m->q1, s->ode->nq);
     copy(m->v, m->v1, s->ode->n);
     note_pace(s);

@@ -130,7 +130,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     memset(s->work, 0, sizeof s->work);
-    s->lost = s->left = s->struck = 0;
+    s->lost = s->left = s->struck = s->swing = 0;
     s->last_sweeps = 0;
     enum status status = any_step(s, x, h, ratio, to, why);
     if (status == OK)

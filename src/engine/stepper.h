@@ -113,6 +113,7 @@ struct stepper {
                                   * back of it within a vibration what they have taken before */
     double struck;               /* energy taken by impacts in the last step [J] */
     double left;                 /* energy-like size of what Newton left over in the last step [J] */
+    double swing;                /* the largest sum of |work| on the way of the last step, where it was many [J] */
     int last_sweeps;             /* sweeps (iterations) of the last step */
     int fresh;                   /* no history: predictors and factors must not be used */
     struct guess guess;

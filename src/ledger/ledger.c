@@ -40,6 +40,12 @@ void ledger_strike(struct ledger *o, double struck)
     o->struck += struck;
 }
 
+/* At least so much more than before, less what they may have gone back by. */
+void ledger_swing(struct ledger *o, double swing)
+{
+    o->norm = larger(o->norm, swing - o->norm);
+}
+
 void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity)
 {
     o->kinetic = kinetic;

@@ -4,8 +4,9 @@
  *
  * counted from the start: W_kin the change of kinetic energy; W_int the change of elastic energy and
  * what dampers, friction and the scheme's own damping took; W_ext the work of external forces, drives and gravity.
- * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, the drives' share in W_ext for itself, at least 1e-2
- * of the energy at the start and what round-off leaves of a difference of energies, or moves of a mechanism at rest: print
+ * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, the drives' share in W_ext for itself, also of what works
+ * come to between two looks, at least 1e-2 of the energy at the start and what round-off leaves of a difference of energies,
+ * or moves of a mechanism at rest: print
  * (2-26*) leaves it undefined.  A scheme's own damping may only take: what it has put in, on the whole, breaks the
  * balance, too, as where a start that the step does not resolve makes it swing over.
  * The works come from the integrator, summed by its own quadrature. */
@@ -36,6 +37,9 @@ void ledger_open(struct ledger *o, double delta, double least, double kinetic, d
 /* The end of an accepted step: its works [LEDGER_CHANNELS]; each step's. */
 void ledger_add(struct ledger *o, const double *work, double lost, double left);
 void ledger_strike(struct ledger *o, double struck);
+/* On the way to it works since the last end have come to `swing` in sum, and may have gone back: what the balance is
+ * measured against. */
+void ledger_swing(struct ledger *o, double swing);
 /* The balance there, at t, by the energies: where somebody looks, but always at the end. */
 void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity);
 

@@ -52,6 +52,7 @@ enum status look_at_energies(struct sim *sim)
 static enum status book(struct sim *sim)
 {
     const struct stepper *s = &sim->stepper;
+    ledger_swing(&sim->ledger, s->swing);
     ledger_add(&sim->ledger, s->work, s->lost, s->left);
     if (s->touch) ledger_strike(&sim->ledger, s->struck);
     return sim->looks_always ? look_at_energies(sim) : OK;
