@@ -1,7 +1,10 @@
 /* local_error.c -- see local_error.h */
 #include "engine/local_error.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "base/scalar.h"
 
 void local_error_open(struct local_error *o, int n, struct arena *life)
 {
@@ -26,6 +29,21 @@ void local_error_try(struct local_error *o, const double *dv, const double *a0, 
         o->new_jerk[i] = (o->new_mean[i] - before[i]) / apart;
         o->position[i] = off * o->new_jerk[i];
         o->velocity[i] = o->known > 1 ? off * (o->new_jerk[i] - o->jerk[i]) / o->h : 0;
+    }
+}
+
+void local_error_end(const struct local_error *o, double *apart, bool kept, const double *a, double h)
+{
+    const double *mean = kept ? o->mean : o->new_mean, *jerk = kept ? o->jerk : o->new_jerk;
+    for (int i = 0; i < o->n; i++) apart[i] = a[i] - mean[i] - h / 2 * jerk[i];
+}
+
+void local_error_apart(double *position, double *velocity, const double *apart, double h, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const double off = h / 6 * fabs(apart[i]);
+        velocity[i] = worse(fabs(velocity[i]), off);
+        position[i] = worse(fabs(position[i]), h / 2 * off);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/scalar.h"
+#include "engine/accel.h"
 #include "engine/local_error.h"
 #include "engine/motion.h"
 
@@ -21,7 +22,7 @@ struct class
 struct stepped {
     struct stepper fixed;
     struct local_error local; /* of schemes of one rate */
-    double *a1, *dv;          /* [n] */
+    double *a1, *dv, *a2;     /* [n] the fixed scheme's accelerations, change of velocities, accelerations at the end */
     double share;             /* of the tolerance that the trial may take */
     struct class slow, fast;  /* of one rate: all are slow */
     double h;                 /* minor step; 0: not chosen yet */
@@ -47,6 +48,7 @@ void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
     o->fixed.missed = NULL;
     o->a1 = TAKE(life, double, s->ode->n);
     o->dv = TAKE(life, double, s->ode->n);
+    o->a2 = TAKE(life, double, s->ode->n);
     local_error_open(&o->local, s->ode->n, life);
 }
 
@@ -76,20 +78,36 @@ static double largest(const struct stepper *s, const struct step_error *e, int f
     return most;
 }
 
-static void measure(struct stepper *s, struct adaptive *m, double h)
+/* What accelerations at the end tell of the error, of schemes that have not looked there. */
+static enum status look_at_end(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
+{
+    struct stepped *o = m->own;
+    if (fixed_kind(m)->points) return OK;
+    TRY(accel_solve(s->accel, o->a2, NULL, m->q1, m->v1, t + h, why));
+    if (fixed_kind(m)->error_end) {
+        fixed_kind(m)->error_end(&o->fixed, o->a2);
+    } else {
+        local_error_end(&o->local, o->a2, false, o->a2, h);
+        local_error_apart(o->local.position, o->local.velocity, o->a2, h, s->ode->n);
+    }
+    return OK;
+}
+
+static enum status measure(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
     struct stepped *o = m->own;
     o->share = adaptive_share(m, fabs(h));
     const int n = s->ode->n, ns = fixed_kind(m)->two_rates ? s->ode->ns : 0;
     struct step_error e = {o->local.position, o->local.velocity};
-    if (fixed_kind(m)->error) {
-        e = fixed_kind(m)->error(&o->fixed);
-    } else {
+    if (!fixed_kind(m)->error) {
         for (int i = 0; i < n; i++) o->dv[i] = m->v1[i] - m->v[i];
         local_error_try(&o->local, o->dv, m->a, h, fixed_kind(m)->late(&s->options));
     }
+    TRY(look_at_end(s, m, t, h, why));
+    if (fixed_kind(m)->error) e = fixed_kind(m)->error(&o->fixed);
     o->fast.error = largest(s, &e, 0, ns);
     o->slow.error = largest(s, &e, ns, n);
+    return OK;
 }
 
 static int ratio_of(const struct stepped *o, double H)
@@ -124,7 +142,7 @@ enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, 
     s->last_sweeps = fixed->last_sweeps;
     add_effort(&s->effort, &fixed->effort);
     TRY(status);
-    measure(s, m, h);
+    TRY(measure(s, m, t, h, why));
     *err = larger(o->slow.error, o->fast.error);
     if (isfinite(*err)) return OK;
     fixed->fresh = 1;

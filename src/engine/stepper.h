@@ -88,6 +88,8 @@ struct stepper_kind {
     /* Optional, of two rates.  What the step just made is off by, in its decoupled variables: sizes of position and
      * velocity [n], summed over the minor steps.  keep: it was taken; false: what is known of steps before is of no use. */
     struct step_error (*error)(struct stepper *s);
+    /* Optional, of two rates: that error is to count what the accelerations a [n] at the end tell of it. */
+    void (*error_end)(struct stepper *s, const double *a);
     void (*keep)(struct stepper *s, bool taken);
     /* Optional.  All that step() carries to the next one besides the state: base/recall.h.  E_LIMIT: no memory for it. */
     enum status (*recall)(struct stepper *s, struct recall *r);

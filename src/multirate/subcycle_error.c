@@ -15,6 +15,11 @@ void subcycle_error_open(struct subcycle *c, struct arena *life)
     local_error_open(&e->minor, c->ns, life);
     e->position = TAKE(life, double, c->n);
     e->velocity = TAKE(life, double, c->n);
+    e->swing = TAKE(life, double, c->nl);
+    e->new_swing = TAKE(life, double, c->nl);
+    e->jump = TAKE(life, double, c->ns);
+    e->new_jump = TAKE(life, double, c->ns);
+    e->more = TAKE(life, double, c->ns);
 }
 
 static void measure_slow(struct subcycle *c, const double *du, const double *a0)
@@ -89,6 +94,43 @@ void subcycle_error_single(struct subcycle *c, const double *dv, const double *a
     measure_slow(c, dv, a0);
 }
 
+/* Fast vibrations act on slow coordinates, and their mean is what counts: not what they do at the end, if they have done as
+ * much before. */
+static bool sudden(const struct subcycle *c, int i)
+{
+    enum { TIMES = 4 };
+    const struct subcycle_error *e = c->error;
+    return c->ns == 0 || (e->slow.known && fabs(e->new_swing[i]) > TIMES * e->swing[i]);
+}
+
+/* Largest mean acceleration of fast coordinate i in the minor steps. */
+static double largest_mean(const struct subcycle *c, int i)
+{
+    double most = 0;
+    for (int k = 0; k < c->ratio; k++) most = larger(most, fabs(c->d[(long)k * c->ns + i]));
+    return most / c->h;
+}
+
+/* The mean slow acceleration ends in a jump, and that of the fast ones with it, by as much as a major step before in H.  What
+ * is more than that, and more than any in this step, a force has done that began in the last minor step. */
+void subcycle_error_end(struct stepper *s, const double *a)
+{
+    struct subcycle *c = s->self;
+    struct subcycle_error *e = c->error;
+    copy(c->Du, a + c->ns, c->nl); /* u' = a_L + W a_S */
+    decouple_recoil(&c->dec, c->Du, 1, a);
+    local_error_end(&e->slow, e->new_swing, false, c->Du, c->H);
+    for (int i = 0; i < c->nl; i++) c->Du[i] = sudden(c, i) ? e->new_swing[i] : 0;
+    local_error_apart(e->position + c->ns, e->velocity + c->ns, c->Du, c->H, c->nl);
+    local_error_end(&e->minor, e->new_jump, true, a, c->h);
+    for (int i = 0; i < c->ns; i++) {
+        e->new_jump[i] /= c->H;
+        e->more[i] = c->H * (e->new_jump[i] - (c->ratio > 1 && e->fast.known ? e->jump[i] : 0));
+        if (c->ratio > 1 && fabs(e->more[i]) <= largest_mean(c, i)) e->more[i] = 0;
+    }
+    local_error_apart(e->position, e->velocity, e->more, c->h, c->ns);
+}
+
 struct step_error subcycle_error(struct stepper *s)
 {
     const struct subcycle *c = s->self;
@@ -101,6 +143,9 @@ void subcycle_error_keep(struct stepper *s, bool taken)
     if (taken) {
         local_error_keep(&c->error->slow, c->H);
         local_error_copy(&c->error->fast, &c->error->minor);
+        copy(c->error->jump, c->error->new_jump, c->ns);
+        for (int i = 0; i < c->nl; i++)
+            c->error->swing[i] = larger(.9 * c->error->swing[i], fabs(c->error->new_swing[i]));
     } else {
         local_error_forget(&c->error->slow);
         local_error_forget(&c->error->fast);
@@ -140,5 +185,7 @@ void subcycle_error_recall(struct subcycle *c, struct recall *r)
     recall_without(r);
     recall_within(r, "fast");
     local_error_recall(&c->error->fast, r);
+    recall_list(r, "swing", c->error->swing, (size_t)c->nl);
+    recall_list(r, "jump", c->error->jump, (size_t)c->ns);
     recall_without(r);
 }

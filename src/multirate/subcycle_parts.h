@@ -30,6 +30,9 @@ struct subcycle_error {
     struct local_error slow, fast; /* of the last step that was taken: of u, of x */
     struct local_error minor;      /* of x, on the way through the minor steps */
     double *position, *velocity;   /* [n] sizes: of the last step */
+    double *swing, *new_swing; /* [nl] of u' at the end of major steps, from what their means lead on to: the largest */
+    double *jump, *new_jump;   /* [ns] of the accelerations of x at the end of a major step, over its H */
+    double *more;              /* [ns] scratch */
 };
 
 enum { JUMP_TERMS = 3 };
@@ -196,6 +199,7 @@ void subcycle_error_note(struct stepper *s, bool taken);
 void subcycle_error_measure(struct subcycle *c, bool fixed);
 void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0);
 struct step_error subcycle_error(struct stepper *s);
+void subcycle_error_end(struct stepper *s, const double *a);
 void subcycle_error_keep(struct stepper *s, bool taken);
 void subcycle_error_recall(struct subcycle *c, struct recall *r);
 

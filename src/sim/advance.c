@@ -34,7 +34,9 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->look = TAKE(life, struct single, 1);
     single_open(sim->look, sim->stepper.ode, life);
     sim->stepper.guess = sim->guess;
-    sim->stepper.natural = sim->stepper.ode->n > 0 && adaptive_interpolates(&sim->stepper);
+    sim->onto_records = !adaptive_interpolates(&sim->stepper);
+    sim->stepper.natural =
+        sim->stepper.ode->n > 0 && sim->stepper.kind->adaptive && (!sim->onto_records || events_watched(sim));
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
     sim->looks_always = looks_always(sim);
     sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;

@@ -371,7 +371,8 @@ static enum status write_due(struct sim *sim, long *k, double t0, const struct l
     return OK;
 }
 
-/* By the steps of a scheme that chooses them; a drive that may jump is looked at from record to record. */
+/* By the steps of a scheme that chooses them, across records or, where it cannot look back, from record to record; a drive
+ * that may jump is looked at from record to record, too. */
 static enum status step_naturally(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
     enum { CHECK_EVERY = 64 };
@@ -384,7 +385,9 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const double t0 = sim->x.t;
         const struct ledger before = sim->ledger;
         if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
-        const enum status status = advance_naturally(sim, sim->njump ? seen : until);
+        const enum status status = advance_naturally(sim, sim->njump          ? seen
+                                                          : sim->onto_records ? end_of(sim, k)
+                                                                              : until);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));

@@ -77,6 +77,7 @@ struct sim {
     long rejected;       /* steps, when such a scheme's last record was due */
     struct single *look; /* records between the ends of such steps */
     bool noting;         /* there are watches of the step */
+    bool onto_records;   /* of a scheme that chooses its steps: it steps onto records, as it cannot look back */
     bool looks_always;   /* energies are looked at after every step */
     bool watched;        /* steps may be undone */
     struct single *keep; /* then the state before, */
