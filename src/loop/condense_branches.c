@@ -58,7 +58,7 @@ enum status condense_search_branches(struct condense *o)
     return fail(
         &o->start.report, E_MODEL,
         "the mechanism stands at a dead point, or is locked: constraint '%s' cannot close after a small motion (it "
-        "misses by %.3g of the mechanism's size); draw it in another posture, or set 'initial:' a little to one "
-        "side [dead-point]",
+        "misses by %.3g of the mechanism's size); draw it in another posture, or name one by 'initial:', by "
+        "rates or by more coordinates than it has freedoms, which have to fit [dead-point]",
         condense_row_name(o, worst), miss);
 }

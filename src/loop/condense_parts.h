@@ -9,6 +9,7 @@
  *     condense_drive.c     drives: their time, their power, the impulse of their corners
  *     condense_rechart.c   a better split between steps
  *     condense_start.c     the start: assembled, closed, or refused
+ *     condense_drawn.c     drives at the start
  *     condense_branches.c  a start where the loops leave the way open
  *     condense_assemble.c  a start that does not fit, projected
  *     condense_turns.c     whole turns of screws, at the start
@@ -121,6 +122,14 @@ bool condense_closed(struct condense *o, const double *q0);
 
 /* Do redundant rows still hold a small way off o->q?  What they say does not where branches meet. */
 enum status condense_search_branches(struct condense *o);
+/* condense_start.c: who the start's report is about; velocities vt of all coordinates at the start. */
+struct report *condense_blame(struct condense *o, int loop);
+struct report *condense_blame_row(struct condense *o, int row);
+enum status condense_start_rates(struct condense *o, double *vt);
+/* condense_drawn.c: drives begin where they are drawn; what asks for more than the freedoms that there are must agree. */
+enum status condense_draw_drives(struct condense *o);
+enum status condense_agree(struct condense *o);
+
 /* The constraint of a row; the largest of the redundant rows in C [rows], and the worst. */
 const char *condense_row_name(const struct condense *o, int row);
 double condense_redundant_miss(int *worst, const struct split *split, const double *C);

@@ -34,16 +34,15 @@ static bool chosen_by_deck(const struct condense *o, int iv)
     return o->model->follow[iv] < 1e-3;
 }
 
-/* Who the report is about. */
-static struct report *blame(struct condense *o, int loop)
+struct report *condense_blame(struct condense *o, int loop)
 {
     o->start.blamed = loop;
     return &o->start.report;
 }
 
-static struct report *blame_row(struct condense *o, int row)
+struct report *condense_blame_row(struct condense *o, int row)
 {
-    return blame(o, o->rows.loops->row[row].loop);
+    return condense_blame(o, o->rows.loops->row[row].loop);
 }
 
 /* The deck's choice leaves C_qd singular: names a coordinate that must follow, and one that may lead. */
@@ -55,11 +54,11 @@ static enum status refuse_choice(struct condense *o, struct part *p, int asked)
     for (int j = 0; j < p->ni && instead < 0; j++)
         if (!chosen_by_deck(o, p->ind[j])) instead = p->ind[j];
     if (instead < 0 || chosen > p->ni)
-        return fail(blame(o, BLAME_PARTITION), E_MODEL,
+        return fail(condense_blame(o, BLAME_PARTITION), E_MODEL,
                     "'%s' cannot be independent: its loops leave %d freedom%s, and 'independent' has %d; take one out",
                     place_name(o->model, asked), p->ni, p->ni == 1 ? "" : "s", chosen);
     return fail(
-        blame(o, BLAME_PARTITION), E_MODEL,
+        condense_blame(o, BLAME_PARTITION), E_MODEL,
         "'%s' cannot be independent in this posture: it is at a dead point, and the others do not follow from it; "
         "choose '%s' in its place",
         place_name(o->model, asked), place_name(o->model, instead));
@@ -122,7 +121,7 @@ static enum status assemble(struct condense *o)
     double miss = s->misfit = rows_misfit(o->C, &s->misfit_row, &o->rows, o->q);
     if (!(miss <= ASSEMBLY))
         return fail(
-            blame_row(o, s->misfit_row), E_MODEL,
+            condense_blame_row(o, s->misfit_row), E_MODEL,
             "constraint '%s' closes a loop, and as drawn its bodies miss each other by %.3g of the mechanism's "
             "size (up to %g is closed): mend the places that the deck gives, or 'initial: {assemble: true}' moves "
             "the bodies",
@@ -131,7 +130,7 @@ static enum status assemble(struct condense *o)
         TRY(split_all(o, o->model->follow_q, o->q, miss));
         memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
         if (!step_to(o, o->dx))
-            return fail(blame_row(o, s->misfit_row), E_MODEL,
+            return fail(condense_blame_row(o, s->misfit_row), E_MODEL,
                         "constraint '%s' cannot close its loop near the posture as drawn, which misses by %.3g of the "
                         "mechanism's size: mend the places that the deck gives",
                         condense_row_name(o, s->misfit_row), s->misfit);
@@ -141,7 +140,7 @@ static enum status assemble(struct condense *o)
         miss = rows_misfit(o->C, &row, &o->rows, o->q);
         if (condense_redundant_miss(&row, &o->split, o->C) > fmax(1e-9, 3 * s->misfit))
             return fail(
-                blame_row(o, row), E_MODEL,
+                condense_blame_row(o, row), E_MODEL,
                 "constraint '%s' contradicts the others by %.3g of the mechanism's size: they hold the same freedom; "
                 "make their places agree, or take one out",
                 condense_row_name(o, row), miss);
@@ -179,7 +178,7 @@ static enum status go_to_start(struct condense *o, const double *q0)
         if (closed) closing_predict(&o->closing, o->dx);
         if (!closed || !step_to(o, o->dx))
             return fail(
-                blame(o, o->lost.loop), E_MODEL,
+                condense_blame(o, o->lost.loop), E_MODEL,
                 "the start that 'initial' and the drives ask for cannot be reached: constraint '%s' locks at %d %% of "
                 "the way from the drawn position; ask for less, or draw the mechanism nearer to it",
                 o->model->loop[o->lost.loop].name, 100 * k / STEPS);
@@ -190,13 +189,12 @@ static enum status go_to_start(struct condense *o, const double *q0)
     }
     memset(o->dx, 0, sizeof *o->dx * (size_t)o->rows.n);
     if (step_to(o, o->dx)) return OK;
-    return fail(blame(o, o->lost.loop), E_MODEL,
+    return fail(condense_blame(o, o->lost.loop), E_MODEL,
                 "constraint '%s' cannot be closed where 'initial' puts the mechanism; draw it nearer to that",
                 o->model->loop[o->lost.loop].name);
 }
 
-/* vt: of all coordinates at the start. */
-static enum status start_rates(struct condense *o, double *vt)
+enum status condense_start_rates(struct condense *o, double *vt)
 {
     if (condense_rates(o, vt, NULL, o->q, o->v, NULL, o->model->t0, NULL) == OK) return OK;
     return fail(
@@ -217,11 +215,11 @@ static enum status agrees(struct condense *o, const double *vt, const double *q0
         if (iv < 0) continue;
         if (m->given_q && m->given_q[i] && fabs(q0[i] - o->q[i]) > FITS * (1 + fabs(q0[i])))
             return fail(
-                blame(o, BLAME_INITIAL), E_MODEL,
+                condense_blame(o, BLAME_INITIAL), E_MODEL,
                 "initial '%s' %.9g does not fit the loops%s, which make it %.9g: leave it out, or add 'assemble: true'",
                 m->coordinate[i].name, q0[i], drives, o->q[i]);
         if (m->given_v && m->given_v[iv] && fabs(v0[iv] - vt[iv]) > FITS * (1 + fabs(v0[iv])))
-            return fail(blame(o, BLAME_INITIAL), E_MODEL,
+            return fail(condense_blame(o, BLAME_INITIAL), E_MODEL,
                         "initial rate of '%s' %.9g does not fit the loops%s, which make it %.9g: leave it out, or add "
                         "'assemble: true'",
                         m->coordinate[i].name, v0[iv], drives, vt[iv]);
@@ -239,81 +237,12 @@ static void keep_elastic(struct condense *o)
     }
 }
 
-/* By how much the redundant rows' rates miss for the velocities vt of the tree, where C_q has been found; the worst. */
-static double redundant_rate(int *worst, const struct condense *o, const double *vt)
-{
-    const struct loops *l = o->rows.loops;
-    double most = 0;
-    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
-        for (int r = p->nr; r < p->of->nrow; r++) {
-            const int row = p->row[r], loop = l->row[row].loop;
-            double rate = -l->c1[row];
-            for (int k = 0; k < l->nk[loop]; k++)
-                rate += l->Cq[loop][(row - l->first[loop]) * l->nk[loop] + k] * vt[l->k[loop][k]];
-            if (fabs(rate) > most) most = fabs(rate), *worst = row;
-        }
-    return most;
-}
-
-/* Drives that ask for more than the mechanism has freedoms must agree at the start. */
-static enum status contradiction(struct condense *o)
-{
-    static const double DISAGREE = 1e-6; /* |C|, and |C'| per second */
-    int row = 0;
-    rows_misfit(o->C, &row, &o->rows, o->q);
-    double by = condense_redundant_miss(&row, &o->split, o->C), rate = 0;
-    if (by <= DISAGREE) {
-        TRY(start_rates(o, o->vt));
-        rate = redundant_rate(&row, o, o->vt);
-        if (rate <= DISAGREE) return OK;
-    }
-    return fail(
-        blame_row(o, row), E_MODEL,
-        "%s '%s' contradicts the others at t = %.9g by %.3g of the mechanism's size%s: drives and loops hold the same "
-        "freedom; make them agree, or take one out",
-        o->model->loop[o->rows.loops->row[row].loop].drive ? "drive" : "constraint", condense_row_name(o, row),
-        o->model->t0, rate > 0 ? rate : by, rate > 0 ? " per second" : "");
-}
-
-/* Drives begin where they are drawn. */
-static enum status draw_drives(struct condense *o)
-{
-    struct loops *l = o->rows.loops;
-    int row;
-    struct trouble why;
-    if (o->model->ndrive == 0) return OK;
-    loops_when(l, o->model->t0, 0);
-    if (condense_driven(o, false, o->model->t0, &why) != OK)
-        return fail(blame(o, why.index), E_MODEL,
-                    "drive '%s' or a rate of it is not a number at t = %.9g: look at its expression",
-                    o->model->loop[why.index].name, o->model->t0);
-    for (int i = 0; i < l->nrow; i++) l->c[i] = 0;
-    rows_misfit(o->C, &row, &o->rows, o->q);
-    for (int i = 0; i < l->nrow; i++)
-        if (l->model->loop[l->row[i].loop].drive) l->drawn[i] = o->C[i];
-    loops_partly(l, o->model->t0, 0);
-    return OK;
-}
-
-/* Are rows redundant where a drive has a say? */
-static bool is_contested(const struct condense *o)
-{
-    const struct loops *l = o->rows.loops;
-    bool any = false;
-    for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++) {
-        bool led = false;
-        for (int r = 0; r < p->of->nrow; r++) led |= l->model->loop[l->row[p->row[r]].loop].drive != NULL;
-        any |= led && p->nr < p->of->nrow;
-    }
-    return any;
-}
-
 /* o->to [nt]: the velocities of the whole tree at o->q, those that the deck gives leading. */
 static enum status lead_rates(struct condense *o, const double *v0, double miss)
 {
     TRY(split_all(o, o->model->follow_v, o->q, miss));
     for (int i = 0; i < o->ode.n; i++) o->v[i] = v0[o->split.ind[i]];
-    return start_rates(o, o->to);
+    return condense_start_rates(o, o->to);
 }
 
 /* A posture where branches meet, and rates that say along which one it goes: the start is a little way along them, where
@@ -338,6 +267,27 @@ static bool start_on_branch(struct condense *o, const double *q0, const double *
     return true;
 }
 
+/* The deck's start, made to fit. */
+static enum status project_start(struct condense *o, const double *q0, const double *v0)
+{
+    int row;
+    TRY(condense_assemble(o, o->to, q0, v0));
+    TRY(split_all(o, o->model->follow, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
+    for (int i = 0; i < o->ode.n; i++) o->v[i] = o->to[o->split.ind[i]];
+    return condense_search_branches(o);
+}
+
+/* Drawn where branches meet, and more coordinates given than there are freedoms: they name one, if all of them fit. */
+static bool start_named(struct condense *o, const double *q0, const double *v0)
+{
+    const struct model *m = o->model;
+    int given = 0;
+    for (int i = 0; i < m->ncoordinate && m->given_q; i++) given += m->coordinate[i].iv >= 0 && m->given_q[i];
+    if (given < 2 || project_start(o, q0, v0) != OK || given <= o->ode.n) return false;
+    o->start.misfit = o->start.moved = 0; /* of nothing that is drawn */
+    return condense_start_rates(o, o->to) == OK && agrees(o, o->to, q0, v0) == OK;
+}
+
 /* The deck's start, which fits or is refused.  What it gives leads the way there, whatever is independent then. */
 static enum status place_start(struct condense *o, const double *q0, const double *v0)
 {
@@ -347,7 +297,7 @@ static enum status place_start(struct condense *o, const double *q0, const doubl
     const struct report refused = o->start.report;
     const int blamed = o->start.blamed;
     o->start.report = (struct report){0};
-    if (assembled == E_MODEL && o->start.branches && start_on_branch(o, q0, v0)) return OK;
+    if (assembled == E_MODEL && o->start.branches && (start_on_branch(o, q0, v0) || start_named(o, q0, v0))) return OK;
     o->start.report = refused;
     o->start.blamed = blamed;
     TRY(assembled);
@@ -363,28 +313,18 @@ static enum status place_start(struct condense *o, const double *q0, const doubl
     return OK;
 }
 
-/* The deck's start, made to fit. */
-static enum status project_start(struct condense *o, const double *q0, const double *v0)
-{
-    int row;
-    TRY(condense_assemble(o, o->to, q0, v0));
-    TRY(split_all(o, o->model->follow, o->q, rows_misfit(o->C, &row, &o->rows, o->q)));
-    for (int i = 0; i < o->ode.n; i++) o->v[i] = o->to[o->split.ind[i]];
-    return condense_search_branches(o);
-}
-
 enum status condense_begin(struct condense *o, const double *q0, const double *v0)
 {
     for (int i = 0; i < o->tree->moves.nturn; i++) o->q[o->tree->moves.turn[i].iq[0]] = 1;
-    TRY(draw_drives(o));
+    TRY(condense_draw_drives(o));
     TRY(o->model->assemble ? project_start(o, q0, v0) : place_start(o, q0, v0));
     if (o->ode.n == 0 && o->model->ndrive == 0)
         return fail(
             &o->start.report, E_MODEL,
             "nothing can move: the loops leave 0 freedoms; take out a constraint that holds too much, or drive the "
             "mechanism");
-    if (is_contested(o)) TRY(contradiction(o));
-    TRY(start_rates(o, o->vt));
+    TRY(condense_agree(o));
+    TRY(condense_start_rates(o, o->vt));
     o->holds = o->start.redundant ? fmax(WATCHED, 10 * o->start.misfit) : 0;
     for (int i = 0; i < o->split.npart; i++) {
         struct part *p = &o->split.part[i];
