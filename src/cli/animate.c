@@ -11,7 +11,7 @@
 static const struct {
     const char *ending;
     enum status (*write)(const struct film *film, struct stream *stream, struct report *report);
-} forms[] = {{".html", film_html}};
+} forms[] = {{".html", film_html}, {".glb", film_gltf}};
 enum { FORMS = sizeof forms / sizeof *forms };
 
 static int form_of(const char *path)

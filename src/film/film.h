@@ -52,8 +52,7 @@ void film_add(struct film *o, const struct sim *sim, const double *x);
 /* Where vertex i of a LINE stands at a frame, world axes; how far it is displaced. */
 void film_vertex(double *x, double *u, const struct actor *a, const double *frame, int i);
 
-/* film_html.c, film_gltf.c, film_vtk.c: the whole as a file.  VTK: parts of the name `path` without its ending get one file
- * a frame. */
+/* film_html.c, film_gltf.c: the whole as a file. */
 enum status film_html(const struct film *o, struct stream *stream, struct report *report);
 enum status film_gltf(const struct film *o, struct stream *stream, struct report *report);
 

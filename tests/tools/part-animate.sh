@@ -65,11 +65,30 @@ refuse() { # STATUS PATTERN ARGUMENT...
     if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub animate $*" "exit $rc, expected $want and: $pattern" err
     else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
 }
-refuse 2 "writes --output FILE.html" "$ROOT/decks/pendulum.yaml"
-refuse 2 "writes --output FILE.html" -o p.avi "$ROOT/decks/pendulum.yaml"
+refuse 2 "writes --output FILE.html or FILE.glb" "$ROOT/decks/pendulum.yaml"
+refuse 2 "writes --output FILE.html or FILE.glb" -o p.avi "$ROOT/decks/pendulum.yaml"
 refuse 6 "none/p.html" -o none/p.html "$ROOT/decks/pendulum.yaml"
 animate -o stopped.html --max-time 1 --until 1e6 --every 1 "$ROOT/decks/pendulum.yaml"
 expect "a run that is stopped is shown as far as it came" "7 yes" "$? $(grep -q '</html>' stopped.html && echo yes)" err
+
+# glTF, read by a reader of its own.
+animate --every 0.1 -o p.glb "$ROOT/decks/pendulum.yaml"
+ended "glTF" 0 $? p.glb err
+animate --every 0.01 -o beam.glb beam.yaml
+animate -o s.glb "$ROOT/decks/suspension.yaml"
+animate -o b.glb "$ROOT/decks/bricard.yaml"
+if command -v python3 >/dev/null; then
+    gltf() { python3 "$ROOT/tests/tools/gltf.py" "$@" 2>&1; }
+    expect "glTF: a body and its joint" "2 2 rotation translation 101" "$(gltf p.glb)"
+    expect "glTF: a beam has its coordinates as weights" "2 2 rotation translation weights 31" "$(gltf beam.glb)"
+    expect "glTF: springs are stretched" "rotation scale translation" "$(gltf s.glb | cut -d ' ' -f 3-5)"
+    expect "glTF: a mechanism in space" "rotation translation 501" "$(gltf b.glb | cut -d ' ' -f 3-5)"
+    "$FMDSUB" run -q --every 0.1 -c 'ball.x,ball.y' "$ROOT/decks/pendulum.yaml" | sed 1d | cut -d , -f 2,3 | tr , '\n' >want
+    gltf p.glb ball >got
+    expect "glTF: a body stands where the records say" same "$(apart want got)"
+else
+    skip "glTF read back" "python3 is not installed"
+fi
 
 # In a browser, where there is one: the page draws, and says no error.
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
