@@ -95,7 +95,7 @@ static enum status work(const struct request *request, struct gnuplot *gnuplot, 
     struct choices choices = {0};
     struct stability_options options;
     struct stability o;
-    const struct sim_options run = {.version = FMDSUB_VERSION, .counting = true};
+    const struct sim_options run = {.drawn = true, .version = FMDSUB_VERSION, .counting = true};
     enum status status = cli_load(&scene, &diags, request, life, report);
     const struct target file = {"--plot", request->plot, true};
     if (status == OK) status = targets_check(&file, 1, &scene->deck->read, life, report);

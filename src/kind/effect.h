@@ -15,22 +15,22 @@
       "0: the deck's data leave no way out of the plane", "3-D over 2-D: 1.3 to 3.2 times the step",                   \
       "not needed: structural")                                                                                        \
     X(GRAVITY, "gravity", "the deck's gravity on all bodies", "g/(Omega^2 l)", "0: the deck has none", "nothing",      \
-      "by the work of gravity at records")                                                                             \
+      "turn it in `fmdsub explain DECK`")                                                                              \
     X(GYROSCOPIC, "gyroscopic", "w x J w of rigid bodies in space", "|w x J w| over the largest moment on the body",   \
       "0: a body that turns about one principal axis, or in the plane", "1 to 2 % of a step in space",                 \
-      "by its share of the moments at records")                                                                        \
+      "turn it in `fmdsub explain DECK`")                                                                              \
     X(STIFFENING, "stiffening", "bending shortens: loads along a body stiffen or soften it",                           \
       "(Omega/w1)^2 (Kane, Ryan & Banerjee 1987; Padilla & von Flotow 1992)", "0: no flexible body",                   \
-      "4 to 21 % of an evaluation; without it the iteration takes more of them", "Rayleigh share q.d/q.Kq at records") \
+      "4 to 21 % of an evaluation; without it the iteration takes more of them", "turn it in `fmdsub explain DECK`")   \
     X(ROTARY, "rotary", "rotary inertia of the sections of flexible bodies", "4.65 I/(A l^2) of the first bending",    \
-      "0: no flexible body", "0 to 4 % of an evaluation", "Rayleigh share q.d/q.Kq at records")                        \
+      "0: no flexible body", "0 to 4 % of an evaluation", "turn it in `fmdsub explain DECK`")                          \
     X(SHEAR, "shear", "shear deformation of beams (Timoshenko)", "3 E I/(kappa G A l^2) of the first bending",         \
-      "0: no beam with shear factors", "nothing: in the reduced data", "not needed: in the reduced data")              \
+      "0: no beam with shear factors", "nothing: in the reduced data", "turn it in `fmdsub explain DECK`")             \
     X(DAMPING, "damping", "damping of flexible bodies", "1 - exp(-zeta w1 T)", "0: the deck gives none",               \
-      "nothing where there is none", "1 - exp(-mu T/2), mu = v.d/v.Mv at records")                                     \
+      "nothing where there is none", "turn it in `fmdsub explain DECK`")                                               \
     X(MOMENTUM, "momentum", "what nothing holds keeps momentum, angular momentum and energy to round-off",             \
       "is a column momentum.* written?", "0: no; then kept as far as the scheme does by itself",                       \
-      "half of a satellite's step", "the drift, told at the end of a run")                                             \
+      "half of a satellite's step", "by columns momentum.*")                                                           \
     X(LEDGER, "ledger", "energies at the end of every major step", "is a column energy.* written?",                    \
       "0: no; then they are looked at every eighth step", "up to 18 % of a step", "not needed: works add up anyway")
 

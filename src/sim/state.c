@@ -295,8 +295,8 @@ static enum status put_memory(struct sim *sim, struct writing *w)
 enum status sim_write_state(struct sim *sim, struct stream *stream, struct report *report)
 {
     struct writing w = {stream, report, HASH_NOTHING};
-    if (sim->model->nloop || count_angles(sim)) /* the rates of what follows */
-        TRY(record_evaluate(sim, EVALUATE_MOTION));
+    const bool follows = sim->model->nloop || count_angles(sim); /* then their rates are to be found */
+    TRY(record_evaluate(sim, follows ? EVALUATE_MOTION : EVALUATE_NOTHING));
     TRY(mark(&w, "{\n"));
     TRY(put_number(&w, "fmdsub_state", 2, ","));
     TRY(put_number(&w, "t", sim->x.t, ","));

@@ -8,8 +8,7 @@
 
 const double *system_rates(const struct system *s)
 {
-    s = system_seen(s);
-    return s->v;
+    return s->seen ? s->V : s->v;
 }
 
 const double *system_accelerations(const struct system *s)

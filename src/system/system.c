@@ -65,6 +65,10 @@ void system_recall(struct system *s, struct recall *r)
     open_recall(&s->tree, r);
     if (s->windings && recall_has(r, "windings")) windings_recall(s->windings, r);
     if (s->loops) condense_recall(s->loops, r);
+    if (!s->seen) return;
+    recall_within(r, "seen");
+    system_recall(s->seen, r);
+    recall_without(r);
 }
 
 struct condense *system_loops(const struct system *s)
