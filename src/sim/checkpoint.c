@@ -63,6 +63,8 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_one(r, "warnings", sim->warnings);
     recall_one(r, "rejected", sim->rejected);
     recall_one(r, "cut", sim->cut);
+    recall_one(r, "balance_told", sim->guard.told);
+    recall_one(r, "balance_t", sim->guard.t);
     recall_each(r, "pass_x", sim->pass, d[0], sim->npass);
     recall_each(r, "pass_y", sim->pass, d[1], sim->npass);
     recall_each(r, "pass_z", sim->pass, d[2], sim->npass);

@@ -70,6 +70,9 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags);
 enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report);
 enum status contacts_press(struct sim *sim);
 enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report);
+/* guard.c: where energies have been looked at: the first sign of a balance that is lost */
+enum status guard_look(struct sim *sim, struct sink *sink, struct report *report);
+
 /* checkpoint.c: at the end of a step, its place in sim->place: is one due?  All that the run needs to go on. */
 bool checkpoint_due(struct sim *sim);
 enum status checkpoint_write(struct sim *sim, struct report *report);

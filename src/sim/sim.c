@@ -310,6 +310,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         if (look_is_due(sim, k, due)) TRY(check_energies(sim, report));
+        if (sim->looks_always || due) TRY(guard_look(sim, sink, report));
         if (due) TRY(write_row(sim, sink, report));
         if (due || k % CHECK_EVERY == 0) {
             double now = clock_wall();
@@ -393,6 +394,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         TRY(write_due(sim, &k, t0, &before, sink, report));
+        TRY(guard_look(sim, sink, report));
         const bool last = sim->watch.met || (stop && sim->x.t < until);
         if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
         if (k != due) sim->rejected = sim->stepper.effort.rejected;

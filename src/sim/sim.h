@@ -138,6 +138,10 @@ struct sim {
         double most; /* its largest value so far [m] or [rad] */
         bool reported;
     } * jump; /* [njump] */
+    struct {
+        bool told;
+        double t;
+    } guard; /* the balance has been lost, when */
     struct run_place {
         bool resumed; /* the run goes on from a checkpoint */
         long step;    /* steps that have been taken: major ones, or those that a scheme chooses */

@@ -4,7 +4,7 @@
 cd "$work" || exit 1
 KILLS=${KILLS:-6} SEED=${SEED:-1}
 
-# DECK, form, major steps between checkpoints, settings: rigid, loops, flexible, of two rates, steps of their own.
+# DECK, form, major steps between checkpoints, settings: rigid, loops, flexible, of two rates, steps of their own, impacts.
 cat >scenes <<SCENES
 $ROOT/decks/double-pendulum.yaml csv 50 integrate.until=3
 $ROOT/decks/four-bar.yaml ndjson 40 integrate.until=1
@@ -15,7 +15,16 @@ $ROOT/decks/heavy-top.yaml csv 20 integrate={scheme: dopri5, tolerance: 1.0e-9, 
 $ROOT/decks/soft-pendulum.yaml ndjson 20 integrate={scheme: subcycle, step: 1.0e-3, ratio: 5, until: 3}
 $ROOT/decks/bearing.yaml csv 20 integrate.until=0.5
 SCENES
-[ -f "$ROOT/decks/bouncing-ball.yaml" ] && echo "$ROOT/decks/bouncing-ball.yaml ndjson 20 integrate.until=2" >>scenes
+cat >ball.yaml <<'DECK'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {ball: {mass: 1, at: [0, 1]}}
+constraints:
+  rail: {prismatic: [ground, ball], at: [0, 0], axis: [0, 1], range: {lower: -1, upper: 10, hold: {restitution: 0.8}}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 6}
+output: {every: 0.01, columns: [rail.*, energy.*]}
+DECK
+echo "$work/ball.yaml ndjson 20 integrate.until=6" >>scenes # bodies that strike
 
 # A run that may be killed after so many seconds; 137 when it was.
 keep() { # SECONDS ARGUMENT...

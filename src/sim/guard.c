@@ -1,0 +1,61 @@
+/* guard.c -- the first sign of motion that the step does not resolve: the balance of energy is lost on the way.
+ *
+ * The verdict on the balance is passed at the end, against all that was done; where it is lost by then, it was at some step,
+ * and there, with the coordinate whose frequency the step resolves least, it is told. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "la/dense.h"
+#include "sim/parts.h"
+
+enum { SOON = 20 }; /* major steps in which all works are near nothing, and a quadrature is off by parts of them */
+
+/* The coordinate of the largest local frequency times its step, that too; -1: not known. */
+static int least_resolved(double *omega_h, const struct sim *sim, struct arena *scratch)
+{
+    const struct ode2 *o = sim->stepper.ode;
+    const int n = o->n, two = sim->stepper.kind->two_rates;
+    double *M = TAKE_MATRIX(scratch, double, n, n), *K = TAKE_MATRIX(scratch, double, n, n);
+    const struct instant x = {.t = sim->x.t, .q = sim->x.q, .v = sim->x.v, .ta = sim->x.t, .tb = sim->x.t};
+    struct trouble why;
+    int worst = -1;
+    *omega_h = 0;
+    if (o->ops->mass(o, M, x.q, x.t, ALL, &why) != OK || o->ops->slopes(o, K, NULL, &x, ALL, &why) != OK) return -1;
+    if (dense_cholesky(M, n, n) >= 0) return -1;
+    for (int i = 0; i < n; i++) {
+        dense_cholesky_solve(M, K + (long)n * i, n, n);
+        const double h = sim->last_h * (two && i >= o->ns ? sim->plan.ratio : 1);
+        const double w = sqrt(fabs(K[i + (long)n * i])) * h;
+        if (w > *omega_h) *omega_h = w, worst = i;
+    }
+    return worst;
+}
+
+static void describe(char *text, size_t size, const struct sim *sim, double share)
+{
+    enum { MANY = 500 };
+    static const double RESOLVED = .5;
+    double omega_h = 0;
+    struct arena *scratch = arena_open();
+    const int i =
+        sim->stepper.ode->n <= MANY && !sim->stepper.kind->adaptive ? least_resolved(&omega_h, sim, scratch) : -1;
+    int n = snprintf(text, size, "the energy balance is off by %.3g of ||W||, for the first time", share);
+    if (i >= 0 && omega_h > RESOLVED)
+        snprintf(text + n, size - (size_t)n, ": the step does not resolve '%.80s' (omega h = %.3g)",
+                 sim_coordinate_name(sim, i), omega_h);
+    arena_close(scratch);
+}
+
+enum status guard_look(struct sim *sim, struct sink *sink, struct report *report)
+{
+    const struct ledger *l = &sim->ledger;
+    const double share = l->norm > 0 ? fabs(l->residual) / l->norm : 0;
+    char text[240];
+    if (!(share > l->delta) || sim->guard.told || sim->stepper.effort.majors < SOON) return OK;
+    sim->guard.told = true;
+    sim->guard.t = sim->x.t;
+    describe(text, sizeof text, sim, share);
+    sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
+    return sink_event(sink, sim->x.t, "balance", text, report);
+}

@@ -1,0 +1,36 @@
+# coupler.sh -- a stiff telescoping coupler across a four-bar, across the partition: omega h from 5 to 200, excited and not, at
+# ratios 1, 5 and 20.  Unexcited it is right or told, excited it is told at its first sign, by time and coordinate.
+. tests/tools/lib.sh
+cat >"$work/x4.yaml" <<'DECK'
+fmdsub: 1
+parameters: {w: 1000, m: 1}
+gravity: [0, -9.81]
+bodies:
+  a: {mass: 1, inertia: 1/12, at: [0, 0.5]}
+  b1: {mass: 1, inertia: 1/12, at: [0.5, 1.125], orient: "atan2(0.25,1)"}
+  b2: {mass: m, inertia: m/12, at: [1.5, 1.375], orient: "atan2(0.25,1)"}
+  c: {mass: 1.5, inertia: 0.3, at: [2, 0.75]}
+constraints:
+  p0: {revolute: [ground, a], at: [0, 0]}
+  p1: {revolute: [a, b1], at: [0, 1]}
+  tele: {prismatic: [b1, b2], at: [1, 1.25], axis: [2, 0.5]}
+  p2: {revolute: [b2, c], at: [2, 1.5]}
+  p3: {revolute: [ground, c], at: [2, 0]}
+forces: {k: {spring: tele, stiffness: m*w^2/4}}
+initial: {p0.angle_rate: 3, tele.displacement: 0.01, assemble: true}
+partition: {fast: [tele]}
+integrate: {scheme: subcycle, step: 1.0e-3, ratio: 5, until: 2}
+output: {every: {steps: 10}, columns: [a.angle, c.angle, tele.displacement, energy.residual]}
+DECK
+for n in 1 5 20; do
+    for w in 3536 14142 46669 141421; do
+        "$FMDSUB" run --set parameters.w=$w --set integrate.ratio=$n "$work/x4.yaml" >"$work/out" 2>"$work/err"
+        rc=$?
+        if { [ $rc = 1 ] && grep -q "^warning: t = .* for the first time: the step does not resolve 'tele.displacement' (omega h = " "$work/err"; } || { [ $rc = 5 ] && grep -q 'stopped at t = ' "$work/err"; }; then ok "excited, $n:1, w $w: told"
+        else not_ok "excited, $n:1, w $w: told" "exit $rc" "$work/err"; fi
+        "$FMDSUB" run --set parameters.w=$w --set integrate.ratio=$n --set initial.tele.displacement=0 "$work/x4.yaml" >"$work/out" 2>"$work/err"
+        rc=$?
+        if [ $rc = 0 ] || grep -q 'for the first time' "$work/err"; then ok "not excited, $n:1, w $w: right or told"
+        else not_ok "not excited, $n:1, w $w: right or told" "exit $rc" "$work/err"; fi
+    done
+done
