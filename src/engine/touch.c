@@ -395,6 +395,13 @@ long touch_impacts(const struct touch *o)
     return o->all;
 }
 
+bool touch_pushed(const struct touch *o)
+{
+    for (int i = 0; i < o->c->m; i++)
+        if (o->impulse[i] != 0) return true;
+    return false;
+}
+
 void touch_recall(struct touch *o, struct recall *r)
 {
     recall_within(r, "touch");

@@ -197,6 +197,7 @@ static const char *reason(const struct sim *sim)
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
     if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
+    if (sim->stepper.touch && touch_pushed(sim->stepper.touch)) return "bodies push each other";
     if (2 * missed->told < missed->steps || missed->told == 0)
         return "too few steps lie between corners of forces or drives";
     return NULL;

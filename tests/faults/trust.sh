@@ -38,3 +38,18 @@ grep -q '^warning: the estimated error, .* is far above the tolerance of 0.001: 
 expect "far above the tolerance, --strict" 1 $? err
 "$FMDSUB" explain W-tolerance >out 2>err
 expect "and that is explained" 0 $? err
+
+# What rolls on what has no estimate: nothing of it is seen where it is pushed.
+cat >"$work/roll.yaml" <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {b: {mass: 1, inertia: 0.005, at: [0, 1.1]}}
+constraints: {f: {free: [ground, b]}}
+surfaces: {drum: {sphere: ground, at: [0, 0], radius: 1}, disc: {sphere: b, radius: 0.1}}
+contacts: {c: {between: [disc, drum], friction: 50}}
+initial: {f.x_rate: 0.01, f.angle_rate: -0.1}
+integrate: {step: 1.0e-3, until: 2.8}
+output: {columns: [b.y]}
+END
+"$FMDSUB" run "$work/roll.yaml" >"$work/out" 2>"$work/err"
+expect "rolling: no estimate" 1 "$(grep -c 'estimated error: not known: bodies push' "$work/err")" "$work/err"
