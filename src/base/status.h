@@ -71,6 +71,7 @@ enum trouble_code {
     TROUBLE_CLOSURE,    /* a loop cannot be closed, or its equations are singular; index: loop joint */
     TROUBLE_DRIVE,      /* a drive or a rate of it is not finite; index: loop joint */
     TROUBLE_MEMORY,     /* a matrix is larger than what is left; value: its bytes; the status is E_LIMIT */
+    TROUBLE_CONTACT,    /* rigid contacts do not settle; index: one of them */
     TROUBLE_DEFLECTION  /* a flexible body is displaced by more than its length; index: body, value: in lengths */
 };
 

@@ -70,6 +70,7 @@ enum status verb_modes(const struct request *request, struct arena *life, struct
     const struct sim_options options = {.version = FMDSUB_VERSION, .counting = true, .drawn = true};
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
+    if (status == OK) status = sim_without_contacts(&sim, "modes", report);
     TRY(cli_told(diags, request, status));
     TRY(cli_go_to(&sim, request, report));
     TRY(modes_find(&modes, &sim, life, report));

@@ -101,6 +101,7 @@ static enum status work(const struct request *request, struct gnuplot *gnuplot, 
     if (status == OK) status = targets_check(&file, 1, &scene->deck->read, life, report);
     if (status == OK) status = choose(&options, &choices, request, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &run, diags, life, report);
+    if (status == OK) status = sim_without_contacts(&sim, "stability", report);
     TRY(cli_told(diags, request, status));
     TRY(cli_go_to(&sim, request, report));
     TRY(stability_find(&o, &sim, &options, life, report));

@@ -158,6 +158,12 @@ const struct diag_help diag_helps[] = {
     {"E-static", "What sticks is held by at least the friction that resists sliding: 'static' is not below 'kinetic'."},
     {"E-contact-flexible", "Surfaces of flexible bodies do not touch yet. Fix a small rigid body at the place, and let "
                            "that touch."},
+    {"E-contact-linear",
+     "Frequencies, stability maps and static equilibria do not know rigid contacts, which are closed or "
+     "open. Delete the contact for them, or make it compliant by a 'stiffness'."},
+    {"E-jam",
+     "The impulses of rigid contacts that touch at once do not settle. Try a smaller step, or less friction; or make "
+     "one of them compliant by a 'stiffness'."},
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",

@@ -41,7 +41,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
                      &o->closed0, &o->state0, &o->closed1, &o->state1};
     double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l, &o->p0, &o->p1};
     double **of_n[] = {&o->v1, &o->vm, &o->a, &o->dx, &o->r, &o->y, &o->vf, &o->weight};
-    double **of_m[] = {&o->g, &o->g0, &o->g1, &o->impulse};
+    double **of_m[] = {&o->size, &o->g, &o->g0, &o->g1, &o->impulse};
     o->ode = ode;
     o->c = ode->contact;
     o->stepper = s;
@@ -63,6 +63,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     single_open(&o->start, ode, life);
     single_open(&o->part, ode, life);
     for (int i = 1; i < m; i++) o->first[i] = o->first[i - 1] + 1 + o->c->of[i - 1].across;
+    for (int i = 0; i < m; i++) o->size[i] = o->c->of[i].size;
     weigh(o);
     return o;
 }
@@ -134,7 +135,7 @@ static double across(const struct touch *o, const struct cone *c)
 /* Those that touch where the run starts. */
 static void choose_drawn(struct touch *o)
 {
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->g[i] <= DRAWN * o->c->of[i].size;
+    for (int i = 0; i < o->c->m; i++) o->on[i] = o->g[i] <= DRAWN * o->size[i];
     touch_choose(o, o->p);
 }
 
@@ -163,7 +164,7 @@ int touch_begin(struct touch *o, double *overlap, const struct state *x, double 
     o->usual = h;
     if (o->c->gap(o->c, o->g, x->q, x->t, why) != OK) return -1;
     for (int i = 0; i < o->c->m; i++) {
-        const double share = o->g[i] / o->c->of[i].size;
+        const double share = o->g[i] / o->size[i];
         if (share < -DRAWN && (deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[deepest = i];
     }
     if (deepest >= 0) return deepest;
@@ -233,7 +234,7 @@ static enum status deepest(struct touch *o, double *g, const struct state *x, st
     *g = INFINITY;
     TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
     for (int i = 0; i < o->c->m; i++)
-        if (!o->closed[i]) *g = smaller(*g, o->g[i] / o->c->of[i].size);
+        if (!o->closed[i]) *g = smaller(*g, o->g[i] / o->size[i]);
     return OK;
 }
 
@@ -278,7 +279,7 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
         const int i = o->contact[k], was = o->state[i];
         const double ut = across(o, c);
         o->impulse[i] += o->l[c->row];
-        if (!(o->l[c->row] > 0) && (o->u[c->row] > CLOSED * o->top || o->g[i] > CLOSED * o->c->of[i].size)) {
+        if (!(o->l[c->row] > 0) && (o->u[c->row] > CLOSED * o->top || o->g[i] > CLOSED * o->size[i])) {
             o->closed[i] = 0;
             o->state[i] = TOUCH_OPEN;
             touch_note(o, (struct touch_event){.what = TOUCH_OPENS, .contact = i, .t = x->t});
@@ -298,7 +299,7 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
 static enum status strike(struct touch *o, struct state *x, double h, int *count, struct trouble *why)
 {
     int any = 0;
-    for (int i = 0; i < o->c->m; i++) o->on[i] = !o->closed[i] && o->g[i] <= 2 * CLOSED * o->c->of[i].size;
+    for (int i = 0; i < o->c->m; i++) o->on[i] = !o->closed[i] && o->g[i] <= 2 * CLOSED * o->size[i];
     for (int i = 0; i < o->c->m; i++) any |= o->on[i];
     if (!any) return OK;
     touch_choose(o, o->p);
@@ -415,6 +416,8 @@ void touch_recall(struct touch *o, struct recall *r)
     recall_list(r, "impacts", o->impacts, o->c->m);
     recall_one(r, "all", o->all);
     recall_one(r, "top", o->top);
+    recall_list(r, "size", o->size, o->c->m);
+    recall_list(r, "weight", o->weight, o->ode->n); /* usual sizes are those of the start */
     (void)matrix_recall(&o->J, r);
     recall_without(r);
 }

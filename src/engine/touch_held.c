@@ -92,7 +92,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     }
     const double size = larger(o->top, DBL_MIN);
     if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size))
-        return trouble_set(why, TROUBLE_DIVERGED, -1, INFINITY, x->tb);
+        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->tb);
     touch_kick(o, o->vf, o->l);
     *err = 0;
     for (int i = 0; i < n; i++) {
@@ -100,21 +100,31 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
         *err = d <= *err ? *err : d; /* what is not a number stays */
         o->v1[i] = o->vf[i];
     }
-    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_DIVERGED, -1, *err, x->tb);
+    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_CONTACT, o->contact[0], *err, x->tb);
+}
+
+/* What round-off of gaps makes of velocities in a short step. */
+static double noise(const struct touch *o, double h)
+{
+    double size = 0;
+    for (int k = 0; k < o->n; k++) size = larger(size, o->size[o->contact[k]]);
+    return 64 * DBL_EPSILON * size / h;
 }
 
 static enum status iterate(struct touch *o, struct instant *at, const struct state *x, double h, double t1,
                            struct trouble *why)
 {
-    double err = INFINITY, before = INFINITY;
-    for (int k = 0; k < LIMIT; k++) {
+    const double rough = noise(o, h);
+    double err = INFINITY, least = INFINITY;
+    for (int k = 0, since = 0; k < LIMIT; k++) {
         *at = place(o, x, h, t1);
-        before = err;
         TRY(correct(o, &err, at, h, k, why));
         const double size = larger(o->top, DBL_MIN);
-        if (err <= EXACT * size || (err <= ENOUGH * size && err > .5 * before)) return OK;
+        since = err < .9 * least ? 0 : since + 1;
+        least = smaller(least, err);
+        if (err <= EXACT * size || (err <= ENOUGH * size + rough && since > 1)) return OK;
     }
-    return trouble_set(why, TROUBLE_DIVERGED, -1, err, t1);
+    return trouble_set(why, TROUBLE_CONTACT, o->contact[0], err, t1);
 }
 
 /* Works: of all else, of friction, of what drives the surfaces. */
@@ -159,7 +169,7 @@ static enum status settle(struct touch *o, const struct instant *at, struct trou
     touch_compliance(o, &o->M, o->end.G, o->end.G);
     zero(o->l, o->rows);
     if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top))
-        return trouble_set(why, TROUBLE_DIVERGED, -1, INFINITY, at->tb);
+        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, at->tb);
     touch_kick(o, o->v1, o->l);
     touch_rates(o, o->u1, &o->end, o->v1);
     for (int i = 0; i < o->rows; i++) {

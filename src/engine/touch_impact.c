@@ -88,7 +88,7 @@ enum status touch_impact(struct touch *o, struct state *x, double h, const int *
         o->top = larger(o->top, fabs(o->u[o->cone[k].row]));
     }
     for (int i = 0; i <= HALVINGS; i++, e = i < HALVINGS ? e / 2 : 0) {
-        if (!strike(o, &loss, e)) return trouble_set(why, TROUBLE_DIVERGED, -1, INFINITY, x->t);
+        if (!strike(o, &loss, e)) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
         if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
     }
     touch_kick(o, x->v, o->l);

@@ -19,6 +19,7 @@ struct touch {
     const struct ode2 *ode;
     const struct ode2_contact *c;
     struct stepper *stepper;
+    double *size;    /* [m] usual gaps, those of the start */
     int *first;      /* [m] the first of a contact's rows among all */
     int *on;         /* [m] is it looked at now? */
     int *closed;     /* [m] */

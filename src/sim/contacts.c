@@ -42,6 +42,16 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
     return E_DECK;
 }
 
+enum status sim_without_contacts(const struct sim *sim, const char *what, struct report *report)
+{
+    if (sim->model->ncontact == 0) return OK;
+    return fail(
+        report, E_MODEL,
+        "%s: '%.60s' is a rigid contact, which small motions and equilibria do not know: delete it for them, or make "
+        "it compliant by a 'stiffness' [E-contact-linear]",
+        what, sim->model->contact[0].name);
+}
+
 enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report)
 {
     double overlap;

@@ -22,6 +22,7 @@ static struct state new_state(const struct model *m, struct arena *life)
 static enum status start_at_rest(struct sim *sim, struct report *report)
 {
     struct trouble why = {0};
+    TRY(sim_without_contacts(sim, "no start: initial: static", report));
     struct arena *scratch = arena_open();
     const size_t bytes = (size_t)system_ode2(sim->system)->n * sizeof(double);
     memcpy(sim->x.a, sim->x.v, bytes); /* a place to keep them */

@@ -215,6 +215,9 @@ const char *sim_space(const struct sim *sim);
 /* Where it stands, as the model has it [nq]. */
 const double *sim_positions(const struct sim *sim);
 
+/* What small motions and equilibria leave out is refused where there are rigid contacts; what: "modes". */
+enum status sim_without_contacts(const struct sim *sim, const char *what, struct report *report);
+
 /* The run's settings and its summary as facts, for sinks and for people. */
 int sim_settings(const struct sim *sim, struct pair *facts, int most);
 int sim_facts(const struct sim *sim, struct pair *facts, int most);

@@ -144,6 +144,11 @@ static void diverged(const struct why *o)
         coordinate(o), o->trouble->value, o->sim->plan.step);
 }
 
+static void jammed(const struct why *o)
+{
+    SAY(o, "rigid contacts do not settle: '%.60s' is one of them", o->sim->model->contact[o->trouble->index].name);
+}
+
 /* --- what to do -------------------------------------------------------------------------------- */
 
 /* By what is already in use. */
@@ -251,6 +256,7 @@ static const struct stop_words {
     [TROUBLE_IDLE] = {idle, give_inertia, "W-idle", false},
     [TROUBLE_INERTIA] = {inertia, mend_inertia, "W-inertia", false},
     [TROUBLE_DIVERGED] = {diverged, smaller_step, "no-convergence", true},
+    [TROUBLE_CONTACT] = {jammed, smaller_step, "E-jam", true},
     [TROUBLE_REJECTED] = {rejected, find_jump, "no-convergence", true},
     [TROUBLE_TOO_SMALL] = {too_small, smaller_step, "no-convergence", true},
     [TROUBLE_MASS] = {no_mass, give_mass, "no-mass", false},

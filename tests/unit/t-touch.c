@@ -335,6 +335,52 @@ static void a_rod_on_its_corner(void **state)
     }
 }
 
+/* In halves as in one go: all that the contacts carry is in the state. */
+static void in_halves(void **state)
+{
+    (void)state;
+    static const char *const text =
+        "gravity: [0, -9.81]\nbodies: {b: {mass: 1, inertia: 0.05, at: [0, 0.4], points: {p: [0.3, -0.1], q: [-0.3, "
+        "-0.1]}}}\n"
+        "constraints: {f: {planar: [ground, b], at: [0, 0.4]}}\ninitial: {f.x_rate: 2, f.angle_rate: 1.5}\n"
+        "surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, feet: {points: [b.p, b.q]}}\n"
+        "contacts: {c: {between: [feet, floor], restitution: 0.4, friction: 0.2}}\n"
+        "integrate: {scheme: midpoint, step: 1.0e-3, until: %g}\n";
+    for (double T = .2; T < .9; T += .1) {
+        struct opened whole, half;
+        struct recall kept, back;
+        char all[900];
+        snprintf(all, sizeof all, text, 1.);
+        open_deck(&whole, all);
+        run(&whole);
+        snprintf(all, sizeof all, text, T);
+        open_deck(&half, all);
+        run(&half);
+        recall_keep(&kept, half.life);
+        assert_int_equal(stepper_recall(&half.sim.stepper, &kept), OK);
+        snprintf(all, sizeof all, text, 1.);
+        struct opened rest;
+        open_deck(&rest, all);
+        recall_back(&back, kept.span, kept.n);
+        assert_int_equal(stepper_recall(&rest.sim.stepper, &back), OK);
+        assert_true(*back.wrong == 0);
+        memcpy(rest.sim.x.q, half.sim.x.q, 3 * sizeof(double));
+        memcpy(rest.sim.x.v, half.sim.x.v, 3 * sizeof(double));
+        memcpy(rest.sim.x.a, half.sim.x.a, 3 * sizeof(double));
+        rest.sim.x.t = half.sim.x.t;
+        for (long k = lround(T / 1e-3) + 1; k <= 1000; k++)
+            assert_int_equal(stepper_step(&rest.sim.stepper, &rest.sim.x, 1e-3, 1, (double)k * 1e-3, &rest.sim.trouble),
+                             OK);
+        for (int i = 0; i < 3; i++) {
+            near(rest.sim.x.q[i], whole.sim.x.q[i], 1e-11);
+            near(rest.sim.x.v[i], whole.sim.x.v[i], 1e-9);
+        }
+        arena_close(whole.life);
+        arena_close(half.life);
+        arena_close(rest.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_ball_comes_to_rest),
@@ -348,6 +394,7 @@ int main(void)
                                        cmocka_unit_test(a_plate),
                                        cmocka_unit_test(a_pin_in_a_hole),
                                        cmocka_unit_test(a_cradle),
-                                       cmocka_unit_test(a_rod_on_its_corner)};
+                                       cmocka_unit_test(a_rod_on_its_corner),
+                                       cmocka_unit_test(in_halves)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
