@@ -54,6 +54,8 @@ RANDOM   := $(BUILD)/random/mechanism $(BUILD)/random/judge
 FUZZED   := deck expression table body
 FUZZES    = $(FUZZED:%=$(BUILD)/fuzz/%)
 BENCHES  := $(patsubst tests/bench/%.c,$(BUILD)/bench/%,$(sort $(wildcard tests/bench/*.c)))
+DIST      = fmdsub-$(shell sed -n 's/.define FMDSUB_VERSION "\(.*\)"/\1/p' src/cli/cli.h)
+COMPLETIONS = $(addprefix $(DESTDIR)$(PREFIX)/share/,bash-completion/completions/fmdsub zsh/site-functions/_fmdsub fish/vendor_completions.d/fmdsub.fish)
 PAGES    := $(sort $(wildcard man/*.[157]))
 EXAMPLES := $(sort $(wildcard decks/*.*))
 AIRSCREW := $(sort $(wildcard decks/airscrew/*))
@@ -142,7 +144,7 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
 	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study plot diff sweep animate airscrew hard effects validation users random fuzz reduce
+	@$(RUN) unit decks bad faults man order study plot diff sweep animate install airscrew hard effects validation users random fuzz reduce
 
 ## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(FUZZES) $(BENCHES)
@@ -161,6 +163,10 @@ unit: $(UNITS)
 ## diff          two records compared
 ## sweep         many points, in parts, on as many machines
 ## animate       moving pictures
+## install-test  what is installed, completion of shells, the tarball
+install-test: $(PROGRAM) $(FOUND) $(TOOLS)
+	@$(RUN) install
+
 ## airscrew      the numbers of decks/airscrew/README
 ## effects       what effects that are left out change
 ## hard          cases that break simulators
@@ -320,19 +326,31 @@ demo: deps
 
 tools: $(TOOLS)
 
-## install       programs, manual and decks to PREFIX; uninstall takes them away
+## dist          the sources as build/fmdsub-VERSION.tar.gz, which builds without git
+dist:
+	@mkdir -p $(BUILD)
+	@git archive --prefix=$(DIST)/ HEAD | gzip -9n >$(BUILD)/$(DIST).tar.gz
+	@echo "$(BUILD)/$(DIST).tar.gz"
+
+## install       programs, manual, schema, completion of shells and decks to PREFIX; uninstall takes them away
 install: $(PROGRAM) $(FOUND)
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks/airscrew
 	install -m 755 $(PROGRAM) $(FOUND) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(EXAMPLES) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks
 	install -m 644 $(AIRSCREW) $(DESTDIR)$(PREFIX)/share/doc/fmdsub/decks/airscrew
 	install -m 644 README.md LICENSE man/CHANGELOG $(DESTDIR)$(PREFIX)/share/doc/fmdsub
+	install -d $(DESTDIR)$(PREFIX)/share/fmdsub $(dir $(COMPLETIONS))
+	$(PROGRAM) schema >$(DESTDIR)$(PREFIX)/share/fmdsub/deck.schema.json
+	$(PROGRAM) list completion bash >$(word 1,$(COMPLETIONS))
+	$(PROGRAM) list completion zsh >$(word 2,$(COMPLETIONS))
+	$(PROGRAM) list completion fish >$(word 3,$(COMPLETIONS))
 	for page in $(PAGES); do s=$${page##*.}; d=$(DESTDIR)$(PREFIX)/share/man/man$$s; \
 	    install -d $$d && install -m 644 $$page $$d || exit 1; done
 
 uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/bin/fmdsub $(DESTDIR)$(PREFIX)/bin/fmdsub-reduce
-	rm -rf $(DESTDIR)$(PREFIX)/share/doc/fmdsub
+	rm -rf $(DESTDIR)$(PREFIX)/share/doc/fmdsub $(DESTDIR)$(PREFIX)/share/fmdsub
+	rm -f $(COMPLETIONS)
 	for page in $(PAGES); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${page##*.}/$${page##*/}; done
 
 ## clean         removes the build folder
@@ -346,4 +364,4 @@ help:
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
 .PHONY: kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
-        help deps deps-test demo tools tests-built install uninstall clean
+        help deps deps-test demo tools tests-built dist install-test install uninstall clean

@@ -82,7 +82,7 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
 {
     static const char *const topics[] = {"schemes", "joints", "forces", "contacts", "effects", "sections", "columns"};
     const char *topic = request->nword ? request->word[0] : "";
-    bool one_word = strcmp(topic, "columns") != 0 && strcmp(topic, "page") != 0;
+    bool one_word = strcmp(topic, "columns") != 0 && strcmp(topic, "page") != 0 && strcmp(topic, "completion") != 0;
     if (one_word && request->nword > 1) return fail(report, E_USAGE, "'fmdsub list %.40s' takes nothing more", topic);
     if (!*topic) {
         printf("schemes\n");
@@ -107,6 +107,8 @@ enum status verb_list(const struct request *request, struct arena *life, struct 
         return print_columns(request, life, report);
     } else if (strcmp(topic, "page") == 0) {
         return page_print(stdout, request->nword - 1, request->word + 1, report);
+    } else if (strcmp(topic, "completion") == 0) {
+        return completion_print(stdout, request->nword - 1, request->word + 1, report);
     } else {
         const char *nearest = text_nearest(topic, topics, (int)(sizeof topics / sizeof *topics));
         return fail(report, E_USAGE,

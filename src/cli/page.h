@@ -16,6 +16,9 @@
  * part. */
 enum status page_print(FILE *to, int n, char *const *word, struct report *report);
 
+/* completion.c: word [n] is {SHELL}. */
+enum status completion_print(FILE *to, int n, char *const *word, struct report *report);
+
 /* What a key takes, in words: "number", "true or false"; of KEY_WORD and KEY_NODE what the table says. */
 const char *page_type(const struct key *k);
 

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "cli/cli.h"
+#include "out/facts.h"
 #include "out/number.h"
 #include "out/targets.h"
 #include "sim/checkpoint.h"
@@ -33,23 +34,50 @@ static void write_number(char *to, double x)
         strcpy(to, "-");
 }
 
-/* Counts, and the CPU time of stepping: `key value` lines. */
-static enum status write_stats(const struct sim *sim, const struct request *request, struct report *report)
+enum { MOST_FACTS = 48 };
+
+static bool is_json(const char *path)
 {
-    struct pair facts[32];
+    const size_t n = path ? strlen(path) : 0;
+    return n > 5 && strcmp(path + n - 5, ".json") == 0;
+}
+
+static void put_json(FILE *to, const struct pair *facts, int n, struct arena *life)
+{
+    cJSON *all = cJSON_CreateObject();
+    char *text = facts_pairs(all, facts, n, life) ? cJSON_PrintUnformatted(all) : NULL;
+    if (text) fprintf(to, "%s\n", text);
+    cJSON_free(text);
+    cJSON_Delete(all);
+}
+
+/* For people on stderr, in a file a name, a blank and a value to the line. */
+static void put_lines(FILE *to, const struct pair *facts, int n)
+{
     char number[NUMBER_MOST + 1];
-    int n = sim_facts(sim, facts, 32);
-    FILE *to = request->stats ? file_or_end(request->stats, "w") : stderr;
-    if (!to) return fail(report, E_FILE, "%s: cannot open for writing", request->stats);
-    facts[n++] = pair_number("cpu_seconds", sim->cpu);
     for (int i = 0; i < n; i++) {
         if (facts[i].kind == PAIR_NUMBER) write_number(number, facts[i].number);
-        fprintf(to, "%-22s %s\n", facts[i].key,
+        fprintf(to, "%-*s %s\n", to == stderr ? 22 : 0, facts[i].key,
                 facts[i].kind == PAIR_NUMBER ? number
                 : facts[i].kind == PAIR_TEXT ? facts[i].text
                 : facts[i].truth             ? "true"
                                              : "false");
     }
+}
+
+/* Counts, and the CPU time of stepping. */
+static enum status write_stats(const struct sim *sim, const struct request *request, struct arena *life,
+                               struct report *report)
+{
+    struct pair facts[MOST_FACTS];
+    int n = sim_facts(sim, facts, MOST_FACTS - 1);
+    FILE *to = request->stats ? file_or_end(request->stats, "w") : stderr;
+    if (!to) return fail(report, E_FILE, "%s: cannot open for writing", request->stats);
+    facts[n++] = pair_number("cpu_seconds", sim->cpu);
+    if (is_json(request->stats))
+        put_json(to, facts, n, life);
+    else
+        put_lines(to, facts, n);
     if (to == stderr) return OK;
     const bool written = !ferror(to);
     return fclose(to) == 0 && written ? OK : fail(report, E_FILE, "%s: cannot write", request->stats);
@@ -168,7 +196,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     }
     if (status == OK && request->strict) status = strict_verdict(&sim, diags, report);
     if ((request->want_stats || request->verbose) && status != E_SIGPIPE) {
-        enum status written = write_stats(&sim, request, report);
+        enum status written = write_stats(&sim, request, life, report);
         if (status == OK) status = written;
     }
     return status;
