@@ -2,8 +2,8 @@
  *
  *     d^(s-1)/dx^(s-1) [x^(s-1) (x - 1)^s],
  *
- * of order 2 s - 1 and L-stable (Ehle 1969; Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5, IV.8).  For odd s
- * the matrix A has one real eigenvalue and pairs of complex ones. */
+ * of order 2 s - 1 and L-stable (Ehle 1969; Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5, IV.8).  For
+ * odd s the matrix A has one real eigenvalue and pairs of complex ones. */
 #ifndef FMDSUB_ENGINE_COLLOCATION_H
 #define FMDSUB_ENGINE_COLLOCATION_H
 

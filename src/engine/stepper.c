@@ -40,9 +40,9 @@ static void begin_anew(struct stepper *s, struct state *x)
     s->unstarted = stepper_start(s, x, &why) != OK;
 }
 
-/* One step after the impulses of drives' corners, and behind the corner at its start of anything that it asks for there.  A scheme that looks at points of time would miss those anywhere in
- * the step; one that takes means over it sees them all, and is of first order there: a corner right at the start comes
- * first in every scheme. */
+/* One step after the impulses of drives' corners, and behind the corner at its start of anything that it asks for there. 
+ * A scheme that looks at points of time would miss those anywhere in the step; one that takes means over it sees them all,
+ * and is of first order there: a corner right at the start comes first in every scheme. */
 static enum status after_corners(struct stepper *s, struct state *x, double h, int ratio, double to,
                                  struct trouble *why)
 {

@@ -43,8 +43,8 @@ struct touch;
 
 struct touch *touch_open(struct stepper *s, struct arena *life);
 
-/* Where the run stands at the start, to go on with steps of about h: which contacts are closed.  A gap below 0: *overlap is it, its contact returned; -1:
- * none. */
+/* Where the run stands at the start, to go on with steps of about h: which contacts are closed.  A gap below 0: *overlap
+ * is it, its contact returned; -1: none. */
 int touch_begin(struct touch *o, double *overlap, const struct state *x, double h, struct trouble *why);
 
 /* As kind->step() of a scheme of one rate. */

@@ -16,6 +16,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "flex/beam_stress.h"
 #include "flex/craig.h"
 #include "flex/rod.h"
 #include "flex/statics.h"
@@ -320,43 +321,6 @@ static void fill(struct flex_body *o, const struct work *w, const int *mesh, str
     fill_side(o, w, &m, mesh, true, phi);
 }
 
-/* ---- stresses ---- */
-
-/* xx = N/A + My z/Iy - Mz y/Iz, xy and xz of section_shear(), all in the section's axes and the shear turned back. */
-static void stress_by(struct flex_stress *o, int j, const struct flex_section *c, const double *T, const double *Q,
-                      double y, double z)
-{
-    const double co = cos(c->twist), si = sin(c->twist);
-    const double V[2] = {co * Q[1] + si * Q[2], co * Q[2] - si * Q[1]};
-    const double M[2] = {co * Q[4] + si * Q[5], co * Q[5] - si * Q[4]};
-    const double xy = T[0] * V[0] + T[2] * V[1] + T[4] * Q[3], xz = T[1] * V[0] + T[3] * V[1] + T[5] * Q[3];
-    double *tensor = o->tensor + 6 * j;
-    o->axial[j] = Q[0] / c->A;
-    o->bending[j] = (z != 0 ? M[0] * z / c->Iy : 0) - M[1] * y / c->Iz;
-    tensor[0] = o->axial[j] + o->bending[j];
-    tensor[3] = co * xy - si * xz;
-    tensor[4] = si * xy + co * xz;
-}
-
-static enum status stress(struct flex_stress *o, const struct work *w, const struct flex_probe *probe, double *Q,
-                          struct report *report)
-{
-    struct flex_section c;
-    const double nu = w->beam->E / (2 * w->beam->G) - 1;
-    double T[6];
-    rod_section(&c, w->beam, probe->station);
-    if ((probe->y != 0 && !(c.y > 0)) || (probe->z != 0 && w->beam->space == 3 && !(c.z > 0)))
-        return fail(report, E_MODEL, "the stress point '%s' needs a section whose outline is known",
-                    probe->name ? probe->name : "");
-    const double y = probe->y * c.y, z = w->beam->space == 3 ? probe->z * c.z : 0;
-    section_shear(T, &c, y, z, isfinite(nu) ? nu : 0);
-    rod_forces(Q, &w->rod, probe->station, w->Phi, w->n);
-    o->name = probe->name;
-    o->shear = c.shape != SHAPE_NUMBERS;
-    for (int j = 0; j < w->n; j++) stress_by(o, j, &c, T, Q + 6 * j, y, z);
-    return OK;
-}
-
 /* ---- all ---- */
 
 static enum status make(struct flex_body **out, double *at, struct work *w, struct arena *life, struct arena *scratch,
@@ -387,7 +351,8 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
     fill(o, w, mesh, scratch);
     flex_statics_make(o, &w->rod, &w->K, &w->M, w->lambda, w->Phi, mesh, w->reference, w->axes, life, scratch);
     double *Q = TAKE(scratch, double, 6 * w->n);
-    for (int k = 0; k < beam->nprobe; k++) TRY(stress(&o->stress[k], w, &beam->probe[k], Q, report));
+    for (int k = 0; k < beam->nprobe; k++)
+        TRY(beam_stress(&o->stress[k], beam, &w->rod, w->Phi, w->n, &beam->probe[k], Q, report));
     *out = o;
     return OK;
 }

@@ -29,8 +29,8 @@ struct flex_statics {
     double along[3];                /* the beam's axis, body axes */
 };
 
-/* Statics and far from the mesh: modes Phi [freedoms x n] with lambda, the body's nodes at mesh nodes `mesh` [o->nnode], `reference` one of
- * them; axes: of the beam in the body, by column. */
+/* Statics and far from the mesh: modes Phi [freedoms x n] with lambda, the body's nodes at mesh nodes `mesh` [o->nnode],
+ * `reference` one of them; axes: of the beam in the body, by column. */
 void flex_statics_make(struct flex_body *o, const struct rod *rod, const struct band *K, const struct band *M,
                        const double *lambda, const double *Phi, const int *mesh, int reference, const double *axes,
                        struct arena *life, struct arena *scratch);
@@ -43,8 +43,8 @@ struct flex_kept {
     double weight; /* the whole across against the most of any direction of the same size */
 };
 
-/* Of a body whose statics are known, along d [6]: of a force and moment at a node; of a motion of the reference node.  False: the
- * direction does nothing. */
+/* Of a body whose statics are known, along d [6]: of a force and moment at a node; of a motion of the reference node. 
+ * False: the direction does nothing. */
 bool flex_kept_of_load(struct flex_kept *o, const struct flex_body *body, int node, const double *d);
 bool flex_kept_of_motion(struct flex_kept *o, const struct flex_body *body, const double *d);
 

@@ -5,9 +5,9 @@
  * the axis given, a vector of the plane, and y stands out of it.
  *
  * What a joint lets its bodies do is a list of elementary freedoms, one for each rate: turns about and slides along
- * joint axes; one may do both.  Sizes, names and units of its coordinates, the motion of a tree, usual sizes, and the equations of
- * a loop (which hold what the list leaves) all follow from it.  Order of a list: slides along axes of the first body;
- * turns, about one axis or about one of the first and then one of the second body; a ball, three freedoms that come
+ * joint axes; one may do both.  Sizes, names and units of its coordinates, the motion of a tree, usual sizes, and the
+ * equations of a loop (which hold what the list leaves) all follow from it.  Order of a list: slides along axes of the
+ * first body; turns, about one axis or about one of the first and then one of the second body; a ball, three freedoms that come
  * last: their rates are the angular velocity of the second body against the first in axes of the second, and their
  * positions a unit quaternion, one more than rates.  A slide along the axis of the only turn may stand behind it.
  *

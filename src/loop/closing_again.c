@@ -5,8 +5,9 @@
  *
  *     dx_d := dx_d - C_qd^-1 C_qi d,   then dx_d := dx_d - C_qd^-1 C(q) again and again,
  *
- * with the same factor; where drives have gone on since, C(q) of there goes with C_qi d.  C_qd changes by something like d, so that the first correction s is half of d squared and the
- * later ones shrink at the rate 2 s/d.  For late iterates nothing is missed, and all that is left to do is to see it.
+ * with the same factor; where drives have gone on since, C(q) of there goes with C_qi d.  C_qd changes by something like
+ * d, so that the first correction s is half of d squared and the later ones shrink at the rate 2 s/d.  For late iterates
+ * nothing is missed, and all that is left to do is to see it.
  */
 #include <math.h>
 

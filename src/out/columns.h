@@ -17,8 +17,8 @@ struct selection {
     int wrong;  /* index of the pattern that matched nothing; -1: none */
 };
 
-/* Columns of all[0..n), of which the first is what the others are written over, t, by patterns with '*' and '?', in the order given:
- * that comes first always, within a pattern the order of `all`, and of duplicates the first stays.  A
+/* Columns of all[0..n), of which the first is what the others are written over, t, by patterns with '*' and '?', in the
+ * order given: that comes first always, within a pattern the order of `all`, and of duplicates the first stays.  A
  * pattern that matches nothing fails with `blame` (E_USAGE, E_DECK) and words that name the nearest. */
 enum status columns_select(struct selection *to, const struct column *all, int n, const char *const *patterns,
                            int npatterns, enum status blame, struct arena *life, struct report *report);

@@ -32,8 +32,9 @@ static double ahead(const struct tried *f, int i)
     return f->error[i] / f->share;
 }
 
-/* Major steps to an interval for an error, where corners lie in steps anyhow, and errors are at the mercy of where: the coarsest of the settings that were
- * tried from which on all were as good, or finer ones by order 1 from the worst of the last. */
+/* Major steps to an interval for an error, where corners lie in steps anyhow, and errors are at the mercy of where: the
+ * coarsest of the settings that were tried from which on all were as good, or finer ones by order 1 from the worst of the
+ * last. */
 static double steps_by_trial(const struct tried *f, double aim)
 {
     enum { LAST = 3 };

@@ -35,8 +35,9 @@ struct advice {
     const char *why;            /* why there is no advice; NULL: there is some */
 };
 
-/* Of the scene that sim has opened, which stands at its start.  diags: of its own, for what the deck's keys are to other schemes is nobody's concern.  Fails only where it is ended from
- * outside (base/stop.h); what keeps a trial from running is told in why. */
+/* Of the scene that sim has opened, which stands at its start.  diags: of its own, for what the deck's keys are to other
+ * schemes is nobody's concern.  Fails only where it is ended from outside (base/stop.h); what keeps a trial from running
+ * is told in why. */
 enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report);
 
 /* The first entry for such an error with a step; NULL: none. */

@@ -50,7 +50,8 @@ struct ode2_ops {
     /* r [n]: the residual of the asked classes' bodies and elements, all rows (written, not added).
      * w [POWER_CHANNELS]: power along v by channel [W]; NULL: not wanted.
      * dk: largest relative change of a slope since the last slopes(), above .2 asks for a fresh
-     * factor; plus SHARP where the solution is wanted to round-off; NULL: not wanted; systems without changing slopes write 0. */
+     * factor; plus SHARP where the solution is wanted to round-off; NULL: not wanted; systems without changing slopes
+     * write 0. */
     enum status (*resid)(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
                          struct trouble *why);
     /* M^ [n x n] by column, of the asked classes, exact and symmetric. */
@@ -160,8 +161,8 @@ struct ode2 {
     double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
     /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
      * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
-     * it: at the end of a step settle() moves q1, which is x->qb where that is known, there, and v1, x->vb, by what is left of the
-     * residual.  x->t is the middle of a step of the midpoint rule, and x->tb where an interval is several of them.
+     * it: at the end of a step settle() moves q1, which is x->qb where that is known, there, and v1, x->vb, by what is
+     * left of the residual.  x->t is the middle of a step of the midpoint rule, and x->tb where an interval is several of them.
      * E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
     enum status (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why);
     double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */

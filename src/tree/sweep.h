@@ -4,8 +4,8 @@
  * Walker & Paul 1980; composite bodies, Walker & Orin 1982; articulated bodies, Featherstone 1983).
  * Bodies come in three lists by rate class: FAST holds the fast bodies and, for motion only, the
  * slow ones on their path to the ground and those on which fast loads act; SLOW the slow bodies;
- * ALL all.  A sweep may have other bodies for its FAST ones.  W is the sweep's work memory: written by forward(), read by the rest, never kept between
- * evaluations. */
+ * ALL all.  A sweep may have other bodies for its FAST ones.  W is the sweep's work memory: written by forward(), read by
+ * the rest, never kept between evaluations. */
 #ifndef FMDSUB_TREE_SWEEP_H
 #define FMDSUB_TREE_SWEEP_H
 
