@@ -7,7 +7,7 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-enum { SMALL = 12 }; /* up to here dense is no slower than any structure */
+enum { SMALL = 12, FORMED = 12 }; /* coordinates up to which dense is no slower than any structure, M_f is formed */
 
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
@@ -25,6 +25,7 @@ void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *ef
     p->Z = TAKE_MATRIX(life, double, ns, ns);
     p->row = TAKE(life, double, ns);
     p->none = TAKE(life, double, n);
+    if (direct && n <= FORMED) p->Mf = TAKE_MATRIX(life, double, n, n);
     p->z = TAKE(life, double, n);
     p->r = TAKE(life, double, n);
     p->a = TAKE(life, double, n);
@@ -146,16 +147,32 @@ static enum status by_rows(struct decouple *p, struct instant *with, double s, i
     return OK;
 }
 
-/* MsW and W' M_s W from the fast bodies. */
-static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
+/* The same from M_f itself: where it is small, and a tree's, that is one pass. */
+static enum status by_fast_mass(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
 {
-    int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
+    const int n = p->n, ns = p->ns, ml = p->ml;
+    p->effort->fast++;
+    TRY(p->ode->ops->mass(p->ode, p->Mf, x->q, x->t, FAST, why));
+    dense_copy(p->MsW, p->Mf + ns, ml, ns, ml, n);
+    dense_gemm(p->MsW, -1, p->Mf + ns + (long)ns * n, p->W, ml, rows, ns, ml, n, p->nl);
+    return OK;
+}
+
+static enum status by_questions(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
+{
     struct instant with = *x;
     with.a = NULL;
     p->effort->fast++;
     TRY(p->ode->ops->resid(p->ode, p->r, NULL, NULL, &with, FAST, why));
-    double s = as_large(p, p->r, ns + ml);
-    TRY(ns <= ml ? by_columns(p, &with, s, rows, why) : by_rows(p, &with, s, rows, why));
+    const double s = as_large(p, p->r, p->ns + p->ml);
+    return p->ns <= p->ml ? by_columns(p, &with, s, rows, why) : by_rows(p, &with, s, rows, why);
+}
+
+/* MsW and W' M_s W from the fast bodies. */
+static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
+{
+    int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
+    TRY(p->Mf ? by_fast_mass(p, x, rows, why) : by_questions(p, x, rows, why));
     zero(p->WMW, ns * ns);
     dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
     for (int j = 0; j < ns; j++)

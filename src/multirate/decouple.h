@@ -18,8 +18,9 @@
  *
  *     M_s W = (M_f P_S)_L,   W' M_s W,
  *
- * so that no slow body is asked.  The rows are given one by one where there are fewer slow coordinates than fast ones,
- * by (M_f P_S)_L = (M_f)_LS - (M_f)_LL W and the symmetry of M_f. */
+ * so that no slow body is asked.  Where M_f is formed in one pass it gives that at once; else the rows are given one by
+ * one where there are fewer slow coordinates than fast ones, by (M_f P_S)_L = (M_f)_LS - (M_f)_LL W and the symmetry of
+ * M_f. */
 #ifndef FMDSUB_MULTIRATE_DECOUPLE_H
 #define FMDSUB_MULTIRATE_DECOUPLE_H
 
@@ -41,6 +42,7 @@ struct decouple {
     double *M;         /* [n x n]; as L, NULL as long as the owner's structure serves */
     double *L;         /* [nl x nl] Cholesky factor of M_LL */
     void *F;           /* the owner's factor of M^ */
+    double *Mf;        /* [n x n] M_f; NULL: it is not formed */
     double *none;      /* [n] zeros */
     double *z, *r, *a; /* [n] */
     double *row, *Z;   /* [ns], [ns x ns] */

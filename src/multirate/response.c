@@ -200,8 +200,9 @@ void response_freeze(struct response *p, const struct decouple *dec)
     p->slow_slopes = nonzero(p->F, nl, nl, nl);
     slow_recoil(p, dec);
     slow_stiffness(p);
-    p->drives = nonzero(m->K + ns, ml, ns, n) || nonzero(m->K + (long)ns * n, ns, ml, n) ||
-                nonzero(m->C + ns, ml, ns, n) || nonzero(m->C + (long)ns * n, ns, ml, n) || nonzero(p->FW, nl, ns, nl);
+    p->couples = nonzero(m->K + ns, ml, ns, n) || nonzero(m->K + (long)ns * n, ns, ml, n) ||
+                 nonzero(m->C + ns, ml, ns, n) || nonzero(m->C + (long)ns * n, ns, ml, n);
+    p->drives = p->couples || nonzero(p->FW, nl, ns, nl);
     if (!p->drives) return;
     coupling(p, dec);
     times_B(p->Q, p->h * p->h / 4, m->K + ns, p->A, ml, ns, n);

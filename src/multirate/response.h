@@ -60,7 +60,8 @@ struct response {
     int slow_slopes;     /* F is not zero */
     int stiff;           /* G is not M_LL */
     int diagonal;        /* G - M_LL is */
-    int drives;          /* U or V is not zero */
+    int couples;         /* fast and slow rows are coupled by springs or dampers of the fast class */
+    int drives;          /* U or V is not zero: that, or the base of slow springs recoils */
     double *G;           /* [nl x nl] factored; dense only */
     void *GF;            /* the owner's factor of G */
     double *Q;           /* [ml x ns] d(slow rows)/d(d_k) of one minor step: ((h^2/4) K_LS + (h/2) C_LS) B */

@@ -60,6 +60,7 @@ void response_recall(struct response *p, struct recall *r)
     recall_one(r, "slow_slopes", p->slow_slopes);
     recall_one(r, "stiff", p->stiff);
     recall_one(r, "diagonal", p->diagonal);
+    recall_one(r, "couples", p->couples);
     recall_one(r, "drives", p->drives);
     minor_recall(&p->one, r);
     dense_recall(p, r);

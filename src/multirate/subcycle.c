@@ -152,7 +152,7 @@ static enum status solve(struct subcycle *c, struct trouble *why)
         TRY(sweep(c, &verdict, why));
         const struct newton *nt = &c->newton;
         c->coarse.on =
-            verdict == CONTINUE && nt->way && nt->count == 1 && !nt->powered && !c->coarse.varied && !c->resp.drives;
+            verdict == CONTINUE && nt->way && nt->count == 1 && !nt->powered && !c->coarse.varied && !c->resp.couples;
         if (verdict == CONVERGED) return OK;
         if (verdict == REFRESH) TRY(subcycle_refresh(c, why));
         if (verdict == FAILED)

@@ -31,7 +31,7 @@ void subcycle_coarse_plan(struct subcycle *c)
     }
     o->on = false;
     o->varied = false;
-    c->newton.next = o->rest == 0 && c->ratio >= LEAST && !c->resp.drives;
+    c->newton.next = o->rest == 0 && c->ratio >= LEAST && !c->resp.couples;
 }
 
 void subcycle_coarse_keep(struct subcycle *c, int k)
