@@ -10,10 +10,9 @@ const struct effect_kind effect_kinds[EFFECTS] = {
 };
 
 const struct key keys_effects[] = {
-    PARAM_WORD(struct effect_wishes, all, "mode", "auto|all", 0, "auto",
-               "auto: what has no effect at all in the scene is left out; all: nothing is"),
-    PARAM_REAL(struct effect_wishes, tolerance, "tolerance", NULL, 0, 1, 0, "0",
-               "share of a column up to which an effect, or a mode by 'modes: auto', may be left out"),
+    PARAM_WORD(
+        struct effect_wishes, all, "mode", "auto|all", 0, "auto",
+        "auto: what has no effect at all in the scene is left out, and books that nobody reads; all: nothing is"),
 #define X(id, name, brief, ...)                                                                                        \
     PARAM_WORD(struct effect_wishes, wish[EFFECT_##id], name, EFFECT_WISHES, 0, "auto", brief),
     EFFECT_ROWS(X)

@@ -51,8 +51,7 @@ extern const struct effect_kind effect_kinds[EFFECTS];
 
 /* What the deck says of them. */
 struct effect_wishes {
-    int all;          /* mode: 1: nothing is left out that is not forced */
-    double tolerance; /* share of a column below which an effect may be left out; 0: none is but for 0 */
+    int all; /* mode: 1: nothing is left out that is not forced */
     int wish[EFFECTS];
 };
 extern const struct key keys_effects[];
