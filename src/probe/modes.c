@@ -50,18 +50,19 @@ static double terms(const double *A, const double *x, int n)
     return sum;
 }
 
-/* Who moves: shares x_i (M x)_i of the kinetic energy, the sum of both parts of x [n x parts]. */
+/* Who moves: shares |x_i (M x)_i| in the sum of all, of both parts of x [n x parts].  Where none is negative they are those
+ * of the kinetic energy; coordinates that move against each other may take and give many times that. */
 static void shares(struct mode *o, const struct linear *l, const double *x, int parts)
 {
     int n = l->n;
     double all = 0;
     for (int k = 0; k < 3; k++) o->top[k] = -1;
-    for (int p = 0; p < parts; p++) all += form(l->M, x + p * n, n);
     for (int i = 0; i < n; i++) {
         double part = 0;
         for (int p = 0; p < parts; p++)
             for (int j = 0; j < n; j++) part += x[i + p * n] * l->M[i + j * n] * x[j + p * n];
-        part = fabs(part) / all;
+        part = fabs(part);
+        all += part;
         if (i < l->ode->ns) o->fast += part;
         for (int k = 0; k < 3; k++) {
             if (o->top[k] >= 0 && part <= o->share[k]) continue;
@@ -71,6 +72,8 @@ static void shares(struct mode *o, const struct linear *l, const double *x, int 
             break;
         }
     }
+    o->fast /= all;
+    for (int k = 0; k < 3 && o->top[k] >= 0; k++) o->share[k] /= all;
 }
 
 static void describe(struct mode *o, const struct linear *l, double lambda, const double *x)

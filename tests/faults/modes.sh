@@ -12,3 +12,8 @@ for deck in stiff-leaf-chain chain heavy-top; do
         END { exit !(fine && NR > 1) }' "$work/modes" >"$work/wrong"
     expect "modes: $deck" 0 $? "$work/wrong" "$work/err"
 done
+
+# Links of a chain that move against each other take and give many times the energy of a mode; their shares stay shares.
+"$FMDSUB" modes decks/chain.yaml >"$work/out" 2>"$work/err"
+most=$(grep -o '[0-9]*%' "$work/out" | tr -d % | sort -n | tail -n 1)
+[ "${most:-999}" -le 100 ] && ok "modes: shares of a chain" || not_ok "modes: shares of a chain" "up to ${most:-?} %" "$work/out"
