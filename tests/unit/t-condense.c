@@ -94,7 +94,7 @@ static const char bending[] = "fmdsub: 1\n"
                               "integrate: {scheme: newmark, step: 1.0e-4, until: 1}\n";
 
 /* A four-bar that flies, a motor in its crank that has a corner at 0.1 s. */
-static const char flying[] = "fmdsub: 1\n"
+static const char flying[] = "fmdsub: 1\neffects: {momentum: true}\n"
                              "bodies:\n"
                              "  frame: {mass: 2, inertia: 0.5, at: [0.5, 0]}\n"
                              "  crank: {mass: 1, inertia: 0.1, at: [0, 0.3]}\n"
