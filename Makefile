@@ -184,6 +184,10 @@ memory: $(PROGRAM) $(FOUND) $(TOOLS)
 	@MOST=1000000 BUILD=$(BUILD) sh tests/faults/memory.sh | tee $(BUILD)/memory.log
 	@awk '/^ok/ { p++ } /^not ok/ { f++ } END { printf "%d passed, %d failed\n", p, f; exit f > 0 }' $(BUILD)/memory.log
 
+## gallery       hard cases judged by number, as a table, and the same in man/fmdsub-hard.7; fails where one is silent
+gallery: $(PROGRAM) $(TOOLS)
+	@BUILD=$(BUILD) sh tests/tools/gallery.sh >$(BUILD)/gallery.txt; status=$$?; cat $(BUILD)/gallery.txt; sh man/hard.sh $(BUILD)/gallery.txt >man/fmdsub-hard.7; exit $$status
+
 ## kills         runs that are killed at random N (200) times, from SEED (1) on, and go on from their checkpoints: the same bytes
 kills: $(PROGRAM) $(TOOLS)
 	@KILLS=$(or $(N),200) SEED=$(or $(SEED),1) BUILD=$(BUILD) sh tests/faults/resume.sh | tee $(BUILD)/kills.log
@@ -363,5 +367,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: gallery kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built dist install-test install uninstall clean
