@@ -324,8 +324,9 @@ deps-test:
 	@NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run test
 
 ## demo          installs what is missing, builds, shows the bar-slider at 1:1, 5:1 and 10:1
-demo: deps
-	@$(MAKE) --no-print-directory -j2 all tools
+demo:
+	@BARE=1 NO_INSTALL=$(NO_INSTALL) CC="$(CC)" sh .ci/deps run
+	@$(MAKE) --no-print-directory -j$$(nproc) $(PROGRAM) $(BUILD)/tools/compare
 	@BUILD=$(BUILD) sh tests/tools/demo.sh
 
 tools: $(TOOLS)

@@ -32,3 +32,9 @@ awk '
     }' "$work/all"
 echo
 echo "energy residual: |W_kin + W_int - W_ext| over the largest sum of their sizes"
+
+echo
+echo "next:"
+echo "    ${FMDSUB#"$ROOT"/} animate -o crank.html decks/flexible-crank.yaml    # a page for the browser"
+echo "    ${FMDSUB#"$ROOT"/} study decks/pendulum.yaml                          # what accuracy costs"
+echo "    ${FMDSUB#"$ROOT"/} new mechanism > first.yaml                         # a deck to start from"

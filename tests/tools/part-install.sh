@@ -42,6 +42,15 @@ expect "--stats=FILE.json" "0 1 1" "$? $(grep -c '^{.*"minor_steps":10000,.*}$' 
 "$FMDSUB" run -q --stats="$work/s.txt" decks/pendulum.yaml >"$work/out" 2>"$work/err"
 expect "--stats=FILE: name value" "yes" "$(grep -q '^minor_steps 10000$' "$work/s.txt" && ! grep -q '  ' "$work/s.txt" && echo yes)" "$work/s.txt"
 
+# The demo: its table, and the three commands at its end work as printed.
+sh tests/tools/demo.sh >"$work/demo" 2>"$work/err"
+ended "the demo" 0 $? "$work/demo" "$work/err"
+ln -s "$ROOT/decks" "$work/decks"
+sed -n '/^next:/,$p' "$work/demo" | sed -n 's/^    //p' >"$work/next"
+expect "three commands to try next" 3 "$(wc -l <"$work/next")" "$work/demo"
+(cd "$work" && ln -s "$BUILD" build && sh -e next) >"$work/out" 2>"$work/err"
+expect "they work as printed" "0 yes yes" "$? $([ -s "$work/crank.html" ] && echo yes) $([ -s "$work/first.yaml" ] && echo yes)" "$work/err"
+
 # The tarball: the same bytes twice, and it needs no git.
 if git rev-parse --git-dir >/dev/null 2>&1; then
     make -s dist BUILD="$work/dist" >"$work/out" 2>&1
