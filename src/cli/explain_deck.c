@@ -51,7 +51,7 @@ static void tell_plane(struct told *o, const struct sim *sim)
         snprintf(o->number, sizeof o->number, "the deck is planar");
         return;
     }
-    o->state = system_is_flat(sim->system) ? STATE_OFF : STATE_ON;
+    o->state = sim_in_plane(sim) ? STATE_OFF : STATE_ON;
     if (sim->flat)
         snprintf(o->number, sizeof o->number, "0: every joint keeps its bodies in planes of one normal");
     else if (sim->spatial.name)
@@ -71,7 +71,7 @@ static void tell_gyroscopic(struct told *o, const struct sim *sim)
     int n = 0;
     for (int i = 1; i < sim->model->nbody; i++) n += !sim->model->body[i].flex && !sim->model->body[i].at_node;
     snprintf(o->number, sizeof o->number, "%d rigid bod%s in space", n, n == 1 ? "y" : "ies");
-    if (sim->model->space == 3 && !system_is_flat(sim->system) && n > 0) return;
+    if (sim->model->space == 3 && !sim_in_plane(sim) && n > 0) return;
     o->state = STATE_ABSENT;
     snprintf(o->number, sizeof o->number, "0 in the plane");
 }
@@ -103,7 +103,7 @@ static void tell_damping(struct told *o, const struct sim *sim)
 
 static void tell_momentum(struct told *o, const struct sim *sim)
 {
-    const int n = system_floating(sim->system);
+    const int n = sim_floating(sim);
     o->state = n ? STATE_ON : STATE_OFF;
     if (n)
         snprintf(o->number, sizeof o->number, "%d tree%s", n, n == 1 ? " floats" : "s float");

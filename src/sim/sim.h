@@ -212,6 +212,11 @@ int sim_column_rate(const struct sim *sim, int i);
 
 /* "planar", "spatial", "spatial, in a plane". */
 const char *sim_space(const struct sim *sim);
+/* traits.c: is it stepped in a plane?  Trees whose momenta are kept to round-off.  Largest rate at which a flexible body turns
+ * now [rad/s], 0 where it cannot be told. */
+bool sim_in_plane(const struct sim *sim);
+int sim_floating(const struct sim *sim);
+double sim_spin(struct sim *sim);
 /* Where it stands, as the model has it [nq]. */
 const double *sim_positions(const struct sim *sim);
 

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "la/vec3.h"
 #include "study/price.h"
 
 struct keeper {
@@ -20,22 +19,6 @@ static enum status keep_meta(struct sink *sink, const struct run_meta *meta, str
     return OK;
 }
 
-/* Of flexible bodies; the record has been looked at, poses may not have been. */
-static void note_spin(struct flip *o)
-{
-    struct trouble why;
-    struct sim *sim = &o->sim;
-    const struct model *m = sim->model;
-    if (!sim->ndeflection) return;
-    if (system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, EVALUATE_MOTION, &why) != OK) return;
-    for (int i = 1; i < m->nbody; i++) {
-        struct pose pose;
-        if (!m->body[i].flex) continue;
-        system_pose(sim->system, &pose, i);
-        o->spin = fmax(o->spin, v3_norm(pose.w));
-    }
-}
-
 static enum status keep_row(struct sink *sink, const double *x, struct report *report)
 {
     struct keeper *k = sink->self;
@@ -43,7 +26,7 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     (void)report;
     o->x = arena_more(k->life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
     memcpy(o->x + (size_t)o->rows++ * (size_t)o->n, x, (size_t)o->n * sizeof *x);
-    note_spin(o);
+    if (o->sim.ndeflection) o->spin = fmax(o->spin, sim_spin(&o->sim));
     return OK;
 }
 

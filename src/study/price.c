@@ -47,7 +47,7 @@ void price_find(struct price *o, const struct sim *sim)
     o->full = FULL * n * n * n;
     o->structured = STRUCTURED * o->evaluation;
     o->fast = n > 0 ? ode->ns / n : 0;
-    o->balance = system_floating(sim->system) ? BALANCE : 0;
+    o->balance = sim_floating(sim) ? BALANCE : 0;
     o->look = LOOK * o->evaluation / (sim->looks_always ? 1 : LOOK_EVERY);
 }
 
