@@ -226,6 +226,10 @@ advice: $(PROGRAM)
 trust: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/tools/trust.sh
 
+## tolerance     is a requested tolerance met: errors in tolerances, schemes by decks; minutes
+tolerance: $(PROGRAM)
+	@BUILD=$(BUILD) sh tests/tools/tolerance.sh
+
 ## mutants       N (60) random one-token mutants of src from SEED (1) on: at least 85 percent are noticed by a test
 mutants:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/mutants OPT=-O1 CFLAGS="-fPIC -g0" mutable
@@ -368,5 +372,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: gallery kills advice trust figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
+.PHONY: gallery kills advice trust tolerance figures coverage vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users \
         help deps deps-test demo tools tests-built dist install-test install uninstall clean

@@ -157,6 +157,7 @@ static void smaller_step(const struct why *o)
     const struct step_options *options = o->sim->plan.options;
     SAY(o, "%s",
         options->iteration == ITERATION_FIXED_POINT ? "try 'iteration: newton'"
+        : o->sim->stepper.kind->adaptive            ? "try a smaller tolerance"
         : o->sim->plan.ratio > 1                    ? "try a smaller ratio or step"
                                                     : "try a smaller step");
 }
@@ -165,8 +166,9 @@ static void mend_numbers(const struct why *o)
 {
     const struct effort *e = &o->sim->stepper.effort;
     SAY(o, "%s",
-        e->majors || e->rejected ? "try a smaller step, or look at the forces"
-                                 : "look for numbers of the deck that are too large, and at its forces");
+        !(e->majors || e->rejected)      ? "look for numbers of the deck that are too large, and at its forces"
+        : o->sim->stepper.kind->adaptive ? "try a smaller tolerance, or look at the forces"
+                                         : "try a smaller step, or look at the forces");
 }
 
 static void mend_law(const struct why *o)
@@ -205,7 +207,8 @@ static void give_mass(const struct why *o)
 
 static void give_inertia(const struct why *o)
 {
-    SAY(o, "give it inertia there if a force acts along that turn, else try a smaller step");
+    SAY(o, "give it inertia there if a force acts along that turn, else try a smaller %s",
+        o->sim->stepper.kind->adaptive ? "tolerance" : "step");
 }
 
 static void bend_less(const struct why *o)
