@@ -174,7 +174,8 @@ static void print_suggestion(FILE *to, const struct sim *sim, const struct modes
         return;
     }
     if (fmax(modes->fast_top, modes->slow_top) * modes_longest_step(sim) < slow) {
-        fputs("  too slow to choose a step by: `fmdsub study` tells what steps are worth in the motion itself\n", to);
+        fprintf(to, "  too slow to choose a step by%s\n",
+                sim->scene->ncontact ? "" : ": `fmdsub study` tells what steps are worth in the motion itself");
         return;
     }
     modes_suggest(&h, &ratio, modes, sim);
@@ -215,7 +216,8 @@ static void print_no_steps(FILE *to, const struct advice *o)
 static void print_advice(FILE *to, const struct sim *sim, const struct advice *o)
 {
     if (o->why) {
-        fprintf(to, "steps: no advice, for %s; `fmdsub study` looks longer\n", o->why);
+        fprintf(to, "steps: no advice, for %s%s\n", o->why,
+                sim->scene->ncontact ? "" : "; `fmdsub study` looks longer");
         return;
     }
     fprintf(to, "steps: by trial runs of %.2g evaluations", o->work);

@@ -158,17 +158,22 @@ const struct diag_help diag_helps[] = {
     {"E-static", "What sticks is held by at least the friction that resists sliding: 'static' is not below 'kinetic'."},
     {"E-contact-flexible", "Surfaces of flexible bodies do not touch yet. Fix a small rigid body at the place, and let "
                            "that touch."},
+    {"E-points", "A surface of 'points' has one point or more, each of another place: a body rests on a place once. "
+                 "Name points of the body, or delete the second of the two."},
     {"E-contact-linear",
      "Frequencies, stability maps and static equilibria do not know rigid contacts, which are closed or "
-     "open. Delete the contact for them, or make it compliant by a 'stiffness'."},
+     "open. Delete the contact for them. A stop of a joint may be made compliant, range: {hold: {stiffness: "
+     "1.0e+6}}; surfaces know no stiffness."},
     {"E-jam",
-     "The impulses of rigid contacts that touch at once do not settle. Try a smaller step, or less friction; or make "
-     "one of them compliant by a 'stiffness'."},
+     "The iteration that finds the forces of all rigid contacts at once did not converge. The usual causes are many "
+     "points that touch at once, masses on each other that differ by large ratios, and more points than hold the "
+     "body (three hold one on a plane, in 2-D two). Fewer points may help, or another step, larger or smaller."},
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",
-     "Rigid contacts cut steps where they strike, which scheme midpoint does, at a 'step'. Leave 'scheme' out, or make "
-     "the contact compliant by a 'stiffness'."},
+     "Rigid contacts cut steps where they strike, which scheme midpoint does, at a 'step'. Leave 'scheme' out. A "
+     "stop of a joint may be made compliant, range: {hold: {stiffness: 1.0e+6}}, which every scheme takes; surfaces "
+     "know no stiffness."},
     {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "
                       "way: drive another joint, and put a spring along this one."},
     {"E-kind",
@@ -310,16 +315,18 @@ const struct diag_help diag_helps[] = {
     {"memory", "The run needs more memory than --max-memory, or the machine, has. Only matrices of all freedoms are "
                "large: forces "
                "between bodies that are not joined to each other, and freedoms without mass, ask for them."},
-    {"friction", "There is no friction yet. Viscous friction is a damper. Dry friction can be written as a force of "
-                 "the joint's rate that "
-                 "passes smoothly through 0: {force: slide, value: \"-10*tanh(slide.displacement_rate/0.001)\"}; "
-                 "sign() in its place "
-                 "jumps, and stops the run. It creeps instead of sticking, at a rate that the 0.001 sets."},
-    {"contact", "There is no contact yet. A stop along a coordinate or a distance can be written as a force of it "
-                "alone, which keeps "
-                "energy: {force: gap, value: \"if(gap < 0, -1.0e+5*gap, 0)\"}; add a damper for losses. The step must "
-                "resolve the time "
-                "of touch, about 3*sqrt(mass/stiffness)."},
+    {"friction",
+     "Surfaces that touch have Coulomb's friction, which sticks exactly: contacts: {foot: {between: [toe, floor], "
+     "friction: 0.3}}. Joints have none yet. Viscous friction is a damper. Dry friction of a joint can be written as a "
+     "force of its rate that passes smoothly through 0: {force: slide, value: "
+     "\"-10*tanh(slide.displacement_rate/0.001)\"}; sign() in its place jumps, and stops the run. It creeps instead "
+     "of sticking, at a rate that the 0.001 sets."},
+    {"contact",
+     "Rigid contacts of points and spheres with planes, holes and each other stand in 'surfaces' and 'contacts', "
+     "with Coulomb's friction; stops of a joint stand in its 'range'. They need scheme midpoint and a 'step'. Only "
+     "stops may be compliant, range: {hold: {stiffness: 1.0e+6}}. A compliant contact along another distance can be "
+     "written as a force of it alone, which keeps energy: {force: gap, value: \"if(gap < 0, -1.0e+5*gap, 0)\"}; add a "
+     "damper for losses. The step must resolve the time of touch, about 3*sqrt(mass/stiffness)."},
     {"rolling",
      "There is no rolling contact. A wheel that rolls without slip on a straight way is a rack: {rack: [wheel.angle, "
      "cart.displacement], radius: r}; two wheels on each other are a gear."},

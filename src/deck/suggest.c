@@ -95,7 +95,7 @@ const char *diag_nearest(const char *word, const char *const *words, int n)
     return near && !(strlen(word) == 1 && strlen(near) == 1 && strcasecmp(word, near)) ? near : NULL;
 }
 
-/* What many simulators have and this one not yet: "friction" for "friction_coefficient". */
+/* What many simulators have and this one not there, or not yet: "friction" for "friction_coefficient". */
 static const char *absent(const char *word)
 {
     static const char *const words[] = {"friction", "contact", "rolling"};
@@ -111,8 +111,7 @@ void diag_suggest(struct diags *d, const char *word, const char *const *words, i
     if (!diag_may_suggest(d, n)) return;
     const char *near = diag_nearest(word, words, n);
     if (!near && absent(word)) {
-        diag_hint(d, "decks know no %s yet: `fmdsub explain %s` says what can stand for it", absent(word),
-                  absent(word));
+        diag_hint(d, "`fmdsub explain %s` says what there is, and what can stand for it", absent(word));
         return;
     }
     diag_foreign(d, word);

@@ -77,15 +77,31 @@ static int read_axes(struct builder *b, struct surface *o, const struct surface_
     return 0;
 }
 
+/* Of two points of one place each would bear any share of the push. */
+static int refuse_twin(struct builder *b, const struct surface *o, int i, const struct node *n, const char *what)
+{
+    for (int k = 0; k < i; k++) {
+        if (o->at[k].body != o->at[i].body || memcmp(o->at[k].p, o->at[i].p, sizeof o->at[i].p) != 0) continue;
+        diag_error(b->diags, n, AT_VALUE, "E-points", "%s: points %d and %d are of one place", what, k + 1, i + 1);
+        return 1;
+    }
+    return 0;
+}
+
 static int read_spots(struct builder *b, struct surface *o, const struct node *list, const char *what)
 {
     const bool one = o->shape == SHAPE_POINT;
-    if (!one && (read_list(list, what, &b->reader) || list->count == 0)) return 1;
+    if (!one && read_list(list, what, &b->reader)) return 1;
+    if (!one && list->count == 0) {
+        diag_error(b->diags, list, AT_VALUE, "E-points", "%s: 'points' names none: nothing of it would touch", what);
+        return 1;
+    }
     o->n = one ? 1 : list->count;
     o->at = TAKE(b->life, struct marker, o->n);
     for (int i = 0; i < o->n; i++) {
         const struct node *n = one ? list : list->item[i];
         if (read_point(b, &o->at[i], n, what) || refuse_bending(b, n, o->at[i].body, what)) return 1;
+        if (refuse_twin(b, o, i, n, what)) return 1;
     }
     return 0;
 }
@@ -109,15 +125,25 @@ static int read_surface(struct builder *b, struct surface *o, const struct node 
 
 /* ---- contacts ---- */
 
-static const struct surface *find_surface(struct builder *b, const struct surface *all, int n, const struct node *name)
+static bool is_text(const struct node *n, const char *text)
 {
+    return n->type == NODE_SCALAR && strcmp(n->text, text) == 0;
+}
+
+/* One of a pair; what the pair has already is not meant. */
+static const struct surface *find_surface(struct builder *b, const struct surface *all, int n, const struct node *pair,
+                                          int which)
+{
+    const struct node *name = pair->item[which], *other = pair->item[!which];
     const char **list = TAKE(b->life, const char *, n);
+    int left = 0;
     for (int i = 0; i < n; i++) {
-        list[i] = all[i].node->key;
-        if (name->type == NODE_SCALAR && strcmp(list[i], name->text) == 0) return &all[i];
+        const char *key = all[i].node->key;
+        if (is_text(name, key)) return &all[i];
+        if (!is_text(other, key)) list[left++] = key;
     }
     unknown_name(b, name, AT_VALUE, "E-unknown-surface", "surface",
-                 name->type == NODE_SCALAR ? name->text : "(no name)", list, n);
+                 name->type == NODE_SCALAR ? name->text : "(no name)", list, left);
     return NULL;
 }
 
@@ -184,8 +210,8 @@ static int read_contact(struct builder *b, const struct surface *all, int n, con
         diag_error(b->diags, k.between, AT_VALUE, "E-type", "%s: expected two surfaces, [first, second]", what);
         return 1;
     }
-    const struct surface *first = find_surface(b, all, n, k.between->item[0]),
-                         *second = find_surface(b, all, n, k.between->item[1]);
+    const struct surface *first = find_surface(b, all, n, k.between, 0),
+                         *second = find_surface(b, all, n, k.between, 1);
     if (!first || !second) return 1;
     struct scene_contact o = {.name = node->key, .node = node, .pair = pair_of(&first, &second), .measure = -1};
     if (o.pair == CONTACT_PAIRS) {

@@ -201,8 +201,8 @@ static enum status check_owner(const struct sim *sim, struct recall *r, const ch
     owner_recall(&have, r);
     if (have.deck != want.deck || *r->wrong)
         return fail(report, E_MODEL,
-                    "no start: checkpoint '%s' is of another deck: it goes with this one's text, tables, bodies and "
-                    "--set as they were",
+                    "no start: checkpoint '%s' is of another deck: it goes with this one's text, tables, bodies, "
+                    "--set and --until as they were",
                     path);
     if (have.format != want.format)
         return fail(report, E_MODEL, "no start: the records of checkpoint '%s' are not in form %s", path, format);

@@ -5,6 +5,13 @@
 #include "engine/touch.h"
 #include "sim/parts.h"
 
+/* Behind a hint: only stops may be compliant. */
+static const char *give_way(const struct sim *sim)
+{
+    return sim->model->contact[0].pair == PAIR_STOP ? "; or make the stop compliant, range: {hold: {stiffness: 1.0e+6}}"
+                                                    : "";
+}
+
 /* Rigid contacts cut steps at impacts: that is written for the midpoint rule. */
 enum status contacts_plan(const struct sim *sim, struct diags *diags)
 {
@@ -17,13 +24,13 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
     if (o->tolerance > 0 && single) {
         diag_error(diags, tolerance ? tolerance : p->node, AT_KEY, "E-scheme-contact",
                    "'%.60s' is a rigid contact: it needs a 'step', not a 'tolerance'", name);
-        diag_hint(diags, "give 'step'; or make the contact compliant by a 'stiffness'");
+        diag_hint(diags, "give 'step'%s", give_way(sim));
         return E_DECK;
     }
     if (single && o->order == 4) {
         diag_error(diags, node_find(p->node, "order"), AT_VALUE, "E-scheme-contact",
                    "'%.60s' is a rigid contact: steps of order 4 go back in time, which impacts do not", name);
-        diag_hint(diags, "order: 2; or make the contact compliant by a 'stiffness'");
+        diag_hint(diags, "order: 2%s", give_way(sim));
         return E_DECK;
     }
     if (single) return OK;
@@ -36,20 +43,17 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
                rates ? "'%.60s' is a rigid contact: subcycle takes those at ratio 1 only"
                      : "'%.60s' is a rigid contact: only scheme midpoint takes those",
                name);
-    diag_hint(diags, rates
-                         ? "set 'ratio' to 1, or make the contact compliant by a 'stiffness'"
-                         : "write 'scheme: midpoint', or leave it out; or make the contact compliant by a 'stiffness'");
+    diag_hint(diags, "%s%s", rates ? "set 'ratio' to 1" : "write 'scheme: midpoint', or leave it out", give_way(sim));
     return E_DECK;
 }
 
 enum status sim_without_contacts(const struct sim *sim, const char *what, struct report *report)
 {
     if (sim->model->ncontact == 0) return OK;
-    return fail(
-        report, E_MODEL,
-        "%s: '%.60s' is a rigid contact, which small motions and equilibria do not know: delete it for them, or make "
-        "it compliant by a 'stiffness' [E-contact-linear]",
-        what, sim->model->contact[0].name);
+    return fail(report, E_MODEL,
+                "%s: '%.60s' is a rigid contact, which small motions and equilibria do not know: delete it for "
+                "them%s [E-contact-linear]",
+                what, sim->model->contact[0].name, give_way(sim));
 }
 
 enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report)

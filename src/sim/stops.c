@@ -146,7 +146,8 @@ static void diverged(const struct why *o)
 
 static void jammed(const struct why *o)
 {
-    SAY(o, "rigid contacts do not settle: '%.60s' is one of them", o->sim->model->contact[o->trouble->index].name);
+    SAY(o, "the iteration of the forces of rigid contacts did not converge, '%.60s' is one of them",
+        o->sim->model->contact[o->trouble->index].name);
 }
 
 /* --- what to do -------------------------------------------------------------------------------- */
@@ -160,6 +161,12 @@ static void smaller_step(const struct why *o)
         : o->sim->stepper.kind->adaptive            ? "try a smaller tolerance"
         : o->sim->plan.ratio > 1                    ? "try a smaller ratio or step"
                                                     : "try a smaller step");
+}
+
+static void fewer_points(const struct why *o)
+{
+    SAY(o, "many points that touch at once, large ratios of masses or more points than hold the body are the usual "
+           "cause: fewer points may help, or another step");
 }
 
 static void mend_numbers(const struct why *o)
@@ -259,7 +266,7 @@ static const struct stop_words {
     [TROUBLE_IDLE] = {idle, give_inertia, "W-idle", false},
     [TROUBLE_INERTIA] = {inertia, mend_inertia, "W-inertia", false},
     [TROUBLE_DIVERGED] = {diverged, smaller_step, "no-convergence", true},
-    [TROUBLE_CONTACT] = {jammed, smaller_step, "E-jam", true},
+    [TROUBLE_CONTACT] = {jammed, fewer_points, "E-jam", true},
     [TROUBLE_REJECTED] = {rejected, find_jump, "no-convergence", true},
     [TROUBLE_TOO_SMALL] = {too_small, smaller_step, "no-convergence", true},
     [TROUBLE_MASS] = {no_mass, give_mass, "no-mass", false},

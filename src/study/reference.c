@@ -19,6 +19,13 @@ static const double LOST = 1e-9;      /* of the largest column of the unit: noth
 enum { MOST_DENSE = 200 };            /* coordinates up to which full matrices are the cheaper way */
 enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
 
+const char *reference_none(const struct scene *scene)
+{
+    return scene->ncontact ? "a study has no reference for scenes with rigid contacts yet; `fmdsub run --verify` "
+                             "compares two steps"
+                           : NULL;
+}
+
 static void find_ranges(struct reference *o)
 {
     for (int c = 0; c < o->run.n; c++) {

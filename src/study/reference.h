@@ -62,4 +62,7 @@ struct errors {
 void reference_compare(struct errors *e, const struct reference *o, const struct subject *subject,
                        const struct outcome *run);
 
+/* Why a scene has none, whatever is tried; NULL: it may have one. */
+const char *reference_none(const struct scene *scene);
+
 #endif

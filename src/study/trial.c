@@ -158,6 +158,8 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->report = report;
     const double *rest = scene->at_rest ? sim->x.q : NULL;
     enum status status = OK;
+    o->why = reference_none(scene);
+    if (o->why) return OK;
     if (n <= MOST_FREEDOMS) status = subject_open(&o->subject, &o->scene, NULL, rest, diags, life, report);
     if (stop) return status;
     if (status != OK) o->why = "no trial run of it starts";
