@@ -257,6 +257,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .size = size_of,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .settle = tree->ode.settle ? settle : NULL,
+                           .bends = tree->ode.bends,
                            .straight = tree->moves.nturn == 0,
                            .pointwise = tree->ode.pointwise,
                            .self = o};

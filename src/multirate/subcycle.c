@@ -151,8 +151,8 @@ static enum status solve(struct subcycle *c, struct trouble *why)
         enum verdict verdict;
         TRY(sweep(c, &verdict, why));
         const struct newton *nt = &c->newton;
-        c->coarse.on =
-            verdict == CONTINUE && nt->way && nt->count == 1 && !nt->powered && !c->coarse.varied && !c->resp.couples;
+        c->coarse.on = verdict == CONTINUE && nt->way && nt->count == 1 && !nt->powered && !c->coarse.varied &&
+                       !c->resp.couples && !c->ode->bends;
         if (verdict == CONVERGED) return OK;
         if (verdict == REFRESH) TRY(subcycle_refresh(c, why));
         if (verdict == FAILED)
