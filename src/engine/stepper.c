@@ -118,7 +118,10 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
     const struct ode2 *o = s->ode;
     if (s->unstarted) TRY(stepper_start(s, x, why));
     s->unstarted = 0;
-    if (o->n == 0) return kinematic_step(s, x, ratio, to, why);
+    if (o->n == 0) {
+        TRY(kinematic_step(s, x, ratio, to, why));
+        return s->touch ? touch_driven(s->touch, x, why) : OK;
+    }
     if (s->touch) return touch_step(s, x, h, ratio, to, why);
     if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
         return between_corners(s, x, h, ratio, to, why);

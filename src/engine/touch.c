@@ -10,8 +10,10 @@
 #include "engine/motion.h"
 #include "engine/touch_parts.h"
 
-enum { MOST_IMPACTS = 50, TRIALS = 60 };
+enum { MOST_IMPACTS = 50, NO_END = 20000, TRIALS = 60 };
 static const double CLOSED = 1e-12; /* of a usual gap: where an impact is found */
+static const double DEEP = 1e-6;    /* likewise: where one has gone through the other */
+static const double SHORT = 1e-4;   /* of a step: no shorter part is looked at for what may be passed in it */
 static const double DRAWN = 1e-9;   /* likewise at the start */
 static const double AT_REST = 1e-9; /* of the largest velocity */
 
@@ -309,25 +311,74 @@ static enum status strike(struct touch *o, struct state *x, double h, int *count
     for (int k = 0; k < o->n; k++) any |= o->u[o->cone[k].row] < 0;
     if (!any) return OK;
     memcpy(o->closed1, o->on, sizeof *o->on * (size_t)o->c->m);
-    return touch_impact(o, x, h, o->closed1, ++*count > MOST_IMPACTS, why);
+    if (++*count > NO_END) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
+    return touch_impact(o, x, h, o->closed1, *count > MOST_IMPACTS, why);
+}
+
+/* May a gap that is open at both ends of the step h from o->part to x have been closed in between?  Where it falls at first and
+ * grows at last it is above both its tangents, if it is convex as that of two balls is. */
+static enum status may_have_passed(struct touch *o, bool *passed, const struct state *x, double t0, double h,
+                                   struct trouble *why)
+{
+    bool any = false;
+    *passed = false;
+    for (int i = 0; i < o->c->m; i++) {
+        const double far = 4 * h * o->top * larger(1, o->size[i]);
+        o->on[i] = !o->closed[i] && smaller(o->g0[i], o->g[i]) < far;
+        any |= o->on[i];
+    }
+    if (!any) return OK;
+    touch_choose(o, o->p);
+    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, o->part.q, t0, why));
+    touch_rates(o, o->u1, &o->end, o->part.v);
+    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
+    touch_rates(o, o->u, &o->end, x->v);
+    for (int k = 0; k < o->n; k++) {
+        const double a = o->u1[o->cone[k].row], b = o->u[o->cone[k].row];
+        const double g0 = o->g0[o->contact[k]], g1 = o->g[o->contact[k]];
+        *passed |= a < 0 && b > 0 && g0 + a * (g1 - g0 - b * h) / (a - b) < 0;
+    }
+    return OK;
+}
+
+/* What pushes into what cannot give way, as a drive does, ends the run. */
+static enum status none_is_deep(const struct touch *o, double t, struct trouble *why)
+{
+    for (int i = 0; i < o->c->m; i++)
+        if (o->g[i] < -DEEP * o->size[i]) return trouble_set(why, TROUBLE_CONTACT, i, INFINITY, t);
+    return OK;
 }
 
 /* From impact to impact to t1. */
 static enum status parts(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
 {
     int impacts = 0;
+    double most = INFINITY;
     struct saved from;
+    o->hardest = 0;
     while (x->t < t1) {
-        double g0, g1, left = t1 - x->t;
+        double g0, g1, left = smaller(t1 - x->t, most);
+        const double end = left < t1 - x->t ? x->t + left : t1;
+        bool passed = false;
         if (fabs(left - h) <= 1e-9 * h) left = h;
         TRY(deepest(o, &g0, x, why));
+        copy(o->g0, o->g, o->c->m);
         save(&from, &o->part, o->closed1, o->state1, o->p1, o, x);
-        TRY(attempt(o, x, left, t1, why));
+        TRY(attempt(o, x, left, end, why));
         TRY(deepest(o, &g1, x, why));
+        grow(o, x->v);
+        if (g1 >= -CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, from.t, left, why));
+        if (passed) {
+            restore(&from, &o->part, o->closed1, o->state1, o->p1, o, x);
+            most = left / 2;
+            continue;
+        }
+        most = INFINITY;
         if (g1 < -CLOSED) TRY(locate(o, x, &from, left, g1, g0, why));
         grow(o, x->v);
         TRY(renew(o, x, why));
         TRY(strike(o, x, h, &impacts, why));
+        TRY(none_is_deep(o, x->t, why));
         if (t1 - x->t <= 1e-12 * h) x->t = t1;
     }
     return OK;
@@ -368,6 +419,12 @@ enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, 
     o->all = all;
     o->begun = begun;
     return status;
+}
+
+enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why)
+{
+    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    return none_is_deep(o, x->t, why);
 }
 
 /* ---- for records ---- */

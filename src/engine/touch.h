@@ -50,6 +50,8 @@ int touch_begin(struct touch *o, double *overlap, const struct state *x, double 
 /* As kind->step() of a scheme of one rate. */
 enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
 
+/* Where drives move everything: nothing may be pushed into anything. */
+enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why);
 const struct touch_state *touch_state(const struct touch *o, int contact);
 /* Forces [rows] of closed contacts at x itself, for accelerations there. */
 enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why);

@@ -14,6 +14,7 @@
 
 enum { HALVINGS = 20 };
 static const double AT_REST = 1e-9; /* of the largest velocity */
+static const double SLOWED = 1e-3;  /* of the hardest impact in this step: where bouncing comes to its end */
 
 /* Restitution of the k-th: none of what is closed, and none where it would be back within the step. */
 static double restitution(const struct touch *o, int k, double h, int last)
@@ -81,6 +82,10 @@ enum status touch_impact(struct touch *o, struct state *x, double h, const int *
     TRY(accel_solve(s->accel, o->a, NULL, x->q, x->v, x->t, why));
     touch_compliance(o, &o->M, o->end.G, o->end.G);
     touch_rates(o, o->u, &o->end, x->v);
+    double most = 0;
+    for (int k = 0; k < o->n; k++) most = larger(most, -o->u[o->cone[k].row]);
+    o->hardest = larger(o->hardest, most);
+    if (most > SLOWED * o->hardest) last = 0;
     for (int k = 0; k < o->n; k++) {
         const struct ode2_touch *of = &o->c->of[o->contact[k]];
         o->g1[k] = restitution(o, k, h, last);
@@ -91,6 +96,9 @@ enum status touch_impact(struct touch *o, struct state *x, double h, const int *
         if (!strike(o, &loss, e)) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
         if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
     }
+    for (int k = 0; k < o->n; k++) /* nothing gives way: it is driven */
+        if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - AT_REST * o->top))
+            return trouble_set(why, TROUBLE_CONTACT, o->contact[k], INFINITY, x->t);
     touch_kick(o, x->v, o->l);
     for (int i = 0; i < o->rows; i++) driven -= o->l[i] * o->end.b[i];
     s->struck += loss;

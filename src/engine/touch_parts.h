@@ -31,6 +31,7 @@ struct touch {
     long all;        /* impacts */
     double top;      /* largest velocity met, of any coordinate */
     double usual;    /* step [s] */
+    double hardest;  /* speed of an impact in the step under way */
     int begun;
     int nevent, lost_events;
     struct touch_event event[MOST_EVENTS];

@@ -61,13 +61,24 @@ static void spins_of_body(struct spins *o, int i, double length)
             add_spin(o, i, axes + 3 * k, SHARE * (point ? far : moment[2]), moment[k]);
 }
 
+/* Friction at its surface turns it, however small it is against the mechanism. */
+static bool rolls(const struct model *m, int body)
+{
+    const double *J = m->body[body].inertia;
+    for (int i = 0; i < m->ncontact && J[0] + J[1] + J[2] > 0; i++) {
+        const struct model_contact *c = &m->contact[i];
+        if (c->across > 0 && (c->a.body == body || c->b.body == body)) return true;
+    }
+    return false;
+}
+
 static void spins_collect(struct spins *o, const struct model *m, struct arena *scratch)
 {
     const double length = sizes_length(m);
     o->model = m;
     o->spin = TAKE(scratch, struct spin, 3 * m->nbody);
     for (int i = 1; i < m->nbody; i++)
-        if (m->body[i].held) spins_of_body(o, i, length);
+        if (m->body[i].held && !rolls(m, i)) spins_of_body(o, i, length);
 }
 
 static void hold(const struct spins *o, bool all)
