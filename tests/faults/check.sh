@@ -64,3 +64,12 @@ expect "check: no trial" "0 1" "$(grep -c '"advice"' "$work/object") $(grep -c '
 # Warnings are counted once, though trial runs meet them again.
 "$FMDSUB" check --strict decks/double-pendulum.yaml >"$work/words" 2>"$work/err"
 ended "check: trial runs add no warnings" 0 $? "$work/words" "$work/err"
+
+# Rigid contacts: neither words send to a study, which has no reference for them.
+deck=decks/bounce-and-roll.yaml compares='a study has no reference for scenes with rigid contacts yet; `fmdsub run --verify` compares two steps'
+"$FMDSUB" check "$deck" >"$work/words" 2>"$work/err"
+ended "check: rigid contacts" 0 $? "$work/words" "$work/err"
+expect "check: rigid contacts have no study" "steps: no advice, for $compares" "$(grep 'study' "$work/words")" "$work/words"
+"$FMDSUB" study "$deck" >"$work/rows" 2>"$work/err"
+ended "study: rigid contacts" 4 $? "$work/err"
+expect "study: rigid contacts, why not" "fmdsub: $compares" "$(cat "$work/err" "$work/rows")"
