@@ -261,6 +261,7 @@ static void test_orders(void **state)
 /* --- what flies freely ---------------------------------------------------------------------------- */
 
 static const char flying2[] =
+    "effects: {momentum: true}\n"
     "bodies:\n"
     "  arm:\n"
     "    beam: {from: [0, 0], to: [1, 0], elements: 5}\n"
@@ -280,6 +281,7 @@ static const char flying2[] =
     "initial: {arm.mode1: 0.01, root.angle_rate: 2, pin.angle_rate: -3, go.angle_rate: 2, go.x_rate: 0.5}\n";
 
 static const char flying3[] =
+    "effects: {momentum: true}\n"
     "bodies:\n"
     "  arm:\n"
     "    beam: {from: [0, 0, 0], to: [1, 0, 0], elements: 4}\n"
