@@ -138,7 +138,8 @@ static void test_options(void **state)
         else
             snprintf(entry, sizeof entry, "\n.It Fl -%s", o->name);
         const char *at = strstr(text, entry);
-        if (!at || (at[strlen(entry)] != ' ' && at[strlen(entry)] != '\n')) fail_msg("fmdsub.1 lacks --%s", o->name);
+        while (at && at[strlen(entry)] != ' ' && at[strlen(entry)] != '\n') at = strstr(at + 1, entry);
+        if (!at) fail_msg("fmdsub.1 lacks --%s", o->name);
     }
     for (const char *at = strstr(text, "Fl -"); at; at = strstr(at + 1, "Fl -")) {
         size_t len = strspn(at + 4, "abcdefghijklmnopqrstuvwxyz-");
