@@ -82,7 +82,7 @@ static double largest(const struct stepper *s, const struct step_error *e, int f
 static enum status look_at_end(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
     struct stepped *o = m->own;
-    if (fixed_kind(m)->points) return OK;
+    if (fixed_kind(m)->points || !s->ode->steep) return OK;
     TRY(accel_solve(s->accel, o->a2, NULL, m->q1, m->v1, t + h, why));
     if (fixed_kind(m)->error_end) {
         fixed_kind(m)->error_end(&o->fixed, o->a2);

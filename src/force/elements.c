@@ -166,6 +166,13 @@ bool elements_may_bend(const struct elements *e)
     return false;
 }
 
+bool elements_may_be_steep(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (!e->other[i].linear) return true;
+    return false;
+}
+
 bool elements_bent(const struct elements *e)
 {
     for (int i = 0; i < e->nother[ALL]; i++)

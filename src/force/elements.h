@@ -68,6 +68,8 @@ void elements_turned(struct elements *e, const struct sweep *s, double dt);
 void elements_look(struct elements *e, const struct sweep *view);
 /* Did a law have a corner or a jump in the last step?  Has a force grown without bound?  Which one; -1: none. */
 bool elements_may_bend(const struct elements *e);
+/* Is there a force that is no linear law? */
+bool elements_may_be_steep(const struct elements *e);
 bool elements_bent(const struct elements *e);
 bool elements_may_have_poles(const struct elements *e);
 int elements_pole(const struct elements *e);

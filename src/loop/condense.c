@@ -258,6 +258,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .settle = tree->ode.settle ? settle : NULL,
                            .bends = tree->ode.bends,
+                           .steep = tree->ode.steep,
                            .straight = tree->moves.nturn == 0,
                            .pointwise = tree->ode.pointwise,
                            .self = o};

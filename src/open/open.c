@@ -378,6 +378,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .kinetic = kinetic,
                            .size = size_of,
                            .bends = elements_may_bend(o->elements),
+                           .steep = elements_may_be_steep(o->elements),
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};

@@ -168,6 +168,7 @@ struct ode2 {
     double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */
     int straight;     /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int bends;        /* forces may jump or bend where nobody knows beforehand: by the state */
+    int steep;        /* forces may change by much on a short way: any that no linear law gives */
     int pointwise;    /* nothing looks at qa and qb: they need not be known, and may be NULL */
     void *self;       /* the owner's */
 };
