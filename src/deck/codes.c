@@ -167,7 +167,8 @@ const struct diag_help diag_helps[] = {
     {"E-jam",
      "The iteration that finds the forces of all rigid contacts at once did not converge. The usual causes are many "
      "points that touch at once, masses on each other that differ by large ratios, and more points than hold the "
-     "body (three hold one on a plane, in 2-D two). Fewer points may help, or another step, larger or smaller."},
+     "body (three hold one on a plane, in 2-D two). Fewer points may help, or another step, larger or smaller. Or a "
+     "drive presses bodies together: let a spring between give way."},
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",

@@ -165,8 +165,10 @@ static void smaller_step(const struct why *o)
 
 static void fewer_points(const struct why *o)
 {
-    SAY(o, "many points that touch at once, large ratios of masses or more points than hold the body are the usual "
-           "cause: fewer points may help, or another step");
+    SAY(o,
+        "many points that touch at once, large ratios of masses or more points than hold the body are the usual "
+        "cause: fewer points may help, or another step%s",
+        o->sim->scene->ndrive ? "; or a drive presses bodies together: let a spring between give way" : "");
 }
 
 static void mend_numbers(const struct why *o)

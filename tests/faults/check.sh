@@ -73,3 +73,17 @@ expect "check: rigid contacts have no study" "steps: no advice, for $compares" "
 "$FMDSUB" study "$deck" >"$work/rows" 2>"$work/err"
 ended "study: rigid contacts" 4 $? "$work/err"
 expect "study: rigid contacts, why not" "fmdsub: $compares" "$(cat "$work/err" "$work/rows")"
+
+# What is driven into a plane stops the run, with what to do about it.
+cat >"$work/driven.yaml" <<'EOD'
+fmdsub: 1
+bodies: {b: {mass: 1, at: [0, 1]}}
+constraints: {f: {prismatic: [ground, b], axis: [0, 1]}}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, toe: {point: b}}
+contacts: {c: {between: [toe, floor]}}
+drives: {down: {drive: f, value: -2*t}}
+integrate: {step: 1.0e-3, until: 1}
+EOD
+"$FMDSUB" run -q "$work/driven.yaml" >"$work/rows" 2>"$work/err"
+ended "run: driven into a plane" 5 $? "$work/err"
+expect "run: contact forces that do not converge" 1 "$(grep -c 'did not converge, .c. is one of them.*fewer points.*a spring between give way \[E-jam\]' "$work/err")" "$work/err"
