@@ -259,7 +259,7 @@ enum status explain_deck(const struct request *request, struct arena *life, stru
     enum { FIRST = 200 };
     struct scene *scene;
     struct diags *diags = NULL;
-    struct flip run;
+    struct flip run = {0};
     struct told told[EFFECTS];
     const bool json = request->format && strcmp(request->format, "json") == 0;
     if (request->format && !json)
