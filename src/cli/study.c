@@ -69,7 +69,7 @@ static enum status print_pick(const struct study *study, double pick, struct rep
     static const double LEAST = .1;
     const struct study_row *row = study_pick(study, pick);
     const struct subject *s = &study->subject;
-    const double whole = s->scene->integrate.until, share = study_share(study);
+    const double whole = s->scene ? s->scene->integrate.until : s->until, share = study_share(study);
     const char *why = study->reference.cut ? "the budget allows no more: raise --budget" : "two references part there";
     if (share < LEAST)
         return fail(report, E_NUMERIC, "nothing is picked: errors are known up to t = %.4g s only, of %.4g s (%s)",

@@ -179,7 +179,7 @@ static enum status read_file(char **text, const char *path, struct arena *life, 
 static int split(struct recalled *span, char *text)
 {
     int n = 0;
-    for (char *line = text, *end; *line; line = end + 1) {
+    for (char *line = text, *end; line && *line; line = end + 1) {
         end = strchr(line, '\n');
         if (!end) break;
         *end = 0;
