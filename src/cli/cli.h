@@ -74,9 +74,16 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
                      struct report *report);
 /* Files are read below the deck's folder only, and written where the outputs are, where the system can see to it. */
 void cli_confine(const struct request *request, struct arena *life);
-/* Prints what has been found; the status, as it is if that was found in options. */
-enum status cli_told(const struct diags *diags, const struct request *request, enum status status);
 bool cli_color(const struct request *request);
+
+/* Prints what has been found; the status, as it is if that was found in options.  Stands here, so
+ * that lint sees that what has failed is not OK behind it. */
+static inline enum status cli_told(const struct diags *diags, const struct request *request, enum status status)
+{
+    if (!diags) return status;
+    diags_print(stderr, diags, cli_color(request));
+    return status == E_DECK && diags_status(diags) == E_USAGE ? E_USAGE : status;
+}
 
 /* The run on to --at. */
 struct sim;

@@ -70,7 +70,6 @@ static enum status run_deck(struct curves *o, const struct request *request, boo
     if (status == OK && fine) curves_refine(scene, request);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
-    TRY(status);
     if (fine) curves_refine_steps(&sim, request);
     o->column = sim.columns;
     return sim_run(&sim, &sink, report);

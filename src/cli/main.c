@@ -78,13 +78,6 @@ bool cli_color(const struct request *request)
     return isatty(STDERR_FILENO) && !getenv("NO_COLOR") && term && strcmp(term, "dumb") != 0;
 }
 
-enum status cli_told(const struct diags *diags, const struct request *request, enum status status)
-{
-    if (!diags) return status;
-    diags_print(stderr, diags, cli_color(request));
-    return status == E_DECK && diags_status(diags) == E_USAGE ? E_USAGE : status;
-}
-
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report)
 {
