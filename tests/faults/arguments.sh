@@ -3,44 +3,33 @@
 deck=$ROOT/decks/pendulum.yaml
 cd "$work" || exit 1
 
-refuse() { # PATTERN ARGUMENT...
-    pattern=$1
-    shift
-    "$FMDSUB" "$@" >out 2>err </dev/null
-    rc=$?
-    if [ $rc -ne 2 ]; then not_ok "fmdsub $*" "exit $rc, expected 2" err
-    elif [ -s out ]; then not_ok "fmdsub $*" "words on stdout" out
-    elif [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "expected one line with: $pattern" err
-    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
-}
-
-refuse "unknown verb 'rnu': did you mean 'run'" rnu "$deck"
-refuse "unknown option '--formt': did you mean '--format'" run --formt csv "$deck"
-refuse "option '--quiet' takes no value" run --quiet=3 "$deck"
-refuse "needs a value" run "$deck" --set
-refuse "takes one of csv|ndjson|json" run --format xml "$deck"
-refuse "takes one deck; '-' is standard input" run
-refuse "takes one deck$" run "$deck" "$deck"
+refuse 2 "unknown verb 'rnu': did you mean 'run'" rnu "$deck"
+refuse 2 "unknown option '--formt': did you mean '--format'" run --formt csv "$deck"
+refuse 2 "option '--quiet' takes no value" run --quiet=3 "$deck"
+refuse 2 "needs a value" run "$deck" --set
+refuse 2 "takes one of csv|ndjson|json" run --format xml "$deck"
+refuse 2 "takes one deck; '-' is standard input" run
+refuse 2 "takes one deck$" run "$deck" "$deck"
 # Options of other verbs would do nothing.
-refuse "'fmdsub check' has no option '--columns': it belongs to run" check --columns '*' "$deck"
-refuse "'fmdsub study' has no option '--every': it belongs to run" study --every 0.1 "$deck"
-refuse "'fmdsub list' has no option '--output'" list -o x
-refuse "'fmdsub run' has no option '--at': it belongs to modes" run --at 1 "$deck"
+refuse 2 "'fmdsub check' has no option '--columns': it belongs to run" check --columns '*' "$deck"
+refuse 2 "'fmdsub study' has no option '--every': it belongs to run" study --every 0.1 "$deck"
+refuse 2 "'fmdsub list' has no option '--output'" list -o x
+refuse 2 "'fmdsub run' has no option '--at': it belongs to modes" run --at 1 "$deck"
 # Words too many.
-refuse "takes nothing more" list joints extra
-refuse "takes one deck" list columns "$deck" "$deck"
-refuse "takes one name" new pendulum mechanism
-refuse "takes no argument" schema "$deck"
+refuse 2 "takes nothing more" list joints extra
+refuse 2 "takes one deck" list columns "$deck" "$deck"
+refuse 2 "takes one name" new pendulum mechanism
+refuse 2 "takes no argument" schema "$deck"
 # Empty names.
-refuse "names no column" run --columns '' "$deck"
-refuse "names no column" run --columns ' , ' "$deck"
-refuse "names no scheme" study --schemes , "$deck"
-refuse "names no number" study --ratios '' "$deck"
-refuse "one object by --format json" check -f csv "$deck"
-refuse "one object by --format json" check -f json --expanded "$deck"
-refuse "needs the name of a file" run -o '' "$deck"
+refuse 2 "names no column" run --columns '' "$deck"
+refuse 2 "names no column" run --columns ' , ' "$deck"
+refuse 2 "names no scheme" study --schemes , "$deck"
+refuse 2 "names no number" study --ratios '' "$deck"
+refuse 2 "one object by --format json" check -f csv "$deck"
+refuse 2 "one object by --format json" check -f json --expanded "$deck"
+refuse 2 "needs the name of a file" run -o '' "$deck"
 [ ! -e .part ] && [ -s err ] && ok "-o '': nothing is written" || not_ok "-o '': nothing is written" ".part is there"
-refuse "needs the name of a file" run --stats= "$deck"
+refuse 2 "needs the name of a file" run --stats= "$deck"
 
 # A name of a column is taken letter by letter, whatever YAML would make of it.
 for name in "it's" 'pin\angle' 'pin"' '[x' '${x}' '#'; do
@@ -91,12 +80,12 @@ ended "help: status" 0 $? all err
 "$FMDSUB" help modes >one 2>err
 grep -q '^usage: fmdsub modes' one && grep -q -- --at one && ! grep -q -- --columns one && ok "help modes: its own options" || not_ok "help modes: its own options" "got:" one err
 "$FMDSUB" modes --help >again; same "help modes and modes --help" one again
-refuse "unknown verb 'rnu': did you mean 'run'" help rnu
+refuse 2 "unknown verb 'rnu': did you mean 'run'" help rnu
 "$FMDSUB" -V >one; "$FMDSUB" --version >again; same "-V" one again
 for word in no-convergence dead-point locked balance friction contact rolling memory W-bending; do
     "$FMDSUB" explain $word >out 2>err && grep -q "^$word: ...................." out && ok "explain $word" || not_ok "explain $word" "got:" out err
 done
-refuse "no code 'convergence': did you mean 'no-convergence'" explain convergence
+refuse 2 "no code 'convergence': did you mean 'no-convergence'" explain convergence
 # Whatever stands in brackets behind a stop can be explained.
 "$FMDSUB" run -q -s 'forces={f: {torque: pin, value: "sqrt(0.1 - t)"}}' "$deck" >out 2>err
 code=$(sed -n 's/.*\[\([a-z-]*\)\]$/\1/p' err)

@@ -10,24 +10,18 @@ gravity: [0, 0]
 initial: {pin.displacement: 1, pin.displacement_rate: -1}'
     echo "integrate: {scheme: midpoint, step: 0.01, until: {when: \"$1\", latest: 3}}"
 }
-ending 'sqrt(pin.displacement) > 2' >"$work/ending"
-go "of a root" 5 <"$work/ending"
-told "of a root" 'stopped at t = 1[.01]* s: the condition at .*deck.yaml:6:[0-9]* that ends the run is not a number; look for roots.*not-finite'
-ending 'not sqrt(pin.displacement) > 0.5' >"$work/ending"
-go "negated" 0 <"$work/ending"
-told "negated" "done at t = 0.7[56] s"
-ending 'pin.displacement/t > 5' >"$work/ending"
-go "of a quotient" 0 <"$work/ending"
-told "of a quotient" "is true at the start"
-ending '(pin.displacement - 1)/t < -2' >"$work/ending"
-go "of 0/0" 5 <"$work/ending"
-told "of 0/0" 'stopped at t = 0 s: the condition'
-ending 'pin.displacement > 0 and sqrt(pin.displacement) < 0.5' >"$work/ending"
-go "guarded" 0 <"$work/ending"
-told "guarded" "done at t = 0.7[56] s"
-ending 't < 0' >"$work/ending"
-cat >>"$work/ending" <<'END'
-forces: {stop: {force: pin.displacement, value: "if(sqrt(pin.displacement) < 0.1, 50, 0)"}}
-END
-go "of a force" 5 <"$work/ending"
+# ends NAME STATUS CONDITION PATTERN
+ends() {
+    ending "$3" | go "$1" "$2"
+    told "$1" "$4"
+}
+ends "of a root" 5 'sqrt(pin.displacement) > 2' 'stopped at t = 1[.01]* s: the condition at .*deck.yaml:6:[0-9]* that ends the run is not a number; look for roots.*not-finite'
+ends "negated" 0 'not sqrt(pin.displacement) > 0.5' "done at t = 0.7[56] s"
+ends "of a quotient" 0 'pin.displacement/t > 5' "is true at the start"
+ends "of 0/0" 5 '(pin.displacement - 1)/t < -2' 'stopped at t = 0 s: the condition'
+ends "guarded" 0 'pin.displacement > 0 and sqrt(pin.displacement) < 0.5' "done at t = 0.7[56] s"
+{
+    ending 't < 0'
+    echo 'forces: {stop: {force: pin.displacement, value: "if(sqrt(pin.displacement) < 0.1, 50, 0)"}}'
+} | go "of a force" 5
 told "of a force" "force 'stop' is not a number"

@@ -75,6 +75,18 @@ near() {
         ok "$1" || not_ok "$1" "$2 and $3 differ by more than $4" "$work/near" "$work/err"
 }
 
+# refuse STATUS PATTERN ARGUMENT...: the program ends so, with one line that says why, and nothing on stdout.
+refuse() {
+    refuse_want=$1 refuse_pattern=$2
+    shift 2
+    "$FMDSUB" "$@" >"$work/out" 2>"$work/err" </dev/null
+    refuse_got=$?
+    if [ $refuse_got -ne "$refuse_want" ]; then not_ok "fmdsub $*" "exit $refuse_got, expected $refuse_want" "$work/err"
+    elif [ -s "$work/out" ]; then not_ok "fmdsub $*" "words on stdout" "$work/out"
+    elif [ "$(wc -l <"$work/err")" -ne 1 ] || ! grep -q -- "$refuse_pattern" "$work/err"; then not_ok "fmdsub $*" "expected one line with: $refuse_pattern" "$work/err"
+    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
+}
+
 # wanted NAME: whether it contains one of the words of D, if there are any.
 D=${D:-}
 wanted() {

@@ -58,14 +58,6 @@ diff_of "a golden file and a deck that changed" 1 --until 2 -s 'bodies.ball.at=[
 diff_of "with records between" 0 --rel 0 --abs 0 --until 2 --every 0.1 -c 'ball.*' p.csv "$pendulum"
 expect "words: records between" "5 times compared (a has 5, b 21), 4 columns, 0 differ" "$(tail -n 1 err)" err
 
-refuse() { # STATUS PATTERN ARGUMENT...
-    want=$1 pattern=$2
-    shift 2
-    "$FMDSUB" "$@" >out 2>err </dev/null
-    rc=$?
-    if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "exit $rc, expected $want and: $pattern" err
-    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
-}
 sed 's/^\([0-9]\)/9\1/' a.csv >later.csv
 refuse 2 "have no time in common: t 0 to 1 and 90 to 91" diff a.csv later.csv
 refuse 2 "takes two" diff a.csv

@@ -23,14 +23,6 @@ expect "a deck is run with 500 records" 501 "$(awk '/^END/ { exit } /^[0-9]/ { n
 plot --script -o picture.svg -c pin.angle --every 1 "$ROOT/decks/pendulum.yaml" >script
 expect "--every has the last word" 11 "$(awk '/^END/ { exit } /^[0-9]/ { n++ } END { print n }' script)" err
 
-refuse() { # STATUS PATTERN ARGUMENT...
-    want=$1 pattern=$2
-    shift 2
-    "$FMDSUB" "$@" >out 2>err </dev/null
-    rc=$?
-    if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub $*" "exit $rc, expected $want and: $pattern" err
-    else ok "refused: $(echo "$*" | sed "s|$ROOT/||g")"; fi
-}
 refuse 2 "takes decks and files of records" plot
 refuse 2 "ends in .svg, .png or .pdf, not 'x.gif'" plot -o x.gif two.csv
 refuse 2 "no column matches 'leg" plot --script -c 'leg*' two.csv

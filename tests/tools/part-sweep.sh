@@ -103,30 +103,22 @@ wait $pid
 expect "SIGTERM: status, rows" "143 2" "$? $(sed 1d i.csv.part | wc -l)" err i.csv.part
 expect "SIGTERM: words" "fmdsub: unfinished rows are kept in i.csv.part" "$(grep unfinished err)" err
 
-refuse() { # STATUS PATTERN ARGUMENT...
-    want=$1 pattern=$2
-    shift 2
-    fmdsub sweep "$@" >out 2>err </dev/null
-    rc=$?
-    if [ $rc -ne "$want" ] || [ "$(wc -l <err)" -ne 1 ] || ! grep -q -- "$pattern" err; then not_ok "fmdsub sweep $*" "exit $rc, expected $want and: $pattern" err
-    else ok "refused: $*"; fi
-}
-refuse 2 "a sweep needs --over" arm.yaml
-refuse 2 "no parameter 'kk': did you mean 'k'" --over kk=1:2:3 arm.yaml
-refuse 2 "from:to:n" --over k=1:2 arm.yaml
-refuse 2 "of one sign and not 0" --over k=0:2:log:3 arm.yaml
-refuse 2 "the name is given twice" --over k=1:2:3 --over k=1:2:4 arm.yaml
-refuse 2 "a distribution is normal" --over 'k~gauss(0,1)' --sample 3 arm.yaml
-refuse 2 "a distribution has two numbers" --over 'k~normal(1)' --sample 3 arm.yaml
-refuse 2 "how many values of 'k' are drawn" --over 'k~normal(0,1)' arm.yaml
-refuse 2 "nothing is drawn" --over k=1:2:3 --sample 3 arm.yaml
-refuse 2 "did you mean 'max'" --over k=1:2:3 --of 'maxx(t)' arm.yaml
-refuse 2 "--shard takes I/N" --over k=1:2:3 --shard 4/3 arm.yaml
-refuse 2 "not standard input" --over k=1:2:3 -
-refuse 2 "goes on with the rows of --output" --over k=1:2:3 --resume arm.yaml
-refuse 6 "no table of a sweep" --merge one.csv
-refuse 6 "is there already, and has another 'k'" --merge few other
-refuse 2 "is of another sweep: at point 1 k is" --over 'k~normal(100,10)' --over 'len~uniform(0.5,1.5)' --sample 4 --seed 2 --of 'last(t)' --resume -o few arm.yaml
+refuse 2 "a sweep needs --over" sweep arm.yaml
+refuse 2 "no parameter 'kk': did you mean 'k'" sweep --over kk=1:2:3 arm.yaml
+refuse 2 "from:to:n" sweep --over k=1:2 arm.yaml
+refuse 2 "of one sign and not 0" sweep --over k=0:2:log:3 arm.yaml
+refuse 2 "the name is given twice" sweep --over k=1:2:3 --over k=1:2:4 arm.yaml
+refuse 2 "a distribution is normal" sweep --over 'k~gauss(0,1)' --sample 3 arm.yaml
+refuse 2 "a distribution has two numbers" sweep --over 'k~normal(1)' --sample 3 arm.yaml
+refuse 2 "how many values of 'k' are drawn" sweep --over 'k~normal(0,1)' arm.yaml
+refuse 2 "nothing is drawn" sweep --over k=1:2:3 --sample 3 arm.yaml
+refuse 2 "did you mean 'max'" sweep --over k=1:2:3 --of 'maxx(t)' arm.yaml
+refuse 2 "--shard takes I/N" sweep --over k=1:2:3 --shard 4/3 arm.yaml
+refuse 2 "not standard input" sweep --over k=1:2:3 -
+refuse 2 "goes on with the rows of --output" sweep --over k=1:2:3 --resume arm.yaml
+refuse 6 "no table of a sweep" sweep --merge one.csv
+refuse 6 "is there already, and has another 'k'" sweep --merge few other
+refuse 2 "is of another sweep: at point 1 k is" sweep --over 'k~normal(100,10)' --over 'len~uniform(0.5,1.5)' --sample 4 --seed 2 --of 'last(t)' --resume -o few arm.yaml
 expect "of which nothing is lost" 5 "$(wc -l <few)"
 fmdsub sweep --over k=1:2:3 --of 'max(pin.angl)' arm.yaml >out 2>err
 expect "a column that is not there: status, words" "2 1" "$? $(grep -c "did you mean 'pin.angle'" err)" err
