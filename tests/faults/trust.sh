@@ -5,35 +5,35 @@ cd "$work" || exit 1
 
 "$FMDSUB" run "$deck" >out 2>err
 tail -n 1 err | grep -q "^estimated error: [0-9.e-]* of the range of 'pin.f[xy]', summed over the steps; .fmdsub run --verify. measures it$" &&
-    ok "the estimated error in words" || not_ok "the estimated error in words" err
+    ok "the estimated error in words" || not_ok "the estimated error in words" "it says" err
 "$FMDSUB" run "$decks"/flexible-crank.yaml >out 2>err
 tail -n 1 err | grep -q "^estimated error: not known, above half the range of 'wrist.fx': the steps do not resolve what moves there; take smaller steps$" &&
-    ok "steps that do not resolve what moves" || not_ok "steps that do not resolve what moves" err
+    ok "steps that do not resolve what moves" || not_ok "steps that do not resolve what moves" "it says" err
 "$FMDSUB" run -s integrate.scheme=miao "$decks"/bar-slider.yaml >out 2>err
-tail -n 1 err | grep -q 'not known: its scheme does not tell' && ok "a scheme that does not tell" || not_ok "a scheme that does not tell" err
+tail -n 1 err | grep -q 'not known: its scheme does not tell' && ok "a scheme that does not tell" || not_ok "a scheme that does not tell" "it says" err
 
 # A second run: the table, the summary, the same records.
 "$FMDSUB" run -q "$deck" >plain 2>err
 "$FMDSUB" run --verify "$deck" >out 2>err
 expect "--verify: the first run's records" 0 "$(cmp plain out >/dev/null; echo $?)" out
 expect "--verify: a line for each column" 7 "$(grep -cE '^(pin|ball)\.[a-z_]+ +[0-9.e-]+ +[0-9.e-]+ ' err)" err
-grep -q '^verified by a second run at step 0.0005: ' err && ok "--verify: half the step" || not_ok "--verify: half the step" err
+grep -q '^verified by a second run at step 0.0005: ' err && ok "--verify: half the step" || not_ok "--verify: half the step" "it says" err
 measured=$("$FMDSUB" run -q --verify -f ndjson "$deck" 2>err | tail -n 1 | tr ',{' '\n\n' | awk -F: '
     { gsub(/"/, "") } $1 == "estimated_error" { e = $2 } $1 == "verified_difference" { v = $2 } $1 == "difference.pin.fx" { c = $2 }
     END { if (e > v / 3 && e < 30 * v && c == v && v > 1e-6 && v < 1e-3) print "fine"; else print e, v, c }')
 expect "--verify: in the summary, beside the estimate" fine "$measured" err
 "$FMDSUB" run --verify -s integrate.scheme=dopri5 -s integrate.tolerance=1e-6 "$deck" 2>err >out
-grep -q '^verified by a second run at tolerance 1e-07: ' err && ok "--verify: a tenth of the tolerance" || not_ok "--verify: a tenth of the tolerance" err
+grep -q '^verified by a second run at tolerance 1e-07: ' err && ok "--verify: a tenth of the tolerance" || not_ok "--verify: a tenth of the tolerance" "it says" err
 "$FMDSUB" run --verify --every-steps 7 -s integrate.ratio=4 "$decks"/bar-slider.yaml 2>err >out
 grep -q '^verified by a second run at step 0.0005: what differs, at most, at the 7[23] records' err && ok "--verify: records by steps, ratio kept" ||
-    not_ok "--verify: records by steps, ratio kept" err
+    not_ok "--verify: records by steps, ratio kept" "it says" err
 "$FMDSUB" run -q --verify "$deck" >out 2>err
 expect "--verify: status" "0 0" "$? $(wc -l <err | tr -d ' ')" err
 
 # Errors far above the tolerance are told.
 top="-s integrate.scheme=dopri5 -s integrate.tolerance=1e-3 -s integrate.until=300 -s output.every=10"
 "$FMDSUB" run $top "$deck" >out 2>err
-grep -q '^warning: the estimated error, .* is far above the tolerance of 0.001: .* \[W-tolerance\]$' err && ok "far above the tolerance" || not_ok "far above the tolerance" err
+grep -q '^warning: the estimated error, .* is far above the tolerance of 0.001: .* \[W-tolerance\]$' err && ok "far above the tolerance" || not_ok "far above the tolerance" "it says" err
 "$FMDSUB" run -q --strict $top "$deck" >out 2>err
 expect "far above the tolerance, --strict" 1 $? err
 "$FMDSUB" explain W-tolerance >out 2>err

@@ -62,8 +62,6 @@ bar-slider        decks/bar-slider.yaml         dop853  integrate.ratio=1
 stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9
 stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
 spring-pendulum   decks/spring-pendulum.yaml    dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
-pendulum          decks/pendulum.yaml           dop853  integrate.scheme=rk4 integrate.step=2e-2
-chain             decks/chain.yaml              dop853  integrate.scheme=rk4 integrate.step=5e-3
 governor          decks/governor.yaml           dop853  integrate.scheme=rk4 integrate.step=5e-3
 heavy-top         decks/heavy-top.yaml          dop853  integrate.scheme=rk4 integrate.step=2e-4
 ?slider-crank      decks/slider-crank.yaml       dop853  integrate.scheme=rk4 integrate.step=5e-3
