@@ -38,6 +38,7 @@ struct cli_option {
     char letter;              /* 0: none */
     const char *verbs;        /* "run study"; NULL: all */
     const char *brief;
+    size_t to; /* of struct request: request.c */
 };
 extern const struct cli_option cli_options[];
 bool cli_serves(const struct cli_option *option, const char *verb);

@@ -1,65 +1,76 @@
 /* request.c -- options, by getopt_long, with our own words for what is wrong */
 #include <getopt.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "cli/cli.h"
 #include "out/columns.h"
 
+/* Where in the request an option goes: a flag if it takes no value, else its text; OWN: take() has more to do. */
+#define TO(member) offsetof(struct request, member)
+enum { OWN = 0 };
+
 const struct cli_option cli_options[] = {
     {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep explain",
-     "form of records and tables (default csv); check: json"},
+     "form of records and tables (default csv); check: json", TO(format)},
     {"output", "FILE", 'o', "run study plot diff sweep animate",
-     "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf; animate: .html, .glb)"},
+     "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf; animate: .html, .glb)", TO(output)},
     {"set", "PATH=VALUE", 's', "run check study plot modes stability list diff sweep explain animate",
-     "change the deck: --set integrate.ratio=10"},
+     "change the deck: --set integrate.ratio=10", OWN},
     {"columns", "'t,hub.*'", 'c', "run plot diff animate",
-     "columns in place of the deck's, also NAME=EXPRESSION of columns"},
-    {"every", "SECONDS", 0, "run plot diff sweep animate", "time between records"},
-    {"every-steps", "N", 0, "run", "major steps between records"},
-    {"until", "SECONDS", 0, "run study plot diff sweep explain animate", "end of the run"},
-    {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE"},
-    {"progress", "auto|always|never", 0, "run sweep", "progress line on stderr (auto: on a terminal)"},
-    {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'"},
-    {"resume", "FILE", 0, "run", "go on from a checkpoint, with -o behind what is there of the records"},
-    {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1"},
-    {"verify", NULL, 0, "run", "a second run at half the step or a tenth of the tolerance; what differs"},
-    {"schemes", "a,b", 0, "study stability", "schemes to compare (default: those that make sense for the deck)"},
-    {"ratios", "1,5,10", 0, "study stability", "ratios for sub-cycling schemes"},
-    {"steps", "h1,h2", 0, "study stability",
-     "minor steps of schemes that take one (default: the deck's and its parts)"},
-    {"tolerances", "1e-3,1e-5", 0, "study", "of schemes that choose their own steps (default: 1e-2 to 1e-9)"},
-    {"pick", "ERROR", 0, "study", "print the cheapest setting of that error as lines of a deck, nothing else"},
-    {"repeats", "N", 0, "study", "time each run N times, keep the least (0: no times; default: up to 3)"},
-    {"budget", "SECONDS|none", 0, "study", "CPU time that it may take, foretold by counts (default 60)"},
-    {"plot", "FILE", 0, "study stability", "a picture, by gnuplot: FILE.svg, FILE.png or FILE.pdf"},
-    {"script", NULL, 0, "study plot stability", "print what gnuplot would be given, draw nothing"},
-    {"absolute", NULL, 0, "study", "errors in the unit of the worst column"},
-    {"rel", "1e-6,PATTERN=1e-3", 0, "diff", "allowed difference, as a share of the column's largest value in A"},
-    {"abs", "1e-12,PATTERN=X", 0, "diff", "and in the column's unit, added to that"},
-    {"over", "NAME=VALUES", 0, "sweep", "a parameter or deck path: [a, b], from:to:n, from:to:log:n, ~normal(mean,sd)"},
-    {"sample", "N", 0, "sweep", "how often what has a distribution is drawn: normal, uniform, loguniform"},
-    {"seed", "N", 0, "sweep", "of what is drawn (default 1)"},
-    {"latin", NULL, 0, "sweep", "draw by Latin hypercube: each N-th part of a range once"},
-    {"of", "'max(a.b), last(t)'", 0, "sweep", "numbers to keep of each run (default: last of every column)"},
-    {"times", NULL, 0, "sweep", "a column of CPU seconds"},
-    {"jobs", "N", 0, "sweep", "points at once (default: one for each processor)"},
-    {"resume", NULL, 0, "sweep", "go on with what --output FILE holds already"},
-    {"shard", "I/N", 0, "sweep", "the I-th of N parts only"},
-    {"list", NULL, 0, "sweep", "print a command for each point, run nothing"},
-    {"slurm", "N", 0, "sweep", "print a job script of N tasks, run nothing"},
-    {"merge", NULL, 0, "sweep", "put tables of parts together: the words are files"},
-    {"at", "SECONDS", 0, "modes stability", "linearise there instead of at the start"},
-    {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults"},
-    {"no-trial", NULL, 0, "check", "no trial runs: steps by the frequencies at the start"},
-    {"quiet", NULL, 'q', NULL, "no plan line, no summary"},
-    {"verbose", NULL, 'v', "run", "the counts of --stats on stderr"},
-    {"max-memory", "SIZE", 0, NULL, "exit 7 rather than take more: 500M, 4G (default: 3/4 of the machine's)"},
-    {"max-time", "SECONDS", 0, NULL, "end in good order after so long by the clock, exit 7"},
-    {"color", "auto|always|never", 0, NULL, "colours in messages (auto: on a terminal)"},
-    {"version", NULL, 'V', NULL, "print the version"},
-    {"help", NULL, 'h', NULL, "print this"},
+     "columns in place of the deck's, also NAME=EXPRESSION of columns", OWN},
+    {"every", "SECONDS", 0, "run plot diff sweep animate", "time between records", OWN},
+    {"every-steps", "N", 0, "run", "major steps between records", OWN},
+    {"until", "SECONDS", 0, "run study plot diff sweep explain animate", "end of the run", OWN},
+    {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE", OWN},
+    {"progress", "auto|always|never", 0, "run sweep", "progress line on stderr (auto: on a terminal)", TO(progress)},
+    {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'", TO(final_state)},
+    {"resume", "FILE", 0, "run", "go on from a checkpoint, with -o behind what is there of the records",
+     TO(resume_from)},
+    {"strict", NULL, 0, "run check", "warnings and rejected steps give exit 1", TO(strict)},
+    {"verify", NULL, 0, "run", "a second run at half the step or a tenth of the tolerance; what differs", TO(verify)},
+    {"schemes", "a,b", 0, "study stability", "schemes to compare (default: those that make sense for the deck)",
+     TO(schemes)},
+    {"ratios", "1,5,10", 0, "study stability", "ratios for sub-cycling schemes", TO(ratios)},
+    {"steps", "h1,h2", 0, "study stability", "minor steps of schemes that take one (default: the deck's and its parts)",
+     TO(steps)},
+    {"tolerances", "1e-3,1e-5", 0, "study", "of schemes that choose their own steps (default: 1e-2 to 1e-9)",
+     TO(tolerances)},
+    {"pick", "ERROR", 0, "study", "print the cheapest setting of that error as lines of a deck, nothing else",
+     TO(pick)},
+    {"repeats", "N", 0, "study", "time each run N times, keep the least (0: no times; default: up to 3)", TO(repeats)},
+    {"budget", "SECONDS|none", 0, "study", "CPU time that it may take, foretold by counts (default 60)", TO(budget)},
+    {"plot", "FILE", 0, "study stability", "a picture, by gnuplot: FILE.svg, FILE.png or FILE.pdf", TO(plot)},
+    {"script", NULL, 0, "study plot stability", "print what gnuplot would be given, draw nothing", TO(script)},
+    {"absolute", NULL, 0, "study", "errors in the unit of the worst column", TO(absolute)},
+    {"rel", "1e-6,PATTERN=1e-3", 0, "diff", "allowed difference, as a share of the column's largest value in A",
+     TO(rel)},
+    {"abs", "1e-12,PATTERN=X", 0, "diff", "and in the column's unit, added to that", TO(abs)},
+    {"over", "NAME=VALUES", 0, "sweep", "a parameter or deck path: [a, b], from:to:n, from:to:log:n, ~normal(mean,sd)",
+     OWN},
+    {"sample", "N", 0, "sweep", "how often what has a distribution is drawn: normal, uniform, loguniform", TO(sample)},
+    {"seed", "N", 0, "sweep", "of what is drawn (default 1)", TO(seed)},
+    {"latin", NULL, 0, "sweep", "draw by Latin hypercube: each N-th part of a range once", TO(latin)},
+    {"of", "'max(a.b), last(t)'", 0, "sweep", "numbers to keep of each run (default: last of every column)", TO(of)},
+    {"times", NULL, 0, "sweep", "a column of CPU seconds", TO(times)},
+    {"jobs", "N", 0, "sweep", "points at once (default: one for each processor)", TO(jobs)},
+    {"resume", NULL, 0, "sweep", "go on with what --output FILE holds already", TO(resume)},
+    {"shard", "I/N", 0, "sweep", "the I-th of N parts only", TO(shard)},
+    {"list", NULL, 0, "sweep", "print a command for each point, run nothing", TO(list)},
+    {"slurm", "N", 0, "sweep", "print a job script of N tasks, run nothing", TO(slurm)},
+    {"merge", NULL, 0, "sweep", "put tables of parts together: the words are files", TO(merge)},
+    {"at", "SECONDS", 0, "modes stability", "linearise there instead of at the start", TO(at)},
+    {"expanded", NULL, 0, "check", "print the deck after parameters, repeat, include, --set, defaults", TO(expanded)},
+    {"no-trial", NULL, 0, "check", "no trial runs: steps by the frequencies at the start", TO(no_trial)},
+    {"quiet", NULL, 'q', NULL, "no plan line, no summary", TO(quiet)},
+    {"verbose", NULL, 'v', "run", "the counts of --stats on stderr", TO(verbose)},
+    {"max-memory", "SIZE", 0, NULL, "exit 7 rather than take more: 500M, 4G (default: 3/4 of the machine's)",
+     TO(max_memory)},
+    {"max-time", "SECONDS", 0, NULL, "end in good order after so long by the clock, exit 7", TO(max_time)},
+    {"color", "auto|always|never", 0, NULL, "colours in messages (auto: on a terminal)", TO(color)},
+    {"version", NULL, 'V', NULL, "print the version", TO(version)},
+    {"help", NULL, 'h', NULL, "print this", TO(help)},
     {0},
 };
 
@@ -179,56 +190,23 @@ static enum status add_columns(struct request *o, const char *list, struct arena
     return set ? add_set(o, "--columns", set, report) : fail(report, E_USAGE, "--columns names no column");
 }
 
-static enum status take(struct request *o, const char *name, const char *value, struct arena *life,
+static enum status add_over(struct request *o, const char *value, struct report *report)
+{
+    if (o->nover == MOST_OVERS) return fail(report, E_USAGE, "more than %d times --over", MOST_OVERS);
+    o->over[o->nover++] = value;
+    return OK;
+}
+
+static enum status take(struct request *o, const struct cli_option *option, const char *value, struct arena *life,
                         struct report *report)
 {
-    struct {
-        const char *name;
-        const char **to;
-    } texts[] = {{"format", &o->format},
-                 {"output", &o->output},
-                 {"progress", &o->progress},
-                 {"color", &o->color},
-                 {"schemes", &o->schemes},
-                 {"ratios", &o->ratios},
-                 {"steps", &o->steps},
-                 {"tolerances", &o->tolerances},
-                 {"pick", &o->pick},
-                 {"repeats", &o->repeats},
-                 {"budget", &o->budget},
-                 {"plot", &o->plot},
-                 {"sample", &o->sample},
-                 {"seed", &o->seed},
-                 {"of", &o->of},
-                 {"jobs", &o->jobs},
-                 {"shard", &o->shard},
-                 {"slurm", &o->slurm},
-                 {"rel", &o->rel},
-                 {"abs", &o->abs},
-                 {"at", &o->at},
-                 {"final-state", &o->final_state},
-                 {"resume", &o->resume_from},
-                 {"max-memory", &o->max_memory},
-                 {"max-time", &o->max_time}};
-    struct {
-        const char *name;
-        bool *to;
-    } flags[] = {{"quiet", &o->quiet},       {"verbose", &o->verbose},   {"strict", &o->strict},
-                 {"help", &o->help},         {"version", &o->version},   {"expanded", &o->expanded},
-                 {"absolute", &o->absolute}, {"no-trial", &o->no_trial}, {"script", &o->script},
-                 {"latin", &o->latin},       {"times", &o->times},       {"resume", &o->resume},
-                 {"list", &o->list},         {"merge", &o->merge},       {"verify", &o->verify}};
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-        if (value && strcmp(texts[i].name, name) == 0) return *texts[i].to = value, OK;
-    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
-        if (strcmp(flags[i].name, name) == 0) return *flags[i].to = true, OK;
+    const char *name = option->name;
+    void *to = (char *)o + option->to;
+    if (option->to != OWN && option->value) return *(const char **)to = value, OK;
+    if (option->to != OWN) return *(bool *)to = true, OK;
     if (strcmp(name, "set") == 0) return add_set(o, NULL, value, report);
     if (strcmp(name, "columns") == 0) return add_columns(o, value, life, report);
-    if (strcmp(name, "over") == 0) {
-        if (o->nover == MOST_OVERS) return fail(report, E_USAGE, "more than %d times --over", MOST_OVERS);
-        o->over[o->nover++] = value;
-        return OK;
-    }
+    if (strcmp(name, "over") == 0) return add_over(o, value, report);
     if (strcmp(name, "every") == 0) return add_set(o, "--every", arena_print(life, "output.every=%s", value), report);
     if (strcmp(name, "every-steps") == 0)
         return add_set(o, "--every-steps", arena_print(life, "output.every={steps: %s}", value), report);
@@ -281,7 +259,7 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
         if (code == ':') return fail(report, E_USAGE, "option '%.80s' needs a value (fmdsub --help)", argv[optind - 1]);
         if (code == '?') return unknown_option(argv[optind - 1], report);
         o->given |= 1ul << option_of(code);
-        TRY(take(o, cli_options[option_of(code)].name, optarg, life, report));
+        TRY(take(o, &cli_options[option_of(code)], optarg, life, report));
     }
     if (optind < argc) o->verb = argv[optind++];
     o->nword = argc - optind;
