@@ -47,13 +47,8 @@ static enum status write_film(const struct film *film, const struct request *req
                               struct report *report)
 {
     struct stream stream;
-    struct report late = {0};
     TRY(stream_create(&stream, request->output, life, report));
-    const enum status status = forms[form].write(film, &stream, report);
-    const enum status closed = stream_close(&stream, status == OK, &late);
-    if (status != OK || closed == OK) return status;
-    *report = late;
-    return closed;
+    return stream_finish(&stream, forms[form].write(film, &stream, report), report);
 }
 
 enum status verb_animate(const struct request *request, struct arena *life, struct report *report)

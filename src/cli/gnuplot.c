@@ -103,13 +103,8 @@ static enum status write_picture(const char *bytes, size_t n, const char *path, 
                                  struct report *report)
 {
     struct stream stream;
-    if (path)
-        TRY(stream_create(&stream, path, life, report));
-    else
-        TRY(stream_open(&stream, STDOUT_FILENO, "standard output", life, report));
-    const enum status status = stream_bytes(&stream, bytes, n, report);
-    const enum status closed = stream_close(&stream, status == OK, report);
-    return status == OK ? closed : status;
+    TRY(stream_to(&stream, path, life, report));
+    return stream_finish(&stream, stream_bytes(&stream, bytes, n, report), report);
 }
 
 enum status gnuplot_draw(struct gnuplot *o, const char *script, size_t n, const char *path, struct arena *life,

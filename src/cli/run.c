@@ -19,13 +19,6 @@ static bool shows_progress(const struct request *request)
     return isatty(STDERR_FILENO) && !request->quiet;
 }
 
-static enum status open_stream(struct stream *stream, const struct request *request, struct arena *life,
-                               struct report *report)
-{
-    if (request->output) return stream_create(stream, request->output, life, report);
-    return stream_open(stream, STDOUT_FILENO, "standard output", life, report);
-}
-
 static void write_number(char *to, double x)
 {
     if (isfinite(x))
@@ -101,14 +94,14 @@ static enum status begin_stream(struct stream *stream, struct sim *sim, const st
 {
     long long bytes = 0;
     if (!request->resume_from) {
-        TRY(open_stream(stream, request, life, report));
+        TRY(stream_to(stream, request->output, life, report));
         return checkpoint_open(sim, stream, form_of(request), report);
     }
     TRY(checkpoint_take(sim, request->resume_from, form_of(request), &bytes, life, report));
     if (request->output)
         TRY(stream_resume(stream, request->output, bytes, life, report));
     else
-        TRY(open_stream(stream, request, life, report));
+        TRY(stream_to(stream, request->output, life, report));
     stream->before = request->output ? 0 : bytes;
     if (!request->quiet) fprintf(stderr, "resumed at t = %.12g s\n", sim->x.t);
     return checkpoint_open(sim, stream, form_of(request), report);
@@ -145,8 +138,7 @@ static enum status write_state(struct sim *sim, const struct request *request, s
 {
     struct stream stream;
     TRY(stream_create(&stream, request->final_state, life, report));
-    enum status status = sim_write_state(sim, &stream, report), closed = stream_close(&stream, status == OK, report);
-    return status != OK ? status : closed;
+    return stream_finish(&stream, sim_write_state(sim, &stream, report), report);
 }
 
 /* Records, state and counts go to three files, and none is the deck's. */

@@ -136,19 +136,15 @@ static enum status run_rows(struct study *study, const struct scene *scene, cons
     struct study_options o = *options;
     struct stream stream;
     struct rows rows = {.form = form_of(request), .absolute = request->absolute, .stream = &stream};
-    if (request->output)
-        TRY(stream_create(&stream, request->output, life, report));
-    else
-        TRY(stream_open(&stream, STDOUT_FILENO, "standard output", life, report));
+    TRY(stream_to(&stream, request->output, life, report));
     o.done = rows_put;
     o.self = &rows;
     enum status status = rows_begin(&rows, report);
     if (status == OK) status = study_run(study, scene, &o, diags, life, report);
     struct report late = {0};
-    const enum status ended = rows_end(&rows, &late), closed = stream_close(&stream, status == OK, &late);
-    if (status != OK || (ended == OK && closed == OK)) return status;
-    *report = late;
-    return ended != OK ? ended : closed;
+    const enum status ended = rows_end(&rows, &late);
+    if (status == OK && ended != OK) status = fail(report, ended, "%s", late.text);
+    return stream_finish(&stream, status, report);
 }
 
 static enum status check_plot(const struct request *request, struct report *report)

@@ -153,22 +153,12 @@ static enum status print_slurm(const struct sweep *o, const struct request *requ
 
 /* ---- tables ---- */
 
-static enum status open_stream(struct stream *stream, const struct request *request, struct arena *life,
-                               struct report *report)
-{
-    if (request->output) return stream_create(stream, request->output, life, report);
-    return stream_open(stream, STDOUT_FILENO, "standard output", life, report);
-}
-
-/* Shuts what open_stream() opened; a first failure stays. */
+/* A first failure stays. */
 static enum status close_stream(struct stream *stream, enum status status, struct report *report)
 {
-    struct report late = {0};
-    const enum status closed = stream_close(stream, status == OK, &late);
+    status = stream_finish(stream, status, report);
     if (stream_kept(stream)) fprintf(stderr, "fmdsub: unfinished rows are kept in %s\n", stream_kept(stream));
-    if (status != OK || closed == OK) return status;
-    *report = late;
-    return closed;
+    return status;
 }
 
 static enum table_form form_of(const struct request *request)
@@ -215,7 +205,7 @@ static enum status write_sheet(const struct sheet *sheet, const struct request *
 {
     struct stream stream;
     struct table_line line = {.form = form_of(request)};
-    TRY(open_stream(&stream, request, life, report));
+    TRY(stream_to(&stream, request->output, life, report));
     enum status status = sheet_begin(sheet, &line, &stream, report);
     for (long i = 0; i < sheet->rows && status == OK; i++)
         if (sheet->row[i]) status = sheet_put(sheet, i, &line, &stream, report);
@@ -268,7 +258,7 @@ enum status verb_sweep(const struct request *request, struct arena *life, struct
     o.deck = request->word[0];
     sweep_head(&o, life);
     if (request->resume) TRY(read_left(&o, request, life, report));
-    TRY(open_stream(&stream, request, life, report));
+    TRY(stream_to(&stream, request->output, life, report));
     TRY(close_stream(&stream, sweep_run(&o, form_of(request), &stream, life, report), report));
     return verdict(&o, report);
 }

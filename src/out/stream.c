@@ -133,6 +133,11 @@ enum status stream_create(struct stream *s, const char *path, struct arena *life
     return s->status;
 }
 
+enum status stream_to(struct stream *s, const char *path, struct arena *life, struct report *report)
+{
+    return path ? stream_create(s, path, life, report) : stream_open(s, STDOUT_FILENO, "standard output", life, report);
+}
+
 enum status stream_resume(struct stream *s, const char *path, long long bytes, struct arena *life,
                           struct report *report)
 {
@@ -287,6 +292,13 @@ enum status stream_close(struct stream *s, bool whole, struct report *report)
     if (s->target) close(s->fd);
     s->fd = -1;
     return s->status;
+}
+
+enum status stream_finish(struct stream *s, enum status status, struct report *report)
+{
+    struct report late = {0};
+    const enum status closed = stream_close(s, status == OK, &late);
+    return status != OK || closed == OK ? status : fail(report, closed, "%s", late.text);
 }
 
 const char *stream_kept(const struct stream *s)

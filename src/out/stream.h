@@ -56,6 +56,9 @@ enum status stream_create(struct stream *s, const char *path, struct arena *life
 enum status stream_resume(struct stream *s, const char *path, long long bytes, struct arena *life,
                           struct report *report);
 
+/* The file `path` so, NULL: standard output. */
+enum status stream_to(struct stream *s, const char *path, struct arena *life, struct report *report);
+
 /* Drops what is put from now on; no longer. */
 void stream_mute(struct stream *s, bool mute);
 
@@ -82,6 +85,9 @@ enum status stream_flush(struct stream *s, struct report *report);
 /* The last flush, then: a file of our own is synced and, if whole, renamed to its path; otherwise
  * it stays as path.part, unless empty.  Returns the first failure of all. */
 enum status stream_close(struct stream *s, bool whole, struct report *report);
+
+/* stream_close after what ended with `status`, whole if that is OK: the first failure of both, and its words. */
+enum status stream_finish(struct stream *s, enum status status, struct report *report);
 
 /* After stream_close: the path of what was kept unfinished; NULL: nothing. */
 const char *stream_kept(const struct stream *s);

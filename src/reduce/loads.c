@@ -91,15 +91,14 @@ static enum status write_file(const char *path, const char *kind, double scale, 
     for (int i = 0; i < 3 * fe->n; i++) least = fmax(least, 1e-15 * fabs(f[i]));
     TRY(stream_create(&stream, path, life, report));
     const char *head = arena_print(life, "** %s, %g times the unit load\n*CLOAD\n", kind, scale);
-    enum status status = stream_put(&stream, head, strlen(head), report), last;
+    enum status status = stream_put(&stream, head, strlen(head), report);
     for (int i = 0; status == OK && i < 3 * fe->n; i++) {
         char line[80];
         if (fabs(f[i]) <= least) continue;
         int n = snprintf(line, sizeof line, "%d,%d,%.12e\n", fe->id[i / 3], i % 3 + 1, f[i] * scale * unit);
         status = stream_put(&stream, line, (size_t)n, report);
     }
-    last = stream_close(&stream, status == OK, report);
-    return status != OK ? status : last;
+    return stream_finish(&stream, status, report);
 }
 
 static enum status write_one(const char *path, const char *kind, const double *f, double *u, const struct hold *hold,

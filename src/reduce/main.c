@@ -31,11 +31,8 @@ static enum status put(const struct flex_body *body, const struct options *optio
 {
     struct stream stream;
     const char *text = flex_file_text(body, fe->centre, life);
-    TRY(options->output ? stream_create(&stream, options->output, life, report)
-                        : stream_open(&stream, STDOUT_FILENO, "standard output", life, report));
-    enum status status = stream_put(&stream, text, strlen(text), report), last;
-    last = stream_close(&stream, status == OK, report);
-    return status != OK ? status : last;
+    TRY(stream_to(&stream, options->output, life, report));
+    return stream_finish(&stream, stream_put(&stream, text, strlen(text), report), report);
 }
 
 /* What is read is not written over. */

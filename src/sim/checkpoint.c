@@ -102,9 +102,7 @@ static enum status write_file(struct sim *sim, struct arena *scratch, struct rep
     run_recall(sim, &bytes, &r);
     TRY(memory_recall(sim, &r));
     TRY(stream_create(&stream, sim->scene->checkpoint.file, scratch, report));
-    const enum status status = put(&stream, &r, scratch, report);
-    const enum status closed = stream_close(&stream, status == OK, report);
-    return status != OK ? status : closed;
+    return stream_finish(&stream, put(&stream, &r, scratch, report), report);
 }
 
 enum status checkpoint_write(struct sim *sim, struct report *report)
