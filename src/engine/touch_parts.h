@@ -58,10 +58,16 @@ struct touch {
 
 /* touch.c: those with on[i] become cone[0..n); their impulses are l. */
 void touch_choose(struct touch *o, double *p);
+/* Those that touch where the run starts. */
+void touch_choose_drawn(struct touch *o);
 void touch_keep_impulses(struct touch *o, const double *p);
 void touch_note(struct touch *o, struct touch_event e);
 /* u [rows] := G v + b */
 void touch_rates(const struct touch *o, double *u, const struct touch_rows *R, const double *v);
+/* Of one of them at the rates u: how fast it slides. */
+double touch_slip(const struct touch *o, const struct cone *c);
+/* o->top, if these velocities are larger. */
+void touch_grow(struct touch *o, const double *v);
 /* X := F^-1 G', W := G1 X */
 void touch_compliance(struct touch *o, const struct matrix *F, const double *G, const double *G1);
 /* v += X p */
