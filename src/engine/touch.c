@@ -7,15 +7,23 @@
 #include "engine/motion.h"
 #include "engine/touch_parts.h"
 
-static const double DRAWN = 1e-9;   /* of a usual gap: where the run starts */
-static const double AT_REST = 1e-9; /* of the largest velocity */
-
 /* ---- memory ---- */
 
 static void open_rows(struct touch_rows *o, int rows, int n, struct arena *life)
 {
     o->G = TAKE_MATRIX(life, double, rows, n);
     o->b = TAKE(life, double, rows);
+}
+
+static void open_saved(struct touch_saved *o, const struct ode2 *ode, struct arena *life)
+{
+    const int m = ode->contact->m;
+    single_open(&o->at, ode, life);
+    o->closed = TAKE(life, int, m);
+    o->state = TAKE(life, int, m);
+    o->impacts = TAKE(life, long, m);
+    o->impulse = TAKE(life, double, m);
+    o->p = TAKE(life, double, ode->contact->nrow);
 }
 
 /* Displacements of different units are weighed by their usual sizes. */
@@ -32,9 +40,8 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     struct touch *o = TAKE(life, struct touch, 1);
     const struct ode2 *ode = s->ode;
     const int m = ode->contact->m, rows = ode->contact->nrow, n = ode->n;
-    int **whole[] = {&o->first,   &o->on,     &o->closed,  &o->state, &o->contact,
-                     &o->closed0, &o->state0, &o->closed1, &o->state1};
-    double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l, &o->p0, &o->p1};
+    int **whole[] = {&o->first, &o->on, &o->closed, &o->state, &o->contact};
+    double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l};
     double **of_n[] = {&o->v1, &o->vm, &o->a, &o->dx, &o->r, &o->y, &o->vf, &o->weight};
     double **of_m[] = {&o->size, &o->g, &o->g0, &o->g1, &o->impulse};
     o->ode = ode;
@@ -55,8 +62,8 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     open_rows(&o->end, rows, n, life);
     matrix_open(&o->J, ode, &s->effort, life);
     matrix_open(&o->M, ode, &s->effort, life);
-    single_open(&o->start, ode, life);
-    single_open(&o->part, ode, life);
+    open_saved(&o->start, ode, life);
+    open_saved(&o->part, ode, life);
     for (int i = 1; i < m; i++) o->first[i] = o->first[i - 1] + 1 + o->c->of[i - 1].across;
     for (int i = 0; i < m; i++) o->size[i] = o->c->of[i].size;
     weigh(o);
@@ -77,11 +84,16 @@ void touch_choose(struct touch *o, double *p)
     }
 }
 
-void touch_keep_impulses(struct touch *o, const double *p)
+void touch_choose_closed(struct touch *o)
 {
-    zero(o->p, o->c->nrow);
-    for (int k = 0; k < o->n; k++)
-        for (int j = 0; j <= o->cone[k].across; j++) o->p[o->first[o->contact[k]] + j] = p[o->cone[k].row + j];
+    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
+    touch_choose(o, o->p);
+}
+
+void touch_spread(const struct touch *o, double *p)
+{
+    zero(p, o->c->nrow);
+    for (int k = 0; k < o->n; k++) copy(p + o->first[o->contact[k]], o->l + o->cone[k].row, 1 + o->cone[k].across);
 }
 
 void touch_note(struct touch *o, struct touch_event e)
@@ -95,6 +107,23 @@ void touch_note(struct touch *o, struct touch_event e)
 void touch_rates(const struct touch *o, double *u, const struct touch_rows *R, const double *v)
 {
     for (int i = 0; i < o->rows; i++) u[i] = dot(R->G + i * o->ode->n, v, o->ode->n) + R->b[i];
+}
+
+enum status touch_look(struct touch *o, double *u, struct touch_rows *R, const struct state *x, struct trouble *why)
+{
+    TRY(o->c->rows(o->c, R->G, R->b, o->on, x->q, x->t, why));
+    touch_rates(o, u, R, x->v);
+    return OK;
+}
+
+double touch_slip(const double *u, const struct cone *c)
+{
+    return c->across ? hypot(u[c->row + 1], c->across > 1 ? u[c->row + 2] : 0) : 0;
+}
+
+bool touch_sticks(const struct touch *o, const double *u, const struct cone *c)
+{
+    return c->across && touch_slip(u, c) <= TOUCH_AT_REST * o->top;
 }
 
 void touch_compliance(struct touch *o, const struct matrix *F, const double *G, const double *G1)
@@ -122,31 +151,20 @@ void touch_grow(struct touch *o, const double *v)
 
 /* ---- the start ---- */
 
-double touch_slip(const struct touch *o, const struct cone *c)
-{
-    return c->across ? hypot(o->u[c->row + 1], c->across > 1 ? o->u[c->row + 2] : 0) : 0;
-}
-
-void touch_choose_drawn(struct touch *o)
-{
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->g[i] <= DRAWN * o->size[i];
-    touch_choose(o, o->p);
-}
-
 /* Closes what touches and does not move along its gap. */
 static enum status close_drawn(struct touch *o, const struct state *x, double h, struct trouble *why)
 {
     touch_grow(o, x->v);
     for (int i = 0; i < o->ode->n; i++) o->top = larger(o->top, h * fabs(x->a[i]));
-    touch_choose_drawn(o);
+    for (int i = 0; i < o->c->m; i++) o->on[i] = o->g[i] <= TOUCH_DRAWN * o->size[i];
+    touch_choose(o, o->p);
     if (o->n == 0) return OK;
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    touch_rates(o, o->u, &o->end, x->v);
+    TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) {
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k];
-        o->closed[i] = fabs(o->u[c->row]) <= AT_REST * o->top;
-        if (o->closed[i]) o->state[i] = c->across && touch_slip(o, c) <= AT_REST * o->top ? TOUCH_STICKS : TOUCH_SLIDES;
+        o->closed[i] = fabs(o->u[c->row]) <= TOUCH_AT_REST * o->top;
+        if (o->closed[i]) o->state[i] = touch_sticks(o, o->u, c) ? TOUCH_STICKS : TOUCH_SLIDES;
     }
     return OK;
 }
@@ -159,7 +177,7 @@ int touch_begin(struct touch *o, double *overlap, const struct state *x, double 
     if (o->c->gap(o->c, o->g, x->q, x->t, why) != OK) return -1;
     for (int i = 0; i < o->c->m; i++) {
         const double share = o->g[i] / o->size[i];
-        if (share < -DRAWN && (deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[deepest = i];
+        if (share < -TOUCH_DRAWN && (deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[deepest = i];
     }
     if (deepest >= 0) return deepest;
     return close_drawn(o, x, h, why) == OK ? -1 : 0;

@@ -28,7 +28,7 @@ static void directions(struct touch *o)
         struct cone *c = &o->cone[k];
         const struct ode2_touch *of = &o->c->of[o->contact[k]];
         const double *u = o->u + c->row + 1;
-        const double size = c->across > 1 ? hypot(u[0], u[1]) : c->across ? fabs(u[0]) : 0;
+        const double size = touch_slip(o->u, c);
         c->slides = o->state[o->contact[k]] == TOUCH_SLIDES && size > 0;
         c->mu = c->slides ? of->sliding : of->holding;
         for (int j = 0; j < c->across && c->slides; j++) c->slide[j] = u[j] / size;
@@ -40,8 +40,7 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
     const double d = 1e-4 * o->usual;
     const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
     zero(f, o->c->nrow);
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
-    touch_choose(o, o->p);
+    touch_choose_closed(o);
     if (o->n == 0) return OK;
     TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
     TRY(matrix_factor(&o->M, 0, 0, &at, why));
@@ -59,7 +58,6 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
     }
     zero(o->l, o->rows);
     if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size)) return OK; /* jammed: there are none */
-    for (int k = 0; k < o->n; k++)
-        for (int j = 0; j <= o->cone[k].across; j++) f[o->first[o->contact[k]] + j] = o->l[o->cone[k].row + j];
+    touch_spread(o, f);
     return OK;
 }

@@ -150,7 +150,7 @@ static enum status settle(struct touch *o, const struct instant *at, struct trou
 {
     double most = 0, taken = 0, driven = 0;
     int kept = 0;
-    touch_keep_impulses(o, o->l);
+    touch_spread(o, o->p);
     for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0;
     touch_choose(o, o->p);
     TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, at->tb, why));
@@ -158,8 +158,7 @@ static enum status settle(struct touch *o, const struct instant *at, struct trou
     for (int k = 0; k < o->n; k++) {
         struct cone *c = &o->cone[k];
         c->held = true;
-        if (c->across && !(hypot(o->u[c->row + 1], c->across > 1 ? o->u[c->row + 2] : 0) <= 1e-9 * o->top))
-            c->across = 0;
+        if (!touch_sticks(o, o->u, c)) c->across = 0;
         most = larger(most, fabs(o->u[c->row]));
         kept++;
     }
@@ -185,8 +184,7 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
 {
     const struct ode2 *ode = o->ode;
     struct instant at;
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
-    touch_choose(o, o->p);
+    touch_choose_closed(o);
     if (o->took != h)
         for (int i = 0; i < o->rows; i++) o->l[i] *= o->took > 0 ? h / o->took : 0;
     for (int k = 0; k < o->n; k++) {

@@ -13,8 +13,7 @@
 #include "engine/touch_parts.h"
 
 enum { HALVINGS = 20 };
-static const double AT_REST = 1e-9; /* of the largest velocity */
-static const double SLOWED = 1e-3;  /* of the hardest impact in this step: where bouncing comes to its end */
+static const double SLOWED = 1e-3; /* of the hardest impact in this step: where bouncing comes to its end */
 
 /* Restitution of the k-th: none of what is closed, and none where it would be back within the step. */
 static double restitution(const struct touch *o, int k, double h, int last)
@@ -23,7 +22,7 @@ static double restitution(const struct touch *o, int k, double h, int last)
     const double e = o->c->of[i].restitution, un = o->u[row], an = dot(o->end.G + row * n, o->a, n);
     if (o->closed[i] || last || !(un < 0) || e == 0) return 0;
     if (an < 0 && 2 * e * -un < -an * h) return 0;
-    return an < 0 && -un <= AT_REST * 1e-3 * o->top ? 0 : e;
+    return an < 0 && -un <= TOUCH_AT_REST * 1e-3 * o->top ? 0 : e;
 }
 
 /* p and the loss [J] with e times the restitutions y. */
@@ -52,7 +51,7 @@ static void note_all(struct touch *o, const struct state *x, double loss)
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k], was = o->closed[i];
         const double before = o->u[c->row], after = o->u1[c->row], p = o->l[c->row];
-        o->closed[i] = fabs(after) <= AT_REST * o->top;
+        o->closed[i] = fabs(after) <= TOUCH_AT_REST * o->top;
         o->impulse[i] += p;
         if (p > 0 && !was) {
             o->impacts[i]++;
@@ -61,21 +60,18 @@ static void note_all(struct touch *o, const struct state *x, double loss)
         }
         if (o->closed[i] != was)
             touch_note(o, (struct touch_event){.what = was ? TOUCH_OPENS : TOUCH_CLOSES, .contact = i, .t = x->t});
-        const double slip = c->across ? hypot(o->u1[c->row + 1], c->across > 1 ? o->u1[c->row + 2] : 0) : 0;
         if (o->closed[i] != was || !o->closed[i])
-            o->state[i] = !o->closed[i]                           ? TOUCH_OPEN
-                          : c->across && slip <= AT_REST * o->top ? TOUCH_STICKS
-                                                                  : TOUCH_SLIDES;
+            o->state[i] = !o->closed[i] ? TOUCH_OPEN : touch_sticks(o, o->u1, c) ? TOUCH_STICKS : TOUCH_SLIDES;
         for (int j = 0; j <= c->across; j++) o->p[o->first[i] + j] = 0;
     }
 }
 
-enum status touch_impact(struct touch *o, struct state *x, double h, const int *touches, int last, struct trouble *why)
+enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why)
 {
     struct stepper *s = o->stepper;
     const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
     double loss = 0, driven = 0, e = 1;
-    for (int i = 0; i < o->c->m; i++) o->on[i] = touches[i] || o->closed[i];
+    for (int i = 0; i < o->c->m; i++) o->on[i] |= o->closed[i];
     touch_choose(o, o->p);
     TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
     TRY(matrix_factor(&o->M, 0, 0, &at, why));
@@ -97,7 +93,7 @@ enum status touch_impact(struct touch *o, struct state *x, double h, const int *
         if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
     }
     for (int k = 0; k < o->n; k++) /* nothing gives way: it is driven */
-        if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - AT_REST * o->top))
+        if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - TOUCH_AT_REST * o->top))
             return trouble_set(why, TROUBLE_CONTACT, o->contact[k], INFINITY, x->t);
     touch_kick(o, x->v, o->l);
     for (int i = 0; i < o->rows; i++) driven -= o->l[i] * o->end.b[i];

@@ -8,11 +8,26 @@
 #include "engine/touch.h"
 
 enum { MOST_EVENTS = 256 };
+static const double TOUCH_DRAWN = 1e-9;   /* of a usual gap: where the run starts it is closed */
+static const double TOUCH_AT_REST = 1e-9; /* of the largest velocity */
 
 /* Rows of contacts at an instant. */
 struct touch_rows {
     double *G; /* [rows x n] row after row */
     double *b; /* [rows] */
+};
+
+/* What a step, or a trial of a part of it, may have to go back to. */
+struct touch_saved {
+    double t;
+    struct single at;
+    double work[POWER_CHANNELS], lost, left, struck; /* of the stepper */
+    double top, took;                                /* as in struct touch, from here on */
+    int begun, nevent, lost_events;
+    long all;
+    int *closed, *state;
+    long *impacts;
+    double *impulse, *p;
 };
 
 struct touch {
@@ -45,27 +60,28 @@ struct touch {
     double hfactor;    /* for which it was made; 0: none */
     struct matrix M;   /* of impacts */
     struct touch_rows middle, end;
-    double *X, *W;                            /* [n x rows], [rows x rows] */
-    double *u, *u1, *l;                       /* [rows] */
-    double *g, *g0, *g1;                      /* [m] */
-    double *v1, *vm, *a, *dx, *r, *y, *vf;    /* [n] */
-    double *q, *q1;                           /* [nq] */
-    double *weight;                           /* [n] of displacements, for Gonzalez' correction */
-    struct single start, part;                /* the state before a step, before a part of it */
-    int *closed0, *state0, *closed1, *state1; /* [m] likewise */
-    double *p0, *p1;                          /* [rows] */
+    double *X, *W;                         /* [n x rows], [rows x rows] */
+    double *u, *u1, *l;                    /* [rows] */
+    double *g, *g0, *g1;                   /* [m] */
+    double *v1, *vm, *a, *dx, *r, *y, *vf; /* [n] */
+    double *q, *q1;                        /* [nq] */
+    double *weight;                        /* [n] of displacements, for Gonzalez' correction */
+    struct touch_saved start, part;        /* before a step, before a part of it */
 };
 
 /* touch.c: those with on[i] become cone[0..n); their impulses are l. */
 void touch_choose(struct touch *o, double *p);
-/* Those that touch where the run starts. */
-void touch_choose_drawn(struct touch *o);
-void touch_keep_impulses(struct touch *o, const double *p);
+void touch_choose_closed(struct touch *o);
+/* p [all rows] := their l, of others 0 */
+void touch_spread(const struct touch *o, double *p);
 void touch_note(struct touch *o, struct touch_event e);
 /* u [rows] := G v + b */
 void touch_rates(const struct touch *o, double *u, const struct touch_rows *R, const double *v);
-/* Of one of them at the rates u: how fast it slides. */
-double touch_slip(const struct touch *o, const struct cone *c);
+/* Their rows R at x, and the rates u [rows] there. */
+enum status touch_look(struct touch *o, double *u, struct touch_rows *R, const struct state *x, struct trouble *why);
+/* Of one of them at rates u [rows]: how fast it slides; is it held across? */
+double touch_slip(const double *u, const struct cone *c);
+bool touch_sticks(const struct touch *o, const double *u, const struct cone *c);
 /* o->top, if these velocities are larger. */
 void touch_grow(struct touch *o, const double *v);
 /* X := F^-1 G', W := G1 X */
@@ -75,7 +91,7 @@ void touch_kick(const struct touch *o, double *v, const double *p);
 
 /* touch_held.c: one step h of x with the closed contacts held, or x as it was. */
 enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why);
-/* touch_impact.c: of all contacts that touch or are closed. */
-enum status touch_impact(struct touch *o, struct state *x, double h, const int *touches, int last, struct trouble *why);
+/* touch_impact.c: of all contacts that are looked at or closed. */
+enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why);
 
 #endif

@@ -11,50 +11,51 @@ enum { MOST_IMPACTS = 50, NO_END = 20000, TRIALS = 60 };
 static const double CLOSED = 1e-12; /* of a usual gap: where an impact is found */
 static const double DEEP = 1e-6;    /* likewise: where one has gone through the other */
 static const double SHORT = 1e-4;   /* of a step: no shorter part is looked at for what may be passed in it */
-static const double AT_REST = 1e-9; /* of the largest velocity */
 
-/* What a trial may have to go back to. */
-struct saved {
-    double t, work[POWER_CHANNELS], lost, left, struck, top;
-    int fresh, nevent, lost_events;
-    double took;
-};
-
-static void save(struct saved *o, struct single *at, int *closed, int *state, double *p, const struct touch *t,
-                 const struct state *x)
+static void save(struct touch_saved *o, const struct touch *t, const struct state *x)
 {
     const struct stepper *s = t->stepper;
     const size_t m = (size_t)t->c->m;
-    *o = (struct saved){.t = x->t, .lost = s->lost, .left = s->left, .struck = s->struck, .top = t->top};
-    o->fresh = s->fresh;
+    o->t = x->t;
+    single_save(&o->at, t->ode, x);
+    copy(o->work, s->work, POWER_CHANNELS);
+    o->lost = s->lost;
+    o->left = s->left;
+    o->struck = s->struck;
+    o->top = t->top;
+    o->took = t->took;
+    o->begun = t->begun;
     o->nevent = t->nevent;
     o->lost_events = t->lost_events;
-    o->took = t->took;
-    copy(o->work, s->work, POWER_CHANNELS);
-    single_save(at, t->ode, x);
-    memcpy(closed, t->closed, m * sizeof *closed);
-    memcpy(state, t->state, m * sizeof *state);
-    copy(p, t->p, t->c->nrow);
+    o->all = t->all;
+    memcpy(o->closed, t->closed, m * sizeof *o->closed);
+    memcpy(o->state, t->state, m * sizeof *o->state);
+    memcpy(o->impacts, t->impacts, m * sizeof *o->impacts);
+    copy(o->impulse, t->impulse, t->c->m);
+    copy(o->p, t->p, t->c->nrow);
 }
 
-static void restore(const struct saved *o, const struct single *at, const int *closed, const int *state,
-                    const double *p, struct touch *t, struct state *x)
+static void restore(const struct touch_saved *o, struct touch *t, struct state *x)
 {
     struct stepper *s = t->stepper;
     const size_t m = (size_t)t->c->m;
+    single_restore(&o->at, t->ode, x, o->t);
     copy(s->work, o->work, POWER_CHANNELS);
     s->lost = o->lost;
     s->left = o->left;
     s->struck = o->struck;
     s->fresh = 1; /* its predictors have gone ahead */
     t->top = o->top;
+    t->took = o->took;
+    t->begun = o->begun;
     t->nevent = o->nevent;
     t->lost_events = o->lost_events;
-    t->took = o->took;
-    single_restore(at, t->ode, x, o->t);
-    memcpy(t->closed, closed, m * sizeof *closed);
-    memcpy(t->state, state, m * sizeof *state);
-    copy(t->p, p, t->c->nrow);
+    t->all = o->all;
+    memcpy(t->closed, o->closed, m * sizeof *o->closed);
+    memcpy(t->state, o->state, m * sizeof *o->state);
+    memcpy(t->impacts, o->impacts, m * sizeof *o->impacts);
+    copy(t->impulse, o->impulse, t->c->m);
+    copy(t->p, o->p, t->c->nrow);
 }
 
 static enum status attempt(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
@@ -79,16 +80,16 @@ static enum status deepest(struct touch *o, double *g, const struct state *x, st
 }
 
 /* Of a step that has gone too deep, the part that ends where the first gap is 0, by Illinois' rule of false position. */
-static enum status locate(struct touch *o, struct state *x, const struct saved *from, double h, double deep, double g0,
-                          struct trouble *why)
+static enum status locate(struct touch *o, struct state *x, double h, double deep, double g0, struct trouble *why)
 {
+    const double t0 = o->part.t;
     double lo = 0, hi = h, glo = larger(g0, 0), ghi = deep, g = deep;
     int side = 0;
-    for (int k = 0; k < TRIALS && fabs(g) > CLOSED && hi - lo > 4 * DBL_EPSILON * (fabs(from->t) + h); k++) {
+    for (int k = 0; k < TRIALS && fabs(g) > CLOSED && hi - lo > 4 * DBL_EPSILON * (fabs(t0) + h); k++) {
         double part = glo > 0 ? lo + (hi - lo) * glo / (glo - ghi) : .5 * (lo + hi);
         part = larger(lo + 1e-3 * (hi - lo), smaller(part, hi - 1e-6 * (hi - lo)));
-        restore(from, &o->part, o->closed1, o->state1, o->p1, o, x);
-        TRY(attempt(o, x, part, from->t + part, why));
+        restore(&o->part, o, x);
+        TRY(attempt(o, x, part, t0 + part, why));
         TRY(deepest(o, &g, x, why));
         if (g > 0) {
             lo = part;
@@ -109,15 +110,12 @@ static enum status locate(struct touch *o, struct state *x, const struct saved *
 static enum status renew(struct touch *o, const struct state *x, struct trouble *why)
 {
     TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
-    touch_choose(o, o->p);
+    touch_choose_closed(o);
     if (o->n == 0) return OK;
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    touch_rates(o, o->u, &o->end, x->v);
+    TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) {
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k], was = o->state[i];
-        const double ut = touch_slip(o, c);
         o->impulse[i] += o->l[c->row];
         if (!(o->l[c->row] > 0) && (o->u[c->row] > CLOSED * o->top || o->g[i] > CLOSED * o->size[i])) {
             o->closed[i] = 0;
@@ -125,7 +123,7 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
             touch_note(o, (struct touch_event){.what = TOUCH_OPENS, .contact = i, .t = x->t});
             continue;
         }
-        o->state[i] = c->across && ut <= AT_REST * o->top ? TOUCH_STICKS : TOUCH_SLIDES;
+        o->state[i] = touch_sticks(o, o->u, c) ? TOUCH_STICKS : TOUCH_SLIDES;
         if (c->across && o->state[i] != was)
             touch_note(o,
                        (struct touch_event){.what = was == TOUCH_STICKS ? TOUCH_STARTS_SLIDING : TOUCH_STARTS_STICKING,
@@ -135,42 +133,35 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
     return OK;
 }
 
-/* The impact of all that touches and comes nearer, if there is any. */
-static enum status strike(struct touch *o, struct state *x, double h, int *count, struct trouble *why)
+/* The impact of all whose gap is `near`, in usual ones, and that come nearer, if there is any. */
+static enum status strike(struct touch *o, struct state *x, double h, double near, int *count, struct trouble *why)
 {
-    int any = 0;
-    for (int i = 0; i < o->c->m; i++) o->on[i] = !o->closed[i] && o->g[i] <= 2 * CLOSED * o->size[i];
-    for (int i = 0; i < o->c->m; i++) any |= o->on[i];
-    if (!any) return OK;
+    bool any = false;
+    for (int i = 0; i < o->c->m; i++) o->on[i] = !o->closed[i] && o->g[i] <= near * o->size[i];
     touch_choose(o, o->p);
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    touch_rates(o, o->u, &o->end, x->v);
-    any = 0;
+    if (o->n == 0) return OK;
+    TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) any |= o->u[o->cone[k].row] < 0;
     if (!any) return OK;
-    memcpy(o->closed1, o->on, sizeof *o->on * (size_t)o->c->m);
     if (++*count > NO_END) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
-    return touch_impact(o, x, h, o->closed1, *count > MOST_IMPACTS, why);
+    return touch_impact(o, x, h, *count > MOST_IMPACTS, why);
 }
 
 /* May a gap that is open at both ends of the step h from o->part to x have been closed in between?  Where it falls at first and
  * grows at last it is above both its tangents, if it is convex as that of two balls is. */
-static enum status may_have_passed(struct touch *o, bool *passed, const struct state *x, double t0, double h,
-                                   struct trouble *why)
+static enum status may_have_passed(struct touch *o, bool *passed, const struct state *x, double h, struct trouble *why)
 {
-    bool any = false;
+    const struct touch_saved *from = &o->part;
+    const struct state before = {from->t, from->at.q, from->at.v, from->at.a};
     *passed = false;
     for (int i = 0; i < o->c->m; i++) {
         const double far = 4 * h * o->top * larger(1, o->size[i]);
         o->on[i] = !o->closed[i] && smaller(o->g0[i], o->g[i]) < far;
-        any |= o->on[i];
     }
-    if (!any) return OK;
     touch_choose(o, o->p);
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, o->part.q, t0, why));
-    touch_rates(o, o->u1, &o->end, o->part.v);
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    touch_rates(o, o->u, &o->end, x->v);
+    if (o->n == 0) return OK;
+    TRY(touch_look(o, o->u1, &o->end, &before, why));
+    TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) {
         const double a = o->u1[o->cone[k].row], b = o->u[o->cone[k].row];
         const double g0 = o->g0[o->contact[k]], g1 = o->g[o->contact[k]];
@@ -192,7 +183,6 @@ static enum status parts(struct touch *o, struct state *x, double h, double t1, 
 {
     int impacts = 0;
     double most = INFINITY;
-    struct saved from;
     o->hardest = 0;
     while (x->t < t1) {
         double g0, g1, left = smaller(t1 - x->t, most);
@@ -201,21 +191,21 @@ static enum status parts(struct touch *o, struct state *x, double h, double t1, 
         if (fabs(left - h) <= 1e-9 * h) left = h;
         TRY(deepest(o, &g0, x, why));
         copy(o->g0, o->g, o->c->m);
-        save(&from, &o->part, o->closed1, o->state1, o->p1, o, x);
+        save(&o->part, o, x);
         TRY(attempt(o, x, left, end, why));
         TRY(deepest(o, &g1, x, why));
         touch_grow(o, x->v);
-        if (g1 >= -CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, from.t, left, why));
+        if (g1 >= -CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, left, why));
         if (passed) {
-            restore(&from, &o->part, o->closed1, o->state1, o->p1, o, x);
+            restore(&o->part, o, x);
             most = left / 2;
             continue;
         }
         most = INFINITY;
-        if (g1 < -CLOSED) TRY(locate(o, x, &from, left, g1, g0, why));
+        if (g1 < -CLOSED) TRY(locate(o, x, left, g1, g0, why));
         touch_grow(o, x->v);
         TRY(renew(o, x, why));
-        TRY(strike(o, x, h, &impacts, why));
+        TRY(strike(o, x, h, 2 * CLOSED, &impacts, why));
         TRY(none_is_deep(o, x->t, why));
         if (t1 - x->t <= 1e-12 * h) x->t = t1;
     }
@@ -225,37 +215,23 @@ static enum status parts(struct touch *o, struct state *x, double h, double t1, 
 /* What touches at the start and comes nearer. */
 static enum status begin(struct touch *o, struct state *x, double h, struct trouble *why)
 {
-    int any = 0;
+    int impacts = 0;
     o->begun = 1;
     TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
-    touch_choose_drawn(o);
-    if (o->n == 0) return OK;
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    touch_rates(o, o->u, &o->end, x->v);
-    for (int k = 0; k < o->n; k++) any |= !o->closed[o->contact[k]] && o->u[o->cone[k].row] < 0;
-    if (!any) return OK;
-    memcpy(o->closed1, o->on, sizeof *o->on * (size_t)o->c->m);
-    return touch_impact(o, x, h, o->closed1, 0, why);
+    return strike(o, x, h, TOUCH_DRAWN, &impacts, why);
 }
 
 enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     struct touch *o = s->touch;
     const double t0 = x->t;
-    const long minors = s->effort.minors, all = o->all;
-    const int begun = o->begun;
-    struct saved from;
+    const long minors = s->effort.minors;
     enum status status = OK;
-    save(&from, &o->start, o->closed0, o->state0, o->p0, o, x);
-    for (int i = 0; i < o->c->m; i++) o->shown[i].impulse = o->impulse[i], o->shown[i].impacts = o->impacts[i];
+    save(&o->start, o, x);
     if (!o->begun) status = begin(o, x, h, why);
     for (int k = 1; k <= ratio && status == OK; k++) status = parts(o, x, h, k < ratio ? t0 + k * h : to, why);
     s->effort.minors = minors + (status == OK ? ratio : 0);
-    if (status == OK) return OK;
-    restore(&from, &o->start, o->closed0, o->state0, o->p0, o, x);
-    for (int i = 0; i < o->c->m; i++) o->impulse[i] = o->shown[i].impulse, o->impacts[i] = o->shown[i].impacts;
-    o->all = all;
-    o->begun = begun;
+    if (status != OK) restore(&o->start, o, x);
     return status;
 }
 
