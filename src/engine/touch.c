@@ -137,6 +137,21 @@ void touch_compliance(struct touch *o, const struct matrix *F, const double *G, 
     }
 }
 
+enum status touch_mass(struct touch *o, const struct state *x, struct trouble *why)
+{
+    const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
+    TRY(matrix_factor(&o->M, 0, 0, &at, why));
+    touch_compliance(o, &o->M, o->end.G, o->end.G);
+    return OK;
+}
+
+double touch_taken(const struct touch *o)
+{
+    double sum = 0;
+    for (int i = 0; i < o->rows; i++) sum -= .5 * o->l[i] * (o->u[i] + o->u1[i]);
+    return sum;
+}
+
 void touch_kick(const struct touch *o, double *v, const double *p)
 {
     const int n = o->ode->n;

@@ -15,9 +15,9 @@
 static enum status add_rates(struct touch *o, double *c, const struct state *x, double s, double sign,
                              struct trouble *why)
 {
-    motion_point(o->ode, o->q1, x->q, x->v, s, x->t + s);
-    TRY(o->c->rows(o->c, o->middle.G, o->middle.b, o->on, o->q1, x->t + s, why));
-    touch_rates(o, o->u1, &o->middle, x->v);
+    const struct state there = {x->t + s, o->q1, x->v, x->a};
+    motion_point(o->ode, o->q1, x->q, x->v, s, there.t);
+    TRY(touch_look(o, o->u1, &o->middle, &there, why));
     for (int i = 0; i < o->rows; i++) c[i] += sign * o->u1[i];
     return OK;
 }
@@ -38,15 +38,12 @@ static void directions(struct touch *o)
 enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why)
 {
     const double d = 1e-4 * o->usual;
-    const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
     zero(f, o->c->nrow);
     touch_choose_closed(o);
     if (o->n == 0) return OK;
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    TRY(matrix_factor(&o->M, 0, 0, &at, why));
+    TRY(touch_look(o, o->u, &o->end, x, why));
+    TRY(touch_mass(o, x, why));
     TRY(accel_solve(o->stepper->accel, o->a, NULL, x->q, x->v, x->t, why));
-    touch_compliance(o, &o->M, o->end.G, o->end.G);
-    touch_rates(o, o->u, &o->end, x->v);
     directions(o);
     zero(o->l, o->rows);
     TRY(add_rates(o, o->l, x, d, 1, why));

@@ -131,52 +131,43 @@ static enum status iterate(struct touch *o, struct instant *at, const struct sta
 static enum status book(struct touch *o, struct instant *at, double h, struct trouble *why)
 {
     struct stepper *s = o->stepper;
-    double w[POWER_CHANNELS], rub = 0, driven = 0;
+    double w[POWER_CHANNELS], rub = 0;
     TRY(o->ode->ops->resid(o->ode, o->r, w, NULL, at, ALL, why));
     s->effort.slow++;
     s->effort.fast++;
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += h * w[c];
     touch_rates(o, o->u, &o->middle, o->vm);
-    for (int i = 0; i < o->rows; i++) driven -= o->l[i] * o->middle.b[i];
     for (int k = 0; k < o->n; k++)
         for (int j = 1; j <= o->cone[k].across; j++) rub += o->l[o->cone[k].row + j] * o->u[o->cone[k].row + j];
     s->work[POWER_FRICTION] += rub;
-    s->work[POWER_DRIVE] += driven;
+    s->work[POWER_DRIVE] -= dot(o->l, o->middle.b, o->rows);
     return OK;
 }
 
 /* Takes what is left of the rates along rows that push and stick. */
-static enum status settle(struct touch *o, const struct instant *at, struct trouble *why)
+static enum status settle(struct touch *o, double t1, struct trouble *why)
 {
-    double most = 0, taken = 0, driven = 0;
-    int kept = 0;
+    const struct state there = {t1, o->q1, o->v1, o->a};
+    double most = 0;
     touch_spread(o, o->p);
     for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0;
     touch_choose(o, o->p);
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, at->tb, why));
-    touch_rates(o, o->u, &o->end, o->v1);
+    TRY(touch_look(o, o->u, &o->end, &there, why));
     for (int k = 0; k < o->n; k++) {
         struct cone *c = &o->cone[k];
         c->held = true;
         if (!touch_sticks(o, o->u, c)) c->across = 0;
         most = larger(most, fabs(o->u[c->row]));
-        kept++;
     }
-    if (kept == 0 || most <= (o->took > 0 ? STILL : 0) * o->top) return OK; /* right behind an impact, to 0 */
-    const struct instant there = {.t = at->tb, .q = o->q1, .v = o->v1, .ta = at->tb, .tb = at->tb};
-    TRY(matrix_factor(&o->M, 0, 0, &there, why));
-    touch_compliance(o, &o->M, o->end.G, o->end.G);
+    if (o->n == 0 || most <= (o->took > 0 ? STILL : 0) * o->top) return OK; /* right behind an impact, to 0 */
+    TRY(touch_mass(o, &there, why));
     zero(o->l, o->rows);
     if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top))
-        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, at->tb);
+        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, t1);
     touch_kick(o, o->v1, o->l);
     touch_rates(o, o->u1, &o->end, o->v1);
-    for (int i = 0; i < o->rows; i++) {
-        taken -= .5 * o->l[i] * (o->u[i] + o->u1[i]);
-        driven -= o->l[i] * o->end.b[i];
-    }
-    o->stepper->struck += taken;
-    o->stepper->work[POWER_DRIVE] += driven;
+    o->stepper->struck += touch_taken(o);
+    o->stepper->work[POWER_DRIVE] -= dot(o->l, o->end.b, o->rows);
     return OK;
 }
 
@@ -197,7 +188,7 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
     TRY(iterate(o, &at, x, h, t1, why));
     TRY(book(o, &at, h, why));
     at = place(o, x, h, t1);
-    TRY(settle(o, &at, why));
+    TRY(settle(o, t1, why));
     copy(x->q, o->q1, ode->nq);
     copy(x->v, o->v1, ode->n);
     copy(x->a, o->a, ode->n);

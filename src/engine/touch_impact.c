@@ -35,13 +35,11 @@ static bool strike(struct touch *o, double *loss, double e)
     }
     zero(o->l, o->rows);
     if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top)) return false;
-    *loss = 0;
     for (int i = 0; i < o->rows; i++) {
-        double u1 = o->u[i];
-        for (int j = 0; j < o->rows; j++) u1 += o->W[i + j * o->rows] * o->l[j];
-        o->u1[i] = u1;
-        *loss -= .5 * o->l[i] * (o->u[i] + u1);
+        o->u1[i] = o->u[i];
+        for (int j = 0; j < o->rows; j++) o->u1[i] += o->W[i + j * o->rows] * o->l[j];
     }
+    *loss = touch_taken(o);
     return true;
 }
 
@@ -69,15 +67,12 @@ static void note_all(struct touch *o, const struct state *x, double loss)
 enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why)
 {
     struct stepper *s = o->stepper;
-    const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .ta = x->t, .tb = x->t};
-    double loss = 0, driven = 0, e = 1;
+    double loss = 0, e = 1;
     for (int i = 0; i < o->c->m; i++) o->on[i] |= o->closed[i];
     touch_choose(o, o->p);
-    TRY(o->c->rows(o->c, o->end.G, o->end.b, o->on, x->q, x->t, why));
-    TRY(matrix_factor(&o->M, 0, 0, &at, why));
+    TRY(touch_look(o, o->u, &o->end, x, why));
+    TRY(touch_mass(o, x, why));
     TRY(accel_solve(s->accel, o->a, NULL, x->q, x->v, x->t, why));
-    touch_compliance(o, &o->M, o->end.G, o->end.G);
-    touch_rates(o, o->u, &o->end, x->v);
     double most = 0;
     for (int k = 0; k < o->n; k++) most = larger(most, -o->u[o->cone[k].row]);
     o->hardest = larger(o->hardest, most);
@@ -96,9 +91,8 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
         if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - TOUCH_AT_REST * o->top))
             return trouble_set(why, TROUBLE_CONTACT, o->contact[k], INFINITY, x->t);
     touch_kick(o, x->v, o->l);
-    for (int i = 0; i < o->rows; i++) driven -= o->l[i] * o->end.b[i];
     s->struck += loss;
-    s->work[POWER_DRIVE] += driven;
+    s->work[POWER_DRIVE] -= dot(o->l, o->end.b, o->rows);
     note_all(o, x, loss);
     o->took = 0;
     return stepper_start(s, x, why);

@@ -86,6 +86,10 @@ bool touch_sticks(const struct touch *o, const double *u, const struct cone *c);
 void touch_grow(struct touch *o, const double *v);
 /* X := F^-1 G', W := G1 X */
 void touch_compliance(struct touch *o, const struct matrix *F, const double *G, const double *G1);
+/* The same with M at x and the rows `end`. */
+enum status touch_mass(struct touch *o, const struct state *x, struct trouble *why);
+/* By impulses l that bring rates u to u1 [J]. */
+double touch_taken(const struct touch *o);
 /* v += X p */
 void touch_kick(const struct touch *o, double *v, const double *p);
 
