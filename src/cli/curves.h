@@ -3,6 +3,7 @@
 #define FMDSUB_CLI_CURVES_H
 
 #include "cli/cli.h"
+#include "out/columns.h"
 
 struct curves {
     const char *file; /* as it was named */
@@ -10,6 +11,12 @@ struct curves {
     struct column *column; /* [n] the first is what the others are drawn over; unit NULL: not known */
     double *x;             /* [rows x n] by row */
 };
+
+/* The column that is called so; -1: none. */
+static inline int curves_find(const struct curves *o, const char *name)
+{
+    return columns_find(o->column, o->n, name);
+}
 
 /* Of each of the request's words: decks are run, files of records
  * (recorded.h) read, each in a process of its own that is confined

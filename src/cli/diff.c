@@ -123,13 +123,6 @@ static enum status match_times(struct diff *o, struct arena *life, struct report
 
 /* ---- columns ---- */
 
-static int find(const struct curves *o, const char *name)
-{
-    for (int i = 0; i < o->n; i++)
-        if (strcmp(o->column[i].name, name) == 0) return i;
-    return -1;
-}
-
 static bool is_asked(const struct diff *o, const char *name)
 {
     for (int i = 0; i < o->npattern; i++)
@@ -179,7 +172,7 @@ static void put_lone(struct diff *o, const struct column *c, const char *verdict
 static void compare_all(struct diff *o, struct table *table)
 {
     for (int i = 1; i < o->a->n; i++) {
-        const int j = find(o->b, o->a->column[i].name);
+        const int j = curves_find(o->b, o->a->column[i].name);
         if (!is_asked(o, o->a->column[i].name)) continue;
         if (j >= 0)
             compare(o, i, j, table);
@@ -187,7 +180,7 @@ static void compare_all(struct diff *o, struct table *table)
             put_lone(o, &o->a->column[i], "only in a", table);
     }
     for (int j = 1; j < o->b->n && !o->npattern; j++)
-        if (find(o->a, o->b->column[j].name) < 0) put_lone(o, &o->b->column[j], "only in b", table);
+        if (curves_find(o->a, o->b->column[j].name) < 0) put_lone(o, &o->b->column[j], "only in b", table);
 }
 
 /* Every pattern is to find something. */
@@ -196,7 +189,8 @@ static enum status check_patterns(const struct diff *o, struct report *report)
     for (int p = 0; p < o->npattern; p++) {
         bool found = false;
         for (int i = 0; i < o->a->n; i++)
-            found = found || (text_match(o->pattern[p], o->a->column[i].name) && find(o->b, o->a->column[i].name) >= 0);
+            found = found ||
+                    (text_match(o->pattern[p], o->a->column[i].name) && curves_find(o->b, o->a->column[i].name) >= 0);
         if (!found) return fail(report, E_USAGE, "--columns: no column that both have fits '%.80s'", o->pattern[p]);
     }
     return OK;

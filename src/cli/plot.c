@@ -41,17 +41,10 @@ struct plot {
     struct panel panel[MOST_PANELS];
 };
 
-static int find_column(const struct curves *o, const char *name)
-{
-    for (int i = 0; i < o->n; i++)
-        if (strcmp(o->column[i].name, name) == 0) return i;
-    return -1;
-}
-
 static const char *unit_of(const struct plot *o, const char *name)
 {
     for (int f = 0; f < o->nfile; f++) {
-        const int c = find_column(&o->file[f], name);
+        const int c = curves_find(&o->file[f], name);
         if (c >= 0 && o->file[f].column[c].unit) return o->file[f].column[c].unit;
     }
     return NULL;
@@ -84,7 +77,7 @@ static bool has_points(const struct curves *o, int c)
 static bool can_draw(const struct plot *o, const char *name)
 {
     for (int f = 0; f < o->nfile; f++)
-        if (has_points(&o->file[f], find_column(&o->file[f], name))) return true;
+        if (has_points(&o->file[f], curves_find(&o->file[f], name))) return true;
     if (o->quiet) return false;
     fputs("fmdsub: no number in column '", stderr);
     text_put(stderr, name);
@@ -220,7 +213,7 @@ static void put_panel(FILE *to, const struct plot *o, const struct panel *p)
     fputs("plot ", to);
     for (int i = 0; i < p->n; i++)
         for (int f = 0; f < o->nfile; f++) {
-            const int c = find_column(&o->file[f], p->name[i]);
+            const int c = curves_find(&o->file[f], p->name[i]);
             if (!has_points(&o->file[f], c)) continue;
             fprintf(to, "%s$file%d using 1:%d with lines lw 1.6 dt %d lc rgb '%s' title ", n++ ? ", \\\n  " : "", f,
                     c + 1, p->n == 1 ? 1 + f / 8 : 1 + (f + i / 8) % 5, script_color(p->n == 1 ? f : i));

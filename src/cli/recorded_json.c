@@ -34,13 +34,6 @@ static const char *put_value(double *x, const cJSON *item)
     return cJSON_IsNumber(item) || cJSON_IsNull(item) ? "" : "a value that is no number";
 }
 
-static int find_name(const struct curves *o, const char *name)
-{
-    for (int i = 0; i < o->n; i++)
-        if (strcmp(o->column[i].name, name) == 0) return i;
-    return -1;
-}
-
 /* {"type":"row","t":0,"hub.angle":0.5}, as a rule in the order of the columns */
 static const char *read_row(struct curves *o, const cJSON *row, struct arena *life)
 {
@@ -52,7 +45,7 @@ static const char *read_row(struct curves *o, const cJSON *row, struct arena *li
     {
         if (strcmp(item->string, "type") == 0) continue;
         const int i =
-            next < o->n && strcmp(o->column[next].name, item->string) == 0 ? next : find_name(o, item->string);
+            next < o->n && strcmp(o->column[next].name, item->string) == 0 ? next : curves_find(o, item->string);
         if (i < 0) return "a row with a value that the line of type meta does not name";
         const char *wrong = put_value(&x[i], item);
         if (*wrong) return wrong;

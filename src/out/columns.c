@@ -7,6 +7,13 @@
 
 #include "base/text.h"
 
+int columns_find(const struct column *all, int n, const char *name)
+{
+    for (int i = 0; i < n; i++)
+        if (strcmp(all[i].name, name) == 0) return i;
+    return -1;
+}
+
 static void choose(struct selection *to, bool *taken, int i)
 {
     if (!taken[i]) to->index[to->n++] = i;

@@ -11,6 +11,9 @@ struct column {
     const char *brief; /* one line for the manual */
 };
 
+/* The one of all[0..n) that is called so; -1: none. */
+int columns_find(const struct column *all, int n, const char *name);
+
 struct selection {
     int n;
     int *index; /* [n] into the columns, t first */

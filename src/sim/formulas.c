@@ -28,13 +28,6 @@ struct naming {
     struct arena *life;
 };
 
-static int find(const struct catalogue *c, const char *name)
-{
-    for (int i = 0; i < c->n; i++)
-        if (strcmp(c->column[i].name, name) == 0) return i;
-    return -1;
-}
-
 /* The deck's own column of this name: one that is wrong, or comes later; NULL: none. */
 static const struct output_column *own_column(const struct output *out, const char *name)
 {
@@ -65,7 +58,7 @@ static int find_slot(void *self, int *slot, double *value, const char *name, str
 {
     struct naming *o = self;
     struct formula *f = o->formula;
-    const int column = find(o->catalogue, name);
+    const int column = columns_find(o->catalogue->column, o->catalogue->n, name);
     *slot = -1;
     *value = 0;
     if (column < 0) return unknown(o, name, error);
@@ -85,7 +78,7 @@ static enum status add_formula(struct sim *sim, const struct output_column *colu
     struct formula *f = &sim->formula[sim->nformula];
     struct naming naming = {&sim->scene->output, c, f, life};
     struct expr *expr;
-    if (find(c, column->name) >= 0) {
+    if (columns_find(c->column, c->n, column->name) >= 0) {
         diag_error(diags, column->node, AT_KEY, "E-duplicate-name", "'%.60s' is a column already", column->name);
         return E_DECK;
     }

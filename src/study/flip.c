@@ -67,13 +67,6 @@ enum status flip_run(struct flip *o, const struct scene *scene, double until, st
     return OK;
 }
 
-static int find(const struct flip *o, const char *name)
-{
-    for (int i = 0; i < o->n; i++)
-        if (strcmp(o->columns[i].name, name) == 0) return i;
-    return -1;
-}
-
 static double share(const struct flip *a, int i, const struct flip *b, int k)
 {
     double most = 0, change = 0;
@@ -90,7 +83,7 @@ double flip_change(const char **column, const struct flip *a, const struct flip 
     double worst = 0;
     *column = NULL;
     for (int i = 1; i < a->n; i++) {
-        const int k = find(b, a->columns[i].name);
+        const int k = columns_find(b->columns, b->n, a->columns[i].name);
         if (!a->compared[i] || k < 0) continue;
         const double x = share(a, i, b, k);
         if (*column && !(x > worst)) continue;

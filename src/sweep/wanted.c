@@ -89,9 +89,8 @@ const char *wanted_setting(const struct wanted *o, struct arena *life)
 enum status wanted_find(struct wanted *o, const struct column *columns, int n, struct report *report)
 {
     for (int i = 0; i < o->n; i++) {
-        int c = 0;
-        while (c < n && strcmp(columns[c].name, o->want[i].column) != 0) c++;
-        if (c == n) return fail(report, E_USAGE, "--of '%.80s': no such column", o->want[i].text);
+        const int c = columns_find(columns, n, o->want[i].column);
+        if (c < 0) return fail(report, E_USAGE, "--of '%.80s': no such column", o->want[i].text);
         o->want[i].index = c;
     }
     return OK;
