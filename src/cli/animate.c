@@ -29,12 +29,6 @@ struct shooting {
     struct sim *sim;
 };
 
-static enum status no_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
-{
-    (void)sink, (void)meta, (void)report;
-    return OK;
-}
-
 static enum status add_row(struct sink *sink, const double *x, struct report *report)
 {
     struct shooting *o = sink->self;
@@ -53,7 +47,7 @@ static enum status write_film(const struct film *film, const struct request *req
 
 enum status verb_animate(const struct request *request, struct arena *life, struct report *report)
 {
-    static const struct sink_ops ops = {.meta = no_meta, .row = add_row};
+    static const struct sink_ops ops = {.row = add_row};
     const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
     const struct target file = {"--output", request->output, true};
     struct scene *scene;

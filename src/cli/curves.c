@@ -14,20 +14,24 @@ enum { LEAST_ROWS = 500 };
 
 /* ---- in a process of its own: a deck ---- */
 
+struct keeper {
+    struct curves *to;
+    struct arena *life;
+};
+
 static enum status keep_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
 {
+    struct keeper *k = sink->self;
     (void)report;
-    ((struct curves *)((void **)sink->self)[0])->n = meta->n;
+    k->to->n = meta->n;
     return OK;
 }
 
 static enum status keep_row(struct sink *sink, const double *x, struct report *report)
 {
-    struct curves *o = ((void **)sink->self)[0];
-    struct arena *life = ((void **)sink->self)[1];
+    struct keeper *k = sink->self;
     (void)report;
-    o->x = arena_more(life, o->x, o->rows, &o->capacity, (size_t)o->n * sizeof *o->x);
-    memcpy(o->x + (size_t)o->rows++ * (size_t)o->n, x, (size_t)o->n * sizeof *x);
+    memcpy(recorded_row(k->to, k->life), x, (size_t)k->to->n * sizeof *x);
     return OK;
 }
 
@@ -63,8 +67,8 @@ static enum status run_deck(struct curves *o, const struct request *request, boo
     struct scene *scene;
     struct diags *diags = NULL;
     struct sim sim = {0};
-    void *to[] = {o, life};
-    struct sink sink = {&ops, to};
+    struct keeper keeper = {o, life};
+    struct sink sink = {&ops, &keeper};
     const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK && fine) curves_refine(scene, request);

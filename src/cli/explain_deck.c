@@ -177,11 +177,11 @@ static void flip(struct told *o, enum effect_id id, const struct flip *run, cons
         return;
     }
     o->flipped = true;
-    const double from = scene->start, was = run->seconds / (run->until - from);
-    o->cost = turned.seconds / (turned.until - from) / was - 1;
+    const double from = scene->start, was = run->kept.seconds / (run->until - from);
+    o->cost = turned.kept.seconds / (turned.until - from) / was - 1;
     o->change = flip_change(&o->column, run, &turned);
-    if (turned.status == E_VERDICT && run->status == OK) o->why = "then the run is told wrong";
-    if (turned.status != OK && turned.status != E_VERDICT) o->why = "then the run stops";
+    if (turned.kept.status == E_VERDICT && run->kept.status == OK) o->why = "then the run is told wrong";
+    if (turned.kept.status != OK && turned.kept.status != E_VERDICT) o->why = "then the run stops";
     if (o->cost == 0 && o->change == 0) o->why = "no difference: there is none of it, or bodies' own keys decide";
 }
 
@@ -209,7 +209,7 @@ static void print_words(const struct told *told, const struct flip *run)
 {
     const struct sim *sim = &run->sim;
     printf("%s: %s, %.3g us a step by counts, runs to t = %.4g s\n", sim->scene->deck->name, sim_space(sim),
-           1e6 * run->seconds / fmax(1, run->steps), run->until);
+           1e6 * run->kept.seconds / fmax(1, (double)run->kept.effort.majors), run->until);
     for (int i = 0; i < EFFECTS; i++) print_row(&told[i], (enum effect_id)i);
 }
 
@@ -235,7 +235,7 @@ static enum status print_json(const struct told *told, const struct flip *run, s
     cJSON *o = cJSON_CreateObject();
     facts_add(o, "deck", facts_text(run->sim.scene->deck->name, life));
     cJSON_AddStringToObject(o, "motion", sim_space(&run->sim));
-    facts_add(o, "seconds_per_step", facts_number(run->seconds / fmax(1, run->steps)));
+    facts_add(o, "seconds_per_step", facts_number(run->kept.seconds / fmax(1, (double)run->kept.effort.majors)));
     facts_add(o, "until", facts_number(run->until));
     cJSON *list = cJSON_AddArrayToObject(o, "effects");
     for (int i = 0; i < EFFECTS; i++) cJSON_AddItemToArray(list, row(&told[i], (enum effect_id)i, life));
@@ -250,7 +250,7 @@ static enum status print_json(const struct told *told, const struct flip *run, s
 /* When a second's worth of the run ends, by its first part. */
 static double cut_at(const struct flip *part, double from)
 {
-    const double rate = part->seconds / fmax(part->until - from, 1e-300);
+    const double rate = part->kept.seconds / fmax(part->until - from, 1e-300);
     return from + SECOND / fmax(rate, 1e-300);
 }
 
@@ -272,7 +272,8 @@ enum status explain_deck(const struct request *request, struct arena *life, stru
         if (status == OK) status = flip_run(&run, scene, cut_at(&run, scene->start), diags_open(life), life, report);
     }
     TRY(cli_told(diags, request, status));
-    if (run.status != OK && run.status != E_VERDICT && run.rows == 0) return run.status;
+    if (run.kept.status != OK && run.kept.status != E_VERDICT && run.kept.rows == 0)
+        return fail(report, run.kept.status, "%s", run.kept.report.text);
     for (int i = 0; i < EFFECTS; i++) {
         tell(&told[i], (enum effect_id)i, &run);
         flip(&told[i], (enum effect_id)i, &run, request, life);

@@ -83,7 +83,7 @@ struct run_summary {
 
 struct sink;
 
-/* meta and row are required; who has nothing to do with the rest leaves it NULL.  Texts and arrays belong to the caller
+/* row is required; who has nothing to do with the rest leaves it NULL.  Texts and arrays belong to the caller
  * and are read before the call returns.  A failure stays: whatever is reported after it returns it again. */
 struct sink_ops {
     enum status (*meta)(struct sink *sink, const struct run_meta *meta, struct report *report);
@@ -101,6 +101,11 @@ struct sink {
 };
 
 /* A sink that is NULL, or has no such slot, takes nothing. */
+static inline enum status sink_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
+{
+    return sink && sink->ops->meta ? sink->ops->meta(sink, meta, report) : OK;
+}
+
 static inline enum status sink_event(struct sink *sink, double t, const char *kind, const char *text,
                                      struct report *report)
 {

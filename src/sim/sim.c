@@ -205,7 +205,7 @@ static enum status write_meta(const struct sim *sim, struct sink *sink, struct r
     };
     snprintf(hash, sizeof hash, "%016llx", (unsigned long long)sim->scene->deck->hash);
     meta.nsettings = sim_settings(sim, settings, 24);
-    return sink ? sink->ops->meta(sink, &meta, report) : OK;
+    return sink_meta(sink, &meta, report);
 }
 
 /* Of a run that goes on it has been written: the sink hears of it all the same. */

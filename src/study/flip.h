@@ -2,19 +2,14 @@
 #ifndef FMDSUB_STUDY_FLIP_H
 #define FMDSUB_STUDY_FLIP_H
 
-#include "sim/sim.h"
+#include "study/outcome.h"
 
 struct flip {
-    int n, rows, capacity;
-    double *x;              /* [rows x n] records */
-    struct column *columns; /* [n] */
-    bool *compared;         /* [n] of the motion */
-    double seconds;         /* that its counts stand for, see price.h */
-    double steps;           /* major ones */
-    double until;           /* when it ended [s] */
-    double spin;            /* fastest turn of a flexible body's frame at a record [rad/s] */
+    struct outcome kept; /* but for its work, CPU time and share of energy; seconds: with those of the books */
+    struct outcome_column *column; /* [kept.n] */
+    double until;                  /* when it ended [s] */
+    double spin;                   /* fastest turn of a flexible body's frame at a record [rad/s] */
     struct sim sim;
-    enum status status; /* OK, E_VERDICT, or why it has stopped */
 };
 
 /* Of scene as its plan says, to `until` (0: its end).  Fails where it does not open. */

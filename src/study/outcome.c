@@ -126,6 +126,15 @@ static const double *keep_rest(const struct sim *sim, struct arena *life)
     return q;
 }
 
+struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life)
+{
+    struct outcome_column *column = TAKE(life, struct outcome_column, sim->chosen.n);
+    for (int i = 0; i < sim->chosen.n; i++)
+        column[i] = (struct outcome_column){sim->columns[i].name, sim->columns[i].unit, sim_column_rate(sim, i),
+                                            sim_column_compared(sim, i)};
+    return column;
+}
+
 enum status subject_open(struct subject *o, const struct scene *scene, const char *version, const double *rest,
                          struct diags *diags, struct arena *life, struct report *report)
 {
@@ -143,10 +152,7 @@ enum status subject_open(struct subject *o, const struct scene *scene, const cha
     if (scene->at_rest) o->rest = keep_rest(&sim, life);
     o->ns = sim.stepper.ode->ns;
     o->ncolumn = sim.chosen.n;
-    o->column = TAKE(life, struct outcome_column, o->ncolumn);
-    for (int i = 0; i < o->ncolumn; i++)
-        o->column[i] = (struct outcome_column){sim.columns[i].name, sim.columns[i].unit, sim_column_rate(&sim, i),
-                                               sim_column_compared(&sim, i)};
+    o->column = outcome_columns(&sim, life);
     price_find(&o->price, &sim);
     return OK;
 }

@@ -40,6 +40,9 @@ struct outcome {
 enum status subject_open(struct subject *o, const struct scene *scene, const char *version, const double *rest,
                          struct diags *diags, struct arena *life, struct report *report);
 
+/* [sim->chosen.n] of a run that is open. */
+struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life);
+
 /* A way of running the deck: one scheme by a tolerance, or by a step and a ratio; NAN: not by that. */
 struct setting {
     const struct stepper_kind *kind;

@@ -8,7 +8,7 @@ static enum status take_meta(struct sink *sink, const struct run_meta *meta, str
 {
     struct verify *o = sink->self;
     o->first.n = meta->n;
-    return o->to->ops->meta(o->to, meta, report);
+    return sink_meta(o->to, meta, report);
 }
 
 static enum status take_row(struct sink *sink, const double *x, struct report *report)
@@ -30,12 +30,6 @@ static enum status take_tick(struct sink *sink, double now, struct report *repor
     return sink_tick(o->to, now, report);
 }
 
-static enum status pass_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
-{
-    (void)sink, (void)meta, (void)report;
-    return OK;
-}
-
 static enum status take_second_row(struct sink *sink, const double *x, struct report *report)
 {
     struct verify *o = sink->self;
@@ -44,7 +38,7 @@ static enum status take_second_row(struct sink *sink, const double *x, struct re
     return OK;
 }
 
-static const struct sink_ops second_ops = {.meta = pass_meta, .row = take_second_row};
+static const struct sink_ops second_ops = {.row = take_second_row};
 
 /* ---- the second run -------------------------------------------------------------------------------------------- */
 
@@ -65,17 +59,6 @@ static struct integrate plan_finer(struct scene *scene, struct step_options *how
     return plan;
 }
 
-static void name_columns(struct verify *o)
-{
-    const struct sim *sim = o->sim;
-    struct subject *s = &o->subject;
-    *s = (struct subject){.until = sim->x.t, .ncolumn = sim->chosen.n};
-    s->column = TAKE(o->life, struct outcome_column, s->ncolumn);
-    for (int i = 0; i < s->ncolumn; i++)
-        s->column[i] = (struct outcome_column){sim->columns[i].name, sim->columns[i].unit, sim_column_rate(sim, i),
-                                               sim_column_compared(sim, i)};
-}
-
 /* Largest differences in the columns' units. */
 static void differ(struct verify *o)
 {
@@ -91,7 +74,8 @@ static void differ(struct verify *o)
 static void compare(struct verify *o)
 {
     struct reference *r = &o->second;
-    name_columns(o);
+    o->subject =
+        (struct subject){.until = o->sim->x.t, .ncolumn = o->sim->chosen.n, .column = outcome_columns(o->sim, o->life)};
     differ(o);
     reference_between(r, &o->first, INFINITY, INFINITY, &o->subject, o->life);
     o->worst = -1;

@@ -29,12 +29,6 @@ struct runner {
     struct tally *tally; /* [n of the wanted] */
 };
 
-static enum status no_meta(struct sink *sink, const struct run_meta *meta, struct report *report)
-{
-    (void)sink, (void)meta, (void)report;
-    return OK;
-}
-
 static enum status add_row(struct sink *sink, const double *x, struct report *report)
 {
     struct runner *o = sink->self;
@@ -46,7 +40,7 @@ static enum status add_row(struct sink *sink, const double *x, struct report *re
 static enum status run_point(struct sweep *o, long point, struct tally *tally, struct arena *life,
                              struct report *report)
 {
-    static const struct sink_ops ops = {.meta = no_meta, .row = add_row};
+    static const struct sink_ops ops = {.row = add_row};
     const struct sim_options options = {.version = o->version};
     const int n = o->options.nset + o->points.nfactor;
     const char **set = TAKE(life, const char *, n), **option = TAKE(life, const char *, n);
