@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/ioctl.h>
@@ -107,11 +108,10 @@ static enum status write_picture(const char *bytes, size_t n, const char *path, 
     return stream_finish(&stream, stream_bytes(&stream, bytes, n, report), report);
 }
 
-enum status gnuplot_draw(struct gnuplot *o, const char *script, size_t n, const char *path, struct arena *life,
-                         struct report *report)
+static enum status draw(struct gnuplot *o, const struct gnuplot_script *s, struct arena *life, struct report *report)
 {
     size_t size, said;
-    const enum status told = write_script(o, script, n);
+    const enum status told = write_script(o, s->text, s->n);
     const bool well = ends_well(o);
     const char *words = read_all(&said, o->words, life), *picture = read_all(&size, o->picture, life);
     enum status status = OK;
@@ -120,7 +120,7 @@ enum status gnuplot_draw(struct gnuplot *o, const char *script, size_t n, const 
             fail(report, E_FILE, "gnuplot has drawn nothing: %.300s",
                  said ? words + strspn(words, " \n\t^") : "it is too old, or was built without this form of picture");
     else
-        status = write_picture(picture, size, path, life, report);
+        status = write_picture(picture, size, s->path, life, report);
     gnuplot_close(o);
     return status;
 }
@@ -134,7 +134,7 @@ const char *gnuplot_ending(const char *path)
     return NULL;
 }
 
-void gnuplot_put_terminal(FILE *to, const char *path, int width, int height, int lines)
+static void put_terminal(FILE *to, const char *path, int width, int height, int lines)
 {
     const char *ending = path ? gnuplot_ending(path) : NULL;
     struct winsize window = {0};
@@ -150,11 +150,29 @@ void gnuplot_put_terminal(FILE *to, const char *path, int width, int height, int
     }
 }
 
-void gnuplot_put_output(FILE *to, const char *path)
+enum status gnuplot_begin(struct gnuplot_script *s, const char *path, bool shown, int width, int height, int lines,
+                          struct report *report)
 {
-    fputs("set output ", to);
-    script_put_text(to, path);
-    fputc('\n', to);
+    *s = (struct gnuplot_script){.path = path, .shown = shown};
+    s->to = open_memstream(&s->text, &s->n);
+    if (!s->to) return fail(report, E_LIMIT, "no memory for the picture");
+    put_terminal(s->to, path, width, height, lines);
+    if (!shown || !path) return OK;
+    fputs("set output ", s->to);
+    script_put_text(s->to, path);
+    fputc('\n', s->to);
+    return OK;
+}
+
+enum status gnuplot_end(struct gnuplot *o, struct gnuplot_script *s, struct arena *life, struct report *report)
+{
+    enum status status = fclose(s->to) == 0 ? OK : fail(report, E_LIMIT, "no memory for the picture");
+    if (status == OK && s->shown)
+        fwrite(s->text, 1, s->n, stdout);
+    else if (status == OK)
+        status = draw(o, s, life, report);
+    free(s->text);
+    return status;
 }
 
 enum status gnuplot_check(const char *plot, bool script, struct report *report)

@@ -21,9 +21,21 @@ struct gnuplot {
 
 /* E_FILE: it is not installed, and which package has it. */
 enum status gnuplot_open(struct gnuplot *o, struct report *report);
-/* The picture of a script to a file, or without one to standard output. */
-enum status gnuplot_draw(struct gnuplot *o, const char *script, size_t n, const char *path, struct arena *life,
-                         struct report *report);
+
+/* What it is to draw: written to `to`, a file in memory. */
+struct gnuplot_script {
+    FILE *to;
+    char *text;
+    size_t n;
+    const char *path; /* of the picture; NULL: standard output */
+    bool shown;       /* printed, for a person to run, in place of being drawn */
+};
+
+/* With `set terminal` for that path, width and height in pixels; without one for a terminal of so many lines. */
+enum status gnuplot_begin(struct gnuplot_script *s, const char *path, bool shown, int width, int height, int lines,
+                          struct report *report);
+/* Draws it, or prints it. */
+enum status gnuplot_end(struct gnuplot *o, struct gnuplot_script *s, struct arena *life, struct report *report);
 /* One that is not needed any more. */
 void gnuplot_close(struct gnuplot *o);
 
@@ -32,9 +44,5 @@ enum status gnuplot_check(const char *plot, bool script, struct report *report);
 
 /* What a picture's file is by its ending: "svg", "png", "pdf"; NULL: something else. */
 const char *gnuplot_ending(const char *path);
-/* `set terminal` for that, width and height in pixels; path NULL: so many lines for a terminal. */
-void gnuplot_put_terminal(FILE *to, const char *path, int width, int height, int lines);
-/* `set output` for a script that a person runs. */
-void gnuplot_put_output(FILE *to, const char *path);
 
 #endif

@@ -247,12 +247,6 @@ static int picture_width(const struct plot *o)
     return LEFT + MIDDLE + key_width(o);
 }
 
-static void put_terminal(FILE *to, const struct plot *o, const struct request *request)
-{
-    gnuplot_put_terminal(to, request->output, picture_width(o), PANEL * o->npanel + 60, LINES * o->npanel);
-    if (request->script && request->output) gnuplot_put_output(to, request->output);
-}
-
 /* One for all panels: each would have its own where files and columns end at different times. */
 static void put_range(FILE *to, const struct plot *o)
 {
@@ -303,19 +297,11 @@ static void put_script(FILE *to, const struct plot *o, const char *path)
 static enum status draw(const struct plot *o, struct gnuplot *gnuplot, const struct request *request,
                         struct arena *life, struct report *report)
 {
-    char *script = NULL;
-    size_t n = 0;
-    FILE *to = open_memstream(&script, &n);
-    if (!to) return fail(report, E_LIMIT, "no memory for the picture");
-    put_terminal(to, o, request);
-    put_script(to, o, request->output);
-    enum status status = fclose(to) == 0 ? OK : fail(report, E_LIMIT, "no memory for the picture");
-    if (status == OK && request->script)
-        fwrite(script, 1, n, stdout);
-    else if (status == OK)
-        status = gnuplot_draw(gnuplot, script, n, request->output, life, report);
-    free(script);
-    return status;
+    struct gnuplot_script script;
+    TRY(gnuplot_begin(&script, request->output, request->script, picture_width(o), PANEL * o->npanel + 60,
+                      LINES * o->npanel, report));
+    put_script(script.to, o, request->output);
+    return gnuplot_end(gnuplot, &script, life, report);
 }
 
 static enum status check(const struct request *request, struct arena *life, struct report *report)

@@ -2,7 +2,6 @@
 #include "study/stability.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -70,20 +69,10 @@ static enum status print_rows(const struct stability *o, struct sim *sim, const 
 static enum status draw(const struct stability *o, struct gnuplot *gnuplot, const struct request *request,
                         struct arena *life, struct report *report)
 {
-    const struct scene *scene = o->sim->scene;
-    char *script = NULL;
-    size_t n = 0;
-    FILE *to = request->script ? stdout : open_memstream(&script, &n);
-    if (!to) return fail(report, E_LIMIT, "no memory for the picture");
-    gnuplot_put_terminal(to, request->plot, STABILITY_WIDTH, STABILITY_HEIGHT, 0);
-    if (request->script) gnuplot_put_output(to, request->plot);
-    stability_script(o, *scene->title ? scene->title : scene->deck->name, to);
-    if (request->script) return OK;
-    const bool whole = fclose(to) == 0;
-    const enum status status = whole ? gnuplot_draw(gnuplot, script, n, request->plot, life, report)
-                                     : fail(report, E_LIMIT, "no memory for the picture");
-    free(script);
-    return status;
+    struct gnuplot_script script;
+    TRY(gnuplot_begin(&script, request->plot, request->script, STABILITY_WIDTH, STABILITY_HEIGHT, 0, report));
+    stability_script(o, scene_title(o->sim->scene), script.to);
+    return gnuplot_end(gnuplot, &script, life, report);
 }
 
 static enum status work(const struct request *request, struct gnuplot *gnuplot, struct arena *life,

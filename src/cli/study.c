@@ -103,29 +103,14 @@ static enum status no_row(void *self, const struct study_row *row, struct report
     return OK;
 }
 
-/* The deck's title, or its name. */
-static const char *title_of(const struct scene *scene)
-{
-    return *scene->title ? scene->title : scene->deck->name;
-}
-
 /* The picture, or with --script what would draw it. */
 static enum status draw(const struct study *study, const struct scene *scene, struct gnuplot *gnuplot,
                         const struct request *request, struct arena *life, struct report *report)
 {
-    char *script = NULL;
-    size_t n = 0;
-    FILE *to = request->script ? stdout : open_memstream(&script, &n);
-    if (!to) return fail(report, E_LIMIT, "no memory for the picture");
-    gnuplot_put_terminal(to, request->plot, PICTURE_WIDTH, PICTURE_HEIGHT, 0);
-    if (request->script) gnuplot_put_output(to, request->plot);
-    picture_script(study, title_of(scene), to);
-    if (request->script) return OK;
-    const bool whole = fclose(to) == 0;
-    const enum status status = whole ? gnuplot_draw(gnuplot, script, n, request->plot, life, report)
-                                     : fail(report, E_LIMIT, "no memory for the picture");
-    free(script);
-    return status;
+    struct gnuplot_script script;
+    TRY(gnuplot_begin(&script, request->plot, request->script, PICTURE_WIDTH, PICTURE_HEIGHT, 0, report));
+    picture_script(study, scene_title(scene), script.to);
+    return gnuplot_end(gnuplot, &script, life, report);
 }
 
 /* Rows to stdout or a file as they are done; a file that is not whole keeps its other name. */

@@ -305,7 +305,7 @@ static void measure(struct film *o, const struct scene *s)
 void film_open(struct film *o, struct sim *sim, struct arena *life)
 {
     const struct scene *s = sim->scene;
-    *o = (struct film){.title = *s->title ? s->title : s->deck->name,
+    *o = (struct film){.title = scene_title(s),
                        .space = s->space,
                        .low = {INFINITY, INFINITY, INFINITY},
                        .high = {-INFINITY, -INFINITY, -INFINITY},

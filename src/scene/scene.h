@@ -249,6 +249,12 @@ struct scene {
 enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, struct diags *diags,
                        struct arena *life);
 
+/* What a picture is called: the deck's title, or its name. */
+static inline const char *scene_title(const struct scene *scene)
+{
+    return *scene->title ? scene->title : scene->deck->name;
+}
+
 /* Finds a joint's coordinate by the words after its name, "angle", "angle_rate": 1 for a position (k counts q), 2 for
  * a rate (k counts v), 3 for an acceleration, 0 for none. */
 int scene_coordinate(const struct scene_joint *joint, const char *word, int *k);
