@@ -334,7 +334,7 @@ static void put_frame(struct film *o, const struct sim *sim, struct actor *a, do
     if (last && to[3] * last[0] + to[4] * last[1] + to[5] * last[2] + to[6] * last[3] < 0)
         for (int k = 3; k < 7; k++) to[k] = -to[k];
     const struct model_body *body = &sim->model->body[a->body];
-    for (int j = 0; j < a->n; j++) to[7 + j] = sim->q[body->mode_q[j]];
+    for (int j = 0; j < a->n; j++) to[7 + j] = sim->x.q[body->mode_q[j]];
     if (a->type == ACTOR_SOLID && a->body) widen(o, p.r);
 }
 

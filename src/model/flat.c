@@ -14,9 +14,8 @@ struct flattening {
     struct arena *life;
     struct model_spatial *why;
     double P[9];    /* x, y and the normal by column, world */
-    double (*T)[9]; /* [nbody] body axes to those of the plane when drawn */
+    double (*T)[9]; /* [nbody] body axes to those of the plane when drawn; the ground's are the world's */
     double size;    /* of the mechanism, for what stands at one height [m] */
-    int *of, *to;   /* places in the full model; there: in the plane, -1: none */
 };
 
 static bool spatial(struct flattening *o, const char *name, const char *why)
@@ -99,12 +98,6 @@ static void lay(double *P, const double *normal)
 
 /* ---- places ---- */
 
-static void transpose(double *T, const double *A)
-{
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++) T[i + 3 * k] = A[k + 3 * i];
-}
-
 /* Without its part along the normal, which stands still. */
 static void press(double *x)
 {
@@ -153,11 +146,10 @@ static bool flatten_bodies(struct flattening *o)
     struct model_body *body = TAKE(o->life, struct model_body, m->nbody);
     memcpy(body, m->body, sizeof *body * (size_t)m->nbody);
     for (int i = 0; i < m->nbody; i++) {
-        double Pt[9], at[3], inertia[6];
+        double at[3], inertia[6];
         if (body[i].flex) return spatial(o, body[i].name, "is flexible");
-        transpose(Pt, o->P);
-        m3_mulm(o->T[i], Pt, body[i].R);
-        m3_mul(at, Pt, body[i].at);
+        m3_tmulm(o->T[i], o->P, body[i].R);
+        m3_tmul(at, o->P, body[i].at);
         v3_copy(body[i].at, at);
         press(body[i].at);
         m3_unit(body[i].R);
@@ -180,7 +172,6 @@ static void flatten_joints(struct flattening *o)
         place(j->b, o, j->child, j->b);
         turn_axes(j->Ea, o, j->parent);
         turn_axes(j->Eb, o, j->child);
-        for (int k = 0; k < j->nv; k++) j->iq[k] = o->to[j->iq[k]], j->iv[k] = o->to[j->iv[k]];
         j->own = NULL;
     }
     o->plane->joint = joint;
@@ -227,19 +218,16 @@ static bool flatten_loops(struct flattening *o)
 
 static bool flatten_measure(struct model_measure *s, const struct flattening *o)
 {
-    double axis[3] = {0, 0, 0}, Pt[9];
-    transpose(Pt, o->P);
+    double axis[3] = {0, 0, 0};
     switch (s->type) {
     case MEASURE_COORDINATE:
-        s->iq = o->to[s->iq];
-        s->iv = o->to[s->iv];
         return true;
     case MEASURE_DISTANCE:
         if (!level(o, &s->a, &s->b)) return false;
         break;
     case MEASURE_DISPLACEMENT:
     case MEASURE_ANGLE:
-        m3_mul(axis, s->in_world ? Pt : o->T[s->a.body], s->axis);
+        m3_mul(axis, o->T[s->in_world ? 0 : s->a.body], s->axis);
         v3_copy(s->axis, axis);
         if (s->type == MEASURE_ANGLE) v3_set(s->axis, 0, 0, axis[2] < 0 ? -1 : 1);
         if (s->type == MEASURE_DISPLACEMENT && fabs(axis[2]) > PARALLEL) return false;
@@ -273,13 +261,11 @@ static int component(const double *T, int k)
 
 static bool flatten_load(struct model_force *f, const struct flattening *o)
 {
-    double Pt[9];
     struct signal value[3];
     const int from = f->torque ? 2 : 0, to = f->torque ? 3 : 2;
-    transpose(Pt, o->P);
     memcpy(value, f->value, sizeof value);
     for (int k = from; k < to; k++) {
-        const int c = component(f->body_axes ? o->T[f->b.body] : Pt, k);
+        const int c = component(o->T[f->body_axes ? f->b.body : 0], k);
         if (c < 0) return false;
         f->value[k] = value[c];
     }
@@ -293,70 +279,12 @@ static bool flatten_forces(struct flattening *o)
     if (m->nforce) memcpy(force, m->force, sizeof *force * (size_t)m->nforce);
     for (int i = 0; i < m->nforce; i++) {
         struct model_force *f = &force[i];
-        struct model_slot *slot = TAKE(o->life, struct model_slot, f->nslot);
         if (f->type == FORCE_BETWEEN) return spatial(o, f->name, "acts in all directions");
         if (f->type == FORCE_LOAD && !flatten_load(f, o)) return spatial(o, f->name, "has components across the axes");
-        for (int k = 0; k < f->nslot; k++) {
-            slot[k] = f->slot[k];
-            if (slot[k].type == SLOT_Q || slot[k].type == SLOT_V) slot[k].index = o->to[slot[k].index];
-            if (slot[k].index < 0) return spatial(o, f->name, "reads a coordinate out of the plane");
-        }
-        f->slot = slot;
         move_point(&f->a, o);
         move_point(&f->b, o);
     }
     o->plane->force = force;
-    return true;
-}
-
-/* ---- coordinates ---- */
-
-#define GATHER(member, type)                                                                                           \
-    if (m->member) {                                                                                                   \
-        type *gathered = TAKE(o->life, type, p->n);                                                                    \
-        for (int k = 0; k < p->n; k++) gathered[k] = m->member[o->of[k]];                                              \
-        p->member = gathered;                                                                                          \
-    }
-
-static int count_below(const struct flattening *o, int limit)
-{
-    int n = 0;
-    while (n < o->plane->n && o->of[n] < limit) n++;
-    return n;
-}
-
-static void flatten_coordinates(struct flattening *o)
-{
-    const struct model *m = o->full;
-    struct model *p = o->plane;
-    struct model_coordinate *list = TAKE(o->life, struct model_coordinate, p->n);
-    p->nq = p->ncoordinate = p->n;
-    p->ns = count_below(o, m->ns);
-    p->near = count_below(o, m->near);
-    for (int k = 0; k < p->n; k++) {
-        list[k] = m->coordinate[o->of[k]];
-        list[k].iq = list[k].iv = k;
-    }
-    p->coordinate = list;
-    GATHER(urgent, bool)
-    GATHER(follow, double)
-    GATHER(follow_q, double)
-    GATHER(follow_v, double)
-    GATHER(q0, double)
-    GATHER(v0, double)
-    GATHER(given_q, bool)
-    GATHER(given_v, bool)
-}
-
-/* All of rigid bodies. */
-static bool choose_coordinates(struct flattening *o)
-{
-    const struct model *m = o->full;
-    o->of = TAKE(o->life, int, m->n);
-    o->to = TAKE(o->life, int, m->n);
-    if (m->nq != m->n) return spatial(o, "the deck", "has joints that turn freely");
-    for (int k = 0; k < m->n; k++) o->of[k] = o->to[k] = k;
-    o->plane->n = m->n;
     return true;
 }
 
@@ -381,21 +309,19 @@ static double still_energy(const struct flattening *o)
 
 static bool flatten(struct flattening *o)
 {
-    double g[3], Pt[9], normal[3];
+    double normal[3];
     if (o->full->space == 2 || o->full->n == 0) return spatial(o, "the deck", "is planar as it is");
     if (o->full->ncontact) return spatial(o, o->full->contact[0].name, "is a rigid contact");
     if (!find_normal(normal, o)) return false;
     lay(o->P, normal);
     *o->plane = *o->full;
     o->plane->space = 2;
-    transpose(Pt, o->P);
-    m3_mul(g, Pt, o->full->gravity);
-    v3_copy(o->plane->gravity, g);
+    m3_tmul(o->plane->gravity, o->P, o->full->gravity);
     press(o->plane->gravity);
-    if (!choose_coordinates(o) || !flatten_bodies(o)) return false;
+    if (o->full->nq != o->full->n) return spatial(o, "the deck", "has joints that turn freely");
+    if (!flatten_bodies(o)) return false;
     flatten_joints(o);
     if (!flatten_measures(o) || !flatten_loops(o) || !flatten_forces(o)) return false;
-    flatten_coordinates(o);
     o->plane->npoint = o->plane->nkept = 0;
     return true;
 }
@@ -410,7 +336,6 @@ const struct model_flat *model_flatten(const struct model *full, struct model_sp
                            .size = size_of(full)};
     if (!flatten(&o)) return NULL;
     struct model_flat *flat = TAKE(life, struct model_flat, 1);
-    *flat = (struct model_flat){.full = full, .plane = o.plane, .of = o.of, .level = still_energy(&o)};
-    v3_copy(flat->normal, o.P + 6);
+    *flat = (struct model_flat){.full = full, .plane = o.plane, .level = still_energy(&o)};
     return flat;
 }

@@ -2,11 +2,11 @@
  *
  * Kinematic evidence: every joint of the tree leaves its bodies in such planes (revolute along the normal, prismatic
  * across it, planar, fixed), whatever loads do, and what closes loops holds nothing but motion in them.  Forces along
- * measures act within one plane each; loads across and moments about axes in it do nothing, and are left out.  Flexible
- * bodies stay if they are symmetric about their plane and nothing bends them out of it: their odd coordinates are 0.
+ * measures act within one plane each; loads across and moments about axes in it do nothing, and are left out.  All bodies
+ * are rigid.
  *
  * Bodies, joints, loops, measures and forces keep their numbers; world and body axes are those of the plane when drawn,
- * x and y in it.  A coordinate of the plane is one of the spatial model, of the same value. */
+ * x and y in it.  Coordinates are those of the spatial model, of the same places and values. */
 #ifndef FMDSUB_MODEL_FLAT_H
 #define FMDSUB_MODEL_FLAT_H
 
@@ -15,9 +15,7 @@
 
 struct model_flat {
     const struct model *full, *plane;
-    double normal[3]; /* world */
-    const int *of;    /* [plane->n] the place of a coordinate, and of its rate, in the full model */
-    double level;     /* gravity's energy of what stands still along the normal [J] */
+    double level; /* gravity's energy of what stands still along the normal [J] */
 };
 
 /* NULL: it does not stay in such planes, and *why says by what; static text, or the name of a joint ... */

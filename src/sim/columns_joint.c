@@ -7,12 +7,12 @@
 
 static double position(const struct sim *sim, const struct origin *o)
 {
-    return sim->q[o->index];
+    return sim->x.q[o->index];
 }
 
 static double rate(const struct sim *sim, const struct origin *o)
 {
-    return sim->model->nloop ? system_rates(sim->system)[o->index] : sim->v[o->index];
+    return sim->model->nloop ? system_rates(sim->system)[o->index] : sim->x.v[o->index];
 }
 
 static double acceleration(const struct sim *sim, const struct origin *o)

@@ -13,9 +13,6 @@ double record_value(const struct sim *sim, const struct origin *o)
 enum status record_evaluate(struct sim *sim, unsigned needs)
 {
     const unsigned what = needs & EVALUATE_ALL;
-    sim->q = sim->x.q;
-    sim->v = sim->x.v;
-    system_lift(sim->system, &sim->q, &sim->v);
     if (!what && !(sim->model->nloop && needs & NEED_RATES)) return OK;
     if (sim->stepper.touch) TRY(contacts_press(sim));
     return system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, what, &sim->trouble);

@@ -93,7 +93,7 @@ static enum status least_energy(double *least, struct sim *sim, struct trouble *
 /* What start_at_rest() finds, found before. */
 static void take_rest(struct sim *sim)
 {
-    system_press(sim->system, sim->x.q, sim->options.rest);
+    memcpy(sim->x.q, sim->options.rest, sizeof *sim->x.q * (size_t)sim->stepper.ode->nq);
 }
 
 /* Consistent accelerations at the start; a massless freedom shows here. */
@@ -154,13 +154,6 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(start(sim, diags, report));
     trust_open(sim, life);
     return memory_take(sim, life, report);
-}
-
-const double *sim_positions(const struct sim *sim)
-{
-    const double *q = sim->x.q, *v = sim->x.v;
-    system_lift(sim->system, &q, &v);
-    return q;
 }
 
 const char *sim_coordinate_name(const struct sim *sim, int i)

@@ -70,9 +70,7 @@ struct sim {
     struct idle idle;             /* turns that move no mass */
     struct stepper stepper;
     struct state x;
-    const double *q,
-        *v;         /* positions and, without loops, rates there as the model has them, at the last record_evaluate() */
-    bool filled_in; /* the tolerance is not the deck's */
+    bool filled_in;      /* the tolerance is not the deck's */
     struct guess guess;  /* of the first step, where a tolerance makes steps the scheme's own */
     long rejected;       /* steps, when such a scheme's last record was due */
     struct single *look; /* records between the ends of such steps */
@@ -217,8 +215,6 @@ const char *sim_space(const struct sim *sim);
 bool sim_in_plane(const struct sim *sim);
 int sim_floating(const struct sim *sim);
 double sim_spin(struct sim *sim);
-/* Where it stands, as the model has it [nq]. */
-const double *sim_positions(const struct sim *sim);
 
 /* What small motions and equilibria leave out is refused where there are rigid contacts; what: "modes". */
 enum status sim_without_contacts(const struct sim *sim, const char *what, struct report *report);

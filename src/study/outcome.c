@@ -122,7 +122,7 @@ static const struct stepper_kind *any_kind(void)
 static const double *keep_rest(const struct sim *sim, struct arena *life)
 {
     double *q = TAKE(life, double, sim->model->nq);
-    memcpy(q, sim_positions(sim), sizeof *q * (size_t)sim->model->nq);
+    memcpy(q, sim->x.q, sizeof *q * (size_t)sim->model->nq);
     return q;
 }
 

@@ -8,7 +8,7 @@
 
 const double *system_rates(const struct system *s)
 {
-    return s->seen ? s->V : s->v;
+    return s->v;
 }
 
 const double *system_accelerations(const struct system *s)

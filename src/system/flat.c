@@ -2,8 +2,6 @@
  *
  * The spatial system stands still beside the steps.  Where the output asks, it is put where the plane's coordinates say,
  * whole turns included, and answers as it always does: reactions across the plane, too. */
-#include <string.h>
-
 #include "system/parts.h"
 
 struct system *system_flatten(struct system *full, const struct model_flat *flat, struct arena *life)
@@ -11,26 +9,7 @@ struct system *system_flatten(struct system *full, const struct model_flat *flat
     struct system *s = system_build(flat->plane, life);
     s->flat = flat;
     s->seen = full;
-    s->Q = TAKE(life, double, full->model->nq);
-    s->V = TAKE(life, double, full->model->n);
-    memcpy(s->Q, full->model->q0, sizeof *s->Q * (size_t)full->model->nq);
     return s;
-}
-
-void system_lift(struct system *s, const double **q, const double **v)
-{
-    const int n = s->model->n;
-    if (!s->seen) return;
-    for (int i = 0; i < n; i++) s->Q[s->flat->of[i]] = (*q)[i];
-    *q = s->Q;
-    if (!s->loops)
-        for (int i = 0; i < n; i++) s->V[s->flat->of[i]] = (*v)[i];
-    *v = s->V;
-}
-
-void system_press(const struct system *s, double *q, const double *full)
-{
-    for (int i = 0; i < s->model->nq; i++) q[i] = full[s->flat ? s->flat->of[i] : i];
 }
 
 bool system_is_flat(const struct system *s)
@@ -43,10 +22,7 @@ static void gather_rates(double *v, const struct system *s)
 {
     const struct system *full = s->seen;
     const int n = system_ode2((struct system *)full)->n;
-    for (int i = 0; i < n; i++) {
-        const int place = system_place(full, i);
-        v[i] = s->V[place];
-    }
+    for (int i = 0; i < n; i++) v[i] = s->v[system_place(full, i)];
 }
 
 /* Angles that a posture gives up to whole turns stand as in the plane. */
@@ -68,13 +44,9 @@ enum status flat_evaluate(struct system *s, const double *q, const double *v, do
     struct ode2 *door = system_ode2(full);
     TRY(system_evaluate_itself(s, q, v, t, what & EVALUATE_ACCELERATION ? EVALUATE_ACCELERATION : EVALUATE_MOTION,
                                why));
-    for (int i = 0; i < s->model->n; i++) {
-        s->Q[s->flat->of[i]] = s->q[i];
-        s->V[s->flat->of[i]] = s->v[i];
-    }
     double *rates = full->near_v[0]; /* as many as there are coordinates */
     gather_rates(rates, s);
-    if (door->chart && door->chart->rechart(door, s->Q, rates, t)) gather_rates(rates, s);
+    if (door->chart && door->chart->rechart(door, s->q, rates, t)) gather_rates(rates, s);
     set_turns(s);
-    return system_evaluate_itself(full, s->Q, rates, t, what, why);
+    return system_evaluate_itself(full, s->q, rates, t, what, why);
 }

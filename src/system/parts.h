@@ -25,7 +25,6 @@ struct system {
     double constraint_worst;
     const struct model_flat *flat; /* steps are in its plane; NULL: they are not, and the next, too */
     struct system *seen;           /* all of space, for what the output asks */
-    double *Q, *V;                 /* [nq], [n] there */
     /* at the last system_evaluate() */
     double *q, *v, *a, *r;         /* [nq], [n] */
     struct effect *effect;         /* [nforce] */

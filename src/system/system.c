@@ -78,8 +78,7 @@ struct condense *system_loops(const struct system *s)
 
 int system_place(const struct system *s, int i)
 {
-    const int place = s->loops ? condense_place(s->loops, i) : i;
-    return s->flat ? s->flat->of[place] : place;
+    return s->loops ? condense_place(s->loops, i) : i;
 }
 
 int system_floating(const struct system *s)

@@ -17,16 +17,13 @@ struct energies {
 
 struct system *system_build(const struct model *m, struct arena *life);
 
-/* The system of a spatial model in the plane that its motion stays in: steps are there, answers of `full`. */
+/* The system of a spatial model in the plane that its motion stays in, with the same coordinates: steps are there, answers
+ * of `full`. */
 struct model_flat;
 struct system *system_flatten(struct system *full, const struct model_flat *flat, struct arena *life);
 bool system_is_flat(const struct system *s);
 /* Trees whose momenta are kept to round-off. */
 int system_floating(const struct system *s);
-/* The other way round: q of the door from positions of the deck's model. */
-void system_press(const struct system *s, double *q, const double *full);
-/* Positions and, where there are no loops, rates of the door as the deck's model has them; others stay as they are. */
-void system_lift(struct system *s, const double **q, const double **v);
 
 /* q [nq] and v [n of the door] at the start: of a mechanism with loops, closed.  Fails where it cannot be. */
 enum status system_start(struct system *s, double *q, double *v, struct report *report);
