@@ -30,10 +30,6 @@ enum status flatten_open(struct sim *sim, struct diags *diags, struct arena *lif
     if (watched_in_space(sim)) {
         sim->spatial = (struct model_spatial){"the deck", "has bodies that are watched in space"};
         flat = NULL;
-    } else if (follows_turns(sim)) {
-        sim->spatial = (struct model_spatial){
-            "the deck", "reads angles of joints that close loops, whole turns are counted in space"};
-        flat = NULL;
     } else {
         flat = model_flatten(sim->model, &sim->spatial, life);
     }

@@ -119,7 +119,8 @@ void system_loop_reaction(const struct system *s, double *f, double *n, int loop
 
 double system_loop_coordinate(const struct system *s, int loop, int order, int k)
 {
-    if (s->flat && s->flat->full->loop[loop].type != s->model->loop[loop].type) s = s->seen;
+    if (s->flat && s->flat->full->loop[loop].type != s->model->loop[loop].type && !loop_winds(s->flat->full, loop, k))
+        s = s->seen;
     const struct model_loop *l = &s->model->loop[loop];
     struct pose first, second;
     s->ops->pose(s->view, &first, l->first);
