@@ -178,4 +178,7 @@ void progress_open(struct progress *p, FILE *to, double now, double t);
 void progress_show(struct progress *p, double now, double t, double until);
 void progress_close(struct progress *p);
 
+/* steps.c: from the start, or where the run goes on, to the end, with all records */
+enum status steps_take(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report);
+
 #endif

@@ -6,9 +6,6 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "base/stop.h"
-#include "engine/adaptive.h"
-#include "engine/single.h"
 #include "la/vec3.h"
 #include "model/build.h"
 #include "sim/parts.h"
@@ -211,16 +208,6 @@ static enum status write_head(const struct sim *sim, struct sink *sink, struct r
     return status;
 }
 
-static enum status write_row(struct sim *sim, struct sink *sink, struct report *report)
-{
-    if (!sink) return OK;
-    enum status status = record_fill(sim);
-    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
-    sim->rows++;
-    trust_note(sim);
-    return sink->ops->row(sink, sim->row, report);
-}
-
 static enum status write_end(struct sim *sim, struct sink *sink, struct report *report)
 {
     struct pair facts[32];
@@ -228,180 +215,6 @@ static enum status write_end(struct sim *sim, struct sink *sink, struct report *
     if (!sink) return OK;
     summary.n = sim_facts(sim, facts, 32);
     return sink_end(sink, &summary, report);
-}
-
-/* When major step k (from 1) ends: the double nearest to i h, i the whole number of minor steps since t = 0, or since the
- * start where that is no end of a step. */
-static double whole_step(const struct sim *sim, long k)
-{
-    const double i = (double)((sim->before + k) * sim->plan.ratio);
-    return sim->origin.x == 0 ? meant_times(i, &sim->step) : meant_sum(&sim->origin, i, &sim->step);
-}
-
-/* The last one ends at `until`. */
-static double end_of(const struct sim *sim, long k)
-{
-    return k == sim->majors ? sim->plan.until : whole_step(sim, k);
-}
-
-/* Major step k to its end at `to`; the last may be cut: same ratio, a smaller minor step. */
-static enum status major(struct sim *sim, long k, double to)
-{
-    const struct integrate *p = &sim->plan;
-    const double over = k == sim->majors ? to - whole_step(sim, k) : 0;
-    double h = p->step;
-    if (fabs(over) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
-    const double from = sim->x.t;
-    const enum status status = advance(sim, h, p->ratio, to);
-    if (sim->x.t != from) sim->cut = over != 0 || sim->x.t != to;
-    return status;
-}
-
-static enum status check_events(struct sim *sim, struct sink *sink, struct report *report)
-{
-    enum status status = events_check(sim, sink, report);
-    return status == E_NUMERIC ? describe_trouble(sim, &sim->trouble, status, report) : status;
-}
-
-/* The loops, too, where records do not look at them. */
-static enum status check_energies(struct sim *sim, struct report *report)
-{
-    enum status status = look_at_energies(sim);
-    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
-    system_note_closure(sim->system, sim->x.q, sim->x.t);
-    return OK;
-}
-
-/* Who sends a signal knows of it; a limit has to be reported. */
-static enum status stopped(const struct sim *sim, struct report *report)
-{
-    const char *limit = stop_limit();
-    if (!limit) return stop_status();
-    return fail(report, stop_status(), "stopped at t = %.12g s: the limit of %s is reached", sim->x.t, limit);
-}
-
-/* A checkpoint, where one is due. */
-static enum status save(struct sim *sim, long step, long due, double seen, struct report *report)
-{
-    sim->place = (struct run_place){sim->place.resumed, step, due, seen};
-    return checkpoint_due(sim) ? checkpoint_write(sim, report) : OK;
-}
-
-/* Steps from record to record: the clock is read there and every so many steps, not at each. */
-static enum status step_on(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
-{
-    enum { CHECK_EVERY = 64 };
-    for (long k = sim->place.step + 1; k <= sim->majors; k++) {
-        const bool loops = sim->model->nloop > 0;
-        const long charts = loops ? system_charts(sim->system) : 0;
-        const double to = end_of(sim, k);
-        if (sim->njump) TRY(jumps_check(sim, to, sink, report));
-        enum status status = major(sim, k, to);
-        if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
-        if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
-        if (loops && system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
-        if (sim->npass) TRY(passes_check(sim, sink, report));
-        if (events_watched(sim)) TRY(check_events(sim, sink, report));
-        bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
-        if (look_is_due(sim, k, due)) TRY(check_energies(sim, report));
-        if (sim->looks_always || due) TRY(guard_look(sim, sink, report));
-        if (due) TRY(write_row(sim, sink, report));
-        if (due || k % CHECK_EVERY == 0) {
-            double now = clock_wall();
-            progress_show(progress, now, sim->x.t, sim->plan.until);
-            TRY(sink_tick(sink, now, report));
-        }
-        if (sim->saves.stream) TRY(save(sim, k, 0, 0, report));
-        if (sim->watch.met) return OK;
-        if (stop && (k < sim->majors || sim->x.t != to)) {
-            if (!sim->looks_always) TRY(check_energies(sim, report));
-            if (!due) TRY(write_row(sim, sink, report));
-            return stopped(sim, report);
-        }
-    }
-    return OK;
-}
-
-/* The record number k, from 1, that is due behind record number `from`. */
-static long next_due(const struct sim *sim, long from)
-{
-    long k = from + 1;
-    while (k < sim->majors && (sim->before + k) % sim->every != 0) k++;
-    return k;
-}
-
-/* A record at t inside the last step: the state by the scheme's interpolation, works and the balance as they would be
- * if they went on evenly. */
-static enum status write_between(struct sim *sim, double t, double t0, const struct ledger *before, struct sink *sink,
-                                 struct report *report)
-{
-    const struct state end = sim->x;
-    const struct ledger after = sim->ledger;
-    struct energies e;
-    adaptive_between(&sim->stepper, sim->look->q, sim->look->v, t);
-    sim->x = (struct state){t, sim->look->q, sim->look->v, sim->look->a};
-    enum status status = system_energy_at(sim->system, &e, sim->x.q, sim->x.v, t, &sim->trouble);
-    if (status == OK) {
-        ledger_between(&sim->ledger, before, (t - t0) / (end.t - t0), e.kinetic, e.elastic, e.gravity);
-        status = write_row(sim, sink, report);
-    } else {
-        status = describe_trouble(sim, &sim->trouble, status, report);
-    }
-    sim->x = end;
-    sim->ledger = after;
-    return status;
-}
-
-/* The records that are due in the step from t0, or at its end; *k is the next one. */
-static enum status write_due(struct sim *sim, long *k, double t0, const struct ledger *before, struct sink *sink,
-                             struct report *report)
-{
-    for (; *k <= sim->majors && end_of(sim, *k) <= sim->x.t; *k = next_due(sim, *k)) {
-        const double t = end_of(sim, *k);
-        if (t < sim->x.t)
-            TRY(write_between(sim, t, t0, before, sink, report));
-        else
-            TRY(write_row(sim, sink, report));
-    }
-    return OK;
-}
-
-/* By the steps of a scheme that chooses them, across records or, where it cannot look back, from record to record; a drive
- * that may jump is looked at from record to record, too. */
-static enum status step_naturally(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
-{
-    enum { CHECK_EVERY = 64 };
-    const double until = sim->plan.until;
-    const bool on = sim->place.resumed;
-    double seen = on ? sim->place.seen : sim->x.t;
-    sim->cut = true;
-    for (long k = on ? sim->place.due : next_due(sim, 0), i = sim->place.step + 1; sim->x.t < until; i++) {
-        const long charts = system_charts(sim->system), due = k;
-        const double t0 = sim->x.t;
-        const struct ledger before = sim->ledger;
-        if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
-        const enum status status = advance_naturally(sim, sim->njump          ? seen
-                                                          : sim->onto_records ? end_of(sim, k)
-                                                                              : until);
-        if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
-        if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
-        if (sim->npass) TRY(passes_check(sim, sink, report));
-        if (events_watched(sim)) TRY(check_events(sim, sink, report));
-        TRY(write_due(sim, &k, t0, &before, sink, report));
-        TRY(guard_look(sim, sink, report));
-        const bool last = sim->watch.met || (stop && sim->x.t < until);
-        if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
-        if (k != due) sim->rejected = sim->stepper.effort.rejected;
-        if (k != due || i % CHECK_EVERY == 0) {
-            const double now = clock_wall();
-            progress_show(progress, now, sim->x.t, until);
-            TRY(sink_tick(sink, now, report));
-        }
-        if (sim->saves.stream) TRY(save(sim, i, k, seen, report));
-        if (sim->watch.met) return OK;
-        if (last) return stopped(sim, report);
-    }
-    return OK;
 }
 
 static enum status verdict(const struct sim *sim, struct report *report)
@@ -434,9 +247,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     print_plan(sim);
     sim_print_assembly(sim, sim->options.log);
     TRY(write_head(sim, sink, report));
-    enum status status = sim->place.resumed ? OK : write_row(sim, sink, report);
-    if (status == OK && events_watched(sim) && !sim->place.resumed) status = check_events(sim, sink, report);
-    if (status == OK) status = (sim->stepper.natural ? step_naturally : step_on)(sim, sink, &progress, report);
+    enum status status = steps_take(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);
     sim->cpu = clock_cpu() - cpu;
     sim->trust.column = -1;
