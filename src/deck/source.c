@@ -9,8 +9,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "base/stop.h"
 #include "base/text.h"
+#include "base/whole.h"
 
 /* ---- lines and places ---- */
 
@@ -124,30 +124,10 @@ enum source_flaw source_check(const struct source *s, size_t *offset)
 enum status source_read(struct source **out, int fd, const char *path, size_t max, struct arena *arena,
                         struct report *report)
 {
-    struct stat st;
-    size_t capacity = 1 << 16, len = 0;
+    char *text;
+    size_t len;
     *out = NULL;
-    if (fstat(fd, &st)) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
-    if (S_ISDIR(st.st_mode)) return fail(report, E_FILE, "%s: is a directory", path);
-    if (S_ISREG(st.st_mode) && st.st_size > (off_t)capacity) capacity = (size_t)st.st_size + 1;
-    if (capacity > max) capacity = max + 1;
-    char *text = TAKE(arena, char, capacity + 1);
-    for (;;) {
-        if (len == capacity) {
-            char *more = TAKE(arena, char, 2 * capacity + 1);
-            memcpy(more, text, len);
-            text = more;
-            capacity *= 2;
-        }
-        ssize_t n = read(fd, text + len, capacity - len);
-        if (n == 0) break;
-        if (n < 0 && errno == EINTR && stop) return stop_status();
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return fail(report, E_FILE, "%s: %s", path, strerror(errno));
-        len += (size_t)n;
-        if (len > max) return fail(report, E_LIMIT, "%s: larger than %zu bytes", path, max);
-    }
-    text[len] = 0;
+    TRY(whole_read(&text, &len, fd, path, max, arena, report));
     size_t mark = len >= 3 && !memcmp(text, "\xef\xbb\xbf", 3) ? 3 : 0;
     *out = source_of(path, text + mark, len - mark, arena);
     return OK;

@@ -33,8 +33,7 @@ enum source_flaw { SOURCE_FINE, SOURCE_UTF8, SOURCE_UTF16, SOURCE_ZERO, SOURCE_C
 /* The first thing that has no place in a deck, at *offset. */
 enum source_flaw source_check(const struct source *s, size_t *offset);
 
-/* Reads all of an open file or pipe, at most max bytes: E_LIMIT beyond, E_FILE.  Takes memory for what
- * comes, never for what is announced. */
+/* Reads all of an open file or pipe, as whole_read() does. */
 enum status source_read(struct source **out, int fd, const char *path, size_t max, struct arena *arena,
                         struct report *report);
 

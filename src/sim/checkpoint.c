@@ -1,14 +1,17 @@
 /* checkpoint.c -- see checkpoint.h */
 #include "sim/checkpoint.h"
 
+#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/hash.h"
 #include "base/recall.h"
+#include "base/whole.h"
 #include "sim/parts.h"
 
 static const char MAGIC[] = "fmdsub checkpoint 1 ";
@@ -114,12 +117,19 @@ enum status checkpoint_write(struct sim *sim, struct report *report)
     return status;
 }
 
+/* The first whole multiple of `every` behind the run's time. */
+static double next_save(const struct sim *sim)
+{
+    const double every = sim->scene->checkpoint.every;
+    return (floor(sim->x.t / every * (1 + 1e-12)) + 1) * every;
+}
+
 bool checkpoint_due(struct sim *sim)
 {
     const struct checkpoint *c = &sim->scene->checkpoint;
     if (c->steps > 0) return sim->place.step % c->steps == 0;
     if (sim->x.t < sim->saves.next) return false;
-    sim->saves.next = (floor(sim->x.t / c->every * (1 + 1e-12)) + 1) * c->every;
+    sim->saves.next = next_save(sim);
     return true;
 }
 
@@ -141,7 +151,7 @@ enum status checkpoint_open(struct sim *sim, struct stream *stream, const char *
     TRY(check_place(c->file, report));
     sim->saves.stream = stream;
     sim->saves.format = format;
-    if (c->every > 0) sim->saves.next = (floor(sim->x.t / c->every * (1 + 1e-12)) + 1) * c->every;
+    if (c->every > 0) sim->saves.next = next_save(sim);
     return OK;
 }
 
@@ -149,23 +159,16 @@ enum status checkpoint_open(struct sim *sim, struct stream *stream, const char *
 
 static enum status read_file(char **text, const char *path, struct arena *life, struct report *report)
 {
-    FILE *file = fopen(path, "re");
-    size_t n = 0, capacity = 1 << 16;
-    if (!file) return fail(report, E_FILE, "cannot read '%s'", path);
-    char *bytes = TAKE(life, char, capacity + 1);
-    for (size_t got; (got = fread(bytes + n, 1, capacity - n, file)) > 0;) {
-        n += got;
-        if (n < capacity) continue;
-        char *wider = TAKE(life, char, 2 * capacity + 1);
-        memcpy(wider, bytes, n);
-        bytes = wider;
-        capacity *= 2;
-    }
-    const bool bad = ferror(file);
-    (void)fclose(file);
-    bytes[n] = 0;
+    struct report why;
+    char *bytes;
+    size_t n;
+    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    if (fd < 0) return fail(report, E_FILE, "cannot read '%s'", path);
+    const enum status status = whole_read(&bytes, &n, fd, path, SIZE_MAX - 1, life, &why);
+    close(fd);
+    if (status == E_FILE) return fail(report, E_FILE, "cannot read '%s'", path);
+    TRY(status);
     *text = bytes;
-    if (bad) return fail(report, E_FILE, "cannot read '%s'", path);
     if (n < HEAD || strlen(bytes) != n || strncmp(bytes, MAGIC, sizeof MAGIC - 1) != 0)
         return fail(report, E_FILE, "'%s' is no checkpoint of this version", path);
     if (strtoull(bytes + sizeof MAGIC - 1, NULL, 16) != hash_bytes(HASH_NOTHING, bytes + HEAD, n - HEAD))
@@ -173,20 +176,23 @@ static enum status read_file(char **text, const char *path, struct arena *life, 
     return OK;
 }
 
-/* Lines "name numbers" apart, in place. */
+static int count_lines(const char *text)
+{
+    int n = 0;
+    for (; *text; text++) n += *text == '\n';
+    return n;
+}
+
+/* Lines "name numbers" apart, in place; how many of these there are. */
 static int split(struct recalled *span, char *text)
 {
     int n = 0;
-    for (char *line = text, *end; line && *line; line = end + 1) {
-        end = strchr(line, '\n');
-        if (!end) break;
-        *end = 0;
+    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {
         char *blank = strchr(line, ' ');
-        if (!blank) continue;
+        *end = 0;
+        if (!blank || blank > end) continue;
         *blank = 0;
-        if (span) span[n] = (struct recalled){line, blank + 1};
-        if (!span) *blank = ' ', *end = '\n';
-        n++;
+        span[n++] = (struct recalled){line, blank + 1};
     }
     return n;
 }
@@ -216,10 +222,8 @@ enum status checkpoint_take(struct sim *sim, const char *path, const char *forma
     char *text = NULL;
     long written = 0;
     TRY(read_file(&text, path, life, report));
-    const int n = split(NULL, text + HEAD);
-    struct recalled *span = TAKE(life, struct recalled, n);
-    split(span, text + HEAD);
-    recall_back(&r, span, n);
+    struct recalled *span = TAKE(life, struct recalled, count_lines(text + HEAD));
+    recall_back(&r, span, split(span, text + HEAD));
     TRY(check_owner(sim, &r, format, path, report));
     run_recall(sim, &written, &r);
     TRY(memory_recall(sim, &r));
