@@ -35,17 +35,11 @@ void composed_open(struct stepper *s, struct arena *life)
 /* What a stage has done is the step's. */
 static void book(struct stepper *s, struct stepper *stage)
 {
-    struct effort *a = &s->effort, *b = &stage->effort;
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += stage->work[c];
     s->lost += stage->lost;
     s->left += stage->left;
     s->last_sweeps += stage->last_sweeps;
-    a->slow += b->slow;
-    a->fast += b->fast;
-    a->factors += b->factors;
-    a->sweeps += b->sweeps;
-    a->rejected += b->rejected;
-    *b = (struct effort){0};
+    effort_hand_on(&s->effort, &stage->effort);
 }
 
 /* Have dampers brought more on the way back than they have taken on the way? */

@@ -115,16 +115,6 @@ static int ratio_of(const struct stepped *o, double H)
     return o->h > 0 && o->h < H ? (int)smaller(ceil(H / o->h * (1 - 1e-9)), MOST_RATIO) : 1;
 }
 
-/* What the fixed scheme has counted. */
-static void add_effort(struct effort *to, struct effort *from)
-{
-    to->slow += from->slow;
-    to->fast += from->fast;
-    to->factors += from->factors;
-    to->sweeps += from->sweeps;
-    *from = (struct effort){0};
-}
-
 enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
 {
     struct stepped *o = m->own;
@@ -140,7 +130,7 @@ enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, 
     fixed->lost = fixed->left = 0;
     const enum status status = fixed->kind->step(fixed, &x, h / o->ratio, o->ratio, t + h, why);
     s->last_sweeps = fixed->last_sweeps;
-    add_effort(&s->effort, &fixed->effort);
+    effort_hand_on(&s->effort, &fixed->effort);
     TRY(status);
     TRY(measure(s, m, t, h, why));
     *err = larger(o->slow.error, o->fast.error);

@@ -30,6 +30,15 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     ode->along[1] = s->missed->velocity;
 }
 
+void effort_hand_on(struct effort *to, struct effort *from)
+{
+    to->slow += from->slow;
+    to->fast += from->fast;
+    to->factors += from->factors;
+    to->sweeps += from->sweeps;
+    *from = (struct effort){0};
+}
+
 /* A new chart, if there is a better one: what was known in the old one is forgotten.  The step has been taken: if its
  * accelerations cannot be found, that is the next one's failure. */
 static void begin_anew(struct stepper *s, struct state *x)

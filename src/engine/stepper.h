@@ -134,6 +134,9 @@ struct stepper {
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life);
 
+/* What a stepper inside has counted goes to the one around it, which counts steps for itself. */
+void effort_hand_on(struct effort *to, struct effort *from);
+
 /* One major step; counts effort.  x->a must hold the accelerations at x->t at the first call
  * (stepper_start makes them). */
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
