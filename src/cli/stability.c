@@ -53,16 +53,16 @@ static enum status print_csv(const struct stability *o, struct arena *life, stru
         table_text(table, r->most);
         table_text(table, stability_verdict(r));
     }
-    return table_print(table, true, stdout, report);
+    return table_print(table, TABLE_CSV, stdout, report);
 }
 
 static enum status print_rows(const struct stability *o, struct sim *sim, const struct request *request,
                               struct arena *life, struct report *report)
 {
-    const char *form = request->format ? request->format : isatty(STDOUT_FILENO) ? "table" : "csv";
+    const enum table_form form = table_form_of(request->format, isatty(STDOUT_FILENO));
     if (request->script) return OK;
-    if (strcmp(form, "json") == 0) return stability_json(o, sim, life, report);
-    return strcmp(form, "csv") == 0 ? print_csv(o, life, report) : stability_print(o, stdout, life, report);
+    if (form == TABLE_JSON) return stability_json(o, sim, life, report);
+    return form == TABLE_CSV ? print_csv(o, life, report) : stability_print(o, stdout, life, report);
 }
 
 /* The picture, or with --script what would draw it. */

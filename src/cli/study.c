@@ -90,13 +90,6 @@ static enum status print_study(const struct study *study, double pick, const str
     return OK;
 }
 
-static enum rows_form form_of(const struct request *request)
-{
-    const char *word = request->format;
-    if (!word) return request->output || !isatty(STDOUT_FILENO) ? ROWS_CSV : ROWS_TABLE;
-    return strcmp(word, "csv") == 0 ? ROWS_CSV : strcmp(word, "ndjson") == 0 ? ROWS_NDJSON : ROWS_JSON;
-}
-
 static enum status no_row(void *self, const struct study_row *row, struct report *report)
 {
     (void)self, (void)row, (void)report;
@@ -120,7 +113,9 @@ static enum status run_rows(struct study *study, const struct scene *scene, cons
 {
     struct study_options o = *options;
     struct stream stream;
-    struct rows rows = {.form = form_of(request), .absolute = request->absolute, .stream = &stream};
+    struct rows rows = {.form = table_form_of(request->format, !request->output && isatty(STDOUT_FILENO)),
+                        .absolute = request->absolute,
+                        .stream = &stream};
     TRY(stream_to(&stream, request->output, life, report));
     o.done = rows_put;
     o.self = &rows;

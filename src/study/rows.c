@@ -119,10 +119,10 @@ enum status rows_begin(struct rows *o, struct report *report)
 {
     char *to = stream_begin(o->stream, MOST_LINE);
     o->first = NAN;
-    if (o->form == ROWS_TABLE) to = put_table(to, NULL);
-    for (int i = 0; o->form == ROWS_CSV && i < COLUMNS; i++)
+    if (o->form == TABLE_DRAWN) to = put_table(to, NULL);
+    for (int i = 0; o->form == TABLE_CSV && i < COLUMNS; i++)
         to += sprintf(to, "%s%s", columns[i].name, i + 1 < COLUMNS ? "," : "\n");
-    if (o->form == ROWS_JSON) to = stpcpy(to, "{\"rows\":[\n");
+    if (o->form == TABLE_JSON) to = stpcpy(to, "{\"rows\":[\n");
     return send(o, to, report);
 }
 
@@ -133,10 +133,10 @@ enum status rows_put(void *self, const struct study_row *row, struct report *rep
     if (o->n == 0) o->first = row->cpu;
     fill(&cells, row, o);
     char *to = stream_begin(o->stream, MOST_LINE + strlen(row->worst) + strlen(row->unit));
-    if (o->form == ROWS_JSON && o->n) *to++ = ',';
-    to = o->form == ROWS_TABLE ? put_table(to, &cells)
-         : o->form == ROWS_CSV ? put_csv(to, &cells)
-                               : put_object(to, &cells);
+    if (o->form == TABLE_JSON && o->n) *to++ = ',';
+    to = o->form == TABLE_DRAWN ? put_table(to, &cells)
+         : o->form == TABLE_CSV ? put_csv(to, &cells)
+                                : put_object(to, &cells);
     o->n++;
     return send(o, to, report);
 }
@@ -144,6 +144,6 @@ enum status rows_put(void *self, const struct study_row *row, struct report *rep
 enum status rows_end(struct rows *o, struct report *report)
 {
     char *to = stream_begin(o->stream, MOST_LINE);
-    if (o->form == ROWS_JSON) to = stpcpy(to, "]}\n");
+    if (o->form == TABLE_JSON) to = stpcpy(to, "]}\n");
     return send(o, to, report);
 }

@@ -8,12 +8,11 @@
 #define FMDSUB_STUDY_ROWS_H
 
 #include "out/stream.h"
+#include "out/table.h"
 #include "study/study.h"
 
-enum rows_form { ROWS_TABLE, ROWS_CSV, ROWS_NDJSON, ROWS_JSON };
-
 struct rows {
-    enum rows_form form;
+    enum table_form form;
     bool absolute; /* errors in the unit of the worst column */
     struct stream *stream;
     int n;        /* written */

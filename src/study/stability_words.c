@@ -60,7 +60,7 @@ enum status stability_print(const struct stability *o, FILE *to, struct arena *l
         table_text(table, r ? r->most : "-");
         table_text(table, bands(o, i, end, life));
     }
-    return table_print(table, false, to, report);
+    return table_print(table, TABLE_DRAWN, to, report);
 }
 
 /* "miao 5:1" */
