@@ -113,7 +113,7 @@ static enum status run_rows(struct study *study, const struct scene *scene, cons
 {
     struct study_options o = *options;
     struct stream stream;
-    struct rows rows = {.form = table_form_of(request->format, !request->output && isatty(STDOUT_FILENO)),
+    struct rows rows = {.line = {.form = table_form_of(request->format, !request->output && isatty(STDOUT_FILENO))},
                         .absolute = request->absolute,
                         .stream = &stream};
     TRY(stream_to(&stream, request->output, life, report));

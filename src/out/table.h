@@ -17,6 +17,7 @@
 
 #include "base/arena.h"
 #include "base/status.h"
+#include "out/stream.h"
 
 struct table_column {
     const char *name; /* CSV: "time" */
@@ -51,8 +52,10 @@ enum status table_print(const struct table *table, enum table_form form, FILE *f
 struct table_line {
     enum table_form form;
     FILE *to;
-    long rows; /* begun */
-    int n;     /* fields of this one so far */
+    long rows;  /* begun */
+    int n;      /* fields of this one so far */
+    char *text; /* [size] of table_line_open() */
+    size_t size;
 };
 void table_line_head(struct table_line *o, const struct table_column *columns, int n);
 void table_line_begin(struct table_line *o);
@@ -60,5 +63,9 @@ void table_line_number(struct table_line *o, const struct table_column *column, 
 void table_line_text(struct table_line *o, const struct table_column *column, const char *text);
 void table_line_end(struct table_line *o);
 void table_line_foot(struct table_line *o);
+
+/* In place of a file `to`: what is put between the two goes to a stream, at once. */
+enum status table_line_open(struct table_line *o, struct report *report);
+enum status table_line_send(struct table_line *o, struct stream *stream, struct report *report);
 
 #endif

@@ -1,5 +1,5 @@
 /* table_line.c -- a line of a table as CSV, NDJSON or JSON; see table.h */
-#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "out/cell.h"
@@ -90,4 +90,18 @@ void table_line_end(struct table_line *o)
 void table_line_foot(struct table_line *o)
 {
     if (o->form == TABLE_JSON) fputs("]}\n", o->to);
+}
+
+enum status table_line_open(struct table_line *o, struct report *report)
+{
+    o->to = open_memstream(&o->text, &o->size);
+    return o->to ? OK : fail(report, E_LIMIT, "no memory for a row");
+}
+
+enum status table_line_send(struct table_line *o, struct stream *stream, struct report *report)
+{
+    enum status status = fclose(o->to) == 0 ? stream_put(stream, o->text, o->size, report)
+                                            : fail(report, E_LIMIT, "no memory for a row");
+    free(o->text);
+    return status == OK ? stream_flush(stream, report) : status;
 }

@@ -2,18 +2,15 @@
 #include "study/rows.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-#include "out/cell.h"
 #include "out/number.h"
 
 enum { MOST_LINE = 1 << 12, TEXTS = 20 };
 
-/* A column of a text has no digits; one without a heading is not for people. */
-static const struct {
-    const char *name, *head;
-    int digits;
-} columns[] = {
+/* One without a heading is not for people. */
+static const struct table_column columns[] = {
     {"scheme", "scheme", 0},   {"tolerance", "tolerance", 2}, {"step", "h [s]", 4},
     {"ratio", "ratio", 4},     {"error", "error", 2},         {"worst", "worst column", 0},
     {"error_fast", "fast", 2}, {"error_slow", "slow", 2},     {"work", "work", 4},
@@ -63,28 +60,6 @@ static void fill(struct cells *c, const struct study_row *r, const struct rows *
     c->text[17] = o->absolute ? r->unit : "";
 }
 
-/* Names are of letters, digits, '.' and '_': nothing needs a quote. */
-static char *put_csv(char *to, const struct cells *c)
-{
-    for (int i = 0; i < COLUMNS; i++) {
-        to = columns[i].digits ? cell_put(to, c->x[i], "") : stpcpy(to, c->text[i]);
-        *to++ = i + 1 < COLUMNS ? ',' : '\n';
-    }
-    return to;
-}
-
-static char *put_object(char *to, const struct cells *c)
-{
-    for (int i = 0; i < COLUMNS; i++) {
-        to += sprintf(to, "%s\"%s\":", i ? "," : "{", columns[i].name);
-        if (columns[i].digits)
-            to = cell_put(to, c->x[i], "null");
-        else
-            to += sprintf(to, "\"%s\"", c->text[i]);
-    }
-    return stpcpy(to, "}\n");
-}
-
 /* Wide enough for every number of so many digits, and for the heading. */
 static int width(int i)
 {
@@ -117,33 +92,41 @@ static enum status send(struct rows *o, const char *end, struct report *report)
 
 enum status rows_begin(struct rows *o, struct report *report)
 {
-    char *to = stream_begin(o->stream, MOST_LINE);
     o->first = NAN;
-    if (o->form == TABLE_DRAWN) to = put_table(to, NULL);
-    for (int i = 0; o->form == TABLE_CSV && i < COLUMNS; i++)
-        to += sprintf(to, "%s%s", columns[i].name, i + 1 < COLUMNS ? "," : "\n");
-    if (o->form == TABLE_JSON) to = stpcpy(to, "{\"rows\":[\n");
-    return send(o, to, report);
+    if (o->line.form == TABLE_DRAWN) return send(o, put_table(stream_begin(o->stream, MOST_LINE), NULL), report);
+    TRY(table_line_open(&o->line, report));
+    table_line_head(&o->line, columns, COLUMNS);
+    return table_line_send(&o->line, o->stream, report);
+}
+
+static void put_line(struct table_line *line, const struct cells *c)
+{
+    table_line_begin(line);
+    for (int i = 0; i < COLUMNS; i++)
+        if (columns[i].digits)
+            table_line_number(line, &columns[i], c->x[i]);
+        else
+            table_line_text(line, &columns[i], c->text[i]);
+    table_line_end(line);
 }
 
 enum status rows_put(void *self, const struct study_row *row, struct report *report)
 {
     struct rows *o = self;
     struct cells cells;
-    if (o->n == 0) o->first = row->cpu;
+    if (o->n++ == 0) o->first = row->cpu;
     fill(&cells, row, o);
-    char *to = stream_begin(o->stream, MOST_LINE + strlen(row->worst) + strlen(row->unit));
-    if (o->form == TABLE_JSON && o->n) *to++ = ',';
-    to = o->form == TABLE_DRAWN ? put_table(to, &cells)
-         : o->form == TABLE_CSV ? put_csv(to, &cells)
-                                : put_object(to, &cells);
-    o->n++;
-    return send(o, to, report);
+    if (o->line.form == TABLE_DRAWN)
+        return send(o, put_table(stream_begin(o->stream, MOST_LINE + strlen(row->worst)), &cells), report);
+    TRY(table_line_open(&o->line, report));
+    put_line(&o->line, &cells);
+    return table_line_send(&o->line, o->stream, report);
 }
 
 enum status rows_end(struct rows *o, struct report *report)
 {
-    char *to = stream_begin(o->stream, MOST_LINE);
-    if (o->form == TABLE_JSON) to = stpcpy(to, "]}\n");
-    return send(o, to, report);
+    if (o->line.form == TABLE_DRAWN) return stream_flush(o->stream, report);
+    TRY(table_line_open(&o->line, report));
+    table_line_foot(&o->line);
+    return table_line_send(&o->line, o->stream, report);
 }

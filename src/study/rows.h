@@ -12,8 +12,8 @@
 #include "study/study.h"
 
 struct rows {
-    enum table_form form;
-    bool absolute; /* errors in the unit of the worst column */
+    struct table_line line; /* its form */
+    bool absolute;          /* errors in the unit of the worst column */
     struct stream *stream;
     int n;        /* written */
     double first; /* CPU time of the first row */

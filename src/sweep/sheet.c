@@ -118,40 +118,26 @@ static void put_field(struct table_line *line, const struct table_column *column
         table_line_text(line, column, text);
 }
 
-static enum status send(struct table_line *line, char **text, size_t *n, struct stream *stream, struct report *report)
-{
-    enum status status =
-        fclose(line->to) == 0 ? stream_put(stream, *text, *n, report) : fail(report, E_LIMIT, "no memory for a row");
-    free(*text);
-    return status == OK ? stream_flush(stream, report) : status;
-}
-
 enum status sheet_begin(const struct sheet *o, struct table_line *line, struct stream *stream, struct report *report)
 {
-    char *text = NULL;
-    size_t n = 0;
-    if (!(line->to = open_memstream(&text, &n))) return fail(report, E_LIMIT, "no memory for a row");
+    TRY(table_line_open(line, report));
     table_line_head(line, o->column, o->n);
-    return send(line, &text, &n, stream, report);
+    return table_line_send(line, stream, report);
 }
 
 enum status sheet_put(const struct sheet *o, long i, struct table_line *line, struct stream *stream,
                       struct report *report)
 {
-    char *text = NULL;
-    size_t n = 0;
-    if (!(line->to = open_memstream(&text, &n))) return fail(report, E_LIMIT, "no memory for a row");
+    TRY(table_line_open(line, report));
     table_line_begin(line);
     for (int c = 0; c < o->n; c++) put_field(line, &o->column[c], o->row[i][c]);
     table_line_end(line);
-    return send(line, &text, &n, stream, report);
+    return table_line_send(line, stream, report);
 }
 
 enum status sheet_end(struct table_line *line, struct stream *stream, struct report *report)
 {
-    char *text = NULL;
-    size_t n = 0;
-    if (!(line->to = open_memstream(&text, &n))) return fail(report, E_LIMIT, "no memory for a row");
+    TRY(table_line_open(line, report));
     table_line_foot(line);
-    return send(line, &text, &n, stream, report);
+    return table_line_send(line, stream, report);
 }
