@@ -239,11 +239,7 @@ static void choose(struct diff *o, const struct request *request, struct arena *
 {
     if (!request->columns) return;
     o->pattern = columns_split(&o->npattern, request->columns, life);
-    for (int i = 0; i < o->npattern; i++) {
-        size_t n = strcspn(o->pattern[i], "=");
-        while (n > 0 && o->pattern[i][n] && o->pattern[i][n - 1] == ' ') n--;
-        o->pattern[i] = arena_copy(life, o->pattern[i], n);
-    }
+    for (int i = 0; i < o->npattern; i++) o->pattern[i] = columns_item_name(o->pattern[i], life);
 }
 
 enum status verb_diff(const struct request *request, struct arena *life, struct report *report)

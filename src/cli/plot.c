@@ -106,14 +106,6 @@ static enum status put_column(struct plot *o, int pattern, const char *name, boo
     return OK;
 }
 
-/* The name of "name = expression", which is a pattern too. */
-static const char *pattern_of(const char *item, struct arena *life)
-{
-    size_t n = strcspn(item, "=");
-    while (n > 0 && item[n] == '=' && item[n - 1] == ' ') n--;
-    return arena_copy(life, item, n);
-}
-
 /* Nothing matches, though a run of a deck would have made it. */
 static enum status not_found(const struct curves *o, const char *item, const char *name, const struct report *none,
                              struct report *report)
@@ -129,7 +121,7 @@ static enum status not_found(const struct curves *o, const char *item, const cha
 /* item: a pattern, or "name = expression". */
 static enum status put_pattern(struct plot *o, int pattern, const char *item, struct arena *life, struct report *report)
 {
-    const char *words = pattern_of(item, life);
+    const char *words = columns_item_name(item, life);
     int found = 0;
     for (int f = 0; f < o->nfile; f++) {
         const struct curves *curves = &o->file[f];

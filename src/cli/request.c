@@ -149,45 +149,13 @@ static enum status add_set(struct request *o, const char *option, const char *se
     return OK;
 }
 
-/* Between single quotes nothing but the quote itself has a meaning in YAML, and that is doubled. */
-static char *put_quoted(char *to, const char *text, size_t len)
-{
-    *to++ = '\'';
-    for (size_t i = 0; i < len; i++) {
-        if (text[i] == '\'') *to++ = '\'';
-        *to++ = text[i];
-    }
-    *to++ = '\'';
-    return to;
-}
-
-/* "t,speed=2*hub.vx" as a YAML list, ['t', {'speed': '2*hub.vx'}]; NULL if it names nothing. */
-static const char *columns_set(const char *list, struct arena *life)
-{
-    int items;
-    const char **item = columns_split(&items, list, life);
-    char *text = arena_print(life, "output.columns=[%*s", (int)(4 * strlen(list)) + 12 * items + 8, "");
-    char *to = text + strlen("output.columns=[");
-    for (int i = 0; i < items; i++) {
-        const size_t equal = strcspn(item[i], "=");
-        size_t name = equal;
-        while (name && (item[i][name - 1] == ' ' || item[i][name - 1] == '\t')) name--;
-        if (i) to += sprintf(to, ", ");
-        if (item[i][equal]) *to++ = '{';
-        to = put_quoted(to, item[i], name);
-        if (!item[i][equal]) continue;
-        to = put_quoted(to + sprintf(to, ": "), item[i] + equal + 1, strlen(item[i] + equal + 1));
-        *to++ = '}';
-    }
-    strcpy(to, "]");
-    return items ? text : NULL;
-}
-
 static enum status add_columns(struct request *o, const char *list, struct arena *life, struct report *report)
 {
-    const char *set = columns_set(list, life);
+    int n;
+    const char **item = columns_split(&n, list, life);
     o->columns = list;
-    return set ? add_set(o, "--columns", set, report) : fail(report, E_USAGE, "--columns names no column");
+    if (!n) return fail(report, E_USAGE, "--columns names no column");
+    return add_set(o, "--columns", columns_setting(item, n, life), report);
 }
 
 static enum status add_over(struct request *o, const char *value, struct report *report)

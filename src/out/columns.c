@@ -106,3 +106,41 @@ const char **columns_split(int *n, const char *list, struct arena *life)
         from = end + 1;
     }
 }
+
+const char *columns_item_name(const char *item, struct arena *life)
+{
+    size_t n = strcspn(item, "=");
+    while (n > 0 && (item[n - 1] == ' ' || item[n - 1] == '\t')) n--;
+    return arena_copy(life, item, n);
+}
+
+/* Between single quotes nothing but the quote itself has a meaning in YAML, and that is doubled. */
+static char *put_quoted(char *to, const char *text)
+{
+    *to++ = '\'';
+    for (; *text; text++) {
+        if (*text == '\'') *to++ = '\'';
+        *to++ = *text;
+    }
+    *to++ = '\'';
+    return to;
+}
+
+const char *columns_setting(const char *const *item, int n, struct arena *life)
+{
+    static const char head[] = "output.columns=[";
+    size_t most = sizeof head + 1;
+    for (int i = 0; i < n; i++) most += 2 * strlen(item[i]) + sizeof ", {'': ''}";
+    char *text = TAKE(life, char, most), *to = stpcpy(text, head);
+    for (int i = 0; i < n; i++) {
+        const char *formula = strchr(item[i], '=');
+        if (i) to = stpcpy(to, ", ");
+        if (formula) *to++ = '{';
+        to = put_quoted(to, columns_item_name(item[i], life));
+        if (!formula) continue;
+        to = put_quoted(stpcpy(to, ": "), formula + 1);
+        *to++ = '}';
+    }
+    stpcpy(to, "]");
+    return text;
+}

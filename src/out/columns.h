@@ -30,4 +30,10 @@ enum status columns_select(struct selection *to, const struct column *all, int n
  * dropped, empty ones left out. */
 const char **columns_split(int *n, const char *list, struct arena *life);
 
+/* The name of such an item: what stands before '=', if there is one. */
+const char *columns_item_name(const char *item, struct arena *life);
+
+/* The setting of a deck that asks for such items: output.columns=['t', {'speed': 'hypot(rod.vx, rod.vy)'}]. */
+const char *columns_setting(const char *const *item, int n, struct arena *life);
+
 #endif

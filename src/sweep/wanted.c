@@ -62,28 +62,15 @@ void wanted_last(struct wanted *o, const struct column *columns, int n, struct a
             .text = arena_print(life, "last(%s)", columns[i + 1].name), .column = columns[i + 1].name, .index = i + 1};
 }
 
-/* Between single quotes YAML reads nothing but the quote, which is doubled. */
-static const char *quoted(const char *text, struct arena *life)
-{
-    char *to = TAKE(life, char, 2 * strlen(text) + 3), *at = to;
-    *at++ = '\'';
-    for (; *text; text++) {
-        if (*text == '\'') *at++ = '\'';
-        *at++ = *text;
-    }
-    *at = '\'';
-    return to;
-}
-
 const char *wanted_setting(const struct wanted *o, struct arena *life)
 {
-    const char *text = "output.columns=['t'";
+    const char **item = TAKE(life, const char *, o->n + 1);
+    item[0] = "t";
     for (int i = 0; i < o->n; i++) {
         const struct want *w = &o->want[i];
-        text = w->formula ? arena_print(life, "%s, {%s: %s}", text, w->column, quoted(w->formula, life))
-                          : arena_print(life, "%s, %s", text, quoted(w->column, life));
+        item[i + 1] = w->formula ? arena_print(life, "%s=%s", w->column, w->formula) : w->column;
     }
-    return arena_print(life, "%s]", text);
+    return columns_setting(item, o->n + 1, life);
 }
 
 enum status wanted_find(struct wanted *o, const struct column *columns, int n, struct report *report)
