@@ -201,10 +201,5 @@ enum status check_json(struct sim *sim, const struct advice *advice, struct aren
     add_mass(o, mass, centre, sim->model->space);
     add_loops(o, sim, life);
     add_steps(o, sim, advice, life);
-    char *text = cJSON_Print(o);
-    cJSON_Delete(o);
-    if (!text) return fail(report, E_LIMIT, "out of memory");
-    puts(text);
-    cJSON_free(text);
-    return OK;
+    return facts_print(o, true, report);
 }

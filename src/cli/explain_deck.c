@@ -239,12 +239,7 @@ static enum status print_json(const struct told *told, const struct flip *run, s
     facts_add(o, "until", facts_number(run->until));
     cJSON *list = cJSON_AddArrayToObject(o, "effects");
     for (int i = 0; i < EFFECTS; i++) cJSON_AddItemToArray(list, row(&told[i], (enum effect_id)i, life));
-    char *text = cJSON_Print(o);
-    cJSON_Delete(o);
-    if (!text) return fail(report, E_LIMIT, "out of memory");
-    puts(text);
-    cJSON_free(text);
-    return OK;
+    return facts_print(o, true, report);
 }
 
 /* When a second's worth of the run ends, by its first part. */

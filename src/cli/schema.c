@@ -1,11 +1,11 @@
 /* schema.c -- fmdsub schema: the key tables as a JSON Schema (draft-07), for editors */
-#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/cli.h"
 #include "kind/joint.h"
+#include "out/facts.h"
 #include "sim/load.h"
 
 static cJSON *typed(const char *type)
@@ -169,11 +169,5 @@ enum status verb_schema(const struct request *request, struct arena *life, struc
 {
     (void)life;
     if (request->nword) return fail(report, E_USAGE, "'fmdsub schema' takes no argument: it is the same for all decks");
-    cJSON *schema = deck_schema();
-    char *text = cJSON_Print(schema);
-    cJSON_Delete(schema);
-    if (!text) return fail(report, E_LIMIT, "out of memory");
-    puts(text);
-    cJSON_free(text);
-    return OK;
+    return facts_print(deck_schema(), true, report);
 }

@@ -2,7 +2,6 @@
 #include "cli/stability_json.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "out/facts.h"
@@ -131,11 +130,7 @@ enum status stability_json(const struct stability *o, struct sim *sim, struct ar
                  put_matrices(root, &o->classes, life);
     enum status status = whole ? put_columns(root, sim, life, report, &columns) : OK;
     whole = whole && columns && put_rows(root, o, life);
-    char *text = whole && status == OK ? cJSON_PrintUnformatted(root) : NULL;
+    if (whole && status == OK) return facts_print(root, false, report);
     cJSON_Delete(root);
-    if (status != OK) return status;
-    if (!text) return fail(report, E_LIMIT, "out of memory");
-    puts(text);
-    cJSON_free(text);
-    return OK;
+    return status != OK ? status : fail(report, E_LIMIT, "out of memory");
 }

@@ -2,6 +2,7 @@
 #include "out/facts.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -139,4 +140,14 @@ enum status facts_put(struct stream *stream, const char *before, cJSON *item, co
     enum status status = stream_end(stream, stpcpy(stpcpy(stpcpy(to, before), text), after), report);
     cJSON_free(text);
     return status;
+}
+
+enum status facts_print(cJSON *item, bool lines, struct report *report)
+{
+    char *text = !item ? NULL : lines ? cJSON_Print(item) : cJSON_PrintUnformatted(item);
+    cJSON_Delete(item);
+    if (!text) return fail(report, E_LIMIT, "out of memory");
+    puts(text);
+    cJSON_free(text);
+    return OK;
 }

@@ -28,6 +28,9 @@ bool facts_event(cJSON *to, double t, const char *kind, const char *text, struct
  * when item is NULL or there is no memory to print it. */
 enum status facts_put(struct stream *stream, const char *before, cJSON *item, const char *after, struct report *report);
 
+/* `item` on standard output, in a line or in many; deletes it.  E_LIMIT as there. */
+enum status facts_print(cJSON *item, bool lines, struct report *report);
+
 /* Sends what is whole and gives the stream up: E_LIMIT. */
 enum status facts_no_memory(struct stream *stream, struct report *report);
 
