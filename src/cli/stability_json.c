@@ -68,7 +68,7 @@ static enum status slopes(double *to, struct sim *sim, int j, bool velocity, str
     const int n = ode->n, m = sim->chosen.n;
     double *q = TAKE(life, double, ode->nq), *x = TAKE(life, double, n), *zero = TAKE(life, double, n);
     double *up = TAKE(life, double, m), *down = TAKE(life, double, m);
-    const double h = 1e-5 * (ode->size ? ode->size(ode, j) : 1);
+    const double h = 1e-5 * ode2_usual(ode, j);
     for (int side = -1; side <= 1; side += 2) {
         memcpy(q, sim->x.q, sizeof *q * (size_t)ode->nq);
         x[j] = side * h;

@@ -41,23 +41,18 @@ struct adaptive *adaptive_of(const struct stepper *s)
     return s->self;
 }
 
-static double usual(const struct stepper *s, int i)
-{
-    return s->ode->size ? s->ode->size(s->ode, i) : 1;
-}
-
 /* Size of position i.  A position that is moved by quasi-displacements has none of its own: what it
  * has travelled, at most its usual size. */
 static double size(const struct stepper *s, const double *q, int i)
 {
     const struct adaptive *m = s->self;
-    return s->ode->move ? fmin(usual(s, i), fabs(m->span[i])) : fabs(q[i]);
+    return s->ode->move ? fmin(ode2_usual(s->ode, i), fabs(m->span[i])) : fabs(q[i]);
 }
 
 double adaptive_scale_q(const struct stepper *s, int i)
 {
     const struct adaptive *m = s->self;
-    return m->tolerance * usual(s, i) + m->tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
+    return m->tolerance * ode2_usual(s->ode, i) + m->tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
 }
 
 /* What all but stands is not judged by its round-off. */
@@ -67,7 +62,7 @@ double adaptive_scale_v(const struct stepper *s, int i)
     const struct adaptive *m = s->self;
     const double part = m->scheme->plain ? .1 : .01;
     const double own = m->scheme->plain ? m->top[i] : fmax(fabs(m->v[i]), fabs(m->v1[i]));
-    return m->tolerance * usual(s, i) * fmax(part * m->pace, SLOWEST) + m->tolerance * own;
+    return m->tolerance * ode2_usual(s->ode, i) * fmax(part * m->pace, SLOWEST) + m->tolerance * own;
 }
 
 static void note_pace(struct stepper *s)
@@ -75,7 +70,7 @@ static void note_pace(struct stepper *s)
     struct adaptive *m = s->self;
     for (int i = 0; i < s->ode->n; i++) {
         m->top[i] = larger(m->top[i], fabs(m->v[i]));
-        m->pace = fmax(m->pace, fabs(m->v[i]) / usual(s, i));
+        m->pace = fmax(m->pace, fabs(m->v[i]) / ode2_usual(s->ode, i));
     }
 }
 

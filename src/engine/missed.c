@@ -34,10 +34,14 @@ void missed_add(struct missed *o, const double *position, const double *velocity
     o->seen = 0;
 }
 
-void missed_before(struct missed *o, const double *v, double h)
+void missed_begin(struct missed *o, bool afresh, double h)
 {
-    if (h != o->h) o->seen = 0;
+    if (afresh || h != o->h) missed_break(o);
     o->h = h;
+}
+
+void missed_before(struct missed *o, const double *v)
+{
     if (o->seen == 0) memcpy(o->v[o->seen++], v, (size_t)o->n * sizeof *v);
 }
 
@@ -72,7 +76,7 @@ static double shear(double x)
 void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h)
 {
     for (int i = 0; i < o->n; i++) {
-        o->way[i] += h * v[i] / (ode->size ? ode->size(ode, i) : 1);
+        o->way[i] += h * v[i] / ode2_usual(ode, i);
         if (fabs(o->way[i]) > o->extent[i]) o->extent[i] = fabs(o->way[i]);
         o->position[i] += shear(o->extent[i]) * fabs(h) * o->velocity[i];
     }

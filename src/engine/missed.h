@@ -40,8 +40,10 @@ static inline bool missed_looks(struct missed *o)
 {
     return o->steps++ >= o->next;
 }
-/* Of such a step h of one rate: velocities [n] at its start, at its end. */
-void missed_before(struct missed *o, const double *v, double h);
+/* Such a step h; afresh: the past is no longer that of this motion, nor is it where h is another. */
+void missed_begin(struct missed *o, bool afresh, double h);
+/* Of one rate: velocities [n] at its start, at its end. */
+void missed_before(struct missed *o, const double *v);
 void missed_after(struct missed *o, const double *v, int order, double late);
 /* Errors of velocities go on into positions for a time h, at velocities v [n], usual sizes of coordinates by ode: of schemes
  * that do not go back the way that they came, and so let the energy drift. */

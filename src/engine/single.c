@@ -33,9 +33,9 @@ static enum status one_looked_at(struct stepper *s, struct state *x, double h, d
 {
     const struct stepper_kind *kind = s->kind;
     const double fades = kind->fades ? kind->fades(&s->options) : 0;
-    if (s->fresh) missed_break(s->missed);
+    missed_begin(s->missed, s->fresh, h);
     const long told = s->missed->told;
-    missed_before(s->missed, x->v, h);
+    missed_before(s->missed, x->v);
     const enum status status = one(s, x, h, t1, why);
     if (status != OK)
         missed_break(s->missed);

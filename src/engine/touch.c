@@ -30,7 +30,7 @@ static void open_saved(struct touch_saved *o, const struct ode2 *ode, struct are
 static void weigh(struct touch *o)
 {
     for (int i = 0; i < o->ode->n; i++) {
-        const double size = o->ode->size ? o->ode->size(o->ode, i) : 1;
+        const double size = ode2_usual(o->ode, i);
         o->weight[i] = size > 0 ? 1 / (size * size) : 1;
     }
 }

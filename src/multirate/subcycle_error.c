@@ -158,9 +158,8 @@ bool subcycle_error_looks(struct stepper *s)
     struct missed *o = s->missed;
     if (!o) return true;
     if (!missed_looks(o)) return false;
-    if (s->fresh || c->H != o->h) missed_break(o);
+    missed_begin(o, s->fresh, c->H);
     if (o->seen == 0) subcycle_error_keep(s, false);
-    o->h = c->H;
     return true;
 }
 

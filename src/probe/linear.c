@@ -26,12 +26,6 @@ static enum status displaced_resid(double *r, const struct linear *l, double *q1
     return OK;
 }
 
-/* A usual change of coordinate i. */
-static double usual(const struct linear *l, int i)
-{
-    return l->ode->size ? l->ode->size(l->ode, i) : 1;
-}
-
 /* K and N by central differences, exact for cubic r: the stretch of a beam held at both ends is one.  Steps are in
  * usual changes of the coordinates: a mode of a light beam, which has unit mass, moves far per unit. */
 static enum status stiffness(struct linear *l, struct arena *life, struct trouble *why)
@@ -43,7 +37,7 @@ static enum status stiffness(struct linear *l, struct arena *life, struct troubl
     double *r = TAKE(life, double, n), *work = TAKE(life, double, n);
     for (int j = 0; j < n; j++) {
         double *K = l->K + (long)n * j;
-        const double h = step * usual(l, j);
+        const double h = step * ode2_usual(l->ode, j);
         memset(K, 0, (size_t)n * sizeof *K);
         for (int k = 0; k < 4; k++) {
             dx[j] = at[k] * h;
@@ -70,7 +64,7 @@ static enum status gyroscopic(double *G, const struct linear *l, double t, struc
     double *v = TAKE(life, double, n), *up = TAKE(life, double, n), *down = TAKE(life, double, n);
     struct instant x = {.t = t, .q = l->q, .v = v, .ta = t, .tb = t};
     for (int j = 0; j < n; j++) {
-        const double step = rate * usual(l, j);
+        const double step = rate * ode2_usual(l->ode, j);
         v[j] = step;
         TRY(l->ode->ops->resid(l->ode, up, NULL, NULL, &x, l->cls, why));
         v[j] = -step;

@@ -104,19 +104,14 @@ void trust_recall(struct sim *sim, struct recall *r)
 
 /* ---- at the end ------------------------------------------------------------------------------------------------ */
 
-static double usual(const struct ode2 *ode, int i)
-{
-    return ode->size ? ode->size(ode, i) : 1;
-}
-
 /* What makes the errors of a place so small that columns answer in proportion; 0: there are none. */
 static double reduction(const struct trust_place *p, const struct ode2 *ode)
 {
     double pace = 0, most = 0;
-    for (int i = 0; i < ode->n; i++) pace = fmax(pace, fabs(p->v[i]) / usual(ode, i));
+    for (int i = 0; i < ode->n; i++) pace = fmax(pace, fabs(p->v[i]) / ode2_usual(ode, i));
     for (int i = 0; i < ode->n; i++) {
-        most = fmax(most, p->position[i] / usual(ode, i));
-        most = fmax(most, p->velocity[i] / usual(ode, i) / fmax(pace, 1e-3));
+        most = fmax(most, p->position[i] / ode2_usual(ode, i));
+        most = fmax(most, p->velocity[i] / ode2_usual(ode, i) / fmax(pace, 1e-3));
     }
     return most > 0 ? SMALL / most : 0;
 }

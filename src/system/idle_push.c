@@ -24,8 +24,7 @@ static bool torques(struct pushing *o, const double *q, const double *v, double 
     const struct instant x = {.t = t, .q = q, .v = v, .ta = t, .tb = t};
     const struct arena_mark mark = arena_mark(o->scratch);
     bool known = o->ode->ops->resid(o->ode, o->r, NULL, NULL, &x, ALL, &why) == OK;
-    for (int i = 0; known && i < o->ode->n; i++)
-        o->usual = fmax(o->usual, fabs(o->r[i]) * (o->ode->size ? o->ode->size(o->ode, i) : 1));
+    for (int i = 0; known && i < o->ode->n; i++) o->usual = fmax(o->usual, fabs(o->r[i]) * ode2_usual(o->ode, i));
     known = known && inverse_build(&M, o->ode, q, t, o->scratch);
     if (known) inverse_apply(&M, o->r);
     for (int i = 0; known && i < o->idle->n; i++) {

@@ -173,4 +173,9 @@ struct ode2 {
     void *self;       /* the owner's */
 };
 
+static inline double ode2_usual(const struct ode2 *o, int i)
+{
+    return o->size ? o->size(o, i) : 1;
+}
+
 #endif
