@@ -26,6 +26,14 @@ static enum status driven(struct system *s, const double *q, double t, struct tr
     return condense_rates(s->loops, s->v, NULL, q, s->still, NULL, t, why);
 }
 
+/* The rate along the k-th row y of a contact where the tree moves with v; NULL: it stands still. */
+static double rate_along(const struct system *s, int contact, int k, const double *y, const double *v)
+{
+    double rate = k == 1 ? -s->model->contact[contact].law.speed : 0;
+    for (int j = 0; v && j < s->model->n; j++) rate += y[j] * v[j];
+    return rate;
+}
+
 static enum status rows(const struct ode2_contact *c, double *G, double *b, const int *on, const double *q, double t,
                         struct trouble *why)
 {
@@ -38,8 +46,7 @@ static enum status rows(const struct ode2_contact *c, double *G, double *b, cons
         contacts_rows(s->contacts, s->view, s->row, i);
         for (int k = 0; k <= c->of[i].across; k++, G += door, b++) {
             const double *y = s->row + (size_t)k * n;
-            *b = k == 1 ? -s->model->contact[i].law.speed : 0;
-            for (size_t j = 0; j < n && s->model->ndrive; j++) *b += y[j] * s->v[j];
+            *b = rate_along(s, i, k, y, s->model->ndrive ? s->v : NULL);
             if (s->loops)
                 condense_reduce(s->loops, G, y, q, t);
             else
@@ -86,8 +93,5 @@ void system_slip(const struct system *s, double *rate, int contact)
     const struct model_contact *c = &s->model->contact[contact];
     const size_t n = (size_t)s->model->n;
     contacts_rows(s->contacts, s->view, s->row, contact);
-    for (int k = 0; k < contact_rows(c); k++) {
-        rate[k] = k == 1 ? -c->law.speed : 0;
-        for (size_t j = 0; j < n; j++) rate[k] += s->row[(size_t)k * n + j] * s->v[j];
-    }
+    for (int k = 0; k < contact_rows(c); k++) rate[k] = rate_along(s, contact, k, s->row + (size_t)k * n, s->v);
 }
