@@ -65,8 +65,8 @@ int find_quantity(const struct scene *scene, struct scene_slot *o, const char *n
  * nearest of them. */
 bool not_there(struct builder *b, const struct node *n, const char *section, const char *kind);
 
-/* A name, and not one of those that columns of the program's own begin with. */
-bool may_own_columns(const char *name);
+/* Is the key no name, or one of those that columns of the program's own begin with?  1: told; what: "body". */
+int wrong_name(struct builder *b, const struct node *n, const char *what);
 
 /* Has a body a key that only one from a file has?  Its own word may be misspelt. */
 bool is_from_file(const struct node *n);

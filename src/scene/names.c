@@ -156,12 +156,19 @@ int find_two_bodies(struct builder *b, int *first, int *second, const struct nod
     return 0;
 }
 
-bool may_own_columns(const char *name)
+static bool may_own_columns(const char *name)
 {
     static const char *const taken[] = {"ground", "energy", "momentum", "step"};
     for (int i = 0; i < 4; i++)
         if (strcmp(name, taken[i]) == 0) return false;
     return text_is_name(name);
+}
+
+int wrong_name(struct builder *b, const struct node *n, const char *what)
+{
+    if (may_own_columns(n->key)) return 0;
+    diag_error(b->diags, n, AT_KEY, "E-name", "'%.60s' cannot name a %s", n->key, what);
+    return 1;
 }
 
 int scene_find_joint(const struct scene *scene, const char *name, size_t len)

@@ -278,8 +278,7 @@ int read_bodies(struct builder *b, const struct node *n)
         body->name = item->key;
         body->node = item;
         memcpy(body->R, identity, sizeof identity);
-        if (!may_own_columns(item->key)) {
-            diag_error(b->diags, item, AT_KEY, "E-name", "'%.60s' cannot name a body", item->key);
+        if (wrong_name(b, item, "body")) {
             diag_hint(b->diags,
                       "names are letters, digits and '_', a letter first; energy, momentum and step are taken");
             errors++;

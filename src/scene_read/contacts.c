@@ -274,12 +274,7 @@ int read_contacts(struct builder *b, const struct node *surfaces, const struct n
     make_room(b, contacts->count * count_spots(all, n));
     for (int i = 0; i < contacts->count && !diags_full(b->diags); i++) {
         const struct node *c = contacts->item[i];
-        if (may_own_columns(c->key)) {
-            errors += read_contact(b, all, n, c);
-        } else {
-            diag_error(b->diags, c, AT_KEY, "E-name", "'%.60s' cannot name a contact", c->key);
-            errors++;
-        }
+        errors += wrong_name(b, c, "contact") || read_contact(b, all, n, c);
     }
     return errors;
 }

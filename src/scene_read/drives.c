@@ -32,14 +32,10 @@ int read_drives(struct builder *b, const struct node *n)
     scene->drive = TAKE(b->life, struct scene_drive, n->count);
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_drive d;
-        if (!may_own_columns(n->item[i]->key)) {
-            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a drive", n->item[i]->key);
+        if (wrong_name(b, n->item[i], "drive") || read_drive(b, &d, n->item[i]))
             errors++;
-        } else if (read_drive(b, &d, n->item[i])) {
-            errors++;
-        } else {
+        else
             scene->drive[scene->ndrive++] = d;
-        }
     }
     return errors;
 }

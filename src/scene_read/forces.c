@@ -337,14 +337,10 @@ int read_forces(struct builder *b, const struct node *n)
     if (read_map(n, "'forces'", &b->reader)) return 1;
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_force f = {0};
-        if (!may_own_columns(n->item[i]->key)) {
-            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a force", n->item[i]->key);
+        if (wrong_name(b, n->item[i], "force") || read_force(b, &f, n->item[i]))
             errors++;
-        } else if (read_force(b, &f, n->item[i])) {
-            errors++;
-        } else {
+        else
             scene->force[scene->nforce++] = f;
-        }
     }
     return errors;
 }

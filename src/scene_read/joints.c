@@ -174,8 +174,7 @@ int read_joints(struct builder *b, const struct node *n)
     scene->joint = TAKE(b->life, struct scene_joint, count + scene->nbody);
     for (int i = 0; i < count && !diags_full(b->diags); i++) {
         struct scene_joint joint = {0};
-        if (!may_own_columns(n->item[i]->key)) {
-            diag_error(b->diags, n->item[i], AT_KEY, "E-name", "'%.60s' cannot name a joint", n->item[i]->key);
+        if (wrong_name(b, n->item[i], "joint")) {
             diag_hint(b->diags, "names are letters, digits and '_', a letter first; ground, energy and step are taken");
             errors++;
         } else if (read_joint(b, &joint, n->item[i])) {
