@@ -184,18 +184,18 @@ static enum status close_drawn(struct touch *o, const struct state *x, double h,
     return OK;
 }
 
-int touch_begin(struct touch *o, double *overlap, const struct state *x, double h, struct trouble *why)
+enum status touch_begin(struct touch *o, int *deepest, double *overlap, const struct state *x, double h,
+                        struct trouble *why)
 {
     *overlap = 0;
-    int deepest = -1;
+    *deepest = -1;
     o->usual = h;
-    if (o->c->gap(o->c, o->g, x->q, x->t, why) != OK) return -1;
+    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
     for (int i = 0; i < o->c->m; i++) {
         const double share = o->g[i] / o->size[i];
-        if (share < -TOUCH_DRAWN && (deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[deepest = i];
+        if (share < -TOUCH_DRAWN && (*deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[*deepest = i];
     }
-    if (deepest >= 0) return deepest;
-    return close_drawn(o, x, h, why) == OK ? -1 : 0;
+    return *deepest < 0 ? close_drawn(o, x, h, why) : OK;
 }
 
 /* ---- for records ---- */

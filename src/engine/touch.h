@@ -44,8 +44,9 @@ struct touch;
 struct touch *touch_open(struct stepper *s, struct arena *life);
 
 /* Where the run stands at the start, to go on with steps of about h: which contacts are closed.  A gap below 0: *overlap
- * is it, its contact returned; -1: none. */
-int touch_begin(struct touch *o, double *overlap, const struct state *x, double h, struct trouble *why);
+ * is the deepest, of the contact *deepest; -1: none. */
+enum status touch_begin(struct touch *o, int *deepest, double *overlap, const struct state *x, double h,
+                        struct trouble *why);
 
 /* As kind->step() of a scheme of one rate. */
 enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);

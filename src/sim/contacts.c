@@ -56,12 +56,13 @@ enum status sim_without_contacts(const struct sim *sim, const char *what, struct
                 what, sim->model->contact[0].name, give_way(sim));
 }
 
-enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report)
+enum status contacts_begin(struct sim *sim, struct report *report)
 {
+    int i;
     double overlap;
     struct trouble why = {0};
-    const int i = touch_begin(sim->stepper.touch, &overlap, &sim->x, sim->plan.step, &why);
-    (void)diags;
+    const enum status status = touch_begin(sim->stepper.touch, &i, &overlap, &sim->x, sim->plan.step, &why);
+    if (status != OK) return describe_trouble(sim, &why, E_MODEL, report);
     if (i < 0) return OK;
     const struct model_contact *c = &sim->model->contact[i];
     return fail(

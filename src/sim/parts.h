@@ -67,7 +67,7 @@ enum status events_check(struct sim *sim, struct sink *sink, struct report *repo
 /* contacts.c: rigid contacts: which schemes take them; the start, without overlaps; forces in what records look at;
  * events of the last major step */
 enum status contacts_plan(const struct sim *sim, struct diags *diags);
-enum status contacts_begin(struct sim *sim, struct diags *diags, struct report *report);
+enum status contacts_begin(struct sim *sim, struct report *report);
 enum status contacts_press(struct sim *sim);
 enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report);
 /* guard.c: where energies have been looked at: the first sign of a balance that is lost */

@@ -108,7 +108,7 @@ static enum status start(struct sim *sim, struct diags *diags, struct report *re
         system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &why) != OK)
         return describe_trouble(sim, &why, E_MODEL, report);
     TRY(passes_begin(sim, diags));
-    if (sim->stepper.touch) TRY(contacts_begin(sim, diags, report));
+    if (sim->stepper.touch) TRY(contacts_begin(sim, report));
     ledger_open(&sim->ledger, sim->scene->delta, least, e.kinetic, e.elastic, e.gravity);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
