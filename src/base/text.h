@@ -16,6 +16,9 @@ const char *text_nearest(const char *word, const char *const *words, int n);
 /* Does name match pattern, in which '*' stands for any run of characters and '?' for one? */
 bool text_match(const char *pattern, const char *name);
 
+/* Does text end so, in letters of either case, behind something else? */
+bool text_ends(const char *text, const char *end);
+
 /* A deck name: [A-Za-z][A-Za-z0-9_]* */
 bool text_is_name(const char *text);
 

@@ -1,8 +1,5 @@
 /* animate.c -- fmdsub animate: a run as moving pictures, in one file for a browser or a viewer */
-#include <math.h>
-#include <string.h>
-#include <strings.h>
-
+#include "base/text.h"
 #include "cli/cli.h"
 #include "cli/curves.h"
 #include "film/film.h"
@@ -17,10 +14,7 @@ enum { FORMS = sizeof forms / sizeof *forms };
 static int form_of(const char *path)
 {
     int i = 0;
-    for (; i < FORMS; i++) {
-        const size_t n = strlen(path), m = strlen(forms[i].ending);
-        if (n > m && strcasecmp(path + n - m, forms[i].ending) == 0) break;
-    }
+    while (i < FORMS && !text_ends(path, forms[i].ending)) i++;
     return i;
 }
 

@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
+
+#include "base/text.h"
 
 enum form { NONE, CSV, NDJSON, JSON };
 
@@ -15,10 +16,8 @@ static enum form form_of(const char *path)
         const char *ending;
         enum form form;
     } forms[] = {{".csv", CSV}, {".ndjson", NDJSON}, {".jsonl", NDJSON}, {".json", JSON}};
-    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
-        const size_t n = strlen(path), m = strlen(forms[i].ending);
-        if (n > m && strcasecmp(path + n - m, forms[i].ending) == 0) return forms[i].form;
-    }
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++)
+        if (text_ends(path, forms[i].ending)) return forms[i].form;
     return NONE;
 }
 
