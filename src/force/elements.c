@@ -29,6 +29,7 @@ void elements_press(struct elements *e, const struct contacts *contacts, const d
 {
     e->contacts = contacts;
     e->press = f;
+    e->loads = e->model->nforce > 0 || f;
 }
 
 static void press(struct elements *e, struct sweep *s, double *r)
@@ -41,7 +42,7 @@ static void press(struct elements *e, struct sweep *s, double *r)
 void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
                    const struct instant *x, enum rate cls)
 {
-    if (e->model->nforce == 0 && !e->press) return; /* before any register is saved */
+    if (!e->loads) return; /* before any register is saved */
     if (e->press) press(e, s, r);
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) load_plain(&e->plain[i], r, w, effect, x);
     if (x->qa && x->qb && e->ends[cls]) {

@@ -126,6 +126,7 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
     struct elements *e = TAKE(life, struct elements, 1);
     e->model = m;
     e->ops = ops;
+    e->loads = m->nforce > 0;
     measures_build(&e->measures, m, ops, life);
     e->plain = TAKE(life, struct plain, m->nforce);
     e->other = TAKE(life, struct part_of, m->nforce);

@@ -91,6 +91,7 @@ struct elements {
     struct row row, column;
     const struct contacts *contacts; /* that push with */
     const double *press;             /* these forces; NULL: none */
+    bool loads;                      /* is there any force, or one of contacts? */
     const struct reduction *to;      /* of elements_slopes_reduced(), while it runs */
 };
 
