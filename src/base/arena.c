@@ -82,6 +82,68 @@ FILE *file_or_end(const char *path, const char *mode)
     return file;
 }
 
+FILE *file_to_read(const char *path)
+{
+    FILE *file = fopen(path, "re");
+    if (!file && errno == ENOMEM) out_of_memory(sizeof *file);
+    return file;
+}
+
+ssize_t line_or_end(char **line, size_t *room, int end, FILE *file)
+{
+    errno = 0;
+    const ssize_t n = getdelim(line, room, end, file);
+    if (n < 0 && errno == ENOMEM) out_of_memory((double)*room + 1);
+    return n;
+}
+
+/* A text that grows as it is written.  The C library's own (open_memstream) says nothing of what it had no memory for. */
+struct words {
+    char **text;
+    size_t *n, room;
+};
+
+static ssize_t words_write(void *self, const char *bytes, size_t n)
+{
+    struct words *o = self;
+    if (*o->n + n + 1 > o->room) {
+        const size_t room = 2 * (*o->n + n + 1);
+        char *text = realloc(*o->text, room);
+        if (!text) out_of_memory((double)room);
+        *o->text = text;
+        o->room = room;
+    }
+    memcpy(*o->text + *o->n, bytes, n);
+    *o->n += n;
+    (*o->text)[*o->n] = 0;
+    return (ssize_t)n;
+}
+
+static int words_end(void *self)
+{
+    free(self);
+    return 0;
+}
+
+FILE *words_open(char **text, size_t *n)
+{
+    struct words *o = malloc(sizeof *o);
+    *text = malloc(1);
+    if (!o || !*text) out_of_memory(sizeof *o);
+    **text = 0;
+    *n = 0;
+    *o = (struct words){text, n, 1};
+    FILE *words = fopencookie(o, "w", (cookie_io_functions_t){.write = words_write, .close = words_end});
+    if (!words) out_of_memory(sizeof *words);
+    setvbuf(words, NULL, _IONBF, 0);
+    return words;
+}
+
+void words_close(FILE *words, char *const *text)
+{
+    if (fclose(words) != 0 || !*text) out_of_memory(BUFSIZ);
+}
+
 /* Blocks double up to a size; what is larger gets a block of its own. */
 static void grow(struct arena *arena, size_t bytes)
 {

@@ -49,6 +49,13 @@ arena_print(struct arena *arena, const char *format, ...);
  * takes none but itself, NULL with errno as of fopen(). */
 void *memory_or_end(size_t bytes);
 FILE *file_or_end(const char *path, const char *mode);
+/* To read, with a buffer; NULL: it cannot be opened. */
+FILE *file_to_read(const char *path);
+/* As getdelim(3). */
+ssize_t line_or_end(char **line, size_t *room, int end, FILE *file);
+/* A file that is text in memory, the caller's to free() behind words_close(). */
+FILE *words_open(char **text, size_t *n);
+void words_close(FILE *words, char *const *text);
 
 /* A foreign object joins: release(object) runs when the arena closes. */
 void arena_defer(struct arena *arena, void (*release)(void *object), void *object);

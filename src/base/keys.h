@@ -46,7 +46,8 @@ struct key {
     const char *unit; /* "N/m"; NULL: none */
     double lo, hi;    /* range of the number, inclusive unless flagged */
     unsigned flags;
-    const char *words;    /* KEY_WORD: choices joined by '|'; KEY_NODE: shape in words */
+    const char
+        *words; /* KEY_WORD: choices joined by '|'; KEY_INT: a word that stands for 0; KEY_NODE: shape in words */
     const char *fallback; /* default as deck text; NULL: stays as the struct was */
     const char *brief;    /* one line for the manual */
 };
@@ -100,6 +101,12 @@ const struct key *key_find(const struct key *keys, const char *name);
     {                                                                                                                  \
         .name = word, .type = KEY_INT, .offset = offsetof(strukt, member), .lo = lo_, .hi = hi_, .flags = flags_,      \
         .fallback = fallback_, .brief = brief_                                                                         \
+    }
+/* A whole number, or a word, which is 0. */
+#define PARAM_COUNT(strukt, member, word, lo_, hi_, or_, flags_, fallback_, brief_)                                    \
+    {                                                                                                                  \
+        .name = word, .type = KEY_INT, .offset = offsetof(strukt, member), .lo = lo_, .hi = hi_, .flags = flags_,      \
+        .words = or_, .fallback = fallback_, .brief = brief_                                                           \
     }
 #define PARAM_BOOL(strukt, member, word, flags_, fallback_, brief_)                                                    \
     {                                                                                                                  \

@@ -1,5 +1,5 @@
-/* stop.h -- the one global: the signal that asks a run to end after its major step, or within that after a step of the
- * scheme's own; 0: none. */
+/* stop.h -- the one global: the signal that asks a run to end after the step under way, or to give that up where it is one
+ * of very many minor ones; 0: none. */
 #ifndef FMDSUB_BASE_STOP_H
 #define FMDSUB_BASE_STOP_H
 

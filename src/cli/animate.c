@@ -8,7 +8,7 @@
 static const struct {
     const char *ending;
     enum status (*write)(const struct film *film, struct stream *stream, struct report *report);
-} forms[] = {{".html", film_html}, {".glb", film_gltf}};
+} forms[] = {{".html", film_html}, {".glb", film_gltf}, {".svg", film_svg}, {".pvd", film_vtu}};
 enum { FORMS = sizeof forms / sizeof *forms };
 
 static int form_of(const char *path)
@@ -51,8 +51,9 @@ enum status verb_animate(const struct request *request, struct arena *life, stru
     struct shooting shooting = {&film, &sim};
     struct sink sink = {&ops, &shooting};
     const int form = request->output ? form_of(request->output) : FORMS;
-    if (form == FORMS) return fail(report, E_USAGE, "'fmdsub animate' writes --output FILE.html or FILE.glb");
-    enum status status = cli_load(&scene, &diags, request, life, report);
+    if (form == FORMS)
+        return fail(report, E_USAGE, "'fmdsub animate' writes --output FILE.html, FILE.glb, FILE.pvd or FILE.svg");
+    enum status status = cli_load_run(&scene, &diags, request, life, report);
     if (status == OK) status = targets_check(&file, 1, &scene->deck->read, life, report);
     if (status == OK) curves_refine(scene, request);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);

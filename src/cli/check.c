@@ -3,10 +3,12 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "cli/chosen.h"
 #include "cli/cli.h"
 #include "probe/modes.h"
 #include "sim/sim.h"
 #include "study/advice.h"
+#include "study/auto.h"
 
 static const double two_pi = 6.28318530717958647693;
 
@@ -33,6 +35,7 @@ static void print_elastic(FILE *to, const struct model *m, int body)
 static void print_kept(FILE *to, const struct model *m, int body)
 {
     const struct flex_body *f = m->body[body].flex;
+    if (f->chosen) chosen_print(to, f->chosen);
     if (!f->statics || f->n == 0) return;
     fprintf(to, "  %-16s modes:", "");
     for (int a = 0, b; a < f->n; a = b) {
@@ -216,8 +219,10 @@ static void print_no_steps(FILE *to, const struct advice *o)
 static void print_advice(FILE *to, const struct sim *sim, const struct advice *o)
 {
     if (o->why) {
-        fprintf(to, "steps: no advice, for %s%s\n", o->why,
-                sim->scene->ncontact ? "" : "; `fmdsub study` looks longer");
+        const bool study = !sim->scene->ncontact && !o->stop.text[0];
+        fprintf(to, "steps: no advice, for %s%s", o->why, study ? "; `fmdsub study` looks longer" : "");
+        if (o->stop.text[0]) fputs(":\n  ", to), text_put(to, o->stop.text);
+        fputc('\n', to);
         return;
     }
     fprintf(to, "steps: by trial runs of %.2g evaluations", o->work);
@@ -253,6 +258,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         return fail(report, E_USAGE,
                     "'fmdsub check' prints words, or one object by --format json, or a deck by --expanded");
     enum status status = cli_load(&scene, &diags, request, life, report);
+    if (status == OK && !request->expanded && !request->no_trial) status = auto_choose(scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
     struct advice advice;
@@ -271,6 +277,7 @@ enum status verb_check(const struct request *request, struct arena *life, struct
         print_forces(stdout, sim.model);
         print_frequencies(stdout, &sim, !trial || !(advice.no_steps || advice_step(&advice, 1e-2)), life);
         if (trial) print_advice(stdout, &sim, &advice);
+        if (sim.plan.because) printf("auto: %s\n", sim.plan.because);
         print_records(stdout, &sim);
     }
     if (request->strict && diags_warnings(diags))

@@ -1,6 +1,7 @@
 /* check_json.c -- fmdsub check --format json: the same as one object */
 #include <math.h>
 
+#include "cli/chosen.h"
 #include "cli/cli.h"
 #include "out/facts.h"
 #include "probe/modes.h"
@@ -55,6 +56,7 @@ static cJSON *bodies(const struct model *m)
         facts_add(o, "freedoms", facts_number(j->nv));
         if (b->flex) add_elastic(o, b);
         if (b->flex) add_kept(o, m, i);
+        if (b->flex && b->flex->chosen) cJSON_AddItemToObject(o, "chosen", chosen_json(b->flex->chosen));
         cJSON_AddItemToArray(list, o);
     }
     return list;
@@ -158,6 +160,7 @@ static void add_advice(cJSON *steps, const struct advice *o)
     if (isfinite(o->steps_until)) facts_add(steps, "trial_of_steps_until", facts_number(o->steps_until));
     if (o->no_steps) cJSON_AddStringToObject(steps, "no_step", o->no_steps);
     if (o->why) cJSON_AddStringToObject(steps, "no_advice", o->why);
+    if (o->stop.text[0]) cJSON_AddStringToObject(steps, "trial_stop", o->stop.text);
 }
 
 static void add_suggestion(cJSON *steps, const struct modes *modes, const struct sim *sim)
@@ -201,5 +204,6 @@ enum status check_json(struct sim *sim, const struct advice *advice, struct aren
     add_mass(o, mass, centre, sim->model->space);
     add_loops(o, sim, life);
     add_steps(o, sim, advice, life);
+    if (sim->plan.because) facts_add(o, "auto", facts_text(sim->plan.because, life));
     return facts_print(o, true, report);
 }

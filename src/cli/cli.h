@@ -24,10 +24,12 @@ struct request {
     const char *option[MOST_SETS]; /* the option it came by; NULL: --set */
     const char *format, *output, *stats, *schemes, *ratios, *steps, *tolerances, *pick, *repeats, *budget, *plot,
         *columns, *at, *final_state, *resume_from, *rel, *abs, *sample, *seed, *of, *jobs, *shard, *slurm;
+    const char *page;    /* --report */
+    const char *command; /* all of it, as a shell reads it */
     int nover;
     const char *over[MOST_OVERS];
-    bool quiet, verbose, want_stats, strict, expanded, absolute, script, no_trial, latin, times, resume, list, merge,
-        verify, help, version;
+    bool quiet, verbose, want_stats, strict, expanded, absolute, script, units, no_trial, latin, times, resume, list,
+        merge, verify, help, version;
     const char *progress, *color, *max_memory, *max_time;
     unsigned long given; /* bit i: option i of the table */
 };
@@ -73,6 +75,9 @@ enum status verb_new(const struct request *request, struct arena *life, struct r
 /* The only deck named, read and checked; its warnings and errors are printed. */
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report);
+/* Likewise, for a run: what it leaves open is chosen (study/auto.h). */
+enum status cli_load_run(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
+                         struct report *report);
 /* Files are read below the deck's folder only, and written where the outputs are, where the system can see to it. */
 void cli_confine(const struct request *request, struct arena *life);
 bool cli_color(const struct request *request);

@@ -4,6 +4,7 @@
  * What a deck may name is checked by itself (deck/source.c); this holds when that is wrong, or libyaml is. */
 #include <fcntl.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -78,6 +79,17 @@ static bool keeps_checkpoints(const struct request *request)
     return found;
 }
 
+/* A build that counts what is reached writes its counters at the end. */
+static void allow_counters(const struct ruleset *o)
+{
+#if defined(COVERAGE)
+    const char *counters = getenv("GCOV_PREFIX");
+    if (counters) allow(o, counters, WRITE | READ | MAKE | TRUNCATE);
+#else
+    (void)o;
+#endif
+}
+
 void cli_confine(const struct request *request, struct arena *life)
 {
     const char *deck = request->word[0];
@@ -90,10 +102,12 @@ void cli_confine(const struct request *request, struct arena *life)
     allow_folder(&o, strcmp(deck, "-") != 0 ? deck : "", READ | READ_FOLDER, life);
     allow_output(&o, request->output, life);
     allow_output(&o, request->plot, life);
+    allow_output(&o, request->page, life);
     allow_output(&o, request->final_state, life);
     if (request->resume_from) allow(&o, request->resume_from, READ);
     if (keeps_checkpoints(request)) allow(&o, ".", WRITE | READ | MAKE | REMOVE | TRUNCATE);
     allow_output(&o, request->stats, life);
+    allow_counters(&o);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) (void)syscall(RESTRICT_SELF, o.fd, 0);
     close(o.fd);
 }

@@ -70,7 +70,7 @@ static enum status run_deck(struct curves *o, const struct request *request, boo
     struct keeper keeper = {o, life};
     struct sink sink = {&ops, &keeper};
     const struct sim_options options = {.version = FMDSUB_VERSION, .warnings = stderr};
-    enum status status = cli_load(&scene, &diags, request, life, report);
+    enum status status = cli_load_run(&scene, &diags, request, life, report);
     if (status == OK && fine) curves_refine(scene, request);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
@@ -102,15 +102,15 @@ static enum status tell(const struct curves *o, enum status ended, int to)
 {
     char *text = NULL;
     size_t n = 0;
-    FILE *words = open_memstream(&text, &n);
-    if (!words) return E_LIMIT;
+    FILE *words = words_open(&text, &n);
     for (int i = 0; i < o->n; i++) {
         fputs(o->column[i].name, words);
         fputc(0, words);
         fputs(o->column[i].unit ? o->column[i].unit : "", words);
         fputc(0, words);
     }
-    enum status status = fclose(words) == 0 ? crew_tell(to, &ended, sizeof ended) : E_LIMIT;
+    words_close(words, &text);
+    enum status status = crew_tell(to, &ended, sizeof ended);
     if (status == OK) status = crew_tell(to, text, n);
     if (status == OK) status = crew_tell(to, o->x, (size_t)o->rows * (size_t)o->n * sizeof *o->x);
     free(text);
@@ -167,11 +167,25 @@ static enum status hear(void *self, int i, const void *bytes, size_t n, struct r
     return OK;
 }
 
+/* What changes a deck is not there for records that are made already. */
+static enum status check_settings(const struct request *request, struct report *report)
+{
+    for (int i = 0; i < request->nword; i++)
+        if (!recorded_is(request->word[i])) return OK;
+    for (int i = 0; i < request->nset; i++) {
+        const char *option = request->option[i] ? request->option[i] : "--set";
+        if (strcmp(option, "--columns") != 0)
+            return fail(report, E_USAGE, "%s is for decks: '%.80s' holds records already", option, request->word[0]);
+    }
+    return OK;
+}
+
 enum status curves_make(struct curves *o, const struct request *request, bool fine, enum status *ended,
                         struct arena *life, struct report *report)
 {
     struct job job = {request, o, fine, ended, life};
     const struct crew crew = {.n = request->nword, .self = &job, .work = work, .hear = hear};
     *ended = OK;
+    TRY(check_settings(request, report));
     return crew_run(&crew, life, report);
 }

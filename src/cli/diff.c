@@ -55,6 +55,8 @@ static enum status read_rules(struct diff *o, const struct request *request, str
     int nrel = 0, nabs = 0;
     const char **rel = request->rel ? columns_split(&nrel, request->rel, life) : NULL;
     const char **abs = request->abs ? columns_split(&nabs, request->abs, life) : NULL;
+    if (request->rel && !nrel) return fail(report, E_USAGE, "--rel names no number");
+    if (request->abs && !nabs) return fail(report, E_USAGE, "--abs names no number");
     o->rule = TAKE(life, struct rule, nrel + nabs);
     for (int i = 0; i < nrel; i++) TRY(add_rule(o, "rel", rel[i], life, report));
     for (int i = 0; i < nabs; i++) TRY(add_rule(o, "abs", abs[i], life, report));
@@ -168,11 +170,21 @@ static void put_lone(struct diff *o, const struct column *c, const char *verdict
     o->differ++;
 }
 
+/* The column of `in` for column i of `from`: of several of one name the first is the first's; -1: there is none. */
+static int counterpart(const struct curves *from, int i, const struct curves *in)
+{
+    int before = 0;
+    for (int k = 1; k < i; k++) before += strcmp(from->column[k].name, from->column[i].name) == 0;
+    for (int k = 1; k < in->n; k++)
+        if (strcmp(in->column[k].name, from->column[i].name) == 0 && before-- == 0) return k;
+    return -1;
+}
+
 /* A column that one of them lacks is a difference; with --columns those are compared that both have. */
 static void compare_all(struct diff *o, struct table *table)
 {
     for (int i = 1; i < o->a->n; i++) {
-        const int j = curves_find(o->b, o->a->column[i].name);
+        const int j = counterpart(o->a, i, o->b);
         if (!is_asked(o, o->a->column[i].name)) continue;
         if (j >= 0)
             compare(o, i, j, table);
@@ -180,7 +192,7 @@ static void compare_all(struct diff *o, struct table *table)
             put_lone(o, &o->a->column[i], "only in a", table);
     }
     for (int j = 1; j < o->b->n && !o->npattern; j++)
-        if (curves_find(o->a, o->b->column[j].name) < 0) put_lone(o, &o->b->column[j], "only in b", table);
+        if (counterpart(o->b, j, o->a) < 0) put_lone(o, &o->b->column[j], "only in b", table);
 }
 
 /* Every pattern is to find something. */

@@ -6,8 +6,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
+#include "cli/chosen.h"
 #include "cli/cli.h"
 #include "out/facts.h"
+#include "study/auto.h"
 #include "study/flip.h"
 
 static const double SECOND = 1; /* of CPU by price, a run */
@@ -159,6 +162,11 @@ static void tell(struct told *o, enum effect_id id, const struct flip *run)
 
 /* ---- turned the other way ---------------------------------------------------------------------------------------- */
 
+static bool is_stopped(const struct flip *run)
+{
+    return run->kept.status != OK && run->kept.status != E_VERDICT;
+}
+
 static void flip(struct told *o, enum effect_id id, const struct flip *run, const struct request *request,
                  struct arena *life)
 {
@@ -171,8 +179,9 @@ static void flip(struct told *o, enum effect_id id, const struct flip *run, cons
     other.set[other.nset] =
         arena_print(life, "effects.%s=%s", effect_kinds[id].name, o->state == STATE_ON ? "false" : "true");
     other.option[other.nset++] = NULL;
-    if (cli_load(&scene, &diags, &other, life, &report) != OK ||
-        flip_run(&turned, scene, run->until, diags, life, &report) != OK) {
+    const enum status loaded = cli_load(&scene, &diags, &other, life, &report);
+    if (loaded == OK) auto_same(scene, run->sim.scene);
+    if (loaded != OK || flip_run(&turned, scene, run->until, diags, life, &report) != OK) {
         o->why = "it cannot be turned in this scene";
         return;
     }
@@ -180,8 +189,9 @@ static void flip(struct told *o, enum effect_id id, const struct flip *run, cons
     const double from = scene->start, was = run->kept.seconds / (run->until - from);
     o->cost = turned.kept.seconds / (turned.until - from) / was - 1;
     o->change = flip_change(&o->column, run, &turned);
+    if (isnan(o->change)) o->why = "the two runs have no time in common but the start";
     if (turned.kept.status == E_VERDICT && run->kept.status == OK) o->why = "then the run is told wrong";
-    if (turned.kept.status != OK && turned.kept.status != E_VERDICT) o->why = "then the run stops";
+    if (is_stopped(&turned) && !is_stopped(run)) o->why = "then the run stops";
     if (o->cost == 0 && o->change == 0) o->why = "no difference: there is none of it, or bodies' own keys decide";
 }
 
@@ -205,12 +215,35 @@ static void print_row(const struct told *o, enum effect_id id)
     printf("%s%s\n", o->why ? "; " : "", o->why ? o->why : "");
 }
 
+/* Of bodies whose modes the program has chosen. */
+static void print_modes(const struct model *m)
+{
+    for (int i = 1; i < m->nbody; i++) {
+        if (!m->body[i].flex || !m->body[i].flex->chosen) continue;
+        printf("%s\n", m->body[i].name);
+        chosen_print(stdout, m->body[i].flex->chosen);
+    }
+}
+
+static void add_modes(cJSON *to, const struct model *m)
+{
+    cJSON *list = NULL;
+    for (int i = 1; i < m->nbody; i++) {
+        if (!m->body[i].flex || !m->body[i].flex->chosen) continue;
+        if (!list) list = cJSON_AddObjectToObject(to, "modes");
+        cJSON_AddItemToObject(list, m->body[i].name, chosen_json(m->body[i].flex->chosen));
+    }
+}
+
 static void print_words(const struct told *told, const struct flip *run)
 {
     const struct sim *sim = &run->sim;
     printf("%s: %s, %.3g us a step by counts, runs to t = %.4g s\n", sim->scene->deck->name, sim_space(sim),
            1e6 * run->kept.seconds / fmax(1, (double)run->kept.effort.majors), run->until);
+    if (is_stopped(run))
+        fputs("it does not run to its end: ", stdout), text_put(stdout, run->kept.report.text), puts("");
     for (int i = 0; i < EFFECTS; i++) print_row(&told[i], (enum effect_id)i);
+    print_modes(sim->model);
 }
 
 static cJSON *row(const struct told *o, enum effect_id id, struct arena *life)
@@ -237,8 +270,10 @@ static enum status print_json(const struct told *told, const struct flip *run, s
     cJSON_AddStringToObject(o, "motion", sim_space(&run->sim));
     facts_add(o, "seconds_per_step", facts_number(run->kept.seconds / fmax(1, (double)run->kept.effort.majors)));
     facts_add(o, "until", facts_number(run->until));
+    if (is_stopped(run)) cJSON_AddStringToObject(o, "stop", run->kept.report.text);
     cJSON *list = cJSON_AddArrayToObject(o, "effects");
     for (int i = 0; i < EFFECTS; i++) cJSON_AddItemToArray(list, row(&told[i], (enum effect_id)i, life));
+    add_modes(o, run->sim.model);
     return facts_print(o, true, report);
 }
 
@@ -259,7 +294,7 @@ enum status explain_deck(const struct request *request, struct arena *life, stru
     const bool json = request->format && strcmp(request->format, "json") == 0;
     if (request->format && !json)
         return fail(report, E_USAGE, "'fmdsub explain DECK' prints words, or one object by --format json");
-    enum status status = cli_load(&scene, &diags, request, life, report);
+    enum status status = cli_load_run(&scene, &diags, request, life, report);
     if (status == OK) {
         const struct integrate *p = &scene->integrate;
         const double span = p->until - scene->start, H = p->step > 0 ? p->step * p->ratio : span / FIRST;

@@ -150,26 +150,24 @@ static void put_terminal(FILE *to, const char *path, int width, int height, int 
     }
 }
 
-enum status gnuplot_begin(struct gnuplot_script *s, const char *path, bool shown, int width, int height, int lines,
-                          struct report *report)
+void gnuplot_begin(struct gnuplot_script *s, const char *path, bool shown, int width, int height, int lines)
 {
     *s = (struct gnuplot_script){.path = path, .shown = shown};
-    s->to = open_memstream(&s->text, &s->n);
-    if (!s->to) return fail(report, E_LIMIT, "no memory for the picture");
+    s->to = words_open(&s->text, &s->n);
     put_terminal(s->to, path, width, height, lines);
-    if (!shown || !path) return OK;
+    if (!shown || !path) return;
     fputs("set output ", s->to);
     script_put_text(s->to, path);
     fputc('\n', s->to);
-    return OK;
 }
 
 enum status gnuplot_end(struct gnuplot *o, struct gnuplot_script *s, struct arena *life, struct report *report)
 {
-    enum status status = fclose(s->to) == 0 ? OK : fail(report, E_LIMIT, "no memory for the picture");
-    if (status == OK && s->shown)
+    enum status status = OK;
+    words_close(s->to, &s->text);
+    if (s->shown)
         fwrite(s->text, 1, s->n, stdout);
-    else if (status == OK)
+    else
         status = draw(o, s, life, report);
     free(s->text);
     return status;

@@ -32,8 +32,7 @@ struct gnuplot_script {
 };
 
 /* With `set terminal` for that path, width and height in pixels; without one for a terminal of so many lines. */
-enum status gnuplot_begin(struct gnuplot_script *s, const char *path, bool shown, int width, int height, int lines,
-                          struct report *report);
+void gnuplot_begin(struct gnuplot_script *s, const char *path, bool shown, int width, int height, int lines);
 /* Draws it, or prints it. */
 enum status gnuplot_end(struct gnuplot *o, struct gnuplot_script *s, struct arena *life, struct report *report);
 /* One that is not needed any more. */

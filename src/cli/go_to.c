@@ -12,7 +12,8 @@ enum status cli_go_to(struct sim *sim, const struct request *request, struct rep
     char *end;
     if (!request->at) return OK;
     double t = strtod(request->at, &end);
-    if (*end || !(t >= 0) || !isfinite(t)) return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
+    if (end == request->at || *end || !(t >= 0) || !isfinite(t))
+        return fail(report, E_USAGE, "--at takes a time, not '%.40s'", request->at);
     if (t == sim->x.t) return OK;
     if (t < sim->x.t) return fail(report, E_USAGE, "--at %.40s is before the start, t = %g s", request->at, sim->x.t);
     double majors = ceil((t - sim->origin.x) / (sim->plan.step * sim->plan.ratio) - 1e-9) - (double)sim->before;

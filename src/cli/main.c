@@ -14,9 +14,10 @@
 #include "base/stop.h"
 #include "base/text.h"
 #include "cli/cli.h"
+#include "study/auto.h"
 
-/* Sanitizers and coverage read and write files of their own at the end. */
-#if defined(__SANITIZE_ADDRESS__) || defined(COVERAGE)
+/* Sanitizers read files of their own at the end. */
+#if defined(__SANITIZE_ADDRESS__)
 enum { UNCONFINED = 1 };
 #else
 enum { UNCONFINED = 0 };
@@ -37,7 +38,7 @@ const struct verb verbs[] = {
     {"explain", "CODE or DECK",
      "what a message means and how to cure it; a deck's effects: what each costs and changes", verb_explain},
     {"selftest", "", "this program against references that it has with it: status 0, or 70", verb_selftest},
-    {"new", "pendulum|mechanism|beam", "print a commented starter deck", verb_new},
+    {"new", "pendulum|mechanism|beam|controller", "print a commented starter deck", verb_new},
     {0},
 };
 
@@ -88,6 +89,13 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
     if (!UNCONFINED) cli_confine(request, life);
     const struct deck_options options = {.nset = request->nset, .set = request->set, .option = request->option};
     return sim_load(scene, request->word[0], &options, *diags, life, report);
+}
+
+enum status cli_load_run(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
+                         struct report *report)
+{
+    TRY(cli_load(scene, diags, request, life, report));
+    return auto_choose(*scene, life, report);
 }
 
 /* The handler stands for one signal only: the next ends the program at once.  What comes within a moment is the same

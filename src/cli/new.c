@@ -1,5 +1,6 @@
 /* new.c -- fmdsub new: a commented starter deck to change */
 #include <string.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "cli/cli.h"
@@ -64,16 +65,58 @@ static const char beam[] =
     "integrate: {scheme: subcycle, step: 2.0e-4, ratio: 5, until: 2}\n"
     "output: {every: 0.01, columns: [shaft.angle, arm.tip.d*, arm.root.bending, grip.f*, \"energy.*\"]}\n";
 
+static const char controller[] =
+    "fmdsub: 1\n"
+    "title: An arm that a controller turns\n"
+    "parameters: {L: 1}\n"
+    "bodies:\n"
+    "  arm: {mass: 2, shape: {rod: {from: [0, 0], to: [L, 0]}}}\n"
+    "constraints:\n"
+    "  pin: {revolute: [ground, arm], at: [0, 0]}\n"
+    "signals:                                # named expressions, each a column\n"
+    "  goal: 0.8*smooth(t, 0, 1)             # from 0 to 0.8 rad, with no jump of the acceleration\n"
+    "  late: goal - pin.angle\n"
+    "forces:\n"
+    "  motor: {torque: pin, value: \"max(-30, min(30, 40*late - 8*pin.angle_rate))\"}\n"
+    "integrate: {scheme: dopri5, tolerance: 1.0e-6, until: 2}\n"
+    "output: {every: 0.01, columns: [pin.angle, late, motor.force, energy.residual]}\n";
+
+/* The schema as `make install` puts it beside this program; else where the line's reader may put it. */
+static const char *schema_path(struct arena *life)
+{
+    enum { LONGEST = 3000 };
+    char self[LONGEST + 1];
+    const ssize_t n = readlink("/proc/self/exe", self, LONGEST);
+    self[n > 0 ? n : 0] = 0;
+    char *slash = strrchr(self, '/');
+    if (slash) *slash = 0;
+    if (slash && (slash = strrchr(self, '/'))) {
+        *slash = 0;
+        const char *path = arena_print(life, "%s/share/fmdsub/deck.schema.json", self);
+        if (access(path, R_OK) == 0) return path;
+    }
+    return "deck.schema.json";
+}
+
+/* What editors look for, and where the schema comes from if it is not installed. */
+static enum status put_deck(const char *deck, struct arena *life)
+{
+    const char *path = schema_path(life);
+    if (printf("# yaml-language-server: $schema=%s\n", path) < 0) return E_FILE;
+    if (*path != '/' && fputs("# (for editors: `fmdsub schema >deck.schema.json` beside this deck)\n", stdout) < 0)
+        return E_FILE;
+    return fputs(deck, stdout) < 0 ? E_FILE : OK;
+}
+
 enum status verb_new(const struct request *request, struct arena *life, struct report *report)
 {
-    static const char *const names[] = {"pendulum", "mechanism", "beam"};
-    static const char *const decks[] = {pendulum, mechanism, beam};
-    (void)life;
+    static const char *const names[] = {"pendulum", "mechanism", "beam", "controller"};
+    static const char *const decks[] = {pendulum, mechanism, beam, controller};
     if (request->nword > 1) return fail(report, E_USAGE, "'fmdsub new' takes one name");
     const char *name = request->nword ? request->word[0] : "pendulum";
-    for (int i = 0; i < 3; i++)
-        if (strcmp(names[i], name) == 0) return fputs(decks[i], stdout) < 0 ? E_FILE : OK;
-    const char *nearest = text_nearest(name, names, 3);
-    return fail(report, E_USAGE, "no starter deck '%.40s'%s%s%s (pendulum, mechanism, beam)", name,
+    for (int i = 0; i < 4; i++)
+        if (strcmp(names[i], name) == 0) return put_deck(decks[i], life);
+    const char *nearest = text_nearest(name, names, 4);
+    return fail(report, E_USAGE, "no starter deck '%.40s'%s%s%s (pendulum, mechanism, beam, controller)", name,
                 nearest ? ": did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }

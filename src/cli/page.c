@@ -38,7 +38,7 @@ const char *page_type(const struct key *k)
     case KEY_REAL:
         return "number";
     case KEY_INT:
-        return "whole number";
+        return k->words ? "whole number or auto" : "whole number";
     case KEY_BOOL:
         return "true or false";
     case KEY_TEXT:

@@ -178,11 +178,11 @@ static void put_title(FILE *to, const struct plot *o, const char *name, const ch
 {
     char *title = NULL;
     size_t n = 0;
-    FILE *text = open_memstream(&title, &n);
-    if (!text) return;
+    FILE *text = words_open(&title, &n);
     fputs(name, text);
     if (o->nfile > 1) fprintf(text, ", %s", base_name(file));
-    if (fclose(text) == 0) script_put_text(to, title);
+    words_close(text, &title);
+    script_put_text(to, title);
     free(title);
 }
 
@@ -290,8 +290,8 @@ static enum status draw(const struct plot *o, struct gnuplot *gnuplot, const str
                         struct arena *life, struct report *report)
 {
     struct gnuplot_script script;
-    TRY(gnuplot_begin(&script, request->output, request->script, picture_width(o), PANEL * o->npanel + 60,
-                      LINES * o->npanel, report));
+    gnuplot_begin(&script, request->output, request->script, picture_width(o), PANEL * o->npanel + 60,
+                  LINES * o->npanel);
     put_script(script.to, o, request->output);
     return gnuplot_end(gnuplot, &script, life, report);
 }

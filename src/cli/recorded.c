@@ -95,7 +95,7 @@ static enum status read_lines(struct curves *o, FILE *file, enum form form, stru
     size_t room = 0;
     long number = 0;
     const char *wrong = "";
-    while (!*wrong && getline(&line, &room, file) >= 0) {
+    while (!*wrong && line_or_end(&line, &room, '\n', file) >= 0) {
         number++;
         line[strcspn(line, "\r\n")] = 0;
         if (*line) wrong = form == CSV ? read_csv_line(o, line, life) : recorded_line(o, line, life);
@@ -108,7 +108,7 @@ static enum status read_text(struct curves *o, FILE *file, struct arena *life, s
 {
     char *text = NULL;
     size_t room = 0;
-    const char *wrong = getdelim(&text, &room, 0, file) < 0 ? "no records" : recorded_whole(o, text, life);
+    const char *wrong = line_or_end(&text, &room, 0, file) < 0 ? "no records" : recorded_whole(o, text, life);
     free(text);
     return *wrong ? fail(report, E_FILE, "%s: %s", o->file, wrong) : OK;
 }
@@ -116,7 +116,7 @@ static enum status read_text(struct curves *o, FILE *file, struct arena *life, s
 enum status recorded_read(struct curves *o, struct arena *life, struct report *report)
 {
     const enum form form = form_of(o->file);
-    FILE *file = fopen(o->file, "re");
+    FILE *file = file_to_read(o->file);
     if (!file) return fail(report, E_FILE, "cannot read '%s': %s", o->file, strerror(errno));
     enum status status = form == JSON ? read_text(o, file, life, report) : read_lines(o, file, form, life, report);
     if (status == OK && ferror(file)) status = fail(report, E_FILE, "%s: cannot read", o->file);

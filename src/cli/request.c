@@ -12,10 +12,11 @@
 enum { OWN = 0 };
 
 const struct cli_option cli_options[] = {
-    {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep explain",
+    {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep explain list",
      "form of records and tables (default csv); check: json", TO(format)},
     {"output", "FILE", 'o', "run study plot diff sweep animate",
-     "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf; animate: .html, .glb)", TO(output)},
+     "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf; animate: .html, .glb, .pvd, .svg)",
+     TO(output)},
     {"set", "PATH=VALUE", 's', "run check study plot modes stability list diff sweep explain animate",
      "change the deck: --set integrate.ratio=10", OWN},
     {"columns", "'t,hub.*'", 'c', "run plot diff animate",
@@ -25,6 +26,7 @@ const struct cli_option cli_options[] = {
     {"until", "SECONDS", 0, "run study plot diff sweep explain animate", "end of the run", OWN},
     {"stats", "[FILE]", 0, "run", "counts and CPU time of the run, to stderr or FILE", OWN},
     {"progress", "auto|always|never", 0, "run sweep", "progress line on stderr (auto: on a terminal)", TO(progress)},
+    {"units", NULL, 0, "run", "CSV: units in a second line, [s],[rad]; NDJSON and JSON have them always", TO(units)},
     {"final-state", "FILE", 0, "run", "where it ends, for 'initial: {from: FILE}'", TO(final_state)},
     {"resume", "FILE", 0, "run", "go on from a checkpoint, with -o behind what is there of the records",
      TO(resume_from)},
@@ -42,6 +44,7 @@ const struct cli_option cli_options[] = {
     {"repeats", "N", 0, "study", "time each run N times, keep the least (0: no times; default: up to 3)", TO(repeats)},
     {"budget", "SECONDS|none", 0, "study", "CPU time that it may take, foretold by counts (default 60)", TO(budget)},
     {"plot", "FILE", 0, "study stability", "a picture, by gnuplot: FILE.svg, FILE.png or FILE.pdf", TO(plot)},
+    {"report", "FILE.html", 0, "study", "one page: sentences, diagram, table, curves, deck", TO(page)},
     {"script", NULL, 0, "study plot stability", "print what gnuplot would be given, draw nothing", TO(script)},
     {"absolute", NULL, 0, "study", "errors in the unit of the worst column", TO(absolute)},
     {"rel", "1e-6,PATTERN=1e-3", 0, "diff", "allowed difference, as a share of the column's largest value in A",
@@ -149,6 +152,12 @@ static enum status add_set(struct request *o, const char *option, const char *se
     return OK;
 }
 
+static enum status add_assignment(struct request *o, const char *set, struct report *report)
+{
+    if (!strchr(set, '=') || *set == '=') return fail(report, E_USAGE, "--set takes PATH=VALUE, not '%.40s'", set);
+    return add_set(o, NULL, set, report);
+}
+
 static enum status add_columns(struct request *o, const char *list, struct arena *life, struct report *report)
 {
     int n;
@@ -172,7 +181,7 @@ static enum status take(struct request *o, const struct cli_option *option, cons
     void *to = (char *)o + option->to;
     if (option->to != OWN && option->value) return *(const char **)to = value, OK;
     if (option->to != OWN) return *(bool *)to = true, OK;
-    if (strcmp(name, "set") == 0) return add_set(o, NULL, value, report);
+    if (strcmp(name, "set") == 0) return add_assignment(o, value, report);
     if (strcmp(name, "columns") == 0) return add_columns(o, value, life, report);
     if (strcmp(name, "over") == 0) return add_over(o, value, report);
     if (strcmp(name, "every") == 0) return add_set(o, "--every", arena_print(life, "output.every=%s", value), report);
@@ -191,6 +200,11 @@ static enum status check_word(const char *option, const char *word, const char *
     for (const char *c = choices; word && *c; c += strcspn(c, "|"), c += *c == '|')
         if (strcspn(c, "|") == len && strncmp(c, word, len) == 0) return OK;
     return word ? fail(report, E_USAGE, "--%s takes one of %s, not '%.40s'", option, choices, word) : OK;
+}
+
+static enum status check_name(const char *option, const char *file, struct report *report)
+{
+    return file && !*file ? fail(report, E_USAGE, "%s needs the name of a file", option) : OK;
 }
 
 /* Is verb among words, such as "run study"? */
@@ -216,11 +230,22 @@ enum status request_check(const struct request *o, struct report *report)
     return OK;
 }
 
+/* Words with more in them than names and numbers have stand in quotes. */
+static const char *command_of(int argc, char **argv, struct arena *life)
+{
+    const char *o = "fmdsub";
+    for (int i = 1; i < argc; i++) {
+        const bool plain = *argv[i] && !argv[i][strcspn(argv[i], " \t\n'\"\\$`*?[](){}<>|&;#~!")];
+        o = arena_print(life, plain ? "%s %s" : "%s '%s'", o, argv[i]);
+    }
+    return o;
+}
+
 enum status request_read(struct request *o, int argc, char **argv, struct arena *life, struct report *report)
 {
     struct option longs[MOST_OPTIONS] = {0};
     char shorts[2 * MOST_OPTIONS];
-    *o = (struct request){0};
+    *o = (struct request){.command = command_of(argc, argv, life)};
     build(longs, shorts, probable_verb(argc, argv));
     opterr = 0;
     for (int code; (code = getopt_long(argc, argv, shorts, longs, NULL)) != -1;) {
@@ -233,9 +258,11 @@ enum status request_read(struct request *o, int argc, char **argv, struct arena 
     o->nword = argc - optind;
     o->word = argv + optind;
     if (o->output && strcmp(o->output, "-") == 0) o->output = NULL; /* standard output */
-    if (o->output && !*o->output) return fail(report, E_USAGE, "--output needs the name of a file");
-    if (o->stats && !*o->stats) return fail(report, E_USAGE, "--stats= needs the name of a file");
-    if (o->final_state && !*o->final_state) return fail(report, E_USAGE, "--final-state needs the name of a file");
+    TRY(check_name("--output", o->output, report));
+    TRY(check_name("--stats=", o->stats, report));
+    TRY(check_name("--final-state", o->final_state, report));
+    TRY(check_name("--resume", o->resume_from, report));
+    TRY(check_name("--report", o->page, report));
     TRY(check_word("format", o->format, "csv|ndjson|json", report));
     TRY(check_word("progress", o->progress, "auto|always|never", report));
     return check_word("color", o->color, "auto|always|never", report);

@@ -81,6 +81,12 @@ static const char *form_of(const struct request *request)
     return request->format ? request->format : "csv";
 }
 
+static struct sink open_sink(struct stream *stream, const struct request *request, struct arena *life)
+{
+    const bool units = request->units && strcmp(form_of(request), "csv") == 0;
+    return units ? csv_open_units(stream, life) : format_find(form_of(request))->open(stream, life);
+}
+
 /* One JSON value is whole or nothing. */
 static enum status check_form(const struct request *request, const struct scene *scene, struct report *report)
 {
@@ -112,7 +118,7 @@ static enum status stream_run(struct sim *sim, const struct request *request, st
     struct stream stream;
     struct report closing = {0};
     TRY(begin_stream(&stream, sim, request, life, report));
-    struct sink sink = format_find(form_of(request))->open(&stream, life);
+    struct sink sink = open_sink(&stream, request, life);
     struct verify verify;
     verify_open(&verify, sim, &sink, diags_open(life), life);
     enum status status = sim_run(sim, request->verify ? &verify.sink : &sink, report);
@@ -175,7 +181,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
         .warnings = stderr,
         .progress = shows_progress(request) ? PROGRESS_ALWAYS : PROGRESS_NEVER,
     };
-    enum status status = cli_load(&scene, &diags, request, life, report);
+    enum status status = cli_load_run(&scene, &diags, request, life, report);
     if (status == OK) status = check_form(request, scene, report);
     if (status == OK) status = check_targets(request, scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);

@@ -5,6 +5,7 @@
 
 #include "cli/cli.h"
 #include "kind/joint.h"
+#include "multirate/schemes.h"
 #include "out/facts.h"
 #include "sim/load.h"
 
@@ -66,7 +67,7 @@ static cJSON *key_schema(const struct key *k)
         o = typed("string");
         break;
     case KEY_TABLE:
-        o = typed("array");
+        o = type_list("array", "string");
         break;
     case KEY_VECTOR:
         o = k->flags & KEY_ABOUT ? cJSON_CreateObject() : typed("array");
@@ -95,6 +96,8 @@ static cJSON *section_schema(const struct section *s)
 {
     cJSON *o = typed("object"), *properties = cJSON_AddObjectToObject(o, "properties");
     cJSON *required = cJSON_CreateArray();
+    const char *dot = strrchr(s->path, '.');
+    if (s->word || *s->path) cJSON_AddStringToObject(o, "title", s->word ? s->word : dot ? dot + 1 : s->path);
     if (s->brief) cJSON_AddStringToObject(o, "description", s->brief);
     for (const struct key *k = s->keys; k && k->name; k++) {
         cJSON_AddItemToObject(properties, k->name, key_schema(k));
@@ -146,6 +149,35 @@ static void put_nested(cJSON *properties, const char *key, const char *path)
     cJSON_ReplaceItemInObject(properties, key, path_schema(path));
 }
 
+/* A word besides the map. */
+static void allow_word(cJSON *properties, const char *key, const char *word)
+{
+    cJSON *map = cJSON_DetachItemFromObject(properties, key), *o = cJSON_CreateObject();
+    cJSON *any = cJSON_AddArrayToObject(o, "anyOf");
+    cJSON_AddItemToArray(any, map);
+    cJSON_AddItemToArray(any, words_schema(word));
+    cJSON_AddItemToObject(properties, key, o);
+}
+
+/* {name: one of these types, or a map of path}; path NULL: any map. */
+static void put_values(cJSON *properties, const char *key, const char *a, const char *b, const char *path)
+{
+    cJSON *value = cJSON_CreateObject(), *any = cJSON_AddArrayToObject(value, "anyOf");
+    cJSON_AddItemToArray(any, type_list(a, b));
+    if (path) cJSON_AddItemToArray(any, path_schema(path));
+    cJSON *o = cJSON_GetObjectItem(properties, key);
+    cJSON_AddStringToObject(o, "type", "object");
+    cJSON_AddItemToObject(o, "additionalProperties", value);
+}
+
+static void put_schemes(cJSON *integrate)
+{
+    cJSON *scheme = cJSON_GetObjectItem(cJSON_GetObjectItem(integrate, "properties"), "scheme");
+    cJSON *list = cJSON_AddArrayToObject(scheme, "enum");
+    for (int i = 0; stepper_kinds[i]; i++) cJSON_AddItemToArray(list, cJSON_CreateString(stepper_kinds[i]->name));
+    cJSON_AddItemToArray(list, cJSON_CreateString("auto"));
+}
+
 static cJSON *deck_schema(void)
 {
     cJSON *root = path_schema(""), *properties = cJSON_GetObjectItem(root, "properties");
@@ -157,8 +189,15 @@ static cJSON *deck_schema(void)
     put_named(properties, "constraints", "constraints.NAME");
     put_named(properties, "measures", "measures.NAME");
     put_named(properties, "forces", "forces.NAME");
+    put_named(properties, "surfaces", "surfaces.NAME");
+    put_named(properties, "contacts", "contacts.NAME");
+    put_named(properties, "drives", "drives.NAME");
+    put_values(properties, "signals", "string", "number", "signals.NAME");
+    put_values(properties, "tables", "array", "object", NULL);
     put_nested(properties, "partition", "partition");
+    allow_word(properties, "partition", "auto");
     put_nested(properties, "integrate", "integrate");
+    put_schemes(cJSON_GetObjectItem(properties, "integrate"));
     put_nested(properties, "output", "output");
     put_nested(properties, "checkpoint", "checkpoint");
     put_nested(properties, "energy", "energy");

@@ -70,7 +70,7 @@ static enum status draw(const struct stability *o, struct gnuplot *gnuplot, cons
                         struct arena *life, struct report *report)
 {
     struct gnuplot_script script;
-    TRY(gnuplot_begin(&script, request->plot, request->script, STABILITY_WIDTH, STABILITY_HEIGHT, 0, report));
+    gnuplot_begin(&script, request->plot, request->script, STABILITY_WIDTH, STABILITY_HEIGHT, 0);
     stability_script(o, scene_title(o->sim->scene), script.to);
     return gnuplot_end(gnuplot, &script, life, report);
 }

@@ -9,6 +9,7 @@
 #include "cli/choices.h"
 #include "cli/cli.h"
 #include "cli/gnuplot.h"
+#include "cli/study_page.h"
 #include "out/columns.h"
 #include "out/stream.h"
 #include "out/targets.h"
@@ -101,7 +102,7 @@ static enum status draw(const struct study *study, const struct scene *scene, st
                         const struct request *request, struct arena *life, struct report *report)
 {
     struct gnuplot_script script;
-    TRY(gnuplot_begin(&script, request->plot, request->script, PICTURE_WIDTH, PICTURE_HEIGHT, 0, report));
+    gnuplot_begin(&script, request->plot, request->script, PICTURE_WIDTH, PICTURE_HEIGHT, 0);
     picture_script(study, scene_title(scene), script.to);
     return gnuplot_end(gnuplot, &script, life, report);
 }
@@ -134,6 +135,18 @@ static enum status check_plot(const struct request *request, struct report *repo
     return OK;
 }
 
+static enum status write_page(const struct study *study, const struct scene *scene, const struct diags *diags,
+                              const struct request *request, struct arena *life, struct report *report)
+{
+    const struct study_page page = {.title = scene_title(scene),
+                                    .name = scene->deck->name,
+                                    .deck = diags_source(diags, scene->deck->root->file)->text,
+                                    .command = request->command};
+    struct stream stream;
+    TRY(stream_create(&stream, request->page, life, report));
+    return stream_finish(&stream, study_page(study, &page, &stream, life, report), report);
+}
+
 enum status verb_study(const struct request *request, struct arena *life, struct report *report)
 {
     struct scene *scene;
@@ -152,10 +165,11 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     struct gnuplot gnuplot = {0};
     TRY(check_plot(request, report));
     if (request->plot && !request->script) TRY(gnuplot_open(&gnuplot, report));
-    enum status status = cli_load(&scene, &diags, request, life, report);
+    enum status status = cli_load_run(&scene, &diags, request, life, report);
     if (status == OK && reference_none(scene)) status = fail(report, E_MODEL, "%s", reference_none(scene));
-    const struct target files[] = {{"--output", request->output, true}, {"--plot", request->plot, true}};
-    if (status == OK) status = targets_check(files, 2, &scene->deck->read, life, report);
+    const struct target files[] = {
+        {"--output", request->output, true}, {"--plot", request->plot, true}, {"--report", request->page, true}};
+    if (status == OK) status = targets_check(files, 3, &scene->deck->read, life, report);
     if (status == OK && request->pick) status = choose_pick(&pick, request, life, report);
     if (status == OK) status = choose_numbers(&o, &choices, request, life, report);
     if (status == OK) status = choose_budget(&o, request, report);
@@ -165,6 +179,7 @@ enum status verb_study(const struct request *request, struct arena *life, struct
         status = run_rows(&study, scene, &o, diags, request, life, report);
     if (status != OK && study.nrow && !request->quiet) study_answer(&study, stderr);
     status = cli_told(diags, request, status);
+    if (status == OK && request->page) status = write_page(&study, scene, diags, request, life, report);
     if (status == OK && request->plot) status = draw(&study, scene, &gnuplot, request, life, report);
     gnuplot_close(&gnuplot);
     return status == OK ? print_study(&study, pick, request, report) : status;

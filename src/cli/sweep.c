@@ -172,13 +172,14 @@ static enum status read_left(struct sweep *o, const struct request *request, str
     if (!request->output) return fail(report, E_USAGE, "--resume goes on with the rows of --output FILE");
     if (form_of(request) != TABLE_CSV) return fail(report, E_USAGE, "--resume reads CSV only");
     const char *name = stream_part(request->output, life);
-    FILE *file = name ? fopen(name, "re") : NULL;
-    if (!file) file = fopen(name = request->output, "re");
+    FILE *file = name ? file_to_read(name) : NULL;
+    if (!file) file = file_to_read(name = request->output);
     if (!file) return OK;
     const enum status status = sheet_read(&o->sheet, file, name, report);
     (void)fclose(file);
     TRY(status);
-    return sweep_check(o, name, report);
+    TRY(sweep_check(o, name, report));
+    return sweep_compare(o, name, life, report);
 }
 
 static enum status verdict(const struct sweep *o, struct report *report)
@@ -193,7 +194,7 @@ static enum status verdict(const struct sweep *o, struct report *report)
 static enum status read_part(struct sheet *sheet, const char *name, struct report *report)
 {
     const bool in = strcmp(name, "-") == 0;
-    FILE *file = in ? stdin : fopen(name, "re");
+    FILE *file = in ? stdin : file_to_read(name);
     if (!file) return fail(report, E_FILE, "cannot read '%s': %s", name, strerror(errno));
     const enum status status = sheet_read(sheet, file, in ? "standard input" : name, report);
     if (!in) (void)fclose(file);

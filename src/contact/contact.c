@@ -90,18 +90,63 @@ double contacts_gap(const struct contacts *o, const struct sweep *s, int i, cons
 {
     const struct model_contact *c = &o->model->contact[i];
     struct place at;
+    if (c->pair == PAIR_FRICTION) return 0;
     if (c->pair == PAIR_STOP) return c->side * (q[c->iq] - c->limit);
     find(&at, o, s, c);
     return at.gap;
 }
 
-/* y += scale times the row of the velocity of a body at x along dir. */
+/* y += scale times the row of the velocity of a body at x along dir, or of its turning about axis. */
 static void add_body(const struct contacts *o, const struct sweep *s, double *y, int body, const double *x,
-                     const double *dir, double scale)
+                     const double *dir, const double *axis, double scale)
 {
     const int *k, n = o->ops->path(s, &k, body);
-    o->ops->row(s, o->g, body, 0, x, dir, NULL);
+    o->ops->row(s, o->g, body, 0, x, dir, axis);
     for (int i = 0; i < n; i++) y[k[i]] += scale * o->g[i];
+}
+
+/* Where the joint of a loop stands, and its axis. */
+static void loop_axis(const struct contacts *o, const struct sweep *s, double *x, double *e, const struct model_loop *l)
+{
+    double v[3];
+    struct pose first;
+    o->ops->point(s, x, v, l->second, l->b);
+    o->ops->pose(s, &first, l->first);
+    m3_mul(e, first.R, l->Ea + 6);
+}
+
+/* The rate of a joint's coordinate. */
+static void joint_row(const struct contacts *o, const struct sweep *s, double *y, const struct model_contact *c)
+{
+    if (c->iv >= 0) {
+        y[c->iv] = 1;
+        return;
+    }
+    const struct model_loop *l = &o->model->loop[c->loop];
+    double x[3], e[3];
+    loop_axis(o, s, x, e, l);
+    add_body(o, s, y, l->second, x, c->angular ? NULL : e, c->angular ? e : NULL, 1);
+    add_body(o, s, y, l->first, x, c->angular ? NULL : e, c->angular ? e : NULL, -1);
+}
+
+static void joint_push(const struct contacts *o, struct sweep *s, double *r, const struct model_contact *c, double f)
+{
+    if (c->iv >= 0) {
+        r[c->iv] -= f;
+        return;
+    }
+    const struct model_loop *l = &o->model->loop[c->loop];
+    double x[3], e[3], back[3];
+    loop_axis(o, s, x, e, l);
+    v3_scale(e, f, e);
+    v3_scale(back, -1, e);
+    if (c->angular) {
+        o->ops->twist(s, l->second, e);
+        o->ops->twist(s, l->first, back);
+    } else {
+        o->ops->push(s, l->second, x, e);
+        o->ops->push(s, l->first, x, back);
+    }
 }
 
 void contacts_rows(const struct contacts *o, const struct sweep *s, double *y, int i)
@@ -114,11 +159,15 @@ void contacts_rows(const struct contacts *o, const struct sweep *s, double *y, i
         y[c->iv] = c->side;
         return;
     }
+    if (c->pair == PAIR_FRICTION) {
+        joint_row(o, s, y + n, c);
+        return;
+    }
     find(&at, o, s, c);
     for (int k = 0; k < contact_rows(c); k++) {
         const double *dir = k ? at.t[k - 1] : at.n;
-        add_body(o, s, y + (size_t)k * n, c->a.body, at.c, dir, 1);
-        add_body(o, s, y + (size_t)k * n, c->b.body, at.c, dir, -1);
+        add_body(o, s, y + (size_t)k * n, c->a.body, at.c, dir, NULL, 1);
+        add_body(o, s, y + (size_t)k * n, c->b.body, at.c, dir, NULL, -1);
     }
 }
 
@@ -129,6 +178,10 @@ void contacts_push(const struct contacts *o, struct sweep *s, double *r, int i, 
     double F[3], back[3];
     if (c->pair == PAIR_STOP) {
         r[c->iv] -= c->side * f[0];
+        return;
+    }
+    if (c->pair == PAIR_FRICTION) {
+        joint_push(o, s, r, c, f[1]);
         return;
     }
     find(&at, o, s, c);

@@ -58,7 +58,7 @@ const struct diag_help diag_helps[] = {
               "Example: --set integrate.ratio=5. A key that holds a dot can be quoted."},
     {"E-parameter",
      "A parameter is a name ([A-Za-z][A-Za-z0-9_]*) with a number or an expression of other parameters."},
-    {"E-cycle", "Parameters are given by each other in a circle. Give one of them as a number."},
+    {"E-cycle", "Parameters, or signals, are given by each other in a circle. Give one of them by something else."},
     {"E-repeat",
      "A member with $i in its key is copied: link$i: {repeat: {i: [1, 10]}, ...}. $i, or $(i - 1), is replaced in "
      "keys and texts below; in numbers the variable is known as i."},
@@ -132,7 +132,9 @@ const struct diag_help diag_helps[] = {
                   "With 'inertia_check: false' the body takes it as "
                   "it is."},
     {"E-direction", "A direction must have a length, and two axes must not be parallel."},
-    {"E-axes", "The two axes of a universal joint stand at right angles, and so do x and z of an orientation."},
+    {"E-axes",
+     "The two axes of a universal joint stand at right angles, and so do x and z of an orientation. Oblique "
+     "axes are those of a body without mass between two revolute joints: the message has the lines for the deck."},
     {"E-orientation", "Give x or z or both, or axis and angle, or a quaternion."},
     {"E-quaternion", "A unit quaternion [w, x, y, z]: the squares of its parts sum to 1."},
     {"E-loop",
@@ -168,7 +170,15 @@ const struct diag_help diag_helps[] = {
      "The iteration that finds the forces of all rigid contacts at once did not converge. The usual causes are many "
      "points that touch at once, masses on each other that differ by large ratios, and more points than hold the "
      "body (three hold one on a plane, in 2-D two). Fewer points may help, or another step, larger or smaller. Or a "
-     "drive presses bodies together: let a spring between give way."},
+     "drive presses bodies together: let a spring between give way. A joint with friction is wedged where that presses "
+     "it "
+     "harder than it slows it: a guide of length L whose load is h beside it, where the coefficient is above L/(2 h)."},
+    {"E-friction-reaction",
+     "Friction in a joint is its coefficient times the joint's force. Where a loop is held more often than it needs, "
+     "as a four-bar of four parallel hinges in space, dynamics do not tell how its joints share their forces. Free "
+     "what "
+     "holds it twice, as by a spherical or cylindrical joint, or give the friction itself: friction: {torque: 0.1}, "
+     "or in a slide {force: 1}."},
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",
@@ -220,7 +230,10 @@ const struct diag_help diag_helps[] = {
      "its "
      "mean, and what comes and goes between is missed or counted for a whole step. Take a step by which both times are "
      "ends of steps, or give a 'tolerance': a scheme that chooses its steps steps onto the times at which an "
-     "expression of t or a table is known to change."},
+     "expression of t or a table is known to change. A smooth pulse, or a vibration of less than three steps, is told "
+     "the "
+     "same way: steps must be parts of it; a tolerance may step over a narrow one, too, where nothing else is going "
+     "on."},
     {"W-time",
      "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
      "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},
@@ -230,6 +243,11 @@ const struct diag_help diag_helps[] = {
      "drive begin where it is drawn: a distance with its length, a coordinate with 0."},
     {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
                 "smaller ratio would let it be slow."},
+    {"W-damping", "Of a beam in segments 'ratio' and 'alpha' are of the motion of each segment against its own frame, "
+                  "and damp the slow "
+                  "modes of the whole beam by next to nothing. 'beta' is the material's and does not depend on the "
+                  "number of segments: "
+                  "beta = 2*z/omega gives the mode of omega rad/s the damping ratio z; `fmdsub modes` shows both."},
     {"W-bending",
      "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
      "followed by several: give the beam 'segments', or more of them. A beam with 'stiffening: false' bends too far as "
@@ -239,6 +257,12 @@ const struct diag_help diag_helps[] = {
      "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
      "meant to "
      "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
+    {"W-effect",
+     "The deck has turned an effect off, and what it would have done was watched: it is more than the tolerance of "
+     "'effects' "
+     "allows. The number is a share of how the body bends, right within a factor of about three: turn the effect on, "
+     "or "
+     "run with it and without and compare (`fmdsub explain DECK` does), and give a tolerance that fits."},
     {"W-tolerance",
      "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
      "parts from "
@@ -318,8 +342,11 @@ const struct diag_help diag_helps[] = {
                "between bodies that are not joined to each other, and freedoms without mass, ask for them."},
     {"friction",
      "Surfaces that touch have Coulomb's friction, which sticks exactly: contacts: {foot: {between: [toe, floor], "
-     "friction: 0.3}}. Joints have none yet. Viscous friction is a damper. Dry friction of a joint can be written as a "
-     "force of its rate that passes smoothly through 0: {force: slide, value: "
+     "friction: 0.3}}. So have revolute and prismatic joints, by their own force: pin: {revolute: [a, b], at: [0, 0], "
+     "friction: {coefficient: 0.3, radius: 0.02}}, slide: {prismatic: [a, b], axis: [1, 0], friction: 0.2}; a seal's "
+     "is a torque or a force. Viscous friction is a damper. Under a scheme other than midpoint dry friction can be "
+     "written as a "
+     "force of the rate that passes smoothly through 0: {force: slide, value: "
      "\"-10*tanh(slide.displacement_rate/0.001)\"}; sign() in its place jumps, and stops the run. It creeps instead "
      "of sticking, at a rate that the 0.001 sets."},
     {"contact",

@@ -62,7 +62,7 @@ enum status deck_load(struct deck **out, const char *path, const struct deck_opt
 /* A number, or an expression of parameters and loop variables.  E_DECK: reported, here or before. */
 enum status deck_number(double *out, const struct node *n, struct deck *deck);
 
-/* An expression of parameters, loop variables, and names of the caller's, in this order.  E_DECK: reported.  Marks the node
+/* An expression of loop variables, parameters, signals, and names of the caller's, in this order.  E_DECK: reported.  Marks the node
  * as a formula. */
 enum status deck_expr(struct expr **out, const struct node *n, const struct expr_names *names, struct deck *deck);
 
@@ -72,12 +72,19 @@ enum status deck_truth(struct expr **out, const struct node *n, const struct exp
 /* Does it stand on the command line, as --set or what is short for it? */
 bool deck_was_set(const struct deck *deck, const struct node *n);
 
+/* A map that only the path of a --set made: its value stands in it. */
+bool deck_was_made(const struct deck *deck, const struct node *n);
+
 /* Of the root's members of these names [ends with NULL], or (but) of all others: the same for decks that say the same in
  * other words.  After they have been read. */
 uint64_t deck_fingerprint(const struct deck *deck, const char *const *sections, bool but);
 
 /* When all has been read: parameters of the deck's own text, or of --set, that nothing asked for. */
 void deck_warn_unused(struct deck *deck);
+
+/* The member of `signals` of this name; NULL: none.  deck_expr() and deck_truth() read the text of one where they meet its
+ * name. */
+const struct node *deck_signal(const struct deck *deck, const char *name);
 
 /* The value of a parameter: 0 if there is one. */
 int deck_parameter(double *out, const char *name, const struct deck *deck);

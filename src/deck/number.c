@@ -22,6 +22,12 @@ static struct parameter *parameter_find(const struct deck *deck, const char *nam
     return bsearch(&key, deck->parameter, (size_t)deck->nparameter, sizeof key, by_name);
 }
 
+const struct node *deck_signal(const struct deck *deck, const char *name)
+{
+    const struct node *all = node_find(deck->root, "signals");
+    return all && all->type == NODE_MAP ? node_find(all, name) : NULL;
+}
+
 int deck_parameter(double *out, const char *name, const struct deck *deck)
 {
     const struct parameter *p = parameter_find(deck, name);
@@ -43,6 +49,18 @@ static int not_here(struct lookup *lookup, int *slot, double *value, const char 
     return 1;
 }
 
+/* Signals are at the deck's top: no loop variable is theirs. */
+static bool stands_for(struct expr_stand_in *o, void *self, const char *name)
+{
+    const struct lookup *lookup = self;
+    const struct node *n = lookup->own ? deck_signal(lookup->deck, name) : NULL;
+    for (const struct scope *s = lookup->scope; s; s = s->up)
+        if (!strcmp(s->name, name)) return false;
+    if (!n || n->type != NODE_SCALAR || n->reported || parameter_find(lookup->deck, name)) return false;
+    *o = (struct expr_stand_in){n->text, lookup->own};
+    return true;
+}
+
 int lookup_find(void *self, int *slot, double *value, const char *name, struct expr_error *error)
 {
     struct lookup *lookup = self;
@@ -50,6 +68,8 @@ int lookup_find(void *self, int *slot, double *value, const char *name, struct e
     for (const struct scope *s = lookup->scope; s; s = s->up)
         if (!strcmp(s->name, name)) return *value = s->value, 0;
     struct parameter *p = parameter_find(lookup->deck, name);
+    const struct node *signal = p || !lookup->own ? NULL : deck_signal(lookup->deck, name);
+    if (signal && signal->reported) return lookup->broken = true, 1;
     if (!p) return not_here(lookup, slot, value, name, error);
     *value = p->value;
     p->used = true;
@@ -99,7 +119,8 @@ static enum status reported(const struct node *n)
 static bool numeral(const char *text)
 {
     text += *text == '-' || *text == '+';
-    return ((*text >= '0' && *text <= '9') || *text == '.') && !strpbrk(text, "*/^()");
+    return ((*text >= '0' && *text <= '9') || *text == '.') && !strpbrk(text, "*/^()") && !strstr(text, " + ") &&
+           !strstr(text, " - ");
 }
 
 static bool endless(const char *text)
@@ -198,7 +219,8 @@ enum evaluated evaluate(double *out, const struct node *n, struct lookup *lookup
         return (void)report_type(n, "a number", deck), REPORTED;
     if (plain(out, n)) return EVALUATED;
     struct arena_mark mark = arena_mark(deck->scratch);
-    int bad = expr_parse(&e, n->text, n->len, &(struct expr_names){lookup_find, lookup}, deck->scratch, &error);
+    int bad = expr_parse(&e, n->text, n->len, &(struct expr_names){.find = lookup_find, .self = lookup}, deck->scratch,
+                         &error);
     if (!bad) *out = expr_value(e, NULL);
     arena_rewind(deck->scratch, mark);
     if (!bad) return EVALUATED;
@@ -223,15 +245,18 @@ enum status deck_number(double *out, const struct node *n, struct deck *deck)
 static enum status compile(struct expr **out, const struct node *n, const struct expr_names *names, bool truth,
                            struct deck *deck)
 {
-    struct lookup lookup = {.deck = deck, .scope = n->scope, .more = names, .pending = -1};
+    struct lookup inner = {.deck = deck, .more = names, .pending = -1};
+    struct expr_names own = {lookup_find, &inner, stands_for};
+    struct lookup lookup = {.deck = deck, .scope = n->scope, .more = names, .pending = -1, .own = names ? &own : NULL};
     struct expr_error error;
+    inner.own = lookup.own;
     *out = NULL;
     if (n->reported) return E_DECK;
     if (n->type != NODE_SCALAR || node_is_null(n) || n->len == 0)
         return report_type(n, truth ? "a condition" : "a number or an expression", deck);
-    if ((truth ? expr_parse_truth : expr_parse)(out, n->text, n->len, &(struct expr_names){lookup_find, &lookup},
-                                                deck->arena, &error)) {
-        if (lookup.broken) return reported(n);
+    if ((truth ? expr_parse_truth : expr_parse)(
+            out, n->text, n->len, &(struct expr_names){lookup_find, &lookup, stands_for}, deck->arena, &error)) {
+        if (lookup.broken || inner.broken) return reported(n);
         return report_error(n, &error, names != NULL, deck);
     }
     ((struct node *)n)->formula = true;

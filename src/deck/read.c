@@ -53,7 +53,7 @@ int read_list(const struct node *n, const char *what, struct reader *rd)
     return n->type == NODE_LIST ? 0 : wrong_type(n, what, "a list", rd);
 }
 
-static int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
+int read_text(const char **out, const struct node *n, const char *what, struct reader *rd)
 {
     if (n->reported) return 1;
     if (n->type != NODE_SCALAR || node_is_null(n)) return wrong_type(n, what, "a text", rd);
@@ -106,6 +106,10 @@ int read_int(int *out, const struct node *n, const struct key *key, struct reade
 {
     double x;
     char number[40];
+    if (key && key->words && n->type == NODE_SCALAR && strcmp(n->text, key->words) == 0) {
+        *out = 0;
+        return 0;
+    }
     if (deck_number(&x, n, rd->deck) != OK || n->reported) return 1;
     if (x != floor(x) || fabs(x) > INT_MAX) {
         diag_error(rd->diags, n, AT_VALUE, "E-integer",
@@ -209,46 +213,6 @@ static int read_components(double *x, const struct node *n, const struct key *ke
     return errors;
 }
 
-/* ---- tables ---- */
-
-/* n: the table, or the file it is from. */
-static int keep_points(struct points *o, const double *rows, int count, const struct node *n, struct reader *rd)
-{
-    double *x = TAKE(rd->deck->arena, double, count), *y = TAKE(rd->deck->arena, double, count);
-    for (int i = 0; i < count; i++) {
-        x[i] = rows[2 * i];
-        y[i] = rows[2 * i + 1];
-        if (i == 0 || x[i] > x[i - 1]) continue;
-        diag_error(rd->diags, n->type == NODE_LIST ? n->item[i] : n, AT_VALUE, "E-table",
-                   "the first numbers of a table must increase: %g after %g", x[i], x[i - 1]);
-        return 1;
-    }
-    *o = (struct points){count, x, y};
-    if (count > 0) return 0;
-    diag_error(rd->diags, n, AT_VALUE, "E-table", "an empty table");
-    return 1;
-}
-
-static int read_rows(struct points *o, const struct node *list, struct reader *rd)
-{
-    const char *what = arena_print(rd->deck->arena, "'%s'", list->key);
-    if (read_list(list, what, rd)) return 1;
-    double *rows = TAKE(rd->deck->arena, double, 2 * list->count);
-    what = arena_print(rd->deck->arena, "a row of '%s'", list->key);
-    for (int i = 0; i < list->count; i++)
-        if (read_vector(rows + 2 * i, 2, list->item[i], what, rd)) return 1;
-    return keep_points(o, rows, list->count, list, rd);
-}
-
-static int read_csv(struct points *o, const struct node *n, struct reader *rd)
-{
-    const char *name;
-    double *rows;
-    int count;
-    if (read_text(&name, n, NULL, rd) || deck_csv(&rows, &count, 2, n, rd->deck) != OK) return 1;
-    return keep_points(o, rows, count, n, rd);
-}
-
 /* ---- maps by table ---- */
 
 static int read_value(void *out, const struct key *key, const struct node *n, struct reader *rd)
@@ -268,9 +232,9 @@ static int read_value(void *out, const struct key *key, const struct node *n, st
     case KEY_VECTOR:
         return read_components(member, n, key, rd);
     case KEY_TABLE:
-        return read_rows(member, n, rd);
+        return read_table(member, n, rd);
     case KEY_CSV:
-        return read_csv(member, n, rd);
+        return read_table_file(member, n, rd);
     case KEY_NODE:
         break;
     }

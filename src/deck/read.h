@@ -35,6 +35,15 @@ int read_bool(int *out, const struct node *n, struct reader *rd);
 /* Exactly n numbers; what: "a point", for messages. */
 int read_vector(double *x, int n, const struct node *list, const char *what, struct reader *rd);
 
+/* what: NULL, or "a name", for messages. */
+int read_text(const char **out, const struct node *n, const char *what, struct reader *rd);
+
+/* rows.c: [[x, y], ...] with x increasing, or the name of such a one in the deck's `tables`; a CSV file beside the deck, by
+ * name; a member of `tables`: rows, or {file: name}. */
+int read_table(struct points *o, const struct node *n, struct reader *rd);
+int read_table_file(struct points *o, const struct node *n, struct reader *rd);
+int read_named_table(struct points *o, const struct node *n, struct reader *rd);
+
 /* Is it of this type?  "expected a map, found a list". */
 int read_map(const struct node *n, const char *what, struct reader *rd);
 int read_list(const struct node *n, const char *what, struct reader *rd);

@@ -56,7 +56,8 @@ static int dollar_value(double *out, const char *word, size_t len, const struct 
     struct lookup lookup = {.deck = deck, .scope = scope, .pending = -1};
     struct expr *e;
     struct arena_mark mark = arena_mark(deck->scratch);
-    int bad = expr_parse(&e, word, len, &(struct expr_names){lookup_find, &lookup}, deck->scratch, error);
+    int bad =
+        expr_parse(&e, word, len, &(struct expr_names){.find = lookup_find, .self = &lookup}, deck->scratch, error);
     if (!bad) *out = expr_value(e, NULL);
     arena_rewind(deck->scratch, mark);
     if (bad || (*out == floor(*out) && fabs(*out) <= RANGE)) return bad;

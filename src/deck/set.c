@@ -27,6 +27,11 @@ bool deck_was_set(const struct deck *deck, const struct node *n)
     return s && s->set;
 }
 
+bool deck_was_made(const struct deck *deck, const struct node *n)
+{
+    return deck_was_set(deck, n) && n->mark.line == 1 && n->mark.col == 1; /* a value stands behind its path */
+}
+
 static struct span path_span(const struct setting *s)
 {
     return (struct span){s->file, {1, 1}, {1, (int)strlen(s->path) + 1}};

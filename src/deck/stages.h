@@ -50,7 +50,8 @@ struct lookup {
     const struct scope *scope;
     const struct expr_names *more; /* NULL: none */
     int pending;                   /* a parameter that has no value yet; -1: none */
-    bool broken;                   /* a parameter whose error has been reported */
+    bool broken;                   /* a parameter or signal whose error has been reported */
+    const struct expr_names *own;  /* of the names in signals: as here, with no scope; NULL: signals are not read */
 };
 int lookup_find(void *self, int *slot, double *value, const char *name, struct expr_error *error);
 

@@ -124,7 +124,7 @@ static void note_missed(const struct stepper *s, const struct adaptive *m, doubl
     }
     o->steps++;
     missed_add(o, position, velocity);
-    if (scheme->drifts) missed_drift(o, s->ode, m->v, h);
+    if (scheme->drifts > 0) missed_drift(o, s->ode, m->v, h, scheme->drifts);
 }
 
 static double sum_of(const double *work)

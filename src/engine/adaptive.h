@@ -80,7 +80,7 @@ struct adaptive_scheme {
     /* What the scheme goes on from is off by the estimate times its share of the scales to this power: about by how much its
      * order is the higher one, over the order of the estimate and 1; of schemes of high order as measured (`make trust`). */
     double sharper;
-    bool drifts; /* what steps leave in the energy adds up: see missed_drift() */
+    double drifts; /* the part of what steps leave in the energy that adds up: see missed_drift() */
     /* Optional.  What it remembers. */
     enum status (*recall)(struct stepper *s, struct adaptive *m, struct recall *r);
 };

@@ -73,12 +73,12 @@ static double shear(double x)
     return x * x < 8 ? x * x / 8 : 1;
 }
 
-void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h)
+void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part)
 {
     for (int i = 0; i < o->n; i++) {
         o->way[i] += h * v[i] / ode2_usual(ode, i);
         if (fabs(o->way[i]) > o->extent[i]) o->extent[i] = fabs(o->way[i]);
-        o->position[i] += shear(o->extent[i]) * fabs(h) * o->velocity[i];
+        o->position[i] += part * shear(o->extent[i]) * fabs(h) * o->velocity[i];
     }
 }
 

@@ -46,8 +46,8 @@ void missed_begin(struct missed *o, bool afresh, double h);
 void missed_before(struct missed *o, const double *v);
 void missed_after(struct missed *o, const double *v, int order, double late);
 /* Errors of velocities go on into positions for a time h, at velocities v [n], usual sizes of coordinates by ode: of schemes
- * that do not go back the way that they came, and so let the energy drift. */
-void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h);
+ * that do not go back the way that they came, and so let the energy drift by `part` of what they leave in it. */
+void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part);
 /* The past is no longer that of this motion. */
 void missed_break(struct missed *o);
 /* Local errors [n], of any sign, of one step that stands for all since the last one that was told. */

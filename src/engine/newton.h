@@ -25,6 +25,7 @@ struct newton {
     const struct ode2 *ode;
     struct effort *effort;
     double tolerance; /* asked for; 0: from the error of the step */
+    bool stage;       /* the step is a stage of one of order 4, whose error is what counts */
     int limit;
     double *scale, *per;                         /* [n] running maximum of velocity, 1 / scale with its floor */
     double *dz, *r;                              /* [n] last correction and residual */

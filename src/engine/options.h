@@ -17,6 +17,7 @@ struct step_options {
     int iteration;       /* enum iteration; fixed-point is (2-9) as printed */
     int order;           /* of schemes that can be composed: 2 or 4 */
     int symmetric;       /* W at the average of both ends, second pass */
+    int stage;           /* it is one of those of a step of order 4: set by engine/composed.c alone */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
     double tolerance;        /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */
 };

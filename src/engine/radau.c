@@ -31,6 +31,7 @@ enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10, MOST_PASSES = 20 };
 static const double KEPT = 1.2;     /* a step that may grow by less keeps h and its matrices */
 static const double WORN = .02;     /* contraction from which the next step takes another matrix */
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
+static const double LOST = 1000;    /* round-off of an iterate, of usual sizes */
 static const double SLUGGISH = .99; /* contraction that leads nowhere */
 
 struct radau {
@@ -48,8 +49,8 @@ struct radau {
     bool here;           /* they are of this step's start */
     double *e, *gu, *gv; /* [n] */
     double theta;        /* contraction, last seen */
-    double fnewt;        /* what the iteration may leave, in scales of the tolerance: of the step's share */
-    int count;           /* iterations of the last trial */
+    double fnewt; /* what the iteration may leave, in scales of the tolerance: of the step's share, for it adds up */
+    int count;    /* iterations of the last trial */
 };
 
 static void open_stages(struct stepper *s, struct adaptive *m, int stages, struct arena *life)
@@ -203,7 +204,7 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
     const int n = s->ode->n;
     double last = 0;
     x->fnewt =
-        larger(10 * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)) * sqrt(adaptive_share(m, fabs(h))));
+        larger(LOST * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)) * adaptive_share(m, fabs(h)));
     collocate(x->v, x, m->v, x->a, h, n);
     collocate(x->u, x, NULL, x->v, h, n);
     place(s, x, m, t, h, true);
@@ -365,7 +366,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
 #define RADAU(open_)                                                                                                   \
     .stages = 2, .open = open_, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,    \
     .recall = recall, .off = off
-static const struct adaptive_scheme radau5 = {.order = 4, .sharper = 2. / 4, .drifts = true, RADAU(open5)},
+static const struct adaptive_scheme radau5 = {.order = 4, .sharper = 2. / 4, .drifts = 1, RADAU(open5)},
                                     radau9 = {.order = 6, .sharper = .35, RADAU(open9)};
 
 const struct stepper_kind step_radau5 = {

@@ -176,7 +176,7 @@ static const struct adaptive_scheme doubling = {.stages = 4,
                                                 .grow = grow_doubled,
                                                 .between = between_doubled,
                                                 .off = off_doubled,
-                                                .drifts = true};
+                                                .drifts = 1};
 
 /* The sixth term of exp(i omega h). */
 static double late(const struct step_options *o)

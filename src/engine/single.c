@@ -42,7 +42,7 @@ static enum status one_looked_at(struct stepper *s, struct state *x, double h, d
     else
         missed_after(s->missed, x->v, fades != 0 ? 1 : kind->order, fades != 0 ? fades : kind->late(&s->options));
     if (fades != 0 && s->missed->told > told)
-        missed_drift(s->missed, s->ode, x->v, h * (double)(s->missed->told - told));
+        missed_drift(s->missed, s->ode, x->v, h * (double)(s->missed->told - told), 1);
     return status;
 }
 

@@ -63,19 +63,29 @@ void stepped_forget(struct adaptive *m)
 
 /* ---- a trial --------------------------------------------------------------------------------------------------- */
 
-/* Largest of [from, to) against the scales.  However long it goes on, a vibration that is off in phase is off by no more than
- * twice its size: what is too small to be seen need not be resolved. */
-static double largest(const struct stepper *s, const struct step_error *e, int from, int to)
+/* However long it goes on, a vibration that is off in phase is off by no more than twice its size: what is too small to be
+ * seen need not be resolved. */
+static double against(const struct stepper *s, double position, double velocity, int i)
 {
     const struct adaptive *m = s->self;
     const struct stepped *o = m->own;
-    double most = 0;
-    for (int i = from; i < to; i++) {
-        const double eq = fabs(e->position[i]) / adaptive_scale_q(s, i);
-        const double ev = smaller(fabs(e->velocity[i]), 2 * o->share * m->top[i]) / adaptive_scale_v(s, i);
-        most = worse(worse(most, eq), ev);
+    const double eq = fabs(position) / adaptive_scale_q(s, i);
+    const double ev = smaller(fabs(velocity), 2 * o->share * m->top[i]) / adaptive_scale_v(s, i);
+    return worse(eq, ev);
+}
+
+/* The largest of each class against the scales; what the fast coordinates have from the slow ones is theirs. */
+static void largest(const struct stepper *s, const struct step_error *e, int ns, int n)
+{
+    const struct adaptive *m = s->self;
+    struct stepped *o = m->own;
+    o->fast.error = o->slow.error = 0;
+    for (int i = 0; i < ns; i++) {
+        const double position = e->shared_position[i], velocity = e->shared_velocity[i];
+        o->slow.error = worse(o->slow.error, against(s, position, velocity, i));
+        o->fast.error = worse(o->fast.error, against(s, e->position[i] - position, e->velocity[i] - velocity, i));
     }
-    return most;
+    for (int i = ns; i < n; i++) o->slow.error = worse(o->slow.error, against(s, e->position[i], e->velocity[i], i));
 }
 
 /* What accelerations at the end tell of the error, of schemes that have not looked there. */
@@ -98,15 +108,14 @@ static enum status measure(struct stepper *s, struct adaptive *m, double t, doub
     struct stepped *o = m->own;
     o->share = adaptive_share(m, fabs(h));
     const int n = s->ode->n, ns = fixed_kind(m)->two_rates ? s->ode->ns : 0;
-    struct step_error e = {o->local.position, o->local.velocity};
+    struct step_error e = {.position = o->local.position, .velocity = o->local.velocity};
     if (!fixed_kind(m)->error) {
         for (int i = 0; i < n; i++) o->dv[i] = m->v1[i] - m->v[i];
         local_error_try(&o->local, o->dv, m->a, h, fixed_kind(m)->late(&s->options));
     }
     TRY(look_at_end(s, m, t, h, why));
     if (fixed_kind(m)->error) e = fixed_kind(m)->error(&o->fixed);
-    o->fast.error = largest(s, &e, 0, ns);
-    o->slow.error = largest(s, &e, ns, n);
+    largest(s, &e, ns, n);
     return OK;
 }
 
@@ -121,7 +130,7 @@ enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, 
     struct stepper *fixed = &o->fixed;
     struct state x = {t, m->q1, m->v1, o->a1};
     o->H = fabs(h);
-    if (!(o->h > 0) && fixed_kind(m)->two_rates) o->h = s->guess.h;
+    if (!(o->h > 0) && fixed_kind(m)->two_rates && s->ode->ns > 0) o->h = s->guess.h;
     o->ratio = ratio_of(o, o->H);
     copy(m->q1, m->q, s->ode->nq);
     copy(m->v1, m->v, s->ode->n);
@@ -143,8 +152,8 @@ void stepped_off(const struct stepper *s, const struct adaptive *m, double *posi
 {
     struct stepped *o = m->own;
     const bool own = fixed_kind(m)->error;
-    const struct step_error e =
-        own ? fixed_kind(m)->error(&o->fixed) : (struct step_error){o->local.position, o->local.velocity};
+    const struct step_error e = own ? fixed_kind(m)->error(&o->fixed)
+                                    : (struct step_error){.position = o->local.position, .velocity = o->local.velocity};
     (void)h;
     copy(position, e.position, s->ode->n);
     copy(velocity, e.velocity, s->ode->n);
@@ -183,6 +192,13 @@ static double filter(struct class *c, double share)
     return factor;
 }
 
+/* Minor steps are whole parts of a major one, and a small change may be none: one less where that is expected to do. */
+static double one_less(const struct stepped *o, double share)
+{
+    const double part = (o->ratio - 1.) / o->ratio;
+    return o->ratio > 1 && o->fast.error / share < .75 * AIM * part * part ? 1 / part : 1;
+}
+
 /* Of a trial that failed: what it can still be. */
 static double retry(const struct class *c, double share)
 {
@@ -213,8 +229,9 @@ double stepped_grow(const struct adaptive *m, double err)
     double factor = filter(&o->slow, share);
     if (!two) return factor;
     const double minor = o->H / o->ratio;
-    o->h = minor * filter(&o->fast, share);
-    if (all || factor * o->H < o->h) factor = o->h / o->H;
+    o->h = minor * larger(filter(&o->fast, share), one_less(o, share));
+    if (all) factor = o->h / o->H;
+    o->h = smaller(o->h, factor * o->H);
     return smaller(factor, MOST_RATIO * o->h / o->H);
 }
 

@@ -31,6 +31,7 @@ enum status stepped_recall(struct stepper *s, struct adaptive *m, struct recall 
         .scheme = {.stages = 2,                                                                                        \
                    .order = 2,                                                                                         \
                    .plain = true,                                                                                      \
+                   .drifts = .5,                                                                                       \
                    .open = stepped_open,                                                                               \
                    .forget = stepped_forget,                                                                           \
                    .attempt = stepped_attempt,                                                                         \

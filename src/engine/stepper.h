@@ -37,8 +37,10 @@ struct effort {
 
 struct stepper;
 
+/* What a step is off by [n]. */
 struct step_error {
     const double *position, *velocity;
+    const double *shared_position, *shared_velocity; /* of two rates: of the fast coordinates' [ns], what goes with H */
 };
 
 struct stepper_kind {
@@ -51,6 +53,7 @@ struct stepper_kind {
     bool two_rates;                    /* sub-cycling; else ratio plain steps are one major step */
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
     bool yardstick;                    /* to compare with: nobody is advised to take it */
+    bool cut;                          /* its steps may be cut at impacts and where friction sets in: rigid contacts */
     int order;
     int adaptive; /* chooses its own steps inside H */
     bool full;    /* its matrices are full ones of all coordinates: for hundreds of these */

@@ -23,6 +23,7 @@ static void open_saved(struct touch_saved *o, const struct ode2 *ode, struct are
     o->state = TAKE(life, int, m);
     o->impacts = TAKE(life, long, m);
     o->impulse = TAKE(life, double, m);
+    o->way = TAKE(life, double, 2 * m);
     o->p = TAKE(life, double, ode->contact->nrow);
 }
 
@@ -40,7 +41,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     struct touch *o = TAKE(life, struct touch, 1);
     const struct ode2 *ode = s->ode;
     const int m = ode->contact->m, rows = ode->contact->nrow, n = ode->n;
-    int **whole[] = {&o->first, &o->on, &o->closed, &o->state, &o->contact};
+    int **whole[] = {&o->first, &o->on, &o->closed, &o->state, &o->contact, &o->turns, &o->forced};
     double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l};
     double **of_n[] = {&o->v1, &o->vm, &o->a, &o->dx, &o->r, &o->y, &o->vf, &o->weight};
     double **of_m[] = {&o->size, &o->g, &o->g0, &o->g1, &o->impulse};
@@ -52,6 +53,13 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     for (size_t i = 0; i < sizeof of_n / sizeof *of_n; i++) *of_n[i] = TAKE(life, double, n);
     for (size_t i = 0; i < sizeof of_m / sizeof *of_m; i++) *of_m[i] = TAKE(life, double, m);
     o->impacts = TAKE(life, long, m);
+    o->way = TAKE(life, double, 2 * m);
+    o->heads = TAKE(life, double, 2 * m);
+    o->held = TAKE(life, double, rows);
+    o->N = TAKE(life, double, m);
+    o->off = TAKE(life, double, m);
+    o->was = TAKE(life, double, m);
+    o->f = TAKE(life, double, rows);
     o->shown = TAKE(life, struct touch_state, m);
     o->cone = TAKE(life, struct cone, m);
     o->q = TAKE(life, double, ode->nq);
@@ -60,6 +68,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     o->W = TAKE_MATRIX(life, double, rows, rows);
     open_rows(&o->middle, rows, n, life);
     open_rows(&o->end, rows, n, life);
+    cone_open(&o->work, rows, life);
     matrix_open(&o->J, ode, &s->effort, life);
     matrix_open(&o->M, ode, &s->effort, life);
     open_saved(&o->start, ode, life);
@@ -145,6 +154,48 @@ enum status touch_mass(struct touch *o, const struct state *x, struct trouble *w
     return OK;
 }
 
+/* Friction of a joint is by its force, and its force by its friction: where going to and fro does not settle soon, it is
+ * gone a share of the way, or further than it (Aitken's rule for vectors: Irons & Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275). */
+static void mend(struct touch *o, int count)
+{
+    static const double SOON = .3, LEAST = .02, MOST = 10;
+    double to = 0, all = 0, now = 0, last = 0;
+    for (int i = 0; i < o->c->m; i++) {
+        if (!o->on[i] || !o->c->of[i].joint) continue;
+        const double d = o->off[i] - o->was[i];
+        to += o->was[i] * d;
+        all += d * d;
+        now += o->off[i] * o->off[i];
+        last += o->was[i] * o->was[i];
+    }
+    if (count < 2)
+        o->share = 1;
+    else if (now > SOON * SOON * last && all > 0)
+        o->share = smaller(MOST, larger(LEAST, -o->share * to / all));
+}
+
+enum status touch_press(struct touch *o, const struct instant *x, double h, int count, struct trouble *why)
+{
+    if (!o->c->bound) return OK;
+    touch_spread(o, o->f);
+    for (int i = 0; i < o->c->nrow; i++) o->f[i] /= h;
+    TRY(o->c->bound(o->c, o->off, o->on, x, o->f, why));
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        if (count == 0) o->N[i] = o->off[i];
+        o->off[i] -= o->N[i];
+    }
+    mend(o, count);
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        if (!o->c->of[i].joint) continue;
+        o->N[i] = larger(0, o->N[i] + o->share * o->off[i]);
+        o->was[i] = o->off[i];
+        o->l[o->cone[k].row] = h * o->N[i];
+    }
+    return OK;
+}
+
 double touch_taken(const struct touch *o)
 {
     double sum = 0;
@@ -157,6 +208,21 @@ void touch_kick(const struct touch *o, double *v, const double *p)
     const int n = o->ode->n;
     for (int j = 0; j < o->rows; j++)
         for (int i = 0; i < n; i++) v[i] += o->X[i + j * n] * p[j];
+}
+
+void touch_strike(struct touch *o, const double *q, double *v, double t)
+{
+    static const double ROUND_OFF = 1e-13;
+    struct stepper *s = o->stepper;
+    const double before = o->ode->kinetic ? o->ode->kinetic(o->ode, q, v, t) : 0, loss = touch_taken(o),
+                 along = dot(o->l, o->end.b, o->rows);
+    touch_kick(o, v, o->l);
+    s->struck += loss;
+    s->work[POWER_DRIVE] -= along;
+    /* Drives hold what they move against what is struck beside it, too. */
+    const double behind = o->ode->kinetic ? o->ode->kinetic(o->ode, q, v, t) : 0, more = behind - before + loss + along;
+    const double all = behind + before; /* 0: not known */
+    if (all > 0 && fabs(more) > ROUND_OFF * (all + fabs(loss))) s->work[POWER_DRIVE] += more;
 }
 
 void touch_grow(struct touch *o, const double *v)
@@ -179,7 +245,7 @@ static enum status close_drawn(struct touch *o, const struct state *x, double h,
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k];
         o->closed[i] = fabs(o->u[c->row]) <= TOUCH_AT_REST * o->top;
-        if (o->closed[i]) o->state[i] = touch_sticks(o, o->u, c) ? TOUCH_STICKS : TOUCH_SLIDES;
+        if (o->closed[i]) touch_set_slip(o, i, o->u, c);
     }
     return OK;
 }
@@ -237,6 +303,7 @@ void touch_recall(struct touch *o, struct recall *r)
     recall_one(r, "begun", o->begun);
     recall_list(r, "closed", o->closed, o->c->m);
     recall_list(r, "state", o->state, o->c->m);
+    recall_list(r, "way", o->way, 2 * o->c->m);
     recall_list(r, "p", o->p, o->c->nrow);
     recall_one(r, "took", o->took);
     recall_one(r, "hfactor", o->hfactor);

@@ -11,6 +11,9 @@
 #include "engine/motion.h"
 #include "engine/touch_parts.h"
 
+enum { PASSES = 60 };
+static const double ROUND_OFF = 1e-14;
+
 /* c [rows] += sign (G v + b) at q (+) s v, t + s. */
 static enum status add_rates(struct touch *o, double *c, const struct state *x, double s, double sign,
                              struct trouble *why)
@@ -31,14 +34,41 @@ static void directions(struct touch *o)
         const double size = touch_slip(o->u, c);
         c->slides = o->state[o->contact[k]] == TOUCH_SLIDES && size > 0;
         c->mu = c->slides ? of->sliding : of->holding;
+        c->preload = of->preload;
+        c->sticks = o->forced[o->contact[k]] && !c->slides;
         for (int j = 0; j < c->across && c->slides; j++) c->slide[j] = u[j] / size;
     }
+}
+
+/* l; joints that rub are pressed by what they themselves do, too. */
+static enum status find(struct touch *o, bool *found, const struct state *x, double size, struct trouble *why)
+{
+    const int most = o->c->bound ? PASSES : 1;
+    double moved = INFINITY;
+    for (int k = 0; k < most && moved > ROUND_OFF; k++) {
+        copy(o->y, o->a, o->ode->n);
+        touch_kick(o, o->y, o->l);
+        const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .a = o->y, .ta = x->t, .tb = x->t};
+        copy(o->u1, o->l, o->rows);
+        TRY(touch_press(o, &at, 1, k, why));
+        *found = cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, &o->work);
+        if (!*found) return OK;
+        double most_l = DBL_MIN;
+        moved = 0;
+        for (int i = 0; i < o->rows; i++) {
+            moved = larger(moved, fabs(o->l[i] - o->u1[i]));
+            most_l = larger(most_l, fabs(o->l[i]));
+        }
+        moved /= most_l;
+    }
+    return OK;
 }
 
 enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why)
 {
     const double d = 1e-4 * o->usual;
     zero(f, o->c->nrow);
+    o->jammed = false;
     touch_choose_closed(o);
     if (o->n == 0) return OK;
     TRY(touch_look(o, o->u, &o->end, x, why));
@@ -54,7 +84,9 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
         size = larger(size, fabs(o->u[i]));
     }
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size)) return OK; /* jammed: there are none */
-    touch_spread(o, f);
+    bool found;
+    TRY(find(o, &found, x, size, why));
+    o->jammed = !found;
+    if (found) touch_spread(o, f); /* else there are none */
     return OK;
 }

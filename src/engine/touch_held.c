@@ -8,6 +8,8 @@
 
 enum { LIMIT = 60, RENEW = 6 };
 static const double EXACT = 1e-15, ENOUGH = 1e-11, STILL = 1e-13; /* of the largest velocity */
+static const double SOON = 1e-3;                                  /* of a usual step */
+static const double ROUGH = 4 * DBL_EPSILON;                      /* of usual gaps */
 
 /* Where v1 leads: the instant in the middle, and the end. */
 static struct instant place(struct touch *o, const struct state *x, double h, double t1)
@@ -32,12 +34,14 @@ static struct instant place(struct touch *o, const struct state *x, double h, do
 }
 
 /* The row G in the middle such that it does exactly the change of the gap; `size` is that of the displacement, squared.
- * Where that is a matter of round-off, or of an iterate that is far off, the row stays. */
-static void correct_row(const struct touch *o, double *G, double change, double size)
+ * Where that is a matter of round-off of gaps, or of an iterate that is far off, the row stays: along a displacement that
+ * is next to nothing it would turn by much. */
+static void correct_row(const struct touch *o, double *G, double change, double size, double rough)
 {
     static const double MOST = .1; /* of the row */
     const int n = o->ode->n;
     const double off = change - dot(G, o->dx, n);
+    if (fabs(off) <= rough) return;
     double own = 0;
     for (int j = 0; j < n; j++) own += G[j] * G[j] / o->weight[j];
     if (off * off > MOST * MOST * own * size) return;
@@ -53,7 +57,7 @@ static void correct_normals(struct touch *o, double h)
     for (int k = 0; k < o->n; k++) {
         const int i = o->contact[k], row = o->cone[k].row;
         const double change = o->g1[i] - o->g0[i] - h * o->middle.b[row];
-        correct_row(o, o->middle.G + row * n, change, size);
+        correct_row(o, o->middle.G + row * n, change, size, ROUGH * o->size[i]);
     }
 }
 
@@ -65,6 +69,15 @@ static enum status rows_there(struct touch *o, const struct instant *x, double h
     TRY(c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, x->tb, why));
     correct_normals(o, h);
     return OK;
+}
+
+/* What an impact was found beside its place is mended soon behind it, but not in a part of next to no length: that would take
+ * any speed. */
+static double left_open(const struct touch *o, int i, double h)
+{
+    const double most = 2 * TOUCH_CLOSED * o->size[i], g = o->g0[i];
+    const double soon = SOON * o->usual;
+    return h < soon ? (1 - h / soon) * larger(-most, smaller(most, g)) : 0;
 }
 
 /* One correction of v1 and p; *err: how large, of velocities. */
@@ -81,6 +94,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
         o->hfactor = h;
     }
     TRY(rows_there(o, x, h, why));
+    TRY(touch_press(o, x, h, count, why));
     touch_compliance(o, &o->J, o->middle.G, o->end.G);
     copy(o->y, o->r, n);
     matrix_solve(&o->J, o->y);
@@ -88,10 +102,11 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     touch_rates(o, o->u, &o->end, o->vf);
     for (int k = 0; k < o->n; k++) {
         const int row = o->cone[k].row;
-        o->u[row] += 2 / h * o->g1[o->contact[k]] - dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
+        o->u[row] += 2 / h * (o->g1[o->contact[k]] - left_open(o, o->contact[k], h)) -
+                     dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
     }
     const double size = larger(o->top, DBL_MIN);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->tb);
     touch_kick(o, o->vf, o->l);
     *err = 0;
@@ -103,12 +118,27 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     return isfinite(*err) ? OK : trouble_set(why, TROUBLE_CONTACT, o->contact[0], *err, x->tb);
 }
 
-/* What round-off of gaps makes of velocities in a short step. */
+/* Do joints that rub press as their friction makes them?  Where they do not, as of a mechanism that is wedged by forces
+ * without bounds, there is no such motion. */
+static bool pressed(const struct touch *o)
+{
+    static const double OFF = 1e-3;
+    double most = 0, off = 0;
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        if (!o->c->of[i].joint) continue;
+        most = larger(most, o->N[i]);
+        off = larger(off, fabs(o->off[i]));
+    }
+    return off <= OFF * most;
+}
+
+/* What round-off of gaps makes of velocities in a short step, friction of them along the surface by its coefficient. */
 static double noise(const struct touch *o, double h)
 {
     double size = 0;
-    for (int k = 0; k < o->n; k++) size = larger(size, o->size[o->contact[k]]);
-    return 64 * DBL_EPSILON * size / h;
+    for (int k = 0; k < o->n; k++) size = larger(size, larger(1, o->cone[k].mu) * o->size[o->contact[k]]);
+    return 16 * ROUGH * size / h;
 }
 
 static enum status iterate(struct touch *o, struct instant *at, const struct state *x, double h, double t1,
@@ -122,7 +152,8 @@ static enum status iterate(struct touch *o, struct instant *at, const struct sta
         const double size = larger(o->top, DBL_MIN);
         since = err < .9 * least ? 0 : since + 1;
         least = smaller(least, err);
-        if (err <= EXACT * size || (err <= ENOUGH * size + rough && since > 1)) return OK;
+        const bool still = err <= EXACT * size || (err <= ENOUGH * size + rough && since > 1);
+        if (still && pressed(o)) return OK;
     }
     return trouble_set(why, TROUBLE_CONTACT, o->contact[0], err, t1);
 }
@@ -144,13 +175,24 @@ static enum status book(struct touch *o, struct instant *at, double h, struct tr
     return OK;
 }
 
+/* Has it closed a gap that an impact had left? */
+static bool has_mended(const struct touch *o)
+{
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        if (fabs(o->g0[i]) > 1e-2 * TOUCH_CLOSED * o->size[i]) return true;
+    }
+    return false;
+}
+
 /* Takes what is left of the rates along rows that push and stick. */
 static enum status settle(struct touch *o, double t1, struct trouble *why)
 {
     const struct state there = {t1, o->q1, o->v1, o->a};
     double most = 0;
+    const bool mended = o->took == 0 || has_mended(o);
     touch_spread(o, o->p);
-    for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0;
+    for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0 || o->c->of[o->contact[k]].joint;
     touch_choose(o, o->p);
     TRY(touch_look(o, o->u, &o->end, &there, why));
     for (int k = 0; k < o->n; k++) {
@@ -159,16 +201,23 @@ static enum status settle(struct touch *o, double t1, struct trouble *why)
         if (!touch_sticks(o, o->u, c)) c->across = 0;
         most = larger(most, fabs(o->u[c->row]));
     }
-    if (o->n == 0 || most <= (o->took > 0 ? STILL : 0) * o->top) return OK; /* right behind an impact, to 0 */
+    if (o->n == 0 || most <= (mended ? 0 : STILL) * o->top) return OK; /* right behind an impact, to 0 */
     TRY(touch_mass(o, &there, why));
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, t1);
-    touch_kick(o, o->v1, o->l);
-    touch_rates(o, o->u1, &o->end, o->v1);
-    o->stepper->struck += touch_taken(o);
-    o->stepper->work[POWER_DRIVE] -= dot(o->l, o->end.b, o->rows);
+    copy(o->vf, o->v1, o->ode->n);
+    touch_kick(o, o->vf, o->l);
+    touch_rates(o, o->u1, &o->end, o->vf);
+    touch_strike(o, o->q1, o->v1, t1);
     return OK;
+}
+
+static void force(const struct touch *o, struct cone *c, int contact)
+{
+    c->sticks = o->state[contact] == TOUCH_STICKS;
+    c->slides = !c->sticks;
+    for (int j = 0; j < c->across; j++) c->slide[j] = o->way[2 * contact + j];
 }
 
 enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
@@ -181,6 +230,8 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
     for (int k = 0; k < o->n; k++) {
         const struct ode2_touch *of = &o->c->of[o->contact[k]];
         o->cone[k].mu = o->state[o->contact[k]] == TOUCH_STICKS ? of->holding : of->sliding;
+        o->cone[k].preload = h * of->preload;
+        if (o->forced[o->contact[k]]) force(o, &o->cone[k], o->contact[k]);
     }
     TRY(o->c->gap(o->c, o->g0, x->q, x->t, why));
     copy(o->v1, x->v, ode->n);

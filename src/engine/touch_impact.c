@@ -15,11 +15,19 @@
 enum { HALVINGS = 20 };
 static const double SLOWED = 1e-3; /* of the hardest impact in this step: where bouncing comes to its end */
 
-/* Restitution of the k-th: none of what is closed, and none where it would be back within the step. */
-static double restitution(const struct touch *o, int k, double h, int last)
+/* How its gap is pulled to: by all but contacts, or as it was on the way here, where closed ones carry the other body. */
+static double pulled(const struct touch *o, const struct cone *c, const struct state *x)
 {
-    const int i = o->contact[k], row = o->cone[k].row, n = o->ode->n;
-    const double e = o->c->of[i].restitution, un = o->u[row], an = dot(o->end.G + row * n, o->a, n);
+    const int n = o->ode->n;
+    const double *G = o->end.G + c->row * n;
+    return smaller(dot(G, o->a, n), dot(G, x->a, n));
+}
+
+/* Restitution of the k-th: none of what is closed, and none where it would be back within the step. */
+static double restitution(const struct touch *o, int k, const struct state *x, double h, int last)
+{
+    const int i = o->contact[k];
+    const double e = o->c->of[i].restitution, un = o->u[o->cone[k].row], an = pulled(o, &o->cone[k], x);
     if (o->closed[i] || last || !(un < 0) || e == 0) return 0;
     if (an < 0 && 2 * e * -un < -an * h) return 0;
     return an < 0 && -un <= TOUCH_AT_REST * 1e-3 * o->top ? 0 : e;
@@ -34,7 +42,7 @@ static bool strike(struct touch *o, double *loss, double e)
         o->u1[row] += e * o->g1[k] * smaller(o->u[row], 0);
     }
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top)) return false;
+    if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, &o->work)) return false;
     for (int i = 0; i < o->rows; i++) {
         o->u1[i] = o->u[i];
         for (int j = 0; j < o->rows; j++) o->u1[i] += o->W[i + j * o->rows] * o->l[j];
@@ -43,13 +51,20 @@ static bool strike(struct touch *o, double *loss, double e)
     return true;
 }
 
-static void note_all(struct touch *o, const struct state *x, double loss)
+/* Would what leaves be back within the step?  It stays, as far as it pushes. */
+static bool stays(const struct touch *o, const struct cone *c, const struct state *x, double h)
+{
+    const double after = o->u1[c->row], an = pulled(o, c, x);
+    return fabs(after) <= TOUCH_AT_REST * o->top || (after > 0 && an < 0 && 2 * after < -an * h);
+}
+
+static void note_all(struct touch *o, const struct state *x, double h, double loss)
 {
     for (int k = 0; k < o->n; k++) {
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k], was = o->closed[i];
         const double before = o->u[c->row], after = o->u1[c->row], p = o->l[c->row];
-        o->closed[i] = fabs(after) <= TOUCH_AT_REST * o->top;
+        o->closed[i] = stays(o, c, x, h);
         o->impulse[i] += p;
         if (p > 0 && !was) {
             o->impacts[i]++;
@@ -58,8 +73,8 @@ static void note_all(struct touch *o, const struct state *x, double loss)
         }
         if (o->closed[i] != was)
             touch_note(o, (struct touch_event){.what = was ? TOUCH_OPENS : TOUCH_CLOSES, .contact = i, .t = x->t});
-        if (o->closed[i] != was || !o->closed[i])
-            o->state[i] = !o->closed[i] ? TOUCH_OPEN : touch_sticks(o, o->u1, c) ? TOUCH_STICKS : TOUCH_SLIDES;
+        if (o->closed[i] != was || !o->closed[i]) touch_set_slip(o, i, o->u1, c);
+        if (!o->closed[i]) o->state[i] = TOUCH_OPEN;
         for (int j = 0; j <= c->across; j++) o->p[o->first[i] + j] = 0;
     }
 }
@@ -79,7 +94,7 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
     if (most > SLOWED * o->hardest) last = 0;
     for (int k = 0; k < o->n; k++) {
         const struct ode2_touch *of = &o->c->of[o->contact[k]];
-        o->g1[k] = restitution(o, k, h, last);
+        o->g1[k] = restitution(o, k, x, h, last);
         o->cone[k].mu = of->sliding;
         o->top = larger(o->top, fabs(o->u[o->cone[k].row]));
     }
@@ -90,10 +105,8 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
     for (int k = 0; k < o->n; k++) /* nothing gives way: it is driven */
         if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - TOUCH_AT_REST * o->top))
             return trouble_set(why, TROUBLE_CONTACT, o->contact[k], INFINITY, x->t);
-    touch_kick(o, x->v, o->l);
-    s->struck += loss;
-    s->work[POWER_DRIVE] -= dot(o->l, o->end.b, o->rows);
-    note_all(o, x, loss);
+    touch_strike(o, x->q, x->v, x->t);
+    note_all(o, x, h, loss);
     o->took = 0;
     return stepper_start(s, x, why);
 }

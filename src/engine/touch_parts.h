@@ -8,6 +8,7 @@
 #include "engine/touch.h"
 
 enum { MOST_EVENTS = 256 };
+static const double TOUCH_CLOSED = 1e-12; /* of a usual gap: where an impact is found */
 static const double TOUCH_DRAWN = 1e-9;   /* of a usual gap: where the run starts it is closed */
 static const double TOUCH_AT_REST = 1e-9; /* of the largest velocity */
 
@@ -27,7 +28,7 @@ struct touch_saved {
     long all;
     int *closed, *state;
     long *impacts;
-    double *impulse, *p;
+    double *impulse, *p, *way;
 };
 
 struct touch {
@@ -39,6 +40,7 @@ struct touch {
     int *on;         /* [m] is it looked at now? */
     int *closed;     /* [m] */
     int *state;      /* [m] enum touching */
+    double *way;     /* [2 m] unit vectors across along which they slide, or slid last */
     double *p;       /* [rows] impulses of the last step, */
     double took;     /* that long */
     double *impulse; /* [m] since the start */
@@ -46,6 +48,7 @@ struct touch {
     long all;        /* impacts */
     double top;      /* largest velocity met, of any coordinate */
     double usual;    /* step [s] */
+    bool jammed;     /* touch_forces() has found none */
     double hardest;  /* speed of an impact in the step under way */
     int begun;
     int nevent, lost_events;
@@ -53,16 +56,24 @@ struct touch {
     struct touch_state *shown; /* [m] */
 
     /* of the step under way */
+    int *turns;        /* [m] enum touch_switch */
+    int *forced;       /* [m] is it held, does it slide its way, whatever that takes? */
+    double *held;      /* [all rows] forces there */
+    double *heads;     /* [2 m] the ways along which they go, if they do */
     struct cone *cone; /* [m] those that are on */
     int n, rows;       /* of these; their rows */
-    int *contact;      /* [m] their numbers */
-    struct matrix J;   /* of the step */
-    double hfactor;    /* for which it was made; 0: none */
-    struct matrix M;   /* of impacts */
+    struct cone_work work;
+    int *contact;    /* [m] their numbers */
+    struct matrix J; /* of the step */
+    double hfactor;  /* for which it was made; 0: none */
+    struct matrix M; /* of impacts */
     struct touch_rows middle, end;
     double *X, *W;                         /* [n x rows], [rows x rows] */
     double *u, *u1, *l;                    /* [rows] */
     double *g, *g0, *g1;                   /* [m] */
+    double *N, *f;                         /* [m] pressing forces of joints, [all rows] forces */
+    double *off, *was;                     /* [m] by how much they are beside those of the motion; of the last time */
+    double share;                          /* of that, by which they are mended */
     double *v1, *vm, *a, *dx, *r, *y, *vf; /* [n] */
     double *q, *q1;                        /* [nq] */
     double *weight;                        /* [n] of displacements, for Gonzalez' correction */
@@ -88,14 +99,32 @@ void touch_grow(struct touch *o, const double *v);
 void touch_compliance(struct touch *o, const struct matrix *F, const double *G, const double *G1);
 /* The same with M at x and the rows `end`. */
 enum status touch_mass(struct touch *o, const struct state *x, struct trouble *why);
+/* Pushes of joints that rub, over a time h, as x and all l have them; count: of the iteration, from 0. */
+enum status touch_press(struct touch *o, const struct instant *x, double h, int count, struct trouble *why);
 /* By impulses l that bring rates u to u1 [J]. */
 double touch_taken(const struct touch *o);
 /* v += X p */
 void touch_kick(const struct touch *o, double *v, const double *p);
+/* v at q, t is struck by l, which bring u to u1: the loss, and what drives do. */
+void touch_strike(struct touch *o, const double *q, double *v, double t);
 
 /* touch_held.c: one step h of x with the closed contacts held, or x as it was. */
 enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why);
 /* touch_impact.c: of all contacts that are looked at or closed. */
 enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why);
+
+/* touch_switch.c: changes between sticking and sliding in a step of x, from o->part */
+enum touch_switch { SWITCH_NONE, SWITCH_STOPS, SWITCH_GOES, SWITCH_DONE };
+struct touch_try {
+    void (*again)(struct touch *o, struct state *x); /* back to its start */
+    enum status (*take)(struct touch *o, struct state *x, double h, double t1, struct trouble *why);
+};
+/* state and way of contact i, at rates u */
+void touch_set_slip(struct touch *o, int i, const double *u, const struct cone *c);
+/* Is there one in the step that led to x?  The kind to look for first. */
+enum status touch_switches(struct touch *o, enum touch_switch *which, const struct state *x, struct trouble *why);
+/* Then x is where it happens; or, *again, where the step h began, from which on it is so; or where it was. */
+enum status touch_cut(struct touch *o, const struct touch_try *part, struct state *x, double h, enum touch_switch which,
+                      bool *again, struct trouble *why);
 
 #endif

@@ -3,14 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/scalar.h"
+#include "base/bracket.h"
 #include "engine/motion.h"
 #include "engine/touch_parts.h"
 
-enum { MOST_IMPACTS = 50, NO_END = 20000, TRIALS = 60 };
-static const double CLOSED = 1e-12; /* of a usual gap: where an impact is found */
-static const double DEEP = 1e-6;    /* likewise: where one has gone through the other */
-static const double SHORT = 1e-4;   /* of a step: no shorter part is looked at for what may be passed in it */
+enum { MOST_IMPACTS = 50, MOST_CUTS = 12, NO_END = 20000, TRIALS = 60 };
+static const double DEEP = 1e-6;  /* of a usual gap: where one has gone through the other */
+static const double SHORT = 1e-4; /* of a step: no shorter part is looked at for what may be passed in it */
 
 static void save(struct touch_saved *o, const struct touch *t, const struct state *x)
 {
@@ -33,6 +32,7 @@ static void save(struct touch_saved *o, const struct touch *t, const struct stat
     memcpy(o->impacts, t->impacts, m * sizeof *o->impacts);
     copy(o->impulse, t->impulse, t->c->m);
     copy(o->p, t->p, t->c->nrow);
+    copy(o->way, t->way, 2 * t->c->m);
 }
 
 static void restore(const struct touch_saved *o, struct touch *t, struct state *x)
@@ -56,6 +56,7 @@ static void restore(const struct touch_saved *o, struct touch *t, struct state *
     memcpy(t->impacts, o->impacts, m * sizeof *o->impacts);
     copy(t->impulse, o->impulse, t->c->m);
     copy(t->p, o->p, t->c->nrow);
+    copy(t->way, o->way, 2 * t->c->m);
 }
 
 static enum status attempt(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
@@ -79,29 +80,18 @@ static enum status deepest(struct touch *o, double *g, const struct state *x, st
     return OK;
 }
 
-/* Of a step that has gone too deep, the part that ends where the first gap is 0, by Illinois' rule of false position. */
+/* Of a step that has gone too deep, the part that ends where the first gap is 0. */
 static enum status locate(struct touch *o, struct state *x, double h, double deep, double g0, struct trouble *why)
 {
     const double t0 = o->part.t;
-    double lo = 0, hi = h, glo = larger(g0, 0), ghi = deep, g = deep;
-    int side = 0;
-    for (int k = 0; k < TRIALS && fabs(g) > CLOSED && hi - lo > 4 * DBL_EPSILON * (fabs(t0) + h); k++) {
-        double part = glo > 0 ? lo + (hi - lo) * glo / (glo - ghi) : .5 * (lo + hi);
-        part = larger(lo + 1e-3 * (hi - lo), smaller(part, hi - 1e-6 * (hi - lo)));
+    struct bracket b = {0, h, larger(g0, 0), deep, 0};
+    double g = deep;
+    for (int k = 0; k < TRIALS && fabs(g) > TOUCH_CLOSED && b.hi - b.lo > 4 * DBL_EPSILON * (fabs(t0) + h); k++) {
+        const double part = bracket_next(&b);
         restore(&o->part, o, x);
         TRY(attempt(o, x, part, t0 + part, why));
         TRY(deepest(o, &g, x, why));
-        if (g > 0) {
-            lo = part;
-            glo = g;
-            if (side == 1) ghi /= 2;
-            side = 1;
-        } else {
-            hi = part;
-            ghi = g;
-            if (side == -1) glo /= 2;
-            side = -1;
-        }
+        bracket_take(&b, part, g);
     }
     return OK;
 }
@@ -117,13 +107,16 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k], was = o->state[i];
         o->impulse[i] += o->l[c->row];
-        if (!(o->l[c->row] > 0) && (o->u[c->row] > CLOSED * o->top || o->g[i] > CLOSED * o->size[i])) {
+        if (!(o->l[c->row] > 0) && (o->u[c->row] > TOUCH_CLOSED * o->top || o->g[i] > TOUCH_CLOSED * o->size[i])) {
             o->closed[i] = 0;
             o->state[i] = TOUCH_OPEN;
             touch_note(o, (struct touch_event){.what = TOUCH_OPENS, .contact = i, .t = x->t});
             continue;
         }
-        o->state[i] = touch_sticks(o, o->u, c) ? TOUCH_STICKS : TOUCH_SLIDES;
+        const bool done = o->turns[i] == SWITCH_DONE;
+        o->turns[i] = SWITCH_NONE;
+        if (done) continue;
+        touch_set_slip(o, i, o->u, c);
         if (c->across && o->state[i] != was)
             touch_note(o,
                        (struct touch_event){.what = was == TOUCH_STICKS ? TOUCH_STARTS_SLIDING : TOUCH_STARTS_STICKING,
@@ -178,16 +171,37 @@ static enum status none_is_deep(const struct touch *o, double t, struct trouble 
     return OK;
 }
 
+static void back(struct touch *o, struct state *x)
+{
+    restore(&o->part, o, x);
+}
+
+/* The step to x ends where friction changes in it. */
+static enum status cut(struct touch *o, struct state *x, int *cuts, bool *again, struct trouble *why)
+{
+    static const struct touch_try part = {back, attempt};
+    enum touch_switch which;
+    TRY(touch_switches(o, &which, x, why));
+    if (which == SWITCH_NONE) return OK;
+    ++*cuts;
+    const double h = x->t - o->part.t, t1 = x->t;
+    const enum status status = touch_cut(o, &part, x, h, which, again, why);
+    if (status != E_NUMERIC) return status;
+    back(o, x); /* as of a rod that jams: it has no motion in which it slides on */
+    *again = false;
+    return attempt(o, x, h, t1, why);
+}
+
 /* From impact to impact to t1. */
 static enum status parts(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
 {
-    int impacts = 0;
+    int impacts = 0, cuts = 0;
     double most = INFINITY;
     o->hardest = 0;
     while (x->t < t1) {
         double g0, g1, left = smaller(t1 - x->t, most);
         const double end = left < t1 - x->t ? x->t + left : t1;
-        bool passed = false;
+        bool passed = false, again = false;
         if (fabs(left - h) <= 1e-9 * h) left = h;
         TRY(deepest(o, &g0, x, why));
         copy(o->g0, o->g, o->c->m);
@@ -195,17 +209,19 @@ static enum status parts(struct touch *o, struct state *x, double h, double t1, 
         TRY(attempt(o, x, left, end, why));
         TRY(deepest(o, &g1, x, why));
         touch_grow(o, x->v);
-        if (g1 >= -CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, left, why));
+        if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, left, why));
         if (passed) {
             restore(&o->part, o, x);
             most = left / 2;
             continue;
         }
         most = INFINITY;
-        if (g1 < -CLOSED) TRY(locate(o, x, left, g1, g0, why));
+        if (g1 < -TOUCH_CLOSED) TRY(locate(o, x, left, g1, g0, why));
+        if (cuts < MOST_CUTS) TRY(cut(o, x, &cuts, &again, why));
+        if (again) continue;
         touch_grow(o, x->v);
         TRY(renew(o, x, why));
-        TRY(strike(o, x, h, 2 * CLOSED, &impacts, why));
+        TRY(strike(o, x, h, 2 * TOUCH_CLOSED, &impacts, why));
         TRY(none_is_deep(o, x->t, why));
         if (t1 - x->t <= 1e-12 * h) x->t = t1;
     }

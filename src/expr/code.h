@@ -46,6 +46,12 @@ enum op {
 };
 /* clang-format on */
 
+/* Of x from a constant on, or between two: step(x, a), ramp(x, a, b).  Their names may be those of other things. */
+static inline bool op_is_since(int op)
+{
+    return op == OP_SINCE || op == OP_RAMP || op == OP_SMOOTH || op == OP_PULSE;
+}
+
 struct instruction {
     enum op op;
     int index;    /* slot, or operations to skip; while parsing, of a constant: its offset in the text */

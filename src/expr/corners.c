@@ -4,7 +4,7 @@
  *
  *     x = slope t + start,   or   gain mod(slope t + start, wrap) + offset
  *
- * Where two of these are compared, or one is given to abs, min, max, sign, floor, ceil or mod, their difference changes
+ * Where two of these are compared, or one is given to abs, min, max, sign, floor, ceil, mod, step, ramp, smooth or pulse, their difference changes
  * sides at times that follow.  What else there may be is not known. */
 #include <float.h>
 #include <math.h>
@@ -143,7 +143,14 @@ static struct number one(struct found *o, enum op op, struct number x)
         return times(x, -1);
     case OP_ABS:
     case OP_SIGN:
+    case OP_SINCE:
         crossing(o, x);
+        break;
+    case OP_RAMP:
+    case OP_SMOOTH:
+    case OP_PULSE:
+        crossing(o, x);
+        crossing(o, plus(x, constant(-1)));
         break;
     case OP_FLOOR:
     case OP_CEIL:

@@ -18,6 +18,10 @@ enum made emit_operand(struct parser *p, struct instruction x)
         p->error->limit = true;
         return parse_wrong(p, p->at, 1, "the expression needs more than %d operands at a time", EXPR_STACK - 1);
     }
+    if (p->n >= EXPR_LENGTH) {
+        p->error->limit = true;
+        return parse_wrong(p, p->at, 1, "the expression comes to more than %d operations", EXPR_LENGTH);
+    }
     emit_code(p, x);
     return NUMBER;
 }

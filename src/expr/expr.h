@@ -12,7 +12,7 @@
  *
  * The text becomes code for a small stack machine; what is constant is folded.  Evaluation allocates
  * nothing and calls only what is on the list of functions.  Slopes are by forward differentiation
- * of the code: exact but for round-off, one-sided at the corners of abs, min, max, mod, if. */
+ * of the code: exact but for round-off, one-sided at the corners of abs, min, max, mod, if, step, ramp. */
 #ifndef FMDSUB_EXPR_EXPR_H
 #define FMDSUB_EXPR_EXPR_H
 
@@ -37,9 +37,16 @@ struct expr_error {
 /* Names are the caller's: find() resolves a name (letters, digits, '_', dots: "hub.angle_rate"), either to a
  * constant (*slot = -1, *value) or to a slot (*slot >= 0).  0 if known; else 1, and it may write text and
  * hint of error, or 2: what is wrong with it was reported elsewhere. */
+struct expr_names;
+struct expr_stand_in {
+    const char *text;
+    const struct expr_names *names; /* of its own names */
+};
 struct expr_names {
     int (*find)(void *self, int *slot, double *value, const char *name, struct expr_error *error);
     void *self;
+    /* NULL, or: does a text stand for the name, another expression, in brackets as it were?  Asked before find(). */
+    bool (*stand_in)(struct expr_stand_in *o, void *self, const char *name);
 };
 
 /* 0: ok.  names may be NULL: none. */
@@ -49,6 +56,9 @@ int expr_parse(struct expr **out, const char *text, size_t len, const struct exp
 /* The same for a truth by itself, "t > 1 and hub.angle < 0": its value is 1 or 0. */
 int expr_parse_truth(struct expr **out, const char *text, size_t len, const struct expr_names *names,
                      struct arena *arena, struct expr_error *error);
+
+/* e + x. */
+struct expr *expr_plus(const struct expr *e, double x, struct arena *arena);
 
 double expr_value(const struct expr *e, const double *slot);
 

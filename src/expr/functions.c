@@ -31,6 +31,10 @@ const struct expr_function expr_functions[] = {
     {"mod", 2, 2, OP_MOD, "mod(x, y): x - y*floor(x/y), in [0, y) for y > 0"},
     {"pow", 2, 2, OP_POW, "pow(x, y): x^y"},
     {"hypot", 2, 2, OP_HYPOT, "hypot(x, y): sqrt(x^2 + y^2) without overflow"},
+    {"step", 2, 2, OP_SINCE, "step(x, a): 0 before a, 1 from a on"},
+    {"ramp", 3, 3, OP_RAMP, "ramp(x, a, b): 0 before a, 1 behind b, straight between"},
+    {"smooth", 3, 3, OP_SMOOTH, "smooth(x, a, b): the same with no jump of the rate nor of the acceleration"},
+    {"pulse", 3, 3, OP_PULSE, "pulse(x, a, b): 1 from a to b, else 0"},
     {0},
 };
 
@@ -40,7 +44,7 @@ bool expr_is_word(const char *name)
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (!strcmp(name, others[i])) return true;
     for (const struct expr_function *f = expr_functions; f->name; f++)
-        if (!strcmp(name, f->name)) return true;
+        if (!op_is_since(f->op) && !strcmp(name, f->name)) return true;
     return false;
 }
 

@@ -29,6 +29,24 @@ static inline double op_over_square(double x, double a, double b)
     return x / r / r;
 }
 
+/* Is x in [0, 1)?  Derivatives are those of the right. */
+static inline bool op_on_way(double x)
+{
+    return x >= 0 && x < 1;
+}
+
+/* x held in [0, 1], and from 0 to 1 with no first and second derivative at both: x^3 (10 - 15 x + 6 x^2). */
+static inline double op_held(double x)
+{
+    return x < 0 ? 0 : x > 1 ? 1 : x;
+}
+
+static inline double op_smooth(double x)
+{
+    const double u = op_held(x), v = 1 - u;
+    return u < .5 ? u * u * u * (10 + u * (6 * u - 15)) : 1 - v * v * v * (10 + v * (6 * v - 15));
+}
+
 /* clang-format off */
 
 /* OP, f, f1, f2 */
@@ -49,14 +67,19 @@ static inline double op_over_square(double x, double a, double b)
     X(LOG,    log(a),    1 / a,                         -1 / (a * a)) \
     X(LOG10,  log10(a),  1 / (a * LOG_OF_10),           -1 / (a * a * LOG_OF_10)) \
     X(SQRT,   sqrt(a),   .5 / f,                        -.25 / (f * a)) \
-    X(ABS,    fabs(a),   op_sign(a),                    0)
+    X(ABS,    fabs(a),   op_sign(a),                    0) \
+    X(RAMP,   op_held(a), op_on_way(a),                 0) \
+    X(SMOOTH, op_smooth(a), op_on_way(a) ? 30 * a * a * (1 - a) * (1 - a) : 0, \
+                         op_on_way(a) ? 60 * a * (1 - a) * (1 - 2 * a) : 0)
 
 /* Constant from step to step: OP, f */
 #define STEPS(X) \
     X(NOT,   1 - a) \
     X(SIGN,  op_sign(a)) \
     X(FLOOR, floor(a)) \
-    X(CEIL,  ceil(a))
+    X(CEIL,  ceil(a)) \
+    X(SINCE, op_relation(a >= 0, a, a)) \
+    X(PULSE, op_relation(op_on_way(a), a, a))
 
 /* OP, f, fa, fb, faa, fab, fbb; the first four as OP_ADD_CONST ... OP_DIV_SLOT too.  Of a^b: b a^(b-1) in a, a^b log a
  * in b; at a = 0 the latter is 0 for b > 0.  Of atan2(a, b): (b da - a db)/(a^2 + b^2). */

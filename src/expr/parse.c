@@ -7,10 +7,7 @@
 
 #include "expr/parse_parts.h"
 
-static enum made sum(struct parser *p);
-static enum made truth(struct parser *p);
-
-static enum made deeper(struct parser *p)
+enum made parse_deeper(struct parser *p)
 {
     if (++p->depth <= EXPR_DEPTH) return NUMBER;
     p->error->limit = true;
@@ -42,8 +39,8 @@ static enum made number(struct parser *p)
 static enum made parenthesis(struct parser *p)
 {
     size_t start = p->at++;
-    if (deeper(p) == FAILED) return FAILED;
-    enum made made = p->condition ? truth(p) : sum(p);
+    if (parse_deeper(p) == FAILED) return FAILED;
+    enum made made = p->condition ? parse_truth(p) : parse_sum(p);
     if (made == FAILED) return FAILED;
     if (!scan_accept(p, ')')) {
         parse_expected(p, "')'");
@@ -54,84 +51,42 @@ static enum made parenthesis(struct parser *p)
     return made;
 }
 
-/* "if(" truth "," value "," value ")": the branch not taken is not run; with a constant condition it is not kept. */
-static enum made if_then(struct parser *p)
+static enum made the_end(struct parser *p)
 {
-    size_t start = p->at;
-    int from = p->n;
-    bool outer = p->condition;
-    p->condition = true;
-    enum made made = truth(p);
-    p->condition = outer;
-    if (made == FAILED) return FAILED;
-    if (made != TRUTH) return parse_wrong(p, start, p->at - start, "expected a condition such as 't < 1'");
-    if (emit_is_constant(p, from) && isnan(p->code[from].value))
-        return parse_wrong(p, start, p->at - start, "one side of the condition is no finite number");
-    if (!scan_accept(p, ',')) return parse_expected(p, "','");
-    bool known = emit_is_constant(p, from), yes = known && p->code[from].value != 0;
-    p->stack--;
-    int unless = p->n;
-    emit_code(p, (struct instruction){.op = OP_UNLESS});
-    if (sum(p) == FAILED) return FAILED;
-    if (!scan_accept(p, ',')) return parse_expected(p, "','");
-    p->stack--;
-    int skip = p->n;
-    emit_code(p, (struct instruction){.op = OP_SKIP});
-    if (sum(p) == FAILED) return FAILED;
-    if (!scan_accept(p, ')')) return parse_expected(p, "')'");
-    p->code[unless].index = skip - unless;
-    p->code[skip].index = p->n - skip - 1;
-    if (!known) return NUMBER;
-    int keep = yes ? unless + 1 : skip + 1, n = yes ? skip - unless - 1 : p->n - skip - 1;
-    memmove(p->code + from, p->code + keep, (size_t)n * sizeof *p->code);
-    p->n = from + n;
-    return NUMBER;
+    return scan_next(p) ? parse_expected(p, "an operator") : NUMBER;
 }
 
-static enum made arguments(struct parser *p, const struct expr_function *f, size_t start)
+/* The text that stands for a name, here; what it has wrong is told of the name. */
+static enum made in_its_place(struct parser *p, size_t start, const char *name, const struct expr_stand_in *o)
 {
-    int from = p->n, n = 1;
-    if (scan_next(p) == ')') return parse_arity(p, f, start, 0);
-    if (sum(p) == FAILED) return FAILED;
-    for (; scan_accept(p, ','); n++) {
-        int right = p->n;
-        if (n >= f->nmax) {
-            while (p->text[p->at] && sum(p) != FAILED && scan_accept(p, ',')) n++;
-            return parse_arity(p, f, start, n + 1);
-        }
-        if (sum(p) == FAILED) return FAILED;
-        emit_binary(p, (enum op)f->op, from, right, start);
-    }
-    if (!scan_accept(p, ')')) return parse_expected(p, n < f->nmax ? "',' or ')'" : "')'");
-    if (n < f->nmin) return parse_arity(p, f, start, n);
-    if (f->nmax == 1) emit_unary(p, (enum op)f->op, from, start);
-    return NUMBER;
-}
-
-static enum made call(struct parser *p, size_t start, const char *name)
-{
-    if (deeper(p) == FAILED) return FAILED;
-    const struct expr_function *f = expr_functions;
-    bool outer = p->condition;
+    const struct parser outer = *p;
+    if (parse_deeper(p) == FAILED) return FAILED;
+    p->text = o->text;
+    p->at = 0;
     p->condition = false;
-    enum made made;
-    if (!strcmp(name, "if")) {
-        made = if_then(p);
-    } else {
-        while (f->name && strcmp(f->name, name)) f++;
-        made = f->name ? arguments(p, f, start) : parse_unknown_function(p, start, name);
-    }
-    p->condition = outer;
+    p->names = o->names;
+    enum made made = parse_sum(p);
+    if (made != FAILED) made = the_end(p);
+    p->text = outer.text;
+    p->at = outer.at;
+    p->condition = outer.condition;
+    p->names = outer.names;
     p->depth--;
-    return made;
+    if (made != FAILED) return made;
+    p->error->offset = start;
+    p->error->length = strlen(name);
+    return FAILED;
 }
 
 static enum made variable(struct parser *p, size_t start, const char *name)
 {
     int slot = -1;
     double value = 0;
+    struct expr_stand_in text;
     if (!strcmp(name, "pi")) return emit_constant(p, 3.14159265358979323846, start);
     if (expr_is_word(name)) return parse_wrong(p, start, strlen(name), "'%s' cannot stand here by itself", name);
+    if (p->names && p->names->stand_in && p->names->stand_in(&text, p->names->self, name))
+        return in_its_place(p, start, name, &text);
     p->error->text[0] = 0;
     if (!p->names || p->names->find(p->names->self, &slot, &value, name, p->error)) {
         if (!p->error->text[0]) return parse_wrong(p, start, strlen(name), "unknown name '%.100s'", name);
@@ -148,7 +103,7 @@ static enum made name_or_call(struct parser *p)
     size_t start = p->at, n = scan_name(p->text + start);
     char *name = arena_copy(p->arena, p->text + start, n);
     p->at += n;
-    if (scan_accept(p, '(')) return call(p, start, name);
+    if (scan_accept(p, '(')) return parse_call(p, start, name);
     p->at = start + n;
     return variable(p, start, name);
 }
@@ -170,7 +125,7 @@ static enum made power(struct parser *p)
     int left = p->n;
     enum made made = atom(p);
     if (made == FAILED || scan_next(p) != '^') return made;
-    if (a_number(p, made, start) == FAILED || deeper(p) == FAILED) return FAILED;
+    if (a_number(p, made, start) == FAILED || parse_deeper(p) == FAILED) return FAILED;
     offset = p->at++;
     int right = p->n;
     start = p->at;
@@ -184,7 +139,7 @@ static enum made sign(struct parser *p)
 {
     char c = scan_next(p);
     if (c != '-' && c != '+') return power(p);
-    if (deeper(p) == FAILED) return FAILED;
+    if (parse_deeper(p) == FAILED) return FAILED;
     size_t start = p->at++;
     int from = p->n;
     enum made made = a_number(p, sign(p), start + 1);
@@ -216,7 +171,7 @@ static enum made product(struct parser *p)
     return level(p, sign, "*/", ops);
 }
 
-static enum made sum(struct parser *p)
+enum made parse_sum(struct parser *p)
 {
     static const enum op ops[] = {OP_ADD, OP_SUB};
     return level(p, product, "+-", ops);
@@ -228,13 +183,13 @@ static enum made relation(struct parser *p)
     scan_next(p);
     int left = p->n;
     enum op op, second;
-    enum made made = sum(p);
+    enum made made = parse_sum(p);
     if (made != NUMBER || !(n = scan_relation(p, &op))) return made;
     offset = p->at;
     p->at += n;
     int right = p->n;
     size_t start = p->at;
-    if (a_number(p, sum(p), start) == FAILED) return FAILED;
+    if (a_number(p, parse_sum(p), start) == FAILED) return FAILED;
     emit_binary(p, op, left, right, offset);
     if ((n = scan_relation(p, &second))) return parse_wrong(p, p->at, n, "two comparisons are joined by 'and' or 'or'");
     return TRUTH;
@@ -245,7 +200,7 @@ static enum made not_relation(struct parser *p)
     size_t start = (scan_next(p), p->at);
     int from = p->n;
     if (!scan_word(p, "not")) return relation(p);
-    if (deeper(p) == FAILED) return FAILED;
+    if (parse_deeper(p) == FAILED) return FAILED;
     enum made made = not_relation(p);
     p->depth--;
     if (made == NUMBER) return parse_wrong(p, start, 3, "'not' is for conditions");
@@ -274,17 +229,12 @@ static enum made both(struct parser *p)
     return joined(p, not_relation, "and", OP_AND);
 }
 
-static enum made truth(struct parser *p)
+enum made parse_truth(struct parser *p)
 {
     return joined(p, both, "or", OP_OR);
 }
 
 /* ---- the whole ---- */
-
-static enum made the_end(struct parser *p)
-{
-    return scan_next(p) ? parse_expected(p, "an operator") : NUMBER;
-}
 
 /* A constant that is not finite: 1/0, log(0). */
 static enum made all_finite(struct parser *p)
@@ -302,7 +252,7 @@ static enum made all_finite(struct parser *p)
 
 static enum made only_truth(struct parser *p)
 {
-    enum made made = truth(p);
+    enum made made = parse_truth(p);
     if (made != NUMBER || scan_next(p)) return made;
     return parse_wrong(p, 0, p->at, "expected a condition such as 't < 1'");
 }
@@ -320,7 +270,8 @@ static int parse(struct expr **out, const char *text, size_t len, const struct e
     }
     p.text = arena_copy(arena, text, len);
     if (strlen(p.text) != len) return parse_wrong(&p, strlen(p.text), 1, "a zero byte in the expression"), 1;
-    if ((condition ? only_truth(&p) : sum(&p)) == FAILED || the_end(&p) == FAILED || all_finite(&p) == FAILED) return 1;
+    if ((condition ? only_truth(&p) : parse_sum(&p)) == FAILED || the_end(&p) == FAILED || all_finite(&p) == FAILED)
+        return 1;
     emit_code(&p, (struct instruction){.op = OP_END});
     *out = TAKE(arena, struct expr, 1);
     **out = (struct expr){p.n, p.code};

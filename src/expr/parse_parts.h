@@ -1,6 +1,7 @@
 /* parse_parts.h -- what the files of the parser share.
  *
  *     parse.c  the rules of the grammar
+ *     parse_call.c  calls of functions
  *     scan.c   words and signs of the text
  *     emit.c   the program: operations joined, constants folded
  *     wrong.c  what is wrong with a text, where, and what may have been meant
@@ -26,6 +27,15 @@ struct parser {
     struct instruction *code;
     int n, capacity;
 };
+
+/* --- the rules ---------------------------------------------------------------------------------- */
+
+/* One level deeper, which p->depth-- leaves; FAILED: too deep. */
+enum made parse_deeper(struct parser *p);
+enum made parse_sum(struct parser *p);
+enum made parse_truth(struct parser *p);
+/* Of the function `name`, written at start, behind its "(". */
+enum made parse_call(struct parser *p, size_t start, const char *name);
 
 /* --- the text ----------------------------------------------------------------------------------- */
 

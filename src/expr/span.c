@@ -82,6 +82,25 @@ static bool steps(struct number *x, double least, double most)
     return least == most;
 }
 
+/* What rises from 0 at 0 to 1 at 1 and is constant beyond, a polynomial of this degree between. */
+static bool rises(struct number *x, enum op op, int degree)
+{
+    const struct instruction lo[] = {{OP_CONST, 0, x->lo}, {op, 0, 0}, {OP_END, 0, 0}};
+    const struct instruction hi[] = {{OP_CONST, 0, x->hi}, {op, 0, 0}, {OP_END, 0, 0}};
+    const bool moves = x->lo >= 0 && x->hi <= 1, outside = x->hi <= 0 || x->lo >= 1;
+    *x = between(expr_value(&(struct expr){3, lo}, NULL), expr_value(&(struct expr){3, hi}, NULL),
+                 outside ? 0 : degree * x->degree);
+    return moves || outside;
+}
+
+/* Is the piece inside [0, 1] or outside? */
+static bool pulse(struct number *x)
+{
+    const bool in = x->lo >= 0 && x->hi <= 1, out = x->hi <= 0 || x->lo >= 1;
+    *x = point(in);
+    return in || out;
+}
+
 static double cosine(double x)
 {
     return cos(x);
@@ -131,6 +150,10 @@ static bool one(enum op op, struct number *x)
     case OP_SIGN: return steps(x, x->lo < 0 ? -1 : 1, x->hi > 0 ? 1 : -1);
     case OP_FLOOR: return steps(x, floor(x->lo), ceil(x->hi) - 1);
     case OP_CEIL: return steps(x, floor(x->lo) + 1, ceil(x->hi));
+    case OP_RAMP: return rises(x, op, 1);
+    case OP_SMOOTH: return rises(x, op, 5);
+    case OP_SINCE: return steps(x, x->lo >= 0, x->hi > 0);
+    case OP_PULSE: return pulse(x);
     default: return false;
     }
 }

@@ -1,4 +1,6 @@
 /* value.c -- the machine: values. */
+#include <string.h>
+
 #include "expr/code.h"
 #include "expr/expr.h"
 
@@ -95,4 +97,15 @@ bool expr_may_have_poles(const struct expr *e)
             e->code[i].op == OP_TAN)
             return true;
     return false;
+}
+
+struct expr *expr_plus(const struct expr *e, double x, struct arena *arena)
+{
+    struct instruction *code = TAKE(arena, struct instruction, e->n + 1);
+    struct expr *o = TAKE(arena, struct expr, 1);
+    memcpy(code, e->code, (size_t)e->n * sizeof *code);
+    code[e->n - 1] = (struct instruction){.op = OP_ADD_CONST, .value = x};
+    code[e->n] = (struct instruction){.op = OP_END};
+    *o = (struct expr){e->n + 1, code};
+    return o;
 }

@@ -213,6 +213,7 @@ static void add_line(struct film *o, const struct sim *sim, int b)
         fill_part(a, from, to, part[i]);
     }
     part[a->npart] = a->nv;
+    if (line) film_stress_open(o, a, f, sim->scene->body[b].node);
 }
 
 /* ---- joints and springs ---- */
@@ -350,6 +351,7 @@ void film_add(struct film *o, const struct sim *sim, const double *x)
             system_point(sim->system, to + 3, v, acceleration, &a->b);
         } else {
             put_frame(o, sim, a, to);
+            film_stress_add(o, sim, a);
         }
         for (int k = 0; a->type == ACTOR_LINE && k < a->nv; k += CUTS) {
             film_vertex(at, u, a, to, k);

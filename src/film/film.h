@@ -29,6 +29,10 @@ struct actor {
     double *base, *mode; /* [3 x nv], [3 x nv x n] */
     int stride, capacity;
     double *frame; /* [frames x stride] */
+    int nstress, stresses;
+    const int *place;      /* LINE, a beam: [nstress] of the body's places of stress, along it */
+    const double *station; /* [nstress] 0 ... 1 along it, ascending */
+    double *stress;        /* [frames x nstress] equivalent stress there [Pa] */
 };
 
 struct film {
@@ -52,8 +56,17 @@ void film_add(struct film *o, const struct sim *sim, const double *x);
 /* Where vertex i of a LINE stands at a frame, world axes; how far it is displaced. */
 void film_vertex(double *x, double *u, const struct actor *a, const double *frame, int i);
 
-/* film_html.c, film_gltf.c: the whole as a file. */
+/* film_stress.c: where along a beam its places of stress are, as the deck has it; those of files are at nodes, and left out.
+ * What they stand at with a record. */
+void film_stress_open(struct film *o, struct actor *a, const struct flex_body *f, const struct node *body);
+void film_stress_add(struct film *o, const struct sim *sim, struct actor *a);
+/* The equivalent stress at that vertex [Pa]: straight between the places where it is known, constant beyond; 0: nowhere. */
+double film_stress(const struct actor *a, int frame, int i);
+
+/* film_vtu.c (files beside that of the stream, too), film_html.c, film_gltf.c, film_svg.c: the whole as a file; of the last, some postures over each other. */
 enum status film_html(const struct film *o, struct stream *stream, struct report *report);
 enum status film_gltf(const struct film *o, struct stream *stream, struct report *report);
+enum status film_vtu(const struct film *o, struct stream *stream, struct report *report);
+enum status film_svg(const struct film *o, struct stream *stream, struct report *report);
 
 #endif

@@ -1,7 +1,7 @@
 /* film_gltf.c -- a film as binary glTF 2.0: a node a thing, one animation
  *
  * Bodies are meshes that are moved and turned; flexible ones lines whose morph targets are their modes, with the
- * coordinates as weights; springs lines that are stretched.  glTF has y upwards: a mechanism in space is turned so. */
+ * coordinates as weights, coloured by the largest stress of the run where the deck asks for stresses; springs lines that are stretched.  glTF has y upwards: a mechanism in space is turned so. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -80,12 +80,13 @@ static double linear(unsigned c)
     return pow((c & 255) / 255., 2.2);
 }
 
-/* targets: the first accessor of n of them. */
-static void put_mesh(struct gltf *o, int i, const struct actor *a, int place, int index, int mode, int targets)
+/* targets: the first accessor of n of them; color: that of the vertices, -1: none. */
+static void put_mesh(struct gltf *o, int i, const struct actor *a, int place, int index, int mode, int targets,
+                     int color)
 {
-    fprintf(o->meshes,
-            "%s{\"primitives\":[{\"attributes\":{\"POSITION\":%d},\"indices\":%d,\"mode\":%d,\"material\":%d",
-            i ? "," : "", place, index, mode, i);
+    fprintf(o->meshes, "%s{\"primitives\":[{\"attributes\":{\"POSITION\":%d", i ? "," : "", place);
+    if (color >= 0) fprintf(o->meshes, ",\"COLOR_0\":%d", color);
+    fprintf(o->meshes, "},\"indices\":%d,\"mode\":%d,\"material\":%d", index, mode, i);
     for (int j = 0; j < a->n; j++) fprintf(o->meshes, "%s{\"POSITION\":%d}", j ? "," : ",\"targets\":[", targets + j);
     fputs(a->n ? "]}]" : "}]", o->meshes);
     for (int j = 0; j < a->n; j++) fputs(j ? ",0" : ",\"weights\":[0", o->meshes);
@@ -96,7 +97,8 @@ static void put_mesh(struct gltf *o, int i, const struct actor *a, int place, in
     fprintf(o->materials,
             "%s{\"doubleSided\":true,\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":0.8,"
             "\"baseColorFactor\":[%.4f,%.4f,%.4f,1]}}",
-            i ? "," : "", linear(a->color >> 16), linear(a->color >> 8), linear(a->color));
+            i ? "," : "", a->nstress ? 1. : linear(a->color >> 16), a->nstress ? 1. : linear(a->color >> 8),
+            a->nstress ? 1. : linear(a->color));
 }
 
 static void put_channel(struct gltf *o, int node, const char *path, int values)
@@ -128,8 +130,25 @@ static void move_frame(struct gltf *o, const struct actor *a, int node, double *
 static void put_solid(struct gltf *o, int i, const struct actor *a, double *x)
 {
     const int place = put_floats(o, a->mesh.x, a->mesh.nv, 3, true);
-    put_mesh(o, i, a, place, put_indices(o, a->mesh.tri, 3 * a->mesh.nt), TRIANGLES, 0);
+    put_mesh(o, i, a, place, put_indices(o, a->mesh.tri, 3 * a->mesh.nt), TRIANGLES, 0, -1);
     move_frame(o, a, i + 1, x);
+}
+
+/* Colours of the vertices by the largest stress of the run there, from blue over green and yellow to red, the largest of the
+ * body; -1: no stress is known. */
+static int put_stress(struct gltf *o, const struct actor *a, struct arena *life)
+{
+    double *peak = TAKE(life, double, a->nv), *color = TAKE(life, double, 3 * a->nv), most = 0;
+    if (!a->nstress) return -1;
+    for (int i = 0; i < a->nv; i++) {
+        for (int f = 0; f < o->frames; f++) peak[i] = fmax(peak[i], film_stress(a, o->frame[f], i));
+        most = fmax(most, peak[i]);
+    }
+    for (int i = 0; i < a->nv; i++) {
+        const double s = most > 0 ? 4 * peak[i] / most : 0;
+        v3_set(color + 3 * i, fmin(1, fmax(0, s - 2)), fmin(1, fmin(s, 4 - s)), fmin(1, fmax(0, 2 - s)));
+    }
+    return put_floats(o, color, a->nv, 3, false);
 }
 
 static void put_line(struct gltf *o, int i, const struct actor *a, double *x, struct arena *life)
@@ -143,7 +162,7 @@ static void put_line(struct gltf *o, int i, const struct actor *a, double *x, st
         const int target = put_floats(o, a->mode + 3 * j * a->nv, a->nv, 3, true);
         if (j == 0) targets = target;
     }
-    put_mesh(o, i, a, place, indices, LINES, targets);
+    put_mesh(o, i, a, place, indices, LINES, targets, put_stress(o, a, life));
     move_frame(o, a, i + 1, x);
     double *weight = TAKE_MATRIX(life, double, o->frames, a->n);
     for (int f = 0; f < o->frames; f++)
@@ -174,7 +193,7 @@ static void put_spring(struct gltf *o, int i, const struct actor *a, double *x)
     }
     for (int k = 0; k < n; k++) index[2 * k] = k, index[2 * k + 1] = k + 1;
     const int at = put_floats(o, place, n + 1, 3, true);
-    put_mesh(o, i, a, at, put_indices(o, index, 2 * n), LINES, 0);
+    put_mesh(o, i, a, at, put_indices(o, index, 2 * n), LINES, 0, -1);
     for (int f = 0; f < o->frames; f++) v3_copy(x + 3 * f, frame_of(o, a, f));
     put_channel(o, i + 1, "translation", put_floats(o, x, o->frames, 3, false));
     for (int f = 0; f < o->frames; f++) {
@@ -238,8 +257,7 @@ static void put_file(FILE *to, const struct gltf *o, char *const *text)
 {
     char *json = NULL;
     size_t n = 0;
-    FILE *words = open_memstream(&json, &n);
-    if (!words) return;
+    FILE *words = words_open(&json, &n);
     fprintf(words,
             "{\"asset\":{\"version\":\"2.0\",\"generator\":\"fmdsub\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
             "\"nodes\":[%s],"
@@ -248,17 +266,16 @@ static void put_file(FILE *to, const struct gltf *o, char *const *text)
             text[4], text[3], text[5], text[6], text[7], text[2], text[1], o->bytes);
     fflush(words);
     while (n % 4) putc(' ', words), fflush(words);
-    if (fclose(words) == 0) {
-        fputs("glTF", to);
-        put_word(to, 2);
-        put_word(to, 12 + 8 + (uint32_t)n + 8 + o->bytes);
-        put_word(to, (uint32_t)n);
-        fputs("JSON", to);
-        fwrite(json, 1, n, to);
-        put_word(to, o->bytes);
-        fwrite("BIN", 1, 4, to);
-        fwrite(text[0], 1, o->bytes, to);
-    }
+    words_close(words, &json);
+    fputs("glTF", to);
+    put_word(to, 2);
+    put_word(to, 12 + 8 + (uint32_t)n + 8 + o->bytes);
+    put_word(to, (uint32_t)n);
+    fputs("JSON", to);
+    fwrite(json, 1, n, to);
+    put_word(to, o->bytes);
+    fwrite("BIN", 1, 4, to);
+    fwrite(text[0], 1, o->bytes, to);
     free(json);
 }
 
@@ -269,15 +286,13 @@ enum status film_gltf(const struct film *film, struct stream *stream, struct rep
     char *text[PARTS] = {0}, *all = NULL;
     size_t n[PARTS], size = 0;
     struct arena *life = arena_open();
-    bool whole = true;
-    for (int i = 0; i < PARTS; i++) whole = (*to[i] = open_memstream(&text[i], &n[i])) && whole;
-    if (whole) put_things(&o, life);
-    for (int i = 0; i < PARTS; i++) whole = *to[i] && fclose(*to[i]) == 0 && whole;
-    FILE *file = whole ? open_memstream(&all, &size) : NULL;
-    if (file) put_file(file, &o, text);
-    whole = file && fclose(file) == 0;
-    const enum status status =
-        whole ? stream_bytes(stream, all, size, report) : fail(report, E_LIMIT, "no memory for the film");
+    for (int i = 0; i < PARTS; i++) *to[i] = words_open(&text[i], &n[i]);
+    put_things(&o, life);
+    for (int i = 0; i < PARTS; i++) words_close(*to[i], &text[i]);
+    FILE *file = words_open(&all, &size);
+    put_file(file, &o, text);
+    words_close(file, &all);
+    const enum status status = stream_bytes(stream, all, size, report);
     for (int i = 0; i < PARTS; i++) free(text[i]);
     free(all);
     arena_close(life);

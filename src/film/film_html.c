@@ -123,13 +123,12 @@ enum status film_html(const struct film *o, struct stream *stream, struct report
 {
     char *text = NULL;
     size_t n = 0;
-    FILE *to = open_memstream(&text, &n);
-    if (!to) return fail(report, E_LIMIT, "no memory for the page");
+    FILE *to = words_open(&text, &n);
     for (int i = 0; film_page_before[i]; i++) fputs(film_page_before[i], to);
     put_data(to, o);
     for (int i = 0; film_page_behind[i]; i++) fputs(film_page_behind[i], to);
-    const enum status status =
-        fclose(to) == 0 ? stream_bytes(stream, text, n, report) : fail(report, E_LIMIT, "no memory for the page");
+    words_close(to, &text);
+    const enum status status = stream_bytes(stream, text, n, report);
     free(text);
     return status;
 }

@@ -29,7 +29,7 @@ struct work {
     struct band K, M;
     double start[3], axes[9]; /* of the beam, in the body: start against the centre of mass; x y z by column */
     double *inertia;          /* [9 x nlump] of lumps, beam axes */
-    int reference, n;         /* mesh node; coordinates */
+    int reference, n, inner;  /* mesh node; coordinates, and those of them that move no joint */
     double *lambda, *Phi;     /* [n], [freedoms x n] beam axes */
     struct craig_edge edge;
 };
@@ -116,7 +116,9 @@ static enum status modes(struct work *w, struct arena *scratch, struct report *r
         while (known < count && interface[known] != node) known++;
         if (known == count) interface[count++] = node;
     }
-    struct craig c = {&w->K, &w->M, w->rod.per, interface, count, w->beam->modes};
+    struct craig c = {&w->K, &w->M, w->rod.per, interface, count, w->beam->modes, w->beam->pick, w->beam->raw};
+    if (c.raw && c.modes > size - c.per * count) c.modes = size - c.per * count;
+    w->inner = c.modes;
     w->reference = interface[0];
     w->n = craig_count(&c);
     w->lambda = TAKE(scratch, double, w->n);
@@ -139,6 +141,13 @@ static void stiffness(struct flex_body *o, const struct flex_beam *beam, const d
         o->hertz[j] = root / (2 * acos(-1));
     }
     if (!damped) o->D = NULL;
+}
+
+/* Of coordinates that are no modes. */
+static void full_stiffness(struct flex_body *o, const struct work *w, struct arena *scratch)
+{
+    craig_project(o->K, &w->K, w->Phi, w->n, TAKE(scratch, double, w->K.n));
+    o->hertz = o->D = NULL;
 }
 
 /* ---- second order, along the beam ---- */
@@ -345,6 +354,8 @@ static enum status make(struct flex_body **out, double *at, struct work *w, stru
         flex_body_take(w->n, beam->ninterface + beam->npoint + 2, beam->nprobe, beam->stiffening, life);
     o->reference = 0;
     stiffness(o, beam, w->lambda);
+    if (beam->raw) full_stiffness(o, w, scratch);
+    o->inner = beam->raw ? w->inner : 0;
     o->edge = (struct flex_edge){.parted = w->edge.parted, .whole = {w->edge.whole[0], w->edge.whole[1]}};
     for (int k = 0; k < 2; k++) o->edge.hertz[k] = sqrt(w->edge.lambda[k]) / (2 * acos(-1));
     const int *mesh = mesh_nodes(o, w, scratch);

@@ -47,7 +47,10 @@ struct flex_beam {
     const struct flex_lump *lump;
     int nprobe;
     const struct flex_probe *probe;
-    bool stiffening; /* geometric: second-order displacements by bending, torsion and stretch (beam.c) */
+    const bool *pick; /* [modes] which of the lowest are kept; NULL: all */
+    bool raw;         /* for a choice of modes: coordinates are the lowest modes with all interfaces clamped, as many of
+                       * `modes` as the mesh has, then the static displacements; K is not diagonal */
+    bool stiffening;  /* geometric: second-order displacements by bending, torsion and stretch (beam.c) */
 };
 
 /* Nodes of the result: interfaces in order, then points in order, then both ends; the reference is node 0, the first

@@ -359,6 +359,7 @@ struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena
     for (int k = 0; k < n * n; k++) o->K[k] = old->K[k];
     for (int k = 0; old->D && k < n * n; k++) o->D[k] = old->D[k];
     if (!old->D) o->D = NULL;
+    o->chosen = old->chosen;
     if (old->far) refer_far(o, old, &r, life);
     if (old->statics) {
         o->statics = TAKE(life, struct flex_statics, 1);

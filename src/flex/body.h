@@ -47,8 +47,10 @@ struct flex_edge {
 };
 
 struct flex_statics;
+struct flex_chosen;
 struct flex_body {
     int n;         /* elastic coordinates */
+    int inner;     /* for a choice of modes: the first of them, which move no joint; else 0 */
     int reference; /* number of the reference node */
     int nnode;
     struct flex_node *node; /* [nnode] */
@@ -68,8 +70,10 @@ struct flex_body {
     double *D;     /* [n x n] damping; NULL: none */
     struct flex_edge edge;
     struct flex_statics *statics; /* of a beam held at its reference node, see statics.h; NULL: not known */
-    double *far;   /* [2 x n] how far a coordinate moves [m] and turns [rad] a particle at most, per unit; NULL: no
+    double *far; /* [2 x n] how far a coordinate moves [m] and turns [rad] a particle at most, per unit; NULL: no
                     * farther than nodes, as far as is known */
+    const struct flex_chosen
+        *chosen;   /* of which modes its own were chosen, see choice.h; NULL: the deck says how many */
     double *hertz; /* [n] frequencies with the reference node clamped, by coordinate, where coordinates are modes;
                     * NULL: they are not */
 };

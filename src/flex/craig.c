@@ -13,9 +13,16 @@
 enum { MOST_PER = 6 };
 static const double COUPLED = 1e-12; /* entry over the root of its diagonals */
 
+static int picked(const struct craig *o)
+{
+    int n = 0;
+    for (int k = 0; k < o->modes; k++) n += !o->pick || o->pick[k];
+    return n;
+}
+
 int craig_count(const struct craig *o)
 {
-    return o->modes + o->per * (o->ninterface - 1);
+    return picked(o) + o->per * (o->ninterface - 1);
 }
 
 /* family[k]: the least freedom of a node that freedom k is coupled with, by K or M, directly or not. */
@@ -137,8 +144,7 @@ static void constraint_modes(double *Phi, const struct craig *o, const struct ba
         }
 }
 
-/* R [n x n] = Phi' A Phi. */
-static void project(double *R, const struct band *A, const double *Phi, int n, double *work)
+void craig_project(double *R, const struct band *A, const double *Phi, int n, double *work)
 {
     for (int j = 0; j < n; j++) {
         band_mul(work, A, Phi + (long)j * A->n);
@@ -169,8 +175,8 @@ static enum status diagonal(double *lambda, double *Phi, const struct craig *o, 
     int n = craig_count(o), size = o->K->n;
     double *K = TAKE(scratch, double, n *n), *M = TAKE(scratch, double, n *n), *Q = TAKE(scratch, double, n *n);
     double *work = TAKE(scratch, double, size);
-    project(K, o->K, Phi, n, work);
-    project(M, o->M, Phi, n, work);
+    craig_project(K, o->K, Phi, n, work);
+    craig_project(M, o->M, Phi, n, work);
     if (eigen_general(lambda, Q, K, M, n) >= 0)
         return fail(report, E_MODEL,
                     "with %d modes the beam's mass matrix is not positive: beside the masses that it carries its own "
@@ -178,6 +184,17 @@ static enum status diagonal(double *lambda, double *Phi, const struct craig *o, 
                     o->modes);
     turn(Phi, Q, size, n, work);
     return OK;
+}
+
+/* Those of the clamped modes that are wanted, first. */
+static void pick(double *lambda, double *Phi, const double *fixed, const double *modes, const struct craig *o)
+{
+    const int size = o->K->n;
+    for (int k = 0, n = 0; k < o->modes; k++) {
+        if (o->pick && !o->pick[k]) continue;
+        lambda[n] = fixed[k];
+        memcpy(Phi + (long)n++ * size, modes + (long)k * size, (size_t)size * sizeof *Phi);
+    }
 }
 
 enum status craig_reduce(double *lambda, double *Phi, struct craig_edge *edge, const struct craig *o,
@@ -191,10 +208,11 @@ enum status craig_reduce(double *lambda, double *Phi, struct craig_edge *edge, c
                     o->modes, inner);
     hold(held, &L, &M, o);
     if (band_cholesky(&L) >= 0) return fail(report, E_MODEL, "the stiffness matrix of the beam is not positive");
-    double *fixed = TAKE(scratch, double, o->modes);
-    TRY(fixed_modes(fixed, Phi, edge->lambda, o, &L, &M, held, scratch, report));
-    edge->parted = same(edge->lambda[0], edge->lambda[1]);
+    double *fixed = TAKE(scratch, double, o->modes), *modes = TAKE_MATRIX(scratch, double, size, o->modes);
+    TRY(fixed_modes(fixed, modes, edge->lambda, o, &L, &M, held, scratch, report));
+    edge->parted = !o->pick && same(edge->lambda[0], edge->lambda[1]);
     if (edge->parted) TRY(whole_groups(edge->whole, fixed, o, &L, &M, held, inner, scratch, report));
-    constraint_modes(Phi + (long)o->modes * size, o, &L, held);
-    return diagonal(lambda, Phi, o, scratch, report);
+    pick(lambda, Phi, fixed, modes, o);
+    constraint_modes(Phi + (long)picked(o) * size, o, &L, held);
+    return o->raw ? OK : diagonal(lambda, Phi, o, scratch, report);
 }

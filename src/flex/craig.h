@@ -16,6 +16,8 @@ struct craig {
     int per;
     const int *interface; /* [ninterface] node numbers, different */
     int ninterface, modes;
+    const bool *pick; /* [modes] which of those clamped are taken; NULL: all */
+    bool raw;         /* the basis as it is: first modes with all interfaces clamped, then static displacements */
 };
 
 /* Coordinates of the result. */
@@ -29,9 +31,13 @@ struct craig_edge {
     int whole[2];     /* then: the numbers of modes next below and above that part none; 0: the mesh has no more */
 };
 
-/* lambda [n] ascending, Phi [freedoms x n]: Phi' M Phi = 1, Phi' K Phi = diag(lambda).  E_MODEL: more modes than
+/* lambda [n] ascending, Phi [freedoms x n]: Phi' M Phi = 1, Phi' K Phi = diag(lambda); raw: lambda 0 of static
+ * displacements, which have no such order.  E_MODEL: more modes than
  * freedoms, or a matrix is not positive. */
 enum status craig_reduce(double *lambda, double *Phi, struct craig_edge *edge, const struct craig *o,
                          struct arena *scratch, struct report *report);
+
+/* R [n x n] = Phi' A Phi; work [A->n]. */
+void craig_project(double *R, const struct band *A, const double *Phi, int n, double *work);
 
 #endif

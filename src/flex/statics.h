@@ -35,6 +35,20 @@ void flex_statics_make(struct flex_body *o, const struct rod *rod, const struct 
                        const double *lambda, const double *Phi, const int *mesh, int reference, const double *axes,
                        struct arena *life, struct arena *scratch);
 
+/* Modes by evidence (choice.h): what was found of one of them. */
+struct flex_chosen_mode {
+    double hertz; /* held at all joints */
+    enum flex_kind kind;
+    double share;        /* of what is looked at, if it alone were left out */
+    const char *by, *of; /* the case and the view of that share; NULL: none asks for it */
+    bool kept;
+};
+struct flex_chosen {
+    int n;
+    struct flex_chosen_mode *mode; /* [n] */
+    double tolerance, left;        /* the share of all that are left out */
+};
+
 /* How much of a direction is kept. */
 struct flex_kept {
     double share;  /* of the compliance or energy */

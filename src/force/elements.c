@@ -21,7 +21,8 @@ void measure_end(struct elements *e, const struct instant *x, int end, enum rate
     e->ops->move(e->there, q, x->v, FAST);
     for (int i = first_of(e->nother, cls); i < last_of(e->nother, cls); i++) {
         struct part_of *p = &e->other[i];
-        if (p->ends) p->end[end] = p->kind->end(e, e->there, &e->model->force[p->force], q, x->v);
+        const struct model_force *f = &e->model->force[p->force];
+        if (p->ends) p->end[end] = p->kind->end(e, e->there, f, q, x->v, p->strain[end]);
     }
 }
 
@@ -123,6 +124,7 @@ static void follow(struct elements *e, const struct sweep *s, const struct insta
 
 void elements_begin(struct elements *e, const struct sweep *s, const struct instant *x)
 {
+    measures_begin(&e->measures, s);
     follow(e, s, x, true);
 }
 

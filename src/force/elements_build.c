@@ -80,6 +80,7 @@ static void add_other(struct elements *e, int force, const bool *turns, struct a
     if (p->kind->sort) p->kind->sort(p, m, f);
     if (p->reads) p->last = TAKE(life, double, f->nslot);
     if (p->reads) p->now = TAKE(life, double, f->nslot);
+    for (int end = 0; p->nstrain > 0 && end < 2; end++) p->strain[end] = TAKE(life, double, p->nstrain);
     if (!p->ends) return;
     model_touched(&on, m, f, 0);
     const int a = flying_root(m, on.a), b = flying_root(m, on.b);

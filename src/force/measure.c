@@ -13,6 +13,7 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
     o->ops = ops;
     o->drawn = arena_take(life, (size_t)m->nmeasure, sizeof *o->drawn);
     o->stood = TAKE(life, double, m->nmeasure);
+    o->ahead = TAKE(life, double, m->nmeasure);
     o->went = TAKE(life, double, m->nmeasure);
     o->seen = TAKE(life, double, m->nmeasure);
     o->passed = TAKE(life, double, m->nmeasure);
@@ -95,7 +96,7 @@ static void angle_in_world(struct action *o, const struct pose *a, const struct 
 }
 
 static void angle(struct action *o, const struct measures *m, const struct sweep *s, const struct model_measure *def,
-                  const double *drawn, double stood)
+                  const double *drawn, double stood, double ahead)
 {
     struct pose a, b;
     m->ops->pose(s, &a, def->a.body);
@@ -104,7 +105,7 @@ static void angle(struct action *o, const struct measures *m, const struct sweep
     if (m->model->space == 2) {
         v3_copy(o->dir, def->axis);
         v3_copy(o->dir_a, o->dir);
-        o->s = def->axis[2] * (b.angle - a.angle);
+        o->s = def->axis[2] * (b.angle - a.angle) + ahead;
     } else {
         (def->in_world ? angle_in_world : angle_on)(o, &a, &b, drawn, def->axis);
         o->s = angle_near(o->s, stood);
@@ -131,8 +132,18 @@ void measure_at(struct action *o, const struct measures *m, const struct sweep *
         displacement(o, m, s, def);
         break;
     case MEASURE_ANGLE:
-        angle(o, m, s, def, m->drawn[i], s == m->view ? m->seen[i] : m->stood[i]);
+        angle(o, m, s, def, m->drawn[i], s == m->view ? m->seen[i] : m->stood[i], m->ahead[i]);
         break;
+    }
+}
+
+void measures_begin(struct measures *o, const struct sweep *s)
+{
+    for (int i = 0; i < o->model->nmeasure && o->model->flattened; i++) {
+        struct action act;
+        if (o->model->measure[i].type != MEASURE_ANGLE) continue;
+        measure_at(&act, o, s, i, NULL, NULL);
+        o->ahead[i] += angle_near(act.s, o->stood[i]) - act.s;
     }
 }
 

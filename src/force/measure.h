@@ -45,12 +45,14 @@ struct row {
 struct measures {
     const struct model *model;
     const struct sweep_ops *ops;
-    double (*drawn)[9];       /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
-    double *stood;            /* [nmeasure] space, angles: at the end of the last step [rad] */
-    double *went;             /* [nmeasure] their rates there [rad/s]; NAN: not known yet */
-    double *seen;             /* [nmeasure] where they stand for the sweep `view`, which looks at other instants */
-    double *passed;           /* [nmeasure] their rates there */
-    bool turns;               /* there are such */
+    double (*drawn)[9]; /* [nmeasure] space, angles: orientation of b in axes of a when drawn */
+    double *stood;      /* [nmeasure] space, angles: at the end of the last step; in a plane of space: near which
+                                 they begin [rad] */
+    double *ahead;      /* [nmeasure] in a plane of space: whole turns that angles begin ahead of postures [rad] */
+    double *went;       /* [nmeasure] their rates there [rad/s]; NAN: not known yet */
+    double *seen;       /* [nmeasure] where they stand for the sweep `view`, which looks at other instants */
+    double *passed;     /* [nmeasure] their rates there */
+    bool turns;         /* there are angles in space */
     const struct sweep *view; /* NULL: there is none */
 };
 
@@ -59,6 +61,9 @@ void measures_build(struct measures *o, const struct model *m, const struct swee
 /* The measure i at the sweep's last motion; a coordinate's s and rate only. */
 void measure_at(struct action *o, const struct measures *m, const struct sweep *s, int i, const double *q,
                 const double *v);
+
+/* At the start: in a plane of a scene in space, angles begin within half a turn of where they are set. */
+void measures_begin(struct measures *o, const struct sweep *s);
 
 /* Between steps: angles in space stand where they are at the sweep's last motion, dt after the one before; their rates at
  * both tell how many whole turns have been taken between.  Of the view these stand for themselves. */

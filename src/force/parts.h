@@ -30,6 +30,8 @@ struct part_of {
     bool linear;        /* its law is affine */
     bool ends;          /* keeps energy by what stood at the interval's ends (see law.c, remainder.c) */
     double end[2];      /* what end() says of these */
+    int nstrain;        /* it has at most so many strains: */
+    double *strain[2];  /* [nstrain] those at these ends */
     double kref;        /* a law's slope at the last slopes() */
     bool poles;         /* it may have poles */
     bool bends;         /* its law may have corners */
@@ -67,9 +69,10 @@ struct element_kind {
     /* Required where stores is set [J]. */
     double (*stored)(const struct elements *e, const struct sweep *s, const struct part_of *p, const double *q,
                      const double *v);
-    /* Required where ends is set: the measure, or the energy, at an end of the interval. */
+    /* Required where ends is set: the measure, or the energy, at an end of the interval; fills strain [nstrain], if not
+     * NULL. */
     double (*end)(const struct elements *e, const struct sweep *there, const struct model_force *f, const double *q,
-                  const double *v);
+                  const double *v, double *strain);
     /* Required where follows is set: at the start (begins), and at the end of each step. */
     void (*follow)(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins);
 };

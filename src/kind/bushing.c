@@ -296,6 +296,11 @@ static void damp_isotropic(struct strains *o, const struct bushing *p, const str
     damp(o, p, x, &t);
 }
 
+static bool held(const void *par)
+{
+    return ((const struct bushing *)par)->axes == AXES_WORLD;
+}
+
 static void strains(struct strains *o, const void *par, const struct between *x)
 {
     const struct bushing *p = par;
@@ -345,4 +350,5 @@ const struct force_kind force_bushing = {.name = "bushing",
                                          .keys = keys,
                                          .size = sizeof(struct bushing),
                                          .strains = strains,
-                                         .twist = counted};
+                                         .twist = counted,
+                                         .held = held};

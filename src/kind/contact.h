@@ -2,7 +2,9 @@
  *
  * A contact has a gap g(q), open where it is positive, and pushes with a force N >= 0 along its gradient where it is
  * closed: 0 <= g, N >= 0, one of them 0 (Signorini).  An impact turns the speed of approach round by Newton's
- * restitution.  Across, a friction force of at most mu N resists sliding (Coulomb). */
+ * restitution.  Across, a friction force of at most mu N resists sliding (Coulomb).
+ *
+ * Friction in a joint has no gap: N is the joint's own force, of the same motion, along its arm. */
 #ifndef FMDSUB_KIND_CONTACT_H
 #define FMDSUB_KIND_CONTACT_H
 
@@ -18,6 +20,7 @@ enum contact_pair {
 struct contact_law {
     double restitution;      /* speed after over speed before, [0, 1] */
     double holding, sliding; /* coefficients of friction where it sticks and where it slides; 0: smooth */
+    double preload;          /* of a joint: friction that no force of it changes [N] or [N m] */
     double speed;            /* of the surface, along its direction [m/s] */
 };
 

@@ -17,7 +17,10 @@ const struct key keys_effects[] = {
     PARAM_WORD(struct effect_wishes, wish[EFFECT_##id], name, EFFECT_WISHES, 0, "auto", brief),
     EFFECT_ROWS(X)
 #undef X
-        KEYS_END,
+        PARAM_REAL(struct effect_wishes, tolerance, "tolerance", NULL, 0, 1, KEY_ABOVE, NULL,
+                   "share that what is left out may have: of columns the modes that 'modes: auto' leaves out (default "
+                   "1.0e-3), of how bodies bend stiffening and damping turned off (W-effect)"),
+    KEYS_END,
 };
 
 enum effect_wish effect_wish(const struct effect_wishes *o, enum effect_id id)

@@ -21,13 +21,14 @@
       "turn it in `fmdsub explain DECK`")                                                                              \
     X(STIFFENING, "stiffening", "bending shortens: loads along a body stiffen or soften it",                           \
       "(Omega/w1)^2 (Kane, Ryan & Banerjee 1987; Padilla & von Flotow 1992)", "0: no flexible body",                   \
-      "4 to 21 % of an evaluation; without it the iteration takes more of them", "turn it in `fmdsub explain DECK`")   \
+      "4 to 21 % of an evaluation; without it the iteration takes more of them",                                       \
+      "at records, by its share of what bends")                                                                        \
     X(ROTARY, "rotary", "rotary inertia of the sections of flexible bodies", "4.65 I/(A l^2) of the first bending",    \
       "0: no flexible body", "0 to 4 % of an evaluation", "turn it in `fmdsub explain DECK`")                          \
     X(SHEAR, "shear", "shear deformation of beams (Timoshenko)", "3 E I/(kappa G A l^2) of the first bending",         \
       "0: no beam with shear factors", "nothing: in the reduced data", "turn it in `fmdsub explain DECK`")             \
     X(DAMPING, "damping", "damping of flexible bodies", "1 - exp(-zeta w1 T)", "0: the deck gives none",               \
-      "nothing where there is none", "turn it in `fmdsub explain DECK`")                                               \
+      "nothing where there is none", "at records, by its share of what bends")                                         \
     X(MOMENTUM, "momentum", "what nothing holds keeps momentum, angular momentum and energy to round-off",             \
       "is a column momentum.* written?", "0: no; then kept as far as the scheme does by itself",                       \
       "half of a satellite's step", "by columns momentum.*")                                                           \
@@ -53,6 +54,7 @@ extern const struct effect_kind effect_kinds[EFFECTS];
 struct effect_wishes {
     int all; /* mode: 1: nothing is left out that is not forced */
     int wish[EFFECTS];
+    double tolerance; /* of what is left out; 0: not given */
 };
 extern const struct key keys_effects[];
 

@@ -127,6 +127,9 @@ struct force_kind {
     /* Optional.  In space: is there an axis [3] (unit; axes of the markers as drawn) about which turns are counted, as a
      * measure NAME.twist?  in_world: it stays as drawn, the first body does not take it along. */
     bool (*twist)(double *axis, bool *in_world, const void *par);
+
+    /* Optional (none: no).  Do its forces and torques on the two bodies have a moment in sum, as if from outside? */
+    bool (*held)(const void *par);
 };
 
 /* The kinds, in the order of manual and lists: force_bushing in bushing.c, and so on. */

@@ -12,6 +12,8 @@
 #define RANGE(unit)                                                                                                    \
     PARAM_NODE(struct joint_keys, range, "range", "[lowest, highest] [" unit "], or a map", 0,                         \
                "where the coordinate should stay: leaving it is reported; what holds it there is a map's 'hold'")
+#define FRICTION(words)                                                                                                \
+    PARAM_NODE(struct joint_keys, friction, "friction", words, 0, "Coulomb's friction in the joint; default: none")
 #define FRAME                                                                                                          \
     PARAM_WORD(struct joint_keys, frame, "frame", "world|joint", 0, "world",                                           \
                "axes of its reaction columns; joint: the joint's own, which go with the first body")
@@ -22,10 +24,11 @@
 
 static const struct key keys_fixed[] = {AT_CENTRE, LOOP, KEYS_END};
 static const struct key keys_revolute[] = {
-    AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation; in 2-D out of the plane"), RANGE("rad"), LOOP,
-    KEYS_END};
-static const struct key keys_prismatic[] = {AT_CENTRE, AXIS(KEY_REQUIRED, "direction of motion"), RANGE("m"), LOOP,
-                                            KEYS_END};
+    AT_REQUIRED,  AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation; in 2-D out of the plane"),
+    RANGE("rad"), FRICTION("a map"),
+    LOOP,         KEYS_END};
+static const struct key keys_prismatic[] = {
+    AT_CENTRE, AXIS(KEY_REQUIRED, "direction of motion"), RANGE("m"), FRICTION("number, or a map"), LOOP, KEYS_END};
 static const struct key keys_cylindrical[] = {
     AT_REQUIRED, AXIS(KEY_REQUIRED | KEY_SPATIAL, "axis of rotation and displacement"), LOOP, KEYS_END};
 static const struct key keys_screw[] = {

@@ -41,14 +41,15 @@ enum { JOINT_MAX_Q = 7, JOINT_MAX_V = 6 };
 /* What a deck says of a joint; the same struct for all kinds, each table names its own part. */
 struct node;
 struct joint_keys {
-    const struct node *bodies; /* [first, second] under the kind's own word */
-    const struct node *at;     /* where it stands: a point; default for free: the second body's centre */
-    const struct node *axis;   /* that of the first freedom; normal of a plane */
-    const struct node *axis2;  /* that of the second turn; x of a plane */
-    const struct node *range;  /* [lowest, highest] of the only coordinate */
-    int loop;                  /* better one that closes a loop than one of the tree */
-    int frame;                 /* 1: reactions in joint axes */
-    double number;             /* the kind's own; NAN: not given */
+    const struct node *bodies;   /* [first, second] under the kind's own word */
+    const struct node *at;       /* where it stands: a point; default for free: the second body's centre */
+    const struct node *axis;     /* that of the first freedom; normal of a plane */
+    const struct node *axis2;    /* that of the second turn; x of a plane */
+    const struct node *range;    /* [lowest, highest] of the only coordinate */
+    const struct node *friction; /* along it */
+    int loop;                    /* better one that closes a loop than one of the tree */
+    int frame;                   /* 1: reactions in joint axes */
+    double number;               /* the kind's own; NAN: not given */
 };
 
 struct freedom {

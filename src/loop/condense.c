@@ -144,21 +144,29 @@ static enum status settle(const struct ode2 *ode, double *q1, double *v1, const 
     return OK;
 }
 
+enum status condense_multipliers(struct condense *o, double *vt, double *at, double *lambda, const struct instant *x,
+                                 struct trouble *why)
+{
+    const struct instant whole = {.t = x->t, .q = x->q, .v = vt, .a = at};
+    TRY(condense_rates(o, vt, at, x->q, x->v, x->a, x->t, why));
+    TRY(open_resid(o->tree, o->rt, NULL, NULL, &whole, ALL, why));
+    solve_multipliers(&o->solve, lambda, o->rt);
+    return OK;
+}
+
 enum status condense_accel(struct condense *o, double *vt, double *at, double *lambda, const double *q, const double *v,
                            double t, struct trouble *why)
 {
     const struct ode2 *ode = &o->ode;
-    const struct instant x = {.t = t, .q = q, .v = v}, whole = {.t = t, .q = q, .v = vt, .a = at};
+    const struct instant x = {.t = t, .q = q, .v = v};
     TRY(resid(ode, o->a, NULL, NULL, &x, ALL, why));
     TRY(condense_mass(ode, o->M_solve, q, t, ALL, why));
     const int pivot = dense_cholesky(o->M_solve, ode->n, ode->n);
     if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
     dense_cholesky_solve(o->M_solve, o->a, ode->n, ode->n);
     for (int i = 0; i < ode->n; i++) o->a[i] = -o->a[i];
-    TRY(condense_rates(o, vt, at, q, v, o->a, t, why));
-    TRY(open_resid(o->tree, o->rt, NULL, NULL, &whole, ALL, why));
-    solve_multipliers(&o->solve, lambda, o->rt);
-    return OK;
+    const struct instant there = {.t = t, .q = q, .v = v, .a = o->a};
+    return condense_multipliers(o, vt, at, lambda, &there, why);
 }
 
 void condense_reduce(struct condense *o, double *r, const double *rt, const double *q, double t)

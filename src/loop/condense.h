@@ -51,6 +51,10 @@ enum status condense_rates(struct condense *c, double *vt, double *at, const dou
 enum status condense_accel(struct condense *c, double *vt, double *at, double *lambda, const double *q, const double *v,
                            double t, struct trouble *why);
 
+/* The same of given a [n] of the independents: lambda holds what they take, of them and of all that loads the tree. */
+enum status condense_multipliers(struct condense *c, double *vt, double *at, double *lambda, const struct instant *x,
+                                 struct trouble *why);
+
 /* r [n] := T' rt, generalized forces rt [m->n] of the tree as those of the independents, at a closed q; 0 where C_qd is
  * singular. */
 void condense_reduce(struct condense *c, double *r, const double *rt, const double *q, double t);

@@ -179,12 +179,13 @@ static bool is_held(const struct projection *p, const double *size, double most)
     return true;
 }
 
-/* Do the loops allow the rates v? */
+/* Do the loops allow the rates v?  A row that is nothing but round-off does. */
 static bool is_allowed(const struct projection *p, const struct condense *o, const double *v, double most)
 {
+    static const double NOTHING = 1e-5; /* of a row, whose numbers are of order 1 */
     const struct loops *l = o->rows.loops;
     for (int r = 0; r < l->nrow; r++) {
-        double miss = -l->c1[r], size = fabs(l->c1[r]);
+        double miss = -l->c1[r], size = fabs(l->c1[r]) + NOTHING * most;
         for (int k = 0; k < p->n; k++) {
             miss += p->Cq[r * p->n + k] * v[k];
             size += fabs(p->Cq[r * p->n + k]) * most * o->rows.size[k];

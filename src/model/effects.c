@@ -27,6 +27,7 @@ static void leave_damping(struct making *o)
         struct flex_body *undamped = TAKE(o->life, struct flex_body, 1);
         *undamped = *o->body[i].flex;
         undamped->D = NULL;
+        if (!o->body[i].full && o->body[i].flex->D) o->body[i].full = o->body[i].flex;
         o->body[i].flex = undamped;
     }
 }

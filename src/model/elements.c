@@ -155,6 +155,20 @@ static bool has_friction(const struct contact_law *law)
     return law->holding > 0 || law->sliding > 0;
 }
 
+static void make_friction(const struct making *o, struct model_contact *to, int number)
+{
+    const struct scene_joint *from = &o->scene->joint[number];
+    to->across = 1;
+    to->angular = from->kind->freedom[0].turns;
+    to->joint = o->joint_of[number];
+    to->loop = o->loop_of[number];
+    to->fast = o->body[o->body_of[from->first]].fast || o->body[o->body_of[from->second]].fast;
+    if (to->joint < 0) return;
+    to->iq = o->joint[to->joint].iq[0];
+    to->iv = o->joint[to->joint].iv[0];
+    to->fast = to->iv < o->m->ns;
+}
+
 static void make_contact(struct making *o, struct model_contact *to, const struct scene_contact *from)
 {
     *to = (struct model_contact){.name = from->name,
@@ -166,6 +180,11 @@ static void make_contact(struct making *o, struct model_contact *to, const struc
                                  .limit = from->limit,
                                  .radius = from->radius,
                                  .other = from->other};
+    to->joint = to->loop = -1;
+    if (from->pair == PAIR_FRICTION) {
+        make_friction(o, to, from->joint);
+        return;
+    }
     if (from->pair == PAIR_STOP) {
         const struct model_measure *m = &o->m->measure[from->measure];
         to->iq = m->iq;

@@ -189,6 +189,26 @@ static bool flatten_type(struct model_loop *l, const struct flattening *o)
     return type == JOINT_SPHERICAL || (l->type == JOINT_REVOLUTE && along(axis, o->P + 6));
 }
 
+/* As planar decks have them, of whose rows only some count in the plane: y of a slide is the normal, x to the left of
+ * its axis; what holds together has the plane's axes, what turns keeps its own, z along the normal. */
+static void lay_axes(struct model_loop *l, const struct flattening *o, bool turns)
+{
+    if (turns) {
+        turn_axes(l->Ea, o, l->first);
+        turn_axes(l->Eb, o, l->second);
+        return;
+    }
+    double z[3];
+    m3_mul(z, o->T[l->first], l->Ea + 6);
+    m3_unit(l->Ea);
+    if (l->type == JOINT_PRISMATIC || l->type == JOINT_POINT_ON_LINE) {
+        v3_set(l->Ea, -z[1], z[0], 0);
+        v3_set(l->Ea + 3, 0, 0, 1);
+        v3_set(l->Ea + 6, z[0], z[1], 0);
+    }
+    memcpy(l->Eb, l->Ea, sizeof l->Eb);
+}
+
 static bool flatten_loops(struct flattening *o)
 {
     const struct model *m = o->full;
@@ -206,9 +226,7 @@ static bool flatten_loops(struct flattening *o)
         if (!level(o, &a, &b)) return spatial(o, l->name, "joins points of different heights");
         place(l->a, o, l->first, l->a);
         place(l->b, o, l->second, l->b);
-        turn_axes(l->Ea, o, l->first);
-        turn_axes(l->Eb, o, l->second);
-        if (ball) m3_unit(l->Ea), m3_unit(l->Eb);
+        lay_axes(l, o, l->type == JOINT_REVOLUTE && !ball);
     }
     o->plane->loop = loop;
     return true;
@@ -316,6 +334,7 @@ static bool flatten(struct flattening *o)
     lay(o->P, normal);
     *o->plane = *o->full;
     o->plane->space = 2;
+    o->plane->flattened = true;
     m3_tmul(o->plane->gravity, o->P, o->full->gravity);
     press(o->plane->gravity);
     if (o->full->nq != o->full->n) return spatial(o, "the deck", "has joints that turn freely");

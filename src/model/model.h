@@ -27,6 +27,7 @@ struct model_body {
     int joint;                    /* its tree joint; -1 for the ground */
     bool fast;                    /* a fast coordinate moves it */
     bool near;                    /* the fast class reads or moves the coordinates of its joint */
+    const struct flex_body *full; /* with what effects have left out of flex; NULL: nothing */
     const struct flex_body *flex; /* NULL: rigid; mass and inertia are then those of the undeformed body */
     int nmode, *mode_q, *mode_v;  /* [nmode] places of its elastic coordinates in q and v: q' = v */
     bool at_node;                 /* a massless body that stands at a node of its parent, which is flexible: fixed */
@@ -126,13 +127,14 @@ struct model_contact {
     const char *name;
     enum contact_pair pair;
     struct contact_law law;
-    int iq, iv;              /* PAIR_STOP: its coordinate */
+    int iq, iv;              /* PAIR_STOP, PAIR_FRICTION: its coordinate; -1: of a loop, it has none */
+    int joint, loop;         /* PAIR_FRICTION: of the tree, or -1; or a loop */
     double side, limit;      /* and where it is closed, see contact/contact.h */
     bool angular;            /* its gap is an angle */
     struct model_point a, b; /* others: centre of the sphere; a point of the plane, centre of the other sphere */
     double normal[3];        /* of the plane, and */
     double along[3];         /* where its friction is counted from; axes of b's body */
-    double radius, other;    /* of the sphere at a; of that at b */
+    double radius, other;    /* of the sphere at a; of that at b.  PAIR_FRICTION: arm of the force, length of a guide */
     int across;              /* directions of friction */
     bool fast;
 };
@@ -158,7 +160,8 @@ struct model_kept {
 enum model_drift { DRIFT_NONE, DRIFT_ALONE, DRIFT_ALL };
 
 struct model {
-    int space; /* 2 or 3 */
+    int space;      /* 2 or 3 */
+    bool flattened; /* in the plane, for a scene in space */
     double gravity[3];
     enum model_drift drift;
     int n, ns, near, nq; /* as in ode2.h */

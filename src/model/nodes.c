@@ -70,6 +70,7 @@ void make_flexible_body(struct making *o, int index, const struct scene_body *sb
     double offset[3];
     int node = scene_node(offset, sb, joint);
     body->flex = node == sb->flex->reference ? sb->flex : flex_refer(sb->flex, node, o->life);
+    if (sb->full) body->full = node == sb->full->reference ? sb->full : flex_refer(sb->full, node, o->life);
     body->nmode = sb->flex->n;
     body->mode_q = TAKE(o->life, int, body->nmode);
     body->mode_v = TAKE(o->life, int, body->nmode);

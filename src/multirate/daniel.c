@@ -21,6 +21,7 @@
  * anywhere (1.02 a major step at most where both are below 0.5). */
 #include <math.h>
 
+#include "base/stop.h"
 #include "engine/accel.h"
 #include "engine/motion.h"
 #include "la/dense.h"
@@ -150,6 +151,7 @@ static enum status minor_steps(struct partition *m, struct stepper *s, const str
 {
     for (int i = 1; i < ratio && m->ns > 0; i++) {
         double w[POWER_CHANNELS];
+        if (stop) return stop_status();
         foretell(m, s->ode, x, h, i * h, ratio * h, x->t + i * h);
         TRY(fast_accelerations(m, s, w, x->t + i * h, why));
         follow(m, s->ode, h);

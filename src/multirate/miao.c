@@ -23,6 +23,7 @@
  * bodies see slow coordinates only, their power is not touched by the extrapolation. */
 #include <math.h>
 
+#include "base/stop.h"
 #include "engine/matrix.h"
 #include "engine/motion.h"
 #include "engine/newmark.h"
@@ -263,6 +264,7 @@ static enum status minor_steps(struct miao *m, struct stepper *s, double t0, dou
     struct equations eq = {m, &m->x, minor_resid, refresh, minor_solve};
     for (int i = 1; i < m->ratio; i++) {
         double local = 0;
+        if (stop) return stop_status();
         m->i = i;
         m->x.t = m->x.ta = m->x.tb = i + 1 < m->ratio ? t0 + (i + 1) * m->h : to;
         for (int j = 0; j < m->ns; j++) {

@@ -313,7 +313,8 @@ static enum status two_rates(struct subcycle *c, struct stepper *s, struct state
     reserve(c, ratio, s->life);
     TRY(subcycle_decouple(c, x->q, x->t, why));
     if (s->fresh) forget(c);
-    int passes = s->options.symmetric ? PASSES : 1;
+    const bool recoils = c->dec.reach > 0 || c->alpha > 0; /* else W is nothing at either end */
+    int passes = s->options.symmetric && recoils ? PASSES : 1;
     enum status status = attempt(c, passes, why);
     if (status != OK && c->newton.refreshed == 0) { /* with old factors: once more with fresh ones */
         c->newton.stale = 1;
@@ -332,13 +333,32 @@ static enum status two_rates(struct subcycle *c, struct stepper *s, struct state
     return status;
 }
 
+/* A step that two rates do not get over, halved down to one minor step: by the midpoint rule, whose matrix has all of the
+ * coupling.  A light body between heavy ones is too much for the iteration of (S11) and (S12) at steps of any use.  With a
+ * tolerance smaller steps are its own affair. */
+static enum status one_rate_instead(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why)
+{
+    const bool looked = c->looked;
+    zero(s->work, POWER_CHANNELS);
+    s->lost = s->left = 0;
+    s->fresh = 1;
+    c->plain->hfactor = 0;
+    c->plain->newton.stale = 1;
+    c->looked = false;
+    const enum status status = single_rate(c, s, x, why);
+    c->looked = looked;
+    s->fresh = 1;
+    return status;
+}
+
 static enum status step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     struct subcycle *c = s->self;
     begin(c, x, h, ratio, to);
     c->looked = subcycle_error_looks(s);
-    const enum status status = c->ns == 0 ? single_rate(c, s, x, why) : two_rates(c, s, x, ratio, why);
+    enum status status = c->ns == 0 ? single_rate(c, s, x, why) : two_rates(c, s, x, ratio, why);
     if (c->looked) subcycle_error_note(s, status == OK);
+    if (status == E_NUMERIC && ratio == 1 && c->ns > 0 && s->missed) return one_rate_instead(c, s, x, why);
     return status;
 }
 

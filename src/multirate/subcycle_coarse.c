@@ -8,6 +8,7 @@
  * Not where fast and slow coordinates are coupled by springs or dampers, where the change is a vibration itself; not
  * where slopes change, nor where a force may begin in a minor step that is not asked (an impact on an elastic stop lost 0.1
  * percent of the energy); not where power flows, for work is to be that of the motion found. */
+#include "base/stop.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -118,6 +119,7 @@ enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
     zero(c->coarse.left, c->ns * COARSE_POINTS);
     for (int k = 0, i = 0; k <= p.at[COARSE_POINTS - 1]; k++) {
         const double *d = c->d + (long)k * c->ns;
+        if (stop) return stop_status();
         if (k == p.at[i] && c->ode->straight) subcycle_place(c, c->q, k);
         if (k == p.at[i]) TRY(node(c, &p, i++, why));
         subcycle_velocity(c, d);

@@ -1,5 +1,8 @@
-/* subcycle_error.c -- what a major step of sub-cycling is off by, each class in its decoupled variables: u by du over the
- * major step, the fast ones by the d_k over the minor steps, summed; see engine/local_error.h. */
+/* subcycle_error.c -- what a major step of sub-cycling is off by, each class in its decoupled variables: u over the major
+ * step, the fast ones by the d_k over the minor steps, summed; see engine/local_error.h.
+ *
+ * u is v_L + W v_S with the W of the step.  Steps before have had another one, and what the fast ones do there would turn up as
+ * a jump of u' by dW a_S: mean accelerations are remembered of v_L and v_S apart, and W makes u' of their differences. */
 #include <math.h>
 
 #include "base/scalar.h"
@@ -10,36 +13,54 @@
 void subcycle_error_open(struct subcycle *c, struct arena *life)
 {
     struct subcycle_error *e = c->error = TAKE(life, struct subcycle_error, 1);
-    local_error_open(&e->slow, c->nl, life);
+    local_error_open(&e->slow, c->n, life);
     local_error_open(&e->fast, c->ns, life);
     local_error_open(&e->minor, c->ns, life);
     e->position = TAKE(life, double, c->n);
     e->velocity = TAKE(life, double, c->n);
     e->swing = TAKE(life, double, c->nl);
     e->new_swing = TAKE(life, double, c->nl);
-    e->jump = TAKE(life, double, c->ns);
-    e->new_jump = TAKE(life, double, c->ns);
     e->more = TAKE(life, double, c->ns);
+    e->whole = TAKE(life, double, c->n);
+    subcycle_coupling_open(c, life);
 }
 
-static void measure_slow(struct subcycle *c, const double *du, const double *a0)
+/* u [nl] of velocities or accelerations x [n], by the W of this step. */
+static void on_base(const struct subcycle *c, double *u, const double *x)
+{
+    copy(u, x + c->ns, c->nl);
+    decouple_recoil(&c->dec, u, 1, x);
+}
+
+static void measure_slow(struct subcycle *c, const double *dv, const double *a0)
 {
     struct subcycle_error *e = c->error;
-    local_error_try(&e->slow, du, a0, c->H, stepped_late(NULL));
-    for (int i = 0; i < c->nl; i++) {
-        e->position[c->ns + i] = fabs(e->slow.position[i]);
-        e->velocity[c->ns + i] = fabs(e->slow.velocity[i]);
+    local_error_try(&e->slow, dv, a0, c->H, stepped_late(NULL));
+    on_base(c, e->position + c->ns, e->slow.position);
+    on_base(c, e->velocity + c->ns, e->slow.velocity);
+    for (int i = c->ns; i < c->n; i++) {
+        e->position[i] = fabs(e->position[i]);
+        e->velocity[i] = fabs(e->velocity[i]);
     }
 }
 
-/* From the minor steps of this major step alone, where there are several: at its start d_k jumps, as the slow acceleration
- * du/H does, and that is the slow ones' error. */
+/* Two minor steps have no change of their third derivative between them: that since the last ones of the step before. */
+static void measure_pair(struct subcycle *c)
+{
+    struct subcycle_error *e = c->error;
+    const double off = 2 * stepped_late(NULL) * c->h * c->h * c->h / (c->h + e->fast.h);
+    for (int i = 0; i < c->ns && e->fast.known > 1; i++)
+        e->velocity[i] = off * fabs(e->minor.jerk[i] - e->fast.jerk[i]);
+}
+
+/* From the minor steps of this major step alone, where there are several: at its start d_k jumps. */
 static void measure_fast(struct subcycle *c)
 {
     struct subcycle_error *e = c->error;
     const int n = c->ratio, first = n > 1 ? 1 : 0, second = n > 1 ? 2 : 0;
     local_error_copy(&e->minor, &e->fast);
     if (n > 1) local_error_forget(&e->minor);
+    if (n == 1) subcycle_coupling_before(c);
     zero(e->position, c->ns);
     zero(e->velocity, c->ns);
     for (int k = 0; k < n; k++) {
@@ -50,6 +71,7 @@ static void measure_fast(struct subcycle *c)
             if (k >= second) e->velocity[i] += fabs(e->minor.velocity[i]) * n / (n - second);
         }
     }
+    if (n == 2) measure_pair(c);
 }
 
 /* The time by which the slow coordinates are late in this step. */
@@ -63,7 +85,8 @@ static double lag(const struct subcycle *c)
     return fastest > 0 ? off / fastest : 0;
 }
 
-/* The fast ones follow the slow ones, and are late with them: in what they move by in the whole step. */
+/* The fast ones follow the slow ones, and are late with them: in what they move by in the whole step.  For the sum over a run,
+ * where subcycle_coupling.c would say too much: what stiff ones are off by for a slow motion does not add up. */
 static void follow(struct subcycle *c)
 {
     struct subcycle_error *e = c->error;
@@ -82,11 +105,13 @@ static void follow(struct subcycle *c)
 
 void subcycle_error_measure(struct subcycle *c, bool fixed)
 {
-    copy(c->Du, c->a0 + c->ns, c->nl); /* u' = a_L + W a_S */
-    decouple_recoil(&c->dec, c->Du, 1, c->a0);
-    measure_slow(c, c->du, c->Du);
+    decouple_out(&c->dec, c->error->whole, c->du, c->dsum, c->nl);
+    measure_slow(c, c->error->whole, c->a0);
     measure_fast(c);
-    if (fixed) follow(c);
+    if (fixed)
+        follow(c);
+    else if (c->ns > 0)
+        subcycle_coupling_measure(c);
 }
 
 void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0)
@@ -111,22 +136,21 @@ static double largest_mean(const struct subcycle *c, int i)
     return most / c->h;
 }
 
-/* The mean slow acceleration ends in a jump, and that of the fast ones with it, by as much as a major step before in H.  What
- * is more than that, and more than any in this step, a force has done that began in the last minor step. */
+/* The mean slow acceleration ends in a jump, and that of the fast ones with it, by s (S13).  What is more than that, and more
+ * than any in this step, a force has done that began in the last minor step. */
 void subcycle_error_end(struct stepper *s, const double *a)
 {
     struct subcycle *c = s->self;
     struct subcycle_error *e = c->error;
-    copy(c->Du, a + c->ns, c->nl); /* u' = a_L + W a_S */
-    decouple_recoil(&c->dec, c->Du, 1, a);
-    local_error_end(&e->slow, e->new_swing, false, c->Du, c->H);
+    local_error_end(&e->slow, e->whole, false, a, c->H);
+    on_base(c, e->new_swing, e->whole);
     for (int i = 0; i < c->nl; i++) c->Du[i] = sudden(c, i) ? e->new_swing[i] : 0;
     local_error_apart(e->position + c->ns, e->velocity + c->ns, c->Du, c->H, c->nl);
-    local_error_end(&e->minor, e->new_jump, true, a, c->h);
-    for (int i = 0; i < c->ns; i++) {
-        e->new_jump[i] /= c->H;
-        e->more[i] = c->H * (e->new_jump[i] - (c->ratio > 1 && e->fast.known ? e->jump[i] : 0));
-        if (c->ratio > 1 && fabs(e->more[i]) <= largest_mean(c, i)) e->more[i] = 0;
+    local_error_end(&e->minor, e->more, true, a, c->h);
+    if (c->ratio == 1) subcycle_coupling_end(c, a);
+    for (int i = 0; i < c->ns && c->ratio > 1; i++) {
+        e->more[i] -= e->coupling.new_s[i];
+        if (fabs(e->more[i]) <= largest_mean(c, i)) e->more[i] = 0;
     }
     local_error_apart(e->position, e->velocity, e->more, c->h, c->ns);
 }
@@ -134,21 +158,23 @@ void subcycle_error_end(struct stepper *s, const double *a)
 struct step_error subcycle_error(struct stepper *s)
 {
     const struct subcycle *c = s->self;
-    return (struct step_error){c->error->position, c->error->velocity};
+    const struct subcycle_error *e = c->error;
+    return (struct step_error){e->position, e->velocity, e->coupling.position, e->coupling.velocity};
 }
 
 void subcycle_error_keep(struct stepper *s, bool taken)
 {
-    const struct subcycle *c = s->self;
+    struct subcycle *c = s->self;
     if (taken) {
         local_error_keep(&c->error->slow, c->H);
         local_error_copy(&c->error->fast, &c->error->minor);
-        copy(c->error->jump, c->error->new_jump, c->ns);
+        subcycle_coupling_keep(c);
         for (int i = 0; i < c->nl; i++)
             c->error->swing[i] = larger(.9 * c->error->swing[i], fabs(c->error->new_swing[i]));
     } else {
         local_error_forget(&c->error->slow);
         local_error_forget(&c->error->fast);
+        c->error->coupling.terms = 0;
     }
 }
 
@@ -185,6 +211,6 @@ void subcycle_error_recall(struct subcycle *c, struct recall *r)
     recall_within(r, "fast");
     local_error_recall(&c->error->fast, r);
     recall_list(r, "swing", c->error->swing, (size_t)c->nl);
-    recall_list(r, "jump", c->error->jump, (size_t)c->ns);
+    subcycle_coupling_recall(c, r);
     recall_without(r);
 }

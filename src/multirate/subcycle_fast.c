@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "base/scalar.h"
+#include "base/stop.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -115,6 +116,7 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
     const double *jump = c->guessed ? subcycle_jump(c) : NULL;
     for (int k = 0; k < c->ratio; k++) {
         double *d = c->d + (long)k * c->ns, power[POWER_CHANNELS];
+        if (stop) return stop_status();
         subcycle_minor_time(c, &x, k);
         if (c->guessed) {
             forecast_minor(f, &c->resp, d, c->xn, c->vs, c->w, jump, k);

@@ -11,6 +11,7 @@
  *     response.h         the minor steps' linearized answer to the slow unknown (S11), (S12)
  *     forecast.h         where the iteration begins
  *     subcycle_error.c   what a step is off by, where steps go by a tolerance
+ *     subcycle_coupling.c  what of that the fast coordinates have from the slow ones' straight line (S13)-(S15)
  */
 #ifndef FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
 #define FMDSUB_MULTIRATE_SUBCYCLE_PARTS_H
@@ -26,13 +27,24 @@
 
 static const double STALE_SLOPE = .2; /* relative change of a slope that asks for a fresh factor */
 
+struct subcycle_coupling {
+    double *tail, *rate,
+        *s; /* [ns] accelerations, and their rates, that the minor steps of the last major one lead on to; how
+                              * far its last ones were too small (S13) */
+    double *new_tail, *new_rate, *new_s;
+    int terms, new_terms;        /* minor steps that they had; 0: not known */
+    double *x, *p, *dx, *dv;     /* [ns] scratch */
+    double *stiff;               /* [ns x ns] */
+    double *position, *velocity; /* [ns] what fast coordinates are off by for it */
+};
+
 struct subcycle_error {
-    struct local_error slow, fast; /* of the last step that was taken: of u, of x */
+    struct local_error slow, fast; /* of the last step that was taken: of v, of x */
     struct local_error minor;      /* of x, on the way through the minor steps */
     double *position, *velocity;   /* [n] sizes: of the last step */
     double *swing, *new_swing; /* [nl] of u' at the end of major steps, from what their means lead on to: the largest */
-    double *jump, *new_jump;   /* [ns] of the accelerations of x at the end of a major step, over its H */
-    double *more;              /* [ns] scratch */
+    double *more, *whole;      /* [ns], [n] scratch */
+    struct subcycle_coupling coupling;
 };
 
 enum { JUMP_TERMS = 3 };
@@ -194,14 +206,23 @@ void subcycle_error_open(struct subcycle *c, struct arena *life);
 bool subcycle_error_looks(struct stepper *s);
 /* It was, and is told where nobody else asks for it. */
 void subcycle_error_note(struct stepper *s, bool taken);
-/* Of the step found; of one of a single rate, with its accelerations at the start. */
-/* fixed: for the sums of engine/missed.h, not for the choice of steps. */
+/* Of the step found, c->dsum its sum of d_k; of one of a single rate, dv [n] its change of velocities, a0 [n] the
+ * accelerations at its start.  fixed: for the sums of engine/missed.h, not for the choice of steps. */
 void subcycle_error_measure(struct subcycle *c, bool fixed);
 void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0);
 struct step_error subcycle_error(struct stepper *s);
 void subcycle_error_end(struct stepper *s, const double *a);
 void subcycle_error_keep(struct stepper *s, bool taken);
 void subcycle_error_recall(struct subcycle *c, struct recall *r);
+void subcycle_coupling_open(struct subcycle *c, struct arena *life);
+/* Of the step found, added to what its fast coordinates are off by; the step was taken. */
+void subcycle_coupling_measure(struct subcycle *c);
+void subcycle_coupling_keep(struct subcycle *c);
+/* Before a single minor step behind several: e->minor is what the accelerations at its start should be. */
+void subcycle_coupling_before(struct subcycle *c);
+/* At its end e->more is how far accelerations a are from what theirs lead on to. */
+void subcycle_coupling_end(struct subcycle *c, const double *a);
+void subcycle_coupling_recall(struct subcycle *c, struct recall *r);
 
 /* Work by channel of the power w over `time`. */
 static inline void subcycle_book(struct subcycle *c, double time, const double *w)

@@ -17,7 +17,7 @@ struct roots {
     int *count;      /* bodies that have it */
     int *group;      /* a root that it acts on, or that acts on it, by a way of these: the last of them is its own */
     bool *tied;      /* by a loop */
-    bool *from_out;  /* a force acts on it from the ground */
+    bool *from_out;  /* a force acts on it from the ground, or one whose moments have a sum */
     bool *turned;    /* one of another tree turns the root itself */
     bool *dependent; /* of the last of a group: a member of it is tied, does not travel or has forces from the ground */
 };
@@ -48,6 +48,7 @@ static void mark_pair(struct roots *r, const struct model *m, const struct model
     const int root_a = r->of[a], root_b = r->of[b];
     const struct model_measure *s = f->measure >= 0 ? &m->measure[f->measure] : NULL;
     const bool at_centres = s && s->type == MEASURE_DISTANCE && v3_norm(s->a.p) == 0 && v3_norm(s->b.p) == 0;
+    if (f->kind && f->kind->held && f->kind->held(f->par)) r->from_out[root_a] = r->from_out[root_b] = true;
     if (root_a == root_b) return;
     if (root_a == 0 || root_b == 0) {
         r->from_out[root_a + root_b] = true;

@@ -299,7 +299,7 @@ void open_follow(struct open_tree *o, const struct follower *follow, void *follo
 void open_recall(struct open_tree *o, struct recall *r)
 {
     elements_recall(o->elements, r);
-    if (counts(o)) turns_recall(&o->turns, r);
+    if (counts(o) && recall_has(r, "counted")) turns_recall(&o->turns, r); /* other columns may not have asked */
 }
 
 /* --- kinks in time ------------------------------------------------------------------------------ */

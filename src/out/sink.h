@@ -135,6 +135,8 @@ extern const struct format formats[];
 const struct format *format_find(const char *name);
 
 struct sink csv_open(struct stream *stream, struct arena *life);
+/* With a second line of units, "[s],[rad]". */
+struct sink csv_open_units(struct stream *stream, struct arena *life);
 struct sink ndjson_open(struct stream *stream, struct arena *life);
 struct sink json_open(struct stream *stream, struct arena *life);
 

@@ -168,11 +168,10 @@ const char *table_csv(const struct table *table, struct arena *life)
 {
     char *text = NULL;
     size_t n = 0;
-    FILE *to = open_memstream(&text, &n);
-    if (!to) return "";
+    FILE *to = words_open(&text, &n);
     put_lines(table, TABLE_CSV, to);
-    const bool whole = fclose(to) == 0;
-    const char *copy = arena_copy(life, text, whole ? n : 0);
+    words_close(to, &text);
+    const char *copy = arena_copy(life, text, n);
     free(text);
     return copy;
 }

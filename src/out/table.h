@@ -65,7 +65,7 @@ void table_line_end(struct table_line *o);
 void table_line_foot(struct table_line *o);
 
 /* In place of a file `to`: what is put between the two goes to a stream, at once. */
-enum status table_line_open(struct table_line *o, struct report *report);
+void table_line_open(struct table_line *o);
 enum status table_line_send(struct table_line *o, struct stream *stream, struct report *report);
 
 #endif

@@ -92,16 +92,15 @@ void table_line_foot(struct table_line *o)
     if (o->form == TABLE_JSON) fputs("]}\n", o->to);
 }
 
-enum status table_line_open(struct table_line *o, struct report *report)
+void table_line_open(struct table_line *o)
 {
-    o->to = open_memstream(&o->text, &o->size);
-    return o->to ? OK : fail(report, E_LIMIT, "no memory for a row");
+    o->to = words_open(&o->text, &o->size);
 }
 
 enum status table_line_send(struct table_line *o, struct stream *stream, struct report *report)
 {
-    enum status status = fclose(o->to) == 0 ? stream_put(stream, o->text, o->size, report)
-                                            : fail(report, E_LIMIT, "no memory for a row");
+    words_close(o->to, &o->text);
+    const enum status status = stream_put(stream, o->text, o->size, report);
     free(o->text);
     return status == OK ? stream_flush(stream, report) : status;
 }

@@ -108,7 +108,7 @@ bool not_there(struct builder *b, const struct node *n, const char *section, con
     const struct node *all = node_find(b->reader.deck->root, section);
     const char *names[WORDS];
     int count = 0;
-    if (!deck_was_set(b->reader.deck, n) || !all) return false;
+    if (!deck_was_made(b->reader.deck, n) || !all) return false;
     for (int i = 0; i < all->count && count < WORDS; i++)
         if (all->item[i] != n) names[count++] = all->item[i]->key;
     diag_error(b->diags, n, AT_KEY, "E-set", "the deck has no %s '%s'", kind, diag_clip(b->diags, n->key));
@@ -258,7 +258,7 @@ int quantity_names(struct builder *b, const char *const **list)
     const struct scene *scene = b->scene;
     int n = 1;
     for (int i = 0; i < scene->njoint; i++) n += 1 + JOINT_MAX_Q + JOINT_MAX_V;
-    n += 2 * scene->nmeasure;
+    n += 2 * scene->nmeasure + scene->nsignal;
     for (int i = 1; i < scene->nbody; i++) n += 2 * scene->body[i].nmode;
     const char **names = TAKE(b->life, const char *, n);
     int count = 0;
@@ -278,6 +278,7 @@ int quantity_names(struct builder *b, const char *const **list)
         names[count++] = scene->measure[i].name;
         names[count++] = arena_print(b->life, "%s_rate", scene->measure[i].name);
     }
+    for (int i = 0; i < scene->nsignal; i++) names[count++] = scene->signal[i].name;
     *list = names;
     return count;
 }

@@ -32,6 +32,7 @@ struct scene_body {
     double R[9];                  /* body axes when drawn, by column, world */
     int nmode;                    /* elastic coordinates; 0: rigid */
     const struct flex_body *flex; /* NULL: rigid, or its deck is wrong */
+    const struct flex_body *full; /* with the stiffening that the deck has turned off; NULL: it has not */
     double origin[3];             /* the frame's origin when drawn: `at` but for round-off, world [m] */
 };
 
@@ -55,6 +56,14 @@ struct scene_hold {
     int root;
 };
 
+/* Friction in a joint: its force acts at the arm, see kind/contact.h. */
+struct scene_friction {
+    const struct node *node;
+    struct contact_law law;
+    double arm;    /* of a pin its radius [m]; of a slide 1 */
+    double length; /* of a slide's guide [m], whose ends bear its moment; 0: nothing does */
+};
+
 struct scene_joint {
     const char *name;
     const struct node *node;
@@ -65,12 +74,13 @@ struct scene_joint {
     double number;  /* of its kind, see kind/joint.h: length, ratio, radius; NAN: none */
     int nterm;      /* gear, rack: what they tie, 0 when drawn */
     struct scene_term term[2];
-    double E[9];                   /* joint axes x, y, z by column, world, drawn */
-    bool ranged;                   /* its coordinate should stay in range[0] ... range[1] */
-    double range[2];               /* an end may be infinite where it is held */
-    const struct scene_hold *hold; /* NULL: nothing holds it there */
-    bool loop;                     /* the deck wants it out of the tree */
-    bool own;                      /* reactions in joint axes */
+    double E[9];                           /* joint axes x, y, z by column, world, drawn */
+    bool ranged;                           /* its coordinate should stay in range[0] ... range[1] */
+    double range[2];                       /* an end may be infinite where it is held */
+    const struct scene_hold *hold;         /* NULL: nothing holds it there */
+    const struct scene_friction *friction; /* NULL: none */
+    bool loop;                             /* the deck wants it out of the tree */
+    bool own;                              /* reactions in joint axes */
 };
 
 struct scene_measure {
@@ -109,6 +119,14 @@ struct scene_condition {
     const struct scene_slot *slot; /* [nslot]; slot 0 is t */
 };
 
+/* A named value that expressions read: an expression, which stands in for its name, or a table of time. */
+struct scene_signal {
+    const char *name;
+    const struct node *node;
+    bool is_table;
+    struct signal table;
+};
+
 struct scene_force {
     const char *name;
     const struct node *node;
@@ -130,11 +148,12 @@ struct scene_contact {
     enum contact_pair pair;
     struct contact_law law;
     int measure;        /* PAIR_STOP */
+    int joint;          /* PAIR_FRICTION */
     double side;        /* it is closed from above: 1, from below: -1 */
     double limit;       /* [m] or [rad] */
     struct marker a, b; /* others, as in model.h */
     double normal[3], along[3];
-    double radius, other;
+    double radius, other; /* PAIR_FRICTION: arm, length of the guide */
 };
 
 /* A measure that moves as a function of time, s(q) = c(t): rheonomic constraint. */
@@ -167,12 +186,18 @@ struct scene_initial {
     bool body_axes; /* INITIAL_OMEGA: in axes of the second body, else world */
 };
 
+/* What is done where the balance of energy shows that the step does not resolve what moves. */
+enum guard { GUARD_TELL, GUARD_ACT };
+
 struct integrate {
     const char *scheme;      /* deck word */
     double step;             /* minor step h [s] */
     int ratio;               /* n, H = n h */
     double until;            /* [s]; 0: the section is wrong, and that was reported */
+    int guard;               /* enum guard */
     const void *options;     /* the schemes' own, see scene_read() */
+    const char *because;     /* what `auto` has taken and why, in words; NULL: it had nothing to choose */
+    double foretold;         /* evaluations that this is to take; NAN: not known */
     const struct node *end;  /* until as the deck gives it */
     const struct node *node; /* the section */
 };
@@ -213,6 +238,8 @@ struct scene {
     struct scene_joint *joint;
     int nmeasure;
     struct scene_measure *measure;
+    int nsignal;
+    struct scene_signal *signal;
     int nforce;
     struct scene_force *force;
     int ncontact;
@@ -221,6 +248,7 @@ struct scene {
     struct scene_drive *drive;
     int nfast;
     struct scene_choice *fast;
+    bool fast_auto; /* the deck leaves them to the motion: `partition: auto` */
     int nindependent;
     struct scene_choice *independent;
     int ninitial;

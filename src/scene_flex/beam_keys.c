@@ -12,8 +12,10 @@ const struct key keys_beam_body[] = {
                "between them, and so is the twist"),
     PARAM_NODE(struct beam_body_keys, material, "material", "name or map", KEY_REQUIRED,
                "steel, stainless, aluminium, titanium, magnesium, brass, or its constants"),
-    PARAM_INT(struct beam_body_keys, modes, "modes", 1, 200, 0, "6",
-              "elastic coordinates kept; each further joint than the first adds its freedoms (2-D: 3, 3-D: 6)"),
+    PARAM_COUNT(
+        struct beam_body_keys, modes, "modes", 1, 200, "auto", 0, "6",
+        "elastic coordinates kept; auto: as many as the deck's loads, motions and columns ask for, to the tolerance "
+        "of 'effects' (1.0e-3); each further joint than the first adds its freedoms (2-D: 3, 3-D: 6)"),
     PARAM_INT(struct beam_body_keys, segments, "segments", 1, 100, 0, "1",
               "for large bending: cut into bodies NAME1, NAME2, ... held together by fixed joints NAME_1, NAME_2, ...; "
               "stations, elements, points and their columns are of the whole: "
@@ -87,8 +89,9 @@ const struct key keys_material[] = {
 const struct key keys_damping[] = {
     PARAM_REAL(struct damping_keys, alpha, "alpha", "1/s", 0, INFINITY, 0, "0", "D = alpha M + beta K"),
     PARAM_REAL(struct damping_keys, beta, "beta", "s", 0, INFINITY, 0, "0", "D = alpha M + beta K"),
-    PARAM_REAL(struct damping_keys, ratio, "ratio", NULL, 0, 1, KEY_BELOW, "0",
-               "the same share of critical damping in every mode"),
+    PARAM_REAL(
+        struct damping_keys, ratio, "ratio", NULL, 0, 1, KEY_BELOW, "0",
+        "the same share of critical damping in every mode of the beam as it is held for them; not with segments"),
     KEYS_END,
 };
 

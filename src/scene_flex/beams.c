@@ -75,6 +75,17 @@ static int read_damping(struct builder *b, struct draft *o, const struct node *n
     return 0;
 }
 
+/* What is said of the body's modes is then said of each piece's, which are far quicker. */
+static void warn_of_pieces(struct builder *b, const struct draft *o, const struct beam_body_keys *k, const char *what)
+{
+    const bool ratio = o->beam.zeta > 0;
+    if (k->segments <= 1 || !(ratio || o->beam.alpha > 0)) return;
+    diag_warn(b->diags, k->damping, AT_KEY, "W-damping",
+              "%s: damping by '%s' is that of each of its %d segments in itself: the whole beam has far less of it",
+              what, ratio ? "ratio" : "alpha", k->segments);
+    diag_hint(b->diags, "'beta' is the same for pieces and whole: 2*z/omega gives the mode of omega rad/s the ratio z");
+}
+
 static bool named(struct builder *b, const struct node *n)
 {
     if (text_is_name(n->key)) return true;
@@ -218,9 +229,11 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     if (errors) return errors;
     warn_of_beam(b, o, k.material, k.beam, k.section ? k.section : k.sections, what);
     o->modes = node_find(n, "modes");
-    o->beam.modes = body->nmode = k.modes;
+    o->choose = k.modes == 0;
+    o->beam.modes = body->nmode = o->choose ? MOST_CANDIDATES : k.modes;
     o->beam.stiffening = wants_effect(b, n, "stiffening", EFFECT_STIFFENING, k.stiffening);
     weigh_beam(body, o);
+    warn_of_pieces(b, o, &k, what);
     if (k.segments > 1) cut_beam(b, index, k.segments);
     return 0;
 }

@@ -2,13 +2,20 @@
  *
  * A place on a beam belongs to the section at its foot point on the axis, which carries it rigidly.  Sections with
  * joints are interfaces, and so are points where the deck wants it; those with other points, measures and forces are
- * further nodes. */
+ * further nodes.
+ *
+ * The first interface holds the beam while its modes are found, which are its coordinates and have its damping: that with
+ * the joint from which the ground is reached over the fewest joints, of these the one nearest to the beam's start.  The
+ * order in which a deck tells its joints has no say in it. */
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
+#include "flex/pick.h"
 #include "la/vec3.h"
 #include "scene_flex/flexible.h"
 
+enum { MANY = INT_MAX / 2 };
 static const double SAME = 1e-9;  /* stations that are one */
 static const double FAR = 0.1;    /* from the axis, in lengths: more is reported */
 static const double CLOSE = 1e-3; /* from a node, in sizes of the body: more is reported */
@@ -42,6 +49,9 @@ struct collecting {
     struct builder *b;
     int body;
     struct stations interfaces, points;
+    const int *away; /* [nbody] joints to the ground: joints_away() */
+    int nearest;     /* of the bodies that its joints lead to; INT_MAX: none has been met */
+    double held;     /* station of the joint that leads there */
 };
 
 /* How large a body from a file is: its nodes, and its mass, may stand in one place, but not both. */
@@ -67,14 +77,21 @@ static void consider_node(struct collecting *c, const double *world, const struc
 }
 
 /* The station whose section carries a world place; the ends are snapped to. */
-static double foot(struct collecting *c, const double *world, const struct node *at)
+static double foot_station(const struct collecting *c, const double *world)
 {
     const struct draft *o = c->b->draft[c->body];
     double d[3];
     v3_diff(d, world, o->beam.a);
-    double s = fmin(1, fmax(0, v3_dot(d, o->beam.R) / o->length));
-    if (s < SAME) s = 0;
-    if (s > 1 - SAME) s = 1;
+    const double s = fmin(1, fmax(0, v3_dot(d, o->beam.R) / o->length));
+    return s < SAME ? 0 : s > 1 - SAME ? 1 : s;
+}
+
+static double foot(struct collecting *c, const double *world, const struct node *at)
+{
+    const struct draft *o = c->b->draft[c->body];
+    const double s = foot_station(c, world);
+    double d[3];
+    v3_diff(d, world, o->beam.a);
     v3_axpy(d, -s * o->length, o->beam.R);
     if (v3_norm(d) > FAR * o->length) {
         diag_warn(c->b->diags, at, AT_KEY, "W-offset",
@@ -100,15 +117,64 @@ static void take_marker(struct collecting *c, struct stations *to, const struct 
     take_place(c, to, world, at);
 }
 
+/* How many joints each body is away from the ground, over the fewest of them; MANY: none lead there.  For beams. */
+static int *joints_away(const struct builder *b)
+{
+    const struct scene *s = b->scene;
+    int *away = TAKE(b->life, int, s->nbody);
+    bool more = false;
+    for (int i = 1; i < s->nbody; i++) {
+        away[i] = MANY;
+        more = more || b->draft[i];
+    }
+    while (more) {
+        more = false;
+        for (int i = 0; i < s->njoint; i++) {
+            const struct scene_joint *j = &s->joint[i];
+            if (joint_is_tie(j->kind)) continue;
+            int *near = &away[j->first], *far = &away[j->second];
+            if (*near > *far) near = &away[j->second], far = &away[j->first];
+            if (*near == MANY || *far <= *near + 1) continue;
+            *far = *near + 1;
+            more = true;
+        }
+    }
+    return away;
+}
+
+/* A joint to another body, at a place of this one. */
+static void take_joint(struct collecting *c, const double *world, int other, const struct scene_joint *j)
+{
+    take_place(c, &c->interfaces, world, j->node);
+    if (!c->b->draft[c->body]) return;
+    const int away = joint_is_tie(j->kind) ? MANY : c->away[other];
+    const double s = foot_station(c, world);
+    if (away > c->nearest || (away == c->nearest && !(s < c->held))) return;
+    c->nearest = away;
+    c->held = s;
+}
+
+/* The station that holds the beam comes first. */
+static void lead(struct stations *o, double s)
+{
+    int k = 0;
+    while (k < o->n && fabs(o->at[k] - s) > SAME) k++;
+    if (k == o->n) return;
+    memmove(o->at + 1, o->at, (size_t)k * sizeof *o->at);
+    o->at[0] = s;
+}
+
 static void collect(struct collecting *c)
 {
     const struct scene *s = c->b->scene;
+    c->nearest = INT_MAX;
     for (int i = 0; i < s->njoint; i++) {
         const struct scene_joint *j = &s->joint[i];
         if (j->nterm) continue;
-        if (j->first == c->body) take_place(c, &c->interfaces, j->from, j->node);
-        if (j->second == c->body) take_place(c, &c->interfaces, j->at, j->node);
+        if (j->first == c->body) take_joint(c, j->from, j->second, j);
+        if (j->second == c->body) take_joint(c, j->at, j->first, j);
     }
+    lead(&c->interfaces, c->held);
     for (int i = 0; i < s->npoint; i++)
         if (!s->point[i].statics) take_marker(c, &c->points, &s->point[i].at, s->body[c->body].node);
     for (int i = 0; i < s->nmeasure; i++) {
@@ -161,11 +227,66 @@ static void warn_of_halved_pair(struct builder *b, const struct scene_body *body
     diag_hint(b->diags, "they belong together: take all, %d modes, or none, %d", edge->whole[1], edge->whole[0]);
 }
 
-static int make(struct builder *b, int index)
+/* Of as many modes as the mesh has, at most MOST_CANDIDATES. */
+static enum status pick_modes(const struct flex_chosen **chosen, struct builder *b, int index, struct report *report)
 {
     struct scene_body *body = &b->scene->body[index];
     struct draft *o = b->draft[index];
-    struct collecting c = {.b = b, .body = index};
+    struct flex_beam raw = o->beam;
+    struct flex_body *all;
+    raw.raw = true;
+    TRY(flex_beam_make(&all, body->origin, &raw, b->life, report));
+    bool *keep = TAKE(b->life, bool, all->inner);
+    body->flex = all;
+    *chosen = choose_modes(keep, b, index, all);
+    body->flex = NULL;
+    o->beam.modes = all->inner;
+    o->beam.pick = keep;
+    return OK;
+}
+
+/* Of a body from a file, where the deck wants it and they are modes. */
+static void pick_coordinates(struct builder *b, int index)
+{
+    struct scene_body *body = &b->scene->body[index];
+    const struct node *modes = node_find(body->node, "modes");
+    if (!modes || modes->type != NODE_SCALAR || strcmp(modes->text, "auto") != 0) return;
+    if (!body->flex->hertz) {
+        diag_warn(b->diags, modes, AT_VALUE, "W-modes",
+                  "body '%s': its file does not say that its coordinates are modes: all are kept", body->name);
+        return;
+    }
+    struct flex_body *all = TAKE(b->life, struct flex_body, 1);
+    bool *keep = TAKE(b->life, bool, body->flex->n);
+    *all = *body->flex;
+    all->inner = all->n;
+    const struct flex_chosen *chosen = choose_modes(keep, b, index, all);
+    all = flex_pick(all, keep, b->life);
+    all->chosen = chosen;
+    all->inner = 0;
+    if (body->full) body->full = flex_pick(body->full, keep, b->life);
+    body->flex = all;
+    body->nmode = all->n;
+}
+
+/* What turning it off neglects is watched: the same modes with it. */
+static enum status stiffened(const struct flex_body **full, const struct flex_beam *beam, struct arena *life,
+                             struct report *report)
+{
+    struct flex_beam with = *beam;
+    struct flex_body *o;
+    double at[3];
+    with.stiffening = true;
+    TRY(flex_beam_make(&o, at, &with, life, report));
+    *full = o;
+    return OK;
+}
+
+static int make(struct builder *b, int index, const int *away)
+{
+    struct scene_body *body = &b->scene->body[index];
+    struct draft *o = b->draft[index];
+    struct collecting c = {.b = b, .body = index, .away = away};
     struct flex_body *flex;
     struct report report = {0};
     collect(&c);
@@ -174,14 +295,18 @@ static int make(struct builder *b, int index)
     o->beam.interface = c.interfaces.at;
     o->beam.npoint = c.points.n;
     o->beam.point = c.points.at;
-    if (flex_beam_make(&flex, body->origin, &o->beam, b->life, &report) != OK) {
+    const struct flex_chosen *chosen = NULL;
+    if ((o->choose && pick_modes(&chosen, b, index, &report) != OK) ||
+        flex_beam_make(&flex, body->origin, &o->beam, b->life, &report) != OK) {
         diag_error(b->diags, o->modes, AT_VALUE, "E-beam", "body '%s': %s", body->name, report.text);
         return 1;
     }
+    if (!o->beam.stiffening && stiffened(&body->full, &o->beam, b->life, &report) != OK) body->full = NULL;
+    flex->chosen = chosen;
     body->flex = flex;
     body->nmode = flex->n;
     weigh(body);
-    warn_of_halved_pair(b, body, o->modes);
+    if (!o->choose) warn_of_halved_pair(b, body, o->modes);
     return 0;
 }
 
@@ -190,14 +315,16 @@ int make_flexible(struct builder *b)
     const struct node *failed = NULL; /* one segment is enough */
     int errors = 0;
     if (diags_errors(b->diags)) return 0; /* half a deck would make other bodies */
+    const int *away = joints_away(b);
     for (int i = 1; i < b->scene->nbody; i++) {
         struct collecting c = {.b = b, .body = i};
         if (b->draft[i] && b->scene->body[i].node != failed) {
-            if (!make(b, i)) continue;
+            if (!make(b, i, away)) continue;
             failed = b->scene->body[i].node;
             errors++;
         } else if (b->scene->body[i].flex) {
             collect(&c);
+            pick_coordinates(b, i);
             weigh(&b->scene->body[i]);
         }
     }

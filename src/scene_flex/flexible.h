@@ -43,6 +43,7 @@ struct probe_keys {
 struct reduced_keys {
     const char *file;
     const struct node *at, *origin, *orient, *points;
+    int modes;
 };
 extern const struct key keys_reduced[], keys_beam_body[], keys_beam[], keys_section[], keys_sections[], keys_material[],
     keys_damping[], keys_lump[], keys_station[], keys_probe[];
@@ -59,6 +60,7 @@ struct draft {
     double length;            /* [m] */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */
+    bool choose;              /* it does not, but wants them by evidence */
     double from, to;          /* of a beam cut into segments its part, in stations of the whole; else 0, 1 */
 };
 
@@ -96,6 +98,10 @@ const char *segment_at(const struct builder *b, const char *whole, const double 
 /* A station of the deck in that of the part; is a point of the deck this body's? */
 double station_in(const struct draft *o, double station);
 bool holds_point(const struct builder *b, int body, const struct node *n);
+
+/* evidence.c: modes: auto.  The first keep [all->inner] of a body's coordinates that the deck asks for. */
+enum { MOST_CANDIDATES = 40 };
+const struct flex_chosen *choose_modes(bool *keep, struct builder *b, int body, const struct flex_body *all);
 
 /* flexible.c: nodes at all places in use, then the reduced bodies */
 int make_flexible(struct builder *b);

@@ -20,6 +20,9 @@ const struct key keys_reduced[] = {
                "2-D: angle [rad]; 3-D: {x: [...], z: [...]} or one of them, {axis: [...], angle: a}, {quaternion: [w, "
                "x, y, z]}",
                0, "axes of the mesh when drawn; default: the world's"),
+    PARAM_WORD(struct reduced_keys, modes, "modes", "all|auto", 0, "all",
+               "coordinates kept; auto: of modes those that the deck's loads, motions and columns ask for, to the "
+               "tolerance of 'effects' (1.0e-3)"),
     PARAM_NODE(struct reduced_keys, points, "points", "{name: node}, {name: vector [m]}", 0,
                "named points besides the file's named nodes; a vector is from the centre of mass, axes of the mesh"),
     KEYS_END,
@@ -74,7 +77,15 @@ static int read_file(struct builder *b, struct scene_body *body, double *centre,
                        "'%s' moves out of the plane of x and y: it needs a 3-D deck", diag_clip(b->diags, n->text));
             return 1;
         }
-        if (b->scene->effects.wish[EFFECT_STIFFENING] == WISH_OFF) take_off_stiffening(flex);
+        if (b->scene->effects.wish[EFFECT_STIFFENING] == WISH_OFF && flex->s) {
+            struct flex_body *full = TAKE(b->life, struct flex_body, 1);
+            struct flex_node *node = TAKE(b->life, struct flex_node, flex->nnode);
+            *full = *flex;
+            memcpy(node, flex->node, (size_t)flex->nnode * sizeof *node);
+            full->node = node;
+            body->full = full;
+            take_off_stiffening(flex);
+        }
         body->flex = flex;
         body->nmode = flex->n;
         return 0;

@@ -179,12 +179,7 @@ static int read_friction(struct builder *b, struct contact_law *law, const struc
         return 0;
     }
     if (read_keys(&k, keys_friction, n, NULL, "'friction'", &b->reader)) return 1;
-    law->sliding = k.kinetic;
-    law->holding = isnan(k.holding) ? k.kinetic : k.holding;
-    if (law->holding >= law->sliding) return 0;
-    diag_error(b->diags, node_find(n, "static"), AT_VALUE, "E-static",
-               "%s: its friction holds less, %g, than it resists sliding, %g", what, law->holding, law->sliding);
-    return 1;
+    return check_coefficients(b, law, k.kinetic, k.holding, n, what);
 }
 
 static void add(struct builder *b, const struct scene_contact *like, const struct surface *first,

@@ -1,7 +1,21 @@
 /* drives.c -- measures that move as functions of time */
 #include <math.h>
 
+#include "expr/expr.h"
 #include "scene_read/parts.h"
+
+/* What the value is counted from is added to it. */
+static void count_from(struct builder *b, struct signal *o, double drawn)
+{
+    if (drawn == 0) return;
+    if (o->expr) {
+        *o = signal_of(expr_plus(o->expr, drawn, b->life), b->life);
+        return;
+    }
+    double *x = TAKE(b->life, double, o->n);
+    for (int i = 0; i < o->n; i++) x[i] = o->x[i] + drawn;
+    o->x = x;
+}
 
 static int read_drive(struct builder *b, struct scene_drive *o, const struct node *n)
 {
@@ -15,6 +29,7 @@ static int read_drive(struct builder *b, struct scene_drive *o, const struct nod
     o->measure = measure_of(b, k.drive, what);
     int errors = read_time_signal(b, &o->value, k.value, what);
     if (o->measure < 0) return 1;
+    if (k.drawn) count_from(b, &o->value, b->scene->measure[o->measure].drawn);
     if (b->scene->space == 3 && b->scene->measure[o->measure].type == MEASURE_ANGLE) {
         diag_error(b->diags, k.drive, AT_VALUE, "E-drive", "%s: an angle in space cannot be driven", what);
         diag_hint(b->diags, "drive the coordinate of a joint");
@@ -68,7 +83,7 @@ void warn_of_drives(struct builder *b)
         if (m->type == MEASURE_COORDINATE)
             diag_hint(b->diags, "if that is meant, place it by 'initial:' as well");
         else
-            diag_hint(b->diags, "a %s is counted from zero, not from where it is drawn",
+            diag_hint(b->diags, "a %s is counted from zero, and with 'from: drawn' from where it is drawn",
                       m->type == MEASURE_DISTANCE ? "distance" : "measure");
     }
 }

@@ -47,6 +47,9 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
         else
             snprintf(error->text, sizeof error->text, "unknown name '%.50s': no parameter, coordinate, rate or measure",
                      name);
+        if (deck_signal(s->b->reader.deck, name))
+            snprintf(error->text, sizeof error->text, "signal '%.50s' is a table, which stands by itself: value: %.50s",
+                     name, name);
         if (is_output_formula(s->b->reader.deck, name))
             snprintf(error->hint, sizeof error->hint,
                      "it is an expression of columns, which is written and moves nothing: use a measure");
@@ -69,17 +72,24 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
 
 static int read_expression(struct slots *s, struct signal *o, const struct node *n)
 {
-    const struct expr_names names = {find_name, s};
+    const struct expr_names names = {.find = find_name, .self = s};
     struct expr *expr;
     if (deck_expr(&expr, n, &names, s->b->reader.deck) != OK) return 1;
     *o = signal_of(expr, s->b->life);
     return 0;
 }
 
+int check_expression(struct builder *b, const struct node *n)
+{
+    struct slots s = {.b = b, .n = 1};
+    struct signal any;
+    return read_expression(&s, &any, n);
+}
+
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n)
 {
     struct slots s = {.b = b, .n = 1};
-    const struct expr_names names = {find_name, &s};
+    const struct expr_names names = {.find = find_name, .self = &s};
     struct expr *expr;
     if (deck_truth(&expr, n, &names, b->reader.deck) != OK) return 1;
     struct scene_slot *slot = TAKE(b->life, struct scene_slot, s.n);
@@ -97,7 +107,7 @@ static int one_table(struct builder *b, const struct node *n)
     return 1;
 }
 
-static int read_table(struct builder *b, struct signal *o, const struct node *n)
+int read_time_table(struct builder *b, struct signal *o, const struct node *n)
 {
     struct table_keys k = {0};
     if (read_keys(&k, keys_table, n, NULL, "'value'", &b->reader)) return 1;
@@ -108,7 +118,9 @@ static int read_table(struct builder *b, struct signal *o, const struct node *n)
 
 static int read_signal(struct slots *s, struct signal *o, const struct node *n)
 {
-    if (n->type == NODE_MAP) return read_table(s->b, o, n);
+    const struct signal *table = n->type == NODE_SCALAR ? find_table_signal(s->b, n->text) : NULL;
+    if (table) return *o = *table, 0;
+    if (n->type == NODE_MAP) return read_time_table(s->b, o, n);
     if (n->type == NODE_SCALAR) return read_expression(s, o, n);
     diag_error(s->b->diags, n, AT_VALUE, "E-type", "expected one expression or a table");
     return 1;

@@ -56,16 +56,35 @@ static const struct joint_kind *joint_word(struct builder *b, const struct node 
     return NULL;
 }
 
-/* Axes x and y of two crossing turns. */
-static int crossed_axes(struct builder *b, double *E, const struct joint_keys *k, const char *what)
+static void hint_revolute(struct builder *b, const struct scene_joint *j, int number, const char *first,
+                          const char *second, const double *axis)
 {
+    diag_hint(b->diags, "  %s_%d: {revolute: [%s, %s], at: [%.10g, %.10g, %.10g], axis: [%.10g, %.10g, %.10g]}",
+              j->name, number, first, second, j->at[0], j->at[1], j->at[2], axis[0], axis[1], axis[2]);
+}
+
+/* Two turns about oblique axes, as the deck may have them. */
+static void hint_oblique(struct builder *b, const struct scene_joint *j, const double *E)
+{
+    const char *cross = arena_print(b->life, "%s_cross", j->name);
+    diag_hint(b->diags, "for oblique axes put a body without mass between two revolute joints; under 'bodies':");
+    diag_hint(b->diags, "  %s: {mass: 0, inertia: [0, 0, 0], at: [%.10g, %.10g, %.10g]}", cross, j->at[0], j->at[1],
+              j->at[2]);
+    diag_hint(b->diags, "and under 'constraints', in place of '%s':", j->name);
+    hint_revolute(b, j, 1, b->scene->body[j->first].name, cross, E);
+    hint_revolute(b, j, 2, cross, b->scene->body[j->second].name, E + 3);
+}
+
+/* Axes x and y of two crossing turns. */
+static int crossed_axes(struct builder *b, struct scene_joint *j, const struct joint_keys *k, const char *what)
+{
+    static const double PARALLEL = .9999;
+    double *E = j->E;
     if (read_direction(b, E, k->axis, what) | read_direction(b, E + 3, k->axis2, what)) return 1;
     double lean = v3_dot(E, E + 3);
     if (fabs(lean) > 1e-6) {
         diag_error(b->diags, k->axis2, AT_VALUE, "E-axes", "%s: 'axis' and 'axis2' are not at right angles", what);
-        diag_hint(
-            b->diags,
-            "for oblique axes put a body of mass 0 and inertia 0 between two revolute joints, one about each of them");
+        if (fabs(lean) < PARALLEL) hint_oblique(b, j, E);
         return 1;
     }
     v3_axpy(E + 3, -lean, E);
@@ -80,7 +99,7 @@ static int joint_axes(struct builder *b, struct scene_joint *j, const struct joi
     static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     double z[3], x[3];
     memcpy(j->E, identity, sizeof identity);
-    if (joint_turning(j->kind, NULL) == TURNS_CROSSED) return crossed_axes(b, j->E, k, what);
+    if (joint_turning(j->kind, NULL) == TURNS_CROSSED) return crossed_axes(b, j, k, what);
     if (!k->axis) return 0;
     if (read_direction(b, z, k->axis, what)) return 1;
     if (k->axis2 && read_direction(b, x, k->axis2, what)) return 1;
@@ -154,6 +173,7 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     j->loop = k.loop;
     j->own = k.frame == 1;
     if (k.range && read_range(b, j, k.range, what)) return 1;
+    if (k.friction && read_rubbing(b, j, k.friction, what)) return 1;
     if (!k.at && (b->draft[j->second] || b->scene->body[j->second].flex) && found->type != JOINT_FREE) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s on the flexible body '%s' has no 'at'", what,
                    b->scene->body[j->second].name);

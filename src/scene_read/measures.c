@@ -120,29 +120,29 @@ static bool is_parameter(const struct builder *b, const char *name)
     return deck_parameter(&x, name, deck) == 0 || deck_parameter(&x, arena_print(b->life, "%s_rate", name), deck) == 0;
 }
 
+int wrong_value_name(struct builder *b, const struct node *n, const char *what)
+{
+    const char *name = n->key;
+    if (!text_is_name(name) || strcmp(name, "t") == 0 || strcmp(name, "type") == 0 || expr_is_word(name))
+        diag_error(b->diags, n, AT_KEY, "E-name", "'%.60s' cannot name a %s", name, what);
+    else if (scene_find_joint(b->scene, name, strlen(name)) >= 0)
+        diag_error(b->diags, n, AT_KEY, "E-duplicate-name", "'%s' is a constraint already", name);
+    else if (is_parameter(b, name))
+        diag_error(b->diags, n, AT_KEY, "E-duplicate-name", "'%s' or its rate is a parameter already", name);
+    else if (is_body(b->scene, name))
+        diag_error(b->diags, n, AT_KEY, "E-duplicate-name", "'%s' is a body already", name);
+    else
+        return 0;
+    return 1;
+}
+
 int read_measures(struct builder *b, const struct node *n)
 {
     int errors = 0;
     if (!n) return 0;
     if (read_map(n, "'measures'", &b->reader)) return 1;
-    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
-        const struct node *m = n->item[i];
-        if (!text_is_name(m->key) || strcmp(m->key, "t") == 0 || strcmp(m->key, "type") == 0 || expr_is_word(m->key)) {
-            diag_error(b->diags, m, AT_KEY, "E-name", "'%.60s' cannot name a measure", m->key);
-            errors++;
-        } else if (scene_find_joint(b->scene, m->key, strlen(m->key)) >= 0) {
-            diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a constraint already", m->key);
-            errors++;
-        } else if (is_parameter(b, m->key)) {
-            diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' or its rate is a parameter already", m->key);
-            errors++;
-        } else if (is_body(b->scene, m->key)) {
-            diag_error(b->diags, m, AT_KEY, "E-duplicate-name", "'%s' is a body already", m->key);
-            errors++;
-        } else {
-            errors += read_measure(b, m);
-        }
-    }
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++)
+        errors += wrong_value_name(b, n->item[i], "measure") || read_measure(b, n->item[i]);
     return errors;
 }
 

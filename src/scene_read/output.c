@@ -32,7 +32,7 @@ static int any_name(void *self, int *slot, double *value, const char *name, stru
 /* A member of {name: expression, ...}: its name, and whether the expression is one. */
 static int read_formula(struct builder *b, struct output_column *o, const struct node *n)
 {
-    const struct expr_names names = {any_name, NULL};
+    const struct expr_names names = {.find = any_name, .self = NULL};
     struct expr *expr;
     double x;
     *o = (struct output_column){n->key, n, -1};

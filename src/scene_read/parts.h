@@ -10,8 +10,8 @@ struct deck_keys {
     int version;
     const char *title;
     int units, space;
-    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *forces, *surfaces, *contacts,
-        *drives, *initial, *partition, *integrate, *output, *checkpoint, *energy, *effects;
+    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *tables, *signals, *forces,
+        *surfaces, *contacts, *drives, *initial, *partition, *integrate, *output, *checkpoint, *energy, *effects;
 };
 struct body_keys {
     double mass;
@@ -46,12 +46,17 @@ struct contact_keys {
 struct friction_keys {
     double kinetic, holding; /* NAN: not given */
 };
+struct rubbing_keys {
+    double coefficient, kinetic, holding; /* NAN: not given */
+    double radius, length, preload;
+};
 struct range_keys {
     double lower, upper; /* NAN: no end there */
     const struct node *hold;
 };
 struct drive_keys {
     const struct node *drive, *value;
+    int drawn; /* 1: from where it is drawn */
 };
 struct table_keys {
     struct points points;
@@ -100,7 +105,8 @@ extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], k
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[],
     keys_integrate[], keys_output[], keys_every[], keys_checkpoint[], keys_checkpoint_every[], keys_energy[],
     keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[], keys_range[], keys_hold[], keys_plane[],
-    keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_contact[], keys_friction[];
+    keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_contact[], keys_friction[], keys_pin_friction[],
+    keys_slide_friction[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);
@@ -116,10 +122,25 @@ int find_coordinate(struct builder *b, struct scene_measure *m, const struct nod
 /* stops.c: the range of a joint's coordinate; what holds it there, among forces and contacts; one that a drive moves */
 int read_range(struct builder *b, struct scene_joint *j, const struct node *n, const char *what);
 void make_stops(struct builder *b);
+/* rubbing.c: friction in a joint; of a law its coefficients, one number or a pair */
+int read_rubbing(struct builder *b, struct scene_joint *j, const struct node *n, const char *what);
+void make_rubbing(struct builder *b);
+int check_coefficients(struct builder *b, struct contact_law *law, double kinetic, double holding, const struct node *n,
+                       const char *what);
 int check_stops(struct builder *b);
 /* contacts.c: behind the forces, whose stops are contacts, too */
 int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts);
 int read_forces(struct builder *b, const struct node *n);
+/* signals.c: tables by name; signals, behind the measures */
+int read_tables(struct builder *b, const struct node *n);
+int read_signals(struct builder *b, const struct node *n);
+/* The signal of this name, if it is a table; NULL: it is none. */
+const struct signal *find_table_signal(const struct builder *b, const char *name);
+/* forces.c: is it an expression of time and the motion? */
+int check_expression(struct builder *b, const struct node *n);
+int read_time_table(struct builder *b, struct signal *o, const struct node *n);
+/* measures.c: may a measure or signal be called so?  1: told why not. */
+int wrong_value_name(struct builder *b, const struct node *n, const char *what);
 int read_drives(struct builder *b, const struct node *n);
 /* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */
 void warn_of_drives(struct builder *b);

@@ -84,6 +84,8 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
         read_bodies(&b, k.bodies);
         read_joints(&b, k.constraints);
         read_measures(&b, k.measures);
+        read_tables(&b, k.tables);
+        read_signals(&b, k.signals);
         read_forces(&b, k.forces);
         read_contacts(&b, k.surfaces, k.contacts);
         read_drives(&b, k.drives);

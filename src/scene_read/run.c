@@ -73,7 +73,7 @@ static int read_choice(struct builder *b, struct scene_choice *o, const struct n
     return 1;
 }
 
-/* {modes: body, above: Hz}: its modes of higher frequency, clamped at its first joint. */
+/* {modes: body, above: Hz}: its modes of higher frequency, clamped as for its coordinates. */
 static int read_band(struct builder *b, struct scene_choice *list, int *count, const struct node *n)
 {
     struct band_keys k = {0};
@@ -122,6 +122,8 @@ int read_partition(struct builder *b, const struct node *n)
     struct partition_keys k = {0};
     int errors = 0;
     if (!n) return 0;
+    b->scene->fast_auto = n->type == NODE_SCALAR && strcmp(n->text, "auto") == 0;
+    if (b->scene->fast_auto) return 0;
     if (read_keys(&k, keys_partition, n, NULL, "'partition'", &b->reader)) return 1;
     struct scene *scene = b->scene;
     if (k.fast) errors += read_choices(b, &scene->fast, &scene->nfast, k.fast, "'fast'");
@@ -190,7 +192,7 @@ static int read_stepping(struct builder *b, struct integrate *o, const struct ke
 int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes)
 {
     struct integrate *o = &b->scene->integrate;
-    *o = (struct integrate){.node = n};
+    *o = (struct integrate){.node = n, .foretold = NAN};
     if (read_stepping(b, o, schemes)) {
         o->until = 0;
         return 1;

@@ -18,6 +18,11 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, constraints, "constraints", "{name: joint}", 0, "joints between bodies"),
     PARAM_NODE(struct deck_keys, measures, "measures", "{name: measure}", 0,
                "distances, displacements, angles to print, to read in expressions, to put forces on"),
+    PARAM_NODE(struct deck_keys, tables, "tables", "{name: [[x, y], ...] or {file: name}}", 0,
+               "tables that 'table' may name, as often as it likes"),
+    PARAM_NODE(struct deck_keys, signals, "signals", "{name: expression, or table}", 0,
+               "named expressions of t and the motion, or tables of t: for forces, drives, conditions, columns, each "
+               "other; columns of their own"),
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
     PARAM_NODE(struct deck_keys, surfaces, "surfaces", "{name: surface}", 0, "planes, points, spheres that may touch"),
     PARAM_NODE(struct deck_keys, contacts, "contacts", "{name: contact}", 0, "which of them touch, with what friction"),
@@ -26,7 +31,8 @@ const struct key keys_deck[] = {
                "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file, time: keep}", 0,
                "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
                "nearest stable equilibrium; assemble: to the nearest state that fits"),
-    PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]}", 0, "coordinates that take the minor step"),
+    PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]} or auto", 0,
+               "coordinates that take the minor step"),
     PARAM_NODE(struct deck_keys, integrate, "integrate", "map", KEY_REQUIRED, "scheme, step, ratio, end"),
     PARAM_NODE(struct deck_keys, output, "output", "map", 0, "columns and how often"),
     PARAM_NODE(struct deck_keys, checkpoint, "checkpoint", "{every: 0.5, file: name}", 0,
@@ -154,6 +160,30 @@ const struct key keys_friction[] = {
     KEYS_END,
 };
 
+#define RUBS                                                                                                           \
+    PARAM_REAL(struct rubbing_keys, coefficient, "coefficient", NULL, 0, INFINITY, KEY_BELOW, NULL,                    \
+               "friction per force of the joint"),                                                                     \
+        PARAM_REAL(struct rubbing_keys, kinetic, "kinetic", NULL, 0, INFINITY, KEY_BELOW, NULL,                        \
+                   "in place of it: where it moves"),                                                                  \
+        PARAM_REAL(struct rubbing_keys, holding, "static", NULL, 0, INFINITY, KEY_BELOW, NULL,                         \
+                   "and where it sticks; default: kinetic")
+const struct key keys_pin_friction[] = {
+    RUBS,
+    PARAM_REAL(struct rubbing_keys, radius, "radius", "m", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "of the pin: friction's arm; needed with coefficients"),
+    PARAM_REAL(struct rubbing_keys, preload, "torque", "N m", 0, INFINITY, KEY_BELOW, "0",
+               "that is there without any force, as of a seal"),
+    KEYS_END,
+};
+const struct key keys_slide_friction[] = {
+    RUBS,
+    PARAM_REAL(struct rubbing_keys, length, "length", "m", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "of the guide, whose ends bear the joint's moment, too; default: only its force counts"),
+    PARAM_REAL(struct rubbing_keys, preload, "force", "N", 0, INFINITY, KEY_BELOW, "0",
+               "that is there without any other, as of a seal"),
+    KEYS_END,
+};
+
 const struct key keys_range[] = {
     PARAM_REAL(struct range_keys, lower, "lower", "m or rad", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
                "lower end; default: none"),
@@ -176,7 +206,7 @@ const struct key keys_hold[] = {
 };
 
 const struct key keys_table[] = {
-    PARAM_TABLE(struct table_keys, points, "table", "[[t, x], ...]", 0,
+    PARAM_TABLE(struct table_keys, points, "table", "[[t, x], ...], or a name in tables", 0,
                 "points of time; linear between, constant beyond the ends"),
     PARAM_CSV(struct table_keys, points, "file", 0, "CSV file of t, x beside the deck"),
     KEYS_END,
@@ -187,6 +217,8 @@ const struct key keys_drive[] = {
                "what moves: a joint coordinate, a distance, a displacement, in the plane an angle"),
     PARAM_NODE(struct drive_keys, value, "value", "expression of t, or table", KEY_REQUIRED,
                "where it is at time t [m] or [rad]; a joint coordinate is 0 in the drawn position"),
+    PARAM_WORD(struct drive_keys, drawn, "from", "zero|drawn", 0, "zero",
+               "drawn: 'value' is counted from where the measure is drawn, such as the stroke of a ram"),
     KEYS_END,
 };
 
@@ -201,18 +233,20 @@ const struct key keys_partition[] = {
 const struct key keys_band[] = {
     PARAM_NODE(struct band_keys, modes, "modes", "body", KEY_REQUIRED, "a flexible body"),
     PARAM_REAL(struct band_keys, above, "above", "Hz", 0, INFINITY, KEY_REQUIRED, NULL,
-               "its modes of higher frequency, clamped at its first joint"),
+               "its modes of higher frequency, clamped as for its elastic coordinates"),
     KEYS_END,
 };
 
 const struct key keys_integrate[] = {
     PARAM_TEXT(struct integrate, scheme, "scheme", 0, "subcycle",
-               "integration scheme, see `fmdsub list schemes`; without a 'step' dopri5"),
+               "integration scheme, see `fmdsub list schemes`; auto: by trial runs, as without this and 'step'"),
     PARAM_REAL(struct integrate, step, "step", "s", 0, INFINITY, KEY_ABOVE, NULL,
                "minor step h; of a run by 'tolerance' the first guess; without both the tolerance is 1.0e-4"),
     PARAM_INT(struct integrate, ratio, "ratio", 1, 1000000, 0, "1", "n: the major step is n h"),
     PARAM_NODE(struct integrate, end, "until", "seconds, or {when: condition, latest: seconds}", KEY_REQUIRED,
                "end of the run"),
+    PARAM_WORD(struct integrate, guard, "guard", "tell|act", 0, "tell",
+               "where a step loses the balance of energy: say so, or take it in smaller parts, too"),
     KEYS_END,
 };
 
@@ -311,9 +345,12 @@ static const struct section fixed[] = {
     {"bodies.NAME.stress.NAME", NULL, "a place where stresses are wanted", keys_probe},
     {"constraints.NAME.range", NULL, "ends of a coordinate, and what stops it there", keys_range},
     {"constraints.NAME.range.hold", NULL, "stops, rigid or compliant", keys_hold},
+    {"constraints.NAME.friction", "revolute", "friction of a revolute joint", keys_pin_friction},
+    {"constraints.NAME.friction", "prismatic", "friction of a prismatic joint", keys_slide_friction},
     {"measures.NAME", "distance", "distance of two points", keys_distance},
     {"measures.NAME", "displacement", "displacement along an axis", keys_displacement},
     {"measures.NAME", "angle", "turn of a body against another", keys_angle},
+    {"signals.NAME", NULL, "a table in place of an expression", keys_table},
     {"forces.NAME", "force", "a force along a measure or at a point", keys_force},
     {"forces.NAME", "torque", "a torque along a measure or on a body", keys_torque},
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},

@@ -91,7 +91,7 @@ static void make_rigid(struct builder *b, const struct scene_joint *j, const cha
 void make_stops(struct builder *b)
 {
     struct scene *scene = b->scene;
-    scene->contact = TAKE(b->life, struct scene_contact, 2 * scene->njoint);
+    scene->contact = TAKE(b->life, struct scene_contact, 3 * scene->njoint);
     for (int i = 0; i < scene->njoint; i++) {
         const struct scene_joint *j = &scene->joint[i];
         const struct scene_measure s = {
@@ -104,6 +104,7 @@ void make_stops(struct builder *b)
             (j->hold->k > 0 ? make_compliant : make_rigid)(b, j, name, measure, end);
         }
     }
+    make_rubbing(b);
 }
 
 /* A drive moves its coordinate whatever stops it. */

@@ -5,8 +5,8 @@
  * does where halving has become the rule.
  *
  * A scheme that looks at points of time gains or loses energy where a law has a corner within a step: as much as a
- * stop's stiffness brings in a part of the step.  Such a step is halved, too, while it spoils the balance.  And no scheme
- * steps over a pole of a force. */
+ * stop's stiffness brings in a part of the step.  Such a step is halved, too, while it spoils the balance; where the guard
+ * acts every step is, and those behind it begin in as many parts, which may be halved as often again.  And no scheme steps over a pole of a force. */
 #include <math.h>
 #include <string.h>
 
@@ -17,6 +17,12 @@
 enum { MOST_HALVINGS = 10 };
 enum { REJECTED_PER_MAJOR = 10, REJECTED_BESIDES = 10000, REJECTED_PER_RECORD = 100000 };
 static const double SPOILT = 1e-3; /* of what the balance may be off by, in one step */
+enum { CALM = 64 };                /* major steps behind which the guard tries larger parts */
+
+static bool guard_acts(const struct sim *sim)
+{
+    return sim->plan.guard == GUARD_ACT && !sim->stepper.kind->adaptive;
+}
 
 /* Is there a watch that reads what the look at the energies leaves: bodies where the step has ended? */
 static bool looks_always(const struct sim *sim)
@@ -27,6 +33,12 @@ static bool looks_always(const struct sim *sim)
            effect_wish(&sim->scene->effects, EFFECT_LEDGER) == WISH_ON;
 }
 
+/* Until it converges: as often again where the guard may have used them up. */
+static int halvings(const struct sim *sim)
+{
+    return guard_acts(sim) ? 2 * MOST_HALVINGS : MOST_HALVINGS;
+}
+
 void advance_open(struct sim *sim, struct arena *life)
 {
     sim->keep = TAKE(life, struct single, 1);
@@ -34,10 +46,11 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->look = TAKE(life, struct single, 1);
     single_open(sim->look, sim->stepper.ode, life);
     sim->stepper.guess = sim->guess;
-    sim->onto_records = !adaptive_interpolates(&sim->stepper);
+    sim->onto_records = !adaptive_interpolates(&sim->stepper) || sim->needs & NEED_WORKS;
     sim->stepper.natural =
         sim->stepper.ode->n > 0 && sim->stepper.kind->adaptive && (!sim->onto_records || events_watched(sim));
-    sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system);
+    sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system) ||
+                   guard_acts(sim);
     sim->looks_always = looks_always(sim);
     sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;
 }
@@ -92,12 +105,14 @@ static enum status undo(struct sim *sim, double t)
     return stepper_start(&sim->stepper, &sim->x, &sim->trouble);
 }
 
-/* Has the step that was booked last gone over a corner that it had better met? */
+/* Has the step that was booked last gone over a corner that it had better met?  Or, where the guard acts, lost the balance
+ * at all? */
 static bool spoilt(const struct sim *sim)
 {
     const struct ledger *l = &sim->ledger;
-    if (!sim->stepper.kind->points || !system_may_bend(sim->system)) return false;
-    return fabs(l->residual - sim->kept.residual) > SPOILT * l->delta * l->norm && system_bent(sim->system);
+    const bool acts = guard_acts(sim);
+    if (!acts && (!sim->stepper.kind->points || !system_may_bend(sim->system))) return false;
+    return fabs(l->residual - sim->kept.residual) > SPOILT * l->delta * l->norm && (acts || system_bent(sim->system));
 }
 
 /* Watched: is the step to be undone that was taken in the chart of number `chart`? */
@@ -111,13 +126,15 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
     const bool divisible = depth < MOST_HALVINGS, watched = sim->watched;
     const double t = sim->x.t;
     const long chart = watched ? system_charts(sim->system) : 0;
+    if (depth < sim->guard.depth) return halve(sim, h, ratio, to, depth);
     if (watched) keep(sim);
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
-    if (status == E_NUMERIC && divisible) return halve(sim, h, ratio, to, depth);
+    if (status == E_NUMERIC && depth < halvings(sim)) return halve(sim, h, ratio, to, depth);
     TRY(status);
     TRY(book(sim));
     if (watched && divisible && wrong(sim, chart)) {
         TRY(undo(sim, t));
+        if (guard_acts(sim)) guard_part(sim, depth + 1);
         return halve(sim, h, ratio, to, depth);
     }
     const int pole = watched ? system_pole(sim->system) : -1;
@@ -154,6 +171,10 @@ static enum status halve(struct sim *sim, double h, int ratio, double to, int de
 
 enum status advance(struct sim *sim, double h, int ratio, double to)
 {
+    if (sim->guard.depth > 0 && sim->guard.calm++ == CALM) {
+        sim->guard.calm = 0;
+        sim->guard.depth--;
+    }
     return step(sim, h, ratio, to, 0);
 }
 

@@ -249,6 +249,10 @@ static void add_contact(struct listing *l, int i)
 {
     const struct model_contact *c = &l->m->contact[i];
     const struct origin origin = {.of = own(l, c->name, l->scene->contact[i].node), .index = i};
+    if (c->pair == PAIR_FRICTION) {
+        add_angular(l, columns_joint_friction, origin, c->angular);
+        return;
+    }
     add_angular(l, columns_contact, origin, c->angular);
     if (c->across) add_rows(l, columns_rubbing, origin);
 }
@@ -309,6 +313,7 @@ const struct column_table column_tables[] = {
     {"F", "forces at points", columns_load},
     {"F", "bushings", columns_bushing},
     {"D", NULL, columns_drive},
+    {"J", "with friction", columns_joint_friction},
     {"C", "rigid stops and contacts", columns_contact},
     {"C", "with friction", columns_rubbing},
     {"energy", NULL, columns_energy},

@@ -24,10 +24,11 @@ enum column_use {
 
 /* What a column needs besides EVALUATE_... of system.h. */
 enum {
-    NEED_TURNS = 1 << 8,    /* the whole turns of joints that close loops */
-    NEED_RATES = 1 << 9,    /* of a mechanism with loops the rates of all joints */
-    NEED_ENERGY = 1 << 10,  /* the ledger as it stands at the instant */
-    NEED_MOMENTUM = 1 << 11 /* momenta that are kept to round-off */
+    NEED_TURNS = 1 << 8,     /* the whole turns of joints that close loops */
+    NEED_RATES = 1 << 9,     /* of a mechanism with loops the rates of all joints */
+    NEED_ENERGY = 1 << 10,   /* the ledger as it stands at the instant */
+    NEED_MOMENTUM = 1 << 11, /* momenta that are kept to round-off */
+    NEED_WORKS = 1 << 12     /* works there: the instant is the end of a step */
 };
 
 /* A row: one quantity of one sort of thing. */
@@ -56,8 +57,8 @@ extern const struct column_kind columns_time[], columns_coordinate[], columns_lo
     columns_loop_reaction[], columns_tie[], columns_rod[], columns_gear[], columns_mode[], columns_beam_stress[],
     columns_beam_shear[], columns_solid_stress[], columns_von_mises[], columns_body[], columns_point[],
     columns_bent_point[], columns_measure[], columns_law[], columns_load[], columns_bushing[], columns_drive[],
-    columns_energy[], columns_impact[], columns_contact[], columns_rubbing[], columns_momentum[], columns_step[],
-    columns_formula[];
+    columns_energy[], columns_impact[], columns_contact[], columns_rubbing[], columns_joint_friction[],
+    columns_momentum[], columns_step[], columns_formula[];
 
 /* The tables by sorts of things, for the manual; a last one without rows. */
 struct column_table {

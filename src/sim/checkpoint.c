@@ -1,6 +1,7 @@
 /* checkpoint.c -- see checkpoint.h */
 #include "sim/checkpoint.h"
 
+#include <assert.h>
 #include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
@@ -63,17 +64,22 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_one(r, "seen", sim->place.seen);
     recall_one(r, "bytes", *bytes);
     recall_one(r, "rows", sim->rows);
+    recall_one(r, "recorded", sim->recorded);
     recall_one(r, "warnings", sim->warnings);
     recall_one(r, "rejected", sim->rejected);
     recall_one(r, "cut", sim->cut);
     recall_one(r, "balance_told", sim->guard.told);
     recall_one(r, "balance_t", sim->guard.t);
+    recall_one(r, "guard_acted", sim->guard.acted);
+    recall_one(r, "guard_depth", sim->guard.depth);
+    recall_one(r, "guard_calm", sim->guard.calm);
     recall_each(r, "pass_x", sim->pass, d[0], sim->npass);
     recall_each(r, "pass_y", sim->pass, d[1], sim->npass);
     recall_each(r, "pass_z", sim->pass, d[2], sim->npass);
     recall_each(r, "pass_reported", sim->pass, reported, sim->npass);
     effort_recall(&sim->stepper.effort, r);
     trust_recall(sim, r);
+    if (sim->neglects.n) neglects_recall(sim, r);
     recall_without(r);
 }
 
@@ -136,7 +142,7 @@ bool checkpoint_due(struct sim *sim)
 static enum status check_place(const char *path, struct report *report)
 {
     char head[sizeof MAGIC];
-    FILE *file = fopen(path, "re");
+    FILE *file = file_to_read(path);
     if (!file) return OK; /* it is not there, or writing it will tell */
     const size_t n = fread(head, 1, sizeof MAGIC - 1, file);
     (void)fclose(file);
@@ -222,6 +228,7 @@ enum status checkpoint_take(struct sim *sim, const char *path, const char *forma
     char *text = NULL;
     long written = 0;
     TRY(read_file(&text, path, life, report));
+    assert(text);
     struct recalled *span = TAKE(life, struct recalled, count_lines(text + HEAD));
     recall_back(&r, span, split(span, text + HEAD));
     TRY(check_owner(sim, &r, format, path, report));

@@ -139,6 +139,7 @@ enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *l
     const struct catalogue *c = &sim->catalogue;
     catalogue_build(&sim->catalogue, sim->scene, sim->model, life);
     TRY(refuse_twins(sim, diags, life));
+    TRY(signals_open(sim, diags, life));
     if (sim->options.counting)
         TRY(choose_counted(sim, diags, life));
     else if (sim->scene->output.ncolumn)

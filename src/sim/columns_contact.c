@@ -48,6 +48,19 @@ const struct column_kind columns_contact[] = {
     {0},
 };
 
+static double rubs(const struct sim *sim, const struct origin *o)
+{
+    return touch_state(sim->stepper.touch, o->index)->force[1];
+}
+
+const struct column_kind columns_joint_friction[] = {
+    {COLUMN(".friction", ".friction", "N",
+            "its friction on the second body, along the coordinate, mean over the last step", EVALUATE_NOTHING, rubs),
+     .angular = "N m"},
+    {COLUMN(".friction_state", ".friction_state", NULL, "1: it moves, 2: it sticks", EVALUATE_NOTHING, state)},
+    {0},
+};
+
 static double tangential(const struct sim *sim, const struct origin *o)
 {
     return touch_state(sim->stepper.touch, o->index)->force[1 + o->k];

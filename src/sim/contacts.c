@@ -1,15 +1,21 @@
 /* contacts.c -- rigid contacts of a run: schemes that take them, the start, events */
 #include <math.h>
-#include <string.h>
 
 #include "engine/touch.h"
+#include "loop/condense.h"
+#include "multirate/schemes.h"
 #include "sim/parts.h"
 
 /* Behind a hint: only stops may be compliant. */
 static const char *give_way(const struct sim *sim)
 {
-    return sim->model->contact[0].pair == PAIR_STOP ? "; or make the stop compliant, range: {hold: {stiffness: 1.0e+6}}"
+    return sim->scene->contact[0].pair == PAIR_STOP ? "; or make the stop compliant, range: {hold: {stiffness: 1.0e+6}}"
                                                     : "";
+}
+
+static const char *what_it_does(const struct sim *sim)
+{
+    return sim->scene->contact[0].pair == PAIR_FRICTION ? "has friction" : "is a rigid contact";
 }
 
 /* Rigid contacts cut steps at impacts: that is written for the midpoint rule. */
@@ -17,32 +23,32 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
     const struct step_options *o = p->options;
-    const char *name = sim->scene->contact[0].name;
+    const char *name = sim->scene->contact[0].name, *what = what_it_does(sim);
     const struct node *scheme = node_find(p->node, "scheme"), *tolerance = node_find(p->node, "tolerance"),
                       *ratio = node_find(p->node, "ratio");
-    const bool single = strcmp(p->scheme, "midpoint") == 0 || (strcmp(p->scheme, "subcycle") == 0 && p->ratio == 1);
+    const struct stepper_kind *kind = stepper_find(p->scheme);
+    const bool rates = kind && kind->single && kind->single->cut,
+               single = kind && (kind->cut || (rates && p->ratio == 1));
     if (o->tolerance > 0 && single) {
         diag_error(diags, tolerance ? tolerance : p->node, AT_KEY, "E-scheme-contact",
-                   "'%.60s' is a rigid contact: it needs a 'step', not a 'tolerance'", name);
+                   "'%.60s' %s: it needs a 'step', not a 'tolerance'", name, what);
         diag_hint(diags, "give 'step'%s", give_way(sim));
         return E_DECK;
     }
     if (single && o->order == 4) {
         diag_error(diags, node_find(p->node, "order"), AT_VALUE, "E-scheme-contact",
-                   "'%.60s' is a rigid contact: steps of order 4 go back in time, which impacts do not", name);
+                   "'%.60s' %s: steps of order 4 go back in time, which impacts and friction do not", name, what);
         diag_hint(diags, "order: 2%s", give_way(sim));
         return E_DECK;
     }
     if (single) return OK;
-    const bool rates = strcmp(p->scheme, "subcycle") == 0;
     diag_error(diags,
                rates && ratio ? ratio
                : scheme       ? scheme
                               : p->node,
                AT_VALUE, "E-scheme-contact",
-               rates ? "'%.60s' is a rigid contact: subcycle takes those at ratio 1 only"
-                     : "'%.60s' is a rigid contact: only scheme midpoint takes those",
-               name);
+               rates ? "'%.60s' %s: %s takes those at ratio 1 only" : "'%.60s' %s: only scheme midpoint takes those",
+               name, what, p->scheme);
     diag_hint(diags, "%s%s", rates ? "set 'ratio' to 1" : "write 'scheme: midpoint', or leave it out", give_way(sim));
     return E_DECK;
 }
@@ -51,9 +57,33 @@ enum status sim_without_contacts(const struct sim *sim, const char *what, struct
 {
     if (sim->model->ncontact == 0) return OK;
     return fail(report, E_MODEL,
-                "%s: '%.60s' is a rigid contact, which small motions and equilibria do not know: delete it for "
-                "them%s [E-contact-linear]",
-                what, sim->model->contact[0].name, give_way(sim));
+                "%s: '%.60s' %s, which small motions and equilibria do not know: delete it for them%s "
+                "[E-contact-linear]",
+                what, sim->model->contact[0].name, what_it_does(sim), give_way(sim));
+}
+
+/* Friction in a joint needs its force, which dynamics tell only where there is one. */
+static enum status check_reactions(const struct sim *sim, struct report *report)
+{
+    const struct model *m = sim->model;
+    const struct model_contact *loose = NULL;
+    if (!system_loops(sim->system)) return OK;
+    struct arena *scratch = arena_open();
+    bool *unique = TAKE(scratch, bool, m->nloop), *unique_joint = TAKE(scratch, bool, m->njoint);
+    condense_mark(system_loops(sim->system), unique, unique_joint);
+    for (int i = 0; i < m->ncontact && !loose; i++) {
+        const struct model_contact *c = &m->contact[i];
+        if (c->pair != PAIR_FRICTION || !(c->law.holding > 0)) continue;
+        if (!(c->joint >= 0 ? unique_joint[c->joint] : unique[c->loop])) loose = c;
+    }
+    arena_close(scratch);
+    if (!loose) return OK;
+    return fail(
+        report, E_MODEL,
+        "no start: the force in '%.60s' is not unique, for its loop is held more often than it needs, and so its "
+        "friction is not; free what holds it twice, or give the friction itself: friction: {%s} "
+        "[E-friction-reaction]",
+        loose->name, loose->angular ? "torque: 0.1" : "force: 1");
 }
 
 enum status contacts_begin(struct sim *sim, struct report *report)
@@ -61,6 +91,7 @@ enum status contacts_begin(struct sim *sim, struct report *report)
     int i;
     double overlap;
     struct trouble why = {0};
+    TRY(check_reactions(sim, report));
     const enum status status = touch_begin(sim->stepper.touch, &i, &overlap, &sim->x, sim->plan.step, &why);
     if (status != OK) return describe_trouble(sim, &why, E_MODEL, report);
     if (i < 0) return OK;

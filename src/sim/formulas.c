@@ -1,4 +1,5 @@
-/* formulas.c -- columns that are expressions of other columns, printed or not, and of parameters.
+/* formulas.c -- columns that are expressions of other columns, printed or not, and of parameters: the deck's own, and its
+ * signals.
  *
  * They are made when a record is written, of what the other columns say there: no force and no condition reads them. */
 #include <stdio.h>
@@ -17,6 +18,17 @@ static double formula_value(const struct sim *sim, const struct origin *o)
 
 const struct column_kind columns_formula[] = {
     {COLUMN("", "", NULL, "expression of the deck", EVALUATE_NOTHING, formula_value)},
+    {0},
+};
+
+/* Of a table of time. */
+static double table_value(const struct sim *sim, const struct origin *o)
+{
+    return signal_value(&sim->scene->signal[o->index].table, &sim->x.t);
+}
+
+static const struct column_kind columns_table[] = {
+    {COLUMN("", "", NULL, "table of the deck", EVALUATE_NOTHING, table_value)},
     {0},
 };
 
@@ -82,7 +94,8 @@ static enum status add_formula(struct sim *sim, const struct output_column *colu
         diag_error(diags, column->node, AT_KEY, "E-duplicate-name", "'%.60s' is a column already", column->name);
         return E_DECK;
     }
-    TRY(deck_expr(&expr, column->node, &(struct expr_names){find_slot, &naming}, (struct deck *)sim->scene->deck));
+    TRY(deck_expr(&expr, column->node, &(struct expr_names){.find = find_slot, .self = &naming},
+                  (struct deck *)sim->scene->deck));
     f->expr = expr;
     f->x = TAKE(life, double, f->n);
     struct owner *of = TAKE(life, struct owner, 1);
@@ -93,11 +106,34 @@ static enum status add_formula(struct sim *sim, const struct output_column *colu
     return OK;
 }
 
+static void add_table(struct sim *sim, int index, struct arena *life)
+{
+    const struct scene_signal *s = &sim->scene->signal[index];
+    struct owner *of = TAKE(life, struct owner, 1);
+    *of = (struct owner){.name = s->name, .node = s->node};
+    const struct origin origin = {columns_table, .of = of, .index = index};
+    catalogue_add(&sim->catalogue, s->name, columns_table->unit, &origin, life);
+}
+
+enum status signals_open(struct sim *sim, struct diags *diags, struct arena *life)
+{
+    const struct scene *scene = sim->scene;
+    enum status status = OK;
+    sim->formula = TAKE(life, struct formula, scene->nsignal + scene->output.ncolumn);
+    for (int i = 0; i < scene->nsignal; i++) {
+        const struct output_column column = {scene->signal[i].name, scene->signal[i].node, -1};
+        if (scene->signal[i].is_table)
+            add_table(sim, i, life);
+        else if (add_formula(sim, &column, diags, life) != OK)
+            status = E_DECK;
+    }
+    return status;
+}
+
 enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *life)
 {
     const struct output *out = &sim->scene->output;
     enum status status = OK;
-    sim->formula = TAKE(life, struct formula, out->ncolumn);
     for (int i = 0; i < out->ncolumn; i++)
         if (out->column[i].name && add_formula(sim, &out->column[i], diags, life) != OK) status = E_DECK;
     return status;

@@ -32,7 +32,8 @@ static int least_resolved(double *omega_h, const struct sim *sim, struct arena *
     return worst;
 }
 
-static void describe(char *text, size_t size, const struct sim *sim, double share)
+/* Behind the n characters of text: what the step does not resolve, if that is known. */
+static void add_cause(char *text, size_t size, int n, const struct sim *sim)
 {
     enum { MANY = 500 };
     static const double RESOLVED = .5;
@@ -40,11 +41,25 @@ static void describe(char *text, size_t size, const struct sim *sim, double shar
     struct arena *scratch = arena_open();
     const int i =
         sim->stepper.ode->n <= MANY && !sim->stepper.kind->adaptive ? least_resolved(&omega_h, sim, scratch) : -1;
-    int n = snprintf(text, size, "the energy balance is off by %.3g of ||W||, for the first time", share);
     if (i >= 0 && omega_h > RESOLVED)
         snprintf(text + n, size - (size_t)n, ": the step does not resolve '%.80s' (omega h = %.3g)",
                  sim_coordinate_name(sim, i), omega_h);
     arena_close(scratch);
+}
+
+void guard_part(struct sim *sim, int depth)
+{
+    char text[240];
+    sim->guard.calm = 0;
+    if (depth <= sim->guard.depth) return;
+    if (sim->guard.depth == 0 && !sim->guard.acted) {
+        const int n =
+            snprintf(text, sizeof text, "the energy balance is lost within a step, which is taken in parts from here");
+        add_cause(text, sizeof text, n, sim);
+        sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
+        sim->guard.acted = true;
+    }
+    sim->guard.depth = depth;
 }
 
 enum status guard_look(struct sim *sim, struct sink *sink, struct report *report)
@@ -55,7 +70,8 @@ enum status guard_look(struct sim *sim, struct sink *sink, struct report *report
     if (!(share > l->delta) || sim->guard.told || sim->stepper.effort.majors < SOON) return OK;
     sim->guard.told = true;
     sim->guard.t = sim->x.t;
-    describe(text, sizeof text, sim, share);
+    const int n = snprintf(text, sizeof text, "the energy balance is off by %.3g of ||W||, for the first time", share);
+    add_cause(text, sizeof text, n, sim);
     sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
     return sink_event(sink, sim->x.t, "balance", text, report);
 }

@@ -13,8 +13,9 @@ int sim_settings(const struct sim *sim, struct pair *facts, int most)
     const struct model *m = sim->model;
     const struct stepper_kind *kind = sim->stepper.kind;
     int n = 0;
-    if (most < 17) return 0;
+    if (most < 18) return 0;
     facts[n++] = pair_text("scheme", kind->name);
+    if (p->because) facts[n++] = pair_text("auto", p->because);
     facts[n++] = pair_number("step", p->step);
     if (!kind->adaptive) facts[n++] = pair_number("ratio", p->ratio);
     if (sim->scene->start != 0) facts[n++] = pair_number("start", sim->scene->start);
@@ -65,7 +66,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     int n = 0;
-    if (most < 24) return 0;
+    if (most < 26) return 0;
     facts[n++] = pair_text("status", status_word(sim));
     facts[n++] = pair_number("exit", sim->status);
     facts[n++] = pair_number("t_end", sim->x.t);
@@ -90,6 +91,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
     n += trust_facts(sim, facts + n);
+    n += neglects_facts(sim, facts + n);
     if (sim->nspin) facts[n++] = pair_bool("buckling_speed_passed", spins_passed(sim));
     return n;
 }
@@ -124,6 +126,7 @@ void print_plan(const struct sim *sim)
     if (sim->scene->start != 0) fprintf(to, ", from t = %g s", sim->scene->start);
     fprintf(to, "%s to t = %g s%s, %ld records of %d columns\n", sim->scene->start != 0 ? "" : ",", p->until,
             sim->watch.slot ? " at the latest" : "", records(sim), sim->chosen.n);
+    if (p->because) fprintf(to, "auto: %s\n", p->because);
     if (sim->forgets)
         fprintf(to, "from the state coordinates and rates alone (%s): not to the last bit one run\n", sim->forgets);
 }
@@ -160,6 +163,7 @@ void warn_at_end(struct sim *sim)
     warn_of_misfits(sim);
     warn_of_deflections(sim);
     warn_of_trust(sim);
+    warn_of_neglects(sim);
 }
 
 /* "61.9 kJ" */
@@ -201,8 +205,11 @@ void print_end(const struct sim *sim, double wall)
     if (e->rejected) fputc(')', to);
     fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; %.3g s\n", e->slow, e->fast, e->factors,
             wall);
+    if (isfinite(sim->plan.foretold))
+        fprintf(to, "auto: %s, foretold %.2g evaluations\n", sim->stepper.kind->name, sim->plan.foretold);
     print_balance(l, to);
     print_trust(sim, to);
+    print_neglects(sim, to);
 }
 
 const char *place_of(char *text, size_t size, const struct sim *sim, const struct node *node)

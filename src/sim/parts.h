@@ -72,6 +72,8 @@ enum status contacts_press(struct sim *sim);
 enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report);
 /* guard.c: where energies have been looked at: the first sign of a balance that is lost */
 enum status guard_look(struct sim *sim, struct sink *sink, struct report *report);
+/* It acts: major steps are taken in 2^depth parts from here. */
+void guard_part(struct sim *sim, int depth);
 
 /* checkpoint.c: at the end of a step, its place in sim->place: is one due?  All that the run needs to go on. */
 bool checkpoint_due(struct sim *sim);
@@ -125,7 +127,8 @@ void warn_of_misfits(struct sim *sim);
 void jumps_open(struct sim *sim, struct arena *life);
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);
 
-/* formulas.c: the deck's expressions of columns join the catalogue */
+/* formulas.c: the deck's signals, and then its expressions of columns, join the catalogue */
+enum status signals_open(struct sim *sim, struct diags *diags, struct arena *life);
 enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *life);
 
 /* flatten.c: steps in a plane where the motion stays in one; after the watches that look at turns in space */
@@ -147,6 +150,14 @@ void trust_find(struct sim *sim);
 int trust_facts(const struct sim *sim, struct pair *facts);
 void warn_of_trust(struct sim *sim);
 void print_trust(const struct sim *sim, FILE *to);
+
+/* neglects.c: what effects turned off by the deck would change */
+void neglects_open(struct sim *sim, struct arena *life);
+void neglects_note(struct sim *sim);
+void neglects_recall(struct sim *sim, struct recall *r);
+int neglects_facts(const struct sim *sim, struct pair *facts);
+void warn_of_neglects(struct sim *sim);
+void print_neglects(const struct sim *sim, FILE *to);
 
 /* rest.c: moves sim->x to a stable static equilibrium near it, at rest */
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);

@@ -33,8 +33,11 @@ static void fill_in(struct sim *sim, struct arena *life)
     struct integrate *p = &sim->plan;
     const struct step_options *o = p->options;
     const struct node *scheme = node_find(p->node, "scheme");
+    const bool any = strcmp(p->scheme, "auto") == 0; /* nobody has chosen */
+    if (any && p->step > 0 && !(o->tolerance > 0)) p->scheme = "midpoint";
+    if (any && o->tolerance > 0) p->scheme = "dopri5";
     if (p->step > 0) return;
-    if (p->scheme == sim->scene->integrate.scheme && (!scheme || scheme->implied))
+    if (any || (p->scheme == sim->scene->integrate.scheme && !p->because && (!scheme || scheme->implied)))
         p->scheme = sim->scene->ncontact ? "midpoint" : "dopri5";
     const struct stepper_kind *kind = stepper_find(p->scheme);
     if (o->tolerance > 0 || node_find(p->node, "tolerance") || !kind || !(kind->adaptive || kind->tolerant)) return;

@@ -50,6 +50,88 @@ static bool find_pulse(struct within *o, const struct signal *s, const struct si
     return false;
 }
 
+/* ---- smooth ones ---- */
+
+/* A function of t alone that has no corners in the way, over the steps of a run.  Its bounds over stretches of time tell
+ * where nothing can be, so that a bell in an hour of seconds is found by some dozens of them; left: how many more it may
+ * take. */
+struct look {
+    const struct signal *s;
+    double t0, h;
+    double whole; /* all that it does in the run */
+    long left;
+};
+
+static bool bounds(struct expr_span *o, struct look *l, double a, double b)
+{
+    l->left--;
+    return expr_span(o, l->s->expr, &a, &b) && isfinite(o->lo) && isfinite(o->hi);
+}
+
+/* By parts of the run, since bounds of all of it may be far too wide; NAN: not known. */
+static double whole_of(struct look *l, double until)
+{
+    enum { PARTS = 64 };
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < PARTS; i++) {
+        struct expr_span o;
+        const double part = (until - l->t0) / PARTS;
+        if (!bounds(&o, l, l->t0 + i * part, l->t0 + (i + 1) * part)) continue;
+        low = fmin(low, o.lo);
+        high = fmax(high, o.hi);
+    }
+    return high >= low ? high - low : NAN;
+}
+
+/* A time from a to b at which it is not from low to high. */
+static bool strays(double *t, struct look *l, double a, double b, double low, double high, int depth)
+{
+    struct expr_span o;
+    const double middle = a + (b - a) / 2, x = at(l->s, middle);
+    *t = middle;
+    if (x < low || x > high) return true;
+    if (depth == 0 || l->left <= 0 || (bounds(&o, l, a, b) && o.lo >= low && o.hi <= high)) return false;
+    return strays(t, l, a, middle, low, high, depth - 1) || strays(t, l, middle, b, low, high, depth - 1);
+}
+
+/* The same in one of the steps from number k to n, of what its ends show of it; o: that step, and when. */
+static bool strays_in_a_step(struct within *o, struct look *l, long k, long n)
+{
+    enum { HALVINGS = 10 };
+    static const double FLAT = .05, PART = .25; /* of all that it does */
+    struct expr_span span;
+    const double a = l->t0 + (double)k * l->h, b = l->t0 + (double)n * l->h;
+    if (l->left <= 0 || (bounds(&span, l, a, b) && span.hi - span.lo <= FLAT * l->whole)) return false;
+    if (n > k + 1) return strays_in_a_step(o, l, k, k + (n - k) / 2) || strays_in_a_step(o, l, k + (n - k) / 2, n);
+    const double x = at(l->s, a), y = at(l->s, b), more = PART * l->whole;
+    *o = (struct within){.begin = a, .end = b};
+    return strays(&o->first, l, a, b, fmin(x, y) - more, fmax(x, y) + more, HALVINGS);
+}
+
+static bool find_stray(struct within *o, const struct signal *s, const struct sim *sim, double h)
+{
+    enum { LEAST = 4000, MOST = 40000 };
+    int slot[2] = {0, 0};
+    const double steps = ceil((sim->plan.until - sim->scene->start) / h - 1e-9);
+    if (!s->expr || expr_reads(s->expr, slot, 2) != 1 || slot[0] != 0 || !(steps < 1e12)) return false;
+    struct look l = {.s = s, .t0 = sim->scene->start, .h = h, .left = (long)fmax(LEAST, fmin(MOST, steps / 4))};
+    l.whole = whole_of(&l, sim->plan.until);
+    return l.whole > 0 && strays_in_a_step(o, &l, 0, (long)steps);
+}
+
+static void warn_of_stray(const struct sim *sim, const struct signal *s, const char *name, const struct node *n,
+                          double h, struct diags *diags)
+{
+    struct within o;
+    if (!find_stray(&o, s, sim, h)) return;
+    diag_warn(
+        diags, n, AT_VALUE, "W-pulse",
+        "'%.60s' is %.4g at t = %.9g s, but %.4g and %.4g at the ends of its step, %.9g and %.9g s: what is between "
+        "may be missed",
+        name, at(s, o.first), o.first, at(s, o.begin), at(s, o.end), o.begin, o.end);
+    diag_hint(diags, "a step must be a part of the time in which it comes and goes");
+}
+
 void warn_of_pulses(const struct sim *sim, struct diags *diags)
 {
     const struct model *m = sim->model;
@@ -62,6 +144,8 @@ void warn_of_pulses(const struct sim *sim, struct diags *diags)
         bool found = false;
         const double h = sim->plan.step * (fast && m->force[i].cls == FAST ? 1 : sim->plan.ratio);
         for (int k = 0; k < 3 && !found; k++) found = find_pulse(&o, &m->force[i].value[k], sim, h);
+        for (int k = 0; k < 3 && !found; k++)
+            warn_of_stray(sim, &m->force[i].value[k], m->force[i].name, value ? value : n, h, diags);
         if (!found) continue;
         diag_warn(diags, value ? value : n, AT_VALUE, "W-pulse",
                   "'%.60s' changes at t = %.9g s and at %.9g s, within one step of %.6g s, which may miss what is "

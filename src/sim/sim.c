@@ -150,6 +150,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     if (sim->stepper.touch) sim->press = TAKE(life, double, sim->stepper.ode->contact->nrow);
     TRY(start(sim, diags, report));
     trust_open(sim, life);
+    neglects_open(sim, life);
     return memory_take(sim, life, report);
 }
 

@@ -15,6 +15,7 @@
 #include "out/sink.h"
 #include "scene/scene.h"
 #include "sim/catalogue.h"
+#include "sim/neglects.h"
 #include "sim/trust.h"
 #include "system/idle.h"
 
@@ -98,7 +99,9 @@ struct sim {
     bool cut;            /* and it ended where no step of a longer run does */
     const char *forgets; /* why what is in the state besides coordinates is left there; NULL: it is not */
     long rows;
+    double recorded; /* [s] the last of these */
     struct trust trust;
+    struct neglects neglects;
     double min_h; /* smallest minor step taken */
     int nrotation;
     int *rotation;       /* [nrotation] ball and free joints */
@@ -137,9 +140,11 @@ struct sim {
         bool reported;
     } * jump; /* [njump] */
     struct {
-        bool told;
+        bool told, acted;
         double t;
-    } guard; /* the balance has been lost, when */
+        int depth,
+            calm; /* where it acts: halvings that major steps begin with, and major steps since the last one more */
+    } guard;      /* the balance has been lost, when */
     struct run_place {
         bool resumed; /* the run goes on from a checkpoint */
         long step;    /* steps that have been taken: major ones, or those that a scheme chooses */

@@ -16,7 +16,9 @@ static enum status write_row(struct sim *sim, struct sink *sink, struct report *
     enum status status = record_fill(sim);
     if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
     sim->rows++;
+    sim->recorded = sim->x.t;
     trust_note(sim);
+    neglects_note(sim);
     return sink->ops->row(sink, sim->row, report);
 }
 
@@ -43,7 +45,7 @@ static enum status major(struct sim *sim, long k, double to)
     if (fabs(over) > 1e-9 * h * p->ratio) h = (to - sim->x.t) / p->ratio;
     const double from = sim->x.t;
     const enum status status = advance(sim, h, p->ratio, to);
-    if (sim->x.t != from) sim->cut = over != 0 || sim->x.t != to;
+    if (sim->x.t != from || status != OK) sim->cut = over != 0 || sim->x.t != to;
     return status;
 }
 
@@ -70,6 +72,20 @@ static enum status stopped(const struct sim *sim, struct report *report)
     return fail(report, stop_status(), "stopped at t = %.12g s: the limit of %s is reached", sim->x.t, limit);
 }
 
+/* Was the step given up because the run is asked to end?  A major step of very many minor ones is. */
+static bool is_given_up(enum status status)
+{
+    return stop && status == stop_status();
+}
+
+/* Then the run ends where it stands, with a record, if it has none there. */
+static enum status end_here(struct sim *sim, struct sink *sink, struct report *report)
+{
+    if (!sim->looks_always) TRY(check_energies(sim, report));
+    if (sim->recorded != sim->x.t) TRY(write_row(sim, sink, report));
+    return stopped(sim, report);
+}
+
 /* A checkpoint, where one is due. */
 static enum status save(struct sim *sim, long step, long due, double seen, struct report *report)
 {
@@ -94,6 +110,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         const double to = end_of(sim, k);
         if (sim->njump) TRY(jumps_check(sim, to, sink, report));
         enum status status = major(sim, k, to);
+        if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (loops && system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
@@ -106,11 +123,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (due || k % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
         if (sim->saves.stream) TRY(save(sim, k, 0, 0, report));
         if (sim->watch.met) return OK;
-        if (stop && (k < sim->majors || sim->x.t != to)) {
-            if (!sim->looks_always) TRY(check_energies(sim, report));
-            if (!due) TRY(write_row(sim, sink, report));
-            return stopped(sim, report);
-        }
+        if (stop && (k < sim->majors || sim->x.t != to)) return end_here(sim, sink, report);
     }
     return OK;
 }
@@ -123,8 +136,8 @@ static long next_due(const struct sim *sim, long from)
     return k;
 }
 
-/* A record at t inside the last step: the state by the scheme's interpolation, works and the balance as they would be
- * if they went on evenly. */
+/* A record at t inside the last step: the state by the scheme's interpolation, the balance as it would be if it
+ * went on evenly; works are not asked for (NEED_WORKS). */
 static enum status write_between(struct sim *sim, double t, double t0, const struct ledger *before, struct sink *sink,
                                  struct report *report)
 {
@@ -175,6 +188,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const enum status status = advance_naturally(sim, sim->njump          ? seen
                                                           : sim->onto_records ? end_of(sim, k)
                                                                               : until);
+        if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
@@ -182,7 +196,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         TRY(write_due(sim, &k, t0, &before, sink, report));
         TRY(guard_look(sim, sink, report));
         const bool last = sim->watch.met || (stop && sim->x.t < until);
-        if (last && end_of(sim, k - 1) != sim->x.t) TRY(write_row(sim, sink, report));
+        if (last && sim->recorded != sim->x.t) TRY(write_row(sim, sink, report));
         if (k != due) sim->rejected = sim->stepper.effort.rejected;
         if (k != due || i % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
         if (sim->saves.stream) TRY(save(sim, i, k, seen, report));

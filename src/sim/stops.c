@@ -140,8 +140,8 @@ static void rejected(const struct why *o)
 
 static void diverged(const struct why *o)
 {
-    SAY(o, "no convergence, worst at '%s' (%.3g of the tolerance), with steps from %.3g s down to a 1024th",
-        coordinate(o), o->trouble->value, o->sim->plan.step);
+    SAY(o, "no convergence, worst at '%s' (%.3g of the tolerance), with steps from %.3g s down to a %s", coordinate(o),
+        o->trouble->value, o->sim->plan.step, o->sim->plan.guard == GUARD_ACT ? "millionth" : "1024th");
 }
 
 static void jammed(const struct why *o)
@@ -165,6 +165,11 @@ static void smaller_step(const struct why *o)
 
 static void fewer_points(const struct why *o)
 {
+    if (o->sim->scene->contact[o->trouble->index].pair == PAIR_FRICTION) {
+        SAY(o, "friction that presses a joint harder than it slows it wedges it, as a short guide far from its load: a "
+               "longer guide, a smaller coefficient, or another step");
+        return;
+    }
     SAY(o,
         "many points that touch at once, large ratios of masses or more points than hold the body are the usual "
         "cause: fewer points may help, or another step%s",

@@ -151,6 +151,14 @@ static void look_at(struct sim *sim, const struct trust_place *p)
     for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], sqrt(o->sum[i] / DRAWS));
 }
 
+/* A momentum that the scheme keeps: errors of all bodies cancel in it. */
+static bool is_kept(const struct sim *sim, int i, double range)
+{
+    static const double KEPT = 1e-6; /* of the error that it would have */
+    const bool momentum = sim->catalogue.origin[sim->chosen.index[i]].needs & NEED_MOMENTUM;
+    return momentum && range <= KEPT * sim->trust.off[i];
+}
+
 /* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
 static double share(const struct sim *sim, int i)
 {
@@ -158,6 +166,7 @@ static double share(const struct sim *sim, int i)
     const struct trust *o = &sim->trust;
     const double size = fmax(fabs(o->low[i]), fabs(o->high[i])), range = o->high[i] - o->low[i];
     double least = 0;
+    if (is_kept(sim, i, range)) return 0;
     for (int k = 0; k < sim->chosen.n; k++) {
         const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
         if (a == b || (a && b && strcmp(a, b) == 0)) least = fmax(least, fmax(fabs(o->low[k]), fabs(o->high[k])));
@@ -188,11 +197,12 @@ static const char *reason(const struct sim *sim)
 {
     const struct missed *missed = sim->stepper.missed;
     const bool tells = sim->stepper.kind->adaptive || sim->stepper.kind->late;
+    const bool asked = sim->stepper.kind->adaptive || missed->steps > 0; /* two rates composed to order 4 are not */
     if (sim->stepper.ode->n == 0) return NULL;
-    if (!tells) return "its scheme does not tell what its steps leave";
+    if (!tells || !asked) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
     if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
-    if (sim->stepper.touch && touch_pushed(sim->stepper.touch)) return "bodies push each other";
+    if (sim->stepper.touch && touch_pushed(sim->stepper.touch)) return "bodies push or rub each other";
     if (2 * missed->told < missed->steps || missed->told == 0)
         return "too few steps lie between corners of forces or drives";
     return NULL;

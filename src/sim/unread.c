@@ -9,7 +9,7 @@
 
 static bool reads(const struct stepper_kind *kind, const char *key)
 {
-    if (strcmp(key, "step") == 0 || strcmp(key, "ratio") == 0)
+    if (strcmp(key, "step") == 0 || strcmp(key, "ratio") == 0 || strcmp(key, "guard") == 0)
         return !kind->adaptive; /* records fall on ratio * step; with a tolerance they are first guesses */
     return key_find(kind->keys, key) != NULL;
 }
@@ -18,6 +18,7 @@ static bool reads(const struct stepper_kind *kind, const char *key)
 static bool is_default(const struct integrate *p, const char *key)
 {
     if (strcmp(key, "ratio") == 0) return p->ratio == 1;
+    if (strcmp(key, "guard") == 0) return p->guard == GUARD_TELL;
     for (int i = 0; stepper_kinds[i]; i++) {
         const struct key *k = key_find(stepper_kinds[i]->keys, key);
         if (k) return k->flags & KEY_NEUTRAL && key_is_default(k, p->options);
@@ -80,7 +81,7 @@ void warn_of_unread(const struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
     const struct stepper_kind *kind = stepper_find(sim->scene->integrate.scheme);
-    if (sim->options.counting || p->scheme != sim->scene->integrate.scheme || !kind) return;
+    if (sim->options.counting || p->because || p->scheme != sim->scene->integrate.scheme || !kind) return;
     for (int i = 0; i < p->node->count; i++) {
         const struct node *n = p->node->item[i];
         if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0) continue;

@@ -131,6 +131,7 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
     }
     o->work = t.work;
     o->why = t.why;
+    if (o->why) o->stop = t.stop;
     arena_close(own);
     return status;
 }

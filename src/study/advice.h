@@ -33,6 +33,7 @@ struct advice {
     const char *no_steps;       /* why none is advised; NULL: some are, or they resolve nothing */
     double corner;              /* [s] that is said with it; NAN: none is */
     const char *why;            /* why there is no advice; NULL: there is some */
+    struct report stop;         /* and with it, where trial runs stop, what the first of them says; "": they do not */
 };
 
 /* Of the scene that sim has opened, which stands at its start.  diags: of its own, for what the deck's keys are to other

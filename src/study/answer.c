@@ -83,7 +83,7 @@ static void print_digits(const struct study *o, double error, const struct study
 }
 
 /* The most accurate, where none is as accurate as asked for. */
-static void print_nearest(const struct study *o, FILE *to)
+static void print_none(const struct study *o, FILE *to)
 {
     const struct study_row *best = NULL;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
@@ -104,7 +104,7 @@ static void print_level(const struct study *o, double error, FILE *to)
     const struct study_row *r = study_pick(o, error);
     fprintf(to, "error below %.0e: ", error);
     if (!r) {
-        print_nearest(o, to);
+        print_none(o, to);
         return;
     }
     study_print_setting(&r->setting, to);
@@ -167,6 +167,28 @@ static const struct study_row *rival_of(const struct study *o, const struct stud
     return best;
 }
 
+/* The most accurate of one rate, of those that took more work. */
+static const struct study_row *nearest_of(const struct study *o, const struct study_row *two)
+{
+    const struct study_row *best = NULL;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
+        if (r->status == OK && !r->setting.kind->two_rates && r->work > two->work &&
+            (!best || r->errors.worst < best->errors.worst))
+            best = r;
+    return best;
+}
+
+static void print_unmatched(const struct study *o, const struct study_row *two, FILE *to)
+{
+    const struct study_row *one = nearest_of(o, two);
+    fputs(": no run of one rate here is as accurate", to);
+    if (!one) return;
+    fputs("; the most accurate, ", to);
+    study_print_setting(&one->setting, to);
+    fprintf(to, " (%.2g), takes ", one->errors.worst);
+    print_times(one->work / two->work, "the work", "as much work", to);
+}
+
 /* Its own scheme at one rate, at the same step or tolerance. */
 static const struct study_row *twin_of(const struct study *o, const struct study_row *two)
 {
@@ -208,7 +230,7 @@ static void print_two_rates(const struct study *o, const struct stepper_kind *ki
         study_print_setting(&one->setting, to);
         fprintf(to, " (%.2g)", one->errors.worst);
     } else {
-        fputs(": no run of one rate here is as accurate", to);
+        print_unmatched(o, two, to);
     }
     print_why(o, two, to);
     fputc('\n', to);

@@ -52,25 +52,49 @@ enum status flip_run(struct flip *o, const struct scene *scene, double until, st
     return OK;
 }
 
-static double share(const struct outcome *a, int i, const struct outcome *b, int k)
+static double largest(const struct outcome *a, int i)
 {
-    double most = 0, change = 0;
-    for (int row = 0; row < a->rows && row < b->rows; row++) {
-        const double x = outcome_row(a, row)[i], y = outcome_row(b, row)[k];
-        most = fmax(most, fabs(x));
-        change = fmax(change, fabs(y - x));
-    }
-    return most > 0 ? change / most : change > 0 ? INFINITY : 0;
+    double most = 0;
+    for (int row = 0; row < a->rows; row++) most = fmax(most, fabs(outcome_row(a, row)[i]));
+    return most;
+}
+
+/* The column's largest value in a, but no less than what round-off is beside others of its unit; where all of them stay at
+ * 0, its largest in b. */
+static double usual(const struct flip *a, int i, const struct flip *b, int k)
+{
+    static const double LOST = 1e-9;
+    double most = 0;
+    for (int c = 1; c < a->kept.n; c++)
+        if (same_unit(&a->column[c], &a->column[i])) most = fmax(most, largest(&a->kept, c));
+    most = fmax(largest(&a->kept, i), LOST * most);
+    return most > 0 ? most : largest(&b->kept, k);
+}
+
+static double change(const struct outcome *a, int i, const struct outcome *b, int k)
+{
+    double most = 0;
+    for (int row[2] = {-1, -1}; outcome_next(row, a, b);)
+        most = fmax(most, fabs(outcome_row(b, row[1])[k] - outcome_row(a, row[0])[i]));
+    return most;
+}
+
+static int common_times(const struct outcome *a, const struct outcome *b)
+{
+    int n = 0;
+    for (int row[2] = {-1, -1}; outcome_next(row, a, b);) n++;
+    return n;
 }
 
 double flip_change(const char **column, const struct flip *a, const struct flip *b)
 {
     double worst = 0;
     *column = NULL;
+    if (common_times(&a->kept, &b->kept) < 2) return NAN; /* the start tells nothing */
     for (int i = 1; i < a->kept.n; i++) {
         const int k = columns_find(b->sim.columns, b->kept.n, a->column[i].name);
         if (!a->column[i].compared || k < 0) continue;
-        const double x = share(&a->kept, i, &b->kept, k);
+        const double moved = change(&a->kept, i, &b->kept, k), x = moved > 0 ? moved / usual(a, i, b, k) : 0;
         if (*column && !(x > worst)) continue;
         worst = x;
         *column = a->column[i].name;

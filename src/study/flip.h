@@ -17,7 +17,7 @@ enum status flip_run(struct flip *o, const struct scene *scene, double until, st
                      struct report *report);
 
 /* The largest change of a column over its largest value in a, over the time that both ran, and whose; NULL: there is no
- * column to compare. */
+ * column to compare.  What is round-off beside the columns of its unit is none.  NAN: they share no time but the start. */
 double flip_change(const char **column, const struct flip *a, const struct flip *b);
 
 #endif

@@ -64,6 +64,7 @@ struct integrate outcome_plan(struct step_options *how, const struct setting *se
     struct integrate plan = subject->scene->integrate;
     *how = *(const struct step_options *)plan.options;
     how->tolerance = isfinite(setting->tolerance) ? setting->tolerance : 0;
+    if (how->tolerance > 0) how->order = 2; /* what a tolerance is for */
     plan.scheme = setting->kind->name;
     plan.options = how;
     plan.until = subject->until;
@@ -124,6 +125,11 @@ static const double *keep_rest(const struct sim *sim, struct arena *life)
     double *q = TAKE(life, double, sim->model->nq);
     memcpy(q, sim->x.q, sizeof *q * (size_t)sim->model->nq);
     return q;
+}
+
+bool same_unit(const struct outcome_column *a, const struct outcome_column *b)
+{
+    return a->unit == b->unit || (a->unit && b->unit && strcmp(a->unit, b->unit) == 0);
 }
 
 struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life)

@@ -42,6 +42,7 @@ enum status subject_open(struct subject *o, const struct scene *scene, const cha
 
 /* [sim->chosen.n] of a run that is open. */
 struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life);
+bool same_unit(const struct outcome_column *a, const struct outcome_column *b);
 
 /* A way of running the deck: one scheme by a tolerance, or by a step and a ratio; NAN: not by that. */
 struct setting {

@@ -16,7 +16,6 @@ static const double MOST_TRIAL = 10;  /* [s] without a budget */
 static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
 static const double RESTS = 1e-8;     /* of its size: the range of a column that does not move */
 static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less */
-enum { MOST_DENSE = 200 };            /* coordinates up to which full matrices are the cheaper way */
 enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
 
 const char *reference_none(const struct scene *scene)
@@ -37,11 +36,6 @@ static void find_ranges(struct reference *o)
         o->range[c] = high - low;
         o->largest[c] = fmax(fabs(low), fabs(high));
     }
-}
-
-static bool same_unit(const struct outcome_column *a, const struct outcome_column *b)
-{
-    return a->unit == b->unit || (a->unit && b->unit && strcmp(a->unit, b->unit) == 0);
 }
 
 /* What is lost in round-off beside the largest column of its unit: a mode that nothing moves, next to one that bends. */

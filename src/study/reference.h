@@ -48,6 +48,7 @@ void reference_between(struct reference *o, const struct outcome *second, double
                        struct subject *subject, struct arena *life);
 
 /* Is kind among those whose matrices are too large here? */
+enum { MOST_DENSE = 200 }; /* coordinates up to which full matrices are the cheaper way */
 bool too_full(const struct stepper_kind *kind, const struct subject *subject);
 
 /* What is compared ends at `end` from now on, and ranges are of that part. */

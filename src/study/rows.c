@@ -94,7 +94,7 @@ enum status rows_begin(struct rows *o, struct report *report)
 {
     o->first = NAN;
     if (o->line.form == TABLE_DRAWN) return send(o, put_table(stream_begin(o->stream, MOST_LINE), NULL), report);
-    TRY(table_line_open(&o->line, report));
+    table_line_open(&o->line);
     table_line_head(&o->line, columns, COLUMNS);
     return table_line_send(&o->line, o->stream, report);
 }
@@ -118,7 +118,7 @@ enum status rows_put(void *self, const struct study_row *row, struct report *rep
     fill(&cells, row, o);
     if (o->line.form == TABLE_DRAWN)
         return send(o, put_table(stream_begin(o->stream, MOST_LINE + strlen(row->worst)), &cells), report);
-    TRY(table_line_open(&o->line, report));
+    table_line_open(&o->line);
     put_line(&o->line, &cells);
     return table_line_send(&o->line, o->stream, report);
 }
@@ -126,7 +126,7 @@ enum status rows_put(void *self, const struct study_row *row, struct report *rep
 enum status rows_end(struct rows *o, struct report *report)
 {
     if (o->line.form == TABLE_DRAWN) return stream_flush(o->stream, report);
-    TRY(table_line_open(&o->line, report));
+    table_line_open(&o->line);
     table_line_foot(&o->line);
     return table_line_send(&o->line, o->stream, report);
 }

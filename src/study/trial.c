@@ -53,6 +53,7 @@ enum status trial_attempt(struct outcome *o, struct trial *t, const struct setti
     t->used += o->seconds + t->opening;
     t->work += o->work;
     if (stop) return status;
+    if (status == OK && o->status == E_NUMERIC && !t->stop.text[0]) t->stop = o->report;
     if (status != OK || !(o->status == OK || o->status == E_VERDICT || o->over)) o->rows = 0;
     return OK;
 }
@@ -126,7 +127,7 @@ static enum status find_reference(struct trial *t)
     struct outcome loose, tight;
     TRY(find_own(&loose, t));
     if (loose.rows < 2) {
-        t->why = "no trial run of it gets on";
+        t->why = t->stop.text[0] ? "trial runs of it stop" : "no trial run of it gets on";
         return OK;
     }
     const double fine = tight_for(t, &loose), other = fine == LOOSE ? 10 * LOOSE : fine;
@@ -175,6 +176,7 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     TRY(find_reference(o));
     if (!o->why && o->own.share < COVERED) o->no_steps = "trial runs have not come far enough";
     const struct step_options *how = scene->integrate.options;
-    if (how->tolerance > 0) o->no_steps = "the deck has a tolerance, which rules over a step";
+    if (how->tolerance > 0 && !scene->integrate.because)
+        o->no_steps = "the deck has a tolerance, which rules over a step";
     return o->why || o->no_steps ? OK : trial_fixed(o);
 }

@@ -41,6 +41,7 @@ struct trial {
     struct arena *life;
     struct report *report;
     const char *why;            /* it gives nothing */
+    struct report stop;         /* of the first run that stops on the way */
     const char *no_steps;       /* why fixed steps give nothing; NULL: they do, or nothing has come of them */
     double tried_until, corner; /* [s] that is said with it: how far they were tried, a corner; NAN: not */
 };

@@ -62,7 +62,10 @@ static enum status read_row(struct sheet *o, int n, const char **field, const ch
 {
     char *end;
     const long point = strtol(field[0], &end, 10);
-    if (end == field[0] || *end || point < 1 || point > MOST_POINTS || n != o->n)
+    if (end == field[0] || *end || point < 1 || point > MOST_POINTS)
+        return fail(report, E_FILE, "%s:%ld: no row of a sweep: '%.40s' is no number of a point", name, number,
+                    field[0]);
+    if (n != o->n)
         return fail(report, E_FILE, "%s:%ld: no row of a sweep: %d fields, its table has %d", name, number, n, o->n);
     if (point > o->rows || !o->row[point - 1]) return sheet_keep(o, point - 1, field), OK;
     for (int i = 0; i < n; i++)
@@ -78,7 +81,7 @@ enum status sheet_read(struct sheet *o, FILE *file, const char *name, struct rep
     size_t room = 0;
     ssize_t length;
     enum status status = OK;
-    for (long number = 1; status == OK && (length = getline(&line, &room, file)) >= 0; number++) {
+    for (long number = 1; status == OK && (length = line_or_end(&line, &room, '\n', file)) >= 0; number++) {
         int n;
         if (length == 0 || line[length - 1] != '\n') break;
         line[strcspn(line, "\r\n")] = 0;
@@ -120,7 +123,7 @@ static void put_field(struct table_line *line, const struct table_column *column
 
 enum status sheet_begin(const struct sheet *o, struct table_line *line, struct stream *stream, struct report *report)
 {
-    TRY(table_line_open(line, report));
+    table_line_open(line);
     table_line_head(line, o->column, o->n);
     return table_line_send(line, stream, report);
 }
@@ -128,7 +131,7 @@ enum status sheet_begin(const struct sheet *o, struct table_line *line, struct s
 enum status sheet_put(const struct sheet *o, long i, struct table_line *line, struct stream *stream,
                       struct report *report)
 {
-    TRY(table_line_open(line, report));
+    table_line_open(line);
     table_line_begin(line);
     for (int c = 0; c < o->n; c++) put_field(line, &o->column[c], o->row[i][c]);
     table_line_end(line);
@@ -137,7 +140,7 @@ enum status sheet_put(const struct sheet *o, long i, struct table_line *line, st
 
 enum status sheet_end(struct table_line *line, struct stream *stream, struct report *report)
 {
-    TRY(table_line_open(line, report));
+    table_line_open(line);
     table_line_foot(line);
     return table_line_send(line, stream, report);
 }

@@ -11,6 +11,7 @@
 #include "out/number.h"
 #include "sim/load.h"
 #include "sim/sim.h"
+#include "study/auto.h"
 
 enum { SHOWN = 5 };
 static const double FIRST_AFTER = 1, OFTEN = .25; /* [s] */
@@ -59,6 +60,7 @@ static enum status run_point(struct sweep *o, long point, struct tally *tally, s
         set[o->options.nset + f] =
             arena_print(life, "%s=%s", o->points.factor[f].path, points_value(&o->points, point, f, buffer));
     enum status status = sim_load(&scene, o->deck, &deck, diags, life, report);
+    if (status == OK) status = auto_choose(scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     if (status != OK && diags_first(diags)) return fail(report, status, "%s", diags_first(diags));
     TRY(status);
@@ -254,6 +256,55 @@ enum status sweep_check(struct sweep *o, const char *name, struct report *report
     }
     return OK;
 }
+
+/* ---- is what was left of this deck? ---- */
+
+struct again {
+    struct work work;
+    const char *name; /* of the table */
+    const char **was; /* row */
+};
+
+static enum status compare(void *self, int i, const void *bytes, size_t n, struct report *report)
+{
+    const struct again *o = self;
+    const struct sweep *s = o->work.sweep;
+    const struct result *result = bytes;
+    const double *value = (const double *)(result + 1);
+    const char **was = o->was + 1 + s->points.nfactor;
+    (void)n;
+    for (int k = 0; k < s->wanted.n && result->status < E_FILE; k++) {
+        const char *now = text_of(value[k], 0, s->sheet.life);
+        if (strcmp(was[k], now) != 0)
+            return fail(report, E_USAGE,
+                        "%s is of another deck, other settings or another program: at point %ld %.60s is %.40s there "
+                        "and %.40s here; without --resume all points are run",
+                        o->name, o->work.todo[i] + 1, s->wanted.want[k].text, *was[k] ? was[k] : "nothing",
+                        *now ? now : "nothing");
+    }
+    return OK;
+}
+
+/* One that ends from outside says nothing. */
+static enum status forgive(void *self, int i, const struct report *end, struct report *report)
+{
+    (void)self, (void)i, (void)end, (void)report;
+    return OK;
+}
+
+enum status sweep_compare(struct sweep *o, const char *name, struct arena *life, struct report *report)
+{
+    for (long i = 0; i < o->sheet.rows; i++) {
+        if (!o->sheet.row[i] || strcmp(o->sheet.row[i][o->sheet.n - 1], "0") != 0) continue;
+        struct again again = {{.sweep = o, .todo = &i}, name, o->sheet.row[i]};
+        const struct crew crew = {
+            .n = 1, .most = 1, .self = &again.work, .work = work, .hear = compare, .lost = forgive};
+        return crew_run(&crew, life, report);
+    }
+    return OK;
+}
+
+/* ---- the points ---- */
 
 static long *list_todo(int *n, const struct sweep *o, struct arena *life)
 {

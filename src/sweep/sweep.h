@@ -30,6 +30,8 @@ enum status sweep_resolve(struct sweep *o, const struct deck *deck, struct arena
 void sweep_head(struct sweep *o, struct arena *life);
 /* Rows that are there are of these points, and ended for good. */
 enum status sweep_check(struct sweep *o, const char *name, struct report *report);
+/* The first of them that ended well is run again, to see that they are of this deck as well. */
+enum status sweep_compare(struct sweep *o, const char *name, struct arena *life, struct report *report);
 
 /* Rows go to the stream in the order of the points; what ends it early has those that were done, in that order. */
 enum status sweep_run(struct sweep *o, enum table_form form, struct stream *stream, struct arena *life,

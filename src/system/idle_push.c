@@ -11,29 +11,28 @@ struct pushing {
     const struct idle *idle;
     struct system *s;
     const struct ode2 *ode;
-    double *v, *r, *row, *turned; /* [n]; torques along the turns [n of them] */
-    double usual;                 /* largest torque met [N m] */
+    double *v, *r, *turned; /* [n]; torques along the turns [n of them] */
+    double usual;           /* largest torque met [N m] */
     struct arena *scratch;
 };
 
-/* o->turned := J S a, which is Q^ along the turns. */
+/* o->turned := J e.w', which is Q^ along the turns: w' whatever makes it, drives, too. */
 static bool torques(struct pushing *o, const double *q, const double *v, double t)
 {
-    struct inverse M;
     struct trouble why;
     const struct instant x = {.t = t, .q = q, .v = v, .ta = t, .tb = t};
-    const struct arena_mark mark = arena_mark(o->scratch);
-    bool known = o->ode->ops->resid(o->ode, o->r, NULL, NULL, &x, ALL, &why) == OK;
-    for (int i = 0; known && i < o->ode->n; i++) o->usual = fmax(o->usual, fabs(o->r[i]) * ode2_usual(o->ode, i));
-    known = known && inverse_build(&M, o->ode, q, t, o->scratch);
-    if (known) inverse_apply(&M, o->r);
-    for (int i = 0; known && i < o->idle->n; i++) {
+    if (o->ode->ops->resid(o->ode, o->r, NULL, NULL, &x, ALL, &why) != OK) return false;
+    for (int i = 0; i < o->ode->n; i++) o->usual = fmax(o->usual, fabs(o->r[i]) * ode2_usual(o->ode, i));
+    if (system_evaluate(o->s, q, v, t, EVALUATE_ACCELERATION, &why) != OK) return false;
+    for (int i = 0; i < o->idle->n; i++) {
         const struct idle_turn *turn = &o->idle->turn[i];
-        system_spin_row(o->s, o->row, q, t, &(struct turn_axis){turn->body, turn->axis, 1}, 1);
-        o->turned[i] = -turn->inertia * idle_dot(o->row, o->r, o->ode->n);
+        struct pose frame;
+        double al[3];
+        system_pose(o->s, &frame, turn->body);
+        m3_tmul(al, frame.R, frame.al);
+        o->turned[i] = turn->inertia * v3_dot(al, turn->axis);
     }
-    arena_rewind(o->scratch, mark);
-    return known;
+    return true;
 }
 
 /* x := a motion along the turns, each by about 1 rad or 1 rad/s. */
@@ -89,7 +88,7 @@ int idle_pushed(bool *pushed, const struct idle *o, struct system *s, const doub
     struct arena *scratch = arena_open();
     const struct ode2 *ode = system_ode2(s);
     struct pushing p = {.idle = o, .s = s, .ode = ode, .scratch = scratch};
-    double **of[] = {&p.v, &p.r, &p.row};
+    double **of[] = {&p.v, &p.r};
     int first = 0;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) *of[i] = TAKE(scratch, double, ode->n);
     p.turned = TAKE(scratch, double, o->n);
@@ -103,16 +102,27 @@ int idle_pushed(bool *pushed, const struct idle *o, struct system *s, const doub
 
 /* --- rates -------------------------------------------------------------------------------------- */
 
+/* How fast it turns, by drives, too, at the last system_energy_at(). */
+static double spin_of(const struct system *s, const struct idle_turn *turn)
+{
+    double w[3];
+    system_frame_spin(s, w, turn->body);
+    return v3_dot(w, turn->axis);
+}
+
 void idle_still(struct idle *o, struct system *s, const double *q, double *v, double t)
 {
     struct arena *scratch = arena_open();
     const struct ode2 *ode = system_ode2(s);
     double *x = TAKE(scratch, double, ode->n), *row = TAKE(scratch, double, ode->n);
     struct inverse M;
+    struct energies e;
+    struct trouble why;
+    const bool known = o->n > 0 && system_energy_at(s, &e, q, v, t, &why) == OK;
+    for (int i = 0; i < o->n && known; i++) o->turn[i].dropped = spin_of(s, &o->turn[i]);
     for (int i = 0; i < o->n; i++) {
-        struct idle_turn *turn = &o->turn[i];
+        const struct idle_turn *turn = &o->turn[i];
         system_spin_row(s, row, q, t, &(struct turn_axis){turn->body, turn->axis, 1}, 1);
-        turn->dropped = idle_dot(row, v, ode->n);
         for (int k = 0; k < ode->n; k++) x[k] += turn->inertia * turn->dropped * row[k];
     }
     if (o->n && inverse_build(&M, ode, q, t, scratch)) {
@@ -156,9 +166,7 @@ double idle_energy(int *most, const struct idle *o, const struct system *s)
 {
     double sum = 0, top = -1;
     for (int i = 0; i < o->n; i++) {
-        double w[3];
-        system_frame_spin(s, w, o->turn[i].body);
-        const double spin = v3_dot(w, o->turn[i].axis), energy = o->turn[i].inertia * spin * spin / 2;
+        const double spin = spin_of(s, &o->turn[i]), energy = o->turn[i].inertia * spin * spin / 2;
         sum += energy;
         if (energy > top) top = energy, *most = i;
     }

@@ -15,6 +15,7 @@
 #ifndef FMDSUB_SYSTEM_ODE2_H
 #define FMDSUB_SYSTEM_ODE2_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/rate.h"
@@ -130,6 +131,8 @@ struct ode2_touch {
     double restitution;
     double holding, sliding; /* coefficients of friction where it sticks, where it slides */
     int across;              /* directions of friction; 0: smooth */
+    double preload;          /* friction that no push makes, besides */
+    bool joint;              /* friction alone: no gap, row 0 is 0, its push is told by bound() */
     double size;             /* a usual gap: of 1e-12 of it, it is closed */
 };
 struct ode2_contact {
@@ -142,6 +145,10 @@ struct ode2_contact {
      * of the gap, then directions across; b [rows]: rates that come not from v but from what is driven. */
     enum status (*rows)(const struct ode2_contact *o, double *G, double *b, const int *on, const double *q, double t,
                         struct trouble *why);
+    /* N [m], of joints with on[i]: the forces that press there at x, with x->a, while f [nrow] pushes along all rows.
+     * NULL: there are none. */
+    enum status (*bound)(const struct ode2_contact *o, double *N, const int *on, const struct instant *x,
+                         const double *f, struct trouble *why);
 };
 
 struct ode2 {

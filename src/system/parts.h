@@ -43,6 +43,8 @@ enum status flat_evaluate(struct system *s, const double *q, const double *v, do
                           struct trouble *why);
 enum status system_evaluate_itself(struct system *s, const double *q, const double *v, double t, unsigned what,
                                    struct trouble *why);
+/* The joints' forces at x, of the independents, with its a, while contacts push with f. */
+enum status system_joint_forces(struct system *s, const struct instant *x, const double *f, struct trouble *why);
 /* touching.c: rigid contacts, behind the door. */
 void touching_build(struct system *s, struct arena *life);
 

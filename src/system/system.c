@@ -144,6 +144,38 @@ static void push_loops(struct system *s, double t)
     loops_push(s->shown, s->view, s->lambda);
 }
 
+/* All forces, where s->view has s->q, s->v, s->a; then those of the joints. */
+static void load(struct system *s, double t, bool reactions)
+{
+    const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
+    memset(s->r, 0, sizeof *s->r * (size_t)s->model->n);
+    elements_load(s->tree.elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
+    if (reactions && s->loops) push_loops(s, t);
+    if (reactions) s->ops->backward(s->view, s->r, ALL);
+}
+
+static enum status joint_forces(struct system *s, const struct instant *x, struct trouble *why)
+{
+    memcpy(s->q, x->q, sizeof *s->q * (size_t)s->model->nq);
+    if (s->loops) {
+        TRY(condense_multipliers(s->loops, s->v, s->a, s->lambda, x, why));
+    } else {
+        memcpy(s->v, x->v, sizeof *s->v * (size_t)s->model->n);
+        memcpy(s->a, x->a, sizeof *s->a * (size_t)s->model->n);
+    }
+    s->ops->forward(s->view, s->q, s->v, s->a, ALL);
+    load(s, x->t, true);
+    return OK;
+}
+
+enum status system_joint_forces(struct system *s, const struct instant *x, const double *f, struct trouble *why)
+{
+    elements_press(s->tree.elements, s->contacts, f);
+    const enum status status = joint_forces(s, x, why);
+    elements_press(s->tree.elements, NULL, NULL);
+    return status;
+}
+
 static enum status evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
                             struct trouble *why)
 {
@@ -153,7 +185,6 @@ static enum status evaluate(struct system *s, const double *q, const double *v, 
 enum status system_evaluate_itself(struct system *s, const double *q, const double *v, double t, unsigned what,
                                    struct trouble *why)
 {
-    const struct instant x = {.t = t, .q = s->q, .v = s->v, .a = s->a};
     const bool reactions = what & EVALUATE_REACTION, forces = reactions || what & EVALUATE_FORCE,
                accelerations = reactions || what & EVALUATE_ACCELERATION;
     TRY(evaluate_rates(s, q, v, t, why));
@@ -163,12 +194,7 @@ enum status system_evaluate_itself(struct system *s, const double *q, const doub
         s->ops->forward(s->view, s->q, s->v, accelerations ? s->a : NULL, ALL);
     else
         s->ops->move(s->view, s->q, s->v, ALL);
-    if (forces) {
-        memset(s->r, 0, sizeof *s->r * (size_t)s->model->n);
-        elements_load(s->tree.elements, s->view, s->r, NULL, NULL, s->effect, &x, ALL);
-    }
-    if (reactions && s->loops) push_loops(s, t);
-    if (reactions) s->ops->backward(s->view, s->r, ALL);
+    if (forces) load(s, t, reactions);
     if (what & EVALUATE_ENERGY) evaluate_energies(s, &s->energies, s->view, s->q, s->v);
     return OK;
 }
@@ -213,7 +239,6 @@ int system_leap(struct system *s, double *before, double *behind, const double *
 
 void system_set_measure(struct system *s, int measure, double x)
 {
-    if (s->seen) return; /* postures in the plane know them */
     elements_set_measure(s->tree.elements, measure, x);
 }
 

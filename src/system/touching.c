@@ -1,10 +1,14 @@
 /* touching.c -- rigid contacts as the engine sees them: gaps, and rows of the independent coordinates.
  *
  * A row g of the tree becomes G_i - G_d C_qd^-1 C_qi of the independent coordinates, as any generalized force does; what
- * drives bring of its rate is g times the rates of the tree where the independent ones stand still. */
+ * drives bring of its rate is g times the rates of the tree where the independent ones stand still.
+ *
+ * Friction in a joint is pressed by the joint's own force: in a pin by what is across its axis; in a slide likewise, and
+ * where its guide has a length l, at its two ends by |F/2 + M x e/l| + |F/2 - M x e/l|. */
 #include <math.h>
 #include <string.h>
 
+#include "la/vec3.h"
 #include "system/parts.h"
 #include "tree/sizes.h"
 
@@ -34,6 +38,16 @@ static double rate_along(const struct system *s, int contact, int k, const doubl
     return rate;
 }
 
+/* What drives alone move, but for round-off: no force of friction moves the rest. */
+static void clear_driven(double *G, int n, const double *y, int nt)
+{
+    static const double ROUND_OFF = 1e-12;
+    double most = 0, all = 0;
+    for (int i = 0; i < n; i++) most = fmax(most, fabs(G[i]));
+    for (int i = 0; i < nt; i++) all = fmax(all, fabs(y[i]));
+    if (most <= ROUND_OFF * all) memset(G, 0, (size_t)n * sizeof *G);
+}
+
 static enum status rows(const struct ode2_contact *c, double *G, double *b, const int *on, const double *q, double t,
                         struct trouble *why)
 {
@@ -51,8 +65,46 @@ static enum status rows(const struct ode2_contact *c, double *G, double *b, cons
                 condense_reduce(s->loops, G, y, q, t);
             else
                 memcpy(G, y, n * sizeof *G);
+            if (k > 0 && c->of[i].joint) clear_driven(G, (int)door, y, (int)n);
         }
     }
+    return OK;
+}
+
+/* The joint's axis in the world. */
+static void axis_of(const struct system *s, double *e, const struct model_contact *c)
+{
+    const struct model *m = s->model;
+    struct pose first;
+    s->ops->pose(s->view, &first, c->joint >= 0 ? m->joint[c->joint].parent : m->loop[c->loop].first);
+    m3_mul(e, first.R, (c->joint >= 0 ? m->joint[c->joint].Ea : m->loop[c->loop].Ea) + 6);
+}
+
+static double pressed(const struct system *s, const struct model_contact *c)
+{
+    double f[3], n[3], e[3], turn[3], one[3], two[3];
+    if (c->joint >= 0)
+        system_reaction(s, f, n, c->joint);
+    else
+        system_loop_reaction(s, f, n, c->loop);
+    axis_of(s, e, c);
+    v3_axpy(f, -v3_dot(f, e), e);
+    if (!(c->other > 0)) return c->radius * v3_norm(f);
+    v3_cross(turn, n, e);
+    v3_scale(one, .5, f);
+    v3_copy(two, one);
+    v3_axpy(one, 1 / c->other, turn);
+    v3_axpy(two, -1 / c->other, turn);
+    return v3_norm(one) + v3_norm(two);
+}
+
+static enum status bound(const struct ode2_contact *c, double *N, const int *on, const struct instant *x,
+                         const double *f, struct trouble *why)
+{
+    struct system *s = c->self;
+    TRY(system_joint_forces(s, x, f, why));
+    for (int i = 0; i < c->m; i++)
+        if (on[i] && c->of[i].joint) N[i] = pressed(s, &s->model->contact[i]);
     return OK;
 }
 
@@ -69,8 +121,11 @@ void touching_build(struct system *s, struct arena *life)
                                     .holding = c->law.holding,
                                     .sliding = c->law.sliding,
                                     .across = c->across,
+                                    .preload = c->law.preload,
+                                    .joint = c->pair == PAIR_FRICTION,
                                     .size = contact_size(c, length)};
         s->touching.nrow += contact_rows(c);
+        if (of[i].joint && fmax(of[i].holding, of[i].sliding) > 0) s->touching.bound = bound;
     }
     s->row = TAKE(life, double, 3 * m->n);
     s->still = TAKE(life, double, m->n);

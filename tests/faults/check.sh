@@ -65,6 +65,16 @@ expect "check: no trial" "0 1" "$(grep -c '"advice"' "$work/object") $(grep -c '
 "$FMDSUB" check --strict decks/double-pendulum.yaml >"$work/words" 2>"$work/err"
 ended "check: trial runs add no warnings" 0 $? "$work/words" "$work/err"
 
+# Where the run itself stops, that is why nothing is advised, in both words; explain says it, too.
+"$FMDSUB" check tests/hard/locked-drive.yaml >"$work/words" 2>"$work/err"
+ended "check: a drive that locks" 0 $? "$work/words" "$work/err"
+expect "check: a drive that locks, why no advice" "2 0" "$(grep -c -e '^steps: no advice, for trial runs of it stop:$' \
+    -e "^  stopped at t = 0.4429.* s: constraint 'wrist' cannot be kept.*\[dead-point\]$" "$work/words") $(grep -c study "$work/words")" "$work/words"
+"$FMDSUB" check -f json tests/hard/locked-drive.yaml >"$work/object" 2>"$work/err"
+expect "check: a drive that locks, as an object" 2 "$(grep -c -e '"no_advice":.*stop"' -e '"trial_stop":.*dead-point' "$work/object")" "$work/object"
+"$FMDSUB" explain tests/hard/locked-drive.yaml >"$work/words" 2>"$work/err"
+expect "explain: a drive that locks" "1 0" "$(grep -c '^it does not run to its end: stopped at t = 0.4429.*\[dead-point\]$' "$work/words") $(grep -c 'then the run stops' "$work/words")" "$work/words"
+
 # Rigid contacts: neither words send to a study, which has no reference for them.
 deck=decks/bounce-and-roll.yaml compares='a study has no reference for scenes with rigid contacts yet; `fmdsub run --verify` compares two steps'
 "$FMDSUB" check "$deck" >"$work/words" 2>"$work/err"

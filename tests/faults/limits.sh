@@ -31,6 +31,8 @@ for deck in chain free; do
     ended "$deck of 10 000 bodies in 300 MB: run" 0 $? out err
     "$FMDSUB" check -q --max-memory 300M $deck.yaml >out 2>err
     ended "$deck of 10 000 bodies in 300 MB: check" 0 $? out err
+    (ulimit -t 2; exec "$FMDSUB" run -q --set integrate.until=1.0e-3 --set output.every=1.0e-3 --max-memory 300M $deck.yaml) >out 2>err
+    ended "$deck of 10 000 bodies: its first step within 2 s of CPU time" 0 $? out err
 done
 
 "$FMDSUB" check --max-memory 60M chain.yaml >out 2>err
@@ -40,7 +42,7 @@ grep -q 'MB more were needed, and the limit is 60 MB in all (--max-memory' err &
 
 # A spring to the second body makes the iteration matrix a full one: 4 matrices of 72 MB, asked for in the first step.
 { chain 3000; echo 'forces: {tie: {spring: [[0, 1], link3], stiffness: 100}}'; } >full.yaml
-"$FMDSUB" run --max-memory 150M --final-state full.json -o full.csv full.yaml 2>err
+"$FMDSUB" run --max-memory 175M --final-state full.json -o full.csv full.yaml 2>err
 expect "a matrix that is too large: status" 7 $? err
 grep -q 'stopped at t = 0 s: a matrix of all freedoms would take 72 MB' err && ok "a matrix that is too large: told" ||
     not_ok "a matrix that is too large: told" "stderr:" err

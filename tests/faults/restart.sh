@@ -93,3 +93,11 @@ if wanted length; then
         [ -z "$why" ] && ok "restart: length, $scheme" || not_ok "restart: length, $scheme" "$why"
     done
 fi
+
+# Columns may be others: an angle of a joint that closes a loop is counted from where the state is if nobody asked before.
+if wanted columns; then
+    "$FMDSUB" run -q -s constraints.pin4.loop=true --until 1 --every 0.5 --columns 'pin1.angle,pin4.angle' bricard.yaml >whole 2>err
+    "$FMDSUB" run -q -s constraints.pin4.loop=true --until 0.5 --columns pin1.angle --final-state half.json bricard.yaml >first 2>>err
+    "$FMDSUB" run -q -s constraints.pin4.loop=true --until 1 --every 0.5 --columns 'pin1.angle,pin4.angle' -s 'initial={from: half.json, time: keep}' bricard.yaml >rest 2>>err
+    expect "restart: an angle of a loop that was not asked for before" "$(tail -n 1 whole)" "$(tail -n 1 rest)" err
+fi

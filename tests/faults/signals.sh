@@ -33,6 +33,19 @@ for scheme in dopri5 dop853 radau5 radau9; do
         "$? $(sed -n 2p "$work/on.csv") $(tail -n 1 "$work/on.csv" | cut -d , -f 1 | awk '{ printf "%.3f", $1 }')" "$work/err"
 done
 
+# A major step of a million minor ones, of 2 to 20 s, is given up: the run ends where that began, with its record.
+for scheme in subcycle 'subcycle, order: 4' 'subcycle, symmetric: true' miao daniel neal-belytschko; do
+    began=$(date +%s%N)
+    timeout --preserve-status -k 60 -s TERM 0.3 "$FMDSUB" run -q -s "integrate={scheme: $scheme, step: 1.0e-7, ratio: 1000000, until: 2}" \
+        --every 2 --columns hub.angle --final-state "$work/major.json" decks/bar-slider.yaml >"$work/out.csv" 2>"$work/err"
+    expect "SIGTERM within a major step, $scheme: status" 143 $? "$work/err"
+    took=$((($(date +%s%N) - began) / 1000000))
+    [ $took -lt 1300 ] && ok "SIGTERM within a major step, $scheme: at once" || not_ok "SIGTERM within a major step, $scheme: at once" "$took ms"
+    t=$(tail -n 1 "$work/out.csv" | cut -d , -f 1) # 0, or where the first major step ended, of a scheme that had it behind it
+    expect "SIGTERM within a major step, $scheme: a record where that began, a state that says so" "1 $t cut" \
+        "$(awk -F, 'NR > 1 && ($1 != 0.1 * (NR - 2) || $2 != 0) { bad = 1 } END { print !bad && (NR == 2 || NR == 3) }' "$work/out.csv") $(sed -n 's/^"t": \(.*\),$/\1/p' "$work/major.json") $(sed -n 's/^"last_step": "\(.*\)",$/\1/p' "$work/major.json")" "$work/out.csv"
+done
+
 # Writing to a pipe that nobody reads: still whole records, and it ends.
 { timeout --preserve-status -k 5 -s INT 0.5 "$FMDSUB" run --every 1.0e-3 --until 1.0e+5 "$deck" 2>/dev/null; echo $? >"$work/rc"; } |
     { sleep 1; cat >"$work/out.csv"; }

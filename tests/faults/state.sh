@@ -172,3 +172,19 @@ state "a state without a deck, any deck" 0 "$ONE" "" -s 'initial={from: edited.j
 
 "$FMDSUB" run -q --final-state no/such/folder.json pendulum.yaml >/dev/null 2>err
 expect "--final-state where nothing can be written" 6 $? err
+
+# Turns are kept of angles in space, which a posture does not tell; not of distances, nor in the plane.
+"$FMDSUB" run -q -s 'measures={far: {distance: [ball, [2, 1]]}, lean: {angle: [ground, ball]}}' -s 'output.columns=[far, lean]' --until 1 --final-state flat.json pendulum.yaml >out 2>err
+expect "turns in the plane: none are kept" "0 0" "$? $(grep -c '"angles"' flat.json)" err
+cat >spun.yaml <<'DECK'
+fmdsub: 1
+bodies: {wheel: {mass: 1, inertia: [1, 1, 2], at: [0, 0, 0]}}
+constraints: {spin: {spherical: [ground, wheel], at: [0, 0, 0]}}
+measures: {turn: {angle: [ground, wheel], axis: [0, 0, 1]}, far: {distance: [wheel, [2, 0, 0]]}}
+initial: {spin.omega: [0, 0, 10]}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+output: {every: 0.5, columns: [turn, far]}
+DECK
+"$FMDSUB" run -q --final-state spun.json spun.yaml >out 2>err
+expect "turns in space: those of an angle alone" "0 1 0" "$? $(sed -n '/"angles"/,/}/p' spun.json | grep -c '"turn"') $(sed -n '/"angles"/,/}/p' spun.json | grep -c '"far"')" spun.json err
+awk -F, 'END { exit !($2 > 9.99 && $2 < 10.01) }' out && ok "turns in space: 10 rad" || not_ok "turns in space: 10 rad" "got:" out

@@ -71,7 +71,7 @@ static void evaluate(const struct expr *e, unsigned seed)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    const struct expr_names names = {find, NULL};
+    const struct expr_names names = {.find = find, .self = NULL};
     if (size == 0) return 0;
     const unsigned seed = data[0];
     const size_t len = size - 1;

@@ -66,3 +66,65 @@ for deck in driven beside; do
     expect "$deck: status" 5 $? "$work/err"
     expect "$deck: where they meet" 1 "$(grep -cE "stopped at t = 0\.(5|499)[0-9]* s.*'c'" "$work/err")" "$work/err"
 done
+
+# Stacks of boxes on two feet each: what they weigh is what the floor bears, they stay where they are, masses as they may be.
+stack()
+{
+    awk -v list="$1" -v friction="$2" 'BEGIN {
+        n = split(list, m, " ")
+        print "fmdsub: 1\ngravity: [0, -9.81]\nbodies:"
+        for (i = 1; i <= n; i++)
+            printf "  b%d: {mass: %s, inertia: %s*1.25/12, at: [0, %g], points: {l: [-0.5, -0.25], r: [0.5, -0.25]}}\n", i, m[i], m[i], i / 2 - .25
+        print "constraints:"
+        for (i = 1; i <= n; i++) printf "  f%d: {planar: [ground, b%d]}\n", i, i
+        print "surfaces:\n  top0: {plane: ground, at: [0, 0], normal: [0, 1]}"
+        for (i = 1; i <= n; i++)
+            printf "  top%d: {plane: b%d, at: [0, %g], normal: [0, 1]}\n  feet%d: {points: [b%d.l, b%d.r]}\n", i, i, i / 2, i, i, i
+        print "contacts:"
+        for (i = 1; i <= n; i++) printf "  c%d: {between: [feet%d, top%d], friction: %s}\n", i, i, i - 1, friction
+        print "integrate: {step: 1.0e-3, until: 0.5}\noutput: {every: 0.5, columns: [c1.1.normal, c1.2.normal, b" n ".x, b" n ".y, energy.impact]}"
+    }'
+}
+check_stack()
+{
+    stack "$1" "$2" >"$work/stack.yaml"
+    "$FMDSUB" run -q ${4:-} "$work/stack.yaml" >"$work/out" 2>"$work/err"
+    expect "a stack of $1, friction $2" "$3 1 1" "$(tail -n 1 "$work/out" |
+        awk -F, '{ printf "%.6g %d %d", $2 + $3, $4 * $4 < 1e-20, $6 < 1e-12 }')" "$work/err"
+}
+check_stack "1 1 1 1" 0.5 39.24
+check_stack "1 1 1 1 1 1 1 1" 0.5 78.48
+check_stack "1 100" 0.5 990.81
+check_stack "1 100 10000" 0.5 99090.8
+check_stack "1 1" 0 19.62 "-s integrate.until=20 -s output.every=20" # without friction nothing holds it but that nothing pushes
+
+# A plate on 5 x 5 points comes down tilted: rattles, and lies flat, in bounded work.
+awk 'BEGIN {
+    for (i = 0; i < 25; i++) {
+        points = points sprintf("%sp%d: [%g, %g, -0.1]", i ? ", " : "", i, int(i / 5) / 4 - .5, i % 5 / 4 - .5)
+        names = names sprintf("%sb.p%d", i ? ", " : "", i)
+    }
+    print "fmdsub: 1\nspace: 3d\ngravity: [0, 0, -9.81]"
+    print "bodies: {b: {mass: 1, inertia: [0.1, 0.1, 0.2], at: [0, 0, 0.15], points: {" points "}}}"
+    print "constraints: {f: {free: [ground, b]}}"
+    print "surfaces: {floor: {plane: ground, at: [0, 0, 0], normal: [0, 0, 1]}, feet: {points: [" names "]}}"
+    print "contacts: {c: {between: [feet, floor], restitution: 0.3, friction: 0.3}}"
+    print "initial: {f.x_rate: 1, f.omega: [0.5, 0.25, 1]}\nintegrate: {step: 1.0e-3, until: 0.6}"
+    print "output: {every: 0.6, columns: [b.z, b.vx, energy.residual]}"
+}' >"$work/plate.yaml"
+"$FMDSUB" run --stats="$work/stats" "$work/plate.yaml" >"$work/out" 2>"$work/err"
+expect "a plate of 25 points comes to rest" "0.100000 1 1" \
+    "$(tail -n 1 "$work/out" | awk -F, '{ printf "%.6f %d %d", $2, $3 * $3 < 1e-20, $4 * $4 < 1e-18 }')" "$work/err"
+expect "a plate of 25 points: bounded work" 1 "$(awk '$1 == "slow_evaluations" { print $2 < 20000 }' "$work/stats")" "$work/stats"
+
+# A guide that is too short for its load wedges: 0.3 is above 0.2/(2 0.5).
+cat >"$work/guide.yaml" <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {b: {mass: 2, inertia: 0.1, at: [0, 0.5]}}
+constraints: {s: {prismatic: [ground, b], at: [0, 0], axis: [1, 0], friction: {coefficient: 0.3, length: 0.2}}}
+initial: {s.displacement_rate: 2}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+END
+"$FMDSUB" run -q "$work/guide.yaml" >"$work/out" 2>"$work/err"
+expect "a guide that wedges" "5 1" "$? $(grep -c "'s' is one of them; friction that presses a joint harder than it slows it wedges it" "$work/err")" "$work/err"

@@ -28,6 +28,11 @@ for n in 1 5 20; do
         rc=$?
         if { { [ $rc = 1 ] || [ $rc = 7 ]; } && grep -q "^warning: t = .* for the first time: the step does not resolve 'tele.displacement' (omega h = " "$work/err"; } || { [ $rc = 5 ] && grep -q 'stopped at t = ' "$work/err"; }; then ok "excited, $n:1, w $w: told"
         else not_ok "excited, $n:1, w $w: told" "exit $rc" "$work/err"; fi
+        # The guard acts: the balance is kept in smaller parts of steps.
+        if [ $w -le 14142 ]; then
+            "$FMDSUB" run --set parameters.w=$w --set integrate.ratio=$n --set integrate.guard=act "$work/x4.yaml" >"$work/out" 2>"$work/err"
+            expect "excited, $n:1, w $w, the guard acts" "0 1 1" "$? $(grep -c 'which is taken in parts from here: .*tele.displacement' "$work/err") $(sed -n 's/^energy balance.*(\([0-9.e-]*\); limit.*/\1/p' "$work/err" | awk '{ print $1 < 0.01 }')" "$work/err"
+        fi
         "$FMDSUB" run --set parameters.w=$w --set integrate.ratio=$n --set initial.tele.displacement=0 "$work/x4.yaml" >"$work/out" 2>"$work/err"
         rc=$?
         if [ $rc = 0 ] || grep -q 'for the first time' "$work/err"; then ok "not excited, $n:1, w $w: right or told"

@@ -37,6 +37,18 @@ for scheme in newmark midpoint subcycle; do
 done
 "$FMDSUB" check "$work/spherical" 2>/dev/null | awk '/natural frequencies/ { found = 1; if (match($0, /\([0-9.e+-]* 1\/s\)/) && substr($0, RSTART + 1) + 0 > 2) exit 1 } END { exit !found }' &&
     ok "slender rod: no frequency from nothing" || not_ok "slender rod: no frequency from nothing" "check says otherwise"
+# The same, driven: the drive turns the rod about its axis, too, at the start and later.
+for value in 2*t t^2; do
+    for scheme in 'midpoint, step: 1.0e-3' 'radau9, tolerance: 1.0e-9' 'dop853, tolerance: 1.0e-9'; do
+        driven() { go "driven slender rod, $1, $value, $scheme" 0 --set 'initial={}' --set "drives={m: {drive: A, value: $value}}" \
+            --set "integrate={scheme: $scheme, until: 1}" --columns t,D.angle,rod.x,rod.y,rod.z,rod.ax,rod.az,m.force,energy.kinetic <"$work/$1.moving"; }
+        for joint in universal spherical; do sed '/^initial/d' "$work/$joint" >"$work/$joint.moving"; done
+        driven universal
+        held=$last
+        driven spherical
+        near "driven slender rod as with a universal joint, $value, $scheme" "$held" "$last" 1e-6
+    done
+done
 rssr "spherical: [crank, rod]" "inertia: [1.0e-12, 0.072, 0.072]" >"$work/deck"
 go "rod with next to no inertia about itself" 0 <"$work/deck"
 told "rod with next to no inertia about itself" "without moving measurable mass"

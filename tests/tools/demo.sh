@@ -33,6 +33,22 @@ awk '
 echo
 echo "energy residual: |W_kin + W_int - W_ext| over the largest sum of their sizes"
 
+# Where it pays: large and slow, with something small and fast in it.
+deck=tests/bench/small-fast.yaml
+echo
+echo "$deck: four arms of 40 links that fall, a small one that vibrates; \`study --budget 5\` says:"
+echo
+"$FMDSUB" study --repeats 0 --budget 5 "$deck" >"$work/rows" 2>"$work/words" || exit 1
+sed -n "/^the budget takes/p; /^the deck's own setting/p; /^subcycle at step/p" "$work/words"
+awk -F , '
+    NR == 2 { error = $5; work = $9; next }
+    NR > 2 && $16 == "ok" && $4 == 1 && $1 != "subcycle" && $5 <= 2 * error && (!best || $9 < best) { best = $9; scheme = $1; at = $2; its = $5 }
+    END {
+        if (best) printf "what was gained: an error of %.1e for %d evaluations; %s at tolerance %g takes %d for %.1e, %.1f times as many\n",
+            error, work, scheme, at, best, its, best / work
+    }' "$work/rows"
+echo "what now: \`fmdsub check YOUR.yaml\` with neither 'scheme' nor 'step' in it says what it would take, and which coordinates are fast"
+
 echo
 echo "next:"
 echo "    ${FMDSUB#"$ROOT"/} animate -o crank.html decks/flexible-crank.yaml    # a page for the browser"

@@ -1,5 +1,5 @@
 # eqs.sh -- where each equation stands in the source: (2-1) to (2-26) of Miao, Zhu, Shi & Chen 2007, and (S1) to
-# (S12) of the scheme subcycle.
+# (S15) of the scheme subcycle.
 #
 # A tag is (2-17), or (2-17*) where the formula departs from print.  STRICT=1 fails when one of them has no place.
 grep -noE '\((2-[0-9]+[a-z]*\*?|S[0-9]+)\)' src/*/*.c src/*/*.h 2>/dev/null | awk -F: -v strict="${STRICT:-}" '
@@ -19,9 +19,9 @@ grep -noE '\((2-[0-9]+[a-z]*\*?|S[0-9]+)\)' src/*/*.c src/*/*.h 2>/dev/null | aw
     }
     END {
         list(1, 26, "2-")
-        list(1, 12, "S")
+        list(1, 15, "S")
         for (name in place) if (!(name in known)) { printf "unknown: %s", place[name]; bad = 1 }
         if (missing != "") print "eqs: without a place:" missing
-        else print "eqs: all 26 and 12 have a place"
+        else print "eqs: all 26 and 15 have a place"
         exit strict && (missing != "" || bad)
     }'

@@ -31,8 +31,8 @@ multirate   base la engine system/ode2.h
 ledger      base
 sim         base la expr deck out kind scene scene_read model open loop system engine multirate ledger
 probe       base la out sim engine system/ode2.h
-study       base out sim multirate ledger probe                      # multirate: schemes by name; ledger: its share
-sweep       base deck out scene sim
+study       base la deck out scene model system engine sim multirate ledger probe # multirate: schemes by name; ledger: its share
+sweep       base deck out scene sim study
 film        base la deck out kind flex scene model tree system sim
 cli         base expr deck out kind scene scene_read multirate sim probe study sweep film # prints the tables of words and schemes
 TABLE

@@ -1,67 +1,89 @@
 # mutants.sh -- random one-token mutants of src: how many of them does a test notice?
 #
-#     BUILD=build/mutants sh tests/tools/mutants.sh          N (60) of them from SEED (1) on
+#     BUILD=build/mutants COUNTED=build/coverage sh tests/tools/mutants.sh          N (60) of them from SEED (1) on
 #
 # FILES: of these files only.  ONLY="3 7": these of them again; TESTS: by these tests and no others.
 #
 # A mutant is one comparison, sign, logical word or whole number changed, or one statement left out, in the body of a function.
-# One that compiles to the same code is none, and lines with texts in them, sizes of memory and tables are left alone.  It meets
-# the unit tests of its file and its folder, then whatever else there is, quickest first, of unit tests, wrong decks, decks
-# against their records, faults and hard cases, about 40 seconds of an idle processor in all; what takes ten times as long as ever is killed, too.  At
-# least 85 percent have to be.  Survivors are printed as they are.
+# One that compiles to the same code is none, and lines with texts in them, sizes of memory and tables are left alone.
+#
+# It meets the tests of `make test` that run its line (the counters of COUNTED, see reached.sh, say which), no others could
+# notice it: the unit test of its file first, those of its folder, then the rest, quickest first, until BUDGET (90) seconds of
+# a processor are spent; its own unit test and the part of its folder (study, sweep, animate, reduce) are met in any case.  What nothing notices meets unit tests, decks and wrong decks of them once more with the mutated file
+# and the arena compiled for the address sanitizer, as in `make asan`: an index one too far is seen there.  What takes ten times as long as ever is killed, too.  A test of the program that notices has to pass
+# without the mutant, then and there, or it counts for nothing: others may be at work on the machine.  At least 85 percent
+# have to be noticed.  Survivors are printed as they are.
 . tests/tools/lib.sh
-export BUILD
-N=${N:-60} SEED=${SEED:-1} CC=${CC:-gcc} BUDGET=${BUDGET:-40}
+UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60
+export BUILD UNIT_SECONDS DECK_SECONDS BAD_SECONDS
+N=${N:-60} SEED=${SEED:-1} CC=${CC:-gcc} BUDGET=${BUDGET:-90}
+case $COUNTED in /*) ;; *) COUNTED=$PWD/$COUNTED ;; esac
 FLAGS="-std=c11 -D_GNU_SOURCE -Isrc -O1 -fPIC -ffp-contract=off -fno-math-errno"
 LIBS="-lyaml -lcjson -lm"
 live=$BUILD/live
-mkdir -p "$live" "$work/o"
+mkdir -p "$live" "$work/o" "$work/lines" "$work/x"
+[ -d "$COUNTED/reached" ] || { echo "mutants: no counters in $COUNTED" >&2; exit 2; }
 
-# ---- the program and its tests, on one library that can be changed under them ----
+# ---- the programs and their tests, on two libraries that can be changed under them ----
 
 objects=$(find "$BUILD/obj" -name '*.o' ! -path '*/obj/reduce/*' | sort)
-$CC -shared -o "$live/libfmdsub.so" $objects $LIBS || exit 2
-on_library() { $CC -o "$1" $2 -L"$live" -Wl,-rpath,"$live" -Wl,--no-as-needed -lfmdsub $3 $LIBS; }
-on_library "$BUILD/fmdsub" "" "" || exit 2
+reducing=$(find "$BUILD/obj/reduce" -name '*.o' 2>/dev/null | sort)
+FORTRAN="-larpack -llapack -lblas"
+on_library() { $CC -o "$1" $2 -L"$live" -Wl,-rpath,"$live" -Wl,--no-as-needed $4 -lfmdsub $3 $LIBS; }
+$CC -shared -o "$live/libfmdsub.so" $objects $LIBS && cp "$live/libfmdsub.so" "$live/clean-fmdsub.so" || exit 2
+on_library "$BUILD/fmdsub" "" "" "" || exit 2
 for test in "$BUILD"/unit/t-*.o; do
     name=${test%.o}
-    [ "$name" -nt "$test" ] || on_library "$name" "$test" -lcmocka || exit 2
+    [ "$name" -nt "$test" ] || on_library "$name" "$test" -lcmocka "" || exit 2
 done
-
-# run ITEM: 0: it passes.
-run() {
-    case $1 in
-    t-*) "$BUILD/unit/$1" ;;
-    decks-*) ! D=${1#decks-} sh tests/tools/part-decks.sh | grep -m 1 '^not ok' ;;
-    faults-* | hard-*) ! sh "tests/$(echo "$1" | sed 's|-|/|').sh" | grep -m 1 '^not ok' ;;
-    *) ! sh "tests/tools/part-$1.sh" | grep -m 1 '^not ok' ;;
-    esac
-} >/dev/null 2>&1
+if [ "$reducing" ]; then
+    $CC -shared -o "$live/libreduce.so" $reducing $FORTRAN && cp "$live/libreduce.so" "$live/clean-reduce.so" || exit 2
+    on_library "$BUILD/fmdsub-reduce" "" "$FORTRAN" -lreduce || exit 2
+    for test in "$BUILD"/reduce/t-*.o; do on_library "${test%.o}" "$test" "-lcmocka $FORTRAN" -lreduce || exit 2; done
+fi
 
 now() { date +%s.%N; }
 took() { awk "BEGIN { printf \"%.2f\", $(now) - $1 }"; }
+seconds_of() { cat "$COUNTED/reached/$1/seconds"; }
 
-# What there is, with its time.
-items="bad man faults-arguments faults-check faults-warnings faults-names hard-drawn hard-told hard-counts hard-branches"
-for deck in decks/*.yaml tests/decks/*.yaml; do items="$items decks-$(basename "$deck" .yaml)"; done
-for test in "$BUILD"/unit/t-*.o; do items="$items $(basename "$test" .o)"; done
-touch "$BUILD/times"
-for item in $items; do
-    grep -q "^$item " "$BUILD/times" && continue
-    start=$(now)
-    run "$item" && echo "$item $(took "$start")" >>"$BUILD/times" || echo "$item fails without a mutant, it is left out" >&2
-done
+# run ITEM: 0: it passes.  The processor's time is limited, and the clock's for one that waits for ever.
+run() {
+    seconds=$(seconds_of "$1")
+    (
+        ulimit -t "$(awk "BEGIN { print int($seconds * 10 + 10) }")"
+        exec timeout "$(awk "BEGIN { print int($seconds * 40 + 120) }")" sh tests/tools/item.sh "$1"
+    ) </dev/null >/dev/null 2>&1
+}
 
-# tests_of FILE: items in the order in which they are run.
+# lines_of FILE: which items run which of its lines, ITEM LINE, in a file whose name is printed.
+lines_of() {
+    room=$(basename "$(dirname "$1")") base=$(basename "$1" .c)
+    list=$work/lines/$room-$base
+    [ -f "$list" ] || for item in "$COUNTED"/reached/*/seconds; do
+        item=${item%/seconds}
+        [ -f "$item/$room/$base.gcda" ] || continue
+        cp "$COUNTED/obj/$room/$base.gcno" "$item/$room/$base.gcda" "$work/x"
+        gcov -t "$work/x/$base.gcda" 2>/dev/null | awk -v item="${item##*/}" -v file="$1" '
+            / 0:Source:/ { own = substr($0, index($0, "Source:") + 7) == file }
+            own && match($0, /^ *[-#=0-9]+\*?: *[0-9]+:/) {
+                split($0, w, ":"); count = w[1]; gsub(/[ *]/, "", count)
+                if (count != "-") reached = count !~ /[#=]/
+                if (reached) print item, w[2] + 0
+            }'
+    done >"$list"
+    echo "$list"
+}
+
+# tests_of FILE LINE: items that run the line, in the order in which they are run, with their times.
 tests_of() {
     own=t-$(basename "$1" .c) folder=$(basename "$(dirname "$1")")
-    grep -l "\"$folder/" tests/unit/t-*.c | sed 's|.*/\(.*\)\.c|\1|' >"$work/near"
-    awk -v own="$own" -v near="$work/near" -v folder="$folder" '
+    grep -l "\"$folder/" tests/unit/t-*.c tests/reduce/t-*.c | sed 's|.*/\(.*\)\.c|\1|' >"$work/near"
+    awk -v line="$2" '$2 == line { print $1 }' "$(lines_of "$1")" | while read -r item; do
+        case $item in install | fuzz) ;; *) echo "$item $(seconds_of "$item")" ;; esac
+    done | awk -v own="$own" -v near="$work/near" -v part="$(case $folder in film) echo animate ;; *) echo "$folder" ;; esac)" '
         BEGIN { while ((getline name < near) > 0) of[name] = 1 }
-        {
-            rank = $1 == own ? 0 : $1 in of ? 1 : $1 ~ /^(bad|man|faults-)/ ? (folder ~ /^(deck|expr|scene|base|cli|out)/ ? 1 : 2) : 2
-            print rank, $2, $1
-        }' "$BUILD/times" | sort -k1n -k2n | awk -v budget="$BUDGET" '$1 < 1 || sum + $2 <= budget { sum += $2; print $3, $2 }'
+        { print $1 == own ? 0 : $1 in of ? 1 : 2, $2, $1, $1 == own || $1 == part }' |
+        sort -k1n -k2n | awk -v budget="$BUDGET" '$4 { print $3; next } sum + $2 <= budget { sum += $2; print $3 }'
 }
 
 # ---- mutants ----
@@ -101,7 +123,7 @@ FNR == 1 { body = comment = 0 }
     last = $0
 }
 END
-awk -f "$work/find.awk" ${FILES:-$(ls src/*/*.c | grep -v ^src/reduce/)} | LC_ALL=C sort >"$work/places"
+awk -f "$work/find.awk" ${FILES:-$(if [ "$reducing" ]; then ls src/*/*.c; else ls src/*/*.c | grep -v ^src/reduce/; fi)} | LC_ALL=C sort >"$work/places"
 for class in compare logic sign number left-out; do awk -v c=$class '$5 == c' "$work/places" >"$work/places-$class"; done
 
 seed=$(awk -v s="$SEED" 'BEGIN { print (s * 7919 + 12345) % 2147483647 }')
@@ -118,22 +140,75 @@ compile() {
     $CC $FLAGS -w -c -o "$work/m.o" "$work/m.c" 2>/dev/null && ! cmp -s "$work/m.o" "$work/o/same.o"
 }
 
-# judge FILE: what notices the mutant, in $killer; "": nothing.
-judge() {
-    object=$BUILD/obj/${1#src/}
-    object=${object%.c}.o
-    $CC -shared -o "$live/next.so" $(echo "$objects" | grep -vxF "$object") "$work/m.o" $LIBS && mv "$live/next.so" "$live/libfmdsub.so" || exit 2
-    killer=
-    if [ "${TESTS:-}" ]; then for item in $TESTS; do echo "$item $(awk -v i="$item" '$1 == i { print $2 }' "$BUILD/times")"; done
-    else tests_of "$1"; fi >"$work/tests"
-    while read -r item seconds; do
-        timeout "$(awk "BEGIN { print int(${seconds:-1} * 10 + 10) }")" sh "$work/one.sh" "$item" </dev/null >/dev/null 2>&1 ||
-            { killer=$item; break; }
-    done <"$work/tests"
-}
-{ echo 'set -u'; sed -n '/^run() {/,/^}/p' tests/tools/mutants.sh; echo 'run "$1"'; } >"$work/one.sh"
+# put FROM LIBRARY: under the programs; by its name, for what runs may still have the old one.
+put() { cp "$1" "$live/next.so" && mv "$live/next.so" "$live/lib$2.so"; }
 
-echo "mutants: N=$N SEED=$SEED, $(wc -l <"$work/places") places"
+# join FILE OBJECT LIBRARY [OTHER...]: the library with OBJECT for FILE, as $work/mutant.so; others take the place of theirs, too.
+join() {
+    joined=$3
+    case $joined in reduce) of=$reducing extra=$FORTRAN ;; *) of=$objects extra= ;; esac
+    object=$BUILD/obj/${1#src/}
+    echo "$of" | grep -vxF "${object%.c}.o" >"$work/objects"
+    shift
+    if [ $# -gt 2 ]; then
+        grep -v '/obj/base/\(arena\|limits\)\.o$' "$work/objects" >"$work/others"
+        mv "$work/others" "$work/objects"
+    fi
+    with=$1
+    shift 2
+    $CC -shared -o "$work/mutant.so" $(cat "$work/objects") "$with" "$@" $extra $LIBS
+}
+
+# guarded ITEM: run with the sanitizer under it.
+guarded() {
+    (
+        LD_PRELOAD=$($CC -print-file-name=libasan.so) ASAN_OPTIONS=detect_leaks=0
+        export LD_PRELOAD ASAN_OPTIONS
+        run "$1"
+    )
+}
+
+# sanitized FILE LINE: what notices it there, in $killer.  Texts of the sanitizer are no report of ours.
+sanitized() {
+    case $1 in src/reduce/* | src/base/arena.c | src/base/limits.c) return ;; esac
+    [ -f "$work/limits.o" ] || for part in arena limits; do $CC $FLAGS -g -w -fsanitize=address -c -o "$work/$part.o" src/base/$part.c || return; done
+    $CC $FLAGS -g -w -fsanitize=address -c -o "$work/o/same.o" "$1" && $CC $FLAGS -g -w -fsanitize=address -c -o "$work/m.o" "$work/m.c" || return
+    join "$1" "$work/o/same.o" fmdsub "$work/arena.o" "$work/limits.o" && mv "$work/mutant.so" "$work/same.so" || return
+    join "$1" "$work/m.o" fmdsub "$work/arena.o" "$work/limits.o" || return
+    put "$work/mutant.so" fmdsub
+    for item in $(tests_of "$1" "$2" | grep '^t-\|^decks-\|^bad$'); do
+        guarded "$item" && continue
+        put "$work/same.so" fmdsub
+        guarded "$item" && { killer=$item,sanitized; break; }
+        put "$work/mutant.so" fmdsub
+    done
+}
+
+# passes ITEM LIBRARY: without the mutant; asked of a unit test once.
+passes() {
+    case $1 in t-*) [ -f "$work/passes-$1" ] && return ;; esac
+    put "$live/clean-$2.so" "$2"
+    run "$1"
+    passed=$?
+    put "$work/mutant.so" "$2"
+    [ $passed = 0 ] && touch "$work/passes-$1" || echo "$1 fails without a mutant: it counts for nothing" >&2
+    return $passed
+}
+
+# judge FILE LINE: what notices the mutant, in $killer; "": nothing.
+judge() {
+    case $1 in src/reduce/*) library=reduce ;; *) library=fmdsub ;; esac
+    join "$1" "$work/m.o" $library && put "$work/mutant.so" $library || exit 2
+    killer= met=0
+    for item in ${TESTS:-$(tests_of "$1" "$2")}; do
+        met=$((met + 1))
+        run "$item" || ! passes "$item" $library || { killer=$item; break; }
+    done
+    [ "$killer" ] || sanitized "$1" "$2"
+    put "$live/clean-$library.so" $library
+}
+
+echo "mutants: N=$N SEED=$SEED BUDGET=$BUDGET, $(wc -l <"$work/places") places"
 made=0 dead=0
 while [ $made -lt "$N" ]; do
     throw 5
@@ -146,10 +221,9 @@ while [ $made -lt "$N" ]; do
     made=$((made + 1))
     case " ${ONLY:-$made} " in *" $made "*) ;; *) continue ;; esac
     start=$(now)
-    judge "$file"
+    judge "$file" "$line"
     was=$(sed -n "${line}p" "$file" | sed 's/^ *//')
-    echo "$([ "$killer" ] && echo "killed  " || echo SURVIVES) $made $file:$line:$at $class '$(sed -n "${line}p" "$file" | cut -c "$at-$((at + len - 1))")' -> '$new': $was  [${killer:-nothing}, $(took "$start") s]"
+    echo "$([ "$killer" ] && echo "killed  " || echo SURVIVES) $made $file:$line:$at $class '$(sed -n "${line}p" "$file" | cut -c "$at-$((at + len - 1))")' -> '$new': $was  [${killer:-nothing}, $met tests, $(took "$start") s]"
     [ -z "$killer" ] || dead=$((dead + 1))
 done
-rm -f "$live/libfmdsub.so" # a mutant
 awk -v dead=$dead -v n="$N" 'BEGIN { printf "mutants: %d of %d killed, %.0f percent\n", dead, n, 100 * dead / n; exit dead < 0.85 * n }'

@@ -57,11 +57,19 @@ grep '"name":"arm"' beam.html | sed 's/[{}"]//g' | awk '
 paste want got | awk 'NR % 2 == 0 { d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; n++; if ($1 < low) low = $1 } END { print n, (low < -0.05), (most < 0.002 * -low) }' >tip
 expect "the tip of a beam bends as the records say" "31 1 1" "$(cat tip)" tip
 
-refuse 2 "writes --output FILE.html or FILE.glb" animate "$ROOT/decks/pendulum.yaml"
-refuse 2 "writes --output FILE.html or FILE.glb" animate -o p.avi "$ROOT/decks/pendulum.yaml"
+refuse 2 "writes --output FILE.html, FILE.glb, FILE.pvd or FILE.svg" animate "$ROOT/decks/pendulum.yaml"
+refuse 2 "writes --output FILE.html, FILE.glb, FILE.pvd or FILE.svg" animate -o p.avi "$ROOT/decks/pendulum.yaml"
 refuse 6 "none/p.html" animate -o none/p.html "$ROOT/decks/pendulum.yaml"
 animate -o stopped.html --max-time 1 --until 1e6 --every 1 "$ROOT/decks/pendulum.yaml"
 expect "a run that is stopped is shown as far as it came" "7 yes" "$? $(grep -q '</html>' stopped.html && echo yes)" err
+
+# A still: the ball of the pendulum is drawn last where it ends, and the picture is well-formed.
+animate -o p.svg "$ROOT/decks/pendulum.yaml"
+ended "a still" 0 $? p.svg err
+animate -o s.svg "$ROOT/decks/bricard.yaml"
+animate -o t.svg beam.yaml
+expect "stills: five postures each, no number that is none" "5 5 5 0" \
+    "$(grep -c '^<g ' p.svg) $(grep -c '^<g ' s.svg) $(grep -c '^<g ' t.svg) $(cat p.svg s.svg t.svg | grep -c 'nan\|inf')"
 
 # glTF, read by a reader of its own.
 animate --every 0.1 -o p.glb "$ROOT/decks/pendulum.yaml"
@@ -91,3 +99,35 @@ fi
 timeout 120 "$browser" --headless=new --no-sandbox --disable-gpu --user-data-dir="$work/profile" --enable-logging=stderr --virtual-time-budget=2000 \
     --dump-dom "file://$work/beam.html#t=0.1" >dom 2>log
 expect "in a browser: the time, a curve's value, no errors" "1 1 0" "$(grep -c 't = 0.1000 s' dom) $(grep -c 'arm.tip.y \[m\] = -0\.' dom) $(grep -c 'CONSOLE' log)" log
+
+# Bodies are drawn as large as they are: a sphere of radius 0.3, a cylinder and a tube along z, a box.
+cat >shapes.yaml <<'DECK'
+fmdsub: 1
+bodies:
+  ball:  {at: [1, 0, 0], shape: {sphere: 0.3, density: 1000}}
+  drum:  {at: [2, 0, 0], shape: {cylinder: [0.2, 0.8], density: 1000}}
+  pipe:  {at: [3, 0, 0], shape: {tube: [0.25, 0.1, 0.6], density: 1000}}
+  brick: {at: [4, 0, 0], shape: {box: [0.2, 0.4, 0.6], density: 1000}}
+constraints:
+  hang: {revolute: [ground, ball], at: [0, 0, 0], axis: [0, 1, 0]}
+  knee: {spherical: [ball, drum], at: [1.5, 0, 0]}
+  link: {universal: [drum, pipe], at: [2.5, 0, 0], axis: [0, 1, 0], axis2: [0, 0, 1]}
+  rod:  {distance: [pipe, brick]}
+forces:
+  coil: {spring: [brick, [5, 0, 0]], stiffness: 10, damping: 0.1}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.1}
+output: {every: 0.01, columns: [ball.x]}
+DECK
+"$FMDSUB" animate -q -o shapes.glb shapes.yaml 2>err
+ended "shapes: status" 0 $? shapes.glb err
+grep -ao '"min":\[[^]]*\],"max":\[[^]]*\]' shapes.glb | tr -c '0-9.e\n-' ' ' | awk '
+    BEGIN { want["0.3 0.3 0.3"]; want["0.2 0.2 0.4"]; want["0.25 0.25 0.3"]; want["0.1 0.2 0.3"] }
+    { gsub(/ e | n | x /, " "); n = split($0, x, " "); k = 0
+      for (i = 1; i <= n; i++) if (x[i] ~ /[0-9]/) v[++k] = x[i] + 0
+      if (k != 6) next
+      for (i = 1; i <= 3; i++) if (v[i] + v[i + 3] > 1e-6 || v[i] + v[i + 3] < -1e-6) next
+      found[sprintf("%.6g %.6g %.6g", v[4], v[5], v[6])] }
+    END { for (w in want) if (!(w in found)) { print w; bad = 1 } exit bad }' >missing &&
+    ok "shapes: sizes" || not_ok "shapes: sizes" "half sizes that are not there" missing
+"$FMDSUB" animate -q -o shapes.html shapes.yaml 2>err
+ended "shapes: a page" 0 $? shapes.html err

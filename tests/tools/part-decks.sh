@@ -45,3 +45,17 @@ done
 "$FMDSUB" run decks/bar-slider.yaml >"$work/one.csv" 2>/dev/null
 "$FMDSUB" run - <decks/bar-slider.yaml >"$work/two.csv" 2>/dev/null
 same "same deck, same bytes, from a file and from stdin" "$work/one.csv" "$work/two.csv"
+
+# Signals, helpers, named tables, a drive from where it is drawn: the same motion as with all of it written out.
+sed -e '/^signals:/,/^tables:/d' -e 's/, late, road, {both: push + late}//' \
+    -e 's/value: push/value: "3*((G) - pin.angle) - d*pin.angle_rate + if(t < 0.5505, 0, if(t < 0.5705, -0.4, 0))"/' \
+    -e 's/late > 0.0495/(G) - pin.angle > 0.0495/' -e 's/value: half, from: drawn/value: {table: [[0, 2], [1, 2.5]]}/' \
+    -e 's/table: bumps/table: [[0, 0], [0.25, 0.1], [0.5, 0]]/' -e 's/value: road/value: {table: [[0, 0], [0.25, 0.1], [0.5, 0]]}/' \
+    -e 's/when: \([^,]*\)/when: "\1"/' tests/decks/signals.yaml |
+    sed -e 's/(G)/(0.05*S*if(t < 0.6, 1, 0) + if(pin.angle < 0, 0, if(pin.angle < 0.02, pin.angle\/2, 0.01)))/' \
+        -e 's/S\*/if(t < 0.1, 0, if(t < 0.4, ((t - 0.1)\/0.3)^3*(10 - 15*(t - 0.1)\/0.3 + 6*((t - 0.1)\/0.3)^2), 1))*/' >"$work/out.yaml"
+"$FMDSUB" run -q "$work/out.yaml" >"$work/long.csv" 2>"$work/err"
+expect "signals written out" 0 $? "$work/err"
+"$FMDSUB" run -q -c pin.angle,slide.displacement tests/decks/signals.yaml >"$work/short.csv" 2>"$work/err"
+"$COMPARE" --reference --within 1e-9 --columns "pin.angle slide.displacement" "$work/long.csv" "$work/short.csv" >"$work/diff" 2>&1
+expect "signals are what they stand for" "0 10" "$? $(wc -l <"$work/short.csv")" "$work/diff" "$work/err"

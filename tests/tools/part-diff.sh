@@ -41,6 +41,11 @@ diff_of "a column that only one has" 1 a.csv other.csv
 expect "verdicts of lone columns" "same only in a only in b" "$(echo $(echo "$rows" | sed 's/.*,//'))" out
 sed 's/^1,1.5,$/1,1.5,0/' a.csv >filled.csv
 diff_of "a value that only one has" 1 --abs 1e9 a.csv filled.csv
+printf 't,x,x\n0,1,2\n1,3,4\n' >twice.csv
+diff_of "two columns of one name, with itself" 0 twice.csv twice.csv
+sed 's/4$/5/' twice.csv >twice-other.csv
+diff_of "two columns of one name, the second differs" 1 twice.csv twice-other.csv
+expect "which of them differs" "same differs" "$(echo $(echo "$rows" | sed 's/.*,//'))" out
 diff_of "quiet" 1 -q a.csv b.csv
 expect "no words, all rows" "2 0" "$(grep -c arm out) $(wc -c <err)" err
 diff_of "as JSON" 1 -f json a.csv b.csv

@@ -39,6 +39,7 @@ flat "driven by dopri5" tests/effects/flat-driven.yaml --set integrate.scheme=do
 flat "upright by generalized-alpha" tests/effects/flat-upright.yaml --set integrate.scheme=generalized-alpha
 flat "upright at rest" tests/effects/flat-upright.yaml --set initial.static=true
 flat "loops by newmark" tests/effects/flat-loops.yaml --set integrate.scheme=newmark
+flat "slides, assembled" tests/effects/flat-slides.yaml --set initial.assemble=true
 
 # On from a state, with the same bits.
 "$FMDSUB" run -q --columns 't,hip.angle,bend,knee.fx' tests/effects/flat-upright.yaml >"$work/whole.csv" 2>"$work/err"
@@ -81,3 +82,12 @@ same "explain says what stiffening changes" "$work/hand" "$work/said"
 expect "explain CODE stays" 0 $? "$work/err"
 "$FMDSUB" explain --format json E-tab >"$work/out" 2>"$work/err"
 expect "explain CODE has no form" 2 $? "$work/err"
+# A column at rest next to others of its unit: round-off in space, 0 in the plane, is no change.
+"$FMDSUB" explain --format json -s 'output.columns=[table.angle, shaft.angle]' tests/effects/flat-slides.yaml >"$work/told" 2>"$work/err"
+tr -d '\n\t ' <"$work/told" | sed 's/.*"effect":"out_of_plane"[^}]*"change_if_turned":\([^,]*\),.*/\1/' >"$work/change"
+expect "explain: round-off is no change" "small" "$(awk '{ print ($1 != "null" && $1 + 0 < 1e-5) ? "small" : $1 }' "$work/change")" "$work/told"
+# Runs that end by what happens are compared at the instants of both; where that is the start alone, nothing is known.
+"$FMDSUB" explain --format json -s 'integrate.until={when: "shaft.angle > 0.05", latest: 1}' -s output.every=0.25 -s 'output.columns=[shaft.angle]' \
+    tests/effects/flat-slides.yaml >"$work/told" 2>"$work/err"
+tr -d '\n\t ' <"$work/told" | sed 's/.*"effect":"gravity"[^}]*"change_if_turned":\([^,]*\),.*/\1/' >"$work/change"
+expect "explain: at the instants of both" "null" "$(cat "$work/change")" "$work/told"

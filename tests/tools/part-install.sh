@@ -65,3 +65,30 @@ if git rev-parse --git-dir >/dev/null 2>&1; then
 else
     skip "make dist" "no git"
 fi
+
+# The schema takes every deck that the program takes, and marks what is misspelt.
+python=
+for try in python3 /usr/bin/python3; do command -v $try >/dev/null && $try -c 'import jsonschema, yaml' 2>/dev/null && python=$try; done
+if [ -n "$python" ]; then
+    "$FMDSUB" schema >"$work/schema.json"
+    "$FMDSUB" new controller >"$work/controller.yaml"
+    $python - "$work/schema.json" "$work/controller.yaml" decks/*.yaml tests/decks/signals.yaml >"$work/out" 2>&1 <<'PY'
+import copy, json, sys, jsonschema, yaml
+schema = json.load(open(sys.argv[1]))
+jsonschema.Draft7Validator.check_schema(schema)
+check = jsonschema.Draft7Validator(schema)
+wrong = [(f, e.json_path if hasattr(e, "json_path") else list(e.path)) for f in sys.argv[2:] for e in check.iter_errors(yaml.safe_load(open(f)))]
+deck = yaml.safe_load(open(sys.argv[2]))
+bad = []
+for change in (lambda d: d["integrate"].update(scheme="dopri6"), lambda d: d.update(signal={}), lambda d: d["signals"].update(x=[1]),
+               lambda d: d["forces"]["motor"].update(valu=1), lambda d: d.update(drives={"a": {"drive": "pin", "valve": "t"}})):
+    d = copy.deepcopy(deck)
+    change(d)
+    bad.append(not check.is_valid(d))
+print(len(wrong), bad.count(True))
+print(*wrong, sep="\n")
+PY
+    expect "the schema: all decks fit, five slips do not" "0 5" "$(head -n 1 "$work/out")" "$work/out"
+else
+    skip "the schema, by a validator" "python3 with jsonschema and yaml is not installed"
+fi

@@ -228,3 +228,40 @@ bad_market table-not-finite 3 'nodes.csv:4: error: y is not a finite number' nod
 market 1
 refuse part-not-joined 4 'not positive with the interfaces held, at node 4' -i root=root -n 2 "$work/x/K.mtx" "$work/x/M.mtx" \
     "$work/x/nodes.csv"
+
+# Commands that cannot be done: the status, one line with these words, nothing on standard output.
+m='%%MatrixMarket matrix coordinate real symmetric'
+h='node,x,y,z,row_x,row_y,row_z,set'
+mkdir "$work/c"
+cp tests/reduce/bar.* "$work/c"
+cd "$work/c" || exit 1
+for empty in empty.sti empty.csv; do : >$empty; done
+printf 'node,x,y\n1,0,0\n' >bad1.csv
+printf 'node,x,y,z,row_x\n1,0,0,0,1\n' >bad2.csv
+printf 'node,x,x,y,z\n1,0,0,0,0\n' >bad3.csv
+printf '%s\n0,0,0,0,1,2,3,set1\n' $h >bad4.csv
+printf '%s\n1,0,a,0,1,2,3,set1\n' $h >bad5.csv
+printf '%s\n1,0,0,0,0,2,3,set1\n' $h >bad6.csv
+printf '%s\n' $h >bad7.csv
+printf '%s\n1,0,0,0,1,2,3,set1\n2,1,0,0,4,5,6,set2\n' $h >good.csv
+printf '%s\n6 6 1\n1 1 1.0\n' "$m" | tee M.mtx >K.mtx
+echo words >k1.mtx
+printf '%s\n6 6 1\n1 1 1\n' "$(echo "$m" | sed s/coordinate/array/)" >k2.mtx
+printf '%s\n6 6 1\n1 1 1\n' "$(echo "$m" | sed s/real/complex/)" >k3.mtx
+printf '%s\n6 6 1\n1 1 1\n' "$(echo "$m" | sed s/symmetric/skew-symmetric/)" >k4.mtx
+printf '%s\n6 6\n1 1 1\n' "$m" >k5.mtx
+printf '%s\n6 6 1\n7 1 1\n' "$m" >k6.mtx
+printf '%s\n6 6 1\n1 1 x\n' "$m" >k7.mtx
+printf '%s\n6 6 3\n1 1 1\n' "$m" >k8.mtx
+printf '%s\n5 5 1\n1 1 1\n' "$m" >k9.mtx
+while IFS=$(printf '\t') read -r want words arguments; do
+    case $want in '' | '#'*) continue ;; esac
+    "$REDUCE" $arguments >out 2>err </dev/null
+    rc=$?
+    if [ $rc != "$want" ] || [ -s out ]; then not_ok "fmdsub-reduce $arguments" "exit $rc, expected $want" out err
+    elif [ "$(wc -l <err)" != 1 ] || ! grep -qF -- "$words" err; then not_ok "fmdsub-reduce $arguments" "expected one line with: $words" err
+    else ok "fmdsub-reduce $arguments"; fi
+done <"$ROOT/tests/reduce/commands.txt"
+"$REDUCE" --help >out 2>err
+ended "fmdsub-reduce --help" 0 $? out err
+expect "fmdsub-reduce --version" "fmdsub-reduce $("$BUILD/fmdsub" --version | sed 's/fmdsub //')" "$("$REDUCE" --version)"

@@ -155,7 +155,7 @@ advised() { # NAME DECK PATTERN COUNT
 advised "no step that there was no time to try with a pulse in it" late-pulse 'at step ' 0
 advised "that is said" late-pulse 'no fixed step: those that there was time to try' 1
 advised "corners in steps that are too many, and where" driven-crank 'no fixed step: .* such as t = 0.05 s; schemes with a tolerance' 1
-advised "corners as ends of steps" jumps '1e-04: subcycle at step 0.0001 ' 1
+advised "corners as ends of steps" jumps '1e-04: midpoint at step 0.0001 ' 1
 advised "no step beside a tolerance" tolerance 'no fixed step: the deck has a tolerance' 1
 
 # Chaos: the references part, errors are taken up to there, and it is told; far beyond, nothing is left to compare.
@@ -232,3 +232,23 @@ awk -F, '
     }' "$work/robot.csv" >"$work/line"
 if [ $? = 0 ]; then ok "flexible-robot at rest: $(cat "$work/line")"; else
     not_ok "flexible-robot at rest" "$(cat "$work/line")" "$work/err"; fi
+
+# A page of it: whole, nothing from outside, the deck and the command in it, markup in the deck as text; the same twice.
+cat >"$work/page.yaml" <<'YAML'
+fmdsub: 1
+title: "a <b> & c"
+bodies: {ball: {mass: 1, inertia: 0.1, at: [1, 0]}}
+constraints: {pin: {revolute: [ground, ball], at: [0, 0]}}
+forces: {spring: {spring: pin, stiffness: 10}}
+initial: {pin.angle: 0.3}
+integrate: {scheme: newmark, step: 1.0e-2, until: 1}
+output: {every: 0.1, columns: [pin.angle, "energy.*"]}
+YAML
+for i in 1 2; do
+    (cd "$work" && "$FMDSUB" study -q --budget 5 --repeats 0 --report page.html page.yaml >page.csv 2>err)
+    expect "a page, $i" 0 $? "$work/err"
+    mv "$work/page.html" "$work/page$i.html"
+done
+same "the same page twice" "$work/page1.html" "$work/page2.html"
+expect "the page has what it says" "1 2 1 0 0" "$(grep -c '</html>' "$work/page1.html") $(grep -c '<svg' "$work/page1.html") $(grep -c '^title: &quot;a &lt;b&gt; &amp; c&quot;' "$work/page1.html") $(grep -c 'https*://\|src=' "$work/page1.html") $(grep -c 'nan\|inf' "$work/page1.html")" "$work/page1.html"
+expect "and the command" 1 "$(grep -c 'fmdsub study -q --budget 5 --repeats 0 --report page.html page.yaml' "$work/page1.html")"

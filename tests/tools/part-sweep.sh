@@ -118,6 +118,7 @@ refuse 2 "not standard input" sweep --over k=1:2:3 -
 refuse 2 "goes on with the rows of --output" sweep --over k=1:2:3 --resume arm.yaml
 refuse 6 "no table of a sweep" sweep --merge one.csv
 refuse 6 "is there already, and has another 'k'" sweep --merge few other
+refuse 2 "few is of another deck, other settings or another program: at point 1 last(t) is 0.002 there and 0.001 here" sweep --over 'k~normal(100,10)' --over 'len~uniform(0.5,1.5)' --sample 4 --until 0.001 --of 'last(t)' --resume -o few arm.yaml
 refuse 2 "is of another sweep: at point 1 k is" sweep --over 'k~normal(100,10)' --over 'len~uniform(0.5,1.5)' --sample 4 --seed 2 --of 'last(t)' --resume -o few arm.yaml
 expect "of which nothing is lost" 5 "$(wc -l <few)"
 fmdsub sweep --over k=1:2:3 --of 'max(pin.angl)' arm.yaml >out 2>err

@@ -7,7 +7,9 @@
 . tests/tools/lib.sh
 
 # name, deck, reference, what the run is: settings; with a ? shown, not judged: sub-cycling of what one force drives as fast
-# as slow, a stiff beam to 1e-7 of its range, and rk4 where what it leaves turns back
+# as slow, a stiff beam to 1e-7 of its range, rk4 where what it leaves turns back, order 4 told 62 times too much,
+# and where errors grow on their own.  From audit-ball-chain on decks that
+# no factor of the estimate was chosen by.
 cat >"$work/list" <<'LIST'
 andrews           decks/andrews.yaml            dop853
 axle              decks/axle.yaml               dop853
@@ -44,6 +46,8 @@ heavy-top         decks/heavy-top.yaml          dop853  integrate.scheme=dop853 
 four-bar          decks/four-bar.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-6
 four-bar          decks/four-bar.yaml           dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
 four-bar          decks/four-bar.yaml           dop853  integrate.scheme=midpoint integrate.tolerance=1e-4
+?pendulum         decks/pendulum.yaml           dop853  integrate.scheme=midpoint integrate.order=4 integrate.step=2e-2
+chain             decks/chain.yaml              dop853  integrate.scheme=midpoint integrate.order=4 integrate.step=5e-3
 andrews           decks/andrews.yaml            dop853  integrate.scheme=dopri5 integrate.tolerance=1e-6
 andrews           decks/andrews.yaml            dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
 chain             decks/chain.yaml              dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
@@ -56,8 +60,8 @@ spin-up           decks/spin-up.yaml            radau9  integrate.scheme=dopri5 
 driven-telescope  decks/driven-telescope.yaml   radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
 driven-telescope  decks/driven-telescope.yaml   radau9  integrate.scheme=radau5 integrate.tolerance=1e-4
 bar-slider        decks/bar-slider.yaml         dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
-?bar-slider       decks/bar-slider.yaml         dop853  integrate.scheme=subcycle integrate.tolerance=1e-3
-?bar-slider       decks/bar-slider.yaml         dop853
+?bar-slider        decks/bar-slider.yaml         dop853  integrate.scheme=subcycle integrate.tolerance=1e-3
+?bar-slider        decks/bar-slider.yaml         dop853
 bar-slider        decks/bar-slider.yaml         dop853  integrate.ratio=1
 stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9
 stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9  integrate.scheme=dopri5 integrate.tolerance=1e-5
@@ -83,6 +87,49 @@ chain             decks/chain.yaml              dop853  integrate.scheme=newmark
 slider-crank      decks/slider-crank.yaml       dop853  integrate.scheme=rk4 integrate.tolerance=1e-5
 telescope         decks/telescope.yaml          radau9  integrate.tolerance=1e-3
 stiff-leaf-chain  decks/stiff-leaf-chain.yaml   radau9  integrate.tolerance=1e-3
+audit-ball-chain      tests/decks/audit-ball-chain.yaml         dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-ball-chain      tests/decks/audit-ball-chain.yaml         dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-free-bushings   tests/decks/audit-free-bushings.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-free-bushings   tests/decks/audit-free-bushings.yaml      dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-free-on-ball    tests/decks/audit-free-on-ball.yaml       dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-free-on-ball    tests/decks/audit-free-on-ball.yaml       dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-loop-leaf       tests/decks/audit-loop-leaf.yaml          dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-loop-leaf       tests/decks/audit-loop-leaf.yaml          dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-loop-slider     tests/decks/audit-loop-slider.yaml        dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-loop-slider     tests/decks/audit-loop-slider.yaml        dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-loop-spatial    tests/decks/audit-loop-spatial.yaml       dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-loop-spatial    tests/decks/audit-loop-spatial.yaml       dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-planar-bushings tests/decks/audit-planar-bushings.yaml    dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-planar-bushings tests/decks/audit-planar-bushings.yaml    dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-planar-mix      tests/decks/audit-planar-mix.yaml         dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-planar-mix      tests/decks/audit-planar-mix.yaml         dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-plane-and-balls tests/decks/audit-plane-and-balls.yaml    dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-plane-and-balls tests/decks/audit-plane-and-balls.yaml    dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-reversed-chain  tests/decks/audit-reversed-chain.yaml     dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-reversed-chain  tests/decks/audit-reversed-chain.yaml     dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+audit-two-free        tests/decks/audit-two-free.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+audit-two-free        tests/decks/audit-two-free.yaml           dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
+quarter-car           tests/decks-by-users/quarter-car.yaml     dop853
+quarter-car           tests/decks-by-users/quarter-car.yaml     dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+robot                 tests/decks-by-users/robot.yaml           dop853
+robot                 tests/decks-by-users/robot.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+excavator             tests/decks-by-users/excavator.yaml       dop853
+excavator             tests/decks-by-users/excavator.yaml       dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+driven-coupling       tests/decks/driven-coupling.yaml          dop853
+slide-damped          tests/decks/slide-damped.yaml             dop853
+spatial-four-bar      tests/decks/spatial-four-bar.yaml         dop853
+screw-loop            tests/decks/screw-loop.yaml               dop853
+windows               decks/windows.yaml                        dop853
+roll-up               decks/roll-up.yaml                        radau9
+spin-up-slow          decks/spin-up-slow.yaml                   radau9
+?bar-slider-constant  decks/bar-slider-constant.yaml            dop853
+?double-pendulum      decks/double-pendulum.yaml                dop853
+flexible-pendulum     decks/flexible-pendulum.yaml              radau9
+floating-satellite    decks/floating-satellite.yaml             radau9
+light-hub             decks/light-hub.yaml                      radau9
+rotating-blade        decks/rotating-blade.yaml                 radau9
+rotor                 decks/rotor.yaml                          radau9
+windows               decks/windows.yaml                        dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
 LIST
 
 errors() { # RUN REFERENCE: "error column", the worst
@@ -95,7 +142,7 @@ errors() { # RUN REFERENCE: "error column", the worst
               if (abs($i) > size[i]) size[i] = abs($i) } }
         END { worst = -1
               for (i = 2; i <= n; i++) {
-                  if (name[i] ~ /^(h|sweeps|energy\..*)$/) continue
+                  if (name[i] ~ /^(h|sweeps|step\..*|energy\..*)$/) continue
                   r = high[i] - low[i]; if (r < 1e-8 * size[i]) r = size[i]
                   if (r < 1e-6) continue
                   if (e[i] / r > worst) { worst = e[i] / r; w = name[i] } }
@@ -118,10 +165,10 @@ while read -r name deck reference settings; do
     awk -v name="$name" -v found="$found" -v mark="$mark" -v settings="$(echo "$settings" | sed 's/integrate\.//g')" '
         $1 == "estimated_error" { e = $2 }
         END { split(found, f, " ")
-              told = e == "-" ? "not known" : sprintf("%9.2g %8.2g", e, e / f[1])
+              told = f[1] < 1e-12 ? "round-off" : e == "-" ? "not known" : sprintf("%9.2g %8.2g", e, e / f[1])
               printf "%-17s %-34s %-22s %9.2g %s%s\n", name, settings, f[2], f[1], told, mark }' "$work/stats"
 done <"$work/list" | tee "$work/table"
-awk 'NR == 1 || /\(known\)/ { next } /fails/ { bad++; next } /not known/ { unknown++; next } NF { n++; decks[$1] = 1; if ($NF < 1 / 3 || $NF > 30) bad++; if (!least || $NF < least) least = $NF; if ($NF > most) most = $NF }
+awk '/\(known\)/ { next } /fails/ { bad++; next } /not known|round-off/ { unknown++; next } NF { n++; decks[$1] = 1; if ($NF < 1 / 3 || $NF > 30) bad++; if (!least || $NF < least) least = $NF; if ($NF > most) most = $NF }
      END { for (d in decks) shipped++
-           printf "%d runs of %d decks: estimated over found from %.2g to %.2g, %d not within 1/3 and 30; %d told not to be known\n", n, shipped, least, most, bad, unknown
+           printf "%d runs of %d decks: estimated over found from %.2g to %.2g, %d not within 1/3 and 30; %d told not to be known, or round-off\n", n, shipped, least, most, bad, unknown
            exit bad > 0 || n == 0 }' "$work/table"

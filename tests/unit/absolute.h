@@ -313,7 +313,7 @@ static inline int find_time(void *self, int *slot, double *value, const char *na
 /* c0 + c1 t + c2 t^2. */
 static inline struct signal smooth(const double *c, struct arena *arena)
 {
-    static const struct expr_names names = {find_time, NULL};
+    static const struct expr_names names = {.find = find_time, .self = NULL};
     struct expr_error error;
     struct expr *e;
     char text[200];

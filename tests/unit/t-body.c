@@ -132,6 +132,34 @@ static void same(const double *a, const double *b, int n)
     for (int k = 0; k < n; k++) near(a[k], b[k], 2e-12);
 }
 
+/* One principal moment far above the sum of the others, on an axis drawn by lot: the mass matrix of turns is psi' I psi and
+ * xx is tr I/2 - I, whatever part of it particles can have. */
+static void test_excess(void **state)
+{
+    uint64_t dice = 11;
+    (void)state;
+    for (int round = 0; round < 9; round++) {
+        struct arena *life = arena_open();
+        struct flex_body *o = flex_body_take(N, 1, 0, true, life);
+        struct particle p;
+        double Q[9], I[9] = {0}, Me[N * N], moment[3] = {.7, .4, .2}, none[3 * N] = {0}, origin[3] = {0};
+        draw(&p, &dice);
+        moment[round % 3] = 2 + roll(&dice) + 1;
+        turn_matrix(Q, p.x);
+        for (int e = 0; e < 3; e++)
+            for (int k = 0; k < 9; k++) I[k] += moment[e] * Q[3 * e + k % 3] * Q[3 * e + k / 3];
+        flex_body_add(o, origin, 0, I, none, p.psi, NULL, p.T);
+        flex_mass(Me, o);
+        for (int j = 0; j < N; j++) {
+            double h[3];
+            m3_mul(h, I, p.psi + 3 * j);
+            for (int i = 0; i < N; i++) near(Me[i + N * j], v3_dot(p.psi + 3 * i, h), 1e-12);
+        }
+        for (int k = 0; k < 9; k++) near(o->xx[k], (k % 4 == 0 ? (I[0] + I[4] + I[8]) / 2 : 0) - I[k], 1e-12);
+        arena_close(life);
+    }
+}
+
 /* A small body that turns to second order, as six particles around its centre. */
 static void test_turning(void **state)
 {
@@ -339,10 +367,8 @@ static void test_back(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_integrals),
-        cmocka_unit_test(test_turning),
-        cmocka_unit_test(test_refer),
-        cmocka_unit_test(test_back),
+        cmocka_unit_test(test_integrals), cmocka_unit_test(test_excess), cmocka_unit_test(test_turning),
+        cmocka_unit_test(test_refer),     cmocka_unit_test(test_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -475,6 +475,39 @@ static void rest_and_preload_beyond_half_a_turn(void **state)
 }
 
 /* Tilted farther than half a radian: told where stiffnesses differ, not where they are the same all round the axis. */
+/* A pin of 1e12 N/m holds a rod as a revolute joint does, with no energy of its own, whatever the axes: markers meet at the
+ * ends of steps, not in their middle. */
+static void a_stiff_pin(void **state)
+{
+    static const char *const axes[] = {"first", "second", "middle", "world"};
+    (void)state;
+    for (int space = 2; space <= 3; space++)
+        for (int k = 0; k < 4; k++) {
+            struct opened pin, joint;
+            const char *z = space == 3 ? ", 0" : "", *inertia = space == 3 ? "[0.1, 0.1, 0.1]" : "0.1";
+            char text[900];
+            const int n = snprintf(text, sizeof text,
+                                   "gravity: [0, -9.81%s]\nbodies: {b: {mass: 1, inertia: %s, at: [1, 0%s]}}\n"
+                                   "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n",
+                                   z, inertia, z);
+            snprintf(text + n, sizeof text - (size_t)n,
+                     "constraints: {f: {free: [ground, b]}}\n"
+                     "forces: {p: {bushing: [ground, b], at: [0, 0%s], stiffness: [1.0e+12, 1.0e+12%s], axes: %s}}\n",
+                     z, space == 3 ? ", 1.0e+12" : "", axes[k]);
+            open_deck(&pin, text);
+            snprintf(text + n, sizeof text - (size_t)n, "constraints: {r: {revolute: [ground, b], at: [0, 0%s]%s}}\n",
+                     z, space == 3 ? ", axis: [0, 0, 1]" : "");
+            open_deck(&joint, text);
+            run(&pin);
+            run(&joint);
+            near(value(&pin, "b.x"), value(&joint, "b.x"), 1e-5);
+            near(value(&pin, "b.y"), value(&joint, "b.y"), 1e-5);
+            near(value(&pin, "energy.elastic"), 0, 1e-9);
+            arena_close(pin.life);
+            arena_close(joint.life);
+        }
+}
+
 static void large_tilts_are_told(void **state)
 {
     static const struct {
@@ -522,6 +555,7 @@ int main(void)
         cmocka_unit_test(a_twist_winds_up),
         cmocka_unit_test(the_world_sees_a_twist_turned_over),
         cmocka_unit_test(rest_and_preload_beyond_half_a_turn),
+        cmocka_unit_test(a_stiff_pin),
         cmocka_unit_test(large_tilts_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

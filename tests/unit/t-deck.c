@@ -322,7 +322,7 @@ static void formulas(void **state)
                              "forces:\n"
                              "  f$i: {repeat: {i: [1, 2]}, value: w*t + i}\n"
                              "bad: 2*T\n");
-    struct expr_names names = {find_t, NULL};
+    struct expr_names names = {.find = find_t, .self = NULL};
     struct expr *e;
     assert_int_equal(deck_expr(&e, at(deck, "forces/f2/value"), &names, deck), OK);
     assert_true(expr_value(e, (double[]){10}) == 32);
@@ -609,9 +609,9 @@ static void prints(void **state)
     for (int i = 1; i <= 2; i++) {
         number(deck, arena_print(arena, "bodies/link%d/mass", i));
         number(deck, arena_print(arena, "bodies/link%d/at/0", i));
-        assert_int_equal(
-            deck_expr(&e, at(deck, arena_print(arena, "bodies/link%d/f", i)), &(struct expr_names){find_t, NULL}, deck),
-            OK);
+        assert_int_equal(deck_expr(&e, at(deck, arena_print(arena, "bodies/link%d/f", i)),
+                                   &(struct expr_names){.find = find_t, .self = NULL}, deck),
+                         OK);
     }
     assert_string_equal(printed(deck), "parameters:\n"
                                        "  N: 2\n"

@@ -209,14 +209,34 @@ static void codes(void **state)
     assert_null(diag_cure("E-nonsense"));
 }
 
-/* Words "E-..." of one file that the table does not have. */
-static int without_cure(const char *path)
+/* Of a line of source: the stop that a message ends with, "... [no-start]", or that a row of sim/stops.c names; "": none.
+ * Units and other words in brackets are short. */
+static const char *stop_of(char *code, const char *line)
+{
+    const char *row = strstr(line, "[TROUBLE_"), *at = row ? strchr(row, '"') : NULL;
+    code[0] = 0;
+    if (at) return sscanf(at, "\"%63[EWa-z-]\"", code) == 1 ? code : "";
+    for (at = line; (at = strchr(at, '[')); at++) {
+        if (sscanf(at, "[%63[a-z-]]\"", code) != 1 || strlen(code) < 5) continue;
+        if (strncmp(at + 1 + strlen(code), "]\"", 2) == 0) return code;
+    }
+    return "";
+}
+
+/* Words "E-..." and stops of one file that the table does not have. */
+static int without_cure(int *stops, const char *path)
 {
     int bad = 0;
     char line[4096], code[64];
     FILE *f = fopen(path, "r");
     if (!f) return 0;
     while (fgets(line, sizeof line, f)) {
+        const char *stop = stop_of(code, line);
+        *stops += *stop != 0;
+        if (*stop && !diag_cure(stop)) {
+            print_error("%s: the stop '%s' has no cure\n", path, stop);
+            bad++;
+        }
         for (const char *p = line; (p = strchr(p, '"')); p++) {
             bool whole = sscanf(p, "\"%63[EWa-z-]\"", code) == 1 && p[1 + strlen(code)] == '"';
             if (!whole || (strncmp(code, "E-", 2) && strncmp(code, "W-", 2)) || !code[2]) continue;
@@ -235,17 +255,19 @@ static void sources(void **state)
     (void)state;
     DIR *src = opendir("src");
     if (!src) skip();
-    int bad = 0;
+    int bad = 0, stops = 0;
     for (struct dirent *folder; (folder = readdir(src));) {
         const char *path = arena_print(arena, "src/%s", folder->d_name);
         DIR *files = folder->d_name[0] == '.' ? NULL : opendir(path);
         if (!files) continue;
         for (struct dirent *file; (file = readdir(files));)
-            if (strstr(file->d_name, ".c")) bad += without_cure(arena_print(arena, "%s/%s", path, file->d_name));
+            if (strstr(file->d_name, ".c"))
+                bad += without_cure(&stops, arena_print(arena, "%s/%s", path, file->d_name));
         closedir(files);
     }
     closedir(src);
     assert_int_equal(bad, 0);
+    assert_true(stops > 15);
 }
 
 int main(void)

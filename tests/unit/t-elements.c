@@ -251,7 +251,7 @@ static int find(void *self, int *slot, double *value, const char *name, struct e
 
 static struct signal formula(struct arena *arena, const char *text)
 {
-    const struct expr_names names = {find, NULL};
+    const struct expr_names names = {.find = find, .self = NULL};
     struct expr_error error;
     struct expr *e;
     assert_int_equal(expr_parse(&e, text, strlen(text), &names, arena, &error), 0);

@@ -29,7 +29,7 @@ static int find(void *self, int *slot, double *value, const char *name, struct e
     return 1;
 }
 
-static const struct expr_names names = {find, NULL};
+static const struct expr_names names = {.find = find, .self = NULL};
 
 /* ---- random trees ---- */
 
@@ -399,6 +399,13 @@ static void errors(void **state)
         {"1.5e", 0, "the exponent has no digits", ""},
         {"1.2.3", 3, "a number cannot be followed by '.'",
          "write the product with '*'; numbers have no unit words, decks are in SI units"},
+        {"step(t)", 0, "'step' takes 2 arguments, found 1", ""},
+        {"step(t, 1, 2)", 0, "'step' takes 2 arguments, found 3", ""},
+        {"ramp()", 0, "'ramp' takes 3 arguments, found 0", ""},
+        {"ramp(t, 1)", 0, "'ramp' takes 3 arguments, found 2", ""},
+        {"smooth(t, 1, x)", 13, "'smooth' begins and ends at constants, not at what moves", ""},
+        {"pulse(t, 2, 1)", 0, "'pulse' ends at 1, which is not behind 2", ""},
+        {"2*ramp", 2, "unknown name 'ramp'", ""},
         {"t + \xc3\xa9", 4, "expected a number or a name, found '\xc3\xa9'", ""},
     };
     struct arena *arena = arena_open();
@@ -677,13 +684,98 @@ static void truths(void **state)
     arena_close(arena);
 }
 
+/* step, ramp, smooth and pulse beside what they are short for: values, slopes, second derivatives, bounds, corners. */
+static void helpers(void **state)
+{
+    static const struct {
+        const char *text, *same;
+        int corners;
+        double first, last;
+    } list[] = {
+        {"step(t, 0.5)", "if(t < 0.5, 0, 1)", 1, .5, .5},
+        {"x*step(2*t, 0.5)", "if(t < 0.25, 0, x)", 1, .25, .25},
+        {"pulse(t, 0.5, 0.75)", "if(t < 0.5, 0, if(t < 0.75, 1, 0))", 2, .5, .75},
+        {"ramp(t, -1, five)", "if(t < -1, 0, if(t < 5, (t + 1)/6, 1))", 2, -1, 5},
+        {"ramp(t, 0.25, 1)*x", "if(t < 0.25, 0, if(t < 1, x*(t - 0.25)/0.75, x))", 2, .25, 1},
+        {"x*smooth(t, 0.25, 1.25)",
+         "if(t < 0.25, 0, if(t < 1.25, x*(t - 0.25)^3*(10 - 15*(t - 0.25) + 6*(t - 0.25)^2), "
+         "x))",
+         2, .25, 1.25},
+        {"smooth(sin(t), 0, 1)", "if(sin(t) < 0, 0, sin(t)^3*(10 - 15*sin(t) + 6*sin(t)^2))", 0, 0, 0},
+    };
+    struct arena *arena = arena_open();
+    (void)state;
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        struct expr *e = parsed(arena, list[i].text), *same = parsed(arena, list[i].same);
+        struct expr_corner corner[4];
+        const int which[] = {0, 1}, n = expr_corners(NULL, e, 0);
+        assert_int_equal(n, list[i].corners);
+        assert_int_equal(expr_corners(corner, e, 0), n);
+        for (int k = 0; k < n; k++) assert_float_equal(corner[k].at, k ? list[i].last : list[i].first, 1e-15);
+        for (int k = 0; k < 400; k++) {
+            double slot[SLOTS] = {uniform() * 8 - 2, uniform() * 4 - 2}, d[2], ds[2], dd, dds, first, firsts;
+            assert_float_equal(expr_slopes(e, d, slot, which, 2), expr_slopes(same, ds, slot, which, 2), 1e-14);
+            for (int j = 0; j < 2; j++) assert_float_equal(d[j], ds[j], 1e-12);
+            expr_jet(e, &first, &dd, slot, 0), expr_jet(same, &firsts, &dds, slot, 0);
+            assert_float_equal(first, firsts, 1e-12), assert_float_equal(dd, dds, 1e-11);
+            double to[SLOTS] = {slot[0] + uniform() * uniform(), slot[1]}, slope, slopes;
+            struct expr_span span;
+            if (expr_span(&span, e, slot, to))
+                for (int m = 0; m <= 20; m++) {
+                    const double at[SLOTS] = {slot[0] + m / 20. * (to[0] - slot[0]), slot[1]}, f = expr_value(e, at);
+                    assert_true(f >= span.lo - 1e-13 && f <= span.hi + 1e-13);
+                }
+            else
+                assert_true(expr_bends(&(struct expr_way){e, slot, to, SLOTS}));
+            const double mean = expr_mean(&slope, &(struct expr_way){e, slot, to, SLOTS}, 0);
+            assert_float_equal(mean, expr_mean(&slopes, &(struct expr_way){same, slot, to, SLOTS}, 0), 1e-9);
+        }
+    }
+    assert_true(!expr_is_word("ramp") && isnan(expr_value(parsed(arena, "pulse(t, 0, 1)"), (double[SLOTS]){NAN})));
+    assert_float_equal(
+        expr_value(parsed(arena, "ramp(0.5, 0, 2) + smooth(1, 0, 2) + step(1, 1) + pulse(2, 1, 2)"), NULL), 1.75,
+        1e-15);
+    arena_close(arena);
+}
+
+/* A text that stands for a name is as if it stood there in brackets. */
+static bool stand_in(struct expr_stand_in *o, void *self, const char *name)
+{
+    static const struct expr_names inner = {.find = find, .stand_in = stand_in};
+    (void)self;
+    const char *text = !strcmp(name, "twice") ? "2*x + t" : !strcmp(name, "four") ? "twice*twice" : NULL;
+    if (!strcmp(name, "round")) text = "1 + round";
+    *o = (struct expr_stand_in){text, &inner};
+    return text;
+}
+
+static void stand_ins(void **state)
+{
+    static const struct expr_names with = {.find = find, .stand_in = stand_in};
+    struct arena *arena = arena_open();
+    struct expr *e;
+    struct expr_error error;
+    (void)state;
+    const char *text = "3 - four*(if(t < 1, twice, 0))";
+    assert_int_equal(expr_parse(&e, text, strlen(text), &with, arena, &error), 0);
+    const double slot[SLOTS] = {.5, 2};
+    const int which = 1;
+    double d;
+    assert_float_equal(expr_slopes(e, &d, slot, &which, 1), 3 - pow(4.5, 3), 1e-13);
+    assert_float_equal(d, -6 * 4.5 * 4.5, 1e-12);
+    assert_int_equal(expr_parse(&e, "2*round", 7, &with, arena, &error), 1);
+    assert_true(error.limit && error.offset == 2);
+    arena_close(arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values),       cmocka_unit_test(errors), cmocka_unit_test(limits),
-        cmocka_unit_test(corners),      cmocka_unit_test(slots),  cmocka_unit_test(speed),
-        cmocka_unit_test(random_trees), cmocka_unit_test(truths), cmocka_unit_test(jets),
-        cmocka_unit_test(smooth),       cmocka_unit_test(spans),  cmocka_unit_test(unknown_truths),
+        cmocka_unit_test(values),       cmocka_unit_test(errors),    cmocka_unit_test(limits),
+        cmocka_unit_test(corners),      cmocka_unit_test(slots),     cmocka_unit_test(speed),
+        cmocka_unit_test(random_trees), cmocka_unit_test(truths),    cmocka_unit_test(jets),
+        cmocka_unit_test(smooth),       cmocka_unit_test(spans),     cmocka_unit_test(unknown_truths),
+        cmocka_unit_test(helpers),      cmocka_unit_test(stand_ins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

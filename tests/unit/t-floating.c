@@ -660,7 +660,14 @@ static void test_order(void **state)
               {"bodies:\n  arm:\n    beam: {from: [0, 0], to: [1, 0], elements: 6}\n"
                "    section: {rectangle: [0.03, 0.005]}\n    material: aluminium\n    modes: 1\n"
                "constraints:\n  go: {free: [ground, arm], at: [0.2, 0]}\n",
-               "initial: {arm.mode1: 0.05, go.angle_rate: 5, go.x_rate: 0.5}\n", 1e-3, .4, 4}};
+               "initial: {arm.mode1: 0.05, go.angle_rate: 5, go.x_rate: 0.5}\n", 1e-3, .4, 4},
+              {LONE, /* its moments have a sum */
+               "forces: {s: {bushing: [a, b], at: [0.5, 0.1, 0.2], axes: world, stiffness: [90, 30, 60],\n"
+               "             rotation: [3, 3, 5], damping: [1, 1, 2]}}\n",
+               .01, 1, 14},
+              {TREES SPIN3,
+               "forces: {s: {bushing: [a, b], at: [0.7, 0.1, 0.2], axes: world, stiffness: [90, 30, 60]}}\n", .004, 1,
+               18}};
     (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         double want[20], q[20], error[3];

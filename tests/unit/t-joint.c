@@ -194,7 +194,7 @@ static void expressions_are_signals_too(void **state)
     struct arena *arena = arena_open();
     struct expr *e;
     struct expr_error error;
-    const struct expr_names names = {find, NULL};
+    const struct expr_names names = {.find = find, .self = NULL};
     const char text[] = "3*t - x^2";
     assert_int_equal(expr_parse(&e, text, strlen(text), &names, arena, &error), 0);
     const struct signal s = {.expr = e};

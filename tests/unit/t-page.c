@@ -239,7 +239,7 @@ static void test_equations(void **state)
     }
     for (int k = 1; k < 40; k++) {
         if (print[0][k] != (k <= 26) || print[1][k] != (k <= 26)) fail_msg("(2-%d) in the manual or the source", k);
-        if (scheme[0][k] != (k <= 12) || scheme[1][k] != (k <= 12)) fail_msg("(S%d) in the manual or the source", k);
+        if (scheme[0][k] != (k <= 15) || scheme[1][k] != (k <= 15)) fail_msg("(S%d) in the manual or the source", k);
     }
     globfree(&files);
     free(text);

@@ -27,7 +27,8 @@ static struct signal signal_from(const char *text, struct arena *life)
 {
     struct expr_error error;
     struct expr *e;
-    if (expr_parse(&e, text, strlen(text), &(struct expr_names){find, NULL}, life, &error)) fail_msg("%s", error.text);
+    if (expr_parse(&e, text, strlen(text), &(struct expr_names){.find = find, .self = NULL}, life, &error))
+        fail_msg("%s", error.text);
     return signal_of(e, life);
 }
 

@@ -381,6 +381,64 @@ static void in_halves(void **state)
     }
 }
 
+/* A four-bar that is driven, with play in one joint: what strikes there the drive feels through the masses, too. */
+static void a_joint_with_play(void **state)
+{
+    (void)state;
+    static const double step[] = {1e-3, 5e-4};
+    double angle[2];
+    for (int k = 0; k < 2; k++) {
+        struct opened o;
+        char text[1600];
+        snprintf(text, sizeof text,
+                 "gravity: [0, -9.81]\nparameters: {x: 0.8177582689611357, y: 0.675860896537119}\nbodies:\n"
+                 "  crank: {mass: 1, inertia: 0.3^2/12, at: [0, 0.15]}\n"
+                 "  coupler: {mass: 2, inertia: 2*0.9^2/12, at: [x/2, (0.3 + y)/2]}\n"
+                 "  rocker: {mass: 1.5, inertia: 1.5*0.7^2/12, at: [(1 + x)/2, y/2]}\nconstraints:\n"
+                 "  a: {revolute: [ground, crank], at: [0, 0]}\n  b: {revolute: [crank, coupler], at: [0, 0.3]}\n"
+                 "  d: {revolute: [ground, rocker], at: [1, 0]}\nsurfaces: {pin: {sphere: coupler, at: [x, y], "
+                 "radius: 0.02}, bore: {hole: rocker, at: [x, y], radius: 0.021}}\n"
+                 "contacts: {play: {between: [pin, bore], restitution: 0.5, friction: 0.1}}\n"
+                 "drives: {turn: {drive: a.angle, value: 10*t}}\ninitial: {a.angle_rate: 10}\n"
+                 "integrate: {step: %g, until: 1}\n",
+                 step[k]);
+        open_deck(&o, text);
+        run(&o);
+        angle[k] = value(&o, "d.angle");
+        assert_true(value(&o, "play.impacts") > 5 && value(&o, "energy.impact") > 30);
+        near(o.sim.ledger.worst, 0, k ? 5e-5 : 2e-4);
+        arena_close(o.life);
+    }
+    near(angle[0], angle[1], 1e-6);
+}
+
+/* In space, askew onto a belt: it slides straight against the belt until it goes along, closed form at any step. */
+static void a_puck_on_a_belt(void **state)
+{
+    (void)state;
+    static const double step[] = {4e-3, 1e-3}, at[] = {.4, 1}, x[] = {.05710258755855424, .32487658742704467},
+                        y[] = {.5715896497657831, .7004936502918213};
+    for (int k = 0; k < 4; k++) {
+        struct opened o;
+        char text[700];
+        snprintf(
+            text, sizeof text,
+            "space: 3d\ngravity: [0, 0, -9.81]\n"
+            "bodies: {p: {mass: 1, inertia: [0.1, 0.1, 0.2], at: [0, 0, 0]}}\nconstraints: {f: {free: [ground, p]}}\n"
+            "surfaces: {floor: {plane: ground, at: [0, 0, 0], normal: [0, 0, 1], along: [1, 0, 0]}, foot: {point: p}}\n"
+            "contacts: {c: {between: [foot, floor], friction: {static: 0.4, kinetic: 0.3}, speed: 0.5}}\n"
+            "initial: {f.y_rate: 2}\nintegrate: {step: %g, until: %g}\n",
+            step[k / 2], at[k % 2]);
+        open_deck(&o, text);
+        run(&o);
+        near(value(&o, "p.x"), x[k % 2], 1e-12);
+        near(value(&o, "p.y"), y[k % 2], 1e-12);
+        near(o.sim.ledger.worst, 0, 1e-12);
+        assert_true(value(&o, "c.state") == (k % 2 ? TOUCH_STICKS : TOUCH_SLIDES));
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_ball_comes_to_rest),
@@ -393,6 +451,8 @@ int main(void)
                                        cmocka_unit_test(a_rod_jams),
                                        cmocka_unit_test(a_plate),
                                        cmocka_unit_test(a_pin_in_a_hole),
+                                       cmocka_unit_test(a_joint_with_play),
+                                       cmocka_unit_test(a_puck_on_a_belt),
                                        cmocka_unit_test(a_cradle),
                                        cmocka_unit_test(a_rod_on_its_corner),
                                        cmocka_unit_test(in_halves)};

@@ -22,7 +22,7 @@ static int find(void *self, int *slot, double *value, const char *name, struct e
 
 static struct expr *parsed(struct arena *arena, const char *text)
 {
-    const struct expr_names names = {find, NULL};
+    const struct expr_names names = {.find = find, .self = NULL};
     struct expr_error error;
     struct expr *e;
     if (expr_parse(&e, text, strlen(text), &names, arena, &error)) fail_msg("'%s': %s", text, error.text);

@@ -1,0 +1,27 @@
+/* auto.h -- `scheme: auto` and `partition: auto`: what a deck that leaves it
+ * open is stepped by.
+ *
+ * A run by dopri5 at the tolerance looks at the motion for LOOK evaluations.
+ * Where 2 percent of what the run is foretold to take is less than LEAST
+ * evaluations nothing more is tried.  Else that is what is spent on trials: the
+ * schemes that make sense, with the deck's fast coordinates or those that
+ * quick.h finds, all at one tolerance, race from the start in rounds; what is
+ * far behind drops out, and the least foretold work is taken.  With a `step`
+ * alone the tolerance is the one at which the midpoint rule would take such
+ * steps, and schemes of fixed steps run with that step.
+ *
+ * All of it is counted: one deck, one choice. */
+#ifndef FMDSUB_STUDY_AUTO_H
+#define FMDSUB_STUDY_AUTO_H
+
+#include "scene/scene.h"
+
+/* Changes scene->integrate and scene->fast where the deck leaves them open;
+ * E_...: ended from outside. */
+enum status auto_choose(struct scene *scene, struct arena *life, struct report *report);
+
+/* What was chosen for `from`, which is the same deck but for a little, is taken
+ * for `scene`, too. */
+void auto_same(struct scene *scene, const struct scene *from);
+
+#endif

@@ -1,0 +1,65 @@
+/* quick.h -- which coordinates are quick in the motion itself, from the
+ * accelerations at the ends of a run's steps.
+ *
+ * A step h of the midpoint rule is off by h^3/12 times the third derivative of
+ * a position and the fourth of its rate (engine/local_error.h).  In the scales
+ * of a tolerance (engine/adaptive.h) and for a second of the run that is e_i
+ * h^2; with the mean e_i of what was seen, coordinates want steps that go with
+ * e_i to the power -1/2.
+ *
+ * A joint is fast or slow as a whole.  Of a body's modes those of higher
+ * frequency are as fast: the low ones of a blade are slow.
+ *
+ * What is fast shakes the rest: accelerations of a hub have those of what
+ * vibrates on it.  Two rates take that out, so what counts of slow coordinates
+ * is u = v_L + W v_S, W = M_LL^-1 M_LS of the masses (multirate/decouple.h),
+ * where there are few enough to find W. */
+#ifndef FMDSUB_STUDY_QUICK_H
+#define FMDSUB_STUDY_QUICK_H
+
+#include "sim/sim.h"
+
+enum { QUICK_SAMPLES = 64 };
+
+struct quick {
+    int n;
+    int known; /* accelerations, third derivatives that are known: 0, 1, 2 */
+    double t, h;
+    double *a, *j; /* [n] there */
+    double *top;   /* [n] largest |v| so far */
+    double *sum;   /* [n] e_i over the time that was seen */
+    double most;   /* the largest of them, likewise */
+    double seen;   /* [s] */
+    long charts;
+    int samples; /* of third and fourth derivatives, the latest ones */
+    struct quick_sample {
+        double h, *j, *k; /* [n] */
+    } sample[QUICK_SAMPLES];
+};
+
+void quick_open(struct quick *o, const struct sim *sim, struct arena *life);
+/* Of a run by an adaptive scheme, at the end of a step of its own. */
+void quick_note(struct quick *o, const struct sim *sim);
+/* The tolerance at which the midpoint rule would take steps of about h. */
+double quick_tolerance(const struct quick *o, double h, double span);
+
+/* A part of the coordinates that might take the minor steps. */
+struct quick_cut {
+    int n;
+    struct scene_choice *fast; /* [n] */
+    double apart;              /* the step that the quickest of the others wants, over the
+                   least that these want */
+    double share;              /* of the bodies that move with these */
+    double gain;               /* by counts: work of one rate over that of two */
+};
+
+enum { QUICK_CUTS = 2 };
+/* The best ones by counts, of gain 1.2 at least, the best first; their number.
+ */
+int quick_cuts(struct quick_cut *cut, const struct quick *o, struct sim *sim, struct arena *life);
+/* The same of what is fast in the deck. */
+double quick_apart(const struct quick *o, struct sim *sim);
+/* Steps that the midpoint rule would take for that tolerance, about [s]. */
+double quick_step(const struct quick *o, double tolerance, double span);
+
+#endif

@@ -1,0 +1,119 @@
+/* race.c -- see race.h */
+#include "study/race.h"
+
+#include <math.h>
+
+#include "base/stop.h"
+#include "engine/adaptive.h"
+#include "multirate/schemes.h"
+
+static void plan(struct racer *o)
+{
+    const struct integrate *deck = &o->scene.integrate;
+    const bool own = isfinite(o->setting.tolerance);
+    o->how = *(const struct step_options *)deck->options;
+    o->how.tolerance = own ? o->setting.tolerance : 0;
+    if (own) o->how.order = 2; /* what a tolerance is for */
+    o->plan = *deck;
+    o->plan.scheme = o->setting.kind->name;
+    o->plan.options = &o->how;
+    o->plan.step = own ? deck->step : o->setting.step;
+    o->plan.ratio = own ? 1 : o->setting.ratio;
+    o->plan.because = "a trial";
+}
+
+static void note(struct racer *o)
+{
+    o->work = price_seconds(&o->price, o->setting.kind, &o->sim.stepper.effort) / o->unit;
+}
+
+void racer_open(struct racer *o, const struct setting *setting, const struct scene *scene, struct diags *diags,
+                struct arena *life)
+{
+    struct report none = {0};
+    const struct sim_options options = {.version = "", .counting = true};
+    o->setting = *setting;
+    o->scene = *scene;
+    o->scene.nfast = o->nfast;
+    o->scene.fast = o->fast;
+    plan(o);
+    o->out = sim_open(&o->sim, &o->scene, &o->plan, &options, diags, life, &none) != OK;
+    if (o->out) return;
+    price_find(&o->price, &o->sim);
+    if (!(o->unit > 0)) o->unit = o->price.evaluation;
+    o->t_mark = o->sim.x.t;
+    note(o);
+    o->work_mark = o->work;
+}
+
+/* Where its next step has to end at the latest. */
+static double end_of_step(const struct racer *o)
+{
+    const struct sim *sim = &o->sim;
+    const double t = sim->x.t, until = sim->plan.until, H = sim->plan.step * (double)sim->every;
+    if (!sim->stepper.kind->adaptive) return t + sim->plan.step * sim->plan.ratio;
+    if (!sim->onto_records) return until;
+    return fmin(until, sim->scene->start + H * (floor((t - sim->scene->start) / H * (1 + 1e-12) + 1e-9) + 1));
+}
+
+void racer_go(struct racer *o, double most, void (*seen)(void *self, const struct sim *sim), void *self)
+{
+    struct sim *sim = &o->sim;
+    const double until = sim->plan.until * (1 - 1e-12);
+    if (o->out) return;
+    o->t_mark = sim->x.t;
+    o->work_mark = o->work;
+    o->steps = 0;
+    sim->stepper.natural = sim->stepper.kind->adaptive;
+    while (o->work < most && sim->x.t < until && !stop) {
+        const struct integrate *p = &sim->plan;
+        o->t_last = sim->x.t;
+        o->work_last = o->work;
+        o->out = stepper_step(&sim->stepper, &sim->x, p->step, p->ratio, end_of_step(o), &sim->trouble) != OK;
+        if (o->out) return;
+        note(o);
+        o->steps++;
+        if (seen) seen(self, sim);
+    }
+}
+
+/* A tolerance for the whole run makes steps shorter with the time that has gone by, beyond EVEN of them
+ * (engine/adaptive.h): by this power. */
+static const double EVEN = 10;
+
+static double power_of(const struct stepper_kind *kind)
+{
+    const struct adaptive_scheme *scheme = kind->adaptive ? kind->formulas : NULL;
+    if (!scheme) return 0;
+    return scheme->plain ? 1. / scheme->order : .5 / (scheme->order - .5);
+}
+
+/* Going on as from t and work there, by steps of h. */
+static double going_on(const struct racer *o, double t, double work, double h)
+{
+    const double start = o->scene.start, span = o->sim.plan.until - start, gone = o->sim.x.t - t;
+    const double power = power_of(o->sim.stepper.kind), middle = t + gone / 2 - start + EVEN * h;
+    if (o->out || !(gone > 0)) return INFINITY;
+    const double rate = (o->work - work) / gone;
+    return middle < span ? rate * span * pow(span / middle, power) / (1 + power) : rate * span;
+}
+
+static double last_step(const struct racer *o)
+{
+    return o->sim.x.t - o->t_last;
+}
+
+double racer_foretold(const struct racer *o)
+{
+    return fmax(o->least, going_on(o, o->t_mark, o->work_mark, last_step(o)));
+}
+
+double racer_hope(const struct racer *o)
+{
+    return fmax(o->least, fmin(racer_foretold(o), going_on(o, o->t_last, o->work_last, last_step(o))));
+}
+
+bool racer_quiet(const struct racer *o)
+{
+    return going_on(o, o->t_mark, o->work_mark, last_step(o)) < .5 * o->least;
+}

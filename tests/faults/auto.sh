@@ -1,0 +1,60 @@
+# auto.sh -- scheme: auto and partition: auto: what is taken, that it is told, and that it is that run.
+. tests/tools/lib.sh
+
+# open DECK: without its partition, scheme and steps.
+open() {
+    sed -e '/^partition:/d' -e "s/^integrate: {.*until: \([0-9.e+-]*\)}/integrate: {tolerance: 1.0e-3, until: \1}/" "$1"
+}
+taken() { # of the plan on stderr
+    sed -n 's/^auto: \(.*\) takes the least.*$/\1/p; s/^auto: \(.*\), foretold.*too short.*$/\1, short/p' "$1" | head -n 1
+}
+
+open decks/satellite-instrument.yaml >"$work/open.yaml"
+timeout 60 "$FMDSUB" run "$work/open.yaml" >"$work/first" 2>"$work/err"
+ended "auto: a satellite and its instrument" 0 $? "$work/first" "$work/err"
+expect "auto: finds what its deck calls fast" "subcycle to tolerance 0.001, 2 of 105 freedoms fast (slide gimbal)" \
+    "$(taken "$work/err")" "$work/err"
+timeout 60 "$FMDSUB" run -q "$work/open.yaml" >"$work/second" 2>"$work/err"
+same "auto: the same bytes again" "$work/first" "$work/second"
+sed -e 's/^integrate: {/&scheme: subcycle, /' "$work/open.yaml" >"$work/named.yaml"
+echo 'partition: {fast: [slide, gimbal]}' >>"$work/named.yaml"
+timeout 60 "$FMDSUB" run -q "$work/named.yaml" >"$work/second" 2>"$work/err"
+same "auto: the same bytes as by name" "$work/first" "$work/second"
+timeout 60 "$FMDSUB" run -q -f ndjson "$work/open.yaml" 2>"$work/err" | head -n 1 >"$work/head"
+expect "auto: the head of the records says so" 1 "$(grep -c '"auto":"subcycle to tolerance 0.001, 2 of 105' "$work/head")" "$work/head"
+timeout 60 "$FMDSUB" check "$work/open.yaml" >"$work/words" 2>"$work/err"
+expect "auto: check says so" 1 "$(grep -c '^auto: subcycle to tolerance 0.001' "$work/words")" "$work/words"
+
+# Trials are a small part of the run, by the counts in the same line.
+sed -n 's/^auto: .*foretold \([0-9.e+]*\) evaluations.*trial runs of \([0-9.e+]*\)$/\1 \2/p' "$work/words" >"$work/counts"
+expect "auto: trials are a small part" fine "$(awk '$2 < .1 * $1 { print "fine" }' "$work/counts")" "$work/words"
+
+# A short run is by dopri5, byte for byte, and without trials.
+sed -e 's/^integrate: .*/integrate: {until: 2}/' decks/four-bar.yaml >"$work/open.yaml"
+"$FMDSUB" run "$work/open.yaml" >"$work/first" 2>"$work/err"
+expect "auto: a short run" "dopri5 to tolerance 0.0001, short" "$(taken "$work/err")" "$work/err"
+"$FMDSUB" run -q --set 'integrate={scheme: dopri5, tolerance: 1.0e-4, until: 2}' decks/four-bar.yaml >"$work/second" 2>"$work/err"
+same "auto: the same bytes as by dopri5" "$work/first" "$work/second"
+
+# With a step alone: that is the minor step, and a ratio is the largest one.
+for cap in '' 10; do
+    timeout 60 "$FMDSUB" run -o "$work/first" --set integrate.scheme=auto --set partition=auto ${cap:+--set integrate.ratio=$cap} \
+        decks/satellite-instrument.yaml 2>"$work/err"
+    case $cap in
+    '') expect "auto: a step" "subcycle h = 0.0002 s, H = 100 h, 2 of 105 freedoms fast (slide gimbal)" "$(taken "$work/err")" "$work/err" ;;
+    *) expect "auto: a step and a ratio" "subcycle h = 0.0002 s, H = 10 h, 2 of 105 freedoms fast (slide gimbal)" "$(taken "$work/err")" "$work/err" ;;
+    esac
+done
+
+# A scheme by name keeps it: only the partition is open.
+timeout 60 "$FMDSUB" run -o "$work/first" --set partition=auto decks/satellite-instrument.yaml 2>"$work/err"
+expect "partition: auto, under a scheme by name" "subcycle h = 0.0002 s, H = 100 h, 2 of 105 freedoms fast (slide gimbal)" \
+    "$(taken "$work/err")" "$work/err"
+
+# Rigid contacts leave no choice.
+"$FMDSUB" run -o "$work/first" --until 0.1 --set integrate.scheme=auto decks/bounce-and-roll.yaml 2>"$work/err"
+expect "auto: rigid contacts" "auto: midpoint, which takes rigid contacts" "$(grep '^auto' "$work/err")" "$work/err"
+
+# What is asked for besides is refused as ever.
+"$FMDSUB" run -q --set integrate.scheme=automatic decks/four-bar.yaml >"$work/first" 2>"$work/err"
+expect "auto: no other word" "3 E-unknown-scheme" "$? $(grep -o 'E-unknown-scheme' "$work/err")" "$work/err"
