@@ -51,7 +51,7 @@ enum { GAP = 0 };
 #endif
 
 /* Nothing is allocated to say so. */
-static void out_of_memory(double wanted)
+static _Noreturn void out_of_memory(double wanted)
 {
     char words[200];
     struct rlimit limit = {.rlim_cur = RLIM_INFINITY};
@@ -67,11 +67,16 @@ static void out_of_memory(double wanted)
     _exit(E_LIMIT);
 }
 
-void *memory_or_end(size_t bytes)
+/* What was asked for, which was of so many bytes. */
+static void *had(void *memory, size_t bytes)
 {
-    void *memory = malloc(bytes);
     if (!memory) out_of_memory((double)bytes);
     return memory;
+}
+
+void *memory_or_end(size_t bytes)
+{
+    return had(malloc(bytes), bytes);
 }
 
 FILE *file_or_end(const char *path, const char *mode)
@@ -108,9 +113,7 @@ static ssize_t words_write(void *self, const char *bytes, size_t n)
     struct words *o = self;
     if (*o->n + n + 1 > o->room) {
         const size_t room = 2 * (*o->n + n + 1);
-        char *text = realloc(*o->text, room);
-        if (!text) out_of_memory((double)room);
-        *o->text = text;
+        *o->text = had(realloc(*o->text, room), room);
         o->room = room;
     }
     memcpy(*o->text + *o->n, bytes, n);
@@ -127,14 +130,13 @@ static int words_end(void *self)
 
 FILE *words_open(char **text, size_t *n)
 {
-    struct words *o = malloc(sizeof *o);
-    *text = malloc(1);
-    if (!o || !*text) out_of_memory(sizeof *o);
+    struct words *o = memory_or_end(sizeof *o);
+    *text = memory_or_end(1);
     **text = 0;
     *n = 0;
     *o = (struct words){text, n, 1};
-    FILE *words = fopencookie(o, "w", (cookie_io_functions_t){.write = words_write, .close = words_end});
-    if (!words) out_of_memory(sizeof *words);
+    FILE *words =
+        had(fopencookie(o, "w", (cookie_io_functions_t){.write = words_write, .close = words_end}), sizeof *words);
     setvbuf(words, NULL, _IONBF, 0);
     return words;
 }
