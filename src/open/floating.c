@@ -7,9 +7,11 @@
 #include "la/vec3.h"
 
 static const double FADES = 1e-8; /* what is left of T there, which is good to 16 digits */
-static const double MOST = .1; /* of the motion of the bodies against the whole may change in a step for the energy */
+static const double MOST = .1;    /* of the motion of the bodies against the whole
+                                  may change in a step for the energy */
 
-/* --- the ends of the step ----------------------------------------------------------------------- */
+/* --- the ends of the step
+ * ----------------------------------------------------------------------- */
 
 static bool is_at(const struct floating *o, int end, const double *q, const double *v)
 {
@@ -54,7 +56,8 @@ static void sample_ends(struct floating *o, const struct instant *x)
     sample(o, 1, x->qb, x->vb);
 }
 
-/* --- the centre of mass ------------------------------------------------------------------------- */
+/* --- the centre of mass
+ * ------------------------------------------------------------------------- */
 
 static void centre(double *c, const struct floater *f, int end, const double *q)
 {
@@ -62,7 +65,8 @@ static void centre(double *c, const struct floater *f, int end, const double *q)
     for (int k = 0; k < f->nslide; k++) v3_axpy(c, q[f->slide[k]], f->e[k]);
 }
 
-/* How far c_a + h (p_a + p_b)/(2 m) is from the centre at q1, the end of the step. */
+/* How far c_a + h (p_a + p_b)/(2 m) is from the centre at q1, the end of the
+ * step. */
 static void left_behind(double *d, const struct floater *f, const struct instant *x, const double *q1)
 {
     const double half = .5 * (x->tb - x->ta) / f->end[0].m;
@@ -93,11 +97,14 @@ void floating_place(struct floating *o, struct instant *settled, const struct in
     }
 }
 
-/* --- the balances ------------------------------------------------------------------------------- */
+/* --- the balances
+ * -------------------------------------------------------------------------------
+ */
 
-/* The rate at which motion against the whole, of kinetic energy T_rel, must grow for the energy `missing` per unit
- * time. Both vanish with that motion; where it turns round within a step they say little of each other, and where it is
- * hardly there round-off of T says nothing. */
+/* The rate at which motion against the whole, of kinetic energy T_rel, must
+ * grow for the energy `missing` per unit time. Both vanish with that motion;
+ * where it turns round within a step they say little of each other, and where
+ * it is hardly there round-off of T says nothing. */
 static double stretch(double missing, double T_rel, double T, double h)
 {
     const double least = FADES * T, twice = 2 * T_rel, size = twice * twice + least * least;
@@ -142,7 +149,8 @@ void floating_balance(struct floating *o, struct sweep *s, const struct instant 
     }
 }
 
-/* Velocities of the root for the velocity dv of the centre, and for turning by w about it; stands at end 1. */
+/* Velocities of the root for the velocity dv of the centre, and for turning by
+ * w about it; stands at end 1. */
 static void push_root(const struct floating *o, double *v, const struct floater *f, const double *dv, const double *w)
 {
     double arm[3], d[3];
@@ -187,26 +195,46 @@ static void add_up(struct sum *o, const struct floater *f, int n, int end, doubl
     }
 }
 
-/* Centres at both ends, the second where the momenta lead. */
-static void find_centres(struct floating *o, const struct floater *f, int n, const struct instant *x, const double *q1)
+/* left_behind() of the trees of a group: d [n].  Over several steps of the
+ * midpoint rule momenta at both ends do not tell where forces of that time have
+ * led a tree, only where the whole group is if nothing but gravity acts on it.
+ */
+static void all_behind(double (*d)[3], const struct floating *o, const struct group *g, const struct instant *x,
+                       const double *q1)
 {
-    for (int i = 0; i < n; i++) {
-        double d[3];
+    const struct floater *f = &o->part[g->first];
+    double m = 0, sum[3] = {0};
+    for (int i = 0; i < g->n; i++) {
+        left_behind(d[i], &f[i], x, q1);
+        v3_axpy(sum, f[i].end[0].m, d[i]);
+        m += f[i].end[0].m;
+    }
+    if (x->t < x->tb || (g->n == 1 && g->alone)) return;
+    v3_scale(sum, g->alone ? 1 / m : 0, sum);
+    for (int i = 0; i < g->n; i++) v3_copy(d[i], sum);
+}
+
+/* Centres at both ends, the second where the momenta lead. */
+static void find_centres(struct floating *o, const struct group *g, const struct instant *x, const double *q1)
+{
+    const struct floater *f = &o->part[g->first];
+    all_behind(o->behind, o, g, x, q1);
+    for (int i = 0; i < g->n; i++) {
         centre(o->centre[0][i], &f[i], 0, x->qa);
         centre(o->centre[1][i], &f[i], 1, q1);
-        left_behind(d, &f[i], x, q1);
-        v3_add(o->centre[1][i], d);
+        v3_add(o->centre[1][i], o->behind[i]);
     }
 }
 
-/* Velocity of the centre and turn of the whole group for p_b = p_a + h m g, L_b = L_a; false: there is none. */
+/* Velocity of the centre and turn of the whole group for p_b = p_a + h m g, L_b
+ * = L_a; false: there is none. */
 static bool find_rest(double *dv, double *w, double *c, struct floating *o, const double *q1, const struct group *g,
                       const struct instant *x)
 {
     const struct floater *f = &o->part[g->first];
     struct sum a, b;
     double dL[3], Jinv[6];
-    find_centres(o, f, g->n, x, q1);
+    find_centres(o, g, x, q1);
     add_up(&a, f, g->n, 0, o->centre[0]);
     add_up(&b, f, g->n, 1, o->centre[1]);
     for (int k = 0; k < 3; k++) dv[k] = (a.p[k] - b.p[k]) / b.m + (x->tb - x->ta) * o->model->gravity[k];
@@ -217,8 +245,9 @@ static bool find_rest(double *dv, double *w, double *c, struct floating *o, cons
     return isfinite(v3_dot(dv, dv) + v3_dot(w, w));
 }
 
-/* What the iteration has left in the momenta of a group is far below what the step is good for.  Turning changes where
- * the momenta lead its trees, so that for more than one it takes some passes. */
+/* What the iteration has left in the momenta of a group is far below what the
+ * step is good for.  Turning changes where the momenta lead its trees, so that
+ * for more than one it takes some passes. */
 static void finish(struct floating *o, double *q1, double *v1, const struct group *g, const struct instant *x)
 {
     enum { PASSES = 6 };
@@ -246,9 +275,9 @@ void floating_settle(struct floating *o, double *q1, double *v1, const struct in
     if (o->n) sample_ends(o, x);
     for (int i = 0; i < o->ngroup; i++)
         if (o->group[i].alone) finish(o, q1, v1, &o->group[i], x);
-    for (int i = 0; i < o->n; i++) {
-        double d[3];
-        left_behind(d, &o->part[i], x, q1);
-        slide(q1, &o->part[i], d);
+    for (int i = 0; i < o->ngroup; i++) {
+        const struct group *g = &o->group[i];
+        all_behind(o->behind, o, g, x, q1);
+        for (int k = 0; k < g->n; k++) slide(q1, &o->part[g->first + k], o->behind[k]);
     }
 }

@@ -35,7 +35,9 @@ void trust_open(struct sim *sim, struct arena *life)
     }
 }
 
-/* ---- on the way ------------------------------------------------------------------------------------------------ */
+/* ---- on the way
+ * ------------------------------------------------------------------------------------------------
+ */
 
 /* Every other place goes. */
 static void thin(struct trust *o)
@@ -102,9 +104,12 @@ void trust_recall(struct sim *sim, struct recall *r)
     recall_without(r);
 }
 
-/* ---- at the end ------------------------------------------------------------------------------------------------ */
+/* ---- at the end
+ * ------------------------------------------------------------------------------------------------
+ */
 
-/* What makes the errors of a place so small that columns answer in proportion; 0: there are none. */
+/* What makes the errors of a place so small that columns answer in proportion;
+ * 0: there are none. */
 static double reduction(const struct trust_place *p, const struct ode2 *ode)
 {
     double pace = 0, most = 0;
@@ -122,7 +127,8 @@ static double sign(int draw, int i)
     return ((unsigned)(i + 1) * 2654435761u + (unsigned)draw * 2246822519u) >> (draw + 13) & 1 ? -1 : 1;
 }
 
-/* Columns where the place is moved by so much of what was missed; by 0: where it is.  false: they cannot be had. */
+/* Columns where the place is moved by so much of what was missed; by 0: where
+ * it is.  false: they cannot be had. */
 static bool columns_at(struct sim *sim, const struct trust_place *p, double by, int draw)
 {
     const struct ode2 *ode = sim->stepper.ode;
@@ -159,7 +165,8 @@ static bool is_kept(const struct sim *sim, int i, double range)
     return momentum && range <= KEPT * sim->trust.off[i];
 }
 
-/* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
+/* Over the range, or where it has none over its size; what is lost beside the
+ * largest of its unit does not count. */
 static double share(const struct sim *sim, int i)
 {
     static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
@@ -192,6 +199,17 @@ static bool has_jumped(const struct sim *sim)
     return false;
 }
 
+/* Differences need steps of one length behind one another. */
+static const char *too_few(const struct sim *sim)
+{
+    enum { FEW = 8, OFTEN = 8 };
+    const struct effort *e = &sim->stepper.effort;
+    if (!sim->stepper.kind->adaptive && OFTEN * e->rejected > e->majors)
+        return "too many steps were not to be had at their length, and were cut";
+    if (sim->stepper.missed->steps < FEW) return "the run has too few steps";
+    return "too few steps lie between corners of forces or drives";
+}
+
 /* Why the steps cannot tell; NULL: they can. */
 static const char *reason(const struct sim *sim)
 {
@@ -199,12 +217,13 @@ static const char *reason(const struct sim *sim)
     const bool tells = sim->stepper.kind->adaptive || sim->stepper.kind->late;
     const bool asked = sim->stepper.kind->adaptive || missed->steps > 0; /* two rates composed to order 4 are not */
     if (sim->stepper.ode->n == 0) return NULL;
-    if (!tells || !asked) return "its scheme does not tell what its steps leave";
+    if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
     if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
-    if (sim->stepper.touch && touch_pushed(sim->stepper.touch)) return "bodies push or rub each other";
-    if (2 * missed->told < missed->steps || missed->told == 0)
-        return "too few steps lie between corners of forces or drives";
+    if (sim->stepper.touch && touch_pushed(sim->stepper.touch))
+        return touch_rubs(sim->stepper.touch) ? "friction acts in joints" : "bodies push or rub each other";
+    if (!asked) return "its scheme does not tell what its steps leave";
+    if (2 * missed->told < missed->steps || missed->told == 0) return too_few(sim);
     return NULL;
 }
 
@@ -226,7 +245,9 @@ void trust_find(struct sim *sim)
     o->known = o->column >= 0 && o->worst < UNKNOWN;
 }
 
-/* ---- told ------------------------------------------------------------------------------------------------------ */
+/* ---- told
+ * ------------------------------------------------------------------------------------------------------
+ */
 
 static double tolerance(const struct sim *sim)
 {
@@ -250,9 +271,11 @@ void warn_of_trust(struct sim *sim)
     char error[24] = "more than half";
     if (o->known) snprintf(error, sizeof error, "%.2g", o->worst);
     sim_warn(sim,
-             "the estimated error, %s of the range of '%.60s', is far above the tolerance of %g: what the steps miss "
+             "the estimated error, %s of the range of '%.60s', is far above the "
+             "tolerance of %g: what the steps miss "
              "adds up "
-             "or grows; take a smaller tolerance, and measure with --verify [W-tolerance]",
+             "or grows; take a smaller tolerance, and measure with --verify "
+             "[W-tolerance]",
              error, sim->columns[o->column].name, tolerance(sim));
 }
 
@@ -265,14 +288,14 @@ void print_trust(const struct sim *sim, FILE *to)
     else if (o->column < 0)
         fputs("estimated error: not known: no column of the motion is written\n", to);
     else if (!o->known)
-        fprintf(
-            to,
-            "estimated error: not known, above half the range of '%s': the steps do not resolve what moves there; take "
-            "%s\n",
-            sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
+        fprintf(to,
+                "estimated error: not known, above half the range of '%s': the "
+                "steps do not resolve what moves there; take "
+                "%s\n",
+                sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
     else
-        fprintf(
-            to,
-            "estimated error: %.1g of the range of '%s', summed over the steps; `fmdsub run --verify` measures it\n",
-            o->worst, sim->columns[o->column].name);
+        fprintf(to,
+                "estimated error: %.1g of the range of '%s', summed over the "
+                "steps; `fmdsub run --verify` measures it\n",
+                o->worst, sim->columns[o->column].name);
 }

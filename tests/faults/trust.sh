@@ -53,3 +53,20 @@ output: {columns: [b.y]}
 END
 "$FMDSUB" run "$work/roll.yaml" >"$work/out" 2>"$work/err"
 expect "rolling: no estimate" 1 "$(grep -c 'estimated error: not known: bodies push' "$work/err")" "$work/err"
+
+# Why it is not known: friction of joints, an iteration that gives up steps, a run of few steps.
+words() { # PATTERN NAME ARGUMENT...
+    pattern=$1 name=$2
+    shift 2
+    "$FMDSUB" run "$@" >"$work/out" 2>"$work/err"
+    expect "not known: $name" 1 "$(tail -n 1 "$work/err" | grep -c "^estimated error: not known: $pattern; ")" "$work/err"
+}
+pin='fmdsub: 1\ngravity: [0, -9.81]\nbodies: {bob: {mass: 1, inertia: 0.1, at: [1, 0]}, rod: {mass: 0.2, inertia: 0.02, at: [2.5, 0]}}
+forces: {%s}\nintegrate: {step: 1.0e-3, until: 1%s}\noutput: {columns: [bob.x]}\n'
+mid='mid: {revolute: [bob, rod], at: [2, 0]}'
+{ printf "$pin" 'k: {spring: mid, stiffness: 50}' ''; echo "constraints: {pin: {revolute: [ground, bob], at: [0, 0], friction: {coefficient: 0.3, radius: 0.05}}, $mid}"; } >"$work/rub.yaml"
+{ printf "$pin" 'p: {bushing: [ground, bob], at: [0, 0], stiffness: [1.0e+12, 1.0e+12]}' ', scheme: subcycle, ratio: 10'
+    echo "constraints: {f: {free: [ground, bob]}, $mid}"; echo 'partition: {fast: [mid]}'; } >"$work/cut.yaml"
+words 'friction acts in joints' 'friction in joints' "$work/rub.yaml"
+words 'too many steps were not to be had at their length, and were cut' 'steps cut' "$work/cut.yaml"
+words 'the run has too few steps' 'few steps' -s integrate.scheme=midpoint -s integrate.order=4 -s integrate.until=0.003 -s output.every=0.001 "$deck"
