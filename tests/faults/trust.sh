@@ -15,7 +15,7 @@ tail -n 1 err | grep -q 'not known: its scheme does not tell' && ok "a scheme th
 # A second run: the table, the summary, the same records.
 "$FMDSUB" run -q "$deck" >plain 2>err
 "$FMDSUB" run --verify "$deck" >out 2>err
-expect "--verify: the first run's records" 0 "$(cmp plain out >/dev/null; echo $?)" out
+expect "--verify: the first run's records" 0 "$([ -s plain ] && cmp plain out >/dev/null; echo $?)" out
 expect "--verify: a line for each column" 7 "$(grep -cE '^(pin|ball)\.[a-z_]+ +[0-9.e-]+ +[0-9.e-]+ ' err)" err
 grep -q '^verified by a second run at step 0.0005: ' err && ok "--verify: half the step" || not_ok "--verify: half the step" "it says" err
 measured=$("$FMDSUB" run -q --verify -f ndjson "$deck" 2>err | tail -n 1 | tr ',{' '\n\n' | awk -F: '
@@ -28,7 +28,7 @@ grep -q '^verified by a second run at tolerance 1e-07: ' err && ok "--verify: a 
 grep -q '^verified by a second run at step 0.0005: what differs, at most, at the 7[23] records' err && ok "--verify: records by steps, ratio kept" ||
     not_ok "--verify: records by steps, ratio kept" "it says" err
 "$FMDSUB" run -q --verify "$deck" >out 2>err
-expect "--verify: status" "0 0" "$? $(wc -l <err | tr -d ' ')" err
+expect "--verify: status, nothing said, records" "0 0 same" "$? $(wc -l <err | tr -d ' ') $([ -s out ] && cmp -s plain out && echo same)" err
 
 # Errors far above the tolerance are told.
 top="-s integrate.scheme=dopri5 -s integrate.tolerance=1e-3 -s integrate.until=300 -s output.every=10"
@@ -37,7 +37,7 @@ grep -q '^warning: the estimated error, .* is far above the tolerance of 0.001: 
 "$FMDSUB" run -q --strict $top "$deck" >out 2>err
 expect "far above the tolerance, --strict" 1 $? err
 "$FMDSUB" explain W-tolerance >out 2>err
-expect "and that is explained" 0 $? err
+ended "and that is explained" 0 $? out err
 
 # What rolls on what has no estimate: nothing of it is seen where it is pushed.
 cat >"$work/roll.yaml" <<'END'

@@ -117,7 +117,7 @@ for scheme in 'newmark, step: 1.0e-3' 'midpoint, step: 1.0e-3' 'subcycle, step: 
 done
 "$FMDSUB" run -q --set parameters.a=0.3 --set parameters.e=0 "$work/odd.yaml" >"$work/equal" 2>"$work/err"
 ended "equal cranks, through the flat posture: status" 0 $? "$work/equal" "$work/err"
-grep -q "not quite the same" "$work/err" && not_ok "equal cranks: nothing to tell" "stderr:" "$work/err" || ok "equal cranks: nothing to tell"
+expect "equal cranks: nothing to tell" "records 0" "$([ -s "$work/equal" ] && echo records) $(grep -c 'not quite the same' "$work/err")" "$work/err"
 "$FMDSUB" run -q --set parameters.a=0.3 --set parameters.e=1.0e-8 "$work/odd.yaml" >"$work/out" 2>"$work/err"
 grep -q "'head[0-9]' miss by up to 1.[0-9]e-08 of the mechanism's size.*not quite the same" "$work/err" &&
     ok "a crank too long by 1e-8, through the flat posture: told" ||

@@ -28,11 +28,11 @@ last_of() { tail -n 1 "$1" | cut -d, -f2; }
 panel 3 | "$FMDSUB" run -q - >"$work/three" 2>"$work/err"
 panel 40 | "$FMDSUB" run -q - >"$work/all" 2>"$work/err"
 panel auto | "$FMDSUB" run -q - >"$work/auto" 2>"$work/err"
-near=$(awk -v a="$(last_of "$work/auto")" -v b="$(last_of "$work/all")" 'BEGIN { print a != 0 && (a - b)^2 <= (1e-3 * b)^2 }')
+near=$(awk -v a="$(last_of "$work/auto")" -v b="$(last_of "$work/all")" 'BEGIN { print a + 0 != 0 && (a - b)^2 <= (1e-3 * b)^2 }')
 expect "a panel slewed in its stiff plane bends as with all modes" 1 "$near" "$work/auto" "$work/all" "$work/err"
-expect "its three lowest modes do not" 1 "$(awk -v a="$(last_of "$work/three")" -v b="$(last_of "$work/all")" 'BEGIN { print (a < 0 ? -a : a) < 0.1 * (b < 0 ? -b : b) }')"
+expect "its three lowest modes do not" 1 "$(awk -v a="$(last_of "$work/three")" -v b="$(last_of "$work/all")" 'BEGIN { print b + 0 != 0 && (a < 0 ? -a : a) < 0.1 * (b < 0 ? -b : b) }')"
 panel auto | "$FMDSUB" check - >"$work/check" 2>"$work/err"
-expect "no mode that bends it the other way is kept" 0 "$(grep -c 'bending z  *kept' "$work/check")" "$work/check"
+expect "no mode that bends it the other way is kept" "yes 0" "$(grep -q 'bending y  *kept' "$work/check" && echo yes) $(grep -c 'bending z  *kept' "$work/check")" "$work/check"
 expect "those that bend it in its plane are" 1 "$(grep -q 'bending y  *kept, share' "$work/check" && echo 1)" "$work/check"
 panel auto | sed 's/^integrate/initial: {panel.mode3: 1.0e-6}\nintegrate/' | "$FMDSUB" check - >"$work/check" 2>"$work/err"
 expect "a mode that the deck names is there" 1 "$(grep -q 'panel.mode3 ' "$work/check" && echo 1)" "$work/check" "$work/err"
@@ -59,7 +59,7 @@ output: {every: 0.05, columns: [shaft.tip.dy]}
 DECK
 "$FMDSUB" check "$work/shaft.yaml" >"$work/check" 2>"$work/err"
 y=$(grep -c 'bending y  *kept' "$work/check") z=$(grep -c 'bending z  *kept' "$work/check")
-expect "equal modes are kept together" "$y" "$z" "$work/check"
+expect "equal modes are kept together" "$y yes" "$z $([ "$z" -gt 0 ] && echo yes)" "$work/check"
 expect "and there are some" 1 "$([ "$y" -gt 0 ] && echo 1)" "$work/check"
 
 # From a file: the airscrew's blade.

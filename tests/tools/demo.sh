@@ -7,7 +7,7 @@ deck=decks/bar-slider.yaml
 
 for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
     for ratio in 1 5 10; do
-        "$FMDSUB" run -q --set integrate.ratio=$ratio --stats="$work/stats" "$deck" >"$work/$ratio.csv" || exit 1
+        "$FMDSUB" run -q --set integrate.ratio=$ratio --stats="$work/stats" "$deck" >"$work/$ratio.csv" && [ -s "$work/$ratio.csv" ] || exit 1
         sed "s/^/$ratio /" "$work/stats" >>"$work/all"
     done
 done

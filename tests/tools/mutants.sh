@@ -9,14 +9,14 @@
 #
 # It meets the tests of `make test` that run its line (the counters of COUNTED, see reached.sh, say which), no others could
 # notice it: the unit test of its file first, those of its folder, then the rest, quickest first, until BUDGET (90) seconds of
-# a processor are spent; its own unit test and the part of its folder (study, sweep, animate, reduce) are met in any case.  What nothing notices meets unit tests, decks and wrong decks of them once more with the mutated file
+# a processor are spent; its own unit test and the part of its folder (see part_of) are met in any case.  What nothing notices meets unit tests, decks and wrong decks of them once more with the mutated file
 # and the arena compiled for the address sanitizer, as in `make asan`: an index one too far is seen there.  What takes ten times as long as ever is killed, too.  A test of the program that notices has to pass
 # without the mutant, then and there, or it counts for nothing: others may be at work on the machine.  At least 85 percent
 # have to be noticed.  Survivors are printed as they are.
 . tests/tools/lib.sh
 UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60
 export BUILD UNIT_SECONDS DECK_SECONDS BAD_SECONDS
-N=${N:-60} SEED=${SEED:-1} CC=${CC:-gcc} BUDGET=${BUDGET:-90}
+N=${N:-60} SEED=${SEED:-1} CC=${CC:-gcc} BUDGET=${BUDGET:-90} TESTS=${TESTS:-}
 case $COUNTED in /*) ;; *) COUNTED=$PWD/$COUNTED ;; esac
 FLAGS="-std=c11 -D_GNU_SOURCE -Isrc -O1 -fPIC -ffp-contract=off -fno-math-errno"
 LIBS="-lyaml -lcjson -lm"
@@ -74,15 +74,26 @@ lines_of() {
     echo "$list"
 }
 
+# part_of FOLDER: the part of `make test` that is about it, as a pattern of items.
+part_of() {
+    case $1 in
+    film) echo '^animate$' ;;
+    study) echo '^study-' ;;
+    engine | multirate) echo '^order$' ;;
+    cli) echo '^faults-' ;;
+    *) echo "^$1\$" ;;
+    esac
+}
+
 # tests_of FILE LINE: items that run the line, in the order in which they are run, with their times.
 tests_of() {
     own=t-$(basename "$1" .c) folder=$(basename "$(dirname "$1")")
     grep -l "\"$folder/" tests/unit/t-*.c tests/reduce/t-*.c | sed 's|.*/\(.*\)\.c|\1|' >"$work/near"
     awk -v line="$2" '$2 == line { print $1 }' "$(lines_of "$1")" | while read -r item; do
         case $item in install | fuzz) ;; *) echo "$item $(seconds_of "$item")" ;; esac
-    done | awk -v own="$own" -v near="$work/near" -v part="$(case $folder in film) echo animate ;; *) echo "$folder" ;; esac)" '
+    done | awk -v own="$own" -v near="$work/near" -v part="$(part_of "$folder")" '
         BEGIN { while ((getline name < near) > 0) of[name] = 1 }
-        { print $1 == own ? 0 : $1 in of ? 1 : 2, $2, $1, $1 == own || $1 == part }' |
+        { mine = $1 ~ part; print $1 == own ? 0 : $1 in of || mine ? 1 : 2, $2, $1, $1 == own || mine }' |
         sort -k1n -k2n | awk -v budget="$BUDGET" '$4 { print $3; next } sum + $2 <= budget { sum += $2; print $3 }'
 }
 
@@ -204,7 +215,7 @@ judge() {
         met=$((met + 1))
         run "$item" || ! passes "$item" $library || { killer=$item; break; }
     done
-    [ "$killer" ] || sanitized "$1" "$2"
+    [ "$killer$TESTS" ] || sanitized "$1" "$2"
     put "$live/clean-$library.so" $library
 }
 

@@ -55,7 +55,7 @@ sed -e '/^signals:/,/^tables:/d' -e 's/, late, road, {both: push + late}//' \
     sed -e 's/(G)/(0.05*S*if(t < 0.6, 1, 0) + if(pin.angle < 0, 0, if(pin.angle < 0.02, pin.angle\/2, 0.01)))/' \
         -e 's/S\*/if(t < 0.1, 0, if(t < 0.4, ((t - 0.1)\/0.3)^3*(10 - 15*(t - 0.1)\/0.3 + 6*((t - 0.1)\/0.3)^2), 1))*/' >"$work/out.yaml"
 "$FMDSUB" run -q "$work/out.yaml" >"$work/long.csv" 2>"$work/err"
-expect "signals written out" 0 $? "$work/err"
+ended "signals written out" 0 $? "$work/long.csv" "$work/err"
 "$FMDSUB" run -q -c pin.angle,slide.displacement tests/decks/signals.yaml >"$work/short.csv" 2>"$work/err"
 "$COMPARE" --reference --within 1e-9 --columns "pin.angle slide.displacement" "$work/long.csv" "$work/short.csv" >"$work/diff" 2>&1
 expect "signals are what they stand for" "0 10" "$? $(wc -l <"$work/short.csv")" "$work/diff" "$work/err"

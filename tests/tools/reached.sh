@@ -21,7 +21,7 @@ files() {
     case $1 in
     t-*) echo "tests/unit/$1.c" ;;
     decks-*) ls -d decks/"${1#decks-}".yaml decks/*/"${1#decks-}".yaml tests/decks/"${1#decks-}".yaml 2>/dev/null ;;
-    faults-* | hard-*) echo "tests/${1%%-*}/${1#*-}.sh" ;;
+    faults-* | hard-* | study-*) echo "tests/${1%%-*}/${1#*-}.sh" ;;
     bad | random | effects | fuzz | reduce | validation) echo "tests/tools/part-$1.sh tests/$1" ;;
     *) echo "tests/tools/part-$1.sh" ;;
     esac

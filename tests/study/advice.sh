@@ -1,0 +1,22 @@
+# advice.sh -- the advice of check, followed.
+. tests/tools/lib.sh
+
+# The advice of `check`, followed: found errors at most five times what was promised (make advice: on all decks).
+MOST=2e5 sh tests/tools/advice.sh decks/pendulum.yaml decks/bar-slider.yaml decks/chain.yaml decks/slider-crank.yaml \
+    decks/spin-up-slow.yaml >"$work/advice" 2>&1
+rc=$?
+expect "advice followed on five decks: $(tail -n 1 "$work/advice")" 0 $rc "$work/advice"
+
+# The same where loads and drives have corners in time, forces jump by the state, or the deck has a tolerance.
+MOST=5e5 sh tests/tools/advice.sh tests/advice/*.yaml >"$work/advice" 2>&1
+rc=$?
+expect "advice followed where forces jump: $(tail -n 1 "$work/advice")" 0 $rc "$work/advice"
+advised() { # NAME DECK PATTERN COUNT
+    "$FMDSUB" check -q "tests/advice/$2.yaml" >"$work/out" 2>"$work/err"
+    expect "$1" "0 1 $4" "$? $(grep -c '^advice' "$work/out") $(grep -c -- "$3" "$work/out")" "$work/out" "$work/err"
+}
+advised "no step that there was no time to try with a pulse in it" late-pulse 'at step ' 0
+advised "that is said" late-pulse 'no fixed step: those that there was time to try' 1
+advised "corners in steps that are too many, and where" driven-crank 'no fixed step: .* such as t = 0.05 s; schemes with a tolerance' 1
+advised "corners as ends of steps" jumps '1e-04: midpoint at step 0.0001 ' 1
+advised "no step beside a tolerance" tolerance 'no fixed step: the deck has a tolerance' 1
