@@ -13,7 +13,7 @@ rc=$?
 expect "advice followed where forces jump: $(tail -n 1 "$work/advice")" 0 $rc "$work/advice"
 advised() { # NAME DECK PATTERN COUNT
     "$FMDSUB" check -q "tests/advice/$2.yaml" >"$work/out" 2>"$work/err"
-    expect "$1" "0 1 $4" "$? $(grep -c '^advice' "$work/out") $(grep -c -- "$3" "$work/out")" "$work/out" "$work/err"
+    expect "$1" "0 1 $4" "$? $(grep -c '^steps: by trial runs' "$work/out") $(grep -c -- "$3" "$work/out")" "$work/out" "$work/err"
 }
 advised "no step that there was no time to try with a pulse in it" late-pulse 'at step ' 0
 advised "that is said" late-pulse 'no fixed step: those that there was time to try' 1
