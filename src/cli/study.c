@@ -82,13 +82,24 @@ static enum status print_pick(const struct study *study, double pick, struct rep
     return OK;
 }
 
+/* A table in which every run stopped, or none began, answers nothing. */
+static enum status any_whole(const struct study *study, struct report *report)
+{
+    for (const struct study_row *r = study->row; r < study->row + study->nrow; r++)
+        if (r->status == OK || r->status == E_VERDICT) return OK;
+    if (study->nrow == 0)
+        return fail(report, E_LIMIT,
+                    "no setting was run: each takes more work than the reference or the budget allows");
+    return fail(report, E_NUMERIC, "no setting ran to its end: smaller steps, or other schemes");
+}
+
 /* The wanted setting alone, or what the rows say. */
 static enum status print_study(const struct study *study, double pick, const struct request *request,
                                struct report *report)
 {
     if (request->pick) return print_pick(study, pick, report);
     if (!request->quiet) study_answer(study, stderr);
-    return OK;
+    return any_whole(study, report);
 }
 
 static enum status no_row(void *self, const struct study_row *row, struct report *report)
@@ -120,10 +131,9 @@ static enum status run_rows(struct study *study, const struct scene *scene, cons
     TRY(stream_to(&stream, request->output, life, report));
     o.done = rows_put;
     o.self = &rows;
-    enum status status = rows_begin(&rows, report);
-    if (status == OK) status = study_run(study, scene, &o, diags, life, report);
+    enum status status = study_run(study, scene, &o, diags, life, report);
     struct report late = {0};
-    const enum status ended = rows_end(&rows, &late);
+    const enum status ended = rows_end(&rows, status, &late);
     if (status == OK && ended != OK) status = fail(report, ended, "%s", late.text);
     return stream_finish(&stream, status, report);
 }

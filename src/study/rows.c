@@ -90,8 +90,9 @@ static enum status send(struct rows *o, const char *end, struct report *report)
     return stream_flush(o->stream, report);
 }
 
-enum status rows_begin(struct rows *o, struct report *report)
+static enum status begin(struct rows *o, struct report *report)
 {
+    o->begun = true;
     o->first = NAN;
     if (o->line.form == TABLE_DRAWN) return send(o, put_table(stream_begin(o->stream, MOST_LINE), NULL), report);
     table_line_open(&o->line);
@@ -114,6 +115,7 @@ enum status rows_put(void *self, const struct study_row *row, struct report *rep
 {
     struct rows *o = self;
     struct cells cells;
+    if (!o->begun) TRY(begin(o, report));
     if (o->n++ == 0) o->first = row->cpu;
     fill(&cells, row, o);
     if (o->line.form == TABLE_DRAWN)
@@ -123,8 +125,10 @@ enum status rows_put(void *self, const struct study_row *row, struct report *rep
     return table_line_send(&o->line, o->stream, report);
 }
 
-enum status rows_end(struct rows *o, struct report *report)
+enum status rows_end(struct rows *o, enum status status, struct report *report)
 {
+    if (!o->begun && status != OK) return OK;
+    if (!o->begun) TRY(begin(o, report));
     if (o->line.form == TABLE_DRAWN) return stream_flush(o->stream, report);
     table_line_open(&o->line);
     table_line_foot(&o->line);

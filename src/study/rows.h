@@ -15,13 +15,14 @@ struct rows {
     struct table_line line; /* its form */
     bool absolute;          /* errors in the unit of the worst column */
     struct stream *stream;
+    bool begun;
     int n;        /* written */
     double first; /* CPU time of the first row */
 };
 
-enum status rows_begin(struct rows *o, struct report *report);
-/* For study_options.done. */
+/* For study_options.done; the heading goes before the first. */
 enum status rows_put(void *self, const struct study_row *row, struct report *report);
-enum status rows_end(struct rows *o, struct report *report);
+/* Of a study that ended so: one that failed before its first row has no heading either. */
+enum status rows_end(struct rows *o, enum status status, struct report *report);
 
 #endif
