@@ -158,14 +158,15 @@ const struct diag_help diag_helps[] = {
      "These two surfaces do not make a contact. Known are point or sphere and plane, sphere and sphere or point, "
      "point or sphere and hole."},
     {"E-static", "What sticks is held by at least the friction that resists sliding: 'static' is not below 'kinetic'."},
-    {"E-contact-flexible", "Surfaces of flexible bodies do not touch yet. Fix a small rigid body at the place, and let "
-                           "that touch."},
+    {"E-contact-flexible",
+     "Rigid contacts are of rigid bodies, planes and balls, too. A point of a flexible body touches by a compliant "
+     "contact: give it a 'stiffness'. Or fix a small rigid body at the place, and let that touch."},
     {"E-points", "A surface of 'points' has one point or more, each of another place: a body rests on a place once. "
                  "Name points of the body, or delete the second of the two."},
     {"E-contact-linear",
      "Frequencies, stability maps and static equilibria do not know rigid contacts, which are closed or "
-     "open. Delete the contact for them. A stop of a joint may be made compliant, range: {hold: {stiffness: "
-     "1.0e+6}}; surfaces know no stiffness."},
+     "open. Delete the contact for them. Or make it compliant by a 'stiffness', of a joint's stop "
+     "range: {hold: {stiffness: 1.0e+6}}."},
     {"E-jam",
      "The iteration that finds the forces of all rigid contacts at once did not converge. The usual causes are many "
      "points that touch at once, masses on each other that differ by large ratios, and more points than hold the "
@@ -183,8 +184,8 @@ const struct diag_help diag_helps[] = {
                   "'initial'."},
     {"E-scheme-contact",
      "Rigid contacts cut steps where they strike, which scheme midpoint does, at a 'step'. Leave 'scheme' out. A "
-     "stop of a joint may be made compliant, range: {hold: {stiffness: 1.0e+6}}, which every scheme takes; surfaces "
-     "know no stiffness."},
+     "contact with a 'stiffness' is compliant, which every scheme takes; a joint's stop likewise, range: {hold: "
+     "{stiffness: 1.0e+6}}."},
     {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "
                       "way: drive another joint, and put a spring along this one."},
     {"E-kind",
@@ -351,10 +352,10 @@ const struct diag_help diag_helps[] = {
      "of sticking, at a rate that the 0.001 sets."},
     {"contact",
      "Rigid contacts of points and spheres with planes, holes and each other stand in 'surfaces' and 'contacts', "
-     "with Coulomb's friction; stops of a joint stand in its 'range'. They need scheme midpoint and a 'step'. Only "
-     "stops may be compliant, range: {hold: {stiffness: 1.0e+6}}. A compliant contact along another distance can be "
-     "written as a force of it alone, which keeps energy: {force: gap, value: \"if(gap < 0, -1.0e+5*gap, 0)\"}; add a "
-     "damper for losses. The step must resolve the time of touch, about 3*sqrt(mass/stiffness)."},
+     "with Coulomb's friction; stops of a joint stand in its 'range'. They need scheme midpoint and a 'step'. With a "
+     "'stiffness' they are compliant, for every scheme and for points of flexible bodies: the step must then resolve "
+     "the time of touch, about 3*sqrt(mass/stiffness), where it matters, and friction creeps. A compliant contact "
+     "along another distance is a force: {unilateral: gap, stiffness: 1.0e+5, side: below}."},
     {"rolling",
      "There is no rolling contact. A wheel that rolls without slip on a straight way is a rack: {rack: [wheel.angle, "
      "cart.displacement], radius: r}; two wheels on each other are a gear."},

@@ -4,6 +4,8 @@
  * closed: 0 <= g, N >= 0, one of them 0 (Signorini).  An impact turns the speed of approach round by Newton's
  * restitution.  Across, a friction force of at most mu N resists sliding (Coulomb).
  *
+ * What has a stiffness is no such contact but forces: kind/unilateral.h, kind/sliding.h.
+ *
  * Friction in a joint has no gap: N is the joint's own force, of the same motion, along its arm. */
 #ifndef FMDSUB_KIND_CONTACT_H
 #define FMDSUB_KIND_CONTACT_H

@@ -71,6 +71,12 @@ static double sign_of(const struct unilateral *p)
     return p->side == UNILATERAL_ABOVE ? 1 : -1;
 }
 
+double unilateral_push(const struct unilateral *p, double s, double v)
+{
+    const double F = push(p, depth(p, s));
+    return F + damping(p, F, sign_of(p) * v);
+}
+
 static void unilateral_law(struct law *o, const void *par, double s, double v, double t)
 {
     const struct unilateral *p = par;

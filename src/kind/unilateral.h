@@ -12,4 +12,7 @@ struct unilateral {
     int root;    /* 1: n is 1.5; 0: 1 */
 };
 
+/* The whole push of the spring and its damper at s, s' = v; 0 where it is open [N]. */
+double unilateral_push(const struct unilateral *p, double s, double v);
+
 #endif

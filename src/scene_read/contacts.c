@@ -6,6 +6,8 @@
 #include "la/vec3.h"
 #include "scene_read/parts.h"
 
+static const double USUAL_SLIP = 1e-3; /* of compliant contacts whose friction is a number [m/s] */
+
 enum shape { SHAPE_PLANE, SHAPE_POINT, SHAPE_POINTS, SHAPE_SPHERE, SHAPE_HOLE, SHAPES };
 
 static const struct {
@@ -21,7 +23,8 @@ struct surface {
     const struct node *node;
     enum shape shape;
     int n;
-    struct marker *at; /* [n] */
+    struct marker *at;        /* [n] */
+    const struct node **spot; /* [n] where the deck names them; NULL: it is no surface of points */
     double radius, normal[3], along[3];
 };
 
@@ -42,9 +45,9 @@ static int shape_of(struct builder *b, const struct node *n)
 static int refuse_bending(struct builder *b, const struct node *n, int body, const char *what)
 {
     if (!b->draft[body] && !b->scene->body[body].flex) return 0;
-    diag_error(b->diags, n, AT_VALUE, "E-contact-flexible", "%s: '%.60s' bends: its surfaces do not touch yet", what,
-               b->scene->body[body].name);
-    diag_hint(b->diags, "fix a small rigid body at the place, and let that touch");
+    diag_error(b->diags, n, AT_VALUE, "E-contact-flexible", "%s: '%.60s' bends: rigid contacts are of rigid bodies",
+               what, b->scene->body[body].name);
+    diag_hint(b->diags, "fix a small rigid body at the place; points touch by contacts with a 'stiffness', too");
     return 1;
 }
 
@@ -98,10 +101,10 @@ static int read_spots(struct builder *b, struct surface *o, const struct node *l
     }
     o->n = one ? 1 : list->count;
     o->at = TAKE(b->life, struct marker, o->n);
+    o->spot = TAKE(b->life, const struct node *, o->n);
     for (int i = 0; i < o->n; i++) {
-        const struct node *n = one ? list : list->item[i];
-        if (read_point(b, &o->at[i], n, what) || refuse_bending(b, n, o->at[i].body, what)) return 1;
-        if (refuse_twin(b, o, i, n, what)) return 1;
+        const struct node *n = o->spot[i] = one ? list : list->item[i];
+        if (read_point(b, &o->at[i], n, what) || refuse_twin(b, o, i, n, what)) return 1;
     }
     return 0;
 }
@@ -167,11 +170,13 @@ static enum contact_pair pair_of(const struct surface **first, const struct surf
     return (*first)->shape == SHAPE_SPHERE && (*second)->n == 1 ? PAIR_SPHERES : CONTACT_PAIRS;
 }
 
-static int read_friction(struct builder *b, struct contact_law *law, const struct node *n, const char *what)
+static int read_friction(struct builder *b, struct contact_law *law, double *slip, const struct node *n,
+                         const char *what)
 {
     static const struct key number[] = {
         PARAM_REAL(struct contact_law, sliding, "friction", NULL, 0, INFINITY, KEY_BELOW, NULL, ""), KEYS_END};
-    struct friction_keys k = {NAN, NAN};
+    struct friction_keys k = {NAN, NAN, 0};
+    *slip = USUAL_SLIP;
     if (!n) return 0;
     if (n->type != NODE_MAP) {
         if (read_number(&law->sliding, n, number, &b->reader)) return 1;
@@ -179,25 +184,40 @@ static int read_friction(struct builder *b, struct contact_law *law, const struc
         return 0;
     }
     if (read_keys(&k, keys_friction, n, NULL, "'friction'", &b->reader)) return 1;
+    *slip = k.slip;
     return check_coefficients(b, law, k.kinetic, k.holding, n, what);
 }
 
 static void add(struct builder *b, const struct scene_contact *like, const struct surface *first,
-                const struct surface *second)
+                const struct surface *second, const struct contact_keys *k, double slip)
 {
     struct scene *scene = b->scene;
     for (int i = 0; i < first->n; i++) {
-        struct scene_contact *o = &scene->contact[scene->ncontact++];
-        *o = *like;
-        if (first->n > 1) o->name = arena_print(b->life, "%s.%d", like->name, i + 1);
-        o->a = first->at[i];
-        o->b = *second->at;
+        struct scene_contact o = *like;
+        if (first->n > 1) o.name = arena_print(b->life, "%s.%d", like->name, i + 1);
+        o.a = first->at[i];
+        o.b = *second->at;
+        if (k->push.k > 0)
+            add_compliant(b, &o, k, slip);
+        else
+            scene->contact[scene->ncontact++] = o;
     }
+}
+
+/* Rigid ones touch rigid bodies. */
+static int refuse_bent_spots(struct builder *b, const struct surface *o)
+{
+    int errors = 0;
+    char what[100];
+    snprintf(what, sizeof what, "surface '%.60s'", o->node->key);
+    for (int i = 0; o->spot && i < o->n; i++) errors += refuse_bending(b, o->spot[i], o->at[i].body, what);
+    return errors;
 }
 
 static int read_contact(struct builder *b, const struct surface *all, int n, const struct node *node)
 {
     char what[100];
+    double slip;
     struct contact_keys k = {0};
     snprintf(what, sizeof what, "contact '%.60s'", node->key);
     if (read_map(node, what, &b->reader) || read_keys(&k, keys_contact, node, NULL, what, &b->reader)) return 1;
@@ -233,8 +253,9 @@ static int read_contact(struct builder *b, const struct surface *all, int n, con
                    what);
         return 1;
     }
-    if (read_friction(b, &o.law, k.friction, what)) return 1;
-    add(b, &o, first, second);
+    if (read_friction(b, &o.law, &slip, k.friction, what) || check_compliant(b, &k, node, what)) return 1;
+    if (!(k.push.k > 0) && refuse_bent_spots(b, first) + refuse_bent_spots(b, second)) return 1;
+    add(b, &o, first, second, &k, slip);
     return 0;
 }
 
@@ -245,13 +266,16 @@ static int count_spots(const struct surface *all, int n)
     return most;
 }
 
-/* Behind the stops. */
+/* Behind the stops; for compliant ones among the forces. */
 static void make_room(struct builder *b, int more)
 {
     struct scene *scene = b->scene;
     struct scene_contact *all = TAKE(b->life, struct scene_contact, scene->ncontact + more);
     if (scene->ncontact) memcpy(all, scene->contact, (size_t)scene->ncontact * sizeof *all);
     scene->contact = all;
+    struct scene_force *forces = TAKE(b->life, struct scene_force, scene->nforce + 2 * more);
+    if (scene->nforce) memcpy(forces, scene->force, (size_t)scene->nforce * sizeof *forces);
+    scene->force = forces;
 }
 
 int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts)

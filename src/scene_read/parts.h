@@ -2,6 +2,7 @@
 #ifndef FMDSUB_SCENE_READ_PARTS_H
 #define FMDSUB_SCENE_READ_PARTS_H
 
+#include "kind/unilateral.h"
 #include "scene/build.h"
 
 /* sections.c: the tables; the sections that are the same for all joints and forces [*n] */
@@ -42,9 +43,11 @@ struct surface_keys {
 struct contact_keys {
     const struct node *between, *friction;
     double restitution, speed;
+    struct unilateral push; /* k 0: it is rigid */
 };
 struct friction_keys {
     double kinetic, holding; /* NAN: not given */
+    double slip;             /* of compliant contacts */
 };
 struct rubbing_keys {
     double coefficient, kinetic, holding; /* NAN: not given */
@@ -129,6 +132,12 @@ int check_coefficients(struct builder *b, struct contact_law *law, double kineti
                        const char *what);
 int check_stops(struct builder *b);
 /* contacts.c: behind the forces, whose stops are contacts, too */
+/* compliant.c: what one that gives way is made of; keys of the other kind of contact are refused */
+int check_compliant(struct builder *b, const struct contact_keys *k, const struct node *n, const char *what);
+void add_compliant(struct builder *b, const struct scene_contact *c, const struct contact_keys *k, double slip);
+/* Refuses the key of n, if it is given, for the reason `why`. */
+int refuse_beside(struct builder *b, const struct node *n, const char *key, const char *what, const char *why,
+                  const char *hint);
 int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts);
 int read_forces(struct builder *b, const struct node *n);
 /* signals.c: tables by name; signals, behind the measures */

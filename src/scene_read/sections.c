@@ -150,6 +150,12 @@ const struct key keys_contact[] = {
                "coefficient of friction; default: none"),
     PARAM_REAL(struct contact_keys, speed, "speed", "m/s", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, "0",
                "of a belt: of the plane's surface, along it; in 2-D to the right where its normal points up"),
+    PARAM_REAL(struct contact_keys, push.k, "stiffness", "N/m^n", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "makes it compliant, for every scheme: push per depth to the power of n; default: rigid"),
+    PARAM_WORD(struct contact_keys, push.root, "exponent", "1|1.5", 0, "1",
+               "n, of compliant ones; 1.5 for balls (Hertz)"),
+    PARAM_REAL(struct contact_keys, push.c, "damping", "N s/m", 0, INFINITY, KEY_BELOW, "0",
+               "compliant: push per rate while it pushes; it never pulls"),
     KEYS_END,
 };
 const struct key keys_friction[] = {
@@ -157,6 +163,8 @@ const struct key keys_friction[] = {
                "coefficient where it slides"),
     PARAM_REAL(struct friction_keys, holding, "static", NULL, 0, INFINITY, KEY_BELOW, NULL,
                "coefficient where it sticks; default: kinetic"),
+    PARAM_REAL(struct friction_keys, slip, "slip_speed", "m/s", 0, INFINITY, KEY_ABOVE | KEY_BELOW, "1.0e-3",
+               "compliant: speed at which friction has reached 0.7 of its bound"),
     KEYS_END,
 };
 
@@ -359,7 +367,7 @@ static const struct section fixed[] = {
     {"surfaces.NAME", "points", "several points of bodies", keys_spots},
     {"surfaces.NAME", "sphere", "a ball; in 2-D a disc", keys_sphere},
     {"surfaces.NAME", "hole", "the inside of a ball; in 2-D of a bore", keys_hole},
-    {"contacts.NAME", NULL, "two surfaces that touch, rigid", keys_contact},
+    {"contacts.NAME", NULL, "two surfaces that touch, rigid or compliant", keys_contact},
     {"contacts.NAME.friction", NULL, "Coulomb's friction", keys_friction},
     {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},
     {"drives.NAME.value", NULL, "a table in place of an expression", keys_table},

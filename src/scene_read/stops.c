@@ -20,23 +20,14 @@ static int read_hold(struct builder *b, struct scene_joint *j, const struct node
         return 1;
     }
     if (read_keys(o, keys_hold, n, NULL, "'hold'", &b->reader)) return 1;
-    const struct node *e = node_find(n, "restitution"), *c = node_find(n, "damping"), *power = node_find(n, "exponent");
-    if (o->k > 0 && e && !e->implied) {
-        diag_error(b->diags, e, AT_KEY, "E-exclusive",
-                   "%s: 'restitution' is of rigid stops, 'stiffness' makes them "
-                   "compliant",
-                   what);
-        diag_hint(b->diags, "delete 'stiffness', or give 'damping' in place of 'restitution'");
-        return 1;
-    }
-    if (o->k > 0) return 0;
-    if (c && c->implied) c = NULL;
-    if (power && !power->implied) c = power;
-    if (!c) return 0;
-    diag_error(b->diags, c, AT_KEY, "E-exclusive", "%s: '%s' is of compliant stops: it needs a 'stiffness'", what,
-               c->key);
-    diag_hint(b->diags, "a rigid stop takes energy by its 'restitution'");
-    return 1;
+    if (o->k > 0)
+        return refuse_beside(b, n, "restitution", what, "is of rigid stops, 'stiffness' makes them compliant",
+                             "delete 'stiffness', or give 'damping' in place of 'restitution'");
+    for (int i = 0; i < 2; i++)
+        if (refuse_beside(b, n, i ? "damping" : "exponent", what, "is of compliant stops: it needs a 'stiffness'",
+                          "a rigid stop takes energy by its 'restitution'"))
+            return 1;
+    return 0;
 }
 
 static int check_order(struct builder *b, const struct scene_joint *j, const struct node *n, const char *what)

@@ -1,0 +1,121 @@
+# compliant.sh -- contacts that give way, for every scheme: rolling, creep, impacts of spinning balls, bores, a beam on a stop.
+. tests/tools/lib.sh
+
+# A ball that slides with 3 and 1 m/s rolls in the end at 5/7 of it, and turns as it rolls.
+ball() {
+    cat <<'END'
+fmdsub: 1
+gravity: [0, 0, -9.81]
+bodies: {ball: {mass: 1, inertia: [0.004, 0.004, 0.004], at: [0, 0, 0.1]}}
+constraints: {fly: {free: [ground, ball], at: [0, 0, 0.1]}}
+surfaces:
+  floor: {plane: ground, at: [0, 0, 0], normal: [0, 0, 1]}
+  skin: {sphere: ball, radius: 0.1}
+contacts: {roll: {between: [skin, floor], stiffness: 1.0e+5, damping: 200, friction: 0.3}}
+initial: {fly.x_rate: 3, fly.y_rate: 1}
+integrate: {step: 5.0e-4, until: 1}
+output: {every: 1, columns: [ball.vx, ball.vy, ball.wx, ball.wy, ball.wz]}
+END
+}
+for scheme in midpoint newmark generalized-alpha subcycle 'dopri5, tolerance: 1.0e-6' 'radau5, tolerance: 1.0e-6'; do
+    step='step: 5.0e-4, '
+    case $scheme in *tolerance*) step= ;; esac
+    ball >"$work/ball"
+    go "ball that rolls, $scheme" 0 -q --set "integrate={scheme: $scheme, ${step}until: 1}" <"$work/ball"
+    near "ball that rolls, $scheme: 5/7" "1,2.142857142857143,0.7142857142857143,-7.142857142857143,21.42857142857143,0" "$last" 2e-4
+done
+
+# Two balls, 1 and 2 kg, the first spinning, meet off their centres: what each has is the other's loss.  The way of the same
+# law by two schemes of high order.
+two() {
+    cat <<'END'
+fmdsub: 1
+bodies:
+  a: {mass: 1, inertia: [0.004, 0.004, 0.004], at: [0, 0, 0]}
+  b: {mass: 2, inertia: [0.01, 0.01, 0.01], at: [0.3, 0.05, 0.02]}
+constraints: {fa: {free: [ground, a], at: [0, 0, 0]}, fb: {free: [ground, b], at: [0.3, 0.05, 0.02]}}
+surfaces: {sa: {sphere: a, radius: 0.1}, sb: {sphere: b, radius: 0.12}}
+contacts: {hit: {between: [sa, sb], stiffness: 1.0e+6, exponent: 1.5, friction: {kinetic: 0.3, slip_speed: 1.0e-2}}}
+initial: {fa.x_rate: 3, fa.omega: [1, 20, -30]}
+integrate: {step: 2.0e-5, until: 0.05}
+END
+}
+two >"$work/two"
+go "balls that meet" 0 -q --every 0.05 --columns 'momentum.*' <"$work/two"
+near "balls that meet: momenta" "0.05,3,0,0,0.004,0.08,-0.12" "$last" 1e-12
+go "balls that meet" 0 -q --every 0.05 --columns 'a.v?,a.w?' <"$work/two"
+coarse=$last
+go "balls that meet, radau5" 0 -q --every 0.05 --columns 'a.v?,a.w?' --set "integrate={scheme: radau5, tolerance: 1.0e-9, until: 0.05}" <"$work/two"
+fine=$last
+near "balls that meet: midpoint and radau5" "$fine" "$coarse" 3e-6
+go "balls that meet, dopri5" 0 -q --every 0.05 --columns 'a.v?,a.w?' --set "integrate={scheme: dopri5, tolerance: 1.0e-9, until: 0.05}" <"$work/two"
+near "balls that meet: dopri5 and radau5" "$fine" "$last" 1e-8
+
+# A ball of 1 kg on 1e8 N/m^1.5 in steps that do not resolve the impact: its energy over some hundred bounces, 19.62 J.
+cat >"$work/hertz" <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {ball: {mass: 1, inertia: 0.004, at: [0, 1.1]}}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, skin: {sphere: ball, radius: 0.1}}
+contacts: {hit: {between: [skin, floor], stiffness: 1.0e+8, exponent: 1.5}}
+integrate: {step: 1.0e-3, until: 1}
+END
+go "Hertz" 0 -q --until 100 --every 100 --columns energy.residual <"$work/hertz"
+near "Hertz: energy" "100,0" "$last" 1e-9
+# The greatest depth h of a fall from rest at 1 m: (2/5) k h^2.5 = m g (1 + h).
+go "Hertz: depth" 0 -q --columns hit.gap --set "integrate={scheme: radau5, tolerance: 1.0e-10, until: 0.4567}" --every 1e-5 <"$work/hertz"
+least=$(awk -F, 'NR > 1 && $2 < least { least = $2 } END { print least }' "$work/out")
+want=$(awk 'BEGIN { h = .005; for (i = 0; i < 60; i++) h = (9.81 * (1 + h) / (.4 * 1e8)) ^ .4; print -h }')
+near "Hertz: the greatest depth" "0,$want" "0,$least" 2e-7
+
+# A block on a slope of friction 0.5, at 0.9 of it: creeps at v_s c/sqrt(1 - c^2), on two points as on one.
+go "creep on a slope" 0 -q --every 1 --columns block.vx,block.vy <<'END'
+fmdsub: 1
+parameters: {slope: 0.45}
+gravity: ["9.81*sin(atan(slope))", "-9.81*cos(atan(slope))"]
+bodies: {block: {mass: 2, inertia: 0.01, at: [0, 0.05], points: {left: [-0.1, 0], right: [0.1, 0]}}}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, feet: {points: [block.left, block.right]}}
+contacts: {foot: {between: [feet, floor], stiffness: 1.0e+6, damping: 1.0e+3, friction: {kinetic: 0.5, slip_speed: 1.0e-3}}}
+integrate: {step: 1.0e-3, until: 1}
+END
+near "creep on a slope: its speed" "1,0.0020647416048,0" "$last" 1e-9
+
+# A ball of radius 0.1 in a bore of radius 1 without friction: a pendulum of 0.9 m, from 0.1 rad.
+go "in a bore" 0 -q --every 1 --columns ball.x <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {ball: {mass: 1, inertia: 0.004, at: ["0.9*sin(0.1)", "-0.9*cos(0.1)"]}}
+surfaces: {bore: {hole: ground, at: [0, 0], radius: 1}, skin: {sphere: ball, radius: 0.1}}
+contacts: {rests: {between: [skin, bore], stiffness: 1.0e+7, damping: 5.0e+3}}
+integrate: {scheme: radau5, tolerance: 1.0e-8, until: 1}
+END
+x=$last
+go "in a bore: a pendulum" 0 -q --every 1 --columns ball.x <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {ball: {mass: 1, inertia: 0, at: ["0.9*sin(0.1)", "-0.9*cos(0.1)"]}}
+constraints: {pin: {revolute: [ground, ball], at: [0, 0]}}
+integrate: {scheme: dop853, tolerance: 1.0e-10, until: 1}
+END
+near "in a bore: beside the pendulum" "$last" "$x" 2e-6
+
+# A cantilever of steel that hangs under P = 20 N on a stop 1 mm below its end: k = 1e5 N/m carries F = k (w - 1 mm), and
+# 3 E I w / L^3 + F = P; the clamp has what is left, (P - F) L, to round-off.
+go "a beam on a stop" 0 -q --every 1e-3 --columns stop.force,stop.gap,root.mz <<'END'
+fmdsub: 1
+bodies:
+  arm:
+    beam: {from: [0, 0], to: [1, 0], elements: 16}
+    section: {rectangle: [0.02, 0.01]}
+    material: {E: 2.1e+11, density: 7800}
+    modes: 12
+    points: {tip: {station: 1}}
+constraints: {root: {fixed: [ground, arm], at: [0, 0]}}
+forces: {load: {force: arm.tip, value: [0, -20]}}
+surfaces: {floor: {plane: ground, at: [0, -1.0e-3], normal: [0, 1]}, end: {point: arm.tip}}
+contacts: {stop: {between: [end, floor], stiffness: 1.0e+5}}
+initial: {static: true}
+integrate: {step: 1.0e-5, until: 1.0e-3}
+END
+want=$(awk 'BEGIN { EI = 2.1e11 * .02 * .01 ^ 3 / 12; w = (20 + 1e5 * 1e-3) / (3 * EI + 1e5); print 1e5 * (w - 1e-3) }')
+near "a beam on a stop: its push" "0,$want" "0,$(echo "$last" | cut -d , -f 2)" 0.01
