@@ -379,13 +379,13 @@ dist:
 	@git archive --prefix=$(DIST)/ HEAD | gzip -9n >$(BUILD)/$(DIST).tar.gz
 	@echo "$(BUILD)/$(DIST).tar.gz"
 
-## deb           a Debian package of all that is installed: build/fmdsub_VERSION_ARCH.deb
+## deb           a Debian package of all that is installed: build/fmdsub_VERSION_ARCH.deb; MAINTAINER="Name <address>" answers for it
 deb:
-	@BUILD=$(BUILD) CC="$(CC)" .ci/deb
+	@BUILD=$(BUILD) CC="$(CC)" MAINTAINER="$(MAINTAINER)" .ci/deb
 
 ## deb-check     that package twice, the second from the tarball in another folder: the same bytes; lintian, where it is installed
 deb-check: deb dist
-	@BUILD=$(BUILD) CC="$(CC)" sh tests/tools/deb.sh
+	@BUILD=$(BUILD) CC="$(CC)" MAINTAINER="$(MAINTAINER)" sh tests/tools/deb.sh
 
 ## cluster       a sweep by GNU parallel and by a real Slurm of one node: the same bytes as here
 cluster: $(PROGRAM)

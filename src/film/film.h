@@ -60,8 +60,10 @@ void film_vertex(double *x, double *u, const struct actor *a, const double *fram
  * What they stand at with a record. */
 void film_stress_open(struct film *o, struct actor *a, const struct flex_body *f, const struct node *body);
 void film_stress_add(struct film *o, const struct sim *sim, struct actor *a);
-/* The equivalent stress at that vertex [Pa]: straight between the places where it is known, constant beyond; 0: nowhere. */
-double film_stress(const struct actor *a, int frame, int i);
+/* Equivalent stresses [nstress] at that frame [Pa]. */
+const double *film_stress(const struct actor *a, int frame);
+/* What x [nstress] of the places is at vertex i: straight between them, constant beyond; 0 where there are none. */
+double film_along(const struct actor *a, const double *x, int i);
 
 /* film_vtu.c (files beside that of the stream, too), film_html.c, film_gltf.c, film_svg.c: the whole as a file; of the last, some postures over each other. */
 enum status film_html(const struct film *o, struct stream *stream, struct report *report);

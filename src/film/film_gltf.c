@@ -1,7 +1,9 @@
 /* film_gltf.c -- a film as binary glTF 2.0: a node a thing, one animation
  *
  * Bodies are meshes that are moved and turned; flexible ones lines whose morph targets are their modes, with the
- * coordinates as weights, coloured by the largest stress of the run where the deck asks for stresses; springs lines that are stretched.  glTF has y upwards: a mechanism in space is turned so. */
+ * coordinates as weights; springs lines that are stretched.  Where the deck asks for stresses the vertices have the colour
+ * of the largest one of the run, and further targets, one for each place, take them to that of the instant: viewers that
+ * know no targets of colours show the largest ones.  glTF has y upwards: a mechanism in space is turned so. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -80,17 +82,32 @@ static double linear(unsigned c)
     return pow((c & 255) / 255., 2.2);
 }
 
-/* targets: the first accessor of n of them; color: that of the vertices, -1: none. */
-static void put_mesh(struct gltf *o, int i, const struct actor *a, int place, int index, int mode, int targets,
-                     int color)
+/* Accessors of what changes the vertices: places of all, n targets of modes; where there are stresses (colors), colours of
+ * all, a target of colours for each place, and zeros, the part that a target leaves alone. */
+struct morph {
+    int place, modes, n;
+    int color, colors, ncolor, zeros;
+};
+
+static void put_targets(FILE *to, const struct morph *m)
 {
-    fprintf(o->meshes, "%s{\"primitives\":[{\"attributes\":{\"POSITION\":%d", i ? "," : "", place);
-    if (color >= 0) fprintf(o->meshes, ",\"COLOR_0\":%d", color);
+    for (int j = 0; j < m->n + m->ncolor; j++) {
+        const bool mode = j < m->n;
+        fprintf(to, "%s{\"POSITION\":%d", j ? "," : ",\"targets\":[", mode ? m->modes + j : m->zeros);
+        if (m->ncolor) fprintf(to, ",\"COLOR_0\":%d", mode ? m->zeros : m->colors + j - m->n);
+        putc('}', to);
+    }
+    fputs(m->n + m->ncolor ? "]}]" : "}]", to);
+    for (int j = 0; j < m->n + m->ncolor; j++) fputs(j ? ",0" : ",\"weights\":[0", to);
+    fputs(m->n + m->ncolor ? "]}" : "}", to);
+}
+
+static void put_mesh(struct gltf *o, int i, const struct actor *a, const struct morph *m, int index, int mode)
+{
+    fprintf(o->meshes, "%s{\"primitives\":[{\"attributes\":{\"POSITION\":%d", i ? "," : "", m->place);
+    if (m->ncolor) fprintf(o->meshes, ",\"COLOR_0\":%d", m->color);
     fprintf(o->meshes, "},\"indices\":%d,\"mode\":%d,\"material\":%d", index, mode, i);
-    for (int j = 0; j < a->n; j++) fprintf(o->meshes, "%s{\"POSITION\":%d}", j ? "," : ",\"targets\":[", targets + j);
-    fputs(a->n ? "]}]" : "}]", o->meshes);
-    for (int j = 0; j < a->n; j++) fputs(j ? ",0" : ",\"weights\":[0", o->meshes);
-    fputs(a->n ? "]}" : "}", o->meshes);
+    put_targets(o->meshes, m);
     fprintf(o->nodes, ",{\"mesh\":%d,\"name\":", i);
     put_text(o->nodes, a->name ? a->name : "");
     putc('}', o->nodes);
@@ -129,45 +146,83 @@ static void move_frame(struct gltf *o, const struct actor *a, int node, double *
 
 static void put_solid(struct gltf *o, int i, const struct actor *a, double *x)
 {
-    const int place = put_floats(o, a->mesh.x, a->mesh.nv, 3, true);
-    put_mesh(o, i, a, place, put_indices(o, a->mesh.tri, 3 * a->mesh.nt), TRIANGLES, 0, -1);
+    const struct morph m = {.place = put_floats(o, a->mesh.x, a->mesh.nv, 3, true)};
+    put_mesh(o, i, a, &m, put_indices(o, a->mesh.tri, 3 * a->mesh.nt), TRIANGLES);
     move_frame(o, a, i + 1, x);
 }
 
-/* Colours of the vertices by the largest stress of the run there, from blue over green and yellow to red, the largest of the
- * body; -1: no stress is known. */
-static int put_stress(struct gltf *o, const struct actor *a, struct arena *life)
+/* peak [nstress]: the largest stress of the run at each place.  Returns the largest of these, or 1. */
+static double find_peaks(const struct gltf *o, const struct actor *a, double *peak)
 {
-    double *peak = TAKE(life, double, a->nv), *color = TAKE(life, double, 3 * a->nv), most = 0;
-    if (!a->nstress) return -1;
-    for (int i = 0; i < a->nv; i++) {
-        for (int f = 0; f < o->frames; f++) peak[i] = fmax(peak[i], film_stress(a, o->frame[f], i));
-        most = fmax(most, peak[i]);
+    double most = 0;
+    for (int j = 0; j < a->nstress; j++) {
+        for (int f = 0; f < o->frames; f++) peak[j] = fmax(peak[j], film_stress(a, o->frame[f])[j]);
+        most = fmax(most, peak[j]);
     }
+    return most > 0 ? most : 1;
+}
+
+/* Colours of the vertices, base + share * change of what x [nstress] of the places is as a share of `most`. */
+static int put_colors(struct gltf *o, const struct actor *a, const double *x, double most, const double *base,
+                      double *color)
+{
+    static const double change[3] = {.95, -.15, -.8}; /* from blue to red */
     for (int i = 0; i < a->nv; i++) {
-        const double s = most > 0 ? 4 * peak[i] / most : 0;
-        v3_set(color + 3 * i, fmin(1, fmax(0, s - 2)), fmin(1, fmin(s, 4 - s)), fmin(1, fmax(0, 2 - s)));
+        v3_copy(color + 3 * i, base);
+        v3_axpy(color + 3 * i, film_along(a, x, i) / most, change);
     }
     return put_floats(o, color, a->nv, 3, false);
 }
 
+/* Colours, from blue to red at the largest stress of the body in the run, linear in it, so that a target for each place and
+ * the share that is missing there as its weight make those of an instant. */
+static void put_stress(struct gltf *o, const struct actor *a, struct morph *m, double *share, struct arena *life)
+{
+    static const double blue[3] = {.05, .2, .8}, none[3];
+    double *peak = TAKE(life, double, a->nstress), *hat = TAKE(life, double, a->nstress);
+    double *color = TAKE(life, double, 3 * a->nv);
+    const int all = m->n + a->nstress;
+    const double most = find_peaks(o, a, peak);
+    if (!a->nstress) return;
+    m->ncolor = a->nstress;
+    m->zeros = put_floats(o, color, a->nv, 3, true);
+    m->color = put_colors(o, a, peak, most, blue, color);
+    for (int j = 0; j < a->nstress; j++) {
+        if (j > 0) hat[j - 1] = 0;
+        hat[j] = 1;
+        const int target = put_colors(o, a, hat, 1, none, color);
+        if (j == 0) m->colors = target;
+        for (int f = 0; f < o->frames; f++)
+            share[f * all + m->n + j] = (film_stress(a, o->frame[f])[j] - peak[j]) / most;
+    }
+}
+
+static int put_modes(struct gltf *o, const struct actor *a)
+{
+    int first = 0;
+    for (int j = 0; j < a->n; j++) {
+        const int target = put_floats(o, a->mode + 3 * j * a->nv, a->nv, 3, true);
+        if (j == 0) first = target;
+    }
+    return first;
+}
+
 static void put_line(struct gltf *o, int i, const struct actor *a, double *x, struct arena *life)
 {
-    int *index = TAKE(life, int, 2 * a->nv), n = 0, targets = 0;
-    const int place = put_floats(o, a->base, a->nv, 3, true);
+    int *index = TAKE(life, int, 2 * a->nv), n = 0;
+    const int all = a->n + a->nstress;
+    double *weight = TAKE_MATRIX(life, double, o->frames, all);
+    struct morph m = {.place = put_floats(o, a->base, a->nv, 3, true), .n = a->n};
     for (int p = 0; p < a->npart; p++)
         for (int k = a->part[p]; k + 1 < a->part[p + 1]; k++) index[n++] = k, index[n++] = k + 1;
     const int indices = put_indices(o, index, n);
-    for (int j = 0; j < a->n; j++) {
-        const int target = put_floats(o, a->mode + 3 * j * a->nv, a->nv, 3, true);
-        if (j == 0) targets = target;
-    }
-    put_mesh(o, i, a, place, indices, LINES, targets, put_stress(o, a, life));
+    m.modes = put_modes(o, a);
+    put_stress(o, a, &m, weight, life);
+    put_mesh(o, i, a, &m, indices, LINES);
     move_frame(o, a, i + 1, x);
-    double *weight = TAKE_MATRIX(life, double, o->frames, a->n);
     for (int f = 0; f < o->frames; f++)
-        for (int j = 0; j < a->n; j++) weight[f * a->n + j] = frame_of(o, a, f)[7 + j];
-    if (a->n) put_channel(o, i + 1, "weights", put_floats(o, weight, o->frames * a->n, 1, false));
+        for (int j = 0; j < a->n; j++) weight[f * all + j] = frame_of(o, a, f)[7 + j];
+    if (all) put_channel(o, i + 1, "weights", put_floats(o, weight, o->frames * all, 1, false));
 }
 
 /* q [4], w last: turns x into d. */
@@ -193,7 +248,7 @@ static void put_spring(struct gltf *o, int i, const struct actor *a, double *x)
     }
     for (int k = 0; k < n; k++) index[2 * k] = k, index[2 * k + 1] = k + 1;
     const int at = put_floats(o, place, n + 1, 3, true);
-    put_mesh(o, i, a, at, put_indices(o, index, 2 * n), LINES, 0, -1);
+    put_mesh(o, i, a, &(struct morph){.place = at}, put_indices(o, index, 2 * n), LINES);
     for (int f = 0; f < o->frames; f++) v3_copy(x + 3 * f, frame_of(o, a, f));
     put_channel(o, i + 1, "translation", put_floats(o, x, o->frames, 3, false));
     for (int f = 0; f < o->frames; f++) {

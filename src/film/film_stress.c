@@ -31,9 +31,9 @@ void film_stress_add(struct film *o, const struct sim *sim, struct actor *a)
     for (int i = 0; i < a->nstress; i++) to[i] = system_stress(sim->system, a->body, a->place[i], STRESS_VON_MISES);
 }
 
-double film_stress(const struct actor *a, int frame, int i)
+double film_along(const struct actor *a, const double *x, int i)
 {
-    const double *x = a->stress + (size_t)frame * (size_t)a->nstress, *s = a->station;
+    const double *s = a->station;
     double low = INFINITY, high = -INFINITY;
     int k = 0;
     if (!a->nstress) return 0;
@@ -42,4 +42,9 @@ double film_stress(const struct actor *a, int frame, int i)
     while (k < a->nstress && s[k] < at) k++;
     if (k == 0 || k == a->nstress) return x[k ? k - 1 : 0];
     return x[k - 1] + (x[k] - x[k - 1]) * (at - s[k - 1]) / (s[k] - s[k - 1]);
+}
+
+const double *film_stress(const struct actor *a, int frame)
+{
+    return a->nstress ? a->stress + (size_t)frame * (size_t)a->nstress : NULL;
 }

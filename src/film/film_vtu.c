@@ -67,7 +67,7 @@ static void put_bent(struct grid *o, const struct actor *a, const double *frame,
     double x[3], u[3];
     for (int i = 0; i < a->nv; i++) {
         film_vertex(x, u, a, frame, i);
-        put_point(o, x, u, film_stress(a, at, i));
+        put_point(o, x, u, film_along(a, film_stress(a, at), i));
     }
     for (int p = 0; p < a->npart; p++)
         for (int k = a->part[p]; k + 1 < a->part[p + 1]; k++) put_cell(o, (int[]){first + k, first + k + 1}, 2, thing);

@@ -1,5 +1,5 @@
-"""gltf.py FILE.glb [NODE] -- a reader of binary glTF 2.0 of its own: says what is wrong, or prints nodes, meshes, animated
-paths and frames; with NODE its translation at each frame."""
+"""gltf.py FILE.glb [NODE [VERTEX]] -- a reader of binary glTF 2.0 of its own: says what is wrong, or prints nodes, meshes,
+animated paths and frames; with NODE its translation at each frame, with VERTEX the red of the colour there."""
 import json, math, struct, sys
 
 data = open(sys.argv[1], "rb").read()
@@ -41,7 +41,8 @@ for m in g["meshes"]:
         want(max(values[p["indices"]])[0] < place["count"], "index")
         want(0 <= p["material"] < len(g["materials"]), "material")
         for t in p.get("targets", []):
-            want(g["accessors"][t["POSITION"]]["count"] == place["count"], "target")
+            want(set(t) == set(p["attributes"]), "a target without its attribute")
+            want(all(g["accessors"][k]["count"] == place["count"] for k in t.values()), "target")
         want(len(m.get("weights", [])) == len(p.get("targets", [])), "weights")
 want(sorted(g["nodes"][0]["children"]) == list(range(1, len(g["nodes"]))), "children")
 [animation] = g["animations"]
@@ -56,7 +57,12 @@ for c in animation["channels"]:
     if path == "rotation":
         want(all(abs(math.hypot(*q) - 1) < 1e-5 for q in out), "rotation")
     paths.add(path)
-    if len(sys.argv) > 2 and node.get("name") == sys.argv[2] and path == "translation":
+    if len(sys.argv) == 4 and node.get("name") == sys.argv[2] and path == "weights":
+        [p], i = g["meshes"][node["mesh"]]["primitives"], int(sys.argv[3])
+        for f in range(len(times)):
+            targets = zip(p["targets"], out[f * each:(f + 1) * each])
+            print(f"{values[p['attributes']['COLOR_0']][i][0] + sum(values[t['COLOR_0']][i][0] * w[0] for t, w in targets):.6f}")
+    if len(sys.argv) == 3 and node.get("name") == sys.argv[2] and path == "translation":
         for x in out:
             print("%.7g\n%.7g" % x[:2])
 if len(sys.argv) == 2:

@@ -86,6 +86,15 @@ if command -v python3 >/dev/null; then
     "$FMDSUB" run -q --every 0.1 -c 'ball.x,ball.y' "$ROOT/decks/pendulum.yaml" | sed 1d | cut -d , -f 2,3 | tr , '\n' >want
     gltf p.glb ball >got
     expect "glTF: a body stands where the records say" same "$(apart want got)"
+
+    # Red runs from .05 to 1 with the stress: at the first vertex that at the root, at every instant.
+    stressed='bodies.arm.stress={root: {station: 0, corner: top}, end: {station: 1, corner: top}}'
+    animate --every 0.01 -s "$stressed" -o stress.glb beam.yaml
+    expect "glTF: targets of colours beside those of modes" "2 2 rotation translation weights 31" "$(gltf stress.glb)"
+    "$FMDSUB" run -q --every 0.01 -s "$stressed" -c arm.root.von_mises beam.yaml | awk -F , '
+        NR > 1 { x[NR - 2] = $2; if ($2 > most) most = $2 } END { for (i = 0; i < NR - 1; i++) printf "%.6f\n", .05 + .95 * x[i] / most }' >want
+    gltf stress.glb arm 0 >got
+    expect "glTF: the colour at the root is its stress at each instant" "same 31" "$(apart want got) $(sort -u got | wc -l)" want got
 else
     skip "glTF read back" "python3 is not installed"
 fi
