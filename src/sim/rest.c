@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/stop.h"
 #include "la/dense.h"
 #include "sim/parts.h"
 
@@ -152,6 +153,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
     s.mu = 1;
     TRY(resid(&s, s.r, s.q, why));
     for (int i = 0; i < MOST_STEPS; i++) {
+        if (stop) return stop_status();
         TRY(s.ode->ops->mass(s.ode, s.M, s.q, s.t, ALL, why));
         TRY(stiffness(&s, why));
         idle_clear(&sim->idle, sim->system, s.K, largest(s.K, s.n), s.q, s.t); /* any posture of them will do */

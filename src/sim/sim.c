@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/stop.h"
 #include "la/vec3.h"
 #include "model/build.h"
 #include "sim/parts.h"
@@ -27,6 +28,9 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
     arena_close(scratch);
     memcpy(sim->x.v, sim->x.a, bytes);
     if (status == OK) return OK;
+    if (stop && stop_limit())
+        return fail(report, status, "no start: the limit of %s is reached on the way to rest", stop_limit());
+    if (stop) return status;
     if (why.code == TROUBLE_DEFLECTION)
         return fail(
             report, E_MODEL,
