@@ -46,6 +46,7 @@ static enum status resid(void *self, double *r, double *dk, const double *z, str
     m->placed = false;
     m->effort->slow++;
     m->effort->fast++;
+    if (m->ode->workless) return m->ode->ops->resid(m->ode, r, NULL, dk, &m->x, ALL, why);
     enum status status = m->ode->ops->resid(m->ode, r, m->w, dk, &m->x, ALL, why);
     if (m->scheme->middle && !m->newton.powered) m->newton.powered = any_power(m->w);
     return status;

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/scalar.h"
+
 void missed_open(struct missed *o, int n, struct arena *life)
 {
     double **vector[] = {&o->position, &o->velocity, &o->way, &o->extent};
@@ -13,13 +15,13 @@ void missed_open(struct missed *o, int n, struct arena *life)
     for (int k = 0; k < MISSED_ORDER + 2; k++) o->v[k] = TAKE(life, double, n);
 }
 
-/* Steps to the next burst: uneven, so that bursts do not fall in with what moves. */
+/* Steps to the next burst, a twelfth of those so far in the mean: uneven, so that bursts do not fall in with what moves. */
 static long pause(const struct missed *o)
 {
-    enum { DENSE = 256, EVER = 16, LONGEST = 96 };
-    const long most = (o->steps - DENSE) / EVER;
-    const unsigned long mixed = ((unsigned long)o->steps * 2654435761u & 0xffffffffu) >> 8;
-    return most <= 0 ? 0 : (long)(mixed % (unsigned long)(most < LONGEST ? most : LONGEST));
+    static const double EVER = 12, LONGEST = 20, LEAST = .5, GOLDEN = .61803398874989485;
+    enum { DENSE = 32 };
+    const double mean = smaller((double)(o->steps - DENSE) / EVER, LONGEST), at = GOLDEN * (double)o->steps;
+    return mean < 1 ? 0 : (long)(mean * (LEAST + 2 * (1 - LEAST) * (at - floor(at))));
 }
 
 void missed_add(struct missed *o, const double *position, const double *velocity)

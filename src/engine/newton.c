@@ -144,7 +144,7 @@ static void judge_last_step(struct newton *nt)
 static void begin_way(struct newton *nt)
 {
     contraction_begin(&nt->contraction[nt->way]);
-    contraction_begin(&nt->norms[nt->way]);
+    if (nt->pairs) contraction_begin(&nt->norms[nt->way]);
 }
 
 /* What five steps, each of which would leave z^3/12, z = omega h, leave together: .00093 z^5. */

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "base/inline.h"
 #include "force/parts.h"
 
 static void load_plain(const struct plain *p, double *r, double *w, struct effect *effect, const struct instant *x)
@@ -40,10 +41,10 @@ static void press(struct elements *e, struct sweep *s, double *r)
         contacts_push(e->contacts, s, r, i, f);
 }
 
-void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
-                   const struct instant *x, enum rate cls)
+/* A call, so that scenes without forces save no registers. */
+APART void load_all(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
+                    const struct instant *x, enum rate cls)
 {
-    if (!e->loads) return; /* before any register is saved */
     if (e->press) press(e, s, r);
     for (int i = first_of(e->nplain, cls); i < last_of(e->nplain, cls); i++) load_plain(&e->plain[i], r, w, effect, x);
     if (x->qa && x->qb && e->ends[cls]) {
@@ -55,6 +56,12 @@ void elements_load(struct elements *e, struct sweep *s, double *r, double *w, do
         const struct loading to = {r, w, dk, effect ? &effect[p->force] : NULL};
         p->kind->load(e, s, p, &to, x);
     }
+}
+
+void elements_load(struct elements *e, struct sweep *s, double *r, double *w, double *dk, struct effect *effect,
+                   const struct instant *x, enum rate cls)
+{
+    if (e->loads) load_all(e, s, r, w, dk, effect, x, cls);
 }
 
 double elements_stored(const struct elements *e, const struct sweep *s, const double *q, const double *v)

@@ -68,18 +68,18 @@ static enum status not_finite(struct open_tree *s, const double *r, const struct
 }
 
 /* n numbers, `stride` apart; four sums, so that they need not wait for each other. */
-static bool all_finite(const double *r, int n, int stride)
+INTO static inline bool all_finite(const double *r, int n, int stride)
 {
     const double *r1 = r + stride, *r2 = r1 + stride, *r3 = r2 + stride;
     double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-    int i = 0;
-    for (size_t at = 0; i + 4 <= n; i += 4, at += 4 * (size_t)stride) {
+    size_t at = 0;
+    for (; n >= 4; n -= 4, at += 4 * (size_t)stride) {
         s0 += r[at] * 0;
         s1 += r1[at] * 0;
         s2 += r2[at] * 0;
         s3 += r3[at] * 0;
     }
-    for (; i < n; i++) s0 += r[(size_t)i * (size_t)stride] * 0;
+    for (; n > 0; n--, at += (size_t)stride) s0 += r[at] * 0;
     return s0 + s1 + s2 + s3 == 0;
 }
 
@@ -379,6 +379,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .size = size_of,
                            .bends = elements_may_bend(o->elements),
                            .steep = elements_may_be_steep(o->elements),
+                           .workless = m->nforce == 0 && o->elastic.n == 0,
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};

@@ -27,6 +27,7 @@ void trust_open(struct sim *sim, struct arena *life)
     o->dq = TAKE(life, double, ode->n);
     o->dv = TAKE(life, double, ode->n);
     o->every = 1;
+    for (int i = 0; i < columns; i++) o->asked |= sim_column_compared(sim, i);
     for (int i = 0; i < TRUST_PLACES; i++) {
         struct trust_place *p = &o->place[i];
         double **vector[] = {&p->v, &p->position, &p->velocity};
@@ -69,6 +70,7 @@ static void keep(struct sim *sim)
 void trust_note(struct sim *sim)
 {
     struct trust *o = &sim->trust;
+    if (!o->asked) return;
     for (int i = 0; i < sim->chosen.n; i++) {
         const double x = sim->row[i];
         if (o->seen == 0) o->low[i] = o->high[i] = x;
@@ -235,7 +237,7 @@ void trust_find(struct sim *sim)
     const long chart = system_charts(sim->system);
     o->column = -1;
     o->why = reason(sim);
-    if (o->why) return;
+    if (o->why || !o->asked) return;
     keep(sim);
     for (int i = 0; i < o->n; i++)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);

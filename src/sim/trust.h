@@ -12,6 +12,7 @@ enum { TRUST_PLACES = 6 };
 
 struct trust {
     double *low, *high; /* [columns] over the records */
+    bool asked;         /* is there a column of the motion? */
     int n;              /* records kept for the end, */
     long every, seen;   /* one of so many; records so far */
     struct trust_place {

@@ -176,6 +176,7 @@ struct ode2 {
     int straight;     /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int bends;        /* forces may jump or bend where nobody knows beforehand: by the state */
     int steep;        /* forces may change by much on a short way: any that no linear law gives */
+    int workless;     /* all powers are 0 always: they need not be asked for */
     int pointwise;    /* nothing looks at qa and qb: they need not be known, and may be NULL */
     void *self;       /* the owner's */
 };

@@ -53,7 +53,7 @@ done
 step pend-ledger $scenes/pend-plane.yaml 1.0e-3 --columns t,pin.angle --set effects.ledger=true
 at_most "energies, of a pendulum's step" \
     "$(awk -v a="$(cat "$work/pend-plane")" -v b="$(cat "$work/pend-ledger")" 'BEGIN { printf "%.4f", (b - a) / 7 / a }')" .03
-wanted "a pendulum's step" "$(cat "$work/pend-plane")" 2600 2640
+at_most "a pendulum's step" "$(cat "$work/pend-plane")" 2600
 step satellite decks/floating-satellite.yaml 2.0e-3 --columns t,float.omega_x
 at_most "a satellite's step without momenta" "$(cat "$work/satellite")" 50924
 step heavy-top decks/heavy-top.yaml 1.0e-4 --columns t
