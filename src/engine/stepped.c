@@ -69,8 +69,8 @@ static double against(const struct stepper *s, double position, double velocity,
 {
     const struct adaptive *m = s->self;
     const struct stepped *o = m->own;
-    const double eq = fabs(position) / adaptive_scale_q(s, i);
-    const double ev = smaller(fabs(velocity), 2 * o->share * m->top[i]) / adaptive_scale_v(s, i);
+    const double top = larger(m->top[i], fabs(m->v1[i])), eq = fabs(position) / adaptive_scale_q(s, i);
+    const double ev = smaller(fabs(velocity), 2 * o->share * top) / adaptive_scale_v(s, i);
     return worse(eq, ev);
 }
 

@@ -115,6 +115,12 @@ double expr_corner_next(const struct expr_corner *c, double t);
 /* Is t one of them, but for round-off?  Then *before: a time at which the expression is as it was before. */
 bool expr_corner_meets(double *before, const struct expr_corner *c, double t);
 
+/* Of a function of slot 0 alone, the time, with known corners [n]: times in (from, to) to stop at, so that steps which suit
+ * what is before do not step over what is short; ascending.  What is less than a twentieth of all that it does is not
+ * looked for.  Returns how many there are in at [room]. */
+int expr_sudden(double *at, int room, const struct expr *e, const struct expr_corner *corner, int n, double from,
+                double to);
+
 /* The functions there are, for messages and the manual; ends with a NULL name. */
 struct expr_function {
     const char *name;

@@ -123,7 +123,7 @@ static bool tangent(struct number *x)
 /* Is f smooth over x?  *x becomes f there. */
 static bool one(enum op op, struct number *x)
 {
-    if (still(x)) {
+    if (still(x) && isfinite(x->lo)) {
         const struct instruction code[] = {{OP_CONST, 0, x->lo}, {op, 0, 0}, {OP_END, 0, 0}};
         *x = point(expr_value(&(struct expr){3, code}, NULL));
         return isfinite(x->lo);

@@ -162,6 +162,8 @@ struct signal {
     const struct expr *expr; /* NULL: table */
     int ncorner;
     const struct expr_corner *corner; /* [ncorner] of expr: known times at which it bends or jumps */
+    int nstop;
+    const double *stop; /* [nstop] ascending: where it becomes quick all at once, see signal_stop_at_sudden() */
     int n;
     const double *t, *x; /* [n], t ascending */
 };
@@ -195,7 +197,10 @@ bool signal_pole(const struct signal *s, const double *a, const double *b, int n
 /* May it jump; the largest jump on such a way, from *before to *behind: false: none. */
 bool signal_may_leap(const struct signal *s);
 bool signal_leap(const struct signal *s, double *before, double *behind, const double *a, const double *b, int n);
-/* The first point of a table or known corner after time t, where it may bend; infinity: none. */
+/* Steps that choose themselves are to stop in (from, to) where an expression of time alone becomes quick all at once: for
+ * signal_next(). */
+void signal_stop_at_sudden(struct signal *s, double from, double to, struct arena *life);
+/* The first point of a table, known corner or such stop after time t; infinity: none. */
 double signal_next(const struct signal *s, double t);
 
 #endif

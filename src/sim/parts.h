@@ -28,7 +28,9 @@ static inline bool look_is_due(const struct sim *sim, long k, bool record)
 /* One of the steps that are the scheme's own, at most to `to`. */
 enum status advance_naturally(struct sim *sim, double to);
 
-/* pulses.c: warnings of loads that come and go within one fixed step */
+/* pulses.c: what comes and goes all at once: times at which a scheme that chooses its steps stops; warnings of loads that
+ * do so within one fixed step */
+void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life);
 void warn_of_pulses(const struct sim *sim, struct diags *diags);
 
 /* loops.c: warnings about the start; the event of a new partition */
