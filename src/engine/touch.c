@@ -154,10 +154,8 @@ enum status touch_mass(struct touch *o, const struct state *x, struct trouble *w
     return OK;
 }
 
-/* Friction of a joint is by its force, and its force by its friction: where
- * going to and fro does not settle soon, it is gone a share of the way, or
- * further than it (Aitken's rule for vectors: Irons & Tuck, Int. J. Numer.
- * Methods Eng. 1 (1969) 275). */
+/* Friction of a joint is by its force, and its force by its friction: where going to and fro does not settle soon, it is
+ * gone a share of the way, or further than it (Aitken's rule for vectors: Irons & Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275). */
 static void mend(struct touch *o, int count)
 {
     static const double SOON = .3, LEAST = .02, MOST = 10;

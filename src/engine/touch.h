@@ -1,23 +1,18 @@
 /* touch.h -- rigid contacts in steps of the implicit midpoint rule.
  *
- * Between impacts a contact is open or closed.  A step in which some are closed
- * solves, for its velocities at the end v1 and impulses p,
+ * Between impacts a contact is open or closed.  A step in which some are closed solves, for its velocities at the end v1
+ * and impulses p,
  *
  *     M (v1 - v0) - h Q = Gn~' p_n + Gt' p_t,
- *     0 <= g(q1), p_n >= 0, one of them 0;   u_t(q1, v1) = 0 where |p_t| < mu
- * p_n, else p_t = -mu p_n u_t/|u_t|
+ *     0 <= g(q1), p_n >= 0, one of them 0;   u_t(q1, v1) = 0 where |p_t| < mu p_n, else p_t = -mu p_n u_t/|u_t|
  *
- * at the middle, with Gn~ = Gn + c dq' such that Gn~ dq = g1 - g0 (Gonzalez, J.
- * Nonlinear Sci. 6 (1996) 449): a contact that stays closed does no work and
- * does not drift; what sticks does not creep.  Then what is left of the
- * velocity along the rows that push is taken away, a loss of third order in h
- * that is booked as an impact's.
+ * at the middle, with Gn~ = Gn + c dq' such that Gn~ dq = g1 - g0 (Gonzalez, J. Nonlinear Sci. 6 (1996) 449): a contact
+ * that stays closed does no work and does not drift; what sticks does not creep.  Then what is left of the velocity along
+ * the rows that push is taken away, a loss of third order in h that is booked as an impact's.
  *
- * An open contact whose gap turns negative cuts the step where it is 0.  There
- * is the impact: all contacts that touch, by Newton's restitution on speeds of
- * approach, with friction in the cone of the impulses.  Where the next flight
- * would be shorter than the step, restitution is 0 and the contact closes, so
- * that bounces end. */
+ * An open contact whose gap turns negative cuts the step where it is 0.  There is the impact: all contacts that touch, by
+ * Newton's restitution on speeds of approach, with friction in the cone of the impulses.  Where the next flight would be
+ * shorter than the step, restitution is 0 and the contact closes, so that bounces end. */
 #ifndef FMDSUB_ENGINE_TOUCH_H
 #define FMDSUB_ENGINE_TOUCH_H
 
@@ -48,9 +43,8 @@ struct touch;
 
 struct touch *touch_open(struct stepper *s, struct arena *life);
 
-/* Where the run stands at the start, to go on with steps of about h: which
- * contacts are closed.  A gap below 0: *overlap is the deepest, of the contact
- * *deepest; -1: none. */
+/* Where the run stands at the start, to go on with steps of about h: which contacts are closed.  A gap below 0: *overlap
+ * is the deepest, of the contact *deepest; -1: none. */
 enum status touch_begin(struct touch *o, int *deepest, double *overlap, const struct state *x, double h,
                         struct trouble *why);
 

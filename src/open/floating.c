@@ -7,11 +7,9 @@
 #include "la/vec3.h"
 
 static const double FADES = 1e-8; /* what is left of T there, which is good to 16 digits */
-static const double MOST = .1;    /* of the motion of the bodies against the whole
-                                  may change in a step for the energy */
+static const double MOST = .1; /* of the motion of the bodies against the whole may change in a step for the energy */
 
-/* --- the ends of the step
- * ----------------------------------------------------------------------- */
+/* --- the ends of the step ----------------------------------------------------------------------- */
 
 static bool is_at(const struct floating *o, int end, const double *q, const double *v)
 {
@@ -56,8 +54,7 @@ static void sample_ends(struct floating *o, const struct instant *x)
     sample(o, 1, x->qb, x->vb);
 }
 
-/* --- the centre of mass
- * ------------------------------------------------------------------------- */
+/* --- the centre of mass ------------------------------------------------------------------------- */
 
 static void centre(double *c, const struct floater *f, int end, const double *q)
 {
@@ -65,8 +62,7 @@ static void centre(double *c, const struct floater *f, int end, const double *q)
     for (int k = 0; k < f->nslide; k++) v3_axpy(c, q[f->slide[k]], f->e[k]);
 }
 
-/* How far c_a + h (p_a + p_b)/(2 m) is from the centre at q1, the end of the
- * step. */
+/* How far c_a + h (p_a + p_b)/(2 m) is from the centre at q1, the end of the step. */
 static void left_behind(double *d, const struct floater *f, const struct instant *x, const double *q1)
 {
     const double half = .5 * (x->tb - x->ta) / f->end[0].m;
@@ -97,14 +93,11 @@ void floating_place(struct floating *o, struct instant *settled, const struct in
     }
 }
 
-/* --- the balances
- * -------------------------------------------------------------------------------
- */
+/* --- the balances ------------------------------------------------------------------------------- */
 
-/* The rate at which motion against the whole, of kinetic energy T_rel, must
- * grow for the energy `missing` per unit time. Both vanish with that motion;
- * where it turns round within a step they say little of each other, and where
- * it is hardly there round-off of T says nothing. */
+/* The rate at which motion against the whole, of kinetic energy T_rel, must grow for the energy `missing` per unit
+ * time. Both vanish with that motion; where it turns round within a step they say little of each other, and where it is
+ * hardly there round-off of T says nothing. */
 static double stretch(double missing, double T_rel, double T, double h)
 {
     const double least = FADES * T, twice = 2 * T_rel, size = twice * twice + least * least;
@@ -149,8 +142,7 @@ void floating_balance(struct floating *o, struct sweep *s, const struct instant 
     }
 }
 
-/* Velocities of the root for the velocity dv of the centre, and for turning by
- * w about it; stands at end 1. */
+/* Velocities of the root for the velocity dv of the centre, and for turning by w about it; stands at end 1. */
 static void push_root(const struct floating *o, double *v, const struct floater *f, const double *dv, const double *w)
 {
     double arm[3], d[3];
@@ -226,8 +218,7 @@ static void find_centres(struct floating *o, const struct group *g, const struct
     }
 }
 
-/* Velocity of the centre and turn of the whole group for p_b = p_a + h m g, L_b
- * = L_a; false: there is none. */
+/* Velocity of the centre and turn of the whole group for p_b = p_a + h m g, L_b = L_a; false: there is none. */
 static bool find_rest(double *dv, double *w, double *c, struct floating *o, const double *q1, const struct group *g,
                       const struct instant *x)
 {
@@ -245,9 +236,8 @@ static bool find_rest(double *dv, double *w, double *c, struct floating *o, cons
     return isfinite(v3_dot(dv, dv) + v3_dot(w, w));
 }
 
-/* What the iteration has left in the momenta of a group is far below what the
- * step is good for.  Turning changes where the momenta lead its trees, so that
- * for more than one it takes some passes. */
+/* What the iteration has left in the momenta of a group is far below what the step is good for.  Turning changes where
+ * the momenta lead its trees, so that for more than one it takes some passes. */
 static void finish(struct floating *o, double *q1, double *v1, const struct group *g, const struct instant *x)
 {
     enum { PASSES = 6 };

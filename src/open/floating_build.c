@@ -1,12 +1,9 @@
-/* floating_build.c -- which trees float, and which of them act on each other;
- * see floating.h */
+/* floating_build.c -- which trees float, and which of them act on each other; see floating.h */
 #include "la/vec3.h"
 #include "model/touch.h"
 #include "open/floating.h"
 
-/* --- who acts on whom
- * ---------------------------------------------------------------------------
- */
+/* --- who acts on whom --------------------------------------------------------------------------- */
 
 /* Does it let its body move anyhow?  Its displacements come first. */
 static bool travels(const struct model *m, const struct model_joint *j)
@@ -18,14 +15,11 @@ static bool travels(const struct model *m, const struct model_joint *j)
 struct roots {
     int *of;         /* each body's root; the ground's is 0 */
     int *count;      /* bodies that have it */
-    int *group;      /* a root that it acts on, or that acts on it, by a way of these:
-                 the last of them is its own */
+    int *group;      /* a root that it acts on, or that acts on it, by a way of these: the last of them is its own */
     bool *tied;      /* by a loop */
-    bool *from_out;  /* a force acts on it from the ground, or one whose moments
-                      have a sum */
+    bool *from_out;  /* a force acts on it from the ground, or one whose moments have a sum */
     bool *turned;    /* one of another tree turns the root itself */
-    bool *dependent; /* of the last of a group: a member of it is tied, does not
-                      travel or has forces from the ground */
+    bool *dependent; /* of the last of a group: a member of it is tied, does not travel or has forces from the ground */
 };
 
 static int group_of(const struct roots *r, int root)
@@ -48,8 +42,7 @@ static void mark_loops(struct roots *r, const struct model *m)
     }
 }
 
-/* A force between bodies of two trees; does it act on them away from their
- * centres? */
+/* A force between bodies of two trees; does it act on them away from their centres? */
 static void mark_pair(struct roots *r, const struct model *m, const struct model_force *f, int a, int b)
 {
     const int root_a = r->of[a], root_b = r->of[b];
@@ -65,8 +58,7 @@ static void mark_pair(struct roots *r, const struct model *m, const struct model
     if (!at_centres) r->turned[root_a] = r->turned[root_b] = true;
 }
 
-/* By what they act on.  joint [n]: the one whose velocity it is; -1: of a mode.
- */
+/* By what they act on.  joint [n]: the one whose velocity it is; -1: of a mode. */
 static void mark_forces(struct roots *r, const struct model *m, const int *joint)
 {
     for (int i = 0; i < m->nforce; i++) {
@@ -127,12 +119,9 @@ static bool is_by_itself(const struct model *m, const struct roots *r, int body)
            !r->from_out[body] && tumbles(m, body);
 }
 
-/* --- lists
- * --------------------------------------------------------------------------------------
- */
+/* --- lists -------------------------------------------------------------------------------------- */
 
-/* Those with a tree that floats, and where its trees begin; of [nbody]: by the
- * last of a group, its number and 1. */
+/* Those with a tree that floats, and where its trees begin; of [nbody]: by the last of a group, its number and 1. */
 static void list_groups(struct floating *o, int *of, const struct roots *r)
 {
     const struct model *m = o->model;
@@ -146,8 +135,7 @@ static void list_groups(struct floating *o, int *of, const struct roots *r)
         o->group[*number - 1].n++;
     }
     for (int g = 1; g < o->ngroup; g++) o->group[g].first = o->group[g - 1].first + o->group[g - 1].n;
-    for (int i = 1; i < m->nbody; i++) { /* one whose momenta are not looked at
-                                          leaves the group's unknown */
+    for (int i = 1; i < m->nbody; i++) { /* one whose momenta are not looked at leaves the group's unknown */
         if (m->body[i].parent != 0 || floats(m, r, i) || of[group_of(r, i)] == 0) continue;
         o->group[of[group_of(r, i)] - 1].alone = false;
     }
@@ -175,8 +163,7 @@ static void list_bodies(struct floating *o, const struct roots *r, struct arena 
     }
 }
 
-/* A sweep whose FAST bodies are those that float; what has no mass at their
- * nodes adds nothing. */
+/* A sweep whose FAST bodies are those that float; what has no mass at their nodes adds nothing. */
 static struct sweep *build_there(const struct floating *o, struct arena *life)
 {
     const struct model *m = o->model;

@@ -36,9 +36,7 @@ void trust_open(struct sim *sim, struct arena *life)
     }
 }
 
-/* ---- on the way
- * ------------------------------------------------------------------------------------------------
- */
+/* ---- on the way ------------------------------------------------------------------------------------------------ */
 
 /* Every other place goes. */
 static void thin(struct trust *o)
@@ -106,12 +104,9 @@ void trust_recall(struct sim *sim, struct recall *r)
     recall_without(r);
 }
 
-/* ---- at the end
- * ------------------------------------------------------------------------------------------------
- */
+/* ---- at the end ------------------------------------------------------------------------------------------------ */
 
-/* What makes the errors of a place so small that columns answer in proportion;
- * 0: there are none. */
+/* What makes the errors of a place so small that columns answer in proportion; 0: there are none. */
 static double reduction(const struct trust_place *p, const struct ode2 *ode)
 {
     double pace = 0, most = 0;
@@ -129,8 +124,7 @@ static double sign(int draw, int i)
     return ((unsigned)(i + 1) * 2654435761u + (unsigned)draw * 2246822519u) >> (draw + 13) & 1 ? -1 : 1;
 }
 
-/* Columns where the place is moved by so much of what was missed; by 0: where
- * it is.  false: they cannot be had. */
+/* Columns where the place is moved by so much of what was missed; by 0: where it is.  false: they cannot be had. */
 static bool columns_at(struct sim *sim, const struct trust_place *p, double by, int draw)
 {
     const struct ode2 *ode = sim->stepper.ode;
@@ -167,8 +161,7 @@ static bool is_kept(const struct sim *sim, int i, double range)
     return momentum && range <= KEPT * sim->trust.off[i];
 }
 
-/* Over the range, or where it has none over its size; what is lost beside the
- * largest of its unit does not count. */
+/* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
 static double share(const struct sim *sim, int i)
 {
     static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
@@ -247,9 +240,7 @@ void trust_find(struct sim *sim)
     o->known = o->column >= 0 && o->worst < UNKNOWN;
 }
 
-/* ---- told
- * ------------------------------------------------------------------------------------------------------
- */
+/* ---- told ------------------------------------------------------------------------------------------------------ */
 
 static double tolerance(const struct sim *sim)
 {

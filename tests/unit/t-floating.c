@@ -1,6 +1,5 @@
-/* What flies freely keeps linear and angular momentum, its centre of mass its
- * line, and its energy: by the midpoint rule, flexible or not, with loops and
- * drives inside; its momenta by sub-cycling, too. */
+/* What flies freely keeps linear and angular momentum, its centre of mass its line, and its energy: by the midpoint
+ * rule, flexible or not, with loops and drives inside; its momenta by sub-cycling, too. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,9 +9,7 @@
 #define OPENED_HEAD "fmdsub: 1\neffects: {momentum: true}\n"
 #include "opened.h"
 
-/* --- mechanisms
- * ---------------------------------------------------------------------------------
- */
+/* --- mechanisms --------------------------------------------------------------------------------- */
 
 #define THREE                                                                                                          \
     "bodies:\n"                                                                                                        \
@@ -49,8 +46,7 @@ static const char robot[] = THREE "  go: {free: [ground, a], at: [0, 0]}\n"
     "1, -0.7], hl.angle_rate: 1}\n"
 static const char satellite[] = PANELS PANELS_MOVE;
 
-/* Flexible beams, stiffened by turning: their root is off their centre and
- * bends. */
+/* Flexible beams, stiffened by turning: their root is off their centre and bends. */
 static const char beam2[] = "bodies:\n"
                             "  arm:\n"
                             "    beam: {from: [0, 0], to: [1, 0], elements: 6}\n"
@@ -103,9 +99,7 @@ static const char driven[] = THREE "  go: {free: [ground, a], at: [0, 0]}\n"
                                    "initial: {go.x_rate: 0.2, go.y_rate: -0.1, go.angle_rate: 1, "
                                    "ab.angle_rate: -2.5}\n";
 
-/* --- its state
- * ----------------------------------------------------------------------------------
- */
+/* --- its state ---------------------------------------------------------------------------------- */
 
 static void begin(struct opened *o, const char *mechanism, const char *more, const char *integrate)
 {
@@ -134,9 +128,8 @@ static double mass_of(const struct opened *o)
     return m;
 }
 
-/* What drifts over `steps` major steps: momentum and angular momentum, over
- * their sizes and what moments of the path's length have; energy, over the
- * kinetic at the start. */
+/* What drifts over `steps` major steps: momentum and angular momentum, over their sizes and what moments of the path's
+ * length have; energy, over the kinetic at the start. */
 struct drift {
     double p, L, E;
 };
@@ -162,9 +155,7 @@ static struct drift drift(struct opened *o, double H, int ratio, int steps)
     return most;
 }
 
-/* --- bodies as one
- * ------------------------------------------------------------------------------
- */
+/* --- bodies as one ------------------------------------------------------------------------------ */
 
 struct bodies {
     struct opened o;
@@ -197,8 +188,7 @@ static void open_bodies(struct bodies *b, const char *mechanism, const char *mor
     b->ops->aggregate(b->s, &b->now, b->list, b->n, AGGREGATE_FORCES);
 }
 
-/* The velocities of the tree, which stands still inside, for velocity u of the
- * centre and turning with w. */
+/* The velocities of the tree, which stands still inside, for velocity u of the centre and turning with w. */
 static void whole(double *x, struct bodies *b, const double *u, const double *w)
 {
     const struct model_joint *j = &b->m->joint[0];
@@ -234,8 +224,7 @@ static double inner(const double *x, const double *y, int n)
     return sum;
 }
 
-/* Momenta, energy and inertia are those of M^; forces are those of the
- * residual. */
+/* Momenta, energy and inertia are those of M^; forces are those of the residual. */
 static void check_bulk(struct bodies *b)
 {
     static const double none[3] = {0, 0, 0}, skew[3] = {.3, -.5, .8};
@@ -316,12 +305,9 @@ static void test_bodies_as_one(void **state)
     }
 }
 
-/* --- what floats
- * --------------------------------------------------------------------------------
- */
+/* --- what floats -------------------------------------------------------------------------------- */
 
-/* Only what no loop and no drive ties to the ground, and not a body by itself
- * that its joint holds in the centre. */
+/* Only what no loop and no drive ties to the ground, and not a body by itself that its joint holds in the centre. */
 static void test_what_floats(void **state)
 {
     static const struct {
@@ -352,9 +338,7 @@ static void test_what_floats(void **state)
     }
 }
 
-/* --- what is kept
- * -------------------------------------------------------------------------------
- */
+/* --- what is kept ------------------------------------------------------------------------------- */
 
 /* Momenta to round-off at the tolerance that is the default; energy as well as
  * the iteration goes, and does not drift. */
@@ -408,8 +392,7 @@ static void test_pair(void **state)
     arena_close(o.life);
 }
 
-/* Mechanisms and bodies that fly and pull at each other, with energies that are
- * kept: as well as one by itself. */
+/* Mechanisms and bodies that fly and pull at each other, with energies that are kept: as well as one by itself. */
 static void test_groups(void **state)
 {
 #define SPIN3                                                                                                          \
@@ -501,9 +484,8 @@ static void test_tumble(void **state)
     }
 }
 
-/* Where nothing moves against the whole, or all of it turns round at once, and
- * not in a small step, the energy has nothing to come right by: that is no
- * harm. */
+/* Where nothing moves against the whole, or all of it turns round at once, and not in a small step, the energy has
+ * nothing to come right by: that is no harm. */
 static void test_quiet(void **state)
 {
     static const char wings[] = "bodies:\n"
@@ -547,8 +529,7 @@ static void test_quiet(void **state)
     }
 }
 
-/* The balance of energy to round-off, whatever acts: loads, gravity, dampers,
- * drives. */
+/* The balance of energy to round-off, whatever acts: loads, gravity, dampers, drives. */
 static void test_ledger(void **state)
 {
     static const struct {
@@ -618,8 +599,7 @@ static void test_parabola(void **state)
     arena_close(o.life);
 }
 
-/* --- the same in every frame, from every root, and back
- * --------------------------------------------- */
+/* --- the same in every frame, from every root, and back --------------------------------------------- */
 
 static double apart(const double *x, const double *y, int from, int n)
 {
@@ -694,9 +674,7 @@ static void test_reversed(void **state)
     }
 }
 
-/* --- errors
- * -------------------------------------------------------------------------------------
- */
+/* --- errors ------------------------------------------------------------------------------------- */
 
 static void finish(double *q, const char *text, const char *more, const char *how, double t)
 {
@@ -753,9 +731,7 @@ static void test_order(void **state)
     }
 }
 
-/* --- sub-cycling
- * --------------------------------------------------------------------------------
- */
+/* --- sub-cycling -------------------------------------------------------------------------------- */
 
 static void test_subcycled(void **state)
 {
