@@ -183,7 +183,7 @@ const struct diag_help diag_helps[] = {
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",
-     "Rigid contacts cut steps where they strike, which scheme midpoint does, at a 'step'. Leave 'scheme' out. A "
+     "Rigid contacts cut steps where they strike, which scheme midpoint does. Leave 'scheme' out. A "
      "contact with a 'stiffness' is compliant, which every scheme takes; a joint's stop likewise, range: {hold: "
      "{stiffness: 1.0e+6}}."},
     {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "

@@ -9,6 +9,7 @@
 #include "base/stop.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
+#include "engine/touch.h"
 #include "engine/works.h"
 
 static const struct rk_table euler = {.stages = 2, .c = {0, 1}, .a = {{0}, {1}}};
@@ -154,13 +155,21 @@ static void take(struct stepper *s, struct adaptive *m, double t, double h)
     s->effort.minors++;
 }
 
+/* The slopes are known at the state: its accelerations, of which closed contacts have a part. */
+static enum status accelerate(struct stepper *s, double t, struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    struct state x = {t, m->q, m->v, m->a};
+    copy(m->a, m->rk.dv[0], s->ode->n);
+    return s->touch ? touch_accelerations(s->touch, &x, why) : OK;
+}
+
 /* The slopes at the state, at t. */
 static enum status slopes_here(struct stepper *s, double t, struct trouble *why)
 {
     struct adaptive *m = s->self;
     TRY(rk_stage(&m->rk, &euler, 0, m->q, m->v, t, 0, why));
-    copy(m->a, m->rk.dv[0], s->ode->n);
-    return OK;
+    return accelerate(s, t, why);
 }
 
 /* Better coordinates at t, where there are any: what is known in the old ones is made anew.  The state x goes along, as
@@ -222,22 +231,23 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         const bool last = h >= left * (1 - 1e-10), cut = last && h > left;
         if (last) h = left;
         if (*t + way * h == *t) return too_small(s, *t, h, way * left, why);
+        m->came = way * h;
         enum status status = m->scheme->attempt(s, m, &err, *t, way * h, why);
         if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
-        const double whole = err;
-        err /= adaptive_share(m, h);
+        const double whole = err, came = status == OK ? fabs(m->came) : h;
+        err /= adaptive_share(m, came);
         if (h > least && err <= 1) *passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
         if (status == OK && (err <= 1 || jump)) {
-            note_missed(s, m, whole, way * h);
-            take(s, m, *t, way * h);
+            note_missed(s, m, whole, m->came);
+            take(s, m, *t, m->came);
             const double grow = m->scheme->grow(m, err);
-            if (!cut || grow < 1) m->h = h * grow;
+            if ((!cut && came == h) || grow < 1) m->h = came * grow;
             m->old = fmax(err, 1e-4);
-            *t = last ? end : *t + way * h;
+            *t = last && came == h ? end : *t + m->came;
             return OK;
         }
-        m->h = h * (status == OK ? m->scheme->shrink(m, err) : .2);
+        m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
         if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, *t, why);
         if (stop) return OK;
@@ -269,7 +279,7 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
         zero(m->span, s->ode->n);
         note_pace(s);
         TRY(first_step(s, x->t, fabs(to - x->t), why));
-        copy(m->a, m->rk.dv[0], s->ode->n);
+        TRY(accelerate(s, x->t, why));
         if (s->guess.h > 0) m->h = fmin(s->guess.h * s->guess.ratio, fabs(to - x->t));
     } else if (!(s->natural && m->known)) {
         TRY(slopes_here(s, x->t, why));
@@ -334,7 +344,7 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
 bool adaptive_interpolates(const struct stepper *s)
 {
     const struct adaptive_scheme *o = s->kind->formulas;
-    return s->kind->adaptive && o->between && s->options.tolerance >= o->between_from;
+    return s->kind->adaptive && !s->touch && o->between && s->options.tolerance >= o->between_from;
 }
 
 void adaptive_between(const struct stepper *s, double *q, double *v, double t)

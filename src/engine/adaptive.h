@@ -48,6 +48,7 @@ struct adaptive {
     double elapsed;       /* time gone by since the run's start [s] */
     bool known;           /* a, and the slopes at the state, are those of the last step's end */
     double h, old;        /* next step; error of the last one */
+    double came;          /* how far the trial has come: its step, or less, to where something touches */
     long rejected;        /* steps given up in this H */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];
@@ -64,7 +65,7 @@ struct adaptive_scheme {
     void (*open)(struct stepper *s, struct adaptive *m, struct arena *life);
     /* Optional.  The state was changed from outside: what is known of steps before is of no use. */
     void (*forget)(struct adaptive *m);
-    /* Required.  One trial from t to t + h: its error, in q1, v1 its end. */
+    /* Required.  One trial from t to t + h, or as far as m->came is made: its error, in q1, v1 its end. */
     enum status (*attempt)(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why);
     /* Required.  The trial is the step: m->work, a, rk.w[0] and m->span follow; q and v are the caller's. */
     void (*take)(struct stepper *s, struct adaptive *m, double h);

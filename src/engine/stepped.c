@@ -8,6 +8,7 @@
 #include "engine/accel.h"
 #include "engine/local_error.h"
 #include "engine/motion.h"
+#include "engine/touch.h"
 
 enum { MOST_RATIO = 1000 };
 
@@ -28,6 +29,7 @@ struct stepped {
     double h;                 /* minor step; 0: not chosen yet */
     int ratio;                /* of the trial */
     double H;                 /* and its length */
+    bool met;                 /* something has touched at its end, opened, or begun to slide or stick */
 };
 
 double stepped_late(const struct step_options *o)
@@ -46,6 +48,7 @@ void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
     struct stepped *o = m->own = TAKE(life, struct stepped, 1);
     stepper_open(&o->fixed, fixed_kind(m), s->ode, &s->options, life);
     o->fixed.missed = NULL;
+    s->touch = o->fixed.touch;
     o->a1 = TAKE(life, double, s->ode->n);
     o->dv = TAKE(life, double, s->ode->n);
     o->a2 = TAKE(life, double, s->ode->n);
@@ -88,12 +91,17 @@ static void largest(const struct stepper *s, const struct step_error *e, int ns,
     for (int i = ns; i < n; i++) o->slow.error = worse(o->slow.error, against(s, e->position[i], e->velocity[i], i));
 }
 
-/* What accelerations at the end tell of the error, of schemes that have not looked there. */
+/* What accelerations at the end tell of the error, of schemes that have not looked there: of steep forces, and of the first
+ * steps behind an impact, where means tell nothing of velocities. */
 static enum status look_at_end(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
     struct stepped *o = m->own;
-    if (fixed_kind(m)->points || !s->ode->steep) return OK;
-    TRY(accel_solve(s->accel, o->a2, NULL, m->q1, m->v1, t + h, why));
+    struct state x = {t + h, m->q1, m->v1, o->a2};
+    if (fixed_kind(m)->points || !(s->ode->steep || (s->touch && o->local.known < 2))) return OK;
+    if (s->touch)
+        TRY(touch_accelerations(s->touch, &x, why));
+    else
+        TRY(accel_solve(s->accel, o->a2, NULL, m->q1, m->v1, t + h, why));
     if (fixed_kind(m)->error_end) {
         fixed_kind(m)->error_end(&o->fixed, o->a2);
     } else {
@@ -124,6 +132,48 @@ static int ratio_of(const struct stepped *o, double H)
     return o->h > 0 && o->h < H ? (int)smaller(ceil(H / o->h * (1 - 1e-9)), MOST_RATIO) : 1;
 }
 
+/* At the start of the trial, x: its works so far count whether it is taken or not, and it begins behind what happens there. */
+static enum status begin_behind(struct stepper *s, struct adaptive *m, const struct state *x, struct trouble *why)
+{
+    struct stepped *o = m->own;
+    struct state there = {x->t, m->q, m->v, m->a};
+    copy(m->v, x->v, s->ode->n);
+    for (int c = 0; c < POWER_CHANNELS; c++) m->work[c] += o->fixed.work[c];
+    s->struck += o->fixed.struck;
+    zero(o->fixed.work, POWER_CHANNELS);
+    o->fixed.struck = 0;
+    stepped_forget(m);
+    return touch_accelerations(s->touch, &there, why);
+}
+
+/* Between what touches: from x, by h or as far as the motion is smooth. */
+static enum status smooth_part(struct stepper *s, struct adaptive *m, struct state *x, double h, struct trouble *why)
+{
+    enum { MOST = 40 };
+    const double t = x->t;
+    bool happened, turned;
+    TRY(touch_first(s->touch, &happened, x, why));
+    if (happened) TRY(begin_behind(s, m, x, why));
+    for (int k = 0, cuts = 0; k < MOST; k++) {
+        TRY(touch_part(s->touch, &turned, x, &cuts, h, t + h, why));
+        if (x->t != t + h) m->came = x->t - t;
+        if (m->came > 0) return OK;
+        if (!turned) TRY(touch_meet(s->touch, &happened, x, why));
+        TRY(begin_behind(s, m, x, why));
+    }
+    return trouble_set(why, TROUBLE_CONTACT, 0, INFINITY, t);
+}
+
+static enum status step(struct stepper *s, struct adaptive *m, struct state *x, double h, struct trouble *why)
+{
+    struct stepped *o = m->own;
+    struct stepper *fixed = &o->fixed;
+    if (!s->touch) return fixed->kind->step(fixed, x, h / o->ratio, o->ratio, x->t + h, why);
+    TRY(smooth_part(s, m, x, h, why));
+    o->H = m->came;
+    return OK;
+}
+
 enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
 {
     struct stepped *o = m->own;
@@ -136,16 +186,20 @@ enum status stepped_attempt(struct stepper *s, struct adaptive *m, double *err, 
     copy(m->v1, m->v, s->ode->n);
     copy(o->a1, m->a, s->ode->n);
     zero(fixed->work, POWER_CHANNELS);
-    fixed->lost = fixed->left = 0;
-    const enum status status = fixed->kind->step(fixed, &x, h / o->ratio, o->ratio, t + h, why);
+    fixed->lost = fixed->left = fixed->struck = 0;
+    enum status status = step(s, m, &x, h, why);
     s->last_sweeps = fixed->last_sweeps;
     effort_hand_on(&s->effort, &fixed->effort);
     TRY(status);
-    TRY(measure(s, m, t, h, why));
+    status = measure(s, m, t, m->came, why);
     *err = larger(o->slow.error, o->fast.error);
-    if (isfinite(*err)) return OK;
+    if (status == OK && !isfinite(*err)) status = trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
+    o->met = false;
+    if (status == OK && s->touch) status = touch_meet(s->touch, &o->met, &x, why);
+    if (status == OK) return OK;
     fixed->fresh = 1;
-    return trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
+    if (s->touch) touch_back(s->touch, &x);
+    return status;
 }
 
 void stepped_off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
@@ -166,9 +220,12 @@ void stepped_take(struct stepper *s, struct adaptive *m, double h)
     s->effort.minors += o->ratio - 1;
     s->lost += o->fixed.lost;
     s->left += o->fixed.left;
+    s->struck += o->fixed.struck;
     adaptive_travel(s, m, o->dv);
     copy(m->a, o->a1, s->ode->n);
-    if (fixed_kind(m)->keep)
+    if (o->met)
+        stepped_forget(m);
+    else if (fixed_kind(m)->keep)
         fixed_kind(m)->keep(&o->fixed, true);
     else
         local_error_keep(&o->local, h);
@@ -210,7 +267,9 @@ double stepped_shrink(const struct adaptive *m, double err)
 {
     struct stepped *o = m->own;
     const double share = larger(o->slow.error, o->fast.error) / err, minor = o->H / o->ratio;
+    struct state x = {m->t1, m->q1, m->v1, o->a1};
     o->fixed.fresh = 1; /* its predictors have gone ahead */
+    if (o->fixed.touch) touch_back(o->fixed.touch, &x);
     if (o->fixed.kind->back) o->fixed.kind->back(&o->fixed);
     if (o->ratio > 1 || o->fast.error > 0) o->h = minor * retry(&o->fast, share);
     const double factor = retry(&o->slow, share);

@@ -25,7 +25,7 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     s->missed = TAKE(life, struct missed, 1);
     missed_open(s->missed, ode->n, life);
     kind->open(s, life);
-    if (ode->contact && ode->contact->m > 0) s->touch = touch_open(s, life);
+    if (ode->contact && ode->contact->m > 0 && !s->touch) s->touch = touch_open(s, life);
     ode->along[0] = s->missed->position; /* not those of a stepper inside */
     ode->along[1] = s->missed->velocity;
 }
@@ -131,7 +131,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
         TRY(kinematic_step(s, x, ratio, to, why));
         return s->touch ? touch_driven(s->touch, x, why) : OK;
     }
-    if (s->touch) return touch_step(s, x, h, ratio, to, why);
+    if (s->touch && !s->kind->adaptive) return touch_step(s, x, h, ratio, to, why);
     if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
         return between_corners(s, x, h, ratio, to, why);
     if (!s->kind->adaptive && o->breaks && (o->breaks->jump || s->kind->points))
@@ -169,7 +169,7 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->missed) missed_recall(s->missed, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
-    if (s->touch) touch_recall(s->touch, r);
+    if (s->touch && !s->kind->adaptive) touch_recall(s->touch, r); /* else that of the stepper inside */
     recall_without(r);
     return status;
 }

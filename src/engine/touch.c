@@ -318,6 +318,7 @@ void touch_recall(struct touch *o, struct recall *r)
     recall_list(r, "impacts", o->impacts, o->c->m);
     recall_one(r, "all", o->all);
     recall_one(r, "top", o->top);
+    recall_one(r, "usual", o->usual);
     recall_list(r, "size", o->size, o->c->m);
     recall_list(r, "weight", o->weight, o->ode->n); /* usual sizes are those of the start */
     (void)matrix_recall(&o->J, r);

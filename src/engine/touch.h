@@ -12,7 +12,8 @@
  *
  * An open contact whose gap turns negative cuts the step where it is 0.  There is the impact: all contacts that touch, by
  * Newton's restitution on speeds of approach, with friction in the cone of the impulses.  Where the next flight would be
- * shorter than the step, restitution is 0 and the contact closes, so that bounces end. */
+ * shorter than the step, restitution is 0 and the contact closes, so that bounces end.  With steps by tolerance that is
+ * where it would leave with a tenth of the tolerance of the largest velocity, and no higher than that of a usual gap. */
 #ifndef FMDSUB_ENGINE_TOUCH_H
 #define FMDSUB_ENGINE_TOUCH_H
 
@@ -50,6 +51,21 @@ enum status touch_begin(struct touch *o, int *deepest, double *overlap, const st
 
 /* As kind->step() of a scheme of one rate. */
 enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
+
+/* The same for steps that are chosen by their error.  What happens where the run starts, once: an impact, *struck.  Then x
+ * goes on from its t towards t1 by a step h, and ends where the first gap closes or friction changes: a smooth motion, whose
+ * error can be told.  Where friction changes right at its start, *turned, x stays there, and goes on next time; *cuts: from
+ * 0, how often friction has changed in trials from here.  E_NUMERIC: x as it was.  If that is to be kept, what happens
+ * there: an impact, contacts that open, stick or slide, *changed; then x->a are accelerations behind it.  Or all goes back
+ * to where that part began. */
+enum status touch_first(struct touch *o, bool *struck, struct state *x, struct trouble *why);
+enum status touch_part(struct touch *o, bool *turned, struct state *x, int *cuts, double h, double t1,
+                       struct trouble *why);
+enum status touch_meet(struct touch *o, bool *changed, struct state *x, struct trouble *why);
+void touch_back(struct touch *o, struct state *x);
+
+/* x->a := accelerations at x, with the forces of closed contacts. */
+enum status touch_accelerations(struct touch *o, struct state *x, struct trouble *why);
 
 /* Where drives move everything: nothing may be pushed into anything. */
 enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why);

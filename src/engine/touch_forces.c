@@ -19,7 +19,8 @@ static enum status add_rates(struct touch *o, double *c, const struct state *x, 
                              struct trouble *why)
 {
     const struct state there = {x->t + s, o->q1, x->v, x->a};
-    motion_point(o->ode, o->q1, x->q, x->v, s, there.t);
+    for (int i = 0; i < o->ode->n; i++) o->dx[i] = s * x->v[i]; /* a part of v itself would turn by another angle */
+    motion_point(o->ode, o->q1, x->q, o->dx, 1, there.t);
     TRY(touch_look(o, o->u1, &o->middle, &there, why));
     for (int i = 0; i < o->rows; i++) c[i] += sign * o->u1[i];
     return OK;
@@ -31,12 +32,13 @@ static void directions(struct touch *o)
         struct cone *c = &o->cone[k];
         const struct ode2_touch *of = &o->c->of[o->contact[k]];
         const double *u = o->u + c->row + 1;
-        const double size = touch_slip(o->u, c);
-        c->slides = o->state[o->contact[k]] == TOUCH_SLIDES && size > 0;
+        const double size = touch_slip(o->u, c), *way = o->way + 2 * o->contact[k];
+        c->slides = o->state[o->contact[k]] == TOUCH_SLIDES;
         c->mu = c->slides ? of->sliding : of->holding;
         c->preload = of->preload;
         c->sticks = o->forced[o->contact[k]] && !c->slides;
-        for (int j = 0; j < c->across && c->slides; j++) c->slide[j] = u[j] / size;
+        for (int j = 0; j < c->across && c->slides; j++) /* what has just let go has no speed yet */
+            c->slide[j] = touch_sticks(o, o->u, c) ? way[j] : u[j] / size;
     }
 }
 
@@ -88,5 +90,14 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
     TRY(find(o, &found, x, size, why));
     o->jammed = !found;
     if (found) touch_spread(o, f); /* else there are none */
+    return OK;
+}
+
+enum status touch_accelerations(struct touch *o, struct state *x, struct trouble *why)
+{
+    TRY(touch_forces(o, o->held, x, why));
+    if (o->n == 0) return accel_solve(o->stepper->accel, x->a, NULL, x->q, x->v, x->t, why);
+    copy(x->a, o->a, o->ode->n);
+    if (!o->jammed) touch_kick(o, x->a, o->l);
     return OK;
 }

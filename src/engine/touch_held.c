@@ -71,13 +71,20 @@ static enum status rows_there(struct touch *o, const struct instant *x, double h
     return OK;
 }
 
-/* What an impact was found beside its place is mended soon behind it, but not in a part of next to no length: that would take
- * any speed. */
+/* Do steps go by tolerance? */
+static bool is_tolerant(const struct touch *o)
+{
+    return o->stepper->options.tolerance > 0;
+}
+
+/* What an impact was found beside its place is mended soon behind it, but not in a part of next to no length: that
+ * would take any speed. With steps by tolerance, which may be of any length, it stays. */
 static double left_open(const struct touch *o, int i, double h)
 {
-    const double most = 2 * TOUCH_CLOSED * o->size[i], g = o->g0[i];
+    const double most = 2 * TOUCH_CLOSED * o->size[i], left = larger(-most, smaller(most, o->g0[i]));
     const double soon = SOON * o->usual;
-    return h < soon ? (1 - h / soon) * larger(-most, smaller(most, g)) : 0;
+    if (is_tolerant(o)) return left;
+    return h < soon ? (1 - h / soon) * left : 0;
 }
 
 /* One correction of v1 and p; *err: how large, of velocities. */
@@ -178,7 +185,7 @@ static enum status book(struct touch *o, struct instant *at, double h, struct tr
 /* Has it closed a gap that an impact had left? */
 static bool has_mended(const struct touch *o)
 {
-    for (int k = 0; k < o->n; k++) {
+    for (int k = 0; k < o->n && !is_tolerant(o); k++) {
         const int i = o->contact[k];
         if (fabs(o->g0[i]) > 1e-2 * TOUCH_CLOSED * o->size[i]) return true;
     }

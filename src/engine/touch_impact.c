@@ -23,13 +23,22 @@ static double pulled(const struct touch *o, const struct cone *c, const struct s
     return smaller(dot(G, o->a, n), dot(G, x->a, n));
 }
 
+/* With steps by tolerance: is what leaves with this speed, pulled back by an, next to rest?  So it is where it flies
+ * no higher than impacts are found by much. */
+static bool is_over(const struct touch *o, int i, double speed, double an)
+{
+    static const double FLAT = 100 * 1e-12; /* TOUCH_CLOSED */
+    const double share = TOUCH_SMALL * o->stepper->options.tolerance, height = speed * speed / (-2 * an * o->size[i]);
+    return share > 0 && ((speed <= share * o->top && height <= share) || height <= FLAT);
+}
+
 /* Restitution of the k-th: none of what is closed, and none where it would be back within the step. */
 static double restitution(const struct touch *o, int k, const struct state *x, double h, int last)
 {
     const int i = o->contact[k];
     const double e = o->c->of[i].restitution, un = o->u[o->cone[k].row], an = pulled(o, &o->cone[k], x);
     if (o->closed[i] || last || !(un < 0) || e == 0) return 0;
-    if (an < 0 && 2 * e * -un < -an * h) return 0;
+    if (an < 0 && (2 * e * -un < -an * h || is_over(o, i, e * -un, an))) return 0;
     return an < 0 && -un <= TOUCH_AT_REST * 1e-3 * o->top ? 0 : e;
 }
 
@@ -51,11 +60,27 @@ static bool strike(struct touch *o, double *loss, double e)
     return true;
 }
 
+/* Those that leave so slowly that it is next to rest are to stay: points of one body that rattle would throw each
+ * other off for ever. Nothing has pushed them, so they do not rub. Are there any? */
+static bool hold_slow(struct touch *o, const struct state *x)
+{
+    bool any = false;
+    for (int k = 0; k < o->n; k++) {
+        struct cone *c = &o->cone[k];
+        const double after = o->u1[c->row], an = pulled(o, c, x);
+        if (!(after > TOUCH_AT_REST * o->top && an < 0 && is_over(o, o->contact[k], after, an))) continue;
+        c->held = any = true;
+        c->across = 0;
+    }
+    return any;
+}
+
 /* Would what leaves be back within the step?  It stays, as far as it pushes. */
 static bool stays(const struct touch *o, const struct cone *c, const struct state *x, double h)
 {
     const double after = o->u1[c->row], an = pulled(o, c, x);
-    return fabs(after) <= TOUCH_AT_REST * o->top || (after > 0 && an < 0 && 2 * after < -an * h);
+    if (fabs(after) <= TOUCH_AT_REST * o->top) return true;
+    return after > 0 && an < 0 && 2 * after < -an * h;
 }
 
 static void note_all(struct touch *o, const struct state *x, double h, double loss)
@@ -102,6 +127,8 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
         if (!strike(o, &loss, e)) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
         if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
     }
+    if (hold_slow(o, x) && !strike(o, &loss, e))
+        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
     for (int k = 0; k < o->n; k++) /* nothing gives way: it is driven */
         if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - TOUCH_AT_REST * o->top))
             return trouble_set(why, TROUBLE_CONTACT, o->contact[k], INFINITY, x->t);

@@ -11,6 +11,7 @@ enum { MOST_EVENTS = 256 };
 static const double TOUCH_CLOSED = 1e-12; /* of a usual gap: where an impact is found */
 static const double TOUCH_DRAWN = 1e-9;   /* of a usual gap: where the run starts it is closed */
 static const double TOUCH_AT_REST = 1e-9; /* of the largest velocity */
+static const double TOUCH_SMALL = .1;     /* of the tolerance: what steps by tolerance need not follow */
 
 /* Rows of contacts at an instant. */
 struct touch_rows {
@@ -107,6 +108,19 @@ double touch_taken(const struct touch *o);
 void touch_kick(const struct touch *o, double *v, const double *p);
 /* v at q, t is struck by l, which bring u to u1: the loss, and what drives do. */
 void touch_strike(struct touch *o, const double *q, double *v, double t);
+
+/* touch_run.c */
+void touch_save(struct touch_saved *o, const struct touch *t, const struct state *x);
+void touch_restore(const struct touch_saved *o, struct touch *t, struct state *x);
+/* What touches at the start of the run and comes nearer. */
+enum status touch_at_start(struct touch *o, struct state *x, double h, struct trouble *why);
+/* From x->t towards t1, and no further than *most, to where the first gap is 0 or friction changes; *again: from where it
+ * was, as *most has it, or as friction is from there on. */
+enum status touch_to_next(struct touch *o, struct state *x, double *most, int *cuts, bool *again, double h, double t1,
+                          struct trouble *why);
+/* At the end of a part that was taken: what opens, sticks or slides from here on, and impacts; what would be back
+ * within `back` stays. */
+enum status touch_at_end(struct touch *o, struct state *x, double back, int *impacts, struct trouble *why);
 
 /* touch_held.c: one step h of x with the closed contacts held, or x as it was. */
 enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why);

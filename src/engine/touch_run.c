@@ -11,7 +11,7 @@ enum { MOST_IMPACTS = 50, MOST_CUTS = 12, NO_END = 20000, TRIALS = 60 };
 static const double DEEP = 1e-6;  /* of a usual gap: where one has gone through the other */
 static const double SHORT = 1e-4; /* of a step: no shorter part is looked at for what may be passed in it */
 
-static void save(struct touch_saved *o, const struct touch *t, const struct state *x)
+void touch_save(struct touch_saved *o, const struct touch *t, const struct state *x)
 {
     const struct stepper *s = t->stepper;
     const size_t m = (size_t)t->c->m;
@@ -35,7 +35,7 @@ static void save(struct touch_saved *o, const struct touch *t, const struct stat
     copy(o->way, t->way, 2 * t->c->m);
 }
 
-static void restore(const struct touch_saved *o, struct touch *t, struct state *x)
+void touch_restore(const struct touch_saved *o, struct touch *t, struct state *x)
 {
     struct stepper *s = t->stepper;
     const size_t m = (size_t)t->c->m;
@@ -88,7 +88,7 @@ static enum status locate(struct touch *o, struct state *x, double h, double dee
     double g = deep;
     for (int k = 0; k < TRIALS && fabs(g) > TOUCH_CLOSED && b.hi - b.lo > 4 * DBL_EPSILON * (fabs(t0) + h); k++) {
         const double part = bracket_next(&b);
-        restore(&o->part, o, x);
+        touch_restore(&o->part, o, x);
         TRY(attempt(o, x, part, t0 + part, why));
         TRY(deepest(o, &g, x, why));
         bracket_take(&b, part, g);
@@ -173,7 +173,7 @@ static enum status none_is_deep(const struct touch *o, double t, struct trouble 
 
 static void back(struct touch *o, struct state *x)
 {
-    restore(&o->part, o, x);
+    touch_restore(&o->part, o, x);
 }
 
 /* The step to x ends where friction changes in it. */
@@ -192,6 +192,41 @@ static enum status cut(struct touch *o, struct state *x, int *cuts, bool *again,
     return attempt(o, x, h, t1, why);
 }
 
+enum status touch_to_next(struct touch *o, struct state *x, double *most, int *cuts, bool *again, double h, double t1,
+                          struct trouble *why)
+{
+    double g0, g1, left = smaller(t1 - x->t, *most);
+    const double end = left < t1 - x->t ? x->t + left : t1;
+    bool passed = false;
+    *again = false;
+    if (fabs(left - h) <= 1e-9 * h) left = h;
+    TRY(deepest(o, &g0, x, why));
+    copy(o->g0, o->g, o->c->m);
+    touch_save(&o->part, o, x);
+    TRY(attempt(o, x, left, end, why));
+    TRY(deepest(o, &g1, x, why));
+    touch_grow(o, x->v);
+    if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, left, why));
+    if (passed) {
+        touch_restore(&o->part, o, x);
+        *most = left / 2;
+        *again = true;
+        return OK;
+    }
+    *most = INFINITY;
+    if (g1 < -TOUCH_CLOSED) TRY(locate(o, x, left, g1, g0, why));
+    if (*cuts < MOST_CUTS) TRY(cut(o, x, cuts, again, why));
+    return OK;
+}
+
+enum status touch_at_end(struct touch *o, struct state *x, double back, int *impacts, struct trouble *why)
+{
+    touch_grow(o, x->v);
+    TRY(renew(o, x, why));
+    TRY(strike(o, x, back, 2 * TOUCH_CLOSED, impacts, why));
+    return none_is_deep(o, x->t, why);
+}
+
 /* From impact to impact to t1. */
 static enum status parts(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
 {
@@ -199,37 +234,16 @@ static enum status parts(struct touch *o, struct state *x, double h, double t1, 
     double most = INFINITY;
     o->hardest = 0;
     while (x->t < t1) {
-        double g0, g1, left = smaller(t1 - x->t, most);
-        const double end = left < t1 - x->t ? x->t + left : t1;
-        bool passed = false, again = false;
-        if (fabs(left - h) <= 1e-9 * h) left = h;
-        TRY(deepest(o, &g0, x, why));
-        copy(o->g0, o->g, o->c->m);
-        save(&o->part, o, x);
-        TRY(attempt(o, x, left, end, why));
-        TRY(deepest(o, &g1, x, why));
-        touch_grow(o, x->v);
-        if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, left, why));
-        if (passed) {
-            restore(&o->part, o, x);
-            most = left / 2;
-            continue;
-        }
-        most = INFINITY;
-        if (g1 < -TOUCH_CLOSED) TRY(locate(o, x, left, g1, g0, why));
-        if (cuts < MOST_CUTS) TRY(cut(o, x, &cuts, &again, why));
+        bool again;
+        TRY(touch_to_next(o, x, &most, &cuts, &again, h, t1, why));
         if (again) continue;
-        touch_grow(o, x->v);
-        TRY(renew(o, x, why));
-        TRY(strike(o, x, h, 2 * TOUCH_CLOSED, &impacts, why));
-        TRY(none_is_deep(o, x->t, why));
+        TRY(touch_at_end(o, x, h, &impacts, why));
         if (t1 - x->t <= 1e-12 * h) x->t = t1;
     }
     return OK;
 }
 
-/* What touches at the start and comes nearer. */
-static enum status begin(struct touch *o, struct state *x, double h, struct trouble *why)
+enum status touch_at_start(struct touch *o, struct state *x, double h, struct trouble *why)
 {
     int impacts = 0;
     o->begun = 1;
@@ -243,11 +257,11 @@ enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, 
     const double t0 = x->t;
     const long minors = s->effort.minors;
     enum status status = OK;
-    save(&o->start, o, x);
-    if (!o->begun) status = begin(o, x, h, why);
+    touch_save(&o->start, o, x);
+    if (!o->begun) status = touch_at_start(o, x, h, why);
     for (int k = 1; k <= ratio && status == OK; k++) status = parts(o, x, h, k < ratio ? t0 + k * h : to, why);
     s->effort.minors = minors + (status == OK ? ratio : 0);
-    if (status != OK) restore(&o->start, o, x);
+    if (status != OK) touch_restore(&o->start, o, x);
     return status;
 }
 

@@ -12,6 +12,7 @@
 
 #include "engine/adaptive.h"
 #include "engine/single.h"
+#include "engine/touch.h"
 #include "sim/parts.h"
 
 enum { MOST_HALVINGS = 10 };
@@ -47,8 +48,8 @@ void advance_open(struct sim *sim, struct arena *life)
     single_open(sim->look, sim->stepper.ode, life);
     sim->stepper.guess = sim->guess;
     sim->onto_records = !adaptive_interpolates(&sim->stepper) || sim->needs & NEED_WORKS;
-    sim->stepper.natural =
-        sim->stepper.ode->n > 0 && sim->stepper.kind->adaptive && (!sim->onto_records || events_watched(sim));
+    sim->stepper.natural = sim->stepper.ode->n > 0 && sim->stepper.kind->adaptive &&
+                           (!sim->onto_records || events_watched(sim) || sim->stepper.touch);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system) ||
                    guard_acts(sim);
     sim->looks_always = looks_always(sim);
@@ -98,6 +99,7 @@ static void keep(struct sim *sim)
 /* To the state that was kept, at t. */
 static enum status undo(struct sim *sim, double t)
 {
+    if (sim->stepper.touch) touch_back(sim->stepper.touch, &sim->x);
     single_restore(sim->keep, sim->stepper.ode, &sim->x, t);
     sim->ledger = sim->kept;
     sim->stepper.effort.rejected++;

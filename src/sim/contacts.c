@@ -24,17 +24,10 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
     const struct integrate *p = &sim->plan;
     const struct step_options *o = p->options;
     const char *name = sim->scene->contact[0].name, *what = what_it_does(sim);
-    const struct node *scheme = node_find(p->node, "scheme"), *tolerance = node_find(p->node, "tolerance"),
-                      *ratio = node_find(p->node, "ratio");
+    const struct node *scheme = node_find(p->node, "scheme"), *ratio = node_find(p->node, "ratio");
     const struct stepper_kind *kind = stepper_find(p->scheme);
     const bool rates = kind && kind->single && kind->single->cut,
-               single = kind && (kind->cut || (rates && p->ratio == 1));
-    if (o->tolerance > 0 && single) {
-        diag_error(diags, tolerance ? tolerance : p->node, AT_KEY, "E-scheme-contact",
-                   "'%.60s' %s: it needs a 'step', not a 'tolerance'", name, what);
-        diag_hint(diags, "give 'step'%s", give_way(sim));
-        return E_DECK;
-    }
+               single = kind && (kind->cut || (rates && p->ratio == 1 && !(o->tolerance > 0)));
     if (single && o->order == 4) {
         diag_error(diags, node_find(p->node, "order"), AT_VALUE, "E-scheme-contact",
                    "'%.60s' %s: steps of order 4 go back in time, which impacts and friction do not", name, what);

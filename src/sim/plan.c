@@ -26,7 +26,8 @@ static enum status check_options(const struct sim *sim, const struct stepper_kin
     return E_DECK;
 }
 
-/* What a deck leaves open: without a step, the motion to DEFAULT_TOLERANCE; without a scheme besides, by dopri5. */
+/* What a deck leaves open: without a step, the motion to DEFAULT_TOLERANCE; without a scheme besides, by dopri5,
+ * or by midpoint, which takes rigid contacts. */
 static void fill_in(struct sim *sim, struct arena *life)
 {
     static const double DEFAULT_TOLERANCE = 1e-4;
@@ -35,7 +36,7 @@ static void fill_in(struct sim *sim, struct arena *life)
     const struct node *scheme = node_find(p->node, "scheme");
     const bool any = strcmp(p->scheme, "auto") == 0; /* nobody has chosen */
     if (any && p->step > 0 && !(o->tolerance > 0)) p->scheme = "midpoint";
-    if (any && o->tolerance > 0) p->scheme = "dopri5";
+    if (any && o->tolerance > 0) p->scheme = sim->scene->ncontact ? "midpoint" : "dopri5";
     if (p->step > 0) return;
     if (any || (p->scheme == sim->scene->integrate.scheme && !p->because && (!scheme || scheme->implied)))
         p->scheme = sim->scene->ncontact ? "midpoint" : "dopri5";

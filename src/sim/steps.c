@@ -190,6 +190,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
                                                                               : until);
         if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+        if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));

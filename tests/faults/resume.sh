@@ -25,6 +25,7 @@ integrate: {scheme: midpoint, step: 1.0e-3, until: 6}
 output: {every: 0.01, columns: [rail.*, energy.*]}
 DECK
 echo "$work/ball.yaml ndjson 20 integrate.until=6" >>scenes # bodies that strike
+echo "$ROOT/decks/bounce-and-roll.yaml csv 5 integrate={tolerance: 1.0e-6, until: 2}" >>scenes # ... in steps of their own
 
 # A run that may be killed after so many seconds; 137 when it was.
 keep() { # SECONDS ARGUMENT...
