@@ -280,7 +280,7 @@ order-tight: $(PROGRAM) $(TOOLS)
 asan:
 	@$(MAKE) --no-print-directory -j2 BUILD=$(BUILD)/asan OPT=-O1 CFLAGS="$(CFLAGS) $(ASAN)" all tests-built
 	@ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 BUILD=$(BUILD)/asan V=$(V) \
-	    UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60 tests/run unit decks bad fuzz
+	    UNIT_SECONDS=900 DECK_SECONDS=600 CHECK_SECONDS=300 BAD_SECONDS=60 tests/run unit decks bad fuzz
 
 ## coverage      lines and branches of src that make test reaches, by folder: at least 97 and 87 percent
 COUNTED   = --coverage -include tests/tools/counted.h

@@ -26,7 +26,7 @@ for source in tests/bad/*.yaml tests/bad/*.sh; do
     args=$(sed -n 's/^# args //p' "$source" | head -n 1)
     alone=$(grep -c '^# exit [0-9]* alone' "$source")
     sed -n 's/^# err //p' "$source" >"$work/wanted"
-    (cd "$work/x" && eval "timeout ${BAD_SECONDS:-5} '$FMDSUB' run $args $name.yaml" >../out 2>../err </dev/null)
+    (cd "$work/x" && eval "timeout ${BAD_SECONDS:-20} '$FMDSUB' run $args $name.yaml" >../out 2>../err </dev/null)
     rc=$?
     if [ "$rc" != "$want" ]; then not_ok "$name" "exit $rc, expected $want" "$work/err"
     elif [ -s "$work/out" ]; then not_ok "$name" "bytes on stdout" "$work/out"

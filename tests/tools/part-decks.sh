@@ -29,7 +29,7 @@ for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
     name=${deck##*/}
     name=${name%.yaml}
     wanted "$name" || continue
-    timeout 20 "$FMDSUB" check "$deck" >"$work/out" 2>"$work/err" </dev/null
+    timeout "${CHECK_SECONDS:-60}" "$FMDSUB" check "$deck" >"$work/out" 2>"$work/err" </dev/null
     expect "$name check" "0 $name" "$? $(sed -n '1s/:.*//p' "$work/out")" "$work/err"
     timeout "${DECK_SECONDS:-60}" "$FMDSUB" run "$deck" >"$work/$name.csv" 2>"$work/err" </dev/null
     rc=$?

@@ -71,7 +71,7 @@ for file in "$work"/examples/*.sh "$work"/examples/*.yaml; do
     case $file in
     *.sh) run_session "$name" "$file" "$status" ;;
     *.yaml)
-        (cd "$work/x" && timeout 20 "$FMDSUB" check - <"$file") >"$work/out" 2>"$work/err"
+        (cd "$work/x" && timeout "${CHECK_SECONDS:-60}" "$FMDSUB" check - <"$file") >"$work/out" 2>"$work/err"
         expect "$name" "$status said" "$? $(cat "$work/out" "$work/err" | grep -q . && echo said)" "$work/err" "$file"
         ;;
     esac
