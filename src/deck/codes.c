@@ -222,6 +222,11 @@ const struct diag_help diag_helps[] = {
     {"W-scheme",
      "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
      "a deck whose scheme --set has changed are passed over without a word."},
+    {"W-expression-stop",
+     "A force that is 0 up to some place and pushes back beyond it is a stop: unilateral: x, with its "
+     "stiffness, has its energy in the balance and keeps it at any step, which as an expression only "
+     "small steps do; range: {hold: rigid} of a joint has no stiffness to choose. A hint: nothing is "
+     "wrong, and --strict does not mind."},
     {"W-unused", "What the deck gives changes nothing. Take it out, or look for the name that it should have had."},
     {"W-partition", "Where no coordinate is fast, everything takes the major step, ratio times step. Name the fast "
                     "coordinates in partition:, or take ratio 1. Where all are fast, as in one loop with a fast "

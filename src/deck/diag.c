@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-enum level { ERROR, WARNING, NOTE };
+enum level { ERROR, WARNING, TIP, LEVELS, NOTE = LEVELS };
 enum { KEPT = 1000, TEXT = 600, WIDTH = 100, PLACES = 1 << 10, COMPARED = 300000 };
 
 struct diag {
@@ -25,9 +25,9 @@ struct diags {
     struct arena *arena;
     int nsource, source_capacity;
     const struct source **source;
-    int n, errors, warnings;
-    int usage;    /* errors in options of the command line */
-    int compared; /* words, for suggestions: there is an end to it */
+    int n, count[LEVELS]; /* messages kept; all, by level */
+    int usage;            /* errors in options of the command line */
+    int compared;         /* words, for suggestions: there is an end to it */
     bool limit;
     struct diag *item[KEPT];
     struct diag *last; /* NULL: the last one was not kept */
@@ -111,7 +111,7 @@ static bool by_option(const struct diags *d, int file)
 static void add(struct diags *d, enum level level, struct span at, const struct scope *scope, const char *code,
                 const char *format, va_list args)
 {
-    int *count = level == ERROR ? &d->errors : &d->warnings;
+    int *count = &d->count[level];
     d->last = NULL;
     if (!strncmp(code, "E-limit", 7)) d->limit = true;
     if (d->n == KEPT) {
@@ -151,6 +151,11 @@ void diag_error(struct diags *d, const struct node *at, enum diag_at which, cons
 void diag_warn(struct diags *d, const struct node *at, enum diag_at which, const char *code, const char *format, ...)
 {
     WITH_ARGS(format, add(d, WARNING, diag_span(at, which), at->scope, code, format, args));
+}
+
+void diag_tip(struct diags *d, const struct node *at, enum diag_at which, const char *code, const char *format, ...)
+{
+    WITH_ARGS(format, add(d, TIP, diag_span(at, which), at->scope, code, format, args));
 }
 
 void diag_error_in(struct diags *d, struct span at, const char *code, const char *format, ...)
@@ -215,17 +220,17 @@ const char *diag_clip(struct diags *d, const char *text)
 
 enum status diags_status(const struct diags *d)
 {
-    return d->limit ? E_LIMIT : !d->errors ? OK : d->usage == d->errors ? E_USAGE : E_DECK;
+    return d->limit ? E_LIMIT : !d->count[ERROR] ? OK : d->usage == d->count[ERROR] ? E_USAGE : E_DECK;
 }
 
 int diags_errors(const struct diags *d)
 {
-    return d->errors;
+    return d->count[ERROR];
 }
 
 bool diags_full(const struct diags *d)
 {
-    return d->errors >= KEPT;
+    return d->count[ERROR] >= KEPT;
 }
 
 const char *diags_first(const struct diags *d)
@@ -237,7 +242,7 @@ const char *diags_first(const struct diags *d)
 
 int diags_warnings(const struct diags *d)
 {
-    return d->warnings;
+    return d->count[WARNING];
 }
 
 /* ---- printing ---- */
@@ -299,8 +304,8 @@ static void put_hints(FILE *to, const char *hints)
 
 static void put_diag(FILE *to, const struct diags *d, const struct diag *x, bool color)
 {
-    static const char *const words[] = {"error", "warning", "note"}, *const colors[] = {"\033[31m", "\033[35m",
-                                                                                        "\033[36m"};
+    static const char *const words[] = {"error", "warning", "hint", "note"}, *const colors[] = {"\033[31m", "\033[35m",
+                                                                                                "\033[36m", "\033[36m"};
     const struct source *s = diags_source(d, x->at.file);
     const bool placed = s && !s->option && x->at.from.line;
     if (s) text_put(to, s->path);
@@ -331,12 +336,13 @@ static void put_more(FILE *to, int n, const char *what)
 void diags_print(FILE *to, const struct diags *d, bool color)
 {
     struct diag *sorted[KEPT];
-    int shown[2] = {0, 0};
+    int shown[LEVELS] = {0};
     if (d->n) memcpy(sorted, d->item, (size_t)d->n * sizeof *sorted);
     qsort(sorted, (size_t)d->n, sizeof *sorted, by_place);
     for (int i = 0; i < d->n; i++)
         if (shown[sorted[i]->level]++ < DIAGS_SHOWN) put_diag(to, d, sorted[i], color);
-    put_more(to, d->errors - DIAGS_SHOWN, "error");
+    put_more(to, d->count[ERROR] - DIAGS_SHOWN, "error");
     if (diags_full(d)) fprintf(to, "after %d errors the rest of the deck was not looked at\n", KEPT);
-    put_more(to, d->warnings - DIAGS_SHOWN, "warning");
+    put_more(to, d->count[WARNING] - DIAGS_SHOWN, "warning");
+    put_more(to, d->count[TIP] - DIAGS_SHOWN, "hint");
 }

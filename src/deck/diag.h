@@ -36,6 +36,10 @@ __attribute__((format(printf, 5, 6))) void diag_error(struct diags *d, const str
 __attribute__((format(printf, 5, 6))) void diag_warn(struct diags *d, const struct node *at, enum diag_at which,
                                                      const char *code, const char *format, ...);
 
+/* What could be said better, and runs as it is: --strict does not mind. */
+__attribute__((format(printf, 5, 6))) void diag_tip(struct diags *d, const struct node *at, enum diag_at which,
+                                                    const char *code, const char *format, ...);
+
 /* A second place of the last message: "first given here". */
 __attribute__((format(printf, 4, 5))) void diag_note(struct diags *d, const struct node *at, enum diag_at which,
                                                      const char *format, ...);
@@ -68,7 +72,7 @@ void diag_foreign(struct diags *d, const char *word);
 /* Text of a deck for a message: at most 40 characters, no control characters. */
 const char *diag_clip(struct diags *d, const char *text);
 
-/* OK, E_DECK, or E_LIMIT; E_USAGE: all that is wrong came by options.  Warnings do not count. */
+/* OK, E_DECK, or E_LIMIT; E_USAGE: all that is wrong came by options.  Warnings and tips do not count. */
 enum status diags_status(const struct diags *d);
 int diags_errors(const struct diags *d);
 /* So many errors that no more are kept: loops over what a deck holds may end. */

@@ -339,6 +339,12 @@ static int read_force(struct builder *b, struct scene_force *f, const struct nod
     return 1;
 }
 
+static const struct scene_force *add(struct scene *scene, struct scene_force f)
+{
+    scene->force[scene->nforce] = f;
+    return &scene->force[scene->nforce++];
+}
+
 int read_forces(struct builder *b, const struct node *n)
 {
     int errors = 0;
@@ -352,7 +358,7 @@ int read_forces(struct builder *b, const struct node *n)
         if (wrong_name(b, n->item[i], "force") || read_force(b, &f, n->item[i]))
             errors++;
         else
-            scene->force[scene->nforce++] = f;
+            tip_on_force(b, add(scene, f));
     }
     return errors;
 }

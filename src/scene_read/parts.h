@@ -139,6 +139,8 @@ void add_compliant(struct builder *b, const struct scene_contact *c, const struc
 int refuse_beside(struct builder *b, const struct node *n, const char *key, const char *what, const char *why,
                   const char *hint);
 int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts);
+/* tips.c: is the force one that the program has a word for? */
+void tip_on_force(struct builder *b, const struct scene_force *f);
 int read_forces(struct builder *b, const struct node *n);
 /* signals.c: tables by name; signals, behind the measures */
 int read_tables(struct builder *b, const struct node *n);

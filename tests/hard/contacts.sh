@@ -128,3 +128,27 @@ integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
 END
 "$FMDSUB" run -q "$work/guide.yaml" >"$work/out" 2>"$work/err"
 expect "a guide that wedges" "5 1" "$? $(grep -c "'s' is one of them; friction that presses a joint harder than it slows it wedges it" "$work/err")" "$work/err"
+
+# A floor as an expression runs as it is, also under --strict, and is told that there is a word for it; what is no stop is not.
+floor()
+{
+    cat >"$work/floor.yaml" <<END
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {b: {mass: 1, inertia: 0.1, at: [0, 0]}}
+constraints: {y: {prismatic: [ground, b], axis: [0, 1]}}
+forces: {f: {force: y.displacement, value: "$1"}}
+initial: {y.displacement: 0.01}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.01}
+END
+    "$FMDSUB" run -q --strict "$work/floor.yaml" >"$work/out" 2>"$work/err"
+    expect "an expression, $2: $1" "0 $2" "$? $(grep -c 'hint: .*W-expression-stop' "$work/err")" "$work/err"
+}
+floor "if(y.displacement < 0, -1e5*y.displacement - 10*y.displacement_rate, 0)" 1
+floor "max(0, -1e5*(y.displacement - 0.002))" 1
+floor "if(y.displacement > 5, -100*(y.displacement - 5)^3, 0)" 1
+floor "-1e5*y.displacement" 0
+floor "-10*abs(y.displacement)" 0
+floor "if(y.displacement < 0, 1e5*y.displacement, 0)" 0
+floor "if(t < 1, 0, -100*y.displacement)" 0
+floor "if(y.displacement < 0, -5, 0)" 0
