@@ -22,7 +22,9 @@ struct contacts *contacts_build(const struct model *m, const struct sweep_ops *o
 
 double contact_size(const struct model_contact *c, double length)
 {
-    return c->angular ? 1 : length;
+    if (c->angular) return 1;
+    if (c->pair == PAIR_STOP || c->pair == PAIR_FRICTION) return length;
+    return fmax(length, fmax(fmax(c->radius, c->other), fmax(v3_norm(c->a.p), v3_norm(c->b.p))));
 }
 
 /* ---- where they touch ---- */

@@ -29,7 +29,7 @@ static inline int contact_rows(const struct model_contact *c)
     return 1 + c->across;
 }
 
-/* A usual gap of contact i: 1 rad, or the length given. */
+/* A usual gap of contact c: 1 rad, or the length given; of surfaces not below their own sizes, by which gaps round off. */
 double contact_size(const struct model_contact *c, double length);
 
 /* Where the sweep's bodies are placed at q: the gap of contact i. */
