@@ -6,7 +6,7 @@
 
 #include "base/scalar.h"
 
-enum { SWEEPS = 4000, STALLED = 40, PATIENT = 100 };
+enum { SWEEPS = 4000, STALLED = 40, PATIENT = 100, LONG = 400 };
 static const double EXACT = 1e-16, ENOUGH = 1e-12; /* of the rates, in a sweep that changes nothing */
 
 static double rate(const double *p, const double *W, const double *u0, int i, int rows)
@@ -67,21 +67,21 @@ void cone_open(struct cone_work *o, int rows, struct arena *life)
 
 /* By Newton's method from here; p stays where that fails. */
 static bool by_newton(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows,
-                      double size, struct cone_work *work)
+                      double size, double rough, struct cone_work *work)
 {
     copy(work->kept, p, rows);
-    if (cone_newton(p, W, u0, cone, n, rows, size, work)) return true;
+    if (cone_newton(p, W, u0, cone, n, rows, size, rough, work)) return true;
     copy(p, work->kept, rows);
     return false;
 }
 
 bool cone_solve(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size,
-                struct cone_work *work)
+                double rough, struct cone_work *work)
 {
     double moved = INFINITY, least = INFINITY;
     for (int k = 0, since = 0, next = PATIENT; k < SWEEPS && !(moved <= EXACT * size); k++) {
         if (k == next && moved > ENOUGH * size) {
-            if (by_newton(p, W, u0, cone, n, rows, size, work)) return true;
+            if (by_newton(p, W, u0, cone, n, rows, size, rough, work)) return true;
             next *= 2;
         }
         moved = 0;
@@ -92,7 +92,7 @@ bool cone_solve(double *p, const double *W, const double *u0, const struct cone 
         if (!isfinite(moved)) return false;
         since = moved < .9 * least ? 0 : since + 1;
         least = smaller(least, moved);
-        if (moved <= ENOUGH * size && since > STALLED) break; /* round-off */
+        if (moved <= ENOUGH * size + (k > LONG ? rough : 0) && since > STALLED) break; /* round-off */
     }
-    return moved <= ENOUGH * size;
+    return moved <= ENOUGH * size + rough;
 }

@@ -36,8 +36,9 @@ struct cone_work {
 };
 void cone_open(struct cone_work *o, int rows, struct arena *life);
 
-/* p [rows]: from where they are; W [rows x rows] by column.  size: of rates, for what is 0.  false: they do not settle. */
+/* p [rows]: from where they are; W [rows x rows] by column.  size: of rates, for what is 0; rough: round-off of u0, to which
+ * rows of more points than hold a body contradict each other.  false: they do not settle. */
 bool cone_solve(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size,
-                struct cone_work *work);
+                double rough, struct cone_work *work);
 
 #endif

@@ -25,6 +25,7 @@ struct problem {
     const struct cone *cone;
     struct cone_work *work;
     int n, rows;
+    double rough; /* of u0 */
 };
 
 static double diagonal(const struct problem *o, int i)
@@ -167,7 +168,7 @@ static double noise(const struct problem *o, const double *p)
         for (int j = 0; j < o->rows; j++) sum += fabs(o->W[i + j * o->rows] * p[j]);
         most = larger(most, sum);
     }
-    return 8 * DBL_EPSILON * most;
+    return 8 * DBL_EPSILON * most + o->rough;
 }
 
 /* p about the centre. */
@@ -182,7 +183,7 @@ static bool settle(const struct problem *o, double *p, double size)
         since = off < .5 * least ? 0 : since + 1;
         least = smaller(least, off);
     }
-    return sqrt(o->work->off) <= SMALL * size;
+    return sqrt(o->work->off) <= SMALL * size + o->rough;
 }
 
 /* Pushes that pull by round-off. */
@@ -195,9 +196,9 @@ static void clip(const struct problem *o, double *p)
 }
 
 bool cone_newton(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size,
-                 struct cone_work *work)
+                 double rough, struct cone_work *work)
 {
-    const struct problem o = {W, u0, cone, work, n, rows};
+    const struct problem o = {W, u0, cone, work, n, rows, rough};
     double far = INFINITY;
     copy(work->centre, p, rows);
     for (int k = 0; k < MOVES && far > ROUND_OFF * size; k++) {
@@ -211,5 +212,5 @@ bool cone_newton(double *p, const double *W, const double *u0, const struct cone
         }
         if (far <= noise(&o, p) || (far <= SMALL * size && !(far < .5 * last))) return true;
     }
-    return far <= SMALL * size;
+    return far <= SMALL * size + rough;
 }

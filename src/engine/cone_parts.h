@@ -6,6 +6,6 @@
 
 /* p from where they are; false: it does not converge, and p is anything. */
 bool cone_newton(double *p, const double *W, const double *u0, const struct cone *cone, int n, int rows, double size,
-                 struct cone_work *work);
+                 double rough, struct cone_work *work);
 
 #endif

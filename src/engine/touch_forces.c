@@ -26,6 +26,19 @@ static enum status add_rates(struct touch *o, double *c, const struct state *x, 
     return OK;
 }
 
+/* What round-off of rates makes of their difference over 2 d, in accelerations: rows of points of one body, more than it
+ * needs, agree no better. */
+static double noise(const struct touch *o, const struct state *x, double d)
+{
+    double most = 0;
+    for (int i = 0; i < o->rows; i++) {
+        double sum = fabs(o->end.b[i]);
+        for (int j = 0; j < o->ode->n; j++) sum += fabs(o->end.G[i * o->ode->n + j] * x->v[j]);
+        most = larger(most, sum);
+    }
+    return 8 * DBL_EPSILON * most / d;
+}
+
 static void directions(struct touch *o)
 {
     for (int k = 0; k < o->n; k++) {
@@ -43,7 +56,8 @@ static void directions(struct touch *o)
 }
 
 /* l; joints that rub are pressed by what they themselves do, too. */
-static enum status find(struct touch *o, bool *found, const struct state *x, double size, struct trouble *why)
+static enum status find(struct touch *o, bool *found, const struct state *x, double size, double rough,
+                        struct trouble *why)
 {
     const int most = o->c->bound ? PASSES : 1;
     double moved = INFINITY;
@@ -53,7 +67,7 @@ static enum status find(struct touch *o, bool *found, const struct state *x, dou
         const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .a = o->y, .ta = x->t, .tb = x->t};
         copy(o->u1, o->l, o->rows);
         TRY(touch_press(o, &at, 1, k, why));
-        *found = cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, &o->work);
+        *found = cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, rough, &o->work);
         if (!*found) return OK;
         double most_l = DBL_MIN;
         moved = 0;
@@ -87,9 +101,12 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
     }
     zero(o->l, o->rows);
     bool found;
-    TRY(find(o, &found, x, size, why));
+    TRY(find(o, &found, x, size, noise(o, x, d), why));
     o->jammed = !found;
-    if (found) touch_spread(o, f); /* else there are none */
+    if (found)
+        touch_spread(o, f);
+    else /* as of a rod that jams: the means over the last step */
+        for (int i = 0; i < o->c->nrow; i++) f[i] = o->took > 0 ? o->p[i] / o->took : 0;
     return OK;
 }
 

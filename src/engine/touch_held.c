@@ -87,6 +87,14 @@ static double left_open(const struct touch *o, int i, double h)
     return h < soon ? (1 - h / soon) * left : 0;
 }
 
+/* What round-off of gaps makes of velocities in a short step, friction of them along the surface by its coefficient. */
+static double noise(const struct touch *o, double h)
+{
+    double size = 0;
+    for (int k = 0; k < o->n; k++) size = larger(size, larger(1, o->cone[k].mu) * o->size[o->contact[k]]);
+    return 16 * ROUGH * size / h;
+}
+
 /* One correction of v1 and p; *err: how large, of velocities. */
 static enum status correct(struct touch *o, double *err, struct instant *x, double h, int count, struct trouble *why)
 {
@@ -113,7 +121,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
                      dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
     }
     const double size = larger(o->top, DBL_MIN);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, &o->work))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, noise(o, h), &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->tb);
     touch_kick(o, o->vf, o->l);
     *err = 0;
@@ -138,14 +146,6 @@ static bool pressed(const struct touch *o)
         off = larger(off, fabs(o->off[i]));
     }
     return off <= OFF * most;
-}
-
-/* What round-off of gaps makes of velocities in a short step, friction of them along the surface by its coefficient. */
-static double noise(const struct touch *o, double h)
-{
-    double size = 0;
-    for (int k = 0; k < o->n; k++) size = larger(size, larger(1, o->cone[k].mu) * o->size[o->contact[k]]);
-    return 16 * ROUGH * size / h;
 }
 
 static enum status iterate(struct touch *o, struct instant *at, const struct state *x, double h, double t1,
@@ -211,7 +211,7 @@ static enum status settle(struct touch *o, double t1, struct trouble *why)
     if (o->n == 0 || most <= (mended ? 0 : STILL) * o->top) return OK; /* right behind an impact, to 0 */
     TRY(touch_mass(o, &there, why));
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, &o->work))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, 0, &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, t1);
     copy(o->vf, o->v1, o->ode->n);
     touch_kick(o, o->vf, o->l);

@@ -51,7 +51,7 @@ static bool strike(struct touch *o, double *loss, double e)
         o->u1[row] += e * o->g1[k] * smaller(o->u[row], 0);
     }
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, &o->work)) return false;
+    if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, 0, &o->work)) return false;
     for (int i = 0; i < o->rows; i++) {
         o->u1[i] = o->u[i];
         for (int j = 0; j < o->rows; j++) o->u1[i] += o->W[i + j * o->rows] * o->l[j];

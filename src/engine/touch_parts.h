@@ -128,7 +128,7 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
 enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why);
 
 /* touch_switch.c: changes between sticking and sliding in a step of x, from o->part */
-enum touch_switch { SWITCH_NONE, SWITCH_STOPS, SWITCH_GOES, SWITCH_DONE };
+enum touch_switch { SWITCH_NONE, SWITCH_STOPS, SWITCH_GOES, SWITCH_MAY_GO, SWITCH_DONE };
 struct touch_try {
     void (*again)(struct touch *o, struct state *x); /* back to its start */
     enum status (*take)(struct touch *o, struct state *x, double h, double t1, struct trouble *why);

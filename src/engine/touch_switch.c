@@ -3,8 +3,9 @@
  * A step in which that happens is cut there.  Of what slides, the rate along its way at the start must not turn back: the
  * step is taken with its friction as of sliding that way, and ends where the rate is 0.  Of what sticks, the force that
  * holds it must not pass its bound: the step is taken with it held, and ends where the force at its end, not the mean
- * over it, reaches the bound.  Of several that let go together, as points of one body do, the sums count: how they
- * share a force is a matter of choice. */
+ * over it, reaches the bound.  How several that stick, as points of one body do, share a force is a matter of choice: they
+ * let go where no choice within the bounds of all of them holds them. */
+#include <float.h>
 #include <math.h>
 
 #include "base/bracket.h"
@@ -61,9 +62,66 @@ static void head(struct touch *o, int i, const struct cone *c, bool sticks)
     for (int j = 0; j < c->across; j++) o->heads[2 * i + j] = size > 0 ? (sticks ? -1 : 1) * to[j] / size : 0;
 }
 
+static int sticking(const struct touch *o)
+{
+    int n = 0;
+    for (int i = 0; i < o->c->m; i++) n += o->closed[i] && o->c->of[i].across > 0 && o->state[i] == TOUCH_STICKS;
+    return n;
+}
+
+/* a: how what is looked at as c is accelerated across by the forces that have been found; its size. */
+static double accelerated(const struct touch *o, double a[2], const struct cone *c)
+{
+    a[0] = a[1] = 0;
+    for (int j = 0; j < c->across; j++) {
+        const int i = c->row + 1 + j;
+        a[j] = o->u[i];
+        for (int l = 0; l < o->rows; l++) a[j] += o->W[i + l * o->rows] * o->l[l];
+    }
+    return hypot(a[0], a[1]);
+}
+
+/* Forces within all bounds at x; *size: of accelerations without them. */
+static enum status within_bounds(struct touch *o, double *size, const struct state *x, struct trouble *why)
+{
+    TRY(touch_forces(o, o->held, x, why));
+    *size = DBL_MIN;
+    for (int i = 0; i < o->rows; i++) *size = larger(*size, fabs(o->u[i]));
+    return OK;
+}
+
+/* Those that go: who has moved, and of what only seems to, if several stick, who is accelerated by forces within all
+ * bounds, that way. */
+static enum status sift(struct touch *o, const struct state *x, struct trouble *why)
+{
+    const bool one = sticking(o) == 1;
+    double size = 0, a[2];
+    if (!one) TRY(within_bounds(o, &size, x, why));
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        const struct cone *c = &o->cone[k];
+        if (!c->across || o->state[i] != TOUCH_STICKS || o->turns[i] == SWITCH_GOES) continue;
+        if (one || o->jammed) {
+            if (o->turns[i] == SWITCH_MAY_GO) o->turns[i] = SWITCH_GOES;
+            continue;
+        }
+        const double all = accelerated(o, a, c);
+        o->turns[i] = all > CLEARLY * size ? SWITCH_GOES : SWITCH_NONE;
+        for (int j = 0; j < c->across && all > 0; j++) o->heads[2 * i + j] = a[j] / all;
+    }
+    return OK;
+}
+
+static bool any_turns(const struct touch *o, enum touch_switch which)
+{
+    for (int k = 0; k < o->n; k++)
+        if (o->turns[o->contact[k]] == (int)which) return true;
+    return false;
+}
+
 enum status touch_switches(struct touch *o, enum touch_switch *which, const struct state *x, struct trouble *why)
 {
-    bool any = false, stops = false, goes = false;
+    bool any = false;
     *which = SWITCH_NONE;
     for (int i = 0; i < o->c->m; i++) any |= o->closed[i] && o->c->of[i].across > 0;
     if (!any) return OK;
@@ -78,29 +136,57 @@ enum status touch_switches(struct touch *o, enum touch_switch *which, const stru
         head(o, i, c, sticks);
         if (o->state[i] == TOUCH_SLIDES && (sticks || (c->across == 1 && along(o, k, i) < 0)))
             o->turns[i] = SWITCH_STOPS;
-        else if (o->state[i] == TOUCH_STICKS && (!sticks || seems_to_go(o, i)))
+        else if (o->state[i] == TOUCH_STICKS && !sticks)
             o->turns[i] = SWITCH_GOES;
-        stops |= o->turns[i] == SWITCH_STOPS;
-        goes |= o->turns[i] == SWITCH_GOES;
+        else if (o->state[i] == TOUCH_STICKS && seems_to_go(o, i))
+            o->turns[i] = SWITCH_MAY_GO;
     }
-    *which = stops ? SWITCH_STOPS : goes ? SWITCH_GOES : SWITCH_NONE;
+    if (any_turns(o, SWITCH_STOPS)) {
+        *which = SWITCH_STOPS;
+        return OK;
+    }
+    if (any_turns(o, SWITCH_MAY_GO)) TRY(sift(o, x, why));
+    if (any_turns(o, SWITCH_GOES)) *which = SWITCH_GOES;
     return OK;
 }
 
-/* How far it is to the switch: above 0 before it; of its size. */
+static void force_those(struct touch *o, enum touch_switch which)
+{
+    for (int i = 0; i < o->c->m; i++) o->forced[i] = o->closed[i] && o->turns[i] == (int)which;
+}
+
+static enum status far_from_stop(struct touch *o, double *far, const struct state *x, struct trouble *why)
+{
+    *far = INFINITY;
+    touch_choose_closed(o);
+    TRY(touch_look(o, o->u, &o->end, x, why));
+    for (int k = 0; k < o->n; k++)
+        if (o->forced[o->contact[k]]) *far = smaller(*far, along(o, k, o->contact[k]));
+    *far /= larger(o->top, 1e-300);
+    return OK;
+}
+
+/* Does anything that is forced let go at x where it is not? */
+static enum status lets_go(struct touch *o, bool *goes, const struct state *x, struct trouble *why)
+{
+    double size = 0, a[2];
+    for (int i = 0; i < o->c->m; i++) o->forced[i] = 0;
+    const enum status status = within_bounds(o, &size, x, why);
+    force_those(o, SWITCH_GOES);
+    *goes = o->jammed;
+    for (int k = 0; status == OK && k < o->n && !*goes; k++)
+        *goes = o->forced[o->contact[k]] && accelerated(o, a, &o->cone[k]) > CLEARLY * size;
+    return status;
+}
+
+/* How far it is to the switch: above 0 before it; of its size.  The sums of forces and bounds tell where all of several let
+ * go together and the same way, else nearly so. */
 static enum status far_from(struct touch *o, double *far, enum touch_switch which, const struct state *x,
                             struct trouble *why)
 {
-    if (which == SWITCH_STOPS) {
-        *far = INFINITY;
-        touch_choose_closed(o);
-        TRY(touch_look(o, o->u, &o->end, x, why));
-        for (int k = 0; k < o->n; k++)
-            if (o->forced[o->contact[k]]) *far = smaller(*far, along(o, k, o->contact[k]));
-        *far /= larger(o->top, 1e-300);
-        return OK;
-    }
+    if (which == SWITCH_STOPS) return far_from_stop(o, far, x, why);
     double sum = 0, all = 0, most;
+    bool goes;
     TRY(touch_forces(o, o->held, x, why));
     *far = -1;
     if (o->jammed) return OK;
@@ -110,6 +196,9 @@ static enum status far_from(struct touch *o, double *far, enum touch_switch whic
         all += most;
     }
     if (all > 0) *far = sum / all;
+    if (sticking(o) == 1) return OK;
+    TRY(lets_go(o, &goes, x, why));
+    if (goes != (*far <= 0)) *far = goes ? -1 : 1;
     return OK;
 }
 
@@ -140,6 +229,7 @@ static bool was_held(struct touch *o)
 {
     static const double MORE = 1e-6;
     double sum = 0, all = 0, most;
+    if (sticking(o) > 1) return true;
     for (int i = 0; i < o->c->nrow; i++) o->held[i] = o->p[i] / o->took;
     for (int i = 0; i < o->c->m; i++) {
         if (!o->forced[i]) continue;
@@ -201,7 +291,7 @@ enum status touch_cut(struct touch *o, const struct touch_try *part, struct stat
                       bool *again, struct trouble *why)
 {
     *again = false;
-    for (int i = 0; i < o->c->m; i++) o->forced[i] = o->closed[i] && o->turns[i] == (int)which;
+    force_those(o, which);
     const enum status status = cut(o, part, x, h, which, again, why);
     for (int i = 0; i < o->c->m; i++) o->forced[i] = 0;
     return status;
