@@ -80,6 +80,13 @@ static enum status find(struct touch *o, bool *found, const struct state *x, dou
     return OK;
 }
 
+/* l, where there are none at an instant, as of a rod that jams: the means over the last step. */
+static void last_means(struct touch *o)
+{
+    touch_choose_closed(o);
+    for (int i = 0; i < o->rows; i++) o->l[i] = o->took > 0 ? o->l[i] / o->took : 0;
+}
+
 enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why)
 {
     const double d = 1e-4 * o->usual;
@@ -103,10 +110,8 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
     bool found;
     TRY(find(o, &found, x, size, noise(o, x, d), why));
     o->jammed = !found;
-    if (found)
-        touch_spread(o, f);
-    else /* as of a rod that jams: the means over the last step */
-        for (int i = 0; i < o->c->nrow; i++) f[i] = o->took > 0 ? o->p[i] / o->took : 0;
+    if (!found) last_means(o);
+    touch_spread(o, f);
     return OK;
 }
 
@@ -115,6 +120,6 @@ enum status touch_accelerations(struct touch *o, struct state *x, struct trouble
     TRY(touch_forces(o, o->held, x, why));
     if (o->n == 0) return accel_solve(o->stepper->accel, x->a, NULL, x->q, x->v, x->t, why);
     copy(x->a, o->a, o->ode->n);
-    if (!o->jammed) touch_kick(o, x->a, o->l);
+    touch_kick(o, x->a, o->l);
     return OK;
 }

@@ -85,7 +85,7 @@ static enum status stick(struct touch *o, struct state *x, struct trouble *why)
     if (!any) return OK;
     TRY(touch_mass(o, x, why));
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, &o->work))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, 0, &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
     copy(o->vf, x->v, o->ode->n);
     touch_kick(o, o->vf, o->l);
