@@ -1,5 +1,6 @@
 """gltf.py FILE.glb [NODE [VERTEX]] -- a reader of binary glTF 2.0 of its own: says what is wrong, or prints nodes, meshes,
-animated paths and frames; with NODE its translation at each frame, with VERTEX the red of the colour there."""
+animated paths and frames; with NODE its translation at each frame, with VERTEX the red of the colour there; with NODE "*" all that
+it holds, as text."""
 import json, math, struct, sys
 
 data = open(sys.argv[1], "rb").read()
@@ -46,6 +47,15 @@ for m in g["meshes"]:
         want(len(m.get("weights", [])) == len(p.get("targets", [])), "weights")
 want(sorted(g["nodes"][0]["children"]) == list(range(1, len(g["nodes"]))), "children")
 [animation] = g["animations"]
+if sys.argv[2:] == ["*"]:
+    for part in sorted(g):
+        if part not in ("buffers", "bufferViews"):
+            for x in g[part] if isinstance(g[part], list) else [g[part]]:
+                print(part, json.dumps(x, sort_keys=True))
+    for i, v in enumerate(values):
+        for x in v:
+            print(i, *("%.6g" % (y + 0) for y in x))
+    sys.exit()
 paths = set()
 for c in animation["channels"]:
     s = animation["samplers"][c["sampler"]]

@@ -99,16 +99,6 @@ else
     skip "glTF read back" "python3 is not installed"
 fi
 
-# In a browser, where there is one: the page draws, and says no error.
-browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
-if [ -z "$browser" ]; then
-    skip "in a browser" "none is installed (Debian: chromium)"
-    exit 0
-fi
-timeout 120 "$browser" --headless=new --no-sandbox --disable-gpu --user-data-dir="$work/profile" --enable-logging=stderr --virtual-time-budget=2000 \
-    --dump-dom "file://$work/beam.html#t=0.1" >dom 2>log
-expect "in a browser: the time, a curve's value, no errors" "1 1 0" "$(grep -c 't = 0.1000 s' dom) $(grep -c 'arm.tip.y \[m\] = -0\.' dom) $(grep -c 'CONSOLE' log)" log
-
 # Bodies are drawn as large as they are: a sphere of radius 0.3, a cylinder and a tube along z, a box.
 cat >shapes.yaml <<'DECK'
 fmdsub: 1
@@ -140,3 +130,31 @@ grep -ao '"min":\[[^]]*\],"max":\[[^]]*\]' shapes.glb | tr -c '0-9.e\n-' ' ' | a
     ok "shapes: sizes" || not_ok "shapes: sizes" "half sizes that are not there" missing
 "$FMDSUB" animate -q -o shapes.html shapes.yaml 2>err
 ended "shapes: a page" 0 $? shapes.html err
+
+# What is drawn of two scenes, all of it, as it was when it was looked at: WRITE=1 writes what is drawn now.
+for scene in plane space; do
+    for ext in svg html glb pvd; do
+        animate -q --every 0.1 -o $scene.$ext "$ROOT/tests/pictures/$scene.yaml"
+        ended "$scene.$ext" 0 $? $scene.$ext err
+    done
+    sed -n '/^const D=/,/]};$/p' $scene.html >$scene.page
+    cat $scene.pvd $scene.0002.vtu >$scene.view
+    command -v python3 >/dev/null && python3 "$ROOT/tests/tools/gltf.py" $scene.glb '*' >$scene.gltf
+    for file in $scene.svg $scene.page $scene.view $scene.gltf; do
+        [ -f $file ] || { skip "$file as it was" "python3 is not installed"; continue; }
+        [ -z "${WRITE:-}" ] || cp $file "$ROOT/tests/pictures/"
+        apart=2e-6
+        [ $file = $scene.svg ] && apart=0.15
+        awk -v apart=$apart -f "$ROOT/tests/tools/alike.awk" "$ROOT/tests/pictures/$file" $file >differs && [ -s $file ] && ok "$file as it was" || not_ok "$file as it was" "differs" differs
+    done
+done
+
+# In a browser, where there is one: the page draws, and says no error.
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+if [ -z "$browser" ]; then
+    skip "in a browser" "none is installed (Debian: chromium)"
+    exit 0
+fi
+timeout 120 "$browser" --headless=new --no-sandbox --disable-gpu --user-data-dir="$work/profile" --enable-logging=stderr --virtual-time-budget=2000 \
+    --dump-dom "file://$work/beam.html#t=0.1" >dom 2>log
+expect "in a browser: the time, a curve's value, no errors" "1 1 0" "$(grep -c 't = 0.1000 s' dom) $(grep -c 'arm.tip.y \[m\] = -0\.' dom) $(grep -c 'CONSOLE' log)" log
