@@ -45,6 +45,13 @@ expect quiet "0 body 0" "$? $(grep -q '"fmdsub_flex"' "$work/quiet.json" && echo
 reduce -q -i root=root -i tip=tip:average -n 4 --material 7e10,0.3 --stiffening $bar >"$work/stiff.json" 2>"$work/stiff.err"
 expect stiffening "0 1" "$? $(grep -c '"xs"' "$work/stiff.json")" "$work/stiff.err"
 
+# All of both bodies, as they were when they were looked at: WRITE=1 writes what comes now.
+for body in one stiff; do
+    [ -z "${WRITE:-}" ] || cp "$work/$body.json" tests/reduce/as-$body.json
+    awk -v apart=1e-7 -f tests/tools/alike.awk tests/reduce/as-$body.json "$work/$body.json" >"$work/differs"
+    expect "bar, $body: as it was" 0 $? "$work/differs"
+done
+
 mkdir "$work/loads"
 reduce -i root=root -i tip=tip --loads "$work/loads/bar" $bar 2>"$work/loads.err"
 expect loads "0 15" "$? $(ls "$work/loads" | wc -l)" "$work/loads.err"
