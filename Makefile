@@ -173,7 +173,7 @@ install-test: $(PROGRAM) $(FOUND) $(TOOLS)
 ## hard          cases that break simulators, with the table of hard-table
 ## users         scenes as users bring them, each with numbers checked by hand
 ## reduce        fmdsub-reduce
-decks bad faults man-examples order study plot diff sweep animate airscrew effects users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
+decks bad faults man-examples order study plot diff sweep animate readme airscrew effects users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 hard: $(PROGRAM) $(FOUND) $(TOOLS)

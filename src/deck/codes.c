@@ -201,6 +201,9 @@ const struct diag_help diag_helps[] = {
      "deck, as it was written. 'deck: any' beside 'from' takes coordinates and rates of another deck's, or of one "
      "that was edited and has lost its 'check', 'deck' and 'memory'. A run that keeps its time ends later than "
      "that."},
+    {"E-states",
+     "'static' finds a posture in which all stands still, but not what integrals and filters are there. Run the deck "
+     "until it has come to rest, and go on from that: --final-state rest.json, initial: {from: rest.json}."},
     {"E-initial", "A free rotation is set as joint.rotation, its rate as joint.omega."},
     {"E-partition", "Spherical and free joints are fast or slow as a whole; a flexible body's modes one by one, all of "
                     "them, or those above a frequency."},

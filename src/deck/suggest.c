@@ -74,6 +74,12 @@ static const char *const same[][2] = {
     {"youngs_modulus", "E"},
     {"poisson", "nu"},
     {"rho", "density"},
+    {"controllers", "states"},
+    {"controller", "states"},
+    {"filters", "states"},
+    {"integrals", "states"},
+    {"integrators", "states"},
+    {"stops", "contacts"},
     {"description", "title"},
     {"name", "title"},
 };

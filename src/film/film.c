@@ -47,6 +47,18 @@ static bool add_shape(struct mesh *mesh, const struct scene_body *body)
     return true;
 }
 
+/* Is there nothing to see of a body?  It has no mass, no shape and no point, and hangs on one joint: a state's wheel. */
+static bool unseen(const struct scene *s, int b)
+{
+    const struct scene_body *body = &s->body[b];
+    int joints = 0;
+    if (body->mass > 0 || !body->node || node_find(body->node, "shape")) return false;
+    for (int i = 0; i < s->njoint; i++) joints += s->joint[i].first == b || s->joint[i].second == b;
+    for (int i = 0; i < s->npoint; i++)
+        if (s->point[i].at.body == b) return false;
+    return joints == 1;
+}
+
 /* A bar to a place in body axes. */
 static void add_bar(struct film *o, struct actor *a, const double *to)
 {
@@ -298,7 +310,8 @@ static void measure(struct film *o, const struct scene *s)
             widen(o, x);
         }
     }
-    for (int i = 0; i < s->njoint; i++) widen(o, s->joint[i].at);
+    for (int i = 0; i < s->njoint; i++)
+        if (!unseen(s, s->joint[i].second)) widen(o, s->joint[i].at);
     v3_diff(x, o->high, o->low);
     o->size = isfinite(v3_norm(x)) && v3_norm(x) > 0 ? v3_norm(x) : 1;
 }
@@ -318,10 +331,11 @@ void film_open(struct film *o, struct sim *sim, struct arena *life)
     for (int b = 1; b < s->nbody; b++) {
         if (sim->model->body[sim->model->body_of[b]].flex)
             add_line(o, sim, b);
-        else
+        else if (!unseen(s, b))
             add_rigid(o, sim, b);
     }
-    for (int i = 0; i < s->njoint; i++) add_joint(o, sim, i);
+    for (int i = 0; i < s->njoint; i++)
+        if (!unseen(s, s->joint[i].second)) add_joint(o, sim, i);
     add_springs(o, sim);
 }
 

@@ -53,7 +53,7 @@ static double *shape(const double complex *y, const double *w, int n, struct are
 static struct damped_mode pair(double sum, double product, double *p)
 {
     static const double nothing = 1e-9;
-    struct damped_mode o = {.omega = sqrt(product), .p = p};
+    struct damped_mode o = {.omega = product > 0 ? sqrt(product) : 0, .p = p};
     if (o.omega > 0) o.damping = -sum / (2 * o.omega);
     if (fabs(o.damping) < nothing) o.damping = 0;
     return o;

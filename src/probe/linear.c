@@ -81,6 +81,13 @@ static enum status gyroscopic(double *G, const struct linear *l, double t, struc
     return OK;
 }
 
+/* C loses what G has of it: slopes of a force by a rate along which it does not act have both parts. */
+static void symmetric(double *C, int n)
+{
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < j; i++) C[i + j * n] = C[j + i * n] = (C[i + j * n] + C[j + i * n]) / 2;
+}
+
 /* N less G'/2. */
 static enum status steady(struct linear *l, struct arena *life, struct trouble *why)
 {
@@ -106,6 +113,7 @@ enum status linearise(struct linear *l, struct arena *life, struct trouble *why)
     struct instant x = {.t = l->t, .q = l->q, .v = zero, .ta = l->t, .tb = l->t};
     TRY(l->ode->ops->mass(l->ode, l->M, l->q, l->t, l->cls, why));
     TRY(l->ode->ops->slopes(l->ode, l->K, l->C, &x, l->cls, why));
+    symmetric(l->C, n);
     TRY(stiffness(l, life, why));
     TRY(gyroscopic(l->G, l, l->t, life, why));
     return steady(l, life, why);

@@ -4,7 +4,7 @@
  *
  * K and N are the symmetric and antisymmetric parts of dr/dq by central differences of r(q, 0, 0, t), so that gravity,
  * preloads and centrifugal loads are in it, G the antisymmetric part of dr/dv, the Coriolis forces of driven rotation,
- * C of the elements.  N is of loads without a potential: those that follow a body, or read other coordinates than they
+ * C the symmetric part of the slopes of the elements.  N is of loads without a potential: those that follow a body, or read other coordinates than they
  * act on.  The part G'/2 that drives bring by their acceleration is left out of it: with it, what a slow change of the
  * frequencies keeps, seems to grow. */
 #ifndef FMDSUB_PROBE_LINEAR_H

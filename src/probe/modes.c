@@ -121,6 +121,19 @@ static bool turned(const double *g, double top, int count, int n)
     return most > counts * top;
 }
 
+/* Is damping as much of them as they are?  As where a force reads the rate of a coordinate along which it does not act, such as
+ * that of a controller's state: its terms have no counterpart, so that half of each seems gyroscopic. */
+static bool one_sided(const double *g, const double *d, double top, int count, int n)
+{
+    static const double as_much = .1, counts = 1e-9;
+    for (int j = 0; j < count; j++)
+        for (int i = 0; i < j; i++) {
+            const double turns = fabs(g[i + j * n]);
+            if (turns > counts * top && fabs(d[i + j * n]) > as_much * turns) return true;
+        }
+    return false;
+}
+
 /* Do circulatory ones?  They are known to the errors of differences. */
 static bool circulated(const double *c, const double *lambda, int count, int n)
 {
@@ -250,7 +263,8 @@ static bool describe_group(struct mode *o, const struct linear *l, const struct 
     double *g = s->g + from * (n + 1), *c = s->c + from * (n + 1), *d = s->d + from * (n + 1);
     const double top = sqrt(fmax(fabs(lambda[0]), fabs(lambda[count - 1])));
     const bool turns = turned(g, top, count, n);
-    if (circulated(c, lambda, count, n) || (turns && unstable(lambda, s->size + from, count))) {
+    if (circulated(c, lambda, count, n) ||
+        (turns && (unstable(lambda, s->size + from, count) || one_sided(g, d, top, count, n)))) {
         for (int j = 0; j < count; j++) {
             for (int i = 0; i < count; i++) g[i + j * n] += d[i + j * n];
             c[j + n * j] += lambda[j];

@@ -2,7 +2,7 @@
  *
  * M^ x'' + (G + C) x' + (K + N) x = 0 of linear.h about the posture where the run stands.
  *
- * Where N is nothing and K positive (or G nothing) the damping of a mode is to first order, x'Cx / (2 omega). Elsewhere
+ * Where N is nothing, K positive and C small beside G (or G nothing) the damping of a mode is to first order, x'Cx / (2 omega). Elsewhere
  * the eigenvalues s of the whole are found: omega = |s|, damping -re s/|s|, which is negative where the mode grows. */
 #ifndef FMDSUB_PROBE_MODES_H
 #define FMDSUB_PROBE_MODES_H

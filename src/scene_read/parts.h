@@ -11,8 +11,9 @@ struct deck_keys {
     int version;
     const char *title;
     int units, space;
-    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *tables, *signals, *forces,
-        *surfaces, *contacts, *drives, *initial, *partition, *integrate, *output, *checkpoint, *energy, *effects;
+    const struct node *parameters, *include, *gravity, *bodies, *constraints, *measures, *tables, *signals, *states,
+        *forces, *surfaces, *contacts, *drives, *initial, *partition, *integrate, *output, *checkpoint, *energy,
+        *effects;
 };
 struct body_keys {
     double mass;
@@ -60,6 +61,10 @@ struct range_keys {
 struct drive_keys {
     const struct node *drive, *value;
     int drawn; /* 1: from where it is drawn */
+};
+struct first_order_keys {
+    const struct node *rate;
+    double start;
 };
 struct table_keys {
     struct points points;
@@ -109,10 +114,12 @@ extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], k
     keys_integrate[], keys_output[], keys_every[], keys_checkpoint[], keys_checkpoint_every[], keys_energy[],
     keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[], keys_range[], keys_hold[], keys_plane[],
     keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_contact[], keys_friction[], keys_pin_friction[],
-    keys_slide_friction[];
+    keys_slide_friction[], keys_first_order[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);
+/* states.c: quantities of first order join bodies, constraints, signals, forces and initial, before all of these */
+int make_states(struct builder *b, struct deck_keys *k);
 int read_bodies(struct builder *b, const struct node *n);
 int read_joints(struct builder *b, const struct node *n);
 int read_measures(struct builder *b, const struct node *n);

@@ -80,6 +80,7 @@ enum status scene_read(struct scene **out, struct deck *deck, const struct key_b
     read_effects(&b, k.effects);
     if (k.bodies) {
         read_space(&b, &k);
+        make_states(&b, &k);
         if (k.gravity && read_place(&b, scene->gravity, k.gravity, "'gravity'") == 0) warn_of_gravity(&b, k.gravity);
         read_bodies(&b, k.bodies);
         read_joints(&b, k.constraints);

@@ -23,6 +23,9 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, signals, "signals", "{name: expression, or table}", 0,
                "named expressions of t and the motion, or tables of t: for forces, drives, conditions, columns, each "
                "other; columns of their own"),
+    PARAM_NODE(struct deck_keys, states, "states", "{name: rate, or {rate: expression, start: number}}", 0,
+               "quantities of first order, such as integrals and filters: named like signals, with the rate that they "
+               "grow at"),
     PARAM_NODE(struct deck_keys, forces, "forces", "{name: force}", 0, "springs, dampers, loads"),
     PARAM_NODE(struct deck_keys, surfaces, "surfaces", "{name: surface}", 0, "planes, points, spheres that may touch"),
     PARAM_NODE(struct deck_keys, contacts, "contacts", "{name: contact}", 0, "which of them touch, with what friction"),
@@ -267,6 +270,7 @@ static const struct section fixed[] = {
     {"measures.NAME", "displacement", "displacement along an axis", keys_displacement},
     {"measures.NAME", "angle", "turn of a body against another", keys_angle},
     {"signals.NAME", NULL, "a table in place of an expression", keys_table},
+    {"states.NAME", NULL, "a quantity of first order", keys_first_order},
     {"forces.NAME", "force", "a force along a measure or at a point", keys_force},
     {"forces.NAME", "torque", "a torque along a measure or on a body", keys_torque},
     {"forces.NAME.value", NULL, "a table in place of an expression", keys_table},

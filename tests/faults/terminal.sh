@@ -1,6 +1,7 @@
 # terminal.sh -- what is said on a terminal: tables that are drawn, colours, progress.
 . tests/tools/lib.sh
 command -v script >/dev/null || { skip terminal "script is not installed"; exit 0; }
+script -qec true /dev/null </dev/null >/dev/null 2>&1 || { skip terminal "there are no pseudo-terminals here (/dev/pts)"; exit 0; }
 unset NO_COLOR
 on_terminal() { TERM=xterm script -qec "$*" /dev/null </dev/null 2>&1 | tr -d '\r'; }
 
