@@ -1,17 +1,14 @@
-/* pulses.c -- loads as a fixed step sees them: pulses within one step, and
- * jumps at times that nobody knows beforehand. */
+/* pulses.c -- loads as a fixed step sees them: pulses within one step, and jumps at times that nobody knows beforehand. */
 #include <math.h>
 
 #include "sim/parts.h"
 
-/* A step that something happens in: it ends at `end`, and the two corners are
- * inside it or at its ends. */
+/* A step that something happens in: it ends at `end`, and the two corners are inside it or at its ends. */
 struct within {
     double first, last, begin, end;
 };
 
-/* Do two corners that follow each other lie in one step of h, counted from t0,
- * and leave some of it? */
+/* Do two corners that follow each other lie in one step of h, counted from t0, and leave some of it? */
 static bool in_one_step(struct within *o, double first, double last, double t0, double h)
 {
     static const double END = 1e-9; /* of a step: at its end */
@@ -25,8 +22,8 @@ static double at(const struct signal *s, double t)
     return signal_value(s, &t);
 }
 
-/* An expression is other behind each of its corners.  A table goes on, and what
- * counts is whether it goes away and comes back. */
+/* An expression is other behind each of its corners.  A table goes on, and what counts is whether it goes away and comes
+ * back. */
 static bool is_pulse(const struct signal *s, const struct within *o)
 {
     static const double PART = .5; /* of all that the table does */
@@ -55,10 +52,9 @@ static bool find_pulse(struct within *o, const struct signal *s, const struct si
 
 /* ---- smooth ones ---- */
 
-/* A function of t alone that has no corners in the way, over the steps of a
- * run.  Its bounds over stretches of time tell where nothing can be, so that a
- * bell in an hour of seconds is found by some dozens of them; left: how many
- * more it may take. */
+/* A function of t alone that has no corners in the way, over the steps of a run.  Its bounds over stretches of time tell
+ * where nothing can be, so that a bell in an hour of seconds is found by some dozens of them; left: how many more it may
+ * take. */
 struct look {
     const struct signal *s;
     double t0, h;
@@ -72,8 +68,7 @@ static bool bounds(struct expr_span *o, struct look *l, double a, double b)
     return expr_span(o, l->s->expr, &a, &b) && isfinite(o->lo) && isfinite(o->hi);
 }
 
-/* By parts of the run, since bounds of all of it may be far too wide; NAN: not
- * known. */
+/* By parts of the run, since bounds of all of it may be far too wide; NAN: not known. */
 static double whole_of(struct look *l, double until)
 {
     enum { PARTS = 64 };
@@ -99,8 +94,7 @@ static bool strays(double *t, struct look *l, double a, double b, double low, do
     return strays(t, l, a, middle, low, high, depth - 1) || strays(t, l, middle, b, low, high, depth - 1);
 }
 
-/* The same in one of the steps from number k to n, of what its ends show of it;
- * o: that step, and when. */
+/* The same in one of the steps from number k to n, of what its ends show of it; o: that step, and when. */
 static bool strays_in_a_step(struct within *o, struct look *l, long k, long n)
 {
     enum { HALVINGS = 10 };
@@ -130,11 +124,11 @@ static void warn_of_stray(const struct sim *sim, const struct signal *s, const c
 {
     struct within o;
     if (!find_stray(&o, s, sim, h)) return;
-    diag_warn(diags, n, AT_VALUE, "W-pulse",
-              "'%.60s' is %.4g at t = %.9g s, but %.4g and %.4g at the ends of "
-              "its step, %.9g and %.9g s: what is between "
-              "may be missed",
-              name, at(s, o.first), o.first, at(s, o.begin), at(s, o.end), o.begin, o.end);
+    diag_warn(
+        diags, n, AT_VALUE, "W-pulse",
+        "'%.60s' is %.4g at t = %.9g s, but %.4g and %.4g at the ends of its step, %.9g and %.9g s: what is between "
+        "may be missed",
+        name, at(s, o.first), o.first, at(s, o.begin), at(s, o.end), o.begin, o.end);
     diag_hint(diags, "a step must be a part of the time in which it comes and goes");
 }
 
@@ -154,12 +148,10 @@ void warn_of_pulses(const struct sim *sim, struct diags *diags)
             warn_of_stray(sim, &m->force[i].value[k], m->force[i].name, value ? value : n, h, diags);
         if (!found) continue;
         diag_warn(diags, value ? value : n, AT_VALUE, "W-pulse",
-                  "'%.60s' changes at t = %.9g s and at %.9g s, within one step of "
-                  "%.6g s, which may miss what is "
+                  "'%.60s' changes at t = %.9g s and at %.9g s, within one step of %.6g s, which may miss what is "
                   "between",
                   m->force[i].name, o.first, o.last, h);
-        diag_hint(diags, "take a step that ends at both times, or a tolerance: "
-                         "such schemes step onto them");
+        diag_hint(diags, "take a step that ends at both times, or a tolerance: such schemes step onto them");
     }
 }
 
@@ -186,8 +178,7 @@ void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life)
     m->loop = loop;
 }
 
-/* Has it corners that are not among the known ones: of the state, or of a
- * function of time that is not looked into? */
+/* Has it corners that are not among the known ones: of the state, or of a function of time that is not looked into? */
 static bool bends_unseen(const struct signal *s)
 {
     int slot[2] = {0, 0};
