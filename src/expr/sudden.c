@@ -1,11 +1,9 @@
-/* sudden.c -- where a function of time alone becomes quick all at once, as a
- * bell of a millisecond in an hour does.
+/* sudden.c -- where a function of time alone becomes quick all at once, as a bell of a millisecond in an hour does.
  *
- * The run is halved until five values of a piece show all that it does there,
- * by its bounds, or it does next to nothing. Such pieces that follow each other
- * are one.  A piece much shorter than those before it is one that steps which
- * suited these would leave out: both of its ends are times to stop at.  Known
- * corners are ends of pieces: what is between them is smooth. */
+ * The run is halved until the ends of a piece show what it does there, by its bounds, or it does next to nothing.  Pieces of
+ * the second kind that follow each other are one.  A piece much shorter than those before it is one that steps which suited
+ * these would leave out: both of its ends are times to stop at.  Known corners are ends of pieces: what is between them is
+ * smooth. */
 #include <float.h>
 #include <math.h>
 
@@ -25,10 +23,9 @@ struct look {
     long left;          /* pieces that may still be looked at */
     double whole;       /* all that it does */
     double least, most; /* values seen */
-    struct piece calm;  /* of pieces that do next to nothing, which follow each
-                         other; from = to: none */
+    struct piece calm;  /* of pieces that do next to nothing, which follow each other; from = to: none */
     double before;      /* length of the pieces before, the latest for most */
-    double *at;         /* NULL: nothing is kept */
+    double *at;         /* [room] */
     int n, room;
 };
 
@@ -141,8 +138,7 @@ static void look_between(struct look *o, const struct expr_corner *corner, int n
     }
 }
 
-/* Each part has its share of all looks, so that what is busy everywhere is
- * looked at everywhere. */
+/* Each part has its share of all looks, so that what is busy everywhere is looked at everywhere. */
 static void look_over(struct look *o, const struct expr_corner *corner, int n, double from, double to)
 {
     enum { LOOKS = 5000, LEAST = 400 };
@@ -158,8 +154,7 @@ static void look_over(struct look *o, const struct expr_corner *corner, int n, d
     }
 }
 
-/* Bounds of much may be far too wide: what is seen by them tells what it does.
- */
+/* Bounds of much may be far too wide: what is seen by them tells what it does. */
 int expr_sudden(double *at, int room, const struct expr *e, const struct expr_corner *corner, int n, double from,
                 double to)
 {
