@@ -228,7 +228,7 @@ advice: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/tools/advice.sh
 
 ## trust         the error that run estimates beside the one that is found, on shipped decks
-trust: $(PROGRAM)
+trust: $(PROGRAM) $(BUILD)/random/mechanism
 	@BUILD=$(BUILD) sh tests/tools/trust.sh
 
 ## tolerance     is a requested tolerance met: errors in tolerances, schemes by decks; minutes

@@ -123,6 +123,7 @@ static void note_missed(const struct stepper *s, const struct adaptive *m, doubl
         position[i] *= less;
         velocity[i] *= less;
     }
+    if (scheme->left) scheme->left(s, m, position, velocity, h);
     o->steps++;
     missed_add(o, position, velocity);
     if (scheme->drifts > 0) missed_drift(o, s->ode, m->v, h, scheme->drifts);

@@ -78,6 +78,8 @@ struct adaptive_scheme {
     double between_from; /* the least tolerance that this will do for */
     /* Required.  What the estimate says that the trial is off by [n], of any sign. */
     void (*off)(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
+    /* Optional.  Adds what iterations have left in the trial [n], which no order makes smaller. */
+    void (*left)(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
     /* What the scheme goes on from is off by the estimate times its share of the scales to this power: about by how much its
      * order is the higher one, over the order of the estimate and 1; of schemes of high order as measured (`make trust`). */
     double sharper;

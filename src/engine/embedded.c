@@ -13,7 +13,10 @@ static const struct embedded_pair *pair_of(const struct adaptive *m)
 
 void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life)
 {
-    (void)s, (void)m, (void)life;
+    const struct embedded_pair *p = pair_of(m);
+    (void)life;
+    if (p->part > 0)
+        m->tolerance = smaller(1, p->part * pow(s->options.tolerance, p->power - 1)) * s->options.tolerance;
 }
 
 /* Mean square of h sum e_j k_j in scales. */

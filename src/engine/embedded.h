@@ -19,6 +19,9 @@ struct embedded_pair {
     const double *d;
     /* h := h clip(0.9 err^-here err_old^before, least, most); err^-fail after a step that failed. */
     double here, before, fail, least, most;
+    /* Errors of steps are held against part tol^power, where that is less than the tolerance and part is not 0: what steps
+     * leave goes with a higher power of the tolerance than the first, and a motion whose phase drifts makes more of it. */
+    double part, power;
 };
 
 /* All slots of the scheme but stages and order. */

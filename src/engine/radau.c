@@ -32,6 +32,7 @@ static const double KEPT = 1.2;     /* a step that may grow by less keeps h and 
 static const double WORN = .02;     /* contraction from which the next step takes another matrix */
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
 static const double LOST = 1000;    /* round-off of an iterate, of usual sizes */
+static const double SLOWLY = 3;     /* times what iterations leave by the contraction seen: that of what fades first */
 static const double SLUGGISH = .99; /* contraction that leads nowhere */
 
 struct radau {
@@ -50,12 +51,15 @@ struct radau {
     double *e, *gu, *gv; /* [n] */
     double theta;        /* contraction, last seen */
     double fnewt; /* what the iteration may leave, in scales of the tolerance: of the step's share, for it adds up */
+    double rest;  /* of the last iteration's change: what is left behind it */
     int count;    /* iterations of the last trial */
 };
 
-static void open_stages(struct stepper *s, struct adaptive *m, int stages, struct arena *life)
+/* The order of the estimate is that of the stages. */
+static void open(struct stepper *s, struct adaptive *m, struct arena *life)
 {
     const struct ode2 *o = s->ode;
+    const int stages = m->scheme->order - 1;
     struct radau *x = TAKE(life, struct radau, 1);
     collocation_radau(&x->table, stages);
     for (int i = 0; i < stages; i++) {
@@ -70,16 +74,6 @@ static void open_stages(struct stepper *s, struct adaptive *m, int stages, struc
     m->tolerance = .1 * pow(s->options.tolerance, (stages + 1) / (2. * stages));
     x->stale = true;
     m->own = x;
-}
-
-static void open5(struct stepper *s, struct adaptive *m, struct arena *life)
-{
-    open_stages(s, m, 3, life);
-}
-
-static void open9(struct stepper *s, struct adaptive *m, struct arena *life)
-{
-    open_stages(s, m, 5, life);
 }
 
 static void forget(struct adaptive *m)
@@ -223,7 +217,8 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
         if (x->count > 1) x->theta = now / last;
         if (x->count > 1 && x->theta >= SLUGGISH && now > rounding) break;
         const double theta = x->count > 1 ? smaller(x->theta, SLUGGISH) : smaller(larger(x->theta, .1), .9);
-        if (now <= rounding || theta / (1 - theta) * now <= x->fnewt) return OK;
+        x->rest = theta / (1 - theta);
+        if (now <= rounding || x->rest * now <= x->fnewt) return OK;
         last = now;
     }
     return trouble_set(why, TROUBLE_DIVERGED, -1, last, t + h);
@@ -322,6 +317,19 @@ static void off(const struct stepper *s, const struct adaptive *m, double *posit
     }
 }
 
+/* The last iteration's change of the end, times what those to come would add up to. */
+static void left(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
+{
+    const struct radau *x = m->own;
+    const int last = x->table.s - 1;
+    for (int k = 0; k < s->ode->n; k++) {
+        double change = 0;
+        for (int j = 0; j <= last; j++) change += h * x->table.A[last][j] * x->r[j][k];
+        velocity[k] = fabs(velocity[k]) + SLOWLY * x->rest * fabs(change);
+        position[k] = fabs(position[k]) + SLOWLY * x->rest * fabs(x->gain[last][k]);
+    }
+}
+
 static double root(const struct radau *x, double err)
 {
     return pow(larger(err, 1e-10), 1. / (x->table.s + 1));
@@ -363,11 +371,11 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
     return stage_matrix_recall(&x->matrix, r);
 }
 
-#define RADAU(open_)                                                                                                   \
-    .stages = 2, .open = open_, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,    \
-    .recall = recall, .off = off
-static const struct adaptive_scheme radau5 = {.order = 4, .sharper = 2. / 4, .drifts = 1, RADAU(open5)},
-                                    radau9 = {.order = 6, .sharper = .35, RADAU(open9)};
+#define RADAU                                                                                                          \
+    .stages = 2, .open = open, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,     \
+    .recall = recall, .off = off, .left = left
+static const struct adaptive_scheme radau5 = {.order = 4, .sharper = 2. / 4, .drifts = 1, RADAU},
+                                    radau9 = {.order = 6, .sharper = .35, RADAU};
 
 const struct stepper_kind step_radau5 = {
     .name = "radau5",

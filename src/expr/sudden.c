@@ -23,7 +23,8 @@ struct look {
     long left;          /* pieces that may still be looked at */
     double whole;       /* all that it does */
     double least, most; /* values seen */
-    struct piece calm;  /* of pieces that do next to nothing, which follow each other; from = to: none */
+    struct piece calm;  /* of pieces that do next to nothing, which follow each
+                         other; from = to: none */
     double before;      /* length of the pieces before, the latest for most */
     double *at;         /* [room] */
     int n, room;
@@ -138,7 +139,8 @@ static void look_between(struct look *o, const struct expr_corner *corner, int n
     }
 }
 
-/* Each part has its share of all looks, so that what is busy everywhere is looked at everywhere. */
+/* Each part has its share of all looks, so that what is busy everywhere is
+ * looked at everywhere. */
 static void look_over(struct look *o, const struct expr_corner *corner, int n, double from, double to)
 {
     enum { LOOKS = 5000, LEAST = 400 };
@@ -154,7 +156,8 @@ static void look_over(struct look *o, const struct expr_corner *corner, int n, d
     }
 }
 
-/* Bounds of much may be far too wide: what is seen by them tells what it does. */
+/* Bounds of much may be far too wide: what is seen by them tells what it does.
+ */
 int expr_sudden(double *at, int room, const struct expr *e, const struct expr_corner *corner, int n, double from,
                 double to)
 {

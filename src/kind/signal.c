@@ -1,4 +1,5 @@
-/* signal.c -- values given by an expression or by a table of time; see force.h */
+/* signal.c -- values given by an expression or by a table of time; see force.h
+ */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -69,7 +70,8 @@ double signal_slopes(const struct signal *s, double *d, const double *slot, cons
     return x;
 }
 
-/* Times of steps are products, those of tables were read: a point this near, relative to t, is at t. */
+/* Times of steps are products, those of tables were read: a point this near,
+ * relative to t, is at t. */
 static const double SAME = 4 * DBL_EPSILON;
 
 static void go_on(double *x, double by)
@@ -99,7 +101,8 @@ void signal_motion(const struct signal *s, double *x, double t)
 
 enum { FINEST = 60 }; /* halvings down to round-off */
 
-/* Motion within an interval that may be as short as round-off: no corner's side is taken. */
+/* Motion within an interval that may be as short as round-off: no corner's side
+ * is taken. */
 static void inside(const struct signal *s, double *x, double t)
 {
     if (s->expr)
@@ -108,7 +111,8 @@ static void inside(const struct signal *s, double *x, double t)
         signal_motion(s, x, t);
 }
 
-/* What the value (k = 0) or the rate (1) gains from ta to tb beyond the mean of its own rate (Gauss, five points). */
+/* What the value (k = 0) or the rate (1) gains from ta to tb beyond the mean of
+ * its own rate (Gauss, five points). */
 static double excess(const struct signal *s, int k, double *size, double ta, double tb)
 {
     static const double at[5] = {.046910077030668, .230765344947158, .5, .769234655052842, .953089922969332};
@@ -126,9 +130,11 @@ static double excess(const struct signal *s, int k, double *size, double ta, dou
     return b[k] - a[k] - (tb - ta) * sum;
 }
 
-/* Of an expression: the part with the larger excess again and again; the last excess.  Where a rate has a value of its
- * own at the corner, like that of abs(t), both parts may hold some of it.  The time is then that of the first part,
- * down to round-off; else there are no cuts in the middle, where corners often are, nor within round-off. */
+/* Of an expression: the part with the larger excess again and again; the last
+ * excess.  Where a rate has a value of its own at the corner, like that of
+ * abs(t), both parts may hold some of it.  The time is then that of the first
+ * part, down to round-off; else there are no cuts in the middle, where corners
+ * often are, nor within round-off. */
 static double halve(const struct signal *s, int k, double *ta, double *tb, double here, int halvings)
 {
     const bool whole = k == 1 && halvings < FINEST;
@@ -154,7 +160,8 @@ static double late_rate(const struct signal *s, double ta, double tb)
     return 64 * DBL_EPSILON * fmax(fabs(ta), fabs(tb)) * fmax(fabs(a[2]), fabs(b[2]));
 }
 
-/* That of a true corner stays, and returns; that of a mere jump of the acceleration halves with the interval: 0. */
+/* That of a true corner stays, and returns; that of a mere jump of the
+ * acceleration halves with the interval: 0. */
 static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
     if (expr_is_smooth(s->expr)) return 0;
@@ -164,7 +171,8 @@ static double narrow(const struct signal *s, double *ta, double *tb, int halving
     return fabs(here) > fabs(first) / 4 ? here : 0;
 }
 
-/* Slopes of a table whose points are on a line differ by round-off of their times. */
+/* Slopes of a table whose points are on a line differ by round-off of their
+ * times. */
 static const double STRAIGHT = 1e-9;
 
 double signal_corner(const struct signal *s, double ta, double tb)
@@ -184,7 +192,8 @@ static double table_corner(const struct signal *s, double ta, double tb)
     return INFINITY;
 }
 
-/* The first known corner in [ta, tb) at which the rate jumps; infinity: there is none. */
+/* The first known corner in [ta, tb) at which the rate jumps; infinity: there
+ * is none. */
 static double known_corner(const struct signal *s, double ta, double tb)
 {
     double a[3], b[3];

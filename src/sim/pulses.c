@@ -1,14 +1,17 @@
-/* pulses.c -- loads as a fixed step sees them: pulses within one step, and jumps at times that nobody knows beforehand. */
+/* pulses.c -- loads as a fixed step sees them: pulses within one step, and
+ * jumps at times that nobody knows beforehand. */
 #include <math.h>
 
 #include "sim/parts.h"
 
-/* A step that something happens in: it ends at `end`, and the two corners are inside it or at its ends. */
+/* A step that something happens in: it ends at `end`, and the two corners are
+ * inside it or at its ends. */
 struct within {
     double first, last, begin, end;
 };
 
-/* Do two corners that follow each other lie in one step of h, counted from t0, and leave some of it? */
+/* Do two corners that follow each other lie in one step of h, counted from t0,
+ * and leave some of it? */
 static bool in_one_step(struct within *o, double first, double last, double t0, double h)
 {
     static const double END = 1e-9; /* of a step: at its end */
@@ -52,9 +55,10 @@ static bool find_pulse(struct within *o, const struct signal *s, const struct si
 
 /* ---- smooth ones ---- */
 
-/* A function of t alone that has no corners in the way, over the steps of a run.  Its bounds over stretches of time tell
- * where nothing can be, so that a bell in an hour of seconds is found by some dozens of them; left: how many more it may
- * take. */
+/* A function of t alone that has no corners in the way, over the steps of a
+ * run.  Its bounds over stretches of time tell where nothing can be, so that a
+ * bell in an hour of seconds is found by some dozens of them; left: how many
+ * more it may take. */
 struct look {
     const struct signal *s;
     double t0, h;
@@ -68,7 +72,8 @@ static bool bounds(struct expr_span *o, struct look *l, double a, double b)
     return expr_span(o, l->s->expr, &a, &b) && isfinite(o->lo) && isfinite(o->hi);
 }
 
-/* By parts of the run, since bounds of all of it may be far too wide; NAN: not known. */
+/* By parts of the run, since bounds of all of it may be far too wide; NAN: not
+ * known. */
 static double whole_of(struct look *l, double until)
 {
     enum { PARTS = 64 };
@@ -94,7 +99,8 @@ static bool strays(double *t, struct look *l, double a, double b, double low, do
     return strays(t, l, a, middle, low, high, depth - 1) || strays(t, l, middle, b, low, high, depth - 1);
 }
 
-/* The same in one of the steps from number k to n, of what its ends show of it; o: that step, and when. */
+/* The same in one of the steps from number k to n, of what its ends show of it;
+ * o: that step, and when. */
 static bool strays_in_a_step(struct within *o, struct look *l, long k, long n)
 {
     enum { HALVINGS = 10 };
@@ -178,7 +184,8 @@ void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life)
     m->loop = loop;
 }
 
-/* Has it corners that are not among the known ones: of the state, or of a function of time that is not looked into? */
+/* Has it corners that are not among the known ones: of the state, or of a
+ * function of time that is not looked into? */
 static bool bends_unseen(const struct signal *s)
 {
     int slot[2] = {0, 0};

@@ -21,6 +21,10 @@ spin-up           decks/spin-up.yaml            radau9
 turbine-blade     decks/turbine-blade.yaml      radau9
 driven-telescope  decks/driven-telescope.yaml   radau9
 airscrew          decks/airscrew/airscrew.yaml  radau9
+orbit-3           tests/tolerance/orbit.yaml    dop853  parameters.e=0.3
+orbit-6           tests/tolerance/orbit.yaml    dop853
+orbit-8           tests/tolerance/orbit.yaml    dop853  parameters.e=0.8
+four-bar-10       decks/four-bar.yaml           dop853  integrate.until=10
 LIST
 cat >"$work/schemes" <<'LIST'
 dopri5            1e-3 1e-4 1e-5 1e-6 1e-7 1e-8
