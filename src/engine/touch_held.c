@@ -114,6 +114,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     copy(o->y, o->r, n);
     matrix_solve(&o->J, o->y);
     for (int i = 0; i < n; i++) o->vf[i] = o->v1[i] - h * o->y[i];
+    if (count == 0) touch_grow(o, o->vf); /* without contacts: so of what nothing has moved yet, too */
     touch_rates(o, o->u, &o->end, o->vf);
     for (int k = 0; k < o->n; k++) {
         const int row = o->cone[k].row;
