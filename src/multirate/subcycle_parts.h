@@ -1,6 +1,7 @@
 /* subcycle_parts.h -- what the files of sub-cycling share; the scheme and its equations are in subcycle.c.
  *
  *     subcycle.c         a major step: opened, iterated, accepted
+ *     subcycle_accept.c  what is done with the one that was found: its end (S9), its energy, what is kept of it
  *     subcycle_matrix.c  what is formed at its start: W and u0 (S1), damping (S7), J (S11), the slow rows' matrix (S12)
  *     subcycle_point.c   where the unknowns lead: velocities and positions of minor steps (S2)-(S4), the end (S9)
  *     subcycle_fast.c    the minor steps of a sweep: r_k (S6), d_k corrected
@@ -185,6 +186,11 @@ void subcycle_coarse_keep(struct subcycle *c, int k);
  * interpolated; what they leave of the fast rows is c, g. */
 enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why);
 void subcycle_coarse_recall(struct subcycle *c, struct recall *r);
+
+/* --- its end --------------------------------------------------------------------------------------- */
+
+/* x at the end of the step found; E_NUMERIC: that is no state of the system. */
+enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why);
 
 /* --- from step to step -------------------------------------------------------------------------- */
 
