@@ -1,7 +1,9 @@
 /* unread.c -- keys that are right, but mean nothing to the scheme that runs.
  *
  * They are reported where the scheme and they are the deck's, or the key is the command line's: a scheme that --set has put
- * in place of the deck's is there to be compared, and the deck's keys then wait for their own. */
+ * in place of the deck's is there to be compared, and the deck's keys then wait for their own.
+ *
+ * Under `scheme: auto` they are reported where what was taken does not read them; what says what to aim at is read. */
 #include <string.h>
 
 #include "multirate/schemes.h"
@@ -39,24 +41,24 @@ static bool compared(const struct sim *sim, const struct node *key)
     return deck_was_set(deck, node_find(sim->plan.node, "scheme")) && !deck_was_set(deck, key);
 }
 
+static bool has_rates(const struct stepper_kind *kind, const char *key)
+{
+    (void)key;
+    return kind->two_rates;
+}
+
 static void warn(const struct sim *sim, const struct node *n, bool (*wanted)(const struct stepper_kind *, const char *),
                  struct diags *diags)
 {
     char readers[200] = "";
-    const char *scheme = sim->scene->integrate.scheme;
+    const char *scheme = sim->plan.scheme, *chosen = sim->plan.because ? ", which 'auto' has taken" : "";
     for (int i = 0; stepper_kinds[i]; i++) {
         const size_t used = strlen(readers);
         if (wanted(stepper_kinds[i], n->key))
             snprintf(readers + used, sizeof readers - used, "%s%s", used ? ", " : "", stepper_kinds[i]->name);
     }
-    diag_warn(diags, n, AT_KEY, "W-scheme", "'%.60s' means nothing to scheme %.60s: it is for %s", n->key, scheme,
-              readers);
-}
-
-static bool has_rates(const struct stepper_kind *kind, const char *key)
-{
-    (void)key;
-    return kind->two_rates;
+    diag_warn(diags, n, AT_KEY, "W-scheme", "'%.60s' means nothing to scheme %.60s%s: it is for %s", n->key, scheme,
+              chosen, readers);
 }
 
 /* Two rates, and nothing that takes the small step; coordinates to lead where nothing follows. */
@@ -77,11 +79,36 @@ static void warn_of_partition(const struct sim *sim, struct diags *diags)
         diag_warn(diags, leads, AT_KEY, "W-unused", "'independent' means nothing without loops or drives");
 }
 
+/* Does it say what auto is to aim at? */
+static bool guides(const struct integrate *p, const char *key)
+{
+    const struct node *tolerance = node_find(p->node, "tolerance");
+    return strcmp(key, "tolerance") == 0 || (strcmp(key, "step") == 0 && (!tolerance || tolerance->implied));
+}
+
+static void warn_of_unread_by_auto(const struct sim *sim, const struct stepper_kind *kind, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const double tolerance = ((const struct step_options *)p->options)->tolerance;
+    for (int i = 0; i < p->node->count; i++) {
+        const struct node *n = p->node->item[i];
+        const bool order = tolerance > 0 && strcmp(n->key, "order") == 0;
+        const bool rates = strcmp(n->key, "ratio") == 0 && !kind->two_rates && strcmp(n->text, "1") != 0;
+        if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0 || guides(p, n->key)) continue;
+        if ((reads(kind, n->key) && !order && !rates) || (!rates && is_default(p, n->key))) continue;
+        if (!paces_records(sim, n->key) && !compared(sim, n)) warn(sim, n, rates ? has_rates : reads, diags);
+    }
+}
+
 void warn_of_unread(const struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
-    const struct stepper_kind *kind = stepper_find(sim->scene->integrate.scheme);
-    if (sim->options.counting || p->because || p->scheme != sim->scene->integrate.scheme || !kind) return;
+    const struct stepper_kind *kind = stepper_find(p->scheme);
+    if (sim->options.counting || p->scheme != sim->scene->integrate.scheme || !kind) return;
+    if (p->because) {
+        warn_of_unread_by_auto(sim, kind, diags);
+        return;
+    }
     for (int i = 0; i < p->node->count; i++) {
         const struct node *n = p->node->item[i];
         if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0) continue;

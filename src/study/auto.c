@@ -7,162 +7,38 @@
 #include "base/stop.h"
 #include "model/model.h"
 #include "multirate/schemes.h"
-#include "study/quick.h"
-#include "study/race.h"
+#include "study/auto_parts.h"
 #include "study/reference.h"
 #include "study/stiff.h"
 
-static const char OF_TWO_RATES[] = "subcycle";
-enum { LOOK = 40, HALF = LOOK / 2, MOST_LOOK = 300, LEAST = 100 }; /* evaluations */
+enum { LOOK = 40, HALF = LOOK / 2, MOST_LOOK = 100, LEAST = 100 }; /* evaluations */
 static const double SHARE = .02;                                   /* of the run's evaluations */
 static const double USUAL = 1e-4;
 static const double SAFE = .1;  /* of a tolerance that stands for a step: errors of high order are less foreseeable */
+enum { LONG = 1000 };           /* evaluations of dopri5 from which on order 8 pays at any tolerance: auto.sh */
+static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
 static const double WORTH = .9; /* of the work of what is taken without trials: less than that, or it is that */
 enum {
-    MOST_RACERS = 16,
     ROUNDS = 8,
-    QUOTA = 30,     /* evaluations of a first round */
-    FULL_ROUND = 1, /* where full matrices come in */
+    QUOTA = 30, /* evaluations of a first round */
 };
-static const int ratios[] = {200, 100, 50, 20, 10, 5, 2};
-static const char *const explicit_ones[] = {"dopri5", "dop853"}, *const full_ones[] = {"radau9", "radau5"};
-
-struct choice {
-    struct scene *scene;
-    bool any_scheme, any_fast;
-    double tolerance; /* that all aim at */
-    double step;      /* the deck's, where it rules; NAN: it does not */
-    double budget, foretold;
-    struct racer *eye; /* that looks at the motion */
-    double looked;     /* its work, where it does not race */
-    double stiff;      /* what the quickest small motion turns by in the run [rad] */
-    bool quiet;        /* and nothing has been seen of it */
-    struct quick quick;
-    int ncut;
-    struct quick_cut cut[QUICK_CUTS];
-    int n;
-    struct racer *racer[MOST_RACERS]; /* [n] the first is what is taken without trials */
-    struct diags *diags;
-    struct arena *life, *own;
-};
-
-static const struct node *named(const struct scene *scene, const char *key)
-{
-    const struct node *n = node_find(scene->integrate.node, key);
-    return n && !n->implied ? n : NULL;
-}
-
 /* What does the deck leave open? */
 static void read_wishes(struct choice *o)
 {
     const struct scene *scene = o->scene;
     const struct step_options *how = scene->integrate.options;
-    const bool scheme = named(scene, "scheme"), step = named(scene, "step");
+    const bool scheme = auto_named(scene, "scheme"), step = auto_named(scene, "step");
     const bool by_name = scheme && strcmp(scene->integrate.scheme, "auto") == 0;
     const bool parted = node_find(scene->deck->root, "partition") && !scene->fast_auto;
     o->any_scheme = by_name || (!scheme && !step);
-    o->any_fast = scene->fast_auto || (o->any_scheme && !parted && !named(scene, "ratio"));
+    o->any_fast = scene->fast_auto || (o->any_scheme && !parted && !auto_named(scene, "ratio"));
     o->tolerance = how->tolerance > 0 ? how->tolerance : USUAL;
     o->step = step && !(how->tolerance > 0) ? scene->integrate.step : NAN;
-}
-
-/* An explicit scheme takes steps of at most so many radians of the quickest small motion, excited or not: as
- * measured on flexible decks, where the error estimate ends what stability would (on the imaginary axis). */
-static double least_of(const struct stepper_kind *kind, double stiff)
-{
-    static const struct {
-        const char *name;
-        double radians, evaluations; /* a step */
-    } limit[] = {{"dopri5", 1.1, 6}, {"dop853", 4, 11}};
-    for (size_t i = 0; i < sizeof limit / sizeof *limit; i++)
-        if (strcmp(kind->name, limit[i].name) == 0) return stiff / limit[i].radians * limit[i].evaluations;
-    return 0;
-}
-
-/* A first step, so that little goes into finding it. */
-static struct guess guess_for(const struct choice *o, const struct racer *r, const struct quick_cut *cut)
-{
-    if (!o->eye || !isfinite(r->setting.tolerance)) return r->sim.stepper.guess;
-    const double span = o->eye->sim.plan.until - o->scene->start;
-    const double h = quick_step(&o->quick, r->setting.tolerance, span);
-    if (r->setting.kind->order > 2) return (struct guess){.5 * r->setting.kind->order * o->quick.h / 2.5, 1};
-    return (struct guess){h, cut ? (int)fmin(100, cut->apart) : 1};
-}
-
-static struct racer *add(struct choice *o, const char *name, double tolerance, double step, int ratio,
-                         const struct quick_cut *cut)
-{
-    const struct setting setting = {stepper_find(name), tolerance, step, ratio};
-    struct racer *r = TAKE(o->own, struct racer, 1);
-    if (o->n >= MOST_RACERS) return NULL;
-    r->nfast = cut ? cut->n : o->scene->nfast;
-    r->fast = cut ? cut->fast : o->scene->fast;
-    r->unit = o->n ? o->racer[0]->unit : 0;
-    racer_open(r, &setting, o->scene, o->diags, o->own);
-    if (o->n && setting.kind->full && o->racer[0]->sim.stepper.ode->n > MOST_DENSE) r->out = true;
-    if (r->out && o->n) return NULL;
-    r->sim.stepper.guess = guess_for(o, r, cut);
-    r->least = least_of(setting.kind, o->stiff);
-    return o->racer[o->n++] = r;
 }
 
 static void look(void *self, const struct sim *sim)
 {
     quick_note(self, sim);
-}
-
-/* ---- who takes part ---- */
-
-/* The largest ratio up to `most` whose major steps meet the records. */
-static int ratio_for(const struct choice *o, double most)
-{
-    const double every = o->scene->output.every;
-    for (size_t i = 0; i < sizeof ratios / sizeof *ratios; i++) {
-        const double steps = every / (o->step * ratios[i]);
-        if (ratios[i] > most) continue;
-        if (!(every > 0) || (steps > .5 && fabs(steps - round(steps)) < 1e-9 * steps)) return ratios[i];
-    }
-    return 1;
-}
-
-/* Two rates, with these coordinates fast; NULL: the deck's. */
-static void add_two_rates(struct choice *o, const struct quick_cut *cut)
-{
-    if (!isfinite(o->step)) {
-        add(o, OF_TWO_RATES, o->tolerance, NAN, 1, cut);
-        return;
-    }
-    const bool capped = named(o->scene, "ratio");
-    const double cap = capped ? o->scene->integrate.ratio : INFINITY;
-    const int most = cap < 8 ? (int)cap : ratio_for(o, cap);
-    const int fit = ratio_for(o, fmin(cap, cut ? cut->apart : quick_apart(&o->quick, &o->eye->sim)));
-    if (most > 1 && most != fit && capped) add(o, OF_TWO_RATES, NAN, o->step, most, cut);
-    if (fit > 1) add(o, OF_TWO_RATES, NAN, o->step, fit, cut);
-}
-
-/* All but those whose first step is dear. */
-static void add_all(struct choice *o)
-{
-    const struct stepper_kind *given = stepper_find(o->scene->integrate.scheme);
-    const bool steps = isfinite(o->step), rates = given && given == stepper_find(OF_TWO_RATES);
-    for (int i = steps ? 0 : 1; o->any_scheme && i < 2; i++) add(o, explicit_ones[i], o->tolerance, NAN, 1, NULL);
-    if (o->any_scheme && !steps) add(o, "midpoint", o->tolerance, NAN, 1, NULL);
-    if (!o->any_scheme && !rates) return;
-    for (int i = 0; i < o->ncut; i++) add_two_rates(o, &o->cut[i]);
-    if (!o->any_fast && o->scene->nfast) add_two_rates(o, NULL);
-}
-
-/* Schemes of full matrices, where a few factorizations are little beside what may be spent. */
-static void add_full(struct choice *o, double most)
-{
-    enum { FACTORS = 3, EVALUATIONS = 30 };
-    const struct price *p = &o->eye->price;
-    const double first = FACTORS * p->full / o->eye->unit + EVALUATIONS;
-    bool any = false;
-    for (int i = 0; o->any_scheme && i < 2 && (i + 1) * first < most; i++)
-        any |= add(o, full_ones[i], o->tolerance, NAN, 1, NULL) != NULL;
-    for (int i = 0; any && o->quiet && i < o->n; i++) /* what is stiff may still begin to move */
-        o->racer[i]->out |= o->racer[i]->setting.kind->order == 2 && !o->racer[i]->setting.kind->two_rates;
 }
 
 /* ---- the race ---- */
@@ -173,8 +49,8 @@ static const struct racer *leader(const struct choice *o)
     double least = WORTH * racer_foretold(best);
     if (best->out) least = INFINITY;
     for (int i = 1; i < o->n; i++) {
-        const double work = racer_foretold(o->racer[i]);
         const struct stepper_kind *kind = o->racer[i]->setting.kind;
+        const double work = (kind->full ? FINER : 1) * racer_foretold(o->racer[i]);
         const bool low =
             kind->order == 2 && !kind->two_rates && work < LEAST / SHARE; /* the most to lose by what comes later */
         if (low || !(work < least)) continue;
@@ -198,7 +74,7 @@ static bool run_round(struct choice *o, double each, double far)
     for (int i = 0; i < o->n; i++) racer_go(o->racer[i], o->racer[i]->work + each, NULL, NULL);
     const double best = racer_foretold(leader(o));
     for (int i = 0; i < o->n; i++) {
-        o->racer[i]->out |= racer_hope(o->racer[i]) > far * best;
+        o->racer[i]->out |= racer_hope(o->racer[i]) > far * best && !racer_grows(o->racer[i]);
         left += !o->racer[i]->out;
     }
     return left > 1;
@@ -211,16 +87,18 @@ static int running(const struct choice *o)
     return n;
 }
 
-/* Rounds of twice the work, two at least, until all of them have taken what may be spent. */
+/* Rounds of twice the work, one at least, until all of them have taken what may be spent: of what the best is going to
+ * take. */
 static void run_race(struct choice *o)
 {
     static const double FAR[] = {5, 3, 2, 1.5};
     double each = QUOTA;
+    auto_add_full(o, .5 * o->budget);
     for (int i = 0; i < ROUNDS && !stop; i++, each *= 2) {
-        if (i > FULL_ROUND && spent(o) + running(o) * each > o->budget) return;
+        if (i > 0 && spent(o) + running(o) * each > o->budget) return;
         const bool on = run_round(o, each, FAR[i < 3 ? i : 3]);
-        if (i == 0) add_full(o, .5 * o->budget);
-        if (!on && running(o) < 2) return;
+        o->budget = fmin(o->budget, SHARE * racer_foretold(leader(o)));
+        if (!on) return;
     }
 }
 
@@ -309,13 +187,13 @@ static void take_usual(struct choice *o, const char *why)
 /* dopri5 at the tolerance looks at the motion. */
 static bool open_eye(struct choice *o)
 {
-    o->eye = add(o, "dopri5", o->tolerance, NAN, 1, NULL);
+    o->eye = auto_add(o, "dopri5", o->tolerance, NAN, 1, NULL);
     if (!o->eye || o->eye->out || o->eye->sim.stepper.ode->n == 0) return false;
     quick_open(&o->quick, &o->eye->sim, o->own);
     quick_note(&o->quick, &o->eye->sim);
     for (int i = 0; i < 2; i++) racer_go(o->eye, o->eye->work + HALF, look, &o->quick);
     o->stiff = stiff_rate(&o->eye->sim) * (o->eye->sim.plan.until - o->scene->start);
-    o->eye->least = least_of(o->eye->setting.kind, o->stiff);
+    o->eye->least = auto_least(o->eye->setting.kind, o->stiff);
     o->quiet = racer_quiet(o->eye);
     return !o->eye->out;
 }
@@ -330,26 +208,45 @@ static void open_usual(struct choice *o)
     o->eye->out = true;
     o->looked = o->eye->work;
     if (steps) o->tolerance = SAFE * quick_tolerance(&o->quick, o->step, o->eye->sim.plan.until - o->scene->start);
-    struct racer *r = add(o, name, steps ? NAN : o->tolerance, steps ? o->step : NAN, 1, NULL);
+    struct racer *r = auto_add(o, name, steps ? NAN : o->tolerance, steps ? o->step : NAN, 1, NULL);
     racer_go(r, r->work + HALF, NULL, NULL);
+}
+
+/* In place of dopri5: order 8; what is stiff and does not move asks an explicit scheme for steps that the motion does not. */
+static void take_higher_order(struct choice *o)
+{
+    const bool implicit = o->quiet && o->eye->sim.stepper.ode->n <= MOST_DENSE;
+    o->n = 0;
+    o->looked = o->eye->work;
+    o->eye->least = implicit ? 0 : o->eye->least;
+    o->foretold = racer_hope(o->eye);
+    auto_add(o, implicit ? "radau9" : "dop853", o->tolerance, NAN, 1, NULL);
+    if (o->racer[0]->out) o->racer[0] = o->eye;
+}
+
+/* What is fast is looked for a little longer. */
+static void look_on(struct choice *o)
+{
+    const bool was_out = o->eye->out;
+    o->eye->out = false;
+    racer_go(o->eye, o->eye->work + fmin(MOST_LOOK, .2 * o->budget), look, &o->quick);
+    o->eye->out |= was_out;
+    o->looked = o->racer[0] == o->eye ? 0 : o->eye->work;
 }
 
 static void choose(struct choice *o)
 {
     open_usual(o);
     o->foretold = racer_hope(o->racer[0]);
+    if (o->any_scheme && !isfinite(o->step) && o->foretold >= LONG) take_higher_order(o);
     o->budget = SHARE * o->foretold;
     if (o->budget < LEAST) {
         take_usual(o, "too short a run for trials to pay");
         return;
     }
-    const bool was_out = o->eye->out;
-    o->eye->out = false;
-    racer_go(o->eye, o->eye->work + fmin(MOST_LOOK, .2 * o->budget), look, &o->quick);
-    o->eye->out |= was_out;
-    if (was_out) o->looked = o->eye->work;
+    if (o->eye->sim.stepper.ode->n > 1 && (o->any_fast || o->scene->nfast)) look_on(o);
     if (o->any_fast) o->ncut = quick_cuts(o->cut, &o->quick, &o->eye->sim, o->life);
-    add_all(o);
+    auto_add_all(o);
     run_race(o);
     take_best(o);
 }

@@ -41,7 +41,7 @@ void racer_open(struct racer *o, const struct setting *setting, const struct sce
     if (o->out) return;
     price_find(&o->price, &o->sim);
     if (!(o->unit > 0)) o->unit = o->price.evaluation;
-    o->t_mark = o->sim.x.t;
+    o->t_mark = o->t_last = o->sim.x.t;
     note(o);
     o->work_mark = o->work;
 }
@@ -56,6 +56,11 @@ static double end_of_step(const struct racer *o)
     return fmin(until, sim->scene->start + H * (floor((t - sim->scene->start) / H * (1 + 1e-12) + 1e-9) + 1));
 }
 
+static double last_step(const struct racer *o)
+{
+    return o->sim.x.t - o->t_last;
+}
+
 void racer_go(struct racer *o, double most, void (*seen)(void *self, const struct sim *sim), void *self)
 {
     struct sim *sim = &o->sim;
@@ -67,6 +72,7 @@ void racer_go(struct racer *o, double most, void (*seen)(void *self, const struc
     sim->stepper.natural = sim->stepper.kind->adaptive;
     while (o->work < most && sim->x.t < until && !stop) {
         const struct integrate *p = &sim->plan;
+        o->h_before = last_step(o);
         o->t_last = sim->x.t;
         o->work_last = o->work;
         o->out = stepper_step(&sim->stepper, &sim->x, p->step, p->ratio, end_of_step(o), &sim->trouble) != OK;
@@ -98,19 +104,27 @@ static double going_on(const struct racer *o, double t, double work, double h)
     return middle < span ? rate * span * pow(span / middle, power) / (1 + power) : rate * span;
 }
 
-static double last_step(const struct racer *o)
+static bool is_there(const struct racer *o)
 {
-    return o->sim.x.t - o->t_last;
+    return !o->out && o->sim.x.t >= o->sim.plan.until * (1 - 1e-12);
 }
 
 double racer_foretold(const struct racer *o)
 {
+    if (is_there(o)) return o->work;
     return fmax(o->least, going_on(o, o->t_mark, o->work_mark, last_step(o)));
 }
 
 double racer_hope(const struct racer *o)
 {
+    if (is_there(o)) return o->work;
     return fmax(o->least, fmin(racer_foretold(o), going_on(o, o->t_last, o->work_last, last_step(o))));
+}
+
+bool racer_grows(const struct racer *o)
+{
+    static const double FASTER = 1.3;
+    return !o->out && !is_there(o) && last_step(o) > FASTER * o->h_before;
 }
 
 bool racer_quiet(const struct racer *o)

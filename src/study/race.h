@@ -21,6 +21,7 @@ struct racer {
     double t_mark, work_mark; /* where the last round of it began */
     long steps;               /* since then */
     double t_last, work_last; /* where its last step began */
+    double h_before;          /* the step before that; 0: there was none */
     bool out;                 /* it does not open, has stopped, or is beaten */
 };
 
@@ -35,6 +36,8 @@ void racer_go(struct racer *o, double most, void (*seen)(void *self, const struc
 double racer_foretold(const struct racer *o);
 /* The same by its last step, if that is less: steps may still grow. */
 double racer_hope(const struct racer *o);
+/* Do its steps still grow, or are they too few to tell? */
+bool racer_grows(const struct racer *o);
 /* Has it seen nothing yet of what is going to keep its steps short? */
 bool racer_quiet(const struct racer *o);
 

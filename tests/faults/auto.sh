@@ -58,3 +58,27 @@ expect "auto: rigid contacts" "auto: midpoint, which takes rigid contacts" "$(gr
 # What is asked for besides is refused as ever.
 "$FMDSUB" run -q --set integrate.scheme=automatic decks/four-bar.yaml >"$work/first" 2>"$work/err"
 expect "auto: no other word" "3 E-unknown-scheme" "$? $(grep -o 'E-unknown-scheme' "$work/err")" "$work/err"
+
+# Stiff parts at rest keep an explicit scheme's steps short for nothing; and what is tried is little beside what is taken.
+# work DECK ARGUMENT...: evaluations of a run, and what the plan line says was tried.
+work() {
+    timeout 60 "$FMDSUB" run --stats="$work/stats" --set integrate.tolerance=1.0e-4 "$@" >"$work/first" 2>"$work/err"
+    awk '$1 == "slow_evaluations" { print $2 }' "$work/stats"
+}
+for deck in spin-up-segments spin-up rotor; do
+    got=$(work --set integrate.scheme=auto "decks/$deck.yaml")
+    tried=$(sed -n 's/^auto: .*trial runs of \([0-9.e+]*\)$/\1/p' "$work/err")
+    expect "auto: $deck, stiff" "radau9" "$(sed -n 's/^auto: \([a-z0-9]*\) to tolerance.*/\1/p' "$work/err")" "$work/err"
+    expect "auto: $deck, work" fine "$(awk -v all="$got" -v tried="${tried:-0}" 'BEGIN { print((all > 1000 && tried < .25 * all) ? "fine" : all " " tried) }')" "$work/err"
+done
+
+# A run that is too short for trials, but not for order 8.
+expect "auto: a longer run" "dop853 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/heavy-top.yaml >/dev/null; taken "$work/err")" "$work/err"
+
+# Keys that mean nothing to what was taken.
+for key in beta=0.3 gamma=0.6 order=4 rho_infinity=0.8 ratio=5 symmetric=true; do
+    "$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 --set integrate.$key decks/four-bar.yaml >"$work/first" 2>"$work/err"
+    expect "auto: ${key%=*} means nothing" 1 "$(grep -c "'${key%=*}' means nothing to scheme dopri5, which 'auto' has taken" "$work/err")" "$work/err"
+done
+"$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 decks/four-bar.yaml >"$work/first" 2>"$work/err"
+expect "auto: a tolerance means something" 0 "$(wc -l <"$work/err" | tr -d ' ')" "$work/err"

@@ -1,0 +1,46 @@
+/* auto_parts.h -- what the files of auto.h share.
+ *
+ *     auto.c        what a deck leaves open, the race, what is taken
+ *     auto_field.c  who takes part
+ */
+#ifndef FMDSUB_STUDY_AUTO_PARTS_H
+#define FMDSUB_STUDY_AUTO_PARTS_H
+
+#include "study/quick.h"
+#include "study/race.h"
+
+enum { MOST_RACERS = 16 };
+
+struct choice {
+    struct scene *scene;
+    bool any_scheme, any_fast;
+    double tolerance; /* that all aim at */
+    double step;      /* the deck's, where it rules; NAN: it does not */
+    double budget, foretold;
+    struct racer *eye; /* that looks at the motion */
+    double looked;     /* its work, where it does not race */
+    double stiff;      /* what the quickest small motion turns by in the run [rad] */
+    bool quiet;        /* and nothing has been seen of it */
+    struct quick quick;
+    int ncut;
+    struct quick_cut cut[QUICK_CUTS];
+    int n;
+    struct racer *racer[MOST_RACERS]; /* [n] the first is what is taken without trials */
+    struct diags *diags;
+    struct arena *life, *own;
+};
+
+/* A key of 'integrate' that the deck gives; NULL: it does not. */
+const struct node *auto_named(const struct scene *scene, const char *key);
+/* The least that a run of that kind takes, in evaluations, where the quickest small motion turns by so much in it [rad]. */
+double auto_least(const struct stepper_kind *kind, double stiff);
+/* One more, by a tolerance or a step; NAN: not by that.  cut: what is fast; NULL: what is in the deck.  NULL: it cannot be
+ * opened, or there are too many. */
+struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,
+                       const struct quick_cut *cut);
+/* All but those whose first step is dear. */
+void auto_add_all(struct choice *o);
+/* Schemes of full matrices, where a few factorizations are little beside what may be spent. */
+void auto_add_full(struct choice *o, double most);
+
+#endif
