@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "flex/planar_parts.h"
+#include "la/turned.h"
 #include "la/vec2.h"
 #include "la/wide.h"
 
@@ -192,7 +193,7 @@ void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar 
     struct flex_planar_core *c = &o->core;
     double h[2];
     core_at(c, k, q);
-    sincos(dot(k->mean, q, k->n), &o->cs[1], &o->cs[0]);
+    turned(dot(k->mean, q, k->n), &o->cs[1], &o->cs[0]);
     v2_turn(o->y, o->cs, (double[]){-k->pivot[0], -k->pivot[1]});
     v2_turn(h, o->cs, c->h);
     for (int i = 0; i < 2; i++) {

@@ -18,6 +18,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "la/turned.h"
 #include "tree/planar_flex.h"
 
 /* --- motion ------------------------------------------------------------------------------------ */
@@ -38,7 +39,7 @@ TWICE void place(struct part *restrict x, const struct part *restrict p, const s
     }
     if (l->type == TURN || l->type == GLIDE) {
         x->phi = p->phi + l->turn * q[l->iq[l->nv - 1]];
-        sincos(x->phi, &x->s, &x->c);
+        turned(x->phi, &x->s, &x->c);
     } else {
         x->phi = p->phi, x->c = p->c, x->s = p->s;
     }
@@ -132,12 +133,42 @@ TWICE void accelerate_all(struct sweep *s, const double *v, const double *a, con
     }
 }
 
+/* A hinge, what most trees are made of: place(), move_on(), accelerate_part() and bear() in one, to the same bits. */
+INTO static inline void swing(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
+                              double q, double v, double a, double bears)
+{
+    const double rho0 = p->c * l->a[0] - p->s * l->a[1], rho1 = p->s * l->a[0] + p->c * l->a[1];
+    const double w = p->w + l->turn * v, al = p->al + l->turn * a, phi = p->phi + l->turn * q;
+    double sin, cos;
+    turned(phi, &sin, &cos);
+    const double b0 = cos * l->b[0] - sin * l->b[1], b1 = sin * l->b[0] + cos * l->b[1];
+    const double arm0 = rho0 - b0, arm1 = rho1 - b1, ww_p = p->w * p->w, ww = w * w;
+    const double a0 = p->a[0] - p->al * rho1 - ww_p * rho0 + al * b1 + ww * b0;
+    const double a1 = p->a[1] + p->al * rho0 - ww_p * rho1 - al * b0 + ww * b1;
+    x->phi = phi, x->c = cos, x->s = sin;
+    x->w = w, x->al = al;
+    x->rho[0] = rho0, x->rho[1] = rho1;
+    x->c_b[0] = -b0, x->c_b[1] = -b1;
+    x->arm[0] = arm0, x->arm[1] = arm1;
+    x->r[0] = p->r[0] + arm0, x->r[1] = p->r[1] + arm1;
+    x->v[0] = p->v[0] - p->w * rho1 + w * b1;
+    x->v[1] = p->v[1] + p->w * rho0 - w * b0;
+    x->a[0] = a0, x->a[1] = a1;
+    x->F[0] = bears * l->mass * a0;
+    x->F[1] = bears * l->mass * a1;
+    x->N = bears * l->inertia * al;
+}
+
 /* All at once, where every body is rigid; a NULL: motion down to velocities. */
 TWICE void at_once(struct sweep *s, const double *q, const double *v, const double *a, const struct roster *o)
 {
     for (int i = 0; i < o->n; i++) {
         const struct link *l = &s->link[o->body[i]];
         struct part *x = &s->part[o->body[i]], *p = &s->part[l->parent];
+        if (a && l->type == TURN) {
+            swing(x, p, l, q[l->iq[0]], v[l->iv[0]], a[l->iv[0]], o->bears[i]);
+            continue;
+        }
         place(x, p, l, q);
         move_on(x, p, l, v);
         if (!a) continue;
@@ -209,24 +240,19 @@ void planar_forward(struct sweep *s, const double *q, const double *v, const dou
 
 TWICE void collect_forces(double *r, const struct part *x, struct part *p, const struct link *l)
 {
-    switch (l->type) {
-    case GLIDE:
-        r[l->iv[2]] += l->turn * (x->N + v2_cross(x->c_b, x->F));
-        r[l->iv[1]] += x->e[1][0] * x->F[0] + x->e[1][1] * x->F[1];
-        r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
-        break;
-    case TURN:
-        r[l->iv[0]] += l->turn * (x->N + v2_cross(x->c_b, x->F));
-        break;
-    case SLIDE:
-        r[l->iv[0]] += x->e[0][0] * x->F[0] + x->e[0][1] * x->F[1];
-        break;
-    case HELD:
-        break;
+    const double F[2] = {x->F[0], x->F[1]}, N = x->N;
+    if (l->type == TURN) { /* what most are */
+        r[l->iv[0]] += l->turn * (N + v2_cross(x->c_b, F));
+    } else if (l->type == GLIDE) {
+        r[l->iv[2]] += l->turn * (N + v2_cross(x->c_b, F));
+        r[l->iv[1]] += v2_dot(x->e[1], F);
+        r[l->iv[0]] += v2_dot(x->e[0], F);
+    } else if (l->type == SLIDE) {
+        r[l->iv[0]] += v2_dot(x->e[0], F);
     }
-    p->F[0] += x->F[0];
-    p->F[1] += x->F[1];
-    p->N += x->N + v2_cross(x->arm, x->F);
+    p->F[0] += F[0];
+    p->F[1] += F[1];
+    p->N += N + v2_cross(x->arm, F);
 }
 
 TWICE void backward(struct sweep *s, double *r, const struct roster *o, bool flexible)

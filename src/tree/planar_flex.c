@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "la/turned.h"
 #include "tree/planar_flex.h"
 
 static void gather(double *x, const int *i, const double *from, int n)
@@ -52,7 +53,7 @@ void planar_node_body_place(struct part *x, struct node_body *o, const struct pa
     const struct flex_planar_place *d = &o->place;
     if (o->change != b->change) {
         flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
-        sincos(d->angle, &o->cs[1], &o->cs[0]);
+        turned(d->angle, &o->cs[1], &o->cs[0]);
         o->change = b->change;
     }
     v2_turn(x->arm, b->cs, d->x);

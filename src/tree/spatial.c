@@ -25,6 +25,7 @@
 #include <string.h>
 
 #include "la/rot.h"
+#include "la/turned.h"
 
 /* --- positions ---------------------------------------------------------------------------------- */
 
@@ -32,7 +33,7 @@
 static inline void turn_z(double *restrict R, const double *restrict E, double angle)
 {
     double s, c;
-    sincos(angle, &s, &c);
+    turned(angle, &s, &c);
     for (int i = 0; i < 3; i++) {
         R[i] = c * E[i] + s * E[3 + i];
         R[3 + i] = c * E[3 + i] - s * E[i];
@@ -44,8 +45,8 @@ static inline void turn_z(double *restrict R, const double *restrict E, double a
 static inline void turn_xy(double *restrict R, const double *restrict E, double x, double y)
 {
     double sx, cx, sy, cy;
-    sincos(x, &sx, &cx);
-    sincos(y, &sy, &cy);
+    turned(x, &sx, &cx);
+    turned(y, &sy, &cy);
     for (int i = 0; i < 3; i++) {
         double z = cx * E[6 + i] - sx * E[3 + i];
         R[3 + i] = cx * E[3 + i] + sx * E[6 + i];
