@@ -42,8 +42,7 @@ static bool any_power(const double *w)
 static enum status resid(void *self, double *r, double *dk, const double *z, struct trouble *why)
 {
     struct implicit *m = self;
-    if (!m->placed) implicit_place(m, z);
-    m->placed = false;
+    implicit_place(m, z);
     m->effort->slow++;
     m->effort->fast++;
     if (m->ode->workless) return m->ode->ops->resid(m->ode, r, NULL, dk, &m->x, ALL, why);
@@ -55,7 +54,7 @@ static enum status resid(void *self, double *r, double *dk, const double *z, str
 static enum status refresh(void *self, const double *z, struct trouble *why)
 {
     struct implicit *m = self;
-    implicit_place(m, z);
+    (void)z;
     m->hfactor = m->h;
     return matrix_factor(&m->J, m->cc, m->ck, &m->x, why);
 }
@@ -127,12 +126,7 @@ static double predict(struct implicit *m, int fresh)
 
 static enum status iterate(struct implicit *m, struct trouble *why)
 {
-    m->placed = false;
-    if (!m->newton.matrix_free && (m->newton.stale || m->h != m->hfactor)) {
-        TRY(refresh(m, m->z, why));
-        newton_refreshed(&m->newton);
-        m->placed = true;
-    }
+    m->newton.due = !m->newton.matrix_free && (m->newton.stale || m->h != m->hfactor);
     return newton_solve(&m->newton, m->z, &m->equations, m->hs, m->ode->n, why);
 }
 
@@ -260,6 +254,7 @@ struct implicit *implicit_new(struct stepper *s, const struct implicit_scheme *s
     m->equations = (struct equations){m, &m->x, resid, refresh, solve};
     newton_open(&m->newton, o, &s->effort, &s->options, life);
     matrix_open(&m->J, o, &s->effort, life);
+    if (m->J.structured && o->direct->price > 0) m->newton.price = o->direct->price;
     predict_open(&m->predict, o->n, life);
     single_open(&m->keep, o, life);
     if (scheme->open) scheme->open(m, life);

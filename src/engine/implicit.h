@@ -49,7 +49,6 @@ struct implicit {
     double hfactor; /* h that J was made for; 0: there is none */
     struct predict predict;
     double *hs;         /* [n] h of each coordinate, newton's measure of corrections: all the same here */
-    bool placed;        /* refresh() has left v, dx and q at the z whose residual comes next */
     struct single keep; /* the state before a major step of several steps */
 };
 

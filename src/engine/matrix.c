@@ -5,7 +5,6 @@
 #include "la/dense.h"
 
 enum { LARGE = 1 << 17 }; /* numbers: a run may have no memory for these and for all else; less ends it as any other */
-enum { SMALL = 12 };      /* up to here dense is no slower than any structure */
 
 enum status matrix_need(double **A, int rows, int columns, struct arena *life, double t, struct trouble *why)
 {
@@ -25,7 +24,7 @@ void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort
     *m = (struct matrix){.ode = ode, .effort = effort, .life = life};
     m->swap = TAKE(life, int, n);
     m->live = TAKE(life, struct live, n);
-    m->structured = n > SMALL && ode->direct && ode->direct->factor && ode->direct->solve;
+    m->structured = ode->direct && n >= ode->direct->least && ode->direct->factor && ode->direct->solve;
     if (m->structured) m->F = arena_take(life, 1, ode->direct->factor_size);
     double **dense[] = {&m->J, &m->K, &m->C, &m->spare};
     for (int i = 0; i < 4 && !m->structured; i++) *dense[i] = TAKE_MATRIX(life, double, n, n);

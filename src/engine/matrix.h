@@ -31,7 +31,7 @@ struct matrix {
 enum status matrix_need(double **A, int rows, int columns, struct arena *life, double t, struct trouble *why);
 
 void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort, struct arena *life);
-/* Forms and factors J at x. */
+/* Forms and factors J at x, right after resid(ALL) there if x has an a. */
 enum status matrix_factor(struct matrix *m, double cc, double ck, const struct instant *x, struct trouble *why);
 /* The matrix as it was factored.  E_LIMIT as matrix_need(). */
 enum status matrix_recall(struct matrix *m, struct recall *r);

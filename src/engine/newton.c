@@ -47,6 +47,7 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
     *nt =
         (struct newton){.ode = ode, .effort = effort, .tolerance = options->newton_tolerance, .stage = options->stage};
     nt->limit = LIMIT;
+    nt->price = ode->price > 0 ? ode->price : PRICE;
     nt->scale = TAKE(life, double, n);
     nt->per = TAKE(life, double, n);
     nt->dz = TAKE(life, double, n);
@@ -68,7 +69,7 @@ void newton_forget(struct newton *nt)
     }
     nt->way = nt->next = 0;
     remainder_forget(&nt->remainder);
-    renewal_forget(&nt->renewal, nt->ode->price > 0 ? nt->ode->price : PRICE);
+    renewal_forget(&nt->renewal, nt->price);
     nt->count = nt->refreshed = 0;
     nt->stale = 1;
 }
@@ -168,7 +169,7 @@ void newton_begin(struct newton *nt, double local)
     nt->tol = nt->tolerance;
     if (nt->tol <= 0) nt->tol = enough(nt->stage ? of_five(local) : local);
     nt->count = nt->bad = nt->refreshed = nt->fresh = nt->powered = 0;
-    nt->newest = false;
+    nt->newest = nt->due = false;
     nt->age++;
 }
 
@@ -178,6 +179,7 @@ void newton_refreshed(struct newton *nt)
     nt->refreshed++;
     nt->bad = 0;
     nt->stale = 0;
+    nt->due = false;
     contraction_renewed(&nt->contraction[nt->way]);
     contraction_renewed(&nt->norms[nt->way]);
 }
@@ -321,7 +323,7 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         double dk = 0;
         TRY(eq->resid(eq->self, nt->r, &dk, z, why));
         if (sharpened(&dk)) nt->tol = smaller(nt->tol, ROUND_OFF);
-        if (dk > .2 && nt->fresh < 2 && nt->refreshed < MOST_REFRESHED) {
+        if (nt->due || (dk > .2 && nt->fresh < 2 && nt->refreshed < MOST_REFRESHED)) {
             TRY(eq->refresh(eq->self, z, why));
             newton_refreshed(nt);
         }
@@ -335,8 +337,7 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         case CONTINUE:
             break;
         case REFRESH:
-            TRY(eq->refresh(eq->self, z, why));
-            newton_refreshed(nt);
+            nt->due = true;
             break;
         case FAILED:
             return give_up(nt, eq, m, why);

@@ -35,12 +35,14 @@ struct newton {
     struct contraction contraction[NEWTON_WAYS]; /* of the largest correction */
     struct contraction norms[NEWTON_WAYS];       /* of pairs: of the norm of energy */
     int way, next;                               /* of pairs: of iterating, in this step and in the next one */
+    double price;                                /* of a matrix, in evaluations */
     struct renewal renewal;
     struct remainder remainder; /* of newton_solve(), where all n coordinates are solved for with a matrix */
     int pairs; /* errors go round two blocks of unknowns: the norm of energy may decide, see little_energy(), and what a
                 * matrix is worth shows over two iterations */
     int steps; /* of pairs: small steps that one is worth; it may leave the energy that they would leave together */
     int stale; /* a fresh matrix is due at the next step */
+    bool due;  /* and one at the next residual, newton_solve() sees to it */
     bool matrix_free; /* the iteration has no matrix: none is to blame, none is asked for */
 
     /* of the iteration under way */
@@ -63,7 +65,7 @@ struct equations {
     void *self;
     const struct instant *x; /* of the last residual */
     enum status (*resid)(void *self, double *r, double *dk, const double *z, struct trouble *why);
-    enum status (*refresh)(void *self, const double *z, struct trouble *why);
+    enum status (*refresh)(void *self, const double *z, struct trouble *why); /* right after resid() there */
     void (*solve)(void *self, double *dz);
 };
 

@@ -22,6 +22,9 @@ struct renewal {
     double price;  /* R */
     double need;   /* iterations with a new matrix; 0: not known */
     double wasted; /* sum of e since the last renewal */
+    double once;   /* e_1, as it was seen last */
+    double young;  /* the lesser of the last two: above R, a matrix serves for one step */
+    int age;       /* steps since the last renewal */
 };
 
 void renewal_forget(struct renewal *o, double price);

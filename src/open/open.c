@@ -208,29 +208,45 @@ static enum status accel(const struct ode2 *o, double *a, double *w, const doubl
     return OK;
 }
 
+/* What the engine keeps: that of the whole matrix, or one of M^ and a diagonal where the whole is not known. */
+struct factor {
+    double moving;
+    double of[];
+};
+
 static enum status factor(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
                           struct trouble *why)
 {
     struct open_tree *s = tree_of(o);
-    if (!s->diagonal || s->elastic.n) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+    struct factor *f = F;
+    f->moving = s->ops->moving_factor && x->a && (cc != 0 || ck != 0);
     memset(s->d, 0, sizeof *s->d * (size_t)o->n);
     elements_diagonal(s->elements, s->d, cc, ck, x);
+    if (f->moving && s->ops->moving_factor(s->sweep, f->of, cm, cc, ck, s->d, x->v, x->a)) return OK;
+    f->moving = 0;
     s->placed = false;
-    return s->ops->factor(s->sweep, F, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
+    return s->ops->factor(s->sweep, f->of, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
 }
 
 static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t,
                            struct trouble *why)
 {
     struct open_tree *s = tree_of(o);
+    struct factor *f = F;
     s->placed = placed_at(s, q);
-    return s->ops->factor(s->sweep, F, 1, d, s->placed ? NULL : q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
+    f->moving = 0;
+    return s->ops->factor(s->sweep, f->of, 1, d, s->placed ? NULL : q) ? OK
+                                                                       : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
 }
 
 static void solve(const struct ode2 *o, const void *F, double *x)
 {
-    struct open_tree *s = tree_of(o);
-    s->ops->solve(s->sweep, F, x);
+    const struct open_tree *s = tree_of(o);
+    const struct factor *f = F;
+    if (f->moving)
+        s->ops->moving_solve(s->sweep, f->of, x);
+    else
+        s->ops->solve(s->sweep, f->of, x);
 }
 
 /* --- after a step ------------------------------------------------------------------------------- */
@@ -352,6 +368,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     turns_build(&o->turns, m, &o->moves, life);
     floating_build(&o->floating, m, o->ops, life);
     const size_t bytes = o->ops->factor_size(o->sweep);
+    const size_t whole = o->ops->moving_size ? o->ops->moving_size(o->sweep) : 0;
     o->factor = arena_take(life, 1, bytes);
     o->d = TAKE(life, double, m->n);
     o->zero = TAKE(life, double, m->n);
@@ -359,8 +376,14 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     sizes_fill(o->size, m);
     o->posture.q = TAKE(life, double, m->nq);
     o->suspect = TAKE(life, struct effect, m->nforce);
-    o->direct = (struct ode2_direct){
-        .accel = accel, .factor_size = bytes, .factor = factor, .stiffen = stiffen, .solve = solve};
+    const bool structured = o->diagonal && !o->elastic.n;
+    o->direct = (struct ode2_direct){.accel = accel,
+                                     .factor_size = sizeof(struct factor) + (whole > bytes ? whole : bytes),
+                                     .price = whole ? 1 : 2,
+                                     .least = whole ? 7 : 13,
+                                     .factor = structured ? factor : NULL,
+                                     .stiffen = stiffen,
+                                     .solve = solve};
     bool plain = o->moves.nturn == 0 && o->moves.nfirst == m->n && m->nq == m->n;
     o->breaks = (struct ode2_breaks){.next = next_kink, .sides = has_sides};
     o->ode.self = o;

@@ -92,9 +92,12 @@ struct ode2_direct {
     /* a = M^-1 Q^: (2-4) solved.  w as in resid(). */
     enum status (*accel)(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
                          struct trouble *why);
-    /* F := (cm M + cc C + ck K)(x), factored; the caller owns F [factor_size bytes].
+    /* F := (cm M + cc C + ck K)(x), factored; the caller owns F [factor_size bytes].  With an a in x: right after
+     * resid(ALL) there, and with what slopes() leaves out.
      * E_NUMERIC with TROUBLE_SINGULAR when the structure does not allow it: the caller goes dense. */
     size_t factor_size;
+    double price; /* of it, as in struct ode2 */
+    int least;    /* coordinates from which on it is less work than a dense one */
     enum status (*factor)(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
                           struct trouble *why);
     /* x := F^-1 x. */

@@ -45,14 +45,21 @@ struct part {
     double I[6];          /* articulated body: ww wx wy xx xy yy */
 };
 
+/* Of a body with free joints beyond it, in the whole matrix of moving bodies; see planar_moving.c. */
+struct moving {
+    double I[9]; /* by row: moment and force for changes of its motion */
+    double mu[2];
+};
+
 struct sweep {
     const struct model *model;
     struct rosters rosters;
     int nbody, n;
-    struct link *link; /* [nbody] */
-    struct part *part; /* [nbody] */
-    double (*bias)[3]; /* [nbody] work of solve(): moment and force, then twist */
-    double *zero;      /* [n] */
+    struct link *link;     /* [nbody] */
+    struct part *part;     /* [nbody] */
+    double (*bias)[3];     /* [nbody] work of solve(): moment and force, then twist */
+    double *zero;          /* [n] */
+    struct moving *moving; /* [nbody] work of moving_factor() */
     struct routes routes;
     struct flexible **bend;       /* [nbody] NULL: not flexible; the list is NULL if none is; see planar_flex.h */
     struct node_body **node_body; /* [nbody] NULL: not at a node; likewise */
@@ -101,6 +108,10 @@ void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls);
 size_t planar_factor_size(const struct sweep *s);
 int planar_factor(struct sweep *s, void *F, double cm, const double *d, const double *q);
 void planar_solve(const struct sweep *s, const void *F, double *x);
+size_t planar_moving_size(const struct sweep *s);
+int planar_moving_factor(struct sweep *s, void *F, double cm, double cc, double ck, const double *d, const double *v,
+                         const double *a);
+void planar_moving_solve(const struct sweep *s, const void *F, double *x);
 void planar_aggregate(struct sweep *s, struct aggregate *o, const int *body, int n, int what);
 void planar_adjust_motion(struct sweep *s, const struct motion_change *o, const struct aggregate *now, const int *body,
                           int n);

@@ -62,6 +62,7 @@ static struct sweep *build(const struct model *m, enum purpose purpose, const bo
     s->part = TAKE(life, struct part, m->nbody);
     s->bias = arena_take(life, (size_t)m->nbody, sizeof *s->bias);
     s->zero = TAKE(life, double, m->n);
+    s->moving = TAKE(life, struct moving, m->nbody);
     build_ground(s, m);
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &m->joint[m->body[i].joint];
@@ -89,6 +90,9 @@ const struct sweep_ops sweep_planar = {.build = build,
                                        .factor_size = planar_factor_size,
                                        .factor = planar_factor,
                                        .solve = planar_solve,
+                                       .moving_size = planar_moving_size,
+                                       .moving_factor = planar_moving_factor,
+                                       .moving_solve = planar_moving_solve,
                                        .energy = planar_energy,
                                        .reaction = planar_reaction,
                                        .aggregate = planar_aggregate,

@@ -87,6 +87,14 @@ struct sweep_ops {
     int (*factor)(struct sweep *s, void *F, double cm, const double *d, const double *q);
     void (*solve)(const struct sweep *s, const void *F, double *x);
 
+    /* cm M + cc C + ck K + diag(d), with C and K all that the inertia of moving bodies and turning arms bring, where
+     * forward(ALL), with v and a, and backward() have been; factored into F; 0 when there is no such factor.  Unsymmetric.
+     * NULL: not known how. */
+    size_t (*moving_size)(const struct sweep *s);
+    int (*moving_factor)(struct sweep *s, void *F, double cm, double cc, double ck, const double *d, const double *v,
+                         const double *a);
+    void (*moving_solve)(const struct sweep *s, const void *F, double *x);
+
     /* Kinetic energy and energy in the field of gravity (0 in the drawn position at the world's origin level:
      * V = -sum m g.r) at the last move() or forward() [J]. */
     void (*energy)(const struct sweep *s, double *kinetic, double *gravity);
