@@ -8,6 +8,7 @@
 #include "la/vec3.h"
 
 enum { CUTS = 8, PALETTE = 8 };
+static const double CROWD = 16; /* bodies beyond which marks are smaller */
 static const unsigned palette[PALETTE] = {0x3b73b9, 0xd1793a, 0x4f9a5b, 0xb0504f,
                                           0x7d66a8, 0x8a6a55, 0xc471a5, 0x5f9ea8};
 static const unsigned GREY = 0x8c8c8c, DARK = 0x4a4a4a;
@@ -63,7 +64,7 @@ static bool unseen(const struct scene *s, int b)
 static void add_bar(struct film *o, struct actor *a, const double *to)
 {
     static const double none[3] = {0, 0, 0};
-    mesh_cylinder(&a->mesh, none, to, .01 * o->size);
+    mesh_cylinder(&a->mesh, none, to, .01 * o->mark);
 }
 
 static void add_bars(struct film *o, struct actor *a, const struct scene *s, int b)
@@ -94,7 +95,7 @@ static bool add_rod(struct film *o, struct actor *a, const struct scene_body *bo
 {
     if (!body->node || !node_find(node_find(body->node, "shape"), "rod") || !(body->mass > 0)) return false;
     const double half = sqrt(3 * body->inertia[2] / body->mass);
-    mesh_cylinder(&a->mesh, (double[]){-half, 0, 0}, (double[]){half, 0, 0}, .01 * o->size);
+    mesh_cylinder(&a->mesh, (double[]){-half, 0, 0}, (double[]){half, 0, 0}, .01 * o->mark);
     return true;
 }
 
@@ -124,7 +125,7 @@ static void add_rigid(struct film *o, const struct sim *sim, int b)
     a->body = sim->model->body_of[b];
     if (add_shape(&a->mesh, body)) return;
     add_bars(o, a, sim->scene, b);
-    if (!add_rod(o, a, body) && !add_other_half(o, a, sim->scene, b)) mesh_ball(&a->mesh, none, .02 * o->size);
+    if (!add_rod(o, a, body) && !add_other_half(o, a, sim->scene, b)) mesh_ball(&a->mesh, none, .02 * o->mark);
 }
 
 /* ---- flexible bodies ---- */
@@ -237,7 +238,7 @@ static void add_joint(struct film *o, const struct sim *sim, int i)
     const struct scene_joint *j = &sim->scene->joint[i];
     const struct model *m = sim->model;
     const int tree = m->joint_of[i], loop = m->loop_of[i];
-    const double r = .016 * o->size, *p, *E;
+    const double r = .016 * o->mark, *p, *E;
     double half[3], ends[2][3];
     if (j->kind->tie != NO_TIE || j->kind->type == JOINT_FREE || (tree < 0 && loop < 0)) return;
     struct actor *a = add_actor(o, ACTOR_SOLID, j->name, j->first == 0 || j->second == 0 ? DARK : GREY);
@@ -314,6 +315,7 @@ static void measure(struct film *o, const struct scene *s)
         if (!unseen(s, s->joint[i].second)) widen(o, s->joint[i].at);
     v3_diff(x, o->high, o->low);
     o->size = isfinite(v3_norm(x)) && v3_norm(x) > 0 ? v3_norm(x) : 1;
+    o->mark = o->size * fmin(1, CROWD / s->nbody);
 }
 
 void film_open(struct film *o, struct sim *sim, struct arena *life)

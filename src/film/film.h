@@ -39,6 +39,7 @@ struct film {
     const char *title;
     int space;
     double size, low[3], high[3]; /* of all that is seen, at all times [m] */
+    double mark;                  /* the same for marks of joints, bars and springs: less where there are many bodies */
     int nactor, actors;
     struct actor *actor;
     int frames, capacity;

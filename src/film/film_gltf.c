@@ -244,7 +244,7 @@ static void put_spring(struct gltf *o, int i, const struct actor *a, double *x)
     int index[2 * COILS];
     for (int k = 0; k <= n; k++) {
         place[3 * k] = (double)k / n;
-        if (k > 0 && k < n) place[3 * k + 1] = (k % 2 ? .025 : -.025) * o->film->size;
+        if (k > 0 && k < n) place[3 * k + 1] = (k % 2 ? .025 : -.025) * o->film->mark;
     }
     for (int k = 0; k < n; k++) index[2 * k] = k, index[2 * k + 1] = k + 1;
     const int at = put_floats(o, place, n + 1, 3, true);

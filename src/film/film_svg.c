@@ -1,7 +1,8 @@
 /* film_svg.c -- a film as one still picture: some postures over each other, the last one whole, those before paler.
  *
  * Mechanisms in the plane are seen from in front, those in space from above and one side.  Triangles that face away are
- * left out and the rest drawn from the back to the front; what is left of hiding is small where bodies are slender. */
+ * left out and the rest drawn from the back to the front; what is left of hiding is small where bodies are slender.  What is
+ * narrower than a few pixels is drawn by its outline, so that mechanisms of hundreds of bodies make small files. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,10 +12,10 @@
 
 enum { WIDE = 800, TALL = 500, EDGE = 30, POSTURES = 5, COILS = 14 };
 
-/* One thing to draw: a triangle, or a piece of a line. */
+/* One thing to draw: an area of n corners, or a piece of a line. */
 struct stroke {
-    double x[3][2], depth;
-    int n; /* 3 or 2 */
+    int first, n; /* among the corners; n = 2: a line */
+    double depth;
     unsigned color;
     double wide; /* of a line [px] */
 };
@@ -24,9 +25,12 @@ struct still {
     FILE *to;
     double view[9]; /* by row: to the right, up, to the eye */
     double low[2], scale;
+    double narrow; /* what is narrower shows its outline alone [px] */
     struct stroke *stroke;
     int n, capacity;
-    struct arena *life;
+    double *corner; /* [2 x ncorner] */
+    int ncorner, corners;
+    struct arena *life, *scratch;
 };
 
 static void project(double *at, double *depth, const struct still *o, const double *x)
@@ -36,10 +40,19 @@ static void project(double *at, double *depth, const struct still *o, const doub
     *depth = v3_dot(o->view + 6, x);
 }
 
-static struct stroke *next_stroke(struct still *o)
+/* Of n corners from here on, and what is known of it. */
+static void add_stroke(struct still *o, const struct stroke *s)
 {
     o->stroke = arena_more(o->life, o->stroke, o->n, &o->capacity, sizeof *o->stroke);
-    return &o->stroke[o->n++];
+    o->stroke[o->n] = *s;
+    o->stroke[o->n++].first = o->ncorner - s->n;
+}
+
+static void add_corner(struct still *o, const double *at)
+{
+    o->corner = arena_more(o->life, o->corner, o->ncorner, &o->corners, 2 * sizeof *o->corner);
+    o->corner[2 * o->ncorner] = at[0];
+    o->corner[2 * o->ncorner++ + 1] = at[1];
 }
 
 static unsigned shaded(unsigned color, double light)
@@ -49,18 +62,24 @@ static unsigned shaded(unsigned color, double light)
     return out;
 }
 
-static void add_solid(struct still *o, const struct actor *a, const double *frame)
+/* Where a vertex of a solid is, in the world. */
+static void stand(double *x, const struct actor *a, const double *R, const double *frame, int vertex)
 {
-    double R[9], local[3], depth;
-    quat_matrix(R, frame + 3);
-    for (int t = 0; t < a->mesh.nt; t++) {
+    double local[3];
+    v3_copy(local, a->mesh.x + 3 * vertex);
+    m3_mul(x, R, local);
+    v3_add(x, frame);
+}
+
+static void add_triangles(struct still *o, const struct actor *a, const double *R, const double *frame, int from,
+                          int to)
+{
+    for (int t = from; t < to; t++) {
         struct stroke s = {.n = 3};
-        double x[3][3], u[3], v[3], out[3];
+        double x[3][3], at[3][2], depth, u[3], v[3], out[3];
         for (int k = 0; k < 3; k++) {
-            v3_copy(local, a->mesh.x + 3 * a->mesh.tri[3 * t + k]);
-            m3_mul(x[k], R, local);
-            v3_add(x[k], frame);
-            project(s.x[k], &depth, o, x[k]);
+            stand(x[k], a, R, frame, a->mesh.tri[3 * t + k]);
+            project(at[k], &depth, o, x[k]);
             s.depth += depth / 3;
         }
         v3_diff(u, x[1], x[0]);
@@ -69,18 +88,91 @@ static void add_solid(struct still *o, const struct actor *a, const double *fram
         const double size = v3_norm(out), facing = v3_dot(out, o->view + 6);
         if (!(facing > 1e-9 * size)) continue;
         s.color = shaded(a->color, .65 + .35 * facing / size);
-        *next_stroke(o) = s;
+        for (int k = 0; k < 3; k++) add_corner(o, at[k]);
+        add_stroke(o, &s);
+    }
+}
+
+/* ---- outlines ---- */
+
+static int by_place(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return x[0] != y[0] ? (x[0] > y[0]) - (x[0] < y[0]) : (x[1] > y[1]) - (x[1] < y[1]);
+}
+
+static double area(const double *a, const double *b, const double *c)
+{
+    return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+}
+
+/* The convex hull of x [2 x n], which is sorted: hull [2 x 2 n], counterclockwise (Andrew 1979). Returns its corners. */
+static int outline(double *hull, double *x, int n)
+{
+    int m = 0;
+    qsort(x, (size_t)n, 2 * sizeof *x, by_place);
+    for (int way = 0; way < 2; way++) {
+        const int from = m;
+        for (int i = 0; i < n; i++) {
+            const double *at = x + 2 * (way ? n - 1 - i : i);
+            while (m >= from + 2 && area(hull + 2 * (m - 2), hull + 2 * (m - 1), at) <= 0) m--;
+            hull[2 * m] = at[0];
+            hull[2 * m++ + 1] = at[1];
+        }
+        m--; /* the first one of the other way */
+    }
+    return m;
+}
+
+/* How wide an outline is, in the mean across its largest extent. */
+static double width(const double *hull, int n)
+{
+    double sum = 0, longest = 0;
+    for (int i = 1; i < n; i++) {
+        longest = fmax(longest, hypot(hull[2 * i] - hull[0], hull[2 * i + 1] - hull[1]));
+        if (i + 1 < n) sum += area(hull, hull + 2 * i, hull + 2 * i + 2);
+    }
+    return longest > 0 ? sum / longest : 0;
+}
+
+static void add_solid(struct still *o, const struct actor *a, const double *frame)
+{
+    static const double light = .88; /* of a ball, in the mean */
+    const struct mesh *m = &a->mesh;
+    double R[9];
+    quat_matrix(R, frame + 3);
+    for (int i = 0; i < m->nsolid; i++) {
+        const bool last = i + 1 == m->nsolid;
+        const int from = m->solid[2 * i], to = last ? m->nv : m->solid[2 * i + 2], n = to - from;
+        const struct arena_mark mark = arena_mark(o->scratch);
+        double *at = TAKE(o->scratch, double, 2 * n), *hull = TAKE(o->scratch, double, 4 * n), depth, x[3];
+        struct stroke s = {.color = shaded(a->color, light)};
+        for (int k = 0; k < n; k++) {
+            stand(x, a, R, frame, from + k);
+            project(at + 2 * k, &depth, o, x);
+            s.depth += depth / n;
+        }
+        s.n = outline(hull, at, n);
+        if (s.n > 2 && width(hull, s.n) * o->scale <= o->narrow) {
+            for (int k = 0; k < s.n; k++) add_corner(o, hull + 2 * k);
+            add_stroke(o, &s);
+        } else {
+            add_triangles(o, a, R, frame, m->solid[2 * i + 1], last ? m->nt : m->solid[2 * i + 3]);
+        }
+        arena_rewind(o->scratch, mark);
     }
 }
 
 static void add_piece(struct still *o, const double *a, const double *b, unsigned color, double wide)
 {
     struct stroke s = {.n = 2, .color = color, .wide = wide};
-    double da, db;
-    project(s.x[0], &da, o, a);
-    project(s.x[1], &db, o, b);
+    double da, db, at[2];
+    project(at, &da, o, a);
+    add_corner(o, at);
+    project(at, &db, o, b);
+    add_corner(o, at);
     s.depth = (da + db) / 2;
-    *next_stroke(o) = s;
+    add_stroke(o, &s);
 }
 
 static void add_line(struct still *o, const struct actor *a, const double *frame)
@@ -102,7 +194,7 @@ static void add_spring(struct still *o, const struct actor *a, const double *end
     v3_diff(along, ends + 3, ends);
     v3_cross(side, o->view + 6, along);
     const double size = v3_norm(side);
-    v3_scale(side, size > 0 ? .02 * o->film->size / size : 0, side);
+    v3_scale(side, size > 0 ? .02 * o->film->mark / size : 0, side);
     v3_copy(x, ends);
     for (int k = 1; k <= n; k++, v3_copy(x, y)) {
         v3_copy(y, ends);
@@ -114,7 +206,7 @@ static void add_spring(struct still *o, const struct actor *a, const double *end
 
 static void add_posture(struct still *o, int frame)
 {
-    o->n = 0;
+    o->n = o->ncorner = 0;
     for (int i = 0; i < o->film->nactor; i++) {
         const struct actor *a = &o->film->actor[i];
         const double *at = a->frame + (size_t)frame * (size_t)a->stride;
@@ -133,17 +225,39 @@ static int by_depth(const void *a, const void *b)
     return (x->depth > y->depth) - (x->depth < y->depth);
 }
 
-static void put_stroke(const struct still *o, const struct stroke *s)
+/* Corners in tenths of pixels; those that fall on each other are one. */
+static void put_corners(const struct still *o, const struct stroke *s)
 {
-    const bool area = s->n == 3;
-    fprintf(o->to, "<path d=\"");
-    for (int k = 0; k < s->n; k++)
-        fprintf(o->to, "%s%.1f %.1f", k ? "L" : "M", EDGE + (s->x[k][0] - o->low[0]) * o->scale,
-                TALL - EDGE - (s->x[k][1] - o->low[1]) * o->scale);
-    if (area)
-        fprintf(o->to, "Z\" fill=\"#%06x\" stroke=\"#%06x\" stroke-width=\".5\"/>\n", s->color, s->color);
-    else
-        fprintf(o->to, "\" stroke=\"#%06x\" stroke-width=\"%g\"/>\n", s->color, s->wide);
+    long before[2] = {0, 0};
+    int put = 0;
+    for (int k = 0; k < s->n; k++) {
+        const double *at = o->corner + 2 * (s->first + k);
+        const long here[2] = {lround(10 * (EDGE + (at[0] - o->low[0]) * o->scale)),
+                              lround(10 * (TALL - EDGE - (at[1] - o->low[1]) * o->scale))};
+        if (put && here[0] == before[0] && here[1] == before[1]) continue;
+        fprintf(o->to, "%s%g %g", put++ ? "L" : "M", (double)here[0] / 10, (double)here[1] / 10);
+        before[0] = here[0];
+        before[1] = here[1];
+    }
+    if (s->n > 2) fputs("Z", o->to);
+}
+
+/* One path for what follows on each other in one colour. */
+static void put_strokes(const struct still *o)
+{
+    for (int i = 0, end; i < o->n; i = end) {
+        const struct stroke *s = &o->stroke[i];
+        fprintf(o->to, "<path d=\"");
+        for (end = i; end < o->n; end++) {
+            const struct stroke *e = &o->stroke[end];
+            if (e->color != s->color || e->wide != s->wide || (e->n > 2) != (s->n > 2)) break;
+            put_corners(o, e);
+        }
+        if (s->n > 2)
+            fprintf(o->to, "\" fill=\"#%06x\" stroke=\"#%06x\" stroke-width=\".5\"/>\n", s->color, s->color);
+        else
+            fprintf(o->to, "\" stroke=\"#%06x\" stroke-width=\"%g\"/>\n", s->color, s->wide);
+    }
 }
 
 /* What is seen of all postures: where, and how large. */
@@ -156,12 +270,14 @@ static void frame_it(struct still *o, const int *frame, int n)
         for (int i = 0; i < o->n; i++)
             for (int k = 0; k < o->stroke[i].n; k++)
                 for (int c = 0; c < 2; c++) {
-                    o->low[c] = fmin(o->low[c], o->stroke[i].x[k][c]);
-                    high[c] = fmax(high[c], o->stroke[i].x[k][c]);
+                    const double x = o->corner[2 * (o->stroke[i].first + k) + c];
+                    o->low[c] = fmin(o->low[c], x);
+                    high[c] = fmax(high[c], x);
                 }
     }
     const double wide = high[0] - o->low[0], tall = high[1] - o->low[1];
-    o->scale = fmin((WIDE - 2 * EDGE) / fmax(wide, 1e-300), (TALL - 2 * EDGE) / fmax(tall, 1e-300));
+    const double least = .3 * o->film->size; /* a body by itself does not fill the picture */
+    o->scale = fmin((WIDE - 2 * EDGE) / fmax(wide, least), (TALL - 2 * EDGE) / fmax(tall, least * TALL / WIDE));
     if (!isfinite(o->scale)) o->scale = 1;
     o->low[0] -= ((WIDE - 2 * EDGE) / o->scale - wide) / 2;
     o->low[1] -= ((TALL - 2 * EDGE) / o->scale - tall) / 2;
@@ -186,6 +302,7 @@ static void put_title(FILE *to, const char *text)
 
 static void put_picture(struct still *o)
 {
+    static const double narrow = 7, narrow_if_pale = 60;
     int frame[POSTURES];
     for (int p = 0; p < POSTURES; p++) frame[p] = (o->film->frames - 1) * p / (POSTURES - 1);
     look(o);
@@ -194,11 +311,12 @@ static void put_picture(struct still *o)
     put_title(o->to, o->film->title);
     fprintf(o->to, "</title>\n<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n", WIDE, TALL);
     for (int p = 0; p < POSTURES; p++) {
+        o->narrow = p + 1 < POSTURES ? narrow_if_pale : narrow;
         add_posture(o, frame[p]);
         qsort(o->stroke, (size_t)o->n, sizeof *o->stroke, by_depth);
         fprintf(o->to, "<g opacity=\"%g\" fill=\"none\" stroke-linecap=\"round\">\n",
                 p + 1 < POSTURES ? .12 + .08 * p : 1);
-        for (int i = 0; i < o->n; i++) put_stroke(o, &o->stroke[i]);
+        put_strokes(o);
         fputs("</g>\n", o->to);
     }
     fputs("</svg>\n", o->to);
@@ -208,11 +326,12 @@ enum status film_svg(const struct film *film, struct stream *stream, struct repo
 {
     char *text = NULL;
     size_t n = 0;
-    struct still o = {.film = film, .to = words_open(&text, &n), .life = arena_open()};
+    struct still o = {.film = film, .to = words_open(&text, &n), .life = arena_open(), .scratch = arena_open()};
     put_picture(&o);
     words_close(o.to, &text);
     const enum status status = stream_bytes(stream, text, n, report);
     free(text);
+    arena_close(o.scratch);
     arena_close(o.life);
     return status;
 }

@@ -29,10 +29,18 @@ static void triangle(struct mesh *o, int a, int b, int c)
     o->nt++;
 }
 
+static void begin_solid(struct mesh *o)
+{
+    o->solid = arena_more(o->life, o->solid, o->nsolid, &o->solids, 2 * sizeof *o->solid);
+    o->solid[2 * o->nsolid] = o->nv;
+    o->solid[2 * o->nsolid++ + 1] = o->nt;
+}
+
 void mesh_box(struct mesh *o, const double *centre, const double *R, const double *half)
 {
     static const int face[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     const int first = o->nv;
+    begin_solid(o);
     for (int i = 0; i < 8; i++) {
         double at[3];
         v3_copy(at, centre);
@@ -64,6 +72,7 @@ void mesh_cylinder(struct mesh *o, const double *a, const double *b, double radi
     if (!(v3_norm(d) > 0)) return;
     across(u, v, d);
     const int first = o->nv;
+    begin_solid(o);
     for (int i = 0; i < SIDES; i++)
         for (int end = 0; end < 2; end++) {
             double at[3];
@@ -85,6 +94,7 @@ void mesh_cylinder(struct mesh *o, const double *a, const double *b, double radi
 void mesh_ball(struct mesh *o, const double *centre, double radius)
 {
     const int first = o->nv;
+    begin_solid(o);
     for (int ring = 0; ring <= RINGS; ring++)
         for (int i = 0; i < SIDES; i++) {
             const double up = pi * ring / RINGS, round = 2 * pi * i / SIDES;

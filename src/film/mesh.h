@@ -8,6 +8,8 @@ struct mesh {
     int nv, nt, vertices, triangles; /* in use; there is room for */
     double *x;                       /* [3 x nv] [m] */
     int *tri;                        /* [3 x nt] counterclockwise from outside */
+    int nsolid, solids;              /* each of them convex */
+    int *solid;                      /* [2 x nsolid] its first vertex, its first triangle */
     struct arena *life;
 };
 
