@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "kind/outline.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 
@@ -70,6 +71,17 @@ static void of_spheres(struct place *o, const struct model_contact *c, const dou
     v3_axpy(o->c, side * c->other, o->n);
 }
 
+static void over_outline(struct place *o, const struct model_contact *c, const double *d, const double *xa,
+                         const double *R)
+{
+    double ex[3], foot[3];
+    m3_mul(ex, R, c->normal);
+    outline_meet(c->outline, foot, o->n, ex, d);
+    o->gap = v3_dot(o->n, d) - v3_dot(o->n, foot) - c->radius;
+    v3_copy(o->c, xa);
+    v3_axpy(o->c, -c->radius, o->n);
+}
+
 static void find(struct place *o, const struct contacts *all, const struct sweep *s, const struct model_contact *c)
 {
     double xa[3], xb[3], v[3], d[3], near[3] = {0};
@@ -80,6 +92,8 @@ static void find(struct place *o, const struct contacts *all, const struct sweep
     v3_diff(d, xa, xb);
     if (c->pair == PAIR_PLANE)
         over_plane(o, c, d, xa, b.R);
+    else if (c->pair == PAIR_OUTLINE)
+        over_outline(o, c, d, xa, b.R);
     else
         of_spheres(o, c, d, xb);
     if (c->pair == PAIR_PLANE) m3_mul(near, b.R, c->along);

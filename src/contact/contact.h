@@ -4,6 +4,7 @@
  *     sphere, plane     g = n . (x_a - x_b) - r           n fixed in body b; a point is a sphere with r = 0
  *     spheres           g = |x_a - x_b| - r_a - r_b
  *     sphere in a hole  g = r_b - r_a - |x_a - x_b|
+ *     disc, outline     g = n . (x_a - c) - r           c the nearest point of the curve, n its normal there
  *     joint             none: g = 0, and friction along its coordinate
  *
  * With n the direction in which the gap opens for body a and c the place where they touch,

@@ -152,12 +152,15 @@ const struct diag_help diag_helps[] = {
     {"E-exclusive", "The marked key goes with another kind of stop or contact. 'stiffness' makes one compliant, then "
                     "'damping' and 'exponent' say more of it; 'restitution' is of rigid ones."},
     {"E-unknown-surface",
-     "The surface is not known here: surfaces stand in 'surfaces:', as plane, point, points, sphere "
-     "or hole; a contact names two of them."},
+     "The surface is not known here: surfaces stand in 'surfaces:', as plane, point, points, sphere, "
+     "hole, profile or cam; a contact names two of them."},
     {"E-pair",
-     "These two surfaces do not make a contact. Known are point or sphere and plane, sphere and sphere or point, "
-     "point or sphere and hole."},
+     "These two surfaces do not make a contact. Known are point or sphere and plane, hole, profile or cam, sphere "
+     "and sphere or point."},
     {"E-static", "What sticks is held by at least the friction that resists sliding: 'static' is not below 'kinetic'."},
+    {"E-hollow",
+     "A disc touches a curve at one place. Where a hollow is narrower than the disc it would touch at two. Take a "
+     "smaller disc, or a curve with wider hollows."},
     {"E-contact-flexible",
      "Rigid contacts are of rigid bodies, planes and balls, too. A point of a flexible body touches by a compliant "
      "contact: give it a 'stiffness'. Or fix a small rigid body at the place, and let that touch."},
@@ -359,7 +362,8 @@ const struct diag_help diag_helps[] = {
      "\"-10*tanh(slide.displacement_rate/0.001)\"}; sign() in its place jumps, and stops the run. It creeps instead "
      "of sticking, at a rate that the 0.001 sets."},
     {"contact",
-     "Rigid contacts of points and spheres with planes, holes and each other stand in 'surfaces' and 'contacts', "
+     "Rigid contacts of points and spheres with planes, holes, profiles, cams and each other stand in 'surfaces' and "
+     "'contacts', "
      "with Coulomb's friction; stops of a joint stand in its 'range'. They need scheme midpoint and a 'step'. With a "
      "'stiffness' they are compliant, for every scheme and for points of flexible bodies: the step must then resolve "
      "the time of touch, about 3*sqrt(mass/stiffness), where it matters, and friction creeps. A compliant contact "

@@ -67,9 +67,13 @@ static void add(struct wrench *o, const struct strain *s)
 }
 
 /* The forces of the mean strains at the ends; a turn that came round between them stays with its middle. */
-static void mean_strains(struct strains *o, const struct part_of *p)
+static void mean_strains(struct strains *o, const struct part_of *p, const struct model_force *f)
 {
     static const double ROUND = 1;
+    if (f->kind->means) {
+        f->kind->means(o, f->par, p->strain[0], p->strain[1]);
+        return;
+    }
     for (int i = 0; i < o->n; i++) {
         struct strain *s = &o->of[i];
         const double over = (p->strain[0][i] + p->strain[1][i]) / 2 - s->s;
@@ -85,7 +89,7 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
     struct wrench o = {.kept = 0};
     double back[3];
     strains_at(&strains, e, s, f);
-    if (x->qa && x->qb) mean_strains(&strains, p);
+    if (x->qa && x->qb) mean_strains(&strains, p, f);
     for (int i = 0; i < strains.n; i++) add(&o, &strains.of[i]);
     v3_scale(back, -1, o.F);
     e->ops->push(s, f->b.body, strains.at_b, o.F);
@@ -95,6 +99,8 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
     if (x->qa && x->qb)
         give_remainder(e, s, to->r, p, p->end[0] - p->end[1] - o.kept * (x->tb - x->ta),
                        fabs(p->end[0]) + fabs(p->end[1]), strains.at_a, strains.at_b, x);
+    if (to->dk && f->kind->means)
+        tell_change(to->dk, p, strains.of[0].ks, x->qa && x->qb && f->kind->sharp && strains.of[0].f != 0);
     if (to->w) to->w[POWER_DAMPER] += o.lost;
     if (to->effect) *to->effect = (struct effect){sqrt(o.force), v3_norm(o.n_b), sqrt(o.displacement), o.kept + o.lost};
 }
@@ -105,8 +111,9 @@ static void slopes(struct elements *e, struct sweep *s, struct part_of *p, doubl
     const struct model_force *f = &e->model->force[p->force];
     const struct measures *m = &e->measures;
     struct strains strains;
-    (void)x;
     strains_at(&strains, e, s, f);
+    if (f->kind->means && x->qa && x->qb) f->kind->means(&strains, f->par, p->strain[0], p->strain[1]);
+    if (f->kind->means) p->kref = strains.of[0].ks;
     for (int i = 0; i < strains.n; i++) {
         const struct strain *g = &strains.of[i];
         row_clear(&e->row);

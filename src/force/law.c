@@ -36,11 +36,11 @@ static void law_over(struct law *o, double *dissipative, const struct force_kind
     o->f += *dissipative;
 }
 
-/* Relative change of a slope. */
-static double change(double k, double kref)
+void tell_change(double *dk, const struct part_of *p, double ks, bool sharp)
 {
-    double size = fmax(fabs(k), fabs(kref));
-    return size > 0 ? fabs(k - kref) / size : 0;
+    const double size = fmax(fabs(ks), fabs(p->kref));
+    if (size > 0) *dk = fmax(*dk, fabs(ks - p->kref) / size);
+    if (sharp && *dk < SHARP) *dk += SHARP;
 }
 
 /* An angle in space that came round from pi to -pi. */
@@ -86,8 +86,7 @@ static void load(struct elements *e, struct sweep *s, struct part_of *p, const s
         to->w[POWER_DAMPER] += lost * act.rate;
         if (!p->stores) to->w[POWER_EXTERNAL] += (law.f - lost) * act.rate;
     }
-    if (to->dk && !p->linear) *to->dk = fmax(*to->dk, change(law.ks, p->kref));
-    if (to->dk && end && f->kind->sharp && law.f != 0 && *to->dk < SHARP) *to->dk += SHARP;
+    if (to->dk && !p->linear) tell_change(to->dk, p, law.ks, end && f->kind->sharp && law.f != 0);
     if (to->effect) *to->effect = (struct effect){.force = law.f, .elongation = act.s, .power = law.f * act.rate};
 }
 

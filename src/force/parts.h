@@ -78,6 +78,9 @@ struct element_kind {
 };
 extern const struct element_kind element_law, element_value, element_load, element_between;
 
+/* law.c: *dk (elements_load) grows to the change of a slope since slopes(); sharp: beyond SHARP. */
+void tell_change(double *dk, const struct part_of *p, double ks, bool sharp);
+
 struct elements {
     const struct model *model;
     const struct sweep_ops *ops;

@@ -15,6 +15,7 @@ enum contact_pair {
     PAIR_PLANE,    /* a sphere, or with radius 0 a point, over a plane */
     PAIR_SPHERES,  /* two spheres side by side */
     PAIR_HOLE,     /* a sphere inside of another */
+    PAIR_OUTLINE,  /* a disc, or with radius 0 a point, on a profile or a cam of a planar body */
     PAIR_FRICTION, /* no gap: friction along the coordinate of a joint */
     CONTACT_PAIRS
 };

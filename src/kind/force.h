@@ -124,6 +124,10 @@ struct force_kind {
     /* The scalars between two markers, all members; par begins with struct markers. */
     void (*strains)(struct strains *o, const void *par, const struct between *x);
 
+    /* Optional, of kinds whose first strain may be stiff: the forces f of strains over an interval from s0 to s1 and their slopes ks along its middle, as mean() has
+     * them, where these are not those at the mean of s0 and s1. */
+    void (*means)(struct strains *o, const void *par, const double *s0, const double *s1);
+
     /* Optional.  In space: is there an axis [3] (unit; axes of the markers as drawn) about which turns are counted, as a
      * measure NAME.twist?  in_world: it stays as drawn, the first body does not take it along. */
     bool (*twist)(double *axis, bool *in_world, const void *par);

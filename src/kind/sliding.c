@@ -26,7 +26,12 @@ static void meet(struct meeting *o, const struct sliding *p, const struct betwee
 {
     double d[3], size, out = p->radius;
     v3_diff(d, x->b.x, x->a.x);
-    if (p->pair == PAIR_PLANE) {
+    if (p->pair == PAIR_OUTLINE) {
+        double ex[3], foot[3];
+        m3_mul(ex, x->a.E, p->normal);
+        outline_meet(p->outline, foot, o->n, ex, d);
+        o->s = v3_dot(o->n, d) - v3_dot(o->n, foot) - p->radius;
+    } else if (p->pair == PAIR_PLANE) {
         m3_mul(o->n, x->a.E, p->normal);
         o->s = v3_dot(o->n, d);
     } else {
@@ -64,6 +69,18 @@ static void add(struct strains *o, const double *dir, double rate, double lost, 
     v3_copy(s->dir, dir);
 }
 
+/* Along the normal of a curve. */
+static void add_push(struct strains *o, const struct sliding *p, const struct meeting *m, double rate)
+{
+    const double spring = unilateral_push(&p->push, m->s, 0), all = unilateral_push(&p->push, m->s, rate);
+    add(o, m->n, rate, all - spring, all > 0 ? p->push.c : 0);
+    struct strain *s = &o->of[o->n - 1];
+    s->s = m->s;
+    s->V = unilateral_energy(&p->push, m->s);
+    s->f = spring;
+    s->ks = unilateral_slope(&p->push, m->s);
+}
+
 static void strains(struct strains *o, const void *par, const struct between *x)
 {
     const struct sliding *p = par;
@@ -76,6 +93,7 @@ static void strains(struct strains *o, const void *par, const struct between *x)
     velocity_at(first, &x->a, m.at);
     v3_take(u, first);
     const double closing = v3_dot(m.n, u);
+    if (p->pair == PAIR_OUTLINE) add_push(o, p, &m, closing);
     v3_axpy(u, -closing, m.n);
     const double speed = v3_norm(u), root = sqrt(speed * speed + p->slip * p->slip);
     const double F = p->mu * unilateral_push(&p->push, m.s, p->pair == PAIR_HOLE ? -closing : closing);
@@ -92,7 +110,16 @@ static void strains(struct strains *o, const void *par, const struct between *x)
     add(o, side, 0, 0, F / root);
 }
 
+static void means(struct strains *o, const void *par, const double *s0, const double *s1)
+{
+    const struct sliding *p = par;
+    struct strain *push = &o->of[0];
+    if (p->pair == PAIR_OUTLINE) push->f = unilateral_mean_push(&push->ks, &p->push, s0[0], s1[0]);
+}
+
 const struct force_kind force_sliding = {.name = "sliding",
                                          .brief = "smooth friction of a compliant contact",
                                          .size = sizeof(struct sliding),
-                                         .strains = strains};
+                                         .strains = strains,
+                                         .means = means,
+                                         .sharp = true};

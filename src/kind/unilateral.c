@@ -77,6 +77,16 @@ double unilateral_push(const struct unilateral *p, double s, double v)
     return F + damping(p, F, sign_of(p) * v);
 }
 
+double unilateral_energy(const struct unilateral *p, double s)
+{
+    return energy(p, depth(p, s));
+}
+
+double unilateral_slope(const struct unilateral *p, double s)
+{
+    return slope(p, depth(p, s));
+}
+
 static void unilateral_law(struct law *o, const void *par, double s, double v, double t)
 {
     const struct unilateral *p = par;
@@ -87,12 +97,17 @@ static void unilateral_law(struct law *o, const void *par, double s, double v, d
 
 static double unilateral_stored(const void *par, double s)
 {
-    return energy(par, depth(par, s));
+    return unilateral_energy(par, s);
+}
+
+double unilateral_mean_push(double *ks, const struct unilateral *p, double s0, double s1)
+{
+    return mean_push(ks, p, depth(p, s0), depth(p, s1));
 }
 
 static void unilateral_mean(struct law *o, const void *par, double s0, double s1)
 {
-    o->f = 0 - sign_of(par) * mean_push(&o->ks, par, depth(par, s0), depth(par, s1));
+    o->f = 0 - sign_of(par) * unilateral_mean_push(&o->ks, par, s0, s1);
 }
 
 static double unilateral_dissipative(const void *par, double s, double v, double t)

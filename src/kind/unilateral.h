@@ -14,5 +14,10 @@ struct unilateral {
 
 /* The whole push of the spring and its damper at s, s' = v; 0 where it is open [N]. */
 double unilateral_push(const struct unilateral *p, double s, double v);
+/* Of the spring alone: its energy [J], how fast its push grows with depth [N/m], its mean push from s0 to s1 and minus twice
+ * the change of that with s1, as in kind/force.h. */
+double unilateral_energy(const struct unilateral *p, double s);
+double unilateral_slope(const struct unilateral *p, double s);
+double unilateral_mean_push(double *ks, const struct unilateral *p, double s0, double s1);
 
 #endif

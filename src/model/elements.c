@@ -179,7 +179,8 @@ static void make_contact(struct making *o, struct model_contact *to, const struc
                                  .side = from->side,
                                  .limit = from->limit,
                                  .radius = from->radius,
-                                 .other = from->other};
+                                 .other = from->other,
+                                 .outline = from->outline};
     to->joint = to->loop = -1;
     if (from->pair == PAIR_FRICTION) {
         make_friction(o, to, from->joint);

@@ -132,10 +132,11 @@ struct model_contact {
     double side, limit;      /* and where it is closed, see contact/contact.h */
     bool angular;            /* its gap is an angle */
     struct model_point a, b; /* others: centre of the sphere; a point of the plane, centre of the other sphere */
-    double normal[3];        /* of the plane, and */
+    double normal[3];        /* of the plane, x axis of the outline, and */
     double along[3];         /* where its friction is counted from; axes of b's body */
     double radius, other;    /* of the sphere at a; of that at b.  PAIR_FRICTION: arm of the force, length of a guide */
-    int across;              /* directions of friction */
+    const struct outline *outline; /* PAIR_OUTLINE: from b */
+    int across;                    /* directions of friction */
     bool fast;
 };
 

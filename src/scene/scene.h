@@ -153,7 +153,8 @@ struct scene_contact {
     double limit;       /* [m] or [rad] */
     struct marker a, b; /* others, as in model.h */
     double normal[3], along[3];
-    double radius, other; /* PAIR_FRICTION: arm, length of the guide */
+    double radius, other;          /* PAIR_FRICTION: arm, length of the guide */
+    const struct outline *outline; /* PAIR_OUTLINE: from b, its x axis along normal */
 };
 
 /* A measure that moves as a function of time, s(q) = c(t): rheonomic constraint. */

@@ -1,6 +1,6 @@
 /* compliant.c -- contacts that give way: forces along the distance of two surfaces, and friction beside them.
  *
- * Of contact NAME they are the measure NAME.gap, over a plane, or NAME.distance, of centres, the force NAME along it
+ * On a curve both are one force.  Else of contact NAME they are the measure NAME.gap, over a plane, or NAME.distance, of centres, the force NAME along it
  * (kind/unilateral.h) and NAME.friction (kind/sliding.h). */
 #include "kind/sliding.h"
 #include "la/vec3.h"
@@ -67,9 +67,15 @@ static void add_push(struct builder *b, const struct scene_contact *c, const str
 static void add_sliding(struct builder *b, const struct scene_contact *c, const struct unilateral *push, double slip)
 {
     struct sliding *p = TAKE(b->life, struct sliding, 1);
-    struct scene_force *f = add_force(b, c, arena_print(b->life, "%s.friction", c->name));
-    *p = (struct sliding){
-        .pair = c->pair, .radius = c->radius, .other = c->other, .push = *push, .mu = c->law.sliding, .slip = slip};
+    const bool all = c->pair == PAIR_OUTLINE;
+    struct scene_force *f = add_force(b, c, all ? c->name : arena_print(b->life, "%s.friction", c->name));
+    *p = (struct sliding){.pair = c->pair,
+                          .radius = c->radius,
+                          .other = c->other,
+                          .outline = c->outline,
+                          .push = *push,
+                          .mu = c->law.sliding,
+                          .slip = slip};
     v3_copy(p->normal, c->normal);
     if (c->pair == PAIR_PLANE) p->push.from = c->radius; /* its measure is that of the centre */
     m3_unit(p->on.drawn);
@@ -88,6 +94,6 @@ void add_compliant(struct builder *b, const struct scene_contact *c, const struc
     *push = k->push;
     push->side = c->pair == PAIR_HOLE ? UNILATERAL_ABOVE : UNILATERAL_BELOW;
     push->from = c->pair == PAIR_SPHERES ? c->radius + c->other : c->pair == PAIR_HOLE ? c->other - c->radius : 0;
-    add_push(b, c, push);
-    if (c->law.sliding > 0) add_sliding(b, c, push, slip);
+    if (c->pair != PAIR_OUTLINE) add_push(b, c, push);
+    if (c->law.sliding > 0 || c->pair == PAIR_OUTLINE) add_sliding(b, c, push, slip);
 }

@@ -2,13 +2,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "kind/outline.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 #include "scene_read/parts.h"
 
 static const double USUAL_SLIP = 1e-3; /* of compliant contacts whose friction is a number [m/s] */
 
-enum shape { SHAPE_PLANE, SHAPE_POINT, SHAPE_POINTS, SHAPE_SPHERE, SHAPE_HOLE, SHAPES };
+enum shape { SHAPE_PLANE, SHAPE_POINT, SHAPE_POINTS, SHAPE_SPHERE, SHAPE_HOLE, SHAPE_PROFILE, SHAPE_CAM, SHAPES };
 
 static const struct {
     const char *word, *brief;
@@ -17,7 +18,9 @@ static const struct {
                     {"point", "a point of a body", keys_spot},
                     {"points", "several points of bodies", keys_spots},
                     {"sphere", "a ball; in 2-D a disc", keys_sphere},
-                    {"hole", "the inside of a ball; in 2-D of a bore", keys_hole}};
+                    {"hole", "the inside of a ball; in 2-D of a bore", keys_hole},
+                    {"profile", "a curve of y over x, 2-D", keys_profile},
+                    {"cam", "a closed curve of radius over angle, 2-D", keys_cam}};
 
 struct surface {
     const struct node *node;
@@ -26,6 +29,7 @@ struct surface {
     struct marker *at;        /* [n] */
     const struct node **spot; /* [n] where the deck names them; NULL: it is no surface of points */
     double radius, normal[3], along[3];
+    const struct outline *outline;
 };
 
 static int shape_of(struct builder *b, const struct node *n)
@@ -109,6 +113,27 @@ static int read_spots(struct builder *b, struct surface *o, const struct node *l
     return 0;
 }
 
+static int read_outline(struct builder *b, struct surface *o, const struct surface_keys *k, const char *what)
+{
+    static const double x_axis[3] = {1, 0, 0}, TURN = 2 * 3.14159265358979323846;
+    const bool cam = o->shape == SHAPE_CAM;
+    const struct points *p = &k->points;
+    const struct node *n = node_find(o->node, "table");
+    if (!n) n = node_find(o->node, "file");
+    if (p->n < 2 + cam || (cam && !(p->x[p->n - 1] - p->x[0] < TURN))) {
+        diag_error(b->diags, n, AT_VALUE, "E-table", "%s: %s", what,
+                   cam ? "expected three points or more, within one turn, the first not repeated at its end"
+                       : "expected two points or more");
+        return 1;
+    }
+    o->outline = outline_make(p, cam, b->life);
+    m3_tmul(o->normal, b->scene->body[o->at->body].R, x_axis);
+    if (!cam || outline_least(o->outline) > 0) return 0;
+    diag_error(b->diags, n, AT_VALUE, "E-table", "%s: its radius falls to %.3g m: it is above 0 all round", what,
+               outline_least(o->outline));
+    return 1;
+}
+
 static int read_surface(struct builder *b, struct surface *o, const struct node *n)
 {
     char what[100];
@@ -119,10 +144,12 @@ static int read_surface(struct builder *b, struct surface *o, const struct node 
     if (shape < 0) return 1;
     *o = (struct surface){.node = n, .shape = shape, .n = 1};
     if (read_keys(&k, shapes[shape].keys, n, NULL, what, &b->reader)) return 1;
+    if ((shape == SHAPE_PROFILE || shape == SHAPE_CAM) && one_table(b, n)) return 1;
     if (shape == SHAPE_POINT || shape == SHAPE_POINTS) return read_spots(b, o, k.on, what);
     o->at = TAKE(b->life, struct marker, 1);
     o->radius = k.radius;
     if (place_on_body(b, o->at, &k, what)) return 1;
+    if (shape == SHAPE_PROFILE || shape == SHAPE_CAM) return read_outline(b, o, &k, what);
     return shape == SHAPE_PLANE ? read_axes(b, o, &k, what) : 0;
 }
 
@@ -150,19 +177,26 @@ static const struct surface *find_surface(struct builder *b, const struct surfac
     return NULL;
 }
 
+/* Others touch it, and it touches none of its like. */
+static bool is_ground(const struct surface *o)
+{
+    return o->shape != SHAPE_SPHERE && o->shape != SHAPE_POINT && o->shape != SHAPE_POINTS;
+}
+
 /* The pair, with the surface that has the spheres first; CONTACT_PAIRS: it is none. */
 static enum contact_pair pair_of(const struct surface **first, const struct surface **second)
 {
     const struct surface *a = *first, *b = *second;
-    if (a->shape == SHAPE_PLANE || a->shape == SHAPE_HOLE) {
+    if (is_ground(a)) {
         *first = b;
         *second = a;
     }
     a = *first;
     b = *second;
-    if (a->shape == SHAPE_PLANE || a->shape == SHAPE_HOLE) return CONTACT_PAIRS;
+    if (is_ground(a)) return CONTACT_PAIRS;
     if (b->shape == SHAPE_PLANE) return PAIR_PLANE;
     if (b->shape == SHAPE_HOLE) return PAIR_HOLE;
+    if (b->outline) return PAIR_OUTLINE;
     if (a->shape != SHAPE_SPHERE) {
         *first = b;
         *second = a;
@@ -204,6 +238,19 @@ static void add(struct builder *b, const struct scene_contact *like, const struc
     }
 }
 
+/* A disc that is larger than a hollow touches it at two places, of which one is known. */
+static int refuse_hollow(struct builder *b, const struct surface *disc, const struct surface *on, const char *what)
+{
+    double where, most = on->outline ? outline_hollow(on->outline, &where) : 0;
+    if (!(disc->radius * most >= 1)) return 0;
+    diag_error(b->diags, disc->node, AT_KEY, "E-hollow",
+               "%s: the disc's radius is %.3g m, that of the hollow of '%.60s' at %.3g only %.3g m", what, disc->radius,
+               on->node->key, where, 1 / most);
+    diag_hint(b->diags,
+              "a smaller disc reaches all of the curve; a wheel on a rough road has a smoother one, of its centre");
+    return 1;
+}
+
 /* Rigid ones touch rigid bodies. */
 static int refuse_bent_spots(struct builder *b, const struct surface *o)
 {
@@ -232,8 +279,7 @@ static int read_contact(struct builder *b, const struct surface *all, int n, con
     if (o.pair == CONTACT_PAIRS) {
         diag_error(b->diags, k.between, AT_VALUE, "E-pair", "%s: %s and %s do not make a contact", what,
                    shapes[first->shape].word, shapes[second->shape].word);
-        diag_hint(b->diags,
-                  "known pairs: point or sphere and plane, sphere and sphere or point, point or sphere and hole");
+        diag_hint(b->diags, "known pairs: point or sphere and plane, hole, profile or cam, sphere and sphere or point");
         return 1;
     }
     for (int i = 0; i < first->n; i++)
@@ -242,6 +288,8 @@ static int read_contact(struct builder *b, const struct surface *all, int n, con
                        b->scene->body[second->at->body].name);
             return 1;
         }
+    if (refuse_hollow(b, first, second, what)) return 1;
+    o.outline = second->outline;
     o.law.restitution = k.restitution;
     o.law.speed = k.speed;
     o.radius = first->radius;

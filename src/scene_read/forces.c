@@ -98,7 +98,7 @@ int read_condition(struct builder *b, struct scene_condition *o, const struct no
     return 0;
 }
 
-static int one_table(struct builder *b, const struct node *n)
+int one_table(struct builder *b, const struct node *n)
 {
     const bool table = node_find(n, "table"), file = node_find(n, "file");
     if (table != file) return 0;

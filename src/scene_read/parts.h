@@ -40,6 +40,7 @@ struct value_keys { /* force, torque */
 struct surface_keys {
     const struct node *on, *at, *normal, *along;
     double radius;
+    struct points points;
 };
 struct contact_keys {
     const struct node *between, *friction;
@@ -113,8 +114,8 @@ extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], k
     keys_displacement[], keys_angle[], keys_force[], keys_torque[], keys_drive[], keys_table[], keys_partition[],
     keys_integrate[], keys_output[], keys_every[], keys_checkpoint[], keys_checkpoint_every[], keys_energy[],
     keys_omega[], keys_state[], keys_from[], keys_until[], keys_band[], keys_range[], keys_hold[], keys_plane[],
-    keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_contact[], keys_friction[], keys_pin_friction[],
-    keys_slide_friction[], keys_first_order[];
+    keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_profile[], keys_cam[], keys_contact[], keys_friction[],
+    keys_pin_friction[], keys_slide_friction[], keys_first_order[];
 
 /* the parts, in the order they are read; each returns the number of errors it reported */
 int read_space(struct builder *b, const struct deck_keys *k);
@@ -156,6 +157,8 @@ int read_signals(struct builder *b, const struct node *n);
 const struct signal *find_table_signal(const struct builder *b, const char *name);
 /* forces.c: is it an expression of time and the motion? */
 int check_expression(struct builder *b, const struct node *n);
+/* Of a map that takes a 'table' or a 'file': is there one of them? */
+int one_table(struct builder *b, const struct node *n);
 int read_time_table(struct builder *b, struct signal *o, const struct node *n);
 /* measures.c: may a measure or signal be called so?  1: told why not. */
 int wrong_value_name(struct builder *b, const struct node *n, const char *what);

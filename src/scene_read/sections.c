@@ -279,6 +279,8 @@ static const struct section fixed[] = {
     {"surfaces.NAME", "points", "several points of bodies", keys_spots},
     {"surfaces.NAME", "sphere", "a ball; in 2-D a disc", keys_sphere},
     {"surfaces.NAME", "hole", "the inside of a ball; in 2-D of a bore", keys_hole},
+    {"surfaces.NAME", "profile", "a curve of y over x, 2-D", keys_profile},
+    {"surfaces.NAME", "cam", "a closed curve of radius over angle, 2-D", keys_cam},
     {"contacts.NAME", NULL, "two surfaces that touch, rigid or compliant", keys_contact},
     {"contacts.NAME.friction", NULL, "Coulomb's friction", keys_friction},
     {"drives.NAME", NULL, "a motion that is prescribed", keys_drive},

@@ -23,6 +23,25 @@ const struct key keys_spots[] = {
     SURFACE("points", "[body.point, ...]", "the points; contact NAME has NAME.1, NAME.2, ..."), KEYS_END};
 const struct key keys_sphere[] = {SURFACE("sphere", "body", "the body that it is fixed in"), CENTRE, RADIUS, KEYS_END};
 const struct key keys_hole[] = {SURFACE("hole", "body", "the body that it is in"), CENTRE, RADIUS, KEYS_END};
+const struct key keys_profile[] = {
+    PARAM_NODE(struct surface_keys, on, "profile", "body", KEY_REQUIRED | KEY_PLANAR, "the body that it is fixed in"),
+    PARAM_NODE(struct surface_keys, at, "at", "vector [m]", 0,
+               "where x = y = 0 is when drawn, world, its axes those of the world; default: the body's centre of mass"),
+    PARAM_TABLE(struct surface_keys, points, "table", "[[x, y], ...], or a name in tables", 0,
+                "points [m]; smooth between, straight beyond the ends; free is what lies above"),
+    PARAM_CSV(struct surface_keys, points, "file", 0, "CSV file of x, y beside the deck"),
+    KEYS_END,
+};
+const struct key keys_cam[] = {
+    PARAM_NODE(struct surface_keys, on, "cam", "body", KEY_REQUIRED | KEY_PLANAR, "the body that it is fixed in"),
+    CENTRE,
+    PARAM_TABLE(
+        struct surface_keys, points, "table", "[[angle, radius], ...], or a name in tables", 0,
+        "points [rad], [m] of one turn when drawn, counted from the world's x axis; smooth between; free is what "
+        "lies outside"),
+    PARAM_CSV(struct surface_keys, points, "file", 0, "CSV file of angle, radius beside the deck"),
+    KEYS_END,
+};
 
 const struct key keys_contact[] = {
     PARAM_NODE(struct contact_keys, between, "between", "[surface, surface]", KEY_REQUIRED, "what touches"),
