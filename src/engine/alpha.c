@@ -12,6 +12,8 @@
  * Where M^ is constant the energy is short of the work by (e = 1/2 - f; v, z, D: means of both ends, dD the difference)
  *
  *     lost = h e v.dD - h^2/4 (gamma - 1/2) z.(D + e dD),      D = M^ (a - z) = r(q, v, a, t) */
+#include <stdio.h>
+
 #include "engine/implicit.h"
 #include "engine/stepped.h"
 
@@ -26,8 +28,9 @@ struct alpha {
 static struct alpha weights(const struct step_options *options, int variant)
 {
     const double rho = options->rho_infinity;
+    const double alpha = rho < 1 ? (rho - 1) / (rho + 1) : options->alpha;
     const double am = variant == HILBER ? 0 : (2 * rho - 1) / (rho + 1);
-    const double af = variant == HILBER ? -options->alpha : rho / (rho + 1);
+    const double af = variant == HILBER ? -alpha : rho / (rho + 1);
     const double gamma = .5 + af - am, beta = (gamma + .5) * (gamma + .5) / 4;
     return (struct alpha){.m = am, .f = af, .beta = beta, .gamma = gamma};
 }
@@ -42,6 +45,7 @@ static void open(struct implicit *m, struct arena *life)
 {
     struct alpha *o = m->own = TAKE(life, struct alpha, 1);
     *o = weights(m->options, m->scheme->variant);
+    m->damps = true;
     double **vector[] = {&o->a0, &o->a1, &o->D, &o->a_before, &o->D_before};
     for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) *vector[i] = TAKE(life, double, m->ode->n);
 }
@@ -129,9 +133,27 @@ static void recall(struct implicit *m, struct recall *r)
     }
 static const struct implicit_scheme scheme[] = {SCHEME(CHUNG), SCHEME(HILBER)};
 static const struct key keys_chung[] = {KEY_RHO_INFINITY, KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
-static const struct key keys_hilber[] = {PARAM_REAL(struct step_options, alpha, "alpha", NULL, -1. / 3, 0, KEY_META,
+static const struct key keys_hilber[] = {KEY_RHO_INFINITY,
+                                         PARAM_REAL(struct step_options, alpha, "alpha", NULL, -1. / 3, 0, KEY_META,
                                                     "-0.05", "0 keeps all energy, -1/3 damps most"),
                                          KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
+
+/* From alpha = -1/3 on it damps less again, and it is for alpha. */
+static bool fits_hilber(const struct step_options *o, struct misfit *why)
+{
+    if (o->rho_infinity == 1) return true;
+    if (o->rho_infinity >= .5 && o->alpha == -.05) return true;
+    *why = (struct misfit){.code = "E-damping", .key = "rho_infinity", .other = "alpha"};
+    if (o->alpha != -.05) {
+        snprintf(why->text, sizeof why->text, "'rho_infinity' gives alpha: both were given");
+        why->hint = "leave out one of them";
+    } else {
+        snprintf(why->text, sizeof why->text,
+                 "rho_infinity %g: hht leaves at least 0.5 of what the step does not resolve", o->rho_infinity);
+        why->hint = "0.5 or more; scheme generalized-alpha goes down to 0";
+    }
+    return false;
+}
 
 static double late_chung(const struct step_options *o)
 {
@@ -147,8 +169,8 @@ static double late_hilber(const struct step_options *o)
     .name = "generalized-alpha", .keys = keys_chung, .order = 2, .late = late_chung, .back = back, .carried = carried, \
     .brief = "Chung and Hulbert's method, one rate, damps what 'step' cannot resolve"
 #define HILBER_KIND                                                                                                    \
-    .name = "hht", .keys = keys_hilber, .order = 2, .late = late_hilber, .back = back, .carried = carried,             \
-    .brief = "Hilber, Hughes and Taylor's method, one rate, damps what 'step' cannot resolve"
+    .name = "hht", .keys = keys_hilber, .fits = fits_hilber, .order = 2, .late = late_hilber, .back = back,            \
+    .carried = carried, .brief = "Hilber, Hughes and Taylor's method, one rate, damps what 'step' cannot resolve"
 extern const struct stepper_kind step_generalized_alpha, step_hht;
 static const struct stepped_scheme by_error[] = {STEPPED(&step_generalized_alpha, stepped_between),
                                                  STEPPED(&step_hht, stepped_between)};

@@ -135,7 +135,7 @@ static enum status iterate(struct implicit *m, struct trouble *why)
  * on their own do away with it in few steps, and not all of these turn it round. */
 static bool overdamped(const struct implicit *m)
 {
-    const double most = m->scheme->accept ? .25 : 1;
+    const double most = m->damps ? .25 : 1;
     if (m->scheme->middle || m->w[POWER_DAMPER] == 0) return false;
     for (int i = 0; i < m->ode->n; i++)
         if (fabs(m->v[i] - m->v0[i]) > most * fabs(m->v[i] + m->v0[i]) && m->a0[i] * m->z[i] < 0) return true;

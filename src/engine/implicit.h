@@ -29,7 +29,8 @@ struct implicit {
     const struct ode2 *ode;
     struct effort *effort;
     struct accel *accel;
-    void *own; /* the scheme's memory, by its open() */
+    void *own;  /* the scheme's memory, by its open() */
+    bool damps; /* by open(): it takes out what the step does not resolve */
 
     /* the step under way */
     double h;

@@ -15,12 +15,27 @@
 
 #include "engine/accel.h"
 #include "engine/implicit.h"
+#include "engine/motion.h"
 #include "engine/stepped.h"
+
+struct newmark {
+    struct newmark_weights w;
+    double *Q0, *Q1; /* [n] generalized forces at both ends */
+    int known;       /* is Q0 there? */
+};
+
+struct newmark_weights newmark_weights(const struct step_options *o)
+{
+    const double rho = o->rho_infinity;
+    if (rho == 1) return (struct newmark_weights){o->beta, o->gamma};
+    return (struct newmark_weights){1 / ((1 + rho) * (1 + rho)), (3 - rho) / (2 + 2 * rho)};
+}
 
 static void begin(struct implicit *m)
 {
-    m->cc = m->options->gamma * m->h;
-    m->ck = m->options->beta * m->h * m->h;
+    const struct newmark *o = m->own;
+    m->cc = o->w.gamma * m->h;
+    m->ck = o->w.beta * m->h * m->h;
 }
 
 /* (2-5), (2-6). */
@@ -36,7 +51,8 @@ static void rates_from(double *restrict dx, double *restrict v, const double *re
 
 static void rates(struct implicit *m, const double *a1)
 {
-    rates_from(m->dx, m->v, m->v0, m->a0, a1, m->h, m->options->beta, m->options->gamma, m->ode->n);
+    const struct newmark *o = m->own;
+    rates_from(m->dx, m->v, m->v0, m->a0, a1, m->h, o->w.beta, o->w.gamma, m->ode->n);
 }
 
 /* (2-9): a - M^^-1 Q^ at the last iterate, as a residual whose matrix is 1. */
@@ -50,16 +66,70 @@ static enum status defect(void *self, double *r, double *dk, const double *a, st
     return OK;
 }
 
+/* ---- what gamma above 1/2 takes -------------------------------------------------------------------------------- */
+
+/* Q := what all forces are at q, v, t: the residual of no acceleration, turned round. */
+static enum status forces(struct implicit *m, double *Q, const double *q, const double *v, double t,
+                          struct trouble *why)
+{
+    const struct instant there = {.t = t, .q = q, .v = v, .ta = t, .tb = t};
+    m->effort->slow++;
+    m->effort->fast++;
+    TRY(m->ode->ops->resid(m->ode, Q, NULL, NULL, &there, ALL, why));
+    for (int i = 0; i < m->ode->n; i++) Q[i] = -Q[i];
+    return OK;
+}
+
+/* With M a = Q at both ends, (2-5) and (2-6): half of (v0 + v1)'M(v1 - v0) is what Q0 and Q1 do on the average along the
+ * displacement, but for
+ *
+ *     h/2 (gamma - 1/2) (v0 + v1)'(Q1 - Q0) - h^2/2 (beta - gamma/2) (Q0 + Q1)'(a1 - a0)
+ *
+ * (Krenk, Int. J. Numer. Methods Eng. 67 (2006) 1, of linear systems): that is the scheme's own. */
+static enum status accept(struct implicit *m, struct stepper *s, struct trouble *why)
+{
+    struct newmark *o = m->own;
+    const struct newmark_weights *w = &o->w;
+    const int n = m->ode->n;
+    const double g = m->h / 2 * (w->gamma - .5), b = m->h * m->h / 2 * (w->beta - w->gamma / 2);
+    if (w->gamma == .5) return OK;
+    if (!o->known) TRY(forces(m, o->Q0, m->q0, m->v0, m->x.t - m->h, why));
+    TRY(forces(m, o->Q1, m->q, m->v, m->x.t, why));
+    for (int i = 0; i < n; i++) {
+        s->lost -= g * (m->v0[i] + m->v[i]) * (o->Q1[i] - o->Q0[i]) - b * (o->Q0[i] + o->Q1[i]) * (m->z[i] - m->a0[i]);
+        o->Q0[i] = o->Q1[i];
+    }
+    o->known = true;
+    return OK;
+}
+
+static void start(struct implicit *m)
+{
+    ((struct newmark *)m->own)->known = false;
+}
+
+static void recall(struct implicit *m, struct recall *r)
+{
+    struct newmark *o = m->own;
+    recall_one(r, "known", o->known);
+    recall_list(r, "forces", o->Q0, m->ode->n);
+}
+
 static void open(struct implicit *m, struct arena *life)
 {
     enum { MOST_ITERATIONS = 50 };
-    (void)life;
+    struct newmark *o = m->own = TAKE(life, struct newmark, 1);
+    o->w = newmark_weights(m->options);
+    m->damps = o->w.gamma > .5;
+    o->Q0 = TAKE(life, double, m->ode->n);
+    o->Q1 = TAKE(life, double, m->ode->n);
     if (m->options->iteration != ITERATION_FIXED_POINT) return;
     implicit_without_matrix(m, defect);
     m->newton.limit = MOST_ITERATIONS;
 }
 
-static const struct implicit_scheme newmark = {.begin = begin, .rates = rates, .open = open};
+static const struct implicit_scheme newmark = {
+    .begin = begin, .rates = rates, .open = open, .start = start, .accept = accept, .recall = recall};
 
 bool newmark_fits(const struct step_options *o, struct misfit *why)
 {
@@ -71,6 +141,7 @@ bool newmark_fits(const struct step_options *o, struct misfit *why)
 }
 
 static const struct key keys[] = {
+    KEY_RHO_INFINITY,
     KEYS_NEWMARK,
     PARAM_WORD(struct step_options, iteration, "iteration", "newton|fixed-point", 0, "newton",
                "fixed-point is (2-9), which needs small steps"),
@@ -81,21 +152,31 @@ static const struct key keys[] = {
 
 static double late(const struct step_options *o)
 {
-    return (o->beta - 1. / 12) / 2;
+    const struct newmark_weights w = newmark_weights(o);
+    const double e = w.gamma - .5; /* from the angle of the eigenvalue of a vibration */
+    return (w.beta + e * e / 4 - e / 2 - 1. / 12) / 2;
 }
 
 static double fades(const struct step_options *o)
 {
-    return (o->gamma - .5) / 2;
+    return (newmark_weights(o).gamma - .5) / 2;
 }
 
 /* With gamma above 1/2 the order is 1, and the error another. */
 static bool fits(const struct step_options *o, struct misfit *why)
 {
+    const bool damps = o->rho_infinity < 1;
+    if (damps && (o->beta != .25 || o->gamma != .5)) {
+        *why = (struct misfit){.code = "E-newmark", .key = "rho_infinity", .other = o->gamma != .5 ? "gamma" : "beta"};
+        snprintf(why->text, sizeof why->text, "'rho_infinity' gives beta and gamma: both were given");
+        why->hint = "leave out one of them";
+        return false;
+    }
     if (!newmark_fits(o, why)) return false;
-    if (!(o->tolerance > 0) || o->gamma == .5) return true;
-    *why = (struct misfit){.code = "E-newmark", .key = "gamma", .other = "tolerance"};
-    snprintf(why->text, sizeof why->text, "gamma %g is of order 1: no steps by 'tolerance'", o->gamma);
+    if (!(o->tolerance > 0) || newmark_weights(o).gamma == .5) return true;
+    *why = (struct misfit){.code = "E-newmark", .key = damps ? "rho_infinity" : "gamma", .other = "tolerance"};
+    snprintf(why->text, sizeof why->text, "%s %g is of order 1: no steps by 'tolerance'", why->key,
+             damps ? o->rho_infinity : o->gamma);
     why->hint = "gamma 1/2 with 'tolerance'; to damp what the step cannot resolve, scheme generalized-alpha";
     return false;
 }

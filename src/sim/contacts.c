@@ -18,31 +18,41 @@ static const char *what_it_does(const struct sim *sim)
     return sim->scene->contact[0].pair == PAIR_FRICTION ? "has friction" : "is a rigid contact";
 }
 
+/* What of the deck's scheme does not take them; *at: where it says so. */
+static const char *refused(const struct sim *sim, const struct node **at)
+{
+    const struct integrate *p = &sim->plan;
+    const struct step_options *o = p->options;
+    const struct stepper_kind *kind = sim->stepper.kind, *single = stepper_find(p->scheme)->single;
+    const struct node *scheme = node_find(p->node, "scheme");
+    *at = scheme ? scheme : p->node;
+    if (kind->cut) return NULL;
+    if (!single || !single->cut) return "";
+    const char *key = o->tolerance > 0 ? "tolerance" : p->ratio > 1 ? "ratio" : "rho_infinity";
+    if (node_find(p->node, key)) *at = node_find(p->node, key);
+    return p->ratio > 1 ? " at ratio 1 only" : o->tolerance > 0 ? " by 'step' only" : " without what damps only";
+}
+
 /* Rigid contacts cut steps at impacts: that is written for the midpoint rule. */
 enum status contacts_plan(const struct sim *sim, struct diags *diags)
 {
     const struct integrate *p = &sim->plan;
     const struct step_options *o = p->options;
-    const char *name = sim->scene->contact[0].name, *what = what_it_does(sim);
-    const struct node *scheme = node_find(p->node, "scheme"), *ratio = node_find(p->node, "ratio");
-    const struct stepper_kind *kind = stepper_find(p->scheme);
-    const bool rates = kind && kind->single && kind->single->cut,
-               single = kind && (kind->cut || (rates && p->ratio == 1 && !(o->tolerance > 0)));
-    if (single && o->order == 4) {
+    const char *name = sim->scene->contact[0].name, *does = what_it_does(sim);
+    const struct node *at;
+    const char *what = refused(sim, &at);
+    if (!what && o->order == 4) {
         diag_error(diags, node_find(p->node, "order"), AT_VALUE, "E-scheme-contact",
-                   "'%.60s' %s: steps of order 4 go back in time, which impacts and friction do not", name, what);
+                   "'%.60s' %s: steps of order 4 go back in time, which impacts and friction do not", name, does);
         diag_hint(diags, "order: 2%s", give_way(sim));
         return E_DECK;
     }
-    if (single) return OK;
-    diag_error(diags,
-               rates && ratio ? ratio
-               : scheme       ? scheme
-                              : p->node,
-               AT_VALUE, "E-scheme-contact",
-               rates ? "'%.60s' %s: %s takes those at ratio 1 only" : "'%.60s' %s: only scheme midpoint takes those",
-               name, what, p->scheme);
-    diag_hint(diags, "%s%s", rates ? "set 'ratio' to 1" : "write 'scheme: midpoint', or leave it out", give_way(sim));
+    if (!what) return OK;
+    diag_error(diags, at, AT_VALUE, "E-scheme-contact",
+               *what ? "'%.60s' %s: %s takes those%s" : "'%.60s' %s: only scheme midpoint takes those", name, does,
+               p->scheme, what);
+    diag_hint(diags, "%s%s", p->ratio > 1 ? "set 'ratio' to 1" : "write 'scheme: midpoint', or leave it out",
+              give_way(sim));
     return E_DECK;
 }
 

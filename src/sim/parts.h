@@ -11,6 +11,8 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life,
 enum status choose_columns(struct sim *sim, struct diags *diags, struct arena *life, struct report *report);
 
 /* unread.c: warnings of keys that the scheme does not read */
+/* Does --set compare another scheme with the deck's, whose key waits for its own? */
+bool scheme_is_compared(const struct sim *sim, const struct node *key);
 void warn_of_unread(const struct sim *sim, struct diags *diags);
 
 /* advance.c: one major step to `to`, halved where it must be; after the stepper is open */

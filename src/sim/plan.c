@@ -26,6 +26,30 @@ static enum status check_options(const struct sim *sim, const struct stepper_kin
     return E_DECK;
 }
 
+/* Damping that is asked for is had, or refused: without it what the step does not resolve rings on. */
+static enum status check_damping(const struct sim *sim, const struct stepper_kind *kind, struct diags *diags)
+{
+    const struct integrate *p = &sim->plan;
+    const struct node *rho = node_find(p->node, "rho_infinity");
+    const double value = ((const struct step_options *)p->options)->rho_infinity;
+    if (!rho || rho->implied || sim->options.counting || scheme_is_compared(sim, rho)) return OK;
+    if (value < 1 && !key_find(kind->keys, "rho_infinity")) {
+        diag_error(diags, rho, AT_KEY, "E-damping", "scheme %s does not damp, it has no 'rho_infinity'", kind->name);
+        diag_hint(diags, kind->adaptive
+                             ? "its steps resolve what there is: leave it out"
+                             : "generalized-alpha, hht and newmark have; subcycle damps what is fast, at ratio "
+                               "1, too");
+        return E_DECK;
+    }
+    const struct node *alpha = node_find(p->node, "alpha");
+    if (value == 1 && key_find(kind->keys, "alpha") && (!alpha || alpha->implied)) {
+        diag_error(diags, rho, AT_VALUE, "E-damping", "rho_infinity 1 leaves alpha as it is, -0.05");
+        diag_hint(diags, "alpha: 0 keeps all energy");
+        return E_DECK;
+    }
+    return OK;
+}
+
 /* What a deck leaves open: without a step, the motion to DEFAULT_TOLERANCE; without a scheme besides, by dopri5,
  * or by midpoint, which takes rigid contacts. */
 static void fill_in(struct sim *sim, struct arena *life)
@@ -58,6 +82,7 @@ static enum status find_scheme(struct sim *sim, struct diags *diags)
     const struct stepper_kind *kind = stepper_find(p->scheme);
     if (kind) {
         sim->stepper.kind = kind;
+        TRY(check_damping(sim, kind, diags));
         return check_options(sim, kind, diags);
     }
     const struct node *at = node_find(p->node, "scheme");
@@ -157,12 +182,12 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life,
     fill_in(sim, life);
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
-    if (sim->scene->ncontact) TRY(contacts_plan(sim, diags));
-    if (!(p->until > 0)) return E_DECK;
     if (((const struct step_options *)p->options)->tolerance > 0)
         prefer_own_steps(sim);
     else
         prefer_single_rate(sim);
+    if (sim->scene->ncontact) TRY(contacts_plan(sim, diags));
+    if (!(p->until > 0)) return E_DECK;
     double H = p->step * p->ratio;
     if (sim->stepper.kind->adaptive) { /* its steps are its own: counted are those from record to record */
         const struct output *out = &sim->scene->output;

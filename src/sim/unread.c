@@ -35,7 +35,7 @@ static bool paces_records(const struct sim *sim, const char *key)
     return sim->stepper.kind->adaptive && !(out->every > 0) && (strcmp(key, "step") == 0 || strcmp(key, "ratio") == 0);
 }
 
-static bool compared(const struct sim *sim, const struct node *key)
+bool scheme_is_compared(const struct sim *sim, const struct node *key)
 {
     const struct deck *deck = sim->scene->deck;
     return deck_was_set(deck, node_find(sim->plan.node, "scheme")) && !deck_was_set(deck, key);
@@ -68,6 +68,7 @@ static void warn_of_partition(const struct sim *sim, struct diags *diags)
     const struct node *leads = node_find(node_find(sim->scene->deck->root, "partition"), "independent");
     const struct ode2 *ode = system_ode2(sim->system);
     const bool two = sim->stepper.kind->two_rates && p->ratio > 1 && ode->n > 0;
+    const double damps = ((const struct step_options *)p->options)->rho_infinity;
     if (two && ode->ns == 0)
         diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
                   "no coordinate is fast: all of the deck takes steps of %g s", p->step * p->ratio);
@@ -75,6 +76,9 @@ static void warn_of_partition(const struct sim *sim, struct diags *diags)
         diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
                   "all coordinates are fast%s: the ratio saves nothing",
                   sim->model->nloop ? ", by name or by a loop with one that is" : "");
+    if (sim->stepper.kind->two_rates && damps < 1 && ode->ns == 0 && ode->n > 0)
+        diag_warn(diags, node_find(p->node, "rho_infinity"), AT_VALUE, "W-partition",
+                  "no coordinate is fast, and %s damps what is fast: nothing is damped", p->scheme);
     if (leads && sim->model->nloop == 0)
         diag_warn(diags, leads, AT_KEY, "W-unused", "'independent' means nothing without loops or drives");
 }
@@ -96,7 +100,7 @@ static void warn_of_unread_by_auto(const struct sim *sim, const struct stepper_k
         const bool rates = strcmp(n->key, "ratio") == 0 && !kind->two_rates && strcmp(n->text, "1") != 0;
         if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0 || guides(p, n->key)) continue;
         if ((reads(kind, n->key) && !order && !rates) || (!rates && is_default(p, n->key))) continue;
-        if (!paces_records(sim, n->key) && !compared(sim, n)) warn(sim, n, rates ? has_rates : reads, diags);
+        if (!paces_records(sim, n->key) && !scheme_is_compared(sim, n)) warn(sim, n, rates ? has_rates : reads, diags);
     }
 }
 
@@ -112,10 +116,11 @@ void warn_of_unread(const struct sim *sim, struct diags *diags)
     for (int i = 0; i < p->node->count; i++) {
         const struct node *n = p->node->item[i];
         if (n->implied || strcmp(n->key, "scheme") == 0 || strcmp(n->key, "until") == 0) continue;
-        if (reads(kind, n->key) || is_default(p, n->key) || paces_records(sim, n->key) || compared(sim, n)) continue;
+        if (reads(kind, n->key) || is_default(p, n->key) || paces_records(sim, n->key) || scheme_is_compared(sim, n))
+            continue;
         warn(sim, n, reads, diags);
     }
     warn_of_partition(sim, diags);
     const struct node *fast = node_find(node_find(sim->scene->deck->root, "partition"), "fast");
-    if (fast && !has_rates(kind, fast->key) && !compared(sim, fast)) warn(sim, fast, has_rates, diags);
+    if (fast && !has_rates(kind, fast->key) && !scheme_is_compared(sim, fast)) warn(sim, fast, has_rates, diags);
 }

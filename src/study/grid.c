@@ -15,11 +15,11 @@ static bool two_rates(const struct subject *subject)
     return subject->ns > 0 && subject->ns < subject->n;
 }
 
-/* Does the kind take out what it does not resolve, if it is told to?  A scheme of one rate like that costs what the others
- * do, and makes sense where the deck wants it. */
+/* Is the kind there to take out what it does not resolve, if it is told to?  A scheme of one rate like that costs what the others
+ * do, and makes sense where the deck wants it; Newmark's is of order 1 then, and there without. */
 static bool damps(const struct stepper_kind *kind)
 {
-    return !kind->two_rates && (key_find(kind->keys, "rho_infinity") || key_find(kind->keys, "alpha"));
+    return !kind->two_rates && key_find(kind->keys, "rho_infinity") && !key_find(kind->keys, "gamma");
 }
 
 static bool makes_sense(const struct stepper_kind *kind, const struct subject *subject)

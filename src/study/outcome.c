@@ -65,6 +65,8 @@ struct integrate outcome_plan(struct step_options *how, const struct setting *se
     *how = *(const struct step_options *)plan.options;
     how->tolerance = isfinite(setting->tolerance) ? setting->tolerance : 0;
     if (how->tolerance > 0) how->order = 2; /* what a tolerance is for */
+    if (key_find(setting->kind->keys, "gamma") && strcmp(plan.scheme, setting->kind->name) != 0)
+        how->rho_infinity = 1; /* Newmark's is of order 1 where it damps: not for another scheme's wish */
     plan.scheme = setting->kind->name;
     plan.options = how;
     plan.until = subject->until;

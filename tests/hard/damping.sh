@@ -70,3 +70,33 @@ for what in ratio alpha; do
     "$FMDSUB" check "$work/arm.yaml" >"$work/out" 2>"$work/said"
     expect "$what in segments is told" 1 "$(grep -c "damping by '$what' is that of each of its 4 segments.*W-damping" "$work/said")" "$work/said"
 done
+
+# rho_infinity: what a step leaves of what it does not resolve, and what it takes is booked; schemes without it refuse it.
+vibration() { # INTEGRATE
+    cat >"$work/vibration.yaml" <<END
+fmdsub: 1
+bodies: {a: {mass: 1, inertia: 0.1, at: [0, 0]}, b: {mass: 2, inertia: 0.2, at: [1, 0]}}
+constraints: {j: {prismatic: [ground, a], axis: [1, 0]}, k: {prismatic: [a, b], axis: [1, 0]}}
+forces: {s: {spring: k.displacement, stiffness: 1.0e+5}, t: {spring: j.displacement, stiffness: 100}}
+initial: {k.displacement: 0.01}
+integrate: {$1, step: 1.0e-2, until: 1}
+output: {every: 1, columns: [energy.numerical, energy.residual]}
+END
+}
+for way in "newmark 0.8" "newmark 0.3" "generalized-alpha 0.8" "hht 0.6"; do
+    vibration "scheme: ${way% *}, rho_infinity: ${way#* }"
+    "$FMDSUB" stability --schemes "${way% *}" --steps 1e3 "$work/vibration.yaml" >"$work/out" 2>"$work/err"
+    expect "$way: what is left of what is not resolved" "${way#* }" \
+        "$(awk -F, -v s="${way% *}" '$1 == s { printf "%.1f", $4; exit }' "$work/out")" "$work/err"
+    "$FMDSUB" run -q "$work/vibration.yaml" >"$work/out" 2>"$work/err"
+    expect "$way: its loss is booked" "0 1 1" \
+        "$? $(tail -n 1 "$work/out" | awk -F, '{ printf "%d %d", ($2 > 0.5), ($3 * $3 < 1e-18) }')" "$work/out"
+done
+for way in midpoint:0.5 "hht:0.3" "hht:1" "newmark:0.8, gamma: 0.6" "newmark:0.8, tolerance: 1.0e-5" dopri5:0.5 miao:0.5; do
+    vibration "scheme: ${way%%:*}, rho_infinity: ${way#*:}"
+    "$FMDSUB" run -q "$work/vibration.yaml" >"$work/out" 2>"$work/err"
+    expect "$way: refused" "3 1" "$? $(grep -cE 'error: .*(rho_infinity|hht leaves).*(E-damping|E-newmark)' "$work/err")" "$work/err"
+done
+vibration "scheme: subcycle, rho_infinity: 0.5"
+"$FMDSUB" run -q "$work/vibration.yaml" >"$work/out" 2>"$work/err"
+expect "subcycle: nothing fast to damp" "0 1" "$? $(grep -c 'nothing is damped' "$work/err")" "$work/err"

@@ -35,13 +35,13 @@ with() {
     sed "s|^integrate: .*|integrate: $1|" "$work/deck.yaml" >"$work/deck" && mv "$work/deck" "$work/deck.yaml"
 }
 
-with '{scheme: newmark, step: 1.0e-3, until: 0.1, ratio: 5, rho_infinity: 0.9, tolerance: 1.0e-6, symmetric: true}'
-heard "newmark reads no damping; records fall on ratio * step" \
-    "rho_infinity newmark;symmetric newmark;"
+with '{scheme: newmark, step: 1.0e-3, until: 0.1, ratio: 5, alpha: -0.1, tolerance: 1.0e-6, symmetric: true}'
+heard "newmark reads no alpha; records fall on ratio * step" \
+    "alpha newmark;symmetric newmark;"
 heard "a scheme in place of the deck's passes over the deck's keys" "" --set integrate.scheme=midpoint
 heard "but not over one given with it" "gamma midpoint;" --set integrate.scheme=midpoint --set integrate.gamma=0.5
 heard "a key that would not go with another is not looked at" "gamma midpoint;" --set integrate.scheme=midpoint --set integrate.gamma=0.9
-heard "a key given to the deck's scheme" "rho_infinity newmark;symmetric newmark;" \
+heard "a key given to the deck's scheme" "alpha newmark;symmetric newmark;" \
     --set integrate.ratio=10
 with '{step: 1.0e-3, until: 0.1, beta: 0.25, gamma: 0.5, newton_tolerance: 1.0e-9}'
 heard "the default scheme reads no beta" "beta subcycle;gamma subcycle;"

@@ -64,9 +64,13 @@ static void test_damping_at_infinity(void **state)
         o.rho_infinity = rho;
         assert_true(fabs(find(&s, "generalized-alpha", &o, 1e6, 1).radius - rho) < 1e-3);
         assert_true(find(&s, "generalized-alpha", &o, 1e-2, 1).radius < 1);
+        assert_true(fabs(find(&s, "newmark", &o, 1e6, 1).radius - rho) < 1e-3);
+        assert_true(find(&s, "newmark", &o, 1e-2, 1).radius < 1);
+        assert_true(fabs(find(&s, "subcycle", &o, 1e6, 1).radius - rho) < 1e-3);
+        if (rho > .5) assert_true(fabs(find(&s, "hht", &o, 1e6, 1).radius - rho) < 1e-3);
+        o.rho_infinity = 1;
         o.alpha = -rho / 3;
         assert_true(fabs(find(&s, "hht", &o, 1e6, 1).radius - (1 + o.alpha) / (1 - o.alpha)) < 1e-3);
-        assert_true(fabs(find(&s, "subcycle", &o, 1e6, 1).radius - rho) < 1e-3);
     }
 }
 
