@@ -30,6 +30,7 @@ void adaptive_open(struct stepper *s, struct arena *life)
     m->a = TAKE(life, double, o->n);
     m->a0 = TAKE(life, double, o->n);
     m->u = TAKE(life, double, o->n);
+    m->dx = TAKE(life, double, o->n);
     m->top = TAKE(life, double, o->n);
     m->span = TAKE(life, double, o->n);
     works_open(&m->works, o->n, life);
@@ -340,34 +341,6 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
     for (int c = 0; c < POWER_CHANNELS; c++) s->work[c] += m->work[c];
     x->t = t;
     return OK;
-}
-
-bool adaptive_interpolates(const struct stepper *s)
-{
-    const struct adaptive_scheme *o = s->kind->formulas;
-    return s->kind->adaptive && !s->touch && o->between && s->options.tolerance >= o->between_from;
-}
-
-void adaptive_between(const struct stepper *s, double *q, double *v, double t)
-{
-    const struct adaptive *m = s->self;
-    m->scheme->between(s, m, m->u, v, (t - m->t0) / (m->t1 - m->t0));
-    motion_point(s->ode, q, m->q0, m->u, 1, t);
-}
-
-void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x)
-{
-    const double h = m->t1 - m->t0, y = 1 - x;
-    motion_diff(s->ode, dx, m->q, m->q0);
-    motion_rate(s->ode, rate, m->q, m->q0, dx, m->v, m->t1);
-    for (int i = 0; i < s->ode->n; i++) u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * m->v0[i] - x * rate[i]);
-}
-
-void adaptive_travel(const struct stepper *s, struct adaptive *m, double *dx)
-{
-    if (!s->ode->move) return;
-    motion_diff(s->ode, dx, m->q1, m->q);
-    for (int i = 0; i < s->ode->n; i++) m->span[i] += dx[i];
 }
 
 enum status adaptive_recall(struct stepper *s, struct recall *r)

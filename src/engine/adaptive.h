@@ -40,7 +40,7 @@ struct adaptive {
     double *q0, *v0;      /* where the last step began, */
     double *a0;           /* its accelerations there, */
     double t0, t1;        /* and when, and its end */
-    double *u;            /* [n] scratch */
+    double *u, *dx;       /* [n] scratch */
     double tolerance;     /* of the scales: the deck's, or what open() makes of it */
     double pace;          /* largest |v|/L so far [1/s] */
     double *top;          /* [n] largest |v| so far */
@@ -107,6 +107,8 @@ double adaptive_share(const struct adaptive *m, double h);
 /* Can records be had between the ends of its own steps?  q [nq] and v [n] at t in the last one. */
 bool adaptive_interpolates(const struct stepper *s);
 void adaptive_between(const struct stepper *s, double *q, double *v, double t);
+/* The same of any adaptive scheme, good enough to look for something: by cubics where it has no better. */
+void adaptive_look(const struct stepper *s, double *q, double *v, double t);
 /* For between(): u by Hermite's cubic through positions and rates at both ends; dx, rate [n]: scratch. */
 void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x);
 /* For take(): m->span goes on from q to q1; dx [n]: scratch. */

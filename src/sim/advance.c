@@ -94,6 +94,7 @@ static void keep(struct sim *sim)
 {
     single_save(sim->keep, sim->stepper.ode, &sim->x);
     sim->kept = sim->ledger;
+    sim->kept_t = sim->x.t;
 }
 
 /* To the state that was kept, at t. */
@@ -184,7 +185,7 @@ static enum status natural_step(struct sim *sim, double to, int depth)
 {
     const double t = sim->x.t;
     const long chart = system_charts(sim->system);
-    if (sim->watched) keep(sim);
+    if (sim->watched || events_watched(sim)) keep(sim);
     TRY(stepper_step(&sim->stepper, &sim->x, 0, 1, to, &sim->trouble));
     TRY(within_limit(sim));
     const double end = sim->x.t;
@@ -201,4 +202,9 @@ static enum status natural_step(struct sim *sim, double to, int depth)
 enum status advance_naturally(struct sim *sim, double to)
 {
     return natural_step(sim, to, 0);
+}
+
+enum status advance_back(struct sim *sim)
+{
+    return undo(sim, sim->kept_t);
 }

@@ -1,7 +1,8 @@
 /* events.c -- what is looked for at the end of every major step: the condition of `until: {when: ...}`, and joints that
  * leave their `range:`.
  *
- * Both are reported at the end of the step in which they happen; the step is not cut there. */
+ * Of a scheme of fixed steps both are reported at the end of the step in which they happen, which is not cut there; one that
+ * chooses its steps steps onto them (onto.c). */
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -52,17 +53,43 @@ static enum status write_event(struct sim *sim, struct sink *sink, const char *k
     return sink_event(sink, sim->x.t, kind, text, report);
 }
 
+static int side_of(const struct sim *sim, const struct watched_range *r)
+{
+    const double *range = r->joint->range, x = record_value(sim, r->place);
+    return (x > range[1]) - (x < range[0]);
+}
+
+static double truth_of(struct sim *sim)
+{
+    struct watch *w = &sim->watch;
+    for (int i = 0; i < sim->scene->when.nslot; i++) w->value[i] = record_value(sim, w->slot[i]);
+    return expr_value(sim->scene->when.expr, w->value);
+}
+
+enum status events_happen(bool *is, struct sim *sim)
+{
+    const struct watch *w = &sim->watch;
+    TRY(record_evaluate(sim, w->needs));
+    *is = false;
+    for (int i = 0; i < w->nrange; i++) *is |= side_of(sim, &w->range[i]) != w->range[i].side;
+    if (!w->slot || w->was) return OK;
+    const double truth = truth_of(sim);
+    *is |= truth != 0 && !isnan(truth);
+    return OK;
+}
+
 static enum status check_range(struct sim *sim, struct watched_range *r, struct sink *sink, struct report *report)
 {
     char text[200];
     const double *range = r->joint->range, x = record_value(sim, r->place);
-    int side = (x > range[1]) - (x < range[0]);
+    const int side = side_of(sim, r);
     if (side == r->side) return OK;
     r->side = side;
     snprintf(text, sizeof text, "%.80s %s %.6g ... %.6g: %.6g", r->name, side ? "is outside its range" : "is back in",
              range[0], range[1], x);
     if (!r->reported) sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
     r->reported = true;
+    sim->went_back = 0;
     return write_event(sim, sink, "range", text, report);
 }
 
@@ -71,8 +98,7 @@ static enum status check_condition(struct sim *sim, struct sink *sink, struct re
 {
     const struct scene_condition *when = &sim->scene->when;
     struct watch *w = &sim->watch;
-    for (int i = 0; i < when->nslot; i++) w->value[i] = record_value(sim, w->slot[i]);
-    const double truth = expr_value(when->expr, w->value);
+    const double truth = truth_of(sim);
     if (isnan(truth)) return trouble_set(&sim->trouble, TROUBLE_CONDITION, -1, truth, sim->x.t);
     const bool is = truth != 0, turned = is && !w->was;
     w->was = is;

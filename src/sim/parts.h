@@ -29,6 +29,8 @@ static inline bool look_is_due(const struct sim *sim, long k, bool record)
 }
 /* One of the steps that are the scheme's own, at most to `to`. */
 enum status advance_naturally(struct sim *sim, double to);
+/* That step is undone. */
+enum status advance_back(struct sim *sim);
 
 /* pulses.c: what comes and goes all at once: times at which a scheme that chooses its steps stops; warnings of loads that
  * do so within one fixed step */
@@ -67,6 +69,11 @@ static inline bool events_watched(const struct sim *sim)
     return sim->watch.slot || sim->watch.nrange;
 }
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report);
+/* Is it so at the present state, and was not when last looked at? */
+enum status events_happen(bool *is, struct sim *sim);
+/* onto.c: when that is in the step that a scheme has chosen and taken last, short of its end; infinity: it is not.  Asked
+ * again and again of steps onto it, it ends. */
+double onto_event(struct sim *sim);
 
 /* contacts.c: rigid contacts: which schemes take them; the start, without overlaps; forces in what records look at;
  * events of the last major step */

@@ -81,6 +81,8 @@ struct sim {
     bool watched;        /* steps may be undone */
     struct single *keep; /* then the state before, */
     struct ledger kept;  /* and the ledger */
+    double kept_t;       /* [s] when it was */
+    int went_back;       /* from the last event, to step onto the next */
     struct ledger ledger;
     struct catalogue catalogue;
     int nformula;

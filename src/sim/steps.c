@@ -178,18 +178,26 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
 {
     const double until = sim->plan.until;
     const bool on = sim->place.resumed;
-    double seen = on ? sim->place.seen : sim->x.t;
+    double seen = on ? sim->place.seen : sim->x.t, onto = INFINITY;
     sim->cut = true;
     for (long k = on ? sim->place.due : next_due(sim, 0), i = sim->place.step + 1; sim->x.t < until; i++) {
         const long charts = system_charts(sim->system), due = k;
         const double t0 = sim->x.t;
         const struct ledger before = sim->ledger;
         if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
-        const enum status status = advance_naturally(sim, sim->njump          ? seen
-                                                          : sim->onto_records ? end_of(sim, k)
-                                                                              : until);
+        const double to = sim->njump ? seen : sim->onto_records ? end_of(sim, k) : until;
+        const enum status status = advance_naturally(sim, fmin(to, onto));
         if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+        if (sim->x.t >= onto) onto = INFINITY;
+        if (events_watched(sim) && system_charts(sim->system) == charts) {
+            const double event = onto_event(sim);
+            if (event < onto) {
+                onto = event;
+                TRY(advance_back(sim));
+                continue;
+            }
+        }
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
@@ -200,7 +208,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         if (last && sim->recorded != sim->x.t) TRY(write_row(sim, sink, report));
         if (k != due) sim->rejected = sim->stepper.effort.rejected;
         if (k != due || i % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
-        if (sim->saves.stream) TRY(save(sim, i, k, seen, report));
+        if (sim->saves.stream && onto == INFINITY) TRY(save(sim, i, k, seen, report)); /* else the next one */
         if (sim->watch.met) return OK;
         if (last) return stopped(sim, report);
     }

@@ -1,0 +1,52 @@
+/* adaptive_between.c -- states inside the last step of a scheme that chooses its steps; see adaptive.h */
+#include "engine/adaptive.h"
+#include "engine/motion.h"
+
+bool adaptive_interpolates(const struct stepper *s)
+{
+    const struct adaptive_scheme *o = s->kind->formulas;
+    return s->kind->adaptive && !s->touch && o->between && s->options.tolerance >= o->between_from;
+}
+
+void adaptive_between(const struct stepper *s, double *q, double *v, double t)
+{
+    const struct adaptive *m = s->self;
+    m->scheme->between(s, m, m->u, v, (t - m->t0) / (m->t1 - m->t0));
+    motion_point(s->ode, q, m->q0, m->u, 1, t);
+}
+
+/* Velocities by Hermite's cubic, too. */
+static void velocities_between(const struct stepper *s, const struct adaptive *m, double *v, double x)
+{
+    const double h = m->t1 - m->t0, y = 1 - x, part = x * x * (3 - 2 * x);
+    for (int i = 0; i < s->ode->n; i++)
+        v[i] = m->v0[i] + part * (m->v[i] - m->v0[i]) + h * x * y * (y * m->a0[i] - x * m->a[i]);
+}
+
+void adaptive_look(const struct stepper *s, double *q, double *v, double t)
+{
+    const struct adaptive *m = s->self;
+    const double x = (t - m->t0) / (m->t1 - m->t0);
+    if (m->scheme->between) {
+        adaptive_between(s, q, v, t);
+        return;
+    }
+    adaptive_cubic(s, m, m->u, m->dx, v, x);
+    velocities_between(s, m, v, x);
+    motion_point(s->ode, q, m->q0, m->u, 1, t);
+}
+
+void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x)
+{
+    const double h = m->t1 - m->t0, y = 1 - x;
+    motion_diff(s->ode, dx, m->q, m->q0);
+    motion_rate(s->ode, rate, m->q, m->q0, dx, m->v, m->t1);
+    for (int i = 0; i < s->ode->n; i++) u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * m->v0[i] - x * rate[i]);
+}
+
+void adaptive_travel(const struct stepper *s, struct adaptive *m, double *dx)
+{
+    if (!s->ode->move) return;
+    motion_diff(s->ode, dx, m->q1, m->q);
+    for (int i = 0; i < s->ode->n; i++) m->span[i] += dx[i];
+}
