@@ -187,7 +187,7 @@ sanitized() {
     join "$1" "$work/o/same.o" fmdsub "$work/arena.o" "$work/limits.o" && mv "$work/mutant.so" "$work/same.so" || return
     join "$1" "$work/m.o" fmdsub "$work/arena.o" "$work/limits.o" || return
     put "$work/mutant.so" fmdsub
-    for item in $(tests_of "$1" "$2" | grep '^t-\|^decks-\|^bad$'); do
+    for item in $(tests_of "$1" "$2" | grep '^t-\|^decks-\|^bad$\|^study-'); do
         guarded "$item" && continue
         put "$work/same.so" fmdsub
         guarded "$item" && { killer=$item,sanitized; break; }

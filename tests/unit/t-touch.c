@@ -439,6 +439,44 @@ static void a_puck_on_a_belt(void **state)
     }
 }
 
+/* Three feet slide askew on a floor, a rider fixed on top: decelerations of the friction, and what holds the rider. */
+static void forces_of_what_slides(void **state)
+{
+    static const char *const scheme[] = {"scheme: midpoint, step: 1.0e-3", "scheme: midpoint, tolerance: 1.0e-4"};
+    const double a = .3 * 9.81;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct opened o;
+        char text[1200];
+        snprintf(text, sizeof text,
+                 "gravity: [0, 0, -9.81]\n"
+                 "bodies:\n"
+                 "  p: {mass: 2, inertia: [0.1, 0.1, 0.2], at: [0, 0, 0],\n"
+                 "      points: {a: [1, 1, 0], b: [-1, 1, 0], c: [0, -2, 0]}}\n"
+                 "  q: {mass: 1, inertia: [0.1, 0.1, 0.2], at: [0, 0, 1]}\n"
+                 "constraints: {f: {free: [ground, p]}, w: {fixed: [p, q], at: [0, 0, 1]}}\n"
+                 "surfaces: {floor: {plane: ground, at: [0, 0, 0], normal: [0, 0, 1], along: [1, 0, 0]},\n"
+                 "  feet: {points: [p.a, p.b, p.c]}}\n"
+                 "contacts: {s: {between: [feet, floor], friction: 0.3}}\n"
+                 "initial: {f.x_rate: 3, f.y_rate: 4}\n"
+                 "integrate: {%s, until: 0.5}\n",
+                 scheme[k]);
+        open_deck(&o, text);
+        run(&o);
+        near(value(&o, "f.x_rate"), 3 - .6 * a * .5, 1e-10);
+        near(value(&o, "f.y_rate"), 4 - .8 * a * .5, 1e-10);
+        near(value(&o, "f.x_accel"), -.6 * a, 1e-10);
+        near(value(&o, "f.y_accel"), -.8 * a, 1e-10);
+        near(value(&o, "f.z_accel"), 0, 1e-10);
+        near(value(&o, "w.fx"), -.6 * a, 1e-10);
+        near(value(&o, "w.fy"), -.8 * a, 1e-10);
+        near(value(&o, "w.fz"), 9.81, 1e-10);
+        near(value(&o, "w.mx"), 0, 1e-10);
+        near(value(&o, "w.my"), 0, 1e-10);
+        arena_close(o.life);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_ball_comes_to_rest),
@@ -455,6 +493,7 @@ int main(void)
                                        cmocka_unit_test(a_puck_on_a_belt),
                                        cmocka_unit_test(a_cradle),
                                        cmocka_unit_test(a_rod_on_its_corner),
-                                       cmocka_unit_test(in_halves)};
+                                       cmocka_unit_test(in_halves),
+                                       cmocka_unit_test(forces_of_what_slides)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
