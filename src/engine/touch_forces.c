@@ -108,7 +108,8 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
     }
     zero(o->l, o->rows);
     bool found;
-    TRY(find(o, &found, x, size, noise(o, x, d), why));
+    o->rough = noise(o, x, d);
+    TRY(find(o, &found, x, size, o->rough, why));
     o->jammed = !found;
     if (!found) last_means(o);
     touch_spread(o, f);

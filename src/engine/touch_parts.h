@@ -50,6 +50,7 @@ struct touch {
     double top;      /* largest velocity met, of any coordinate */
     double usual;    /* step [s] */
     bool jammed;     /* touch_forces() has found none */
+    double rough;    /* round-off of the accelerations that it has started from */
     double hardest;  /* speed of an impact in the step under way */
     int begun;
     int nevent, lost_events;

@@ -81,12 +81,14 @@ static double accelerated(const struct touch *o, double a[2], const struct cone 
     return hypot(a[0], a[1]);
 }
 
-/* Forces within all bounds at x; *size: of accelerations without them. */
-static enum status within_bounds(struct touch *o, double *size, const struct state *x, struct trouble *why)
+/* Forces within all bounds at x; *still: of accelerations, what is 0. */
+static enum status within_bounds(struct touch *o, double *still, const struct state *x, struct trouble *why)
 {
+    static const double ROUGH = 100; /* round-offs */
+    double size = DBL_MIN;
     TRY(touch_forces(o, o->held, x, why));
-    *size = DBL_MIN;
-    for (int i = 0; i < o->rows; i++) *size = larger(*size, fabs(o->u[i]));
+    for (int i = 0; i < o->rows; i++) size = larger(size, fabs(o->u[i]));
+    *still = CLEARLY * size + ROUGH * o->rough;
     return OK;
 }
 
@@ -95,8 +97,8 @@ static enum status within_bounds(struct touch *o, double *size, const struct sta
 static enum status sift(struct touch *o, const struct state *x, struct trouble *why)
 {
     const bool one = sticking(o) == 1;
-    double size = 0, a[2];
-    if (!one) TRY(within_bounds(o, &size, x, why));
+    double still = 0, a[2];
+    if (!one) TRY(within_bounds(o, &still, x, why));
     for (int k = 0; k < o->n; k++) {
         const int i = o->contact[k];
         const struct cone *c = &o->cone[k];
@@ -106,7 +108,7 @@ static enum status sift(struct touch *o, const struct state *x, struct trouble *
             continue;
         }
         const double all = accelerated(o, a, c);
-        o->turns[i] = all > CLEARLY * size ? SWITCH_GOES : SWITCH_NONE;
+        o->turns[i] = all > still ? SWITCH_GOES : SWITCH_NONE;
         for (int j = 0; j < c->across && all > 0; j++) o->heads[2 * i + j] = a[j] / all;
     }
     return OK;
@@ -169,13 +171,13 @@ static enum status far_from_stop(struct touch *o, double *far, const struct stat
 /* Does anything that is forced let go at x where it is not? */
 static enum status lets_go(struct touch *o, bool *goes, const struct state *x, struct trouble *why)
 {
-    double size = 0, a[2];
+    double still = 0, a[2];
     for (int i = 0; i < o->c->m; i++) o->forced[i] = 0;
-    const enum status status = within_bounds(o, &size, x, why);
+    const enum status status = within_bounds(o, &still, x, why);
     force_those(o, SWITCH_GOES);
     *goes = o->jammed;
     for (int k = 0; status == OK && k < o->n && !*goes; k++)
-        *goes = o->forced[o->contact[k]] && accelerated(o, a, &o->cone[k]) > CLEARLY * size;
+        *goes = o->forced[o->contact[k]] && accelerated(o, a, &o->cone[k]) > still;
     return status;
 }
 
