@@ -52,6 +52,9 @@ static inline bool op_is_since(int op)
     return op == OP_SINCE || op == OP_RAMP || op == OP_SMOOTH || op == OP_PULSE;
 }
 
+/* Has it derivatives everywhere, whatever it is given? */
+bool op_is_smooth(enum op op);
+
 struct instruction {
     enum op op;
     int index;    /* slot, or operations to skip; while parsing, of a constant: its offset in the text */

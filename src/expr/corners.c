@@ -18,12 +18,14 @@ struct number {
     double slope, start;
     double size;               /* largest term of start so far: its round-off */
     double wrap, gain, offset; /* wrap 0: none */
+    bool truth;                /* not known, but constant from one corner to the next */
 };
 
 /* The list that is made; NULL: counted only. */
 struct found {
     struct expr_corner *corner;
     int n;
+    bool all; /* nothing bends or jumps elsewhere */
 };
 
 /* What two branches leave is not one number: where they meet. */
@@ -32,7 +34,7 @@ struct joins {
     int n;
 };
 
-static const struct number unknown;
+static const struct number unknown, truth = {.truth = true};
 
 static struct number constant(double x)
 {
@@ -74,7 +76,10 @@ static struct number plus(struct number x, struct number y)
 
 static void note(struct found *o, double at, double period, double width)
 {
-    if (!isfinite(at) || !isfinite(period)) return;
+    if (!isfinite(at) || !isfinite(period)) {
+        o->all = false;
+        return;
+    }
     if (o->corner) o->corner[o->n] = (struct expr_corner){at, period, width};
     o->n++;
 }
@@ -82,6 +87,7 @@ static void note(struct found *o, double at, double period, double width)
 /* Where x changes sides. */
 static void crossing(struct found *o, struct number x)
 {
+    if (!x.known) o->all = false;
     if (!x.known || x.slope == 0) return;
     const double width = x.size / fabs(x.slope);
     if (x.wrap == 0) {
@@ -95,13 +101,17 @@ static void crossing(struct found *o, struct number x)
 /* Where it passes the multiples of `every`. */
 static void crossings(struct found *o, struct number x, double every)
 {
+    if (!x.known || x.wrap != 0) o->all = false;
     if (x.known && x.slope != 0 && x.wrap == 0)
         note(o, -x.start / x.slope, fabs(every / x.slope), x.size / fabs(x.slope));
 }
 
 static struct number wrapped(struct found *o, struct number x, struct number by)
 {
-    if (!x.known || x.wrap != 0 || !is_constant(&by) || by.start == 0) return unknown;
+    if (!x.known || x.wrap != 0 || !is_constant(&by) || by.start == 0) {
+        o->all = false;
+        return unknown;
+    }
     crossings(o, x, by.start);
     x.wrap = by.start;
     return x;
@@ -119,18 +129,25 @@ static struct number two(struct found *o, enum op op, struct number x, struct nu
                : is_constant(&x) && y.known ? times(y, x.start)
                                             : unknown;
     case OP_DIV:
+        o->all &= is_constant(&y);
         return is_constant(&y) && x.known ? times(x, 1 / y.start) : unknown;
     case OP_MOD:
         return wrapped(o, x, y);
+    case OP_AND:
+    case OP_OR:
+        return x.truth && y.truth ? truth : unknown;
     case OP_MIN:
     case OP_MAX:
+        crossing(o, plus(x, times(y, -1)));
+        break;
     case OP_LT:
     case OP_LE:
     case OP_GT:
     case OP_GE:
         crossing(o, plus(x, times(y, -1)));
-        break;
+        return truth;
     default:
+        o->all &= op_is_smooth(op);
         break;
     }
     return unknown;
@@ -141,11 +158,15 @@ static struct number one(struct found *o, enum op op, struct number x)
     switch ((int)op) {
     case OP_NEG:
         return times(x, -1);
+    case OP_NOT:
+        return x.truth ? truth : unknown;
     case OP_ABS:
     case OP_SIGN:
-    case OP_SINCE:
         crossing(o, x);
         break;
+    case OP_SINCE:
+        crossing(o, x);
+        return truth;
     case OP_RAMP:
     case OP_SMOOTH:
     case OP_PULSE:
@@ -157,6 +178,7 @@ static struct number one(struct found *o, enum op op, struct number x)
         crossings(o, x, 1);
         break;
     default:
+        o->all &= op_is_smooth(op);
         break;
     }
     return unknown;
@@ -184,6 +206,7 @@ static struct number *step(struct found *o, struct joins *joins, struct number *
         s[-1] = two(o, x->op - OP_ADD_SLOT + OP_ADD, s[-1], variable(x->index, slot));
     } else if (x->op == OP_UNLESS) {
         s--;
+        o->all &= s->truth || is_constant(s);
     } else if (x->op == OP_SKIP) {
         s--; /* the other branch puts it there once more */
         joins->at[joins->n++] = x + x->index + 1;
@@ -193,16 +216,26 @@ static struct number *step(struct found *o, struct joins *joins, struct number *
     return s;
 }
 
-int expr_corners(struct expr_corner *corner, const struct expr *e, int slot)
+static struct found look(struct expr_corner *corner, const struct expr *e, int slot)
 {
     struct number stack[EXPR_STACK + 1], *s = stack;
-    struct found o = {.corner = corner};
+    struct found o = {.corner = corner, .all = true};
     struct joins joins = {.n = 0};
     for (const struct instruction *x = e->code; x->op != OP_END; x++) {
         for (; joins.n > 0 && joins.at[joins.n - 1] == x; joins.n--) s[-1] = unknown;
         s = step(&o, &joins, s, x, slot);
     }
-    return o.n;
+    return o;
+}
+
+int expr_corners(struct expr_corner *corner, const struct expr *e, int slot)
+{
+    return look(corner, e, slot).n;
+}
+
+bool expr_corners_are_all(const struct expr *e, int slot)
+{
+    return look(NULL, e, slot).all;
 }
 
 /* ---- in time ---- */

@@ -110,6 +110,8 @@ struct expr_corner {
     double at, period, width; /* width: of the round-off of `at`, in units of the machine's */
 };
 int expr_corners(struct expr_corner *corner, const struct expr *e, int slot);
+/* Does it bend or jump nowhere else?  false: that is not known. */
+bool expr_corners_are_all(const struct expr *e, int slot);
 /* The first of its times after t; infinity: none. */
 double expr_corner_next(const struct expr_corner *c, double t);
 /* Is t one of them, but for round-off?  Then *before: a time at which the expression is as it was before. */

@@ -83,6 +83,11 @@ static const bool smooth[OP_END + 1] = {
     [OP_TANH] = true,      [OP_EXP] = true,       [OP_END] = true,
 };
 
+bool op_is_smooth(enum op op)
+{
+    return smooth[op];
+}
+
 bool expr_is_smooth(const struct expr *e)
 {
     for (int i = 0; i < e->n; i++)

@@ -166,6 +166,7 @@ struct signal {
     const struct expr *expr; /* NULL: table */
     int ncorner;
     const struct expr_corner *corner; /* [ncorner] of expr: known times at which it bends or jumps */
+    bool cornered;                    /* and there are no others */
     int nstop;
     const double *stop; /* [nstop] ascending: where it becomes quick all at once, see signal_stop_at_sudden() */
     int n;

@@ -37,7 +37,10 @@ static double table_value(double *slope, const struct signal *s, double t)
 struct signal signal_of(const struct expr *expr, struct arena *life)
 {
     struct expr_corner *corner = TAKE(life, struct expr_corner, expr_corners(NULL, expr, 0));
-    return (struct signal){.expr = expr, .ncorner = expr_corners(corner, expr, 0), .corner = corner};
+    return (struct signal){.expr = expr,
+                           .ncorner = expr_corners(corner, expr, 0),
+                           .corner = corner,
+                           .cornered = expr_corners_are_all(expr, 0)};
 }
 
 double signal_time(const struct signal *s, double t)
@@ -160,11 +163,22 @@ static double late_rate(const struct signal *s, double ta, double tb)
     return 64 * DBL_EPSILON * fmax(fabs(ta), fabs(tb)) * fmax(fabs(a[2]), fabs(b[2]));
 }
 
+/* Is it known that there is no corner from ta to tb? */
+static bool has_none(const struct signal *s, double ta, double tb)
+{
+    double before;
+    for (int i = 0; s->cornered && i < s->ncorner; i++)
+        if (!(expr_corner_next(&s->corner[i], ta) > tb) || expr_corner_meets(&before, &s->corner[i], ta) ||
+            expr_corner_meets(&before, &s->corner[i], tb))
+            return false;
+    return s->cornered;
+}
+
 /* That of a true corner stays, and returns; that of a mere jump of the
  * acceleration halves with the interval: 0. */
 static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
-    if (expr_is_smooth(s->expr)) return 0;
+    if (has_none(s, *ta, *tb)) return 0;
     double size, first = excess(s, 1, &size, *ta, *tb);
     if (fabs(first) <= 1e-6 * size || fabs(first) <= late_rate(s, *ta, *tb)) return 0;
     double here = halve(s, 1, ta, tb, first, halvings);

@@ -498,6 +498,46 @@ static void corners(void **state)
     arena_close(arena);
 }
 
+/* Where a function may bend or jump at times that are not listed, the list must say so. */
+static void all_corners(void **state)
+{
+    static const char *const all[] = {"sin(3*t)*t^2",
+                                      "if(t < 2, t^2/2 + cos(t), 3*t - 1)",
+                                      "if(t > 1 and t < 2 or not(t < 5), 1, exp(t))",
+                                      "mod(t, 2)",
+                                      "floor(3*t)*sin(t)",
+                                      "max(t, 1) + abs(2*t - 3)",
+                                      "smooth(t, 0, 1)*ramp(t, 1, 2) + step(t, 4)*pulse(t, 1, 2)",
+                                      "if(2 > 1, t, 0)"};
+    static const char *const some[] = {"abs(sin(t))",
+                                       "if(sin(t) > 0, 1, 0)",
+                                       "if(t - 1, 1, 0)",
+                                       "1/t",
+                                       "sqrt(t)",
+                                       "t^1.5",
+                                       "max(t, t^2)",
+                                       "mod(t^2, 1)",
+                                       "floor(t^2)",
+                                       "if(t == 1, 2, 0)",
+                                       "mod(mod(t, 3), 2)",
+                                       "abs(if(t < 1, t - .5, 1))",
+                                       "hypot(t, 1 - t)",
+                                       "tan(t)",
+                                       "log(t)",
+                                       "atan2(t, 1)",
+                                       "abs(x)",
+                                       "1/(t - 1)",
+                                       "min(x, t)",
+                                       "smooth(t^2, 0, 1)"};
+    (void)state;
+    struct arena *arena = arena_open();
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (!expr_corners_are_all(parsed(arena, all[i]), 0)) fail_msg("%s", all[i]);
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++)
+        if (expr_corners_are_all(parsed(arena, some[i]), 0)) fail_msg("%s", some[i]);
+    arena_close(arena);
+}
+
 static void slots(void **state)
 {
     (void)state;
@@ -771,11 +811,11 @@ static void stand_ins(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values),       cmocka_unit_test(errors),    cmocka_unit_test(limits),
-        cmocka_unit_test(corners),      cmocka_unit_test(slots),     cmocka_unit_test(speed),
-        cmocka_unit_test(random_trees), cmocka_unit_test(truths),    cmocka_unit_test(jets),
-        cmocka_unit_test(smooth),       cmocka_unit_test(spans),     cmocka_unit_test(unknown_truths),
-        cmocka_unit_test(helpers),      cmocka_unit_test(stand_ins),
+        cmocka_unit_test(values),         cmocka_unit_test(errors),       cmocka_unit_test(limits),
+        cmocka_unit_test(corners),        cmocka_unit_test(all_corners),  cmocka_unit_test(slots),
+        cmocka_unit_test(speed),          cmocka_unit_test(random_trees), cmocka_unit_test(truths),
+        cmocka_unit_test(jets),           cmocka_unit_test(smooth),       cmocka_unit_test(spans),
+        cmocka_unit_test(unknown_truths), cmocka_unit_test(helpers),      cmocka_unit_test(stand_ins),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
