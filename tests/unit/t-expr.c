@@ -511,7 +511,6 @@ static void all_corners(void **state)
                                       "if(2 > 1, t, 0)"};
     static const char *const some[] = {"abs(sin(t))",
                                        "if(sin(t) > 0, 1, 0)",
-                                       "if(t - 1, 1, 0)",
                                        "1/t",
                                        "sqrt(t)",
                                        "t^1.5",
