@@ -302,6 +302,7 @@ sweeps: $(PROGRAM) $(BUILD)/random/mechanism
 ## auto          what scheme: auto takes, against the cheapest of one rate, on every deck
 auto: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/bench/auto.sh
+	@BUILD=$(BUILD) sh tests/bench/partition.sh
 
 ## bench         CPU times of a step
 bench: $(PROGRAM) $(TOOLS) $(BENCHES)

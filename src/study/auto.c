@@ -5,14 +5,16 @@
 #include <string.h>
 
 #include "base/stop.h"
+#include "engine/motion.h"
 #include "model/model.h"
 #include "multirate/schemes.h"
 #include "study/auto_parts.h"
 #include "study/reference.h"
 #include "study/stiff.h"
+#include "system/system.h"
 
-enum { LOOK = 40, HALF = LOOK / 2, MOST_LOOK = 100, LEAST = 100 }; /* evaluations */
-static const double SHARE = .02;                                   /* of the run's evaluations */
+enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100, LEAST = 100 }; /* evaluations */
+static const double SHARE = .02;                                                    /* of the run's evaluations */
 static const double USUAL = 1e-4;
 static const double SAFE = .1;  /* of a tolerance that stands for a step: errors of high order are less foreseeable */
 enum { LONG = 1000 };           /* evaluations of dopri5 from which on order 8 pays at any tolerance: auto.sh */
@@ -102,6 +104,42 @@ static void run_race(struct choice *o)
     }
 }
 
+/* ---- steps that are chosen once ---- */
+
+/* What the whole run is off by as r goes, from where half its step has come at the same time, in tolerances; INFINITY: it
+ * has not come there. */
+static double missed_by(struct choice *o, const struct racer *r)
+{
+    const double gone = r->sim.x.t - o->scene->start, span = r->sim.plan.until - o->scene->start;
+    struct racer *half = auto_add_half(o, r);
+    const struct ode2 *ode = r->sim.stepper.ode;
+    double most = 0;
+    if (!half || !(gone > 0)) return INFINITY;
+    while (!half->out && half->sim.x.t < r->sim.x.t * (1 - 1e-9) && !stop) racer_go(half, half->work + 1, NULL, NULL);
+    if (half->out) return INFINITY;
+    half->out = true; /* it does not race */
+    if (system_charts(r->sim.system) != system_charts(half->sim.system)) return INFINITY;
+    double *dq = TAKE(o->own, double, ode->n);
+    motion_diff(ode, dq, r->sim.x.q, half->sim.x.q);
+    for (int i = 0; i < ode->n; i++) {
+        const double usual = o->tolerance * ode2_usual(ode, i), v = r->sim.x.v[i];
+        most = fmax(most, fabs(dq[i]) / usual);
+        most = fmax(most, fabs(v - half->sim.x.v[i]) / (usual * fmax(1, fabs(v))));
+    }
+    return most * span / gone;
+}
+
+/* A leader by fixed steps under a tolerance: they have to be as fine as that asks for. */
+static void test_leader(struct choice *o)
+{
+    for (;;) {
+        struct racer *best = (struct racer *)leader(o);
+        if (isfinite(o->step) || !best->order || stop) return;
+        if (missed_by(o, best) <= 1) return;
+        best->out = true;
+    }
+}
+
 /* ---- the answer ---- */
 
 static const char *words_of(const struct racer *r, struct arena *life)
@@ -112,10 +150,11 @@ static const char *words_of(const struct racer *r, struct arena *life)
             : "";
     if (isfinite(r->setting.tolerance))
         return arena_print(life, "%s to tolerance %.2g%s", r->setting.kind->name, r->setting.tolerance, fast);
+    const char *order = r->how.order > 2 ? arena_print(life, " of order %d", r->how.order) : "";
     if (r->setting.ratio > 1)
-        return arena_print(life, "%s h = %g s, H = %d h%s", r->setting.kind->name, r->setting.step, r->setting.ratio,
-                           fast);
-    return arena_print(life, "%s h = %g s", r->setting.kind->name, r->setting.step);
+        return arena_print(life, "%s%s h = %g s, H = %d h%s", r->setting.kind->name, order, r->setting.step,
+                           r->setting.ratio, fast);
+    return arena_print(life, "%s%s h = %g s", r->setting.kind->name, order, r->setting.step);
 }
 
 /* The next best, of another scheme if there is one. */
@@ -158,6 +197,15 @@ static void take(struct choice *o, const struct racer *r, const char *because)
     o->scene->fast = r->fast;
 }
 
+/* A scheme by name under a tolerance may be dear. */
+static const char *cheaper(const struct choice *o, double work)
+{
+    static const double DEAR = 3;
+    const bool dear = !o->any_scheme && !isfinite(o->step) && DEAR * o->eye_hopes < work;
+    return dear ? arena_print(o->life, "; dopri5 would take about %.2g: 'scheme: auto' chooses among all", o->eye_hopes)
+                : "";
+}
+
 static void take_best(struct choice *o)
 {
     const struct racer *best = leader(o), *next = second(o, best);
@@ -170,16 +218,18 @@ static void take_best(struct choice *o)
     o->scene->integrate.foretold = work;
     take(o, best,
          arena_print(o->life,
-                     "%s%s takes the least work, foretold %.2g evaluations%s; "
+                     "%s%s takes the least work, foretold %.2g evaluations%s%s; "
                      "trial runs of %.2g",
-                     words_of(best, o->life), fast, work, over, spent(o)));
+                     words_of(best, o->life), fast, work, over, cheaper(o, work), spent(o)));
 }
 
 static void take_usual(struct choice *o, const char *why)
 {
     const struct racer *r = o->racer[0];
     o->scene->integrate.foretold = o->foretold;
-    take(o, r, arena_print(o->life, "%s, foretold %.2g evaluations: %s", words_of(r, o->life), o->foretold, why));
+    take(o, r,
+         arena_print(o->life, "%s, foretold %.2g evaluations: %s%s", words_of(r, o->life), o->foretold, why,
+                     cheaper(o, o->foretold)));
 }
 
 /* ---- all of it ---- */
@@ -191,10 +241,12 @@ static bool open_eye(struct choice *o)
     if (!o->eye || o->eye->out || o->eye->sim.stepper.ode->n == 0) return false;
     quick_open(&o->quick, &o->eye->sim, o->own);
     quick_note(&o->quick, &o->eye->sim);
-    for (int i = 0; i < 2; i++) racer_go(o->eye, o->eye->work + HALF, look, &o->quick);
+    for (int i = 0; i < 2 || (i < MOST_HALVES && racer_grows(o->eye)); i++)
+        racer_go(o->eye, o->eye->work + HALF, look, &o->quick);
     o->stiff = stiff_rate(&o->eye->sim) * (o->eye->sim.plan.until - o->scene->start);
     o->eye->least = auto_least(o->eye->setting.kind, o->stiff);
     o->quiet = racer_quiet(o->eye);
+    o->eye_hopes = racer_hope(o->eye);
     return !o->eye->out;
 }
 
@@ -224,6 +276,18 @@ static void take_higher_order(struct choice *o)
     if (o->racer[0]->out) o->racer[0] = o->eye;
 }
 
+/* In place of the midpoint rule by a step, where dopri5 at the tolerance that it stands for is foretold half the work. */
+static void take_explicit(struct choice *o)
+{
+    static const double ORDER = 5, HALF_OF_IT = .5;
+    const double work = o->eye_hopes * pow(USUAL / o->tolerance, 1 / ORDER);
+    struct racer *r =
+        !o->quiet && work < HALF_OF_IT * o->foretold ? auto_add(o, "dop853", o->tolerance, NAN, 1, NULL) : NULL;
+    if (!r) return;
+    o->racer[0] = r;
+    o->foretold = work;
+}
+
 /* What is fast is looked for a little longer. */
 static void look_on(struct choice *o)
 {
@@ -240,6 +304,7 @@ static void choose(struct choice *o)
     o->foretold = racer_hope(o->racer[0]);
     if (o->any_scheme && !isfinite(o->step) && o->foretold >= LONG) take_higher_order(o);
     o->budget = SHARE * o->foretold;
+    if (o->budget < LEAST && o->any_scheme && isfinite(o->step)) take_explicit(o);
     if (o->budget < LEAST) {
         take_usual(o, "too short a run for trials to pay");
         return;
@@ -248,6 +313,7 @@ static void choose(struct choice *o)
     if (o->any_fast) o->ncut = quick_cuts(o->cut, &o->quick, &o->eye->sim, o->life);
     auto_add_all(o);
     run_race(o);
+    test_leader(o);
     take_best(o);
 }
 

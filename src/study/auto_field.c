@@ -9,6 +9,7 @@
 
 static const char OF_TWO_RATES[] = "subcycle";
 static const double LOOSE = 3e-3; /* a tolerance to which the midpoint rule may be the least */
+static const double EXACT = .5;   /* of a tolerance, where steps are chosen once: the motion seen is not all of it */
 static const int ratios[] = {200, 100, 50, 20, 10, 5, 2};
 static const char *const explicit_ones[] = {"dopri5", "dop853"}, *const full_ones[] = {"radau9", "radau5"};
 
@@ -38,25 +39,39 @@ static struct guess guess_for(const struct choice *o, const struct racer *r, con
     const double span = o->eye->sim.plan.until - o->scene->start;
     const double h = quick_step(&o->quick, r->setting.tolerance, span);
     if (r->setting.kind->order > 2) return (struct guess){.5 * r->setting.kind->order * o->quick.h / 2.5, 1};
-    const double apart = cut ? cut->apart : r->setting.kind->two_rates ? quick_apart(&o->quick, &o->eye->sim) : 1;
+    const double apart = cut ? cut->apart : r->setting.kind->two_rates ? quick_apart(&o->quick, &o->eye->sim, NULL) : 1;
     return (struct guess){h, (int)fmax(1, fmin(100, apart))};
+}
+
+static struct racer *put_in(struct choice *o, const struct setting *setting, int order, const struct quick_cut *cut)
+{
+    struct racer *r = TAKE(o->own, struct racer, 1);
+    if (o->n >= MOST_RACERS) return NULL;
+    r->order = order;
+    r->nfast = cut ? cut->n : o->scene->nfast;
+    r->fast = cut ? cut->fast : o->scene->fast;
+    r->unit = o->n ? o->racer[0]->unit : 0;
+    racer_open(r, setting, o->scene, o->diags, o->own);
+    if (o->n && setting->kind->full && o->racer[0]->sim.stepper.ode->n > MOST_DENSE) r->out = true;
+    if (r->out && o->n) return NULL;
+    r->sim.stepper.guess = guess_for(o, r, cut);
+    r->least = auto_least(setting->kind, o->stiff);
+    return o->racer[o->n++] = r;
 }
 
 struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,
                        const struct quick_cut *cut)
 {
     const struct setting setting = {stepper_find(name), tolerance, step, ratio};
-    struct racer *r = TAKE(o->own, struct racer, 1);
-    if (o->n >= MOST_RACERS) return NULL;
-    r->nfast = cut ? cut->n : o->scene->nfast;
-    r->fast = cut ? cut->fast : o->scene->fast;
-    r->unit = o->n ? o->racer[0]->unit : 0;
-    racer_open(r, &setting, o->scene, o->diags, o->own);
-    if (o->n && setting.kind->full && o->racer[0]->sim.stepper.ode->n > MOST_DENSE) r->out = true;
-    if (r->out && o->n) return NULL;
-    r->sim.stepper.guess = guess_for(o, r, cut);
-    r->least = auto_least(setting.kind, o->stiff);
-    return o->racer[o->n++] = r;
+    return put_in(o, &setting, 0, cut);
+}
+
+struct racer *auto_add_half(struct choice *o, const struct racer *r)
+{
+    const struct quick_cut same = {.n = r->nfast, .fast = r->fast};
+    struct setting half = r->setting;
+    half.step /= 2;
+    return put_in(o, &half, r->order, &same);
 }
 
 /* The largest ratio up to `most` whose major steps meet the records. */
@@ -71,17 +86,41 @@ static int ratio_for(const struct choice *o, double most)
     return 1;
 }
 
+/* Two rates of order 4, by fixed steps that records are ends of, so that the run is off by `tolerance`. */
+static void add_fourth(struct choice *o, const struct quick_cut *cut)
+{
+    enum { MOST_RATIO = 200, LEAST_RATIO = 3, LEAST_MAJORS = 10, A_STEP = 10 }; /* evaluations */
+    static const double PAYS = .5;
+    const double span = o->eye->sim.plan.until - o->scene->start, every = o->scene->output.every;
+    double off[2];
+    if (cut)
+        memcpy(off, cut->fourth, sizeof off);
+    else
+        quick_apart(&o->quick, &o->eye->sim, off);
+    const double most = every > 0 ? every : span / LEAST_MAJORS;
+    const double h = pow(EXACT * o->tolerance / (off[0] * span), .25),
+                 H = fmin(most, fmin(MOST_RATIO * h, pow(EXACT * o->tolerance / (off[1] * span), .25)));
+    const double major = most / ceil(most / H * (1 - 1e-9));
+    const int ratio = (int)ceil(major / h);
+    if (!(off[0] > 0) || !(ratio >= LEAST_RATIO && ratio <= MOST_RATIO)) return;
+    const double share = cut ? cut->share : (double)o->scene->nfast / o->eye->sim.stepper.ode->n;
+    if (span / major * A_STEP * (ratio * share + 1 - share) > PAYS * o->foretold) return;
+    const struct setting setting = {stepper_find(OF_TWO_RATES), NAN, major / ratio, ratio};
+    put_in(o, &setting, 4, cut);
+}
+
 /* Two rates, with these coordinates fast; NULL: the deck's. */
 static void add_two_rates(struct choice *o, const struct quick_cut *cut)
 {
     if (!isfinite(o->step)) {
         auto_add(o, OF_TWO_RATES, o->tolerance, NAN, 1, cut);
+        if (o->any_scheme) add_fourth(o, cut);
         return;
     }
     const bool capped = auto_named(o->scene, "ratio");
     const double cap = capped ? o->scene->integrate.ratio : INFINITY;
     const int most = cap < 8 ? (int)cap : ratio_for(o, cap);
-    const int fit = ratio_for(o, fmin(cap, cut ? cut->apart : quick_apart(&o->quick, &o->eye->sim)));
+    const int fit = ratio_for(o, fmin(cap, cut ? cut->apart : quick_apart(&o->quick, &o->eye->sim, NULL)));
     if (most > 1 && most != fit && capped) auto_add(o, OF_TWO_RATES, NAN, o->step, most, cut);
     if (fit > 1) auto_add(o, OF_TWO_RATES, NAN, o->step, fit, cut);
 }

@@ -18,6 +18,7 @@ struct choice {
     double step;      /* the deck's, where it rules; NAN: it does not */
     double budget, foretold;
     struct racer *eye; /* that looks at the motion */
+    double eye_hopes;  /* the work that it would take, to the tolerance given or the usual one */
     double looked;     /* its work, where it does not race */
     double stiff;      /* what the quickest small motion turns by in the run [rad] */
     bool quiet;        /* and nothing has been seen of it */
@@ -38,6 +39,8 @@ double auto_least(const struct stepper_kind *kind, double stiff);
  * opened, or there are too many. */
 struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,
                        const struct quick_cut *cut);
+/* The same by half its step. */
+struct racer *auto_add_half(struct choice *o, const struct racer *r);
 /* All but those whose first step is dear. */
 void auto_add_all(struct choice *o);
 /* Schemes of full matrices, where a few factorizations are little beside what may be spent. */

@@ -51,14 +51,15 @@ struct quick_cut {
                    least that these want */
     double share;              /* of the bodies that move with these */
     double gain;               /* by counts: work of one rate over that of two */
+    double fourth[2];          /* what a second of a run by order 4 (engine/composed.h) is off by, over h^4 and H^4 */
 };
 
 enum { QUICK_CUTS = 2 };
 /* The best ones by counts, of gain 1.2 at least, the best first; their number.
  */
 int quick_cuts(struct quick_cut *cut, const struct quick *o, struct sim *sim, struct arena *life);
-/* The same of what is fast in the deck. */
-double quick_apart(const struct quick *o, struct sim *sim);
+/* The same of what is fast in the deck: how far apart; fourth [2] as above, NULL: not wanted. */
+double quick_apart(const struct quick *o, struct sim *sim, double *fourth);
 /* Steps that the midpoint rule would take for that tolerance, about [s]. */
 double quick_step(const struct quick *o, double tolerance, double span);
 

@@ -30,10 +30,10 @@ sed -n 's/^auto: .*foretold \([0-9.e+]*\) evaluations.*trial runs of \([0-9.e+]*
 expect "auto: trials are a small part" fine "$(awk '$2 < .1 * $1 { print "fine" }' "$work/counts")" "$work/words"
 
 # A short run is by dopri5, byte for byte, and without trials.
-sed -e 's/^integrate: .*/integrate: {until: 2}/' decks/four-bar.yaml >"$work/open.yaml"
+sed -e 's/^integrate: .*/integrate: {until: 0.3}/' decks/four-bar.yaml >"$work/open.yaml"
 "$FMDSUB" run "$work/open.yaml" >"$work/first" 2>"$work/err"
 expect "auto: a short run" "dopri5 to tolerance 0.0001, short" "$(taken "$work/err")" "$work/err"
-"$FMDSUB" run -q --set 'integrate={scheme: dopri5, tolerance: 1.0e-4, until: 2}' decks/four-bar.yaml >"$work/second" 2>"$work/err"
+"$FMDSUB" run -q --set 'integrate={scheme: dopri5, tolerance: 1.0e-4, until: 0.3}' decks/four-bar.yaml >"$work/second" 2>"$work/err"
 same "auto: the same bytes as by dopri5" "$work/first" "$work/second"
 
 # With a step alone: that is the minor step, and a ratio is the largest one.
@@ -73,12 +73,24 @@ for deck in spin-up-segments spin-up rotor; do
 done
 
 # A run that is too short for trials, but not for order 8.
-expect "auto: a longer run" "dop853 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/heavy-top.yaml >/dev/null; taken "$work/err")" "$work/err"
+expect "auto: a longer run" "dop853 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/geared-pendulum.yaml >/dev/null; taken "$work/err")" "$work/err"
 
 # Keys that mean nothing to what was taken.
 for key in beta=0.3 gamma=0.6 order=4 rho_infinity=0.8 ratio=5 symmetric=true; do
-    "$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 --set integrate.$key decks/four-bar.yaml >"$work/first" 2>"$work/err"
+    "$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 --set integrate.$key --until 0.3 decks/four-bar.yaml >"$work/first" 2>"$work/err"
     expect "auto: ${key%=*} means nothing" 1 "$(grep -c "'${key%=*}' means nothing to scheme dopri5, which 'auto' has taken" "$work/err")" "$work/err"
 done
 "$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 decks/four-bar.yaml >"$work/first" 2>"$work/err"
 expect "auto: a tolerance means something" 0 "$(wc -l <"$work/err" | tr -d ' ')" "$work/err"
+
+# A scheme by name that is dear says so.
+"$FMDSUB" check --set integrate.scheme=subcycle --set partition=auto --set integrate.tolerance=1.0e-4 decks/telescope.yaml >"$work/words" 2>"$work/err"
+expect "auto: a scheme by name that is dear" 1 "$(grep -c "^auto: subcycle .*; dopri5 would take about [0-9.e+]*: 'scheme: auto' chooses among all" "$work/words")" "$work/words"
+
+# Two rates of order 4, by steps that are tested against their halves: the error is below the tolerance.
+timeout 60 "$FMDSUB" run -o "$work/first" --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 tests/bench/small-fast.yaml 2>"$work/err"
+expect "auto: order 4" 1 "$(grep -c '^auto: subcycle of order 4 h = .*4 of 164 freedoms fast' "$work/err")" "$work/err"
+timeout 60 "$FMDSUB" run -q -o "$work/second" --set integrate.scheme=dop853 --set integrate.tolerance=1.0e-7 tests/bench/small-fast.yaml 2>"$work/err"
+expect "auto: order 4, error" fine "$(paste -d , "$work/first" "$work/second" | awk -F , 'NR > 1 { n = NF / 2
+    for (i = 2; i <= n; i++) { d = $i - $(i + n); if (d < 0) d = -d; if (d > worst) worst = d } rows++ }
+    END { print((rows > 5 && worst < 1e-4) ? "fine" : rows " " worst) }')" "$work/err"
