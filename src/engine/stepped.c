@@ -46,7 +46,7 @@ static const struct stepper_kind *fixed_kind(const struct adaptive *m)
 void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
 {
     static const double PART =
-        .75; /* of those that look at the ends of steps: ten orbits are off by 120 tolerances without */
+        .7; /* of those that look at the ends of steps: ten orbits are off by 127 tolerances else */
     struct stepped *o = m->own = TAKE(life, struct stepped, 1);
     if (fixed_kind(m)->points) m->tolerance *= PART;
     stepper_open(&o->fixed, fixed_kind(m), s->ode, &s->options, life);

@@ -162,6 +162,15 @@ int trust_facts(const struct sim *sim, struct pair *facts);
 void warn_of_trust(struct sim *sim);
 void print_trust(const struct sim *sim, FILE *to);
 
+/* growth.c: at how many places of the run that has ended a look at how small differences grow is worth a fiftieth of its
+ * evaluations; the fastest growth at one of them [1/s], 0: none, or not known */
+struct growth_place {
+    double t, pace; /* pace: of the fastest velocity over its usual size [1/s] */
+    const double *q, *v;
+};
+int growth_places(const struct sim *sim);
+double growth_at(struct sim *sim, const struct growth_place *p);
+
 /* neglects.c: what effects turned off by the deck would change */
 void neglects_open(struct sim *sim, struct arena *life);
 void neglects_note(struct sim *sim);

@@ -15,6 +15,7 @@ static const double SMALL = 1e-6; /* of usual sizes: what the state is moved by 
 static const double UNKNOWN = .5; /* of a column's range: an error from which nothing follows */
 static const double AMPLE = 1.5;  /* times what is summed, so that few estimates are too small */
 static const double FAR = 300;    /* times the tolerance */
+static const double GROWN = 3;    /* logarithm of what small differences may have grown by */
 enum { DRAWS = 2 };
 
 void trust_open(struct sim *sim, struct arena *life)
@@ -106,11 +107,17 @@ void trust_recall(struct sim *sim, struct recall *r)
 
 /* ---- at the end ------------------------------------------------------------------------------------------------ */
 
+static double pace_of(const struct trust_place *p, const struct ode2 *ode)
+{
+    double pace = 0;
+    for (int i = 0; i < ode->n; i++) pace = fmax(pace, fabs(p->v[i]) / ode2_usual(ode, i));
+    return pace;
+}
+
 /* What makes the errors of a place so small that columns answer in proportion; 0: there are none. */
 static double reduction(const struct trust_place *p, const struct ode2 *ode)
 {
-    double pace = 0, most = 0;
-    for (int i = 0; i < ode->n; i++) pace = fmax(pace, fabs(p->v[i]) / ode2_usual(ode, i));
+    double pace = pace_of(p, ode), most = 0;
     for (int i = 0; i < ode->n; i++) {
         most = fmax(most, p->position[i] / ode2_usual(ode, i));
         most = fmax(most, p->velocity[i] / ode2_usual(ode, i) / fmax(pace, 1e-3));
@@ -151,6 +158,24 @@ static void look_at(struct sim *sim, const struct trust_place *p)
         for (int i = 0; i < sim->chosen.n; i++) o->sum[i] += pow((sim->row[i] - o->base[i]) / by, 2);
     }
     for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], sqrt(o->sum[i] / DRAWS));
+}
+
+/* How small differences grow, at the least, everywhere on the way. */
+static double growth_on_the_way(struct sim *sim, long chart)
+{
+    enum { FEW = 3 };
+    const struct trust *o = &sim->trust;
+    const int places = growth_places(sim);
+    double least = INFINITY;
+    int seen = 0;
+    for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
+        const struct trust_place *p = &o->place[i];
+        if (p->chart != chart) continue;
+        const struct growth_place there = {p->t, pace_of(p, sim->stepper.ode), p->q, p->v};
+        least = fmin(least, growth_at(sim, &there));
+        seen++;
+    }
+    return seen >= FEW ? least : 0;
 }
 
 /* A momentum that the scheme keeps: errors of all bodies cancel in it. */
@@ -234,6 +259,7 @@ void trust_find(struct sim *sim)
     keep(sim);
     for (int i = 0; i < o->n; i++)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
+    o->growth = growth_on_the_way(sim, chart);
     sim->x = end;
     sim->trouble = trouble;
     find_worst(sim);
@@ -286,9 +312,14 @@ void print_trust(const struct sim *sim, FILE *to)
                 "steps do not resolve what moves there; take "
                 "%s\n",
                 sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
-    else
+    else if (o->growth * (sim->x.t - sim->scene->start) > GROWN)
         fprintf(to,
-                "estimated error: %.1g of the range of '%s', summed over the "
-                "steps; `fmdsub run --verify` measures it\n",
-                o->worst, sim->columns[o->column].name);
+                "estimated error: %.1g of the range of '%s', summed over the steps, but small differences grow all the "
+                "way, at %.2g /s and more, and errors with them: `fmdsub run --verify` measures it\n",
+                o->worst, sim->columns[o->column].name, o->growth);
+    else
+        fprintf(
+            to,
+            "estimated error: %.1g of the range of '%s', summed over the steps; `fmdsub run --verify` measures it\n",
+            o->worst, sim->columns[o->column].name);
 }

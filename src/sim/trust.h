@@ -24,6 +24,7 @@ struct trust {
     double *dq, *dv;    /* [n] */
     double *off;        /* [columns] largest at a place */
 
+    double growth; /* least of small differences at the places [1/s]; 0: they do not grow everywhere */
     bool known;
     const char *why; /* not */
     double worst;    /* over its range */

@@ -12,6 +12,17 @@ tail -n 1 err | grep -q "^estimated error: not known, above half the range of 'w
 "$FMDSUB" run -s integrate.scheme=miao "$decks"/bar-slider.yaml >out 2>err
 tail -n 1 err | grep -q 'not known: its scheme does not tell' && ok "a scheme that does not tell" || not_ok "a scheme that does not tell" "it says" err
 
+# Where small differences grow all the way: a double pendulum, an orbit; not a pendulum, a four-bar of one freedom, a governor.
+for at in "double-pendulum $decks/double-pendulum.yaml" "orbit $ROOT/tests/tolerance/orbit.yaml"; do
+    "$FMDSUB" run "${at#* }" >out 2>err
+    tail -n 1 err | grep -q "summed over the steps, but small differences grow all the way, at [0-9.]* /s and more, and errors with them: " &&
+        ok "differences that grow: ${at%% *}" || not_ok "differences that grow: ${at%% *}" "it says" err
+done
+for quiet in pendulum four-bar governor spring-pendulum; do
+    "$FMDSUB" run "$decks/$quiet.yaml" >out 2>err
+    tail -n 1 err | grep -q "summed over the steps; " && ok "none that grow: $quiet" || not_ok "none that grow: $quiet" "it says" err
+done
+
 # A second run: the table, the summary, the same records.
 "$FMDSUB" run -q "$deck" >plain 2>err
 "$FMDSUB" run --verify "$deck" >out 2>err

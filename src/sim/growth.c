@@ -1,0 +1,69 @@
+/* growth.c -- do small differences grow where the run has been?
+ *
+ * Of the motion near one instant, d'' = A d + B d': the largest real part of the eigenvalues of [0 1; A, B], by differences of
+ * accelerations.  It is no Lyapunov exponent: what grows at one place may shrink at the next, and along an orbit, where
+ * differences grow with time alone, it is there everywhere.  Where it is positive all the way, sums of local errors are too
+ * small in either case. */
+#include <complex.h>
+#include <math.h>
+
+#include "engine/accel.h"
+#include "engine/motion.h"
+#include "engine/single.h"
+#include "la/schur.h"
+#include "sim/parts.h"
+
+enum { MOST_FREEDOMS = 10 };
+static const double PART = .02; /* of a run's evaluations */
+
+int growth_places(const struct sim *sim)
+{
+    const int n = sim->stepper.ode->n;
+    if (n < 2 || n > MOST_FREEDOMS || sim->stepper.touch)
+        return 0; /* one freedom drifts at most, if nothing drives it */
+    return (int)(PART * (double)sim->stepper.effort.slow / (2 * n + 1));
+}
+
+/* Accelerations where coordinate i, or velocity i - n, is more by a small part of its usual size, which is *by; i < 0: none is. */
+static enum status accelerations(double *a, double *by, struct sim *sim, const struct growth_place *p, int i)
+{
+    static const double SMALL = 1e-7;
+    const struct ode2 *o = sim->stepper.ode;
+    struct trust *t = &sim->trust;
+    const int n = o->n;
+    for (int k = 0; k < n; k++) t->dq[k] = 0;
+    copy(t->dv, p->v, n);
+    *by = i < 0 ? 0 : SMALL * ode2_usual(o, i % n);
+    if (i >= n) *by *= fmax(1, p->pace), t->dv[i - n] += *by;
+    if (i >= 0 && i < n) t->dq[i] = *by;
+    motion_point(o, sim->look->q, p->q, t->dq, 1, p->t);
+    return accel_solve(sim->stepper.accel, a, NULL, sim->look->q, t->dv, p->t, &sim->trouble);
+}
+
+/* [0 1; A, B] by column [2n x 2n]. */
+static enum status linearize(double *J, struct sim *sim, const struct growth_place *p, struct arena *scratch)
+{
+    const int n = sim->stepper.ode->n;
+    double *a0 = TAKE(scratch, double, n), *a = TAKE(scratch, double, n), by;
+    TRY(accelerations(a0, &by, sim, p, -1));
+    for (int i = 0; i < 2 * n; i++) {
+        TRY(accelerations(a, &by, sim, p, i));
+        for (int k = 0; k < n; k++) J[2 * n * i + n + k] = (a[k] - a0[k]) / by;
+        if (i >= n) J[2 * n * i + i - n] = 1;
+    }
+    return OK;
+}
+
+double growth_at(struct sim *sim, const struct growth_place *p)
+{
+    const struct effort effort = sim->stepper.effort;
+    const int m = 2 * sim->stepper.ode->n;
+    struct arena *scratch = arena_open();
+    double *J = TAKE_MATRIX(scratch, double, m, m), most = 0;
+    double complex *s = TAKE(scratch, double complex, m), *X = TAKE_MATRIX(scratch, double complex, m, m);
+    const bool known = linearize(J, sim, p, scratch) == OK && schur_eigen(s, X, J, m, scratch);
+    for (int i = 0; known && i < m; i++) most = fmax(most, creal(s[i]));
+    arena_close(scratch);
+    sim->stepper.effort = effort;
+    return known ? most : 0;
+}
