@@ -186,7 +186,7 @@ const struct diag_help diag_helps[] = {
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",
-     "Rigid contacts cut steps where they strike, which scheme midpoint does. Leave 'scheme' out. A "
+     "Rigid contacts cut steps where they strike, which the schemes midpoint and subcycle do. Leave 'scheme' out. A "
      "contact with a 'stiffness' is compliant, which every scheme takes; a joint's stop likewise, range: {hold: "
      "{stiffness: 1.0e+6}}."},
     {"E-damping",

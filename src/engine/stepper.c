@@ -25,6 +25,12 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     s->missed = TAKE(life, struct missed, 1);
     missed_open(s->missed, ode->n, life);
     kind->open(s, life);
+    if (ode->contact && ode->contact->m > 0 && kind->two_rates && !kind->adaptive) {
+        s->plain = TAKE(life, struct stepper, 1);
+        stepper_open(s->plain, kind->single, ode, options, life);
+        s->plain->missed = NULL;
+        s->touch = s->plain->touch;
+    }
     if (ode->contact && ode->contact->m > 0 && !s->touch) s->touch = touch_open(s, life);
     ode->along[0] = s->missed->position; /* not those of a stepper inside */
     ode->along[1] = s->missed->velocity;
@@ -122,21 +128,66 @@ static enum status between_corners(struct stepper *s, struct state *x, double h,
     return OK;
 }
 
-static enum status any_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+/* Where nothing touches. */
+static enum status smooth_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     const struct ode2 *o = s->ode;
-    if (s->unstarted) TRY(stepper_start(s, x, why));
-    s->unstarted = 0;
-    if (o->n == 0) {
-        TRY(kinematic_step(s, x, ratio, to, why));
-        return s->touch ? touch_driven(s->touch, x, why) : OK;
-    }
-    if (s->touch && !s->kind->adaptive) return touch_step(s, x, h, ratio, to, why);
     if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
         return between_corners(s, x, h, ratio, to, why);
     if (!s->kind->adaptive && o->breaks && (o->breaks->jump || s->kind->points))
         return after_corners(s, x, h, ratio, to, why);
     return s->kind->step(s, x, h, ratio, to, why);
+}
+
+static enum status plain_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    struct stepper *p = s->plain;
+    memset(p->work, 0, sizeof p->work);
+    p->lost = p->left = p->struck = 0;
+    const enum status status = touch_step(p, x, h, ratio, to, why);
+    memcpy(s->work, p->work, sizeof s->work);
+    s->lost = p->lost;
+    s->left = p->left;
+    s->struck = p->struck;
+    s->effort.minors += p->effort.minors;
+    effort_hand_on(&s->effort, &p->effort);
+    s->was_plain = true;
+    s->plainly += status == OK;
+    return status;
+}
+
+/* A major step of two rates beside contacts: where all of them are far, for all of it, they are not there; else its minor
+ * steps are taken of all coordinates, from impact to impact. */
+static enum status near_or_far(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    const double H = to - x->t;
+    bool far;
+    TRY(touch_far(s->touch, &far, x, H, why));
+    if (far && ratio > 1) {
+        if (s->was_plain) TRY(stepper_start(s, x, why));
+        s->was_plain = false;
+        s->plain->fresh = 1;
+        TRY(smooth_step(s, x, h, ratio, to, why));
+        TRY(touch_was_far(s->touch, &far, x, H, why));
+        if (far) return OK;
+        touch_back(s->touch, x);
+        s->effort.minors -= ratio;
+        s->effort.rejected++;
+    }
+    return plain_step(s, x, h, ratio, to, why);
+}
+
+static enum status any_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    if (s->unstarted) TRY(stepper_start(s, x, why));
+    s->unstarted = 0;
+    if (s->ode->n == 0) {
+        TRY(kinematic_step(s, x, ratio, to, why));
+        return s->touch ? touch_driven(s->touch, x, why) : OK;
+    }
+    if (s->plain) return near_or_far(s, x, h, ratio, to, why);
+    if (s->touch && !s->kind->adaptive) return touch_step(s, x, h, ratio, to, why);
+    return smooth_step(s, x, h, ratio, to, why);
 }
 
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
@@ -169,7 +220,13 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->missed) missed_recall(s->missed, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
-    if (s->touch && !s->kind->adaptive) touch_recall(s->touch, r); /* else that of the stepper inside */
+    if (s->plain) {
+        recall_one(r, "was_plain", s->was_plain);
+        recall_one(r, "plainly", s->plainly);
+        if (status == OK) status = stepper_recall(s->plain, r);
+    } else if (s->touch && !s->kind->adaptive) { /* else that of the stepper inside */
+        touch_recall(s->touch, r);
+    }
     recall_without(r);
     return status;
 }

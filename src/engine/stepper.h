@@ -127,8 +127,13 @@ struct stepper {
     struct accel *accel;   /* solves (2-4) for a */
     struct missed *missed; /* what steps have missed so far; NULL: nobody asks */
     struct touch *touch;   /* rigid contacts; NULL: there are none */
-    struct single *keep;   /* v, a before a corner */
-    struct single *whole;  /* the state before a step that is taken in parts */
+    struct stepper
+        *plain;     /* of two rates with rigid contacts: what takes its minor steps, of all coordinates, where one of
+                            * them is closed or near; NULL: nothing does */
+    bool was_plain; /* it took the last step */
+    long plainly;   /* major steps that it has taken */
+    struct single *keep;  /* v, a before a corner */
+    struct single *whole; /* the state before a step that is taken in parts */
     struct arena *life;
     void *self; /* the scheme's memory */
 };

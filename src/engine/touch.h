@@ -64,6 +64,11 @@ enum status touch_part(struct touch *o, bool *turned, struct state *x, int *cuts
 enum status touch_meet(struct touch *o, bool *changed, struct state *x, struct trouble *why);
 void touch_back(struct touch *o, struct state *x);
 
+/* For steps of two rates: are all contacts open, and so far that none can close in a time H?  And at its end, x: were they?
+ * Else touch_back(). */
+enum status touch_far(struct touch *o, bool *far, const struct state *x, double H, struct trouble *why);
+enum status touch_was_far(struct touch *o, bool *far, const struct state *x, double H, struct trouble *why);
+
 /* x->a := accelerations at x, with the forces of closed contacts. */
 enum status touch_accelerations(struct touch *o, struct state *x, struct trouble *why);
 

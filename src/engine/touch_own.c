@@ -111,3 +111,29 @@ void touch_back(struct touch *o, struct state *x)
 {
     touch_restore(&o->start, o, x);
 }
+
+/* ---- beside steps of two rates ---- */
+
+static enum status all_far(struct touch *o, bool *far, const struct state *x, double reach, struct trouble *why)
+{
+    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    *far = true;
+    for (int i = 0; i < o->c->m && *far; i++)
+        *far = !o->closed[i] && !o->c->of[i].joint && o->g[i] > reach * larger(1, o->size[i]);
+    return OK;
+}
+
+enum status touch_far(struct touch *o, bool *far, const struct state *x, double H, struct trouble *why)
+{
+    static const double REACH = 4; /* times what the fastest does */
+    touch_grow(o, x->v);
+    touch_save(&o->start, o, x);
+    return all_far(o, far, x, REACH * H * o->top, why);
+}
+
+enum status touch_was_far(struct touch *o, bool *far, const struct state *x, double H, struct trouble *why)
+{
+    static const double REACH = 2;
+    touch_grow(o, x->v);
+    return all_far(o, far, x, REACH * H * o->top, why);
+}

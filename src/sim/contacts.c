@@ -28,9 +28,10 @@ static const char *refused(const struct sim *sim, const struct node **at)
     *at = scheme ? scheme : p->node;
     if (kind->cut) return NULL;
     if (!single || !single->cut) return "";
-    const char *key = o->tolerance > 0 ? "tolerance" : p->ratio > 1 ? "ratio" : "rho_infinity";
+    if (!(o->tolerance > 0) && o->rho_infinity == 1) return NULL;
+    const char *key = o->tolerance > 0 ? "tolerance" : "rho_infinity";
     if (node_find(p->node, key)) *at = node_find(p->node, key);
-    return p->ratio > 1 ? " at ratio 1 only" : o->tolerance > 0 ? " by 'step' only" : " without what damps only";
+    return o->tolerance > 0 ? " by 'step' only" : " without 'rho_infinity' only";
 }
 
 /* Rigid contacts cut steps at impacts: that is written for the midpoint rule. */
@@ -49,10 +50,9 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
     }
     if (!what) return OK;
     diag_error(diags, at, AT_VALUE, "E-scheme-contact",
-               *what ? "'%.60s' %s: %s takes those%s" : "'%.60s' %s: only scheme midpoint takes those", name, does,
-               p->scheme, what);
-    diag_hint(diags, "%s%s", p->ratio > 1 ? "set 'ratio' to 1" : "write 'scheme: midpoint', or leave it out",
-              give_way(sim));
+               *what ? "'%.60s' %s: %s takes those%s" : "'%.60s' %s: only schemes midpoint and subcycle take those",
+               name, does, p->scheme, what);
+    diag_hint(diags, "write 'scheme: midpoint', or leave it out%s", give_way(sim));
     return E_DECK;
 }
 

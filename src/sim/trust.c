@@ -242,6 +242,7 @@ static const char *reason(const struct sim *sim)
     if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
     if (sim->stepper.touch && touch_pushed(sim->stepper.touch))
         return touch_rubs(sim->stepper.touch) ? "friction acts in joints" : "bodies push or rub each other";
+    if (sim->stepper.plainly > 0) return "near contacts all coordinates took the minor step";
     if (!asked) return "its scheme does not tell what its steps leave";
     if (2 * missed->told < missed->steps || missed->told == 0) return too_few(sim);
     return NULL;

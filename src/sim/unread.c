@@ -61,6 +61,13 @@ static void warn(const struct sim *sim, const struct node *n, bool (*wanted)(con
               chosen, readers);
 }
 
+static bool rubs(const struct sim *sim)
+{
+    for (int i = 0; i < sim->model->ncontact; i++)
+        if (sim->model->contact[i].pair == PAIR_FRICTION) return true;
+    return false;
+}
+
 /* Two rates, and nothing that takes the small step; coordinates to lead where nothing follows. */
 static void warn_of_partition(const struct sim *sim, struct diags *diags)
 {
@@ -76,6 +83,9 @@ static void warn_of_partition(const struct sim *sim, struct diags *diags)
         diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
                   "all coordinates are fast%s: the ratio saves nothing",
                   sim->model->nloop ? ", by name or by a loop with one that is" : "");
+    if (two && rubs(sim))
+        diag_warn(diags, node_find(p->node, "ratio"), AT_VALUE, "W-partition",
+                  "joints rub, and so all coordinates take the minor step: the ratio saves nothing");
     if (sim->stepper.kind->two_rates && damps < 1 && ode->ns == 0 && ode->n > 0)
         diag_warn(diags, node_find(p->node, "rho_infinity"), AT_VALUE, "W-partition",
                   "no coordinate is fast, and %s damps what is fast: nothing is damped", p->scheme);

@@ -26,6 +26,8 @@ output: {every: 0.01, columns: [rail.*, energy.*]}
 DECK
 echo "$work/ball.yaml ndjson 20 integrate.until=6" >>scenes # bodies that strike
 echo "$ROOT/decks/bounce-and-roll.yaml csv 5 integrate={tolerance: 1.0e-6, until: 2}" >>scenes # ... in steps of their own
+sed 's/integrate: .*/integrate: {scheme: subcycle, step: 1.0e-4, ratio: 10, until: 6}/; s/^  rail:/  knob: {prismatic: [ball, pea], axis: [0, 1]}\n&/; s/^bodies: {/&pea: {mass: 0.1, at: [0, 1.2]}, /; $a forces: {s: {spring: knob.displacement, stiffness: 4000}}\npartition: {fast: [knob]}' ball.yaml >peas.yaml
+echo "$work/peas.yaml csv 20 integrate.until=3" >>scenes # ... at two rates
 
 # A run that may be killed after so many seconds; 137 when it was.
 keep() { # SECONDS ARGUMENT...

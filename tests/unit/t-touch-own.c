@@ -192,10 +192,60 @@ static void a_plate_rattles(void **state)
     }
 }
 
+/* ---- two rates ---- */
+
+/* A mass on a soft one that is dropped: the same as by the midpoint rule at the minor step, as all is linear between impacts;
+ * far from the floor the slow one is asked once a major step. */
+static void of_two_rates(void **state)
+{
+    double y[2], slow[2];
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct opened o;
+        char text[900];
+        snprintf(
+            text, sizeof text,
+            "gravity: [0, -9.81]\nbodies: {a: {mass: 1, inertia: 0.1, at: [0, 1]}, b: {mass: 0.1, inertia: 0.01, at: "
+            "[0, 0.5]}}\nconstraints: {f: {prismatic: [ground, a], at: [0, 0], axis: [0, 1]}, g: {prismatic: [a, b], "
+            "axis: [0, 1]}}\nforces: {s: {spring: g.displacement, stiffness: 4000, damping: 0.1}}\n"
+            "surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, toe: {point: b}}\n"
+            "contacts: {c: {between: [toe, floor], restitution: 0.5}}\npartition: {fast: [g]}\n"
+            "integrate: {%s, step: 1.0e-4, until: 1}\n",
+            k ? "scheme: subcycle, ratio: 10" : "scheme: midpoint");
+        open_deck(&o, text);
+        run(&o);
+        y[k] = value(&o, "b.y");
+        slow[k] = (double)o.sim.stepper.effort.slow;
+        assert_true(value(&o, "c.impacts") == 14);
+        near(o.sim.ledger.worst, 0, 1e-8);
+        if (k) assert_true(o.sim.stepper.plainly > 10 && o.sim.stepper.plainly < 700);
+        arena_close(o.life);
+    }
+    near(y[1], y[0], 1e-11);
+    assert_true(slow[1] < .55 * slow[0]);
+}
+
+/* What flies by at 1000 m/s touches within a major step of 0.5 m, in which neither end is near. */
+static void not_passed_by(void **state)
+{
+    struct opened o;
+    (void)state;
+    open_deck(&o, "bodies: {a: {mass: 1, inertia: 0.1, at: [0, 0]}, b: {mass: 1, inertia: 0.1, at: [0, 1]}}\n"
+                  "constraints: {f: {prismatic: [ground, a], axis: [1, 0], range: {lower: -10, upper: 3.3333, hold: "
+                  "{restitution: 1}}}, g: {prismatic: [a, b], axis: [0, 1]}}\n"
+                  "forces: {s: {spring: g.displacement, stiffness: 100}}\ninitial: {f.displacement_rate: 1000}\n"
+                  "partition: {fast: [g]}\nintegrate: {scheme: subcycle, step: 1.0e-4, ratio: 5, until: 0.01}\n");
+    run(&o);
+    near(value(&o, "a.x"), 2 * 3.3333 - 10, 1e-9);
+    assert_true(value(&o, "f.upper.impacts") == 1);
+    arena_close(o.life);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(on_its_point), cmocka_unit_test(a_ball),
-                                       cmocka_unit_test(in_a_bore), cmocka_unit_test(stick_slip),
-                                       cmocka_unit_test(a_plate_rattles)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(on_its_point),    cmocka_unit_test(a_ball),
+                                       cmocka_unit_test(in_a_bore),       cmocka_unit_test(stick_slip),
+                                       cmocka_unit_test(a_plate_rattles), cmocka_unit_test(of_two_rates),
+                                       cmocka_unit_test(not_passed_by)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
