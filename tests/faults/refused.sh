@@ -74,3 +74,8 @@ refuse 2 "no column matches 'pin.angel'; did you mean 'pin.angle'" sweep $over -
 refuse 2 'nothing is drawn; --over' sweep $over --of 'last(pin.angle)' --sample 3 swept.yaml
 : >none.csv
 refuse 6 'the files are empty' sweep --merge none.csv
+
+# A zero byte in a number: told once, not as a wrong number besides.
+sed 's/mass: 1,/mass: "1\\0x",/' swept.yaml >zero.yaml
+"$FMDSUB" check zero.yaml >out 2>err
+expect "a zero byte in a number: status, one error" "3 1 1" "$? $(grep -c ': error: ' err) $(grep -c 'E-character' err)" err
