@@ -62,6 +62,7 @@ enum status verb_animate(const struct request *request, struct arena *life, stru
     film_open(&film, &sim, life);
     const enum status ended = sim_run(&sim, &sink, report);
     if (film.frames < 2) return ended != OK ? ended : fail(report, E_MODEL, "nothing moves: there is one record only");
+    film_close(&film, &sim);
     struct report late = {0};
     status = write_film(&film, request, form, life, &late);
     if (status != OK) *report = late;

@@ -13,7 +13,7 @@ static const unsigned palette[PALETTE] = {0x3b73b9, 0xd1793a, 0x4f9a5b, 0xb0504f
                                           0x7d66a8, 0x8a6a55, 0xc471a5, 0x5f9ea8};
 static const unsigned GREY = 0x8c8c8c, DARK = 0x4a4a4a;
 
-static struct actor *add_actor(struct film *o, enum actor_type type, const char *name, unsigned color)
+struct actor *film_actor(struct film *o, enum actor_type type, const char *name, unsigned color)
 {
     o->actor = arena_more(o->life, o->actor, o->nactor, &o->actors, sizeof *o->actor);
     struct actor *a = &o->actor[o->nactor++];
@@ -121,7 +121,7 @@ static void add_rigid(struct film *o, const struct sim *sim, int b)
 {
     static const double none[3] = {0, 0, 0};
     const struct scene_body *body = &sim->scene->body[b];
-    struct actor *a = add_actor(o, ACTOR_SOLID, body->name, palette[b % PALETTE]);
+    struct actor *a = film_actor(o, ACTOR_SOLID, body->name, palette[b % PALETTE]);
     a->body = sim->model->body_of[b];
     if (add_shape(&a->mesh, body)) return;
     add_bars(o, a, sim->scene, b);
@@ -205,7 +205,7 @@ static void add_line(struct film *o, const struct sim *sim, int b)
 {
     const int body = sim->model->body_of[b];
     const struct flex_body *f = sim->model->body[body].flex;
-    struct actor *a = add_actor(o, ACTOR_LINE, sim->scene->body[b].name, palette[b % PALETTE]);
+    struct actor *a = film_actor(o, ACTOR_LINE, sim->scene->body[b].name, palette[b % PALETTE]);
     int *order = TAKE(o->life, int, f->nnode + 1), *part = TAKE(o->life, int, f->nnode + 1), n = f->nnode;
     double d[3];
     const bool line = in_line(d, f);
@@ -241,7 +241,7 @@ static void add_joint(struct film *o, const struct sim *sim, int i)
     const double r = .016 * o->mark, *p, *E;
     double half[3], ends[2][3];
     if (j->kind->tie != NO_TIE || j->kind->type == JOINT_FREE || (tree < 0 && loop < 0)) return;
-    struct actor *a = add_actor(o, ACTOR_SOLID, j->name, j->first == 0 || j->second == 0 ? DARK : GREY);
+    struct actor *a = film_actor(o, ACTOR_SOLID, j->name, j->first == 0 || j->second == 0 ? DARK : GREY);
     a->body = tree >= 0 ? m->joint[tree].child : m->loop[loop].second;
     p = tree >= 0 ? m->joint[tree].b : m->loop[loop].b;
     E = tree >= 0 ? m->joint[tree].Eb : m->loop[loop].Eb;
@@ -262,7 +262,7 @@ static void add_joint(struct film *o, const struct sim *sim, int i)
 static void add_between(struct film *o, const char *name, const struct model_point *a, const struct model_point *b,
                         bool coils)
 {
-    struct actor *actor = add_actor(o, ACTOR_SPRING, name, coils ? 0x2f8f6f : GREY);
+    struct actor *actor = film_actor(o, ACTOR_SPRING, name, coils ? 0x2f8f6f : GREY);
     actor->a = *a;
     actor->b = *b;
     actor->coils = coils;
@@ -275,6 +275,7 @@ static void add_springs(struct film *o, const struct sim *sim)
     for (int i = 0; i < m->nforce; i++) {
         const struct model_force *f = &m->force[i];
         if (f->measure < 0 || (f->type != FORCE_LAW && f->type != FORCE_VALUE)) continue;
+        if (f->kind == &force_unilateral) continue; /* nothing is there while it is open */
         const struct model_measure *s = &m->measure[f->measure];
         if (s->type == MEASURE_DISTANCE || s->type == MEASURE_DISPLACEMENT)
             add_between(o, f->name, &s->a, &s->b, f->type == FORCE_LAW);
@@ -291,7 +292,7 @@ static void add_springs(struct film *o, const struct sim *sim)
 
 /* ---- the whole ---- */
 
-static void widen(struct film *o, const double *x)
+void film_widen(struct film *o, const double *x)
 {
     for (int k = 0; k < 3; k++) {
         o->low[k] = fmin(o->low[k], x[k]);
@@ -303,16 +304,17 @@ static void measure(struct film *o, const struct scene *s)
 {
     double x[3];
     for (int b = 1; b < s->nbody; b++) {
-        widen(o, s->body[b].at);
+        film_widen(o, s->body[b].at);
         const struct flex_body *f = s->body[b].flex;
         for (int i = 0; f && i < f->nnode; i++) {
             m3_mul(x, s->body[b].R, f->node[i].x);
             v3_add(x, s->body[b].at);
-            widen(o, x);
+            film_widen(o, x);
         }
     }
     for (int i = 0; i < s->njoint; i++)
-        if (!unseen(s, s->joint[i].second)) widen(o, s->joint[i].at);
+        if (!unseen(s, s->joint[i].second)) film_widen(o, s->joint[i].at);
+    film_widen_surfaces(o, s);
     v3_diff(x, o->high, o->low);
     o->size = isfinite(v3_norm(x)) && v3_norm(x) > 0 ? v3_norm(x) : 1;
     o->mark = o->size * fmin(1, CROWD / s->nbody);
@@ -339,6 +341,7 @@ void film_open(struct film *o, struct sim *sim, struct arena *life)
     for (int i = 0; i < s->njoint; i++)
         if (!unseen(s, s->joint[i].second)) add_joint(o, sim, i);
     add_springs(o, sim);
+    film_surfaces(o, sim);
 }
 
 static void put_frame(struct film *o, const struct sim *sim, struct actor *a, double *to)
@@ -352,7 +355,7 @@ static void put_frame(struct film *o, const struct sim *sim, struct actor *a, do
         for (int k = 3; k < 7; k++) to[k] = -to[k];
     const struct model_body *body = &sim->model->body[a->body];
     for (int j = 0; j < a->n; j++) to[7 + j] = sim->x.q[body->mode_q[j]];
-    if (a->type == ACTOR_SOLID && a->body) widen(o, p.r);
+    if (a->type == ACTOR_SOLID && a->body) film_widen(o, p.r);
 }
 
 void film_add(struct film *o, const struct sim *sim, const double *x)
@@ -371,7 +374,7 @@ void film_add(struct film *o, const struct sim *sim, const double *x)
         }
         for (int k = 0; a->type == ACTOR_LINE && k < a->nv; k += CUTS) {
             film_vertex(at, u, a, to, k);
-            widen(o, at);
+            film_widen(o, at);
         }
     }
     o->x = arena_more(o->life, o->x, o->frames, &o->capacity, (size_t)o->ncolumn * sizeof *o->x);

@@ -40,7 +40,7 @@ struct film {
     int space;
     double size, low[3], high[3]; /* of all that is seen, at all times [m] */
     double mark;                  /* the same for marks of joints, bars and springs: less where there are many bodies */
-    int nactor, actors;
+    int nactor, actors, surfaces; /* from the last on they are surfaces */
     struct actor *actor;
     int frames, capacity;
     int ncolumn;
@@ -56,6 +56,15 @@ void film_add(struct film *o, const struct sim *sim, const double *x);
 
 /* Where vertex i of a LINE stands at a frame, world axes; how far it is displaced. */
 void film_vertex(double *x, double *u, const struct actor *a, const double *frame, int i);
+
+/* Another of its actors; and film_surface.c: the surfaces that touch. */
+struct actor *film_actor(struct film *o, enum actor_type type, const char *name, unsigned color);
+void film_surfaces(struct film *o, const struct sim *sim);
+/* Their size, as drawn. */
+void film_widen_surfaces(struct film *o, const struct scene *s);
+void film_widen(struct film *o, const double *x);
+/* When all records are there: planes are as wide as what has been seen. */
+void film_close(struct film *o, const struct sim *sim);
 
 /* film_stress.c: where along a beam its places of stress are, as the deck has it; those of files are at nodes, and left out.
  * What they stand at with a record. */

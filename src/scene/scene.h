@@ -141,6 +141,17 @@ struct scene_force {
     bool torque, body_axes;
 };
 
+/* What may touch; here only pictures read it. */
+enum shape { SHAPE_PLANE, SHAPE_POINT, SHAPE_POINTS, SHAPE_SPHERE, SHAPE_HOLE, SHAPE_PROFILE, SHAPE_CAM, SHAPES };
+struct scene_surface {
+    const char *name;
+    enum shape shape;
+    struct marker at; /* a point of the plane, centre, origin of the curve */
+    double radius;
+    double normal[3]; /* of a plane, axes of its body; of a curve its x axis */
+    const struct outline *outline;
+};
+
 /* A rigid contact, by its pair: see kind/contact.h. */
 struct scene_contact {
     const char *name;
@@ -243,6 +254,8 @@ struct scene {
     struct scene_signal *signal;
     int nforce;
     struct scene_force *force;
+    int nsurface;
+    struct scene_surface *surface;
     int ncontact;
     struct scene_contact *contact;
     int ndrive;

@@ -9,8 +9,6 @@
 
 static const double USUAL_SLIP = 1e-3; /* of compliant contacts whose friction is a number [m/s] */
 
-enum shape { SHAPE_PLANE, SHAPE_POINT, SHAPE_POINTS, SHAPE_SPHERE, SHAPE_HOLE, SHAPE_PROFILE, SHAPE_CAM, SHAPES };
-
 static const struct {
     const char *word, *brief;
     const struct key *keys;
@@ -326,6 +324,22 @@ static void make_room(struct builder *b, int more)
     scene->force = forces;
 }
 
+static void keep_surfaces(struct builder *b, const struct surface *all, int n)
+{
+    struct scene_surface *o = b->scene->surface = TAKE(b->life, struct scene_surface, n);
+    for (int i = 0; i < n; i++) {
+        if (all[i].shape == SHAPE_POINT || all[i].shape == SHAPE_POINTS) continue;
+        *o = (struct scene_surface){.name = all[i].node->key,
+                                    .shape = all[i].shape,
+                                    .at = *all[i].at,
+                                    .radius = all[i].radius,
+                                    .outline = all[i].outline};
+        v3_copy(o->normal, all[i].normal);
+        o++;
+    }
+    b->scene->nsurface = (int)(o - b->scene->surface);
+}
+
 int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts)
 {
     int errors = 0, n = 0;
@@ -337,6 +351,7 @@ int read_contacts(struct builder *b, const struct node *surfaces, const struct n
             errors++;
         else
             n++;
+    keep_surfaces(b, all, n);
     if (errors || !contacts) return errors;
     make_room(b, contacts->count * count_spots(all, n));
     for (int i = 0; i < contacts->count && !diags_full(b->diags); i++) {

@@ -57,6 +57,31 @@ grep '"name":"arm"' beam.html | sed 's/[{}"]//g' | awk '
 paste want got | awk 'NR % 2 == 0 { d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; n++; if ($1 < low) low = $1 } END { print n, (low < -0.05), (most < 0.002 * -low) }' >tip
 expect "the tip of a beam bends as the records say" "31 1 1" "$(cat tip)" tip
 
+# Surfaces that touch: a ball's rim, a cam beside its shaft, and a floor under all that moves on it.
+cat >touch.yaml <<'YAML'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {wheel: {mass: 1, inertia: 1, at: [0, 0]}, ball: {mass: 1, inertia: 1, at: [4, 0.5]}}
+constraints: {shaft: {revolute: [ground, wheel], at: [0, 0]}, fly: {planar: [ground, ball]}}
+surfaces:
+  lobe: {cam: wheel, at: [0, 0.5], table: [[0, 1], [2, 1], [4, 1]]}
+  skin: {sphere: ball, radius: 0.7}
+  floor: {plane: ground, at: [0, -2], normal: [0, 1]}
+contacts: {hit: {between: [skin, floor], stiffness: 1.0e+4}}
+initial: {fly.x_rate: 6}
+integrate: {step: 1.0e-3, until: 1}
+output: {every: 0.01}
+YAML
+animate -o touch.html touch.yaml
+ended "surfaces" 0 $? touch.html err
+# reach NAME: how far the vertices of a thing reach on its body: least and most x, least and most y, to half a decimetre.
+reach() { grep "\"name\":\"$1\"" touch.html | sed 's/.*"x":\[\([^]]*\)\].*/\1/' | tr , '\n' | awk '
+    { k = (NR - 1) % 3; if (NR < 4 || $1 < low[k]) low[k] = $1; if (NR < 4 || $1 > high[k]) high[k] = $1 }
+    END { for (k = 0; k < 2; k++) printf "%.1f %.1f ", low[k], high[k] }'; }
+expect "surfaces: a ball" "-0.7 0.7 -0.7 0.7 " "$(reach skin)" err
+expect "surfaces: a cam, beside its shaft" "-1.0 1.0 -0.5 1.5 " "$(reach lobe)" err
+expect "surfaces: a floor under all that moves on it" "1 -2.0" "$(reach floor | awk '{ print ($1 < -1 && $2 > 10), $4 }')" err
+
 refuse 2 "writes --output FILE.html, FILE.glb, FILE.pvd or FILE.svg" animate "$ROOT/decks/pendulum.yaml"
 refuse 2 "writes --output FILE.html, FILE.glb, FILE.pvd or FILE.svg" animate -o p.avi "$ROOT/decks/pendulum.yaml"
 refuse 6 "none/p.html" animate -o none/p.html "$ROOT/decks/pendulum.yaml"
