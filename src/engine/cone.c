@@ -48,12 +48,12 @@ static double across(double *p, const double *W, const double *u0, const struct 
         w = larger(w, W[i + i * rows]);
         x[k] = rate(p, W, u0, i, rows);
     }
-    const double most = c->held || c->sticks ? INFINITY : c->mu * p[c->row] + c->preload;
+    const double most = (c->held && !c->slides) || c->sticks ? INFINITY : c->mu * p[c->row] + c->preload;
     if (!(w > 0)) return driven(p + c->row + 1, x, c, most);
     for (int k = 0; k < c->across; k++) x[k] = c->slides ? -most * c->slide[k] : p[c->row + 1 + k] - x[k] / w;
     const double size = hypot(x[0], x[1]);
     for (int k = 0; k < c->across; k++)
-        moved = larger(moved, set(&p[c->row + 1 + k], size > most ? x[k] * (most / size) : x[k], w));
+        moved = larger(moved, set(&p[c->row + 1 + k], size > most && !c->slides ? x[k] * (most / size) : x[k], w));
     return moved;
 }
 

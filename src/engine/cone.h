@@ -21,7 +21,7 @@ struct cone {
     int across;      /* rows behind it: 0, 1 or 2 */
     double mu;       /* of its friction */
     double preload;  /* impulse of friction that no push makes */
-    bool held;       /* all its rates are to be 0, whatever that takes */
+    bool held;       /* all its rates, where it slides the normal one, are to be 0, whatever that takes */
     bool sticks;     /* friction has no bound */
     bool slides;     /* it slides along slide [across], unit: p_t = -mu p_n slide */
     double slide[2]; /* */

@@ -113,8 +113,9 @@ static void slide(const struct problem *o, const double *p, const struct cone *c
 static void across(const struct problem *o, const double *p, const struct cone *c)
 {
     const double w = across_diagonal(o, c), *u = o->work->u + c->row + 1, *pt = p + c->row + 1;
-    const bool bound = !(c->held || c->sticks);
-    const double most = bound ? c->mu * larger(0, p[c->row]) + c->preload : INFINITY;
+    const bool bound = c->slides || !(c->held || c->sticks);
+    const double push = c->held ? p[c->row] : larger(0, p[c->row]);
+    const double most = bound ? c->mu * push + c->preload : INFINITY;
     double z[2] = {0};
     for (int k = 0; k < c->across; k++) z[k] = w > 0 ? pt[k] - u[k] / w : -u[k];
     const double size = hypot(z[0], z[1]);

@@ -193,6 +193,30 @@ static bool has_mended(const struct touch *o)
     return false;
 }
 
+/* Held along its gap, and across it where it sticks; where it slides, friction is that of what holds it. */
+static void hold(const struct touch *o, struct cone *c, int contact)
+{
+    const double *u = o->u + c->row + 1, *way = o->way + 2 * contact;
+    const double slip = touch_slip(o->u, c);
+    c->held = true;
+    if (touch_sticks(o, o->u, c)) return;
+    if (o->c->of[contact].joint) c->across = 0;
+    c->slides = true;
+    c->mu = o->c->of[contact].sliding;
+    for (int j = 0; j < c->across; j++) c->slide[j] = o->forced[contact] ? way[j] : u[j] / slip;
+}
+
+/* What friction has done of what has been taken is no impact's. */
+static void book_rubbing(struct touch *o)
+{
+    double rub = 0;
+    for (int k = 0; k < o->n; k++)
+        for (int j = 1, i = o->cone[k].row + 1; o->cone[k].slides && j <= o->cone[k].across; j++, i++)
+            rub += .5 * o->l[i] * (o->u[i] + o->u1[i]);
+    o->stepper->struck += rub;
+    o->stepper->work[POWER_FRICTION] += rub;
+}
+
 /* Takes what is left of the rates along rows that push and stick. */
 static enum status settle(struct touch *o, double t1, struct trouble *why)
 {
@@ -205,8 +229,7 @@ static enum status settle(struct touch *o, double t1, struct trouble *why)
     TRY(touch_look(o, o->u, &o->end, &there, why));
     for (int k = 0; k < o->n; k++) {
         struct cone *c = &o->cone[k];
-        c->held = true;
-        if (!touch_sticks(o, o->u, c)) c->across = 0;
+        hold(o, c, o->contact[k]);
         most = larger(most, fabs(o->u[c->row]));
     }
     if (o->n == 0 || most <= (mended ? 0 : STILL) * o->top) return OK; /* right behind an impact, to 0 */
@@ -218,6 +241,7 @@ static enum status settle(struct touch *o, double t1, struct trouble *why)
     touch_kick(o, o->vf, o->l);
     touch_rates(o, o->u1, &o->end, o->vf);
     touch_strike(o, o->q1, o->v1, t1);
+    book_rubbing(o);
     return OK;
 }
 
