@@ -31,7 +31,7 @@ struct node {
     const char *key;
     struct mark key_mark, key_end;
 
-    /* Scalar. */
+    /* Scalar; of a table among signals: an expression that is the same. */
     const char *text;
     size_t len;
     bool quoted;

@@ -49,14 +49,14 @@ static int not_here(struct lookup *lookup, int *slot, double *value, const char 
     return 1;
 }
 
-/* Signals are at the deck's top: no loop variable is theirs. */
+/* Signals are at the deck's top: no loop variable is theirs.  Short tables have a text, too (scene_read/signals.c). */
 static bool stands_for(struct expr_stand_in *o, void *self, const char *name)
 {
     const struct lookup *lookup = self;
     const struct node *n = lookup->own ? deck_signal(lookup->deck, name) : NULL;
     for (const struct scope *s = lookup->scope; s; s = s->up)
         if (!strcmp(s->name, name)) return false;
-    if (!n || n->type != NODE_SCALAR || n->reported || parameter_find(lookup->deck, name)) return false;
+    if (!n || !n->text || n->reported || parameter_find(lookup->deck, name)) return false;
     *o = (struct expr_stand_in){n->text, lookup->own};
     return true;
 }

@@ -48,8 +48,8 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
             snprintf(error->text, sizeof error->text, "unknown name '%.50s': no parameter, coordinate, rate or measure",
                      name);
         if (deck_signal(s->b->reader.deck, name))
-            snprintf(error->text, sizeof error->text, "signal '%.50s' is a table, which stands by itself: value: %.50s",
-                     name, name);
+            snprintf(error->text, sizeof error->text,
+                     "signal '%.40s' is a table of many points, which stands by itself", name);
         if (is_output_formula(s->b->reader.deck, name))
             snprintf(error->hint, sizeof error->hint,
                      "it is an expression of columns, which is written and moves nothing: use a measure");

@@ -73,6 +73,19 @@ static int refuse_circles(struct builder *b, const struct node *n)
 
 /* ---- the section ---- */
 
+/* A table as an expression of t, for others: y0 + sum of (y1 - y0) ramp(t, t0, t1).  NULL: it has too many points. */
+static const char *as_expression(struct builder *b, const struct signal *o)
+{
+    enum { MOST = 200, LENGTH = 100 };
+    if (o->n > MOST) return NULL;
+    char *text = TAKE(b->life, char, (o->n + 1) * LENGTH);
+    int len = snprintf(text, LENGTH, "%.17g", o->n ? o->x[0] : 0);
+    for (int i = 1; i < o->n; i++)
+        len += snprintf(text + len, LENGTH, " + (%.17g)*ramp(t, %.17g, %.17g)", o->x[i] - o->x[i - 1], o->t[i - 1],
+                        o->t[i]);
+    return text;
+}
+
 static int read_one(struct builder *b, struct scene_signal *o, struct node *n)
 {
     *o = (struct scene_signal){.name = n->key, .node = n, .is_table = n->type == NODE_MAP};
@@ -83,6 +96,7 @@ static int read_one(struct builder *b, struct scene_signal *o, struct node *n)
     }
     if (!errors) errors = o->is_table ? read_time_table(b, &o->table, n) : check_expression(b, n);
     if (errors) n->reported = true;
+    if (!errors && o->is_table) n->text = as_expression(b, &o->table);
     return errors;
 }
 
@@ -94,13 +108,14 @@ int read_signals(struct builder *b, const struct node *n)
     if (read_map(n, "'signals'", &b->reader)) return 1;
     scene->signal = TAKE(b->life, struct scene_signal, n->count);
     errors += refuse_circles(b, n);
-    for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
-        struct scene_signal signal;
-        if (n->item[i]->reported) continue;
-        if (read_one(b, &signal, n->item[i]))
-            errors++;
-        else
-            scene->signal[scene->nsignal++] = signal;
-    }
+    bool *known = TAKE(b->life, bool, n->count);
+    for (int tables = 1; tables >= 0; tables--) /* tables first: others read them */
+        for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
+            if (n->item[i]->reported || (n->item[i]->type == NODE_MAP) != (tables == 1)) continue;
+            known[i] = read_one(b, &scene->signal[i], n->item[i]) == 0;
+            errors += !known[i];
+        }
+    for (int i = 0; i < n->count; i++)
+        if (known[i]) scene->signal[scene->nsignal++] = scene->signal[i];
     return errors;
 }
