@@ -17,3 +17,7 @@ expect "subcycle 10:1: minor steps" "$(($(count major_steps) * 10))" "$(count mi
 "$FMDSUB" schema >"$work/schema"
 tr -d ' \n\t' <"$work/schema" >"$work/one"
 grep -q '"required":\["' "$work/one" && ! grep -q '"required":\[\]\|"enum":\[\]' "$work/one" && ok "schema: no empty list" || not_ok "schema: no empty list" "there is one"
+
+# Steps of order 4 keep their matrices from step to step: less than one a step.
+"$FMDSUB" run -q --stats="$work/stats" -s 'integrate={scheme: midpoint, order: 4, step: 1.0e-3, until: 0.5}' --every 0.1 -o "$work/out" decks/double-pendulum.yaml 2>"$work/err"
+expect "midpoint, order 4: 500 steps, matrices" "500 fewer" "$(count major_steps) $([ "$(count factorizations)" -lt 480 ] && echo fewer)" "$work/stats"
