@@ -278,7 +278,9 @@ const struct diag_help diag_helps[] = {
      "'effects' "
      "allows. The number is a share of how the body bends, right within a factor of about three: turn the effect on, "
      "or "
-     "run with it and without and compare (`fmdsub explain DECK` does), and give a tolerance that fits."},
+     "run with it and without and compare (`fmdsub explain DECK` does), and give a tolerance that fits. Of a scene "
+     "that is "
+     "stepped in a plane: what bends there would buckle out of it, which no symmetric computation shows by itself."},
     {"W-tolerance",
      "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
      "parts from "

@@ -351,6 +351,7 @@ struct flex_body *flex_refer(const struct flex_body *old, int node, struct arena
     struct flex_body *o = flex_body_take(n, old->nnode, 0, old->s != NULL, life);
     struct rigid r = rigid_of(&old->node[node], n, life);
     o->reference = node;
+    o->affine = old->affine;
     o->nstress = old->nstress;
     o->stress = old->stress;
     o->mass = old->mass;

@@ -52,6 +52,7 @@ struct flex_body {
     int n;         /* elastic coordinates */
     int inner;     /* for a choice of modes: the first of them, which move no joint; else 0 */
     int reference; /* number of the reference node */
+    bool affine;   /* in the plane: with the shapes split and the nodes turned as in space, see planar.h */
     int nnode;
     struct flex_node *node; /* [nnode] */
     int nstress;

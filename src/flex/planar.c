@@ -186,6 +186,38 @@ static void core_momentum(double *P, double *L, double *T, const struct flex_pla
     *T = .5 * (k->m_inv * (P[0] * P[0] + P[1] * P[1]) + k->j_inv * (x * x + y * y) + sum);
 }
 
+/* --- the second extent of a body as in space ---------------------------------------------------- */
+
+static void add_inertia(double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o, double w,
+                        double al, const double *q1, const double *q2)
+{
+    double F[2], more;
+    core_inertia(F, &more, o->Q, k, o, (double[]){0, 0}, w, al, q1, q2);
+    *N += more;
+    for (int i = 0; i < k->n; i++) Q[i] += o->Q[i];
+}
+
+static void add_momentum(double *L, double *T, const struct flex_planar *k, const struct flex_planar_core *o, double w,
+                         const double *q1)
+{
+    double P[2], more, energy;
+    core_momentum(P, &more, T ? &energy : NULL, k, o, (double[]){0, 0}, w, q1);
+    *L += more;
+    if (T) *T += energy;
+}
+
+/* Its part of G_j, and of row i of column j of the masses. */
+static double turn_of(const struct flex_planar *k, const struct flex_planar_core *o, int j)
+{
+    return k ? k->j_inv * (o->rho * o->C[j] - o->tau * o->E[j]) : 0;
+}
+
+static void add_masses(double *M, const struct flex_planar *k, const struct flex_planar_core *o)
+{
+    for (int j = 0; j < k->n; j++)
+        for (int i = j; i < k->n; i++) M[i + k->n * j] += k->j_inv * (o->E[i] * o->E[j] + o->C[i] * o->C[j]);
+}
+
 /* --- the mean frame ----------------------------------------------------------------------------- */
 
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
@@ -193,6 +225,10 @@ void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar 
     struct flex_planar_core *c = &o->core;
     double h[2];
     core_at(c, k, q);
+    if (k->across) {
+        core_at(&o->across, k->across, q);
+        c->J += o->across.J;
+    }
     turned(dot(k->mean, q, k->n), &o->cs[1], &o->cs[0]);
     v2_turn(o->y, o->cs, (double[]){-k->pivot[0], -k->pivot[1]});
     v2_turn(h, o->cs, c->h);
@@ -213,6 +249,7 @@ void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_plan
     double ai[2], Fi[2];
     v2_turn_back(ai, o->cs, am);
     core_inertia(Fi, N, Q, k, &o->core, ai, w + t1, al + t2, q1, q2);
+    if (k->across) add_inertia(N, Q, k->across, &o->across, w + t1, al + t2, q1, q2);
     v2_turn(F, o->cs, Fi);
     const double moment = *N + y[0] * F[1] - y[1] * F[0];
     for (int i = 0; i < k->n; i++) Q[i] += k->mean[i] * moment;
@@ -226,6 +263,7 @@ void flex_planar_momentum(double *P, double *L, double *T, const struct flex_pla
     double vi[2], Pi[2];
     v2_turn_back(vi, o->cs, (double[]){v[0] - w * o->d[1] - t1 * o->y[1], v[1] + w * o->d[0] + t1 * o->y[0]});
     core_momentum(Pi, L, T, k, &o->core, vi, w + t1, q1);
+    if (k->across) add_momentum(L, T, k->across, &o->across, w + t1, q1);
     v2_turn(P, o->cs, Pi);
     *L += o->d[0] * P[1] - o->d[1] * P[0];
 }
@@ -247,7 +285,7 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
     for (int j = 0; j < n; j++) {
         const double t = k->mean[j], x = k->m_inv * c->Hx[j], y = k->m_inv * c->Hy[j];
         const double G =
-            k->rpsi[j] + c->P[j] + (h[0] * y - h[1] * x) + k->j_inv * (c->rho * c->C[j] - c->tau * c->E[j]);
+            k->rpsi[j] + c->P[j] + (h[0] * y - h[1] * x) + turn_of(k, c, j) + turn_of(k->across, &o->across, j);
         double H[2], *u = U + 3 * j;
         v2_turn(H, o->cs, (double[]){c->Hx[j] - t * (h[1] - k->mass * p[1]), c->Hy[j] + t * (h[0] - k->mass * p[0])});
         u[0] = G - (p[0] * c->Hy[j] - p[1] * c->Hx[j]); /* about the pivot, without the turn */
@@ -261,6 +299,7 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
             M[i + n * j] =
                 rest[i] + (c->Hx[i] * x + c->Hy[i] * y) + (c->E[i] * e + c->C[i] * r) + k->mean[i] * g + U[3 * i] * t;
     }
+    if (k->across) add_masses(M, k->across, &o->across);
     for (int j = 0; j < n; j++) {
         double *u = U + 3 * j; /* about the origin */
         u[0] += J * k->mean[j] + p[0] * u[2] - p[1] * u[1];
@@ -268,6 +307,14 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
 }
 
 /* --- nodes -------------------------------------------------------------------------------------- */
+
+/* w = c theta', c = 1/(1 + theta^2/4). */
+static void turn_by_cayley(struct flex_planar_place *o, const double *psi, int n)
+{
+    const double theta = o->theta = o->angle, c = 1 / (1 + .25 * theta * theta);
+    o->angle = 2 * atan(.5 * theta);
+    for (int i = 0; i < n; i++) o->turn[i] = c * psi[i];
+}
 
 void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q)
 {
@@ -278,11 +325,12 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
     for (int i = 0; i < k->n; i++) {
         x += (px[i] + o->dx[i]) * q[i];
         y += (py[i] + o->dy[i]) * q[i];
-        angle += o->dw[i] * q[i];
+        angle += d->psi[i] * q[i];
     }
     o->x[0] = d->x[0] + .5 * x;
     o->x[1] = d->x[1] + .5 * y;
     o->angle = angle;
+    if (o->turn) turn_by_cayley(o, d->psi, k->n);
 }
 
 void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, const double *q1)
@@ -294,6 +342,7 @@ void flex_planar_place_bias(struct flex_planar_place *o, const struct flex_plana
 {
     const struct node *d = &k->node[node];
     o->bias[0] = o->bias[1] = 0;
+    o->turning = o->turn ? -.5 * o->theta * o->w * o->w : 0; /* c' theta' = -theta (c theta')^2/2 */
     if (d->S.rows == 0) return;
     double *S = o->work + d->d.size;
     panel_at(S, &d->S, q1);
@@ -305,4 +354,5 @@ void flex_planar_place_accelerate(struct flex_planar_place *o, const struct flex
 {
     three_sums(o->a, &o->al, o->dx, o->dy, o->dw, q2, k->n);
     for (int i = 0; i < 2; i++) o->a[i] += o->bias[i];
+    if (o->turn) o->al += o->turning;
 }

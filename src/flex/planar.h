@@ -39,7 +39,15 @@
  *     a := a + al J d - w2 d + t2 J y - t1 (t1 + 2 w) y,   w := w + t1,   al := al + t2,
  *     Q := Q + Theta (N + y x F),   N := N + d x F.
  *
- * Stiffness K q and damping D q' stand apart. */
+ * Stiffness K q and damping D q' stand apart.
+ *
+ * A body of space that moves in a plane (flex_body's `affine`) has its shapes split as there (affine.h): int x x' dm =
+ * l_1 e_1 e_1' + l_2 e_2 e_2', and in place of the similar motions those of e_1 and of e_2, each with its own
+ *
+ *     rho = l + e.int (phi q + ...) (x.e) dm,  tau = Je.int (phi q + ...) (x.e) dm,  jx = l,
+ *
+ * so that the square is there twice; the second one is the body `across`, which has nothing else.  Its nodes turn by
+ * 2 atan(psi q/2), the angle of Cayley's map. */
 #ifndef FMDSUB_FLEX_PLANAR_H
 #define FMDSUB_FLEX_PLANAR_H
 
@@ -54,11 +62,12 @@ struct flex_planar_core {                  /* in the mean frame */
     double h[2], rho, tau, J, rest;        /* rest: r */
     const double *Hx, *Hy, *E, *C, *W, *P; /* [n]; W^ q, P^'q */
     double *work, *rates;                  /* where they stand; work of flex_planar_inertia() */
+    double *Q;                             /* [n] work */
 };
 struct flex_planar_shape {
     double h[2], J;
-    double cs[2], d[2], y[2]; /* of the mean frame: cos, sin; its origin; the same from the pivot */
-    struct flex_planar_core core;
+    double cs[2], d[2], y[2];             /* of the mean frame: cos, sin; its origin; the same from the pivot */
+    struct flex_planar_core core, across; /* the second: of a body as in space, below */
 };
 void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life);
 void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q);
@@ -84,8 +93,10 @@ struct flex_planar_place {
     double x[2], angle; /* x + phi q + 1/2 q' S q,  psi . q */
     double v[2], w;     /* against the frame, frame axes */
     double a[2], al;
-    double bias[2];             /* of a: q1' S q1 */
+    double bias[2], turning;    /* of a: q1' S q1; of al */
     const double *dx, *dy, *dw; /* [n] velocities by q': phi + S q, psi */
+    double theta;               /* psi q */
+    double *turn;               /* [n] where dw stands, of a body as in space; NULL: it does not change */
     double *work;               /* where dx and dy stand, and work */
 };
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life);

@@ -1,4 +1,5 @@
 /* planar_build.c -- the tables of planar.h from a body's data, and room for what they give. */
+#include <math.h>
 #include <string.h>
 
 #include "flex/planar_parts.h"
@@ -57,23 +58,109 @@ static double cross2(const double *ab)
     return ab[3] - ab[1];
 }
 
+static const double THIN = 1e-12; /* no extent, as in affine.c */
+
+/* Of B = int x a' dm, of which x goes along e: a there along e; square to e. */
+static double along(const double *e, const double *B)
+{
+    return e[0] * (e[0] * B[0] + e[1] * B[1]) + e[1] * (e[0] * B[3] + e[1] * B[4]);
+}
+
+static double square_to(const double *e, const double *B)
+{
+    return e[0] * (e[0] * B[3] + e[1] * B[4]) - e[1] * (e[0] * B[0] + e[1] * B[1]);
+}
+
+/* The parts of B that rho and tau are made of. */
+static double rho_of(const struct flex_planar *k, const double *B)
+{
+    return k->cayley ? along(k->e1, B) : trace2(B);
+}
+
+static double tau_of(const struct flex_planar *k, const double *B)
+{
+    return k->cayley ? square_to(k->e1, B) : cross2(B);
+}
+
+/* Moments l and the first axis e of int x x' dm in the plane. */
+static void principal(double *l, double *e, const double *xx)
+{
+    const double half = .5 * (xx[0] - xx[4]), mean = .5 * (xx[0] + xx[4]), root = hypot(half, xx[1]);
+    const double angle = root > 0 ? .5 * atan2(xx[1], half) : 0;
+    l[0] = mean + root;
+    l[1] = mean - root;
+    e[0] = cos(angle);
+    e[1] = sin(angle);
+}
+
+static void take_extent(struct flex_planar *k, double jx, const double *e1, const struct flex_body *o,
+                        struct arena *life)
+{
+    k->jx = jx;
+    k->j_inv = k->jx > 0 ? 1 / k->jx : 0;
+    k->e1[0] = e1[0];
+    k->e1[1] = e1[1];
+    k->e = TAKE(life, double, k->n);
+    k->g = TAKE(life, double, k->n);
+    for (int j = 0; j < k->n; j++) {
+        k->e[j] = rho_of(k, o->xf + 9 * j);
+        k->g[j] = tau_of(k, o->xf + 9 * j);
+    }
+}
+
+static struct flex_planar *build_across(const double *e1, double l, const struct flex_body *o, struct arena *life)
+{
+    struct flex_planar *k = TAKE(life, struct flex_planar, 1);
+    k->n = o->n;
+    k->cayley = true;
+    k->f = TAKE(life, double, 2 * k->n);
+    k->rpsi = TAKE(life, double, k->n);
+    take_extent(k, l, (double[]){-e1[1], e1[0]}, o, life);
+    return k;
+}
+
+/* Do the coordinates leave it as it is? */
+static bool rests(const struct flex_planar *k, const struct flex_body *o)
+{
+    double most = 0, moved = 0;
+    for (int j = 0; j < o->n; j++) {
+        moved = fmax(moved, fmax(fabs(k->e[j]), fabs(k->g[j])));
+        for (int i = 0; i < 9; i++) most = fmax(most, fabs(o->xf[i + 9 * j]));
+    }
+    for (int j = 0; o->xs && j < o->n * o->n; j++) {
+        moved = fmax(moved, fmax(fabs(rho_of(k, o->xs + 9 * j)), fabs(tau_of(k, o->xs + 9 * j))));
+        for (int i = 0; i < 9; i++) most = fmax(most, fabs(o->xs[i + 9 * j]));
+    }
+    return moved <= THIN * most;
+}
+
+/* What a body as in space has besides; where that rests, it is inertia that only turns. */
+static void take_across(struct flex_planar *k, const double *e1, double l, const struct flex_body *o,
+                        struct arena *life)
+{
+    struct flex_planar *more = build_across(e1, l, o, life);
+    if (rests(more, o))
+        k->rot += l;
+    else
+        k->across = more;
+}
+
 static void build_linear(struct flex_planar *k, const struct flex_body *o, struct arena *life)
 {
     const int n = o->n;
+    double l[2] = {trace2(o->xx), 0}, e1[2] = {1, 0};
     k->mass = o->mass;
-    k->jx = trace2(o->xx);
+    k->cayley = o->affine;
     k->rot = o->rot[8];
     k->m_inv = 1 / k->mass;
-    k->j_inv = k->jx > 0 ? 1 / k->jx : 0;
+    if (o->affine) principal(l, e1, o->xx);
+    take_extent(k, l[0], e1, o, life);
+    if (l[1] > THIN * l[0]) take_across(k, e1, l[1], o, life);
     k->f = TAKE(life, double, 2 * n);
-    k->e = TAKE(life, double, n);
-    k->g = TAKE(life, double, n);
     k->rpsi = TAKE(life, double, n);
     for (int j = 0; j < n; j++) {
         k->f[j] = o->f[3 * j];
         k->f[j + n] = o->f[3 * j + 1];
-        k->e[j] = trace2(o->xf + 9 * j);
-        k->g[j] = cross2(o->xf + 9 * j);
         k->rpsi[j] = o->rpsi[3 * j + 2];
     }
 }
@@ -84,6 +171,30 @@ static void similar(double *W, double *P, const struct flex_planar *k, int i, in
     const double *fx = k->f, *fy = k->f + k->n, *e = k->e, *g = k->g;
     *W = k->m_inv * (fx[i] * fx[j] + fy[i] * fy[j]) + k->j_inv * (e[i] * e[j] + g[i] * g[j]);
     *P = k->m_inv * (fx[i] * fy[j] - fy[i] * fx[j]) + k->j_inv * (e[i] * g[j] - g[i] * e[j]);
+}
+
+/* Symmetric parts of xs, by a pair of coordinates. */
+static void stretch(double *se, double *sc, const struct flex_planar *k, const struct flex_body *o)
+{
+    const int n = o->n;
+    for (int i = 0; o->xs && i < n; i++)
+        for (int j = 0; j < n; j++) {
+            const double *a = o->xs + 9 * (i + n * j), *b = o->xs + 9 * (j + n * i);
+            se[i + n * j] = .5 * (rho_of(k, a) + rho_of(k, b));
+            sc[i + n * j] = .5 * (tau_of(k, a) + tau_of(k, b));
+        }
+}
+
+/* The squares of the second extent. */
+static void build_square_across(struct flex_planar *k, const struct flex_body *o, struct arena *life)
+{
+    const int nn = k->n * k->n;
+    double *none = TAKE(life, double, nn), *se = TAKE(life, double, nn), *sc = TAKE(life, double, nn);
+    stretch(se, sc, k, o);
+    double *const base[BLOCKS] = {k->f, k->f, k->e, k->g, NULL, NULL};
+    panel_build(&k->shape, k->n, BLOCKS, (double *const[]){none, none, se, sc, none, none}, base, life);
+    panel_build(&k->rates, k->n, RATES, (double *const[]){none, none, none, se, sc}, NULL, life);
+    panel_build(&k->M, k->n, 1, (double *const[]){none}, NULL, life);
 }
 
 /* Symmetric parts of s and xs: the antisymmetric ones do no harm anywhere, if there are any. */
@@ -98,6 +209,12 @@ static void build_square(struct flex_planar *k, const struct flex_body *o, struc
             const int ij = i + n * j, ji = j + n * i;
             double w, p;
             similar(&w, &p, k, j, i);
+            if (k->across) {
+                double w2, p2;
+                similar(&w2, &p2, k->across, j, i);
+                w += w2;
+                p += p2;
+            }
             const double both = .5 * (trace2(o->ff + 9 * ij) + trace2(o->ff + 9 * ji));
             const double turns = .5 * (o->ppsi[ij] + o->ppsi[ji]);
             W[ij] = both - w;
@@ -107,11 +224,9 @@ static void build_square(struct flex_planar *k, const struct flex_body *o, struc
                 sx[ij] = .5 * (o->s[3 * ij] + o->s[3 * ji]);
                 sy[ij] = .5 * (o->s[3 * ij + 1] + o->s[3 * ji + 1]);
             }
-            if (o->xs) {
-                se[ij] = .5 * (trace2(o->xs + 9 * ij) + trace2(o->xs + 9 * ji));
-                sc[ij] = .5 * (cross2(o->xs + 9 * ij) + cross2(o->xs + 9 * ji));
-            }
         }
+    stretch(se, sc, k, o);
+    if (k->across) build_square_across(k->across, o, life);
     double *const base[BLOCKS] = {k->f, k->f + n, k->e, k->g, NULL, NULL};
     panel_build(&k->shape, n, BLOCKS, (double *const[]){sx, sy, se, sc, W, P}, base, life);
     panel_build(&k->rates, n, RATES, (double *const[]){P, sx, sy, se, sc}, NULL, life);
@@ -175,9 +290,9 @@ struct flex_planar *flex_planar_build(const struct flex_body *body, struct arena
     return k;
 }
 
-void flex_planar_shape_take(struct flex_planar_shape *shape, const struct flex_planar *k, struct arena *life)
+static void core_take(struct flex_planar_core *o, const struct flex_planar *k, struct arena *life)
 {
-    struct flex_planar_core *o = &shape->core;
+    o->Q = TAKE(life, double, k->n);
     o->work = TAKE(life, double, k->shape.size);
     o->rates = TAKE(life, double, k->rates.size + k->M.size);
     o->Hx = o->work + k->shape.at[0];
@@ -188,10 +303,17 @@ void flex_planar_shape_take(struct flex_planar_shape *shape, const struct flex_p
     o->P = o->work + k->shape.at[5];
 }
 
+void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life)
+{
+    core_take(&o->core, k, life);
+    if (k->across) core_take(&o->across, k->across, life);
+}
+
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)
 {
     o->work = TAKE(life, double, k->node[node].d.size + k->node[node].S.size);
     o->dx = o->work + k->node[node].d.at[0];
     o->dy = o->work + k->node[node].d.at[1];
     o->dw = k->node[node].psi;
+    if (k->cayley) o->dw = o->turn = TAKE(life, double, k->n);
 }

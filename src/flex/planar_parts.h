@@ -29,6 +29,7 @@ struct node {
 
 struct flex_planar {
     int n;
+    double e1[2];         /* rho is counted along, tau square to it */
     double pivot[2];      /* of the mean frame: the reference node */
     double *mean;         /* [n] its turn by coordinate */
     double mass, jx, rot; /* jx = tr xx */
@@ -41,6 +42,10 @@ struct flex_planar {
     struct form K, D;
     double *rest; /* [n x n] M^ */
     struct node *node;
+    struct flex_planar
+        *across; /* of a body as in space: the part that turns and stretches with its second principal axis,
+                                 * rho, tau, jx and what is made of them alone; NULL: all of it is in these here */
+    bool cayley; /* nodes turn by 2 atan(psi q/2) */
 };
 
 #endif

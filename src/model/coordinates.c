@@ -16,9 +16,10 @@ bool is_fast(const struct making *o, int joint, int k)
 
 bool mode_is_fast(const struct making *o, int body, int k)
 {
+    const int made = o->body[body].made[k];
     for (int i = 0; i < o->scene->nfast; i++) {
         const struct scene_choice *c = &o->scene->fast[i];
-        if (c->joint < 0 && o->body_of[c->body] == body && (c->k < 0 || c->k == k)) return true;
+        if (c->joint < 0 && o->body_of[c->body] == body && (c->k < 0 || c->k == made)) return true;
     }
     return false;
 }
@@ -84,7 +85,7 @@ static void name_coordinates(struct making *o)
         const struct model_body *b = &o->body[i];
         for (int k = 0; k < b->nmode; k++)
             list[b->mode_q[k]] = (struct model_coordinate){
-                .name = arena_print(o->life, "%s.mode%d", b->name, k + 1),
+                .name = arena_print(o->life, "%s.mode%d", b->name, b->made[k] + 1),
                 .joint = b->joint,
                 .k = o->joint[b->joint].nq + k,
                 .iq = b->mode_q[k],

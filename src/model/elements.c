@@ -62,6 +62,14 @@ static void make_measure(struct making *o, struct model_measure *to, const struc
     to->fast = o->body[to->a.body].fast || o->body[to->b.body].fast;
 }
 
+/* Forces that read a mode keep it (mirror.h). */
+static struct model_slot mode_slot(const struct making *o, const struct scene_slot *s, enum slot_type type)
+{
+    const struct model_body *b = &o->body[o->body_of[s->index]];
+    const int k = model_mode(b, s->k);
+    return (struct model_slot){type, type == SLOT_Q ? b->mode_q[k] : b->mode_v[k]};
+}
+
 static struct model_slot make_slot(const struct making *o, const struct scene_slot *s)
 {
     switch (s->type) {
@@ -74,9 +82,9 @@ static struct model_slot make_slot(const struct making *o, const struct scene_sl
     case SCENE_RATE:
         return (struct model_slot){SLOT_V, rate_place(o, s->index, s->k)};
     case SCENE_MODE:
-        return (struct model_slot){SLOT_Q, o->body[o->body_of[s->index]].mode_q[s->k]};
+        return mode_slot(o, s, SLOT_Q);
     case SCENE_MODE_RATE:
-        return (struct model_slot){SLOT_V, o->body[o->body_of[s->index]].mode_v[s->k]};
+        return mode_slot(o, s, SLOT_V);
     case SCENE_TIME:
         break;
     }

@@ -4,19 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "flex/parity.h"
 #include "la/vec3.h"
+#include "model/flat_parts.h"
 
 static const double PARALLEL = 1e-12;
-
-struct flattening {
-    const struct model *full;
-    struct model *plane;
-    struct arena *life;
-    struct model_spatial *why;
-    double P[9];    /* x, y and the normal by column, world */
-    double (*T)[9]; /* [nbody] body axes to those of the plane when drawn; the ground's are the world's */
-    double size;    /* of the mechanism, for what stands at one height [m] */
-};
 
 static bool spatial(struct flattening *o, const char *name, const char *why)
 {
@@ -119,18 +111,22 @@ static void turn_axes(double *E, const struct flattening *o, int body)
     memcpy(E, turned, sizeof turned);
 }
 
-/* How far above the origin a point stands, along the normal [m]. */
-static double height(const struct flattening *o, const struct model_point *p)
+double flat_height(const struct flattening *o, int body, const double *p)
 {
     double x[3];
-    m3_mul(x, o->full->body[p->body].R, p->p);
-    v3_add(x, o->full->body[p->body].at);
+    m3_mul(x, o->full->body[body].R, p);
+    v3_add(x, o->full->body[body].at);
     return v3_dot(x, o->P + 6);
+}
+
+bool flat_level(const struct flattening *o, double a, double b)
+{
+    return fabs(a - b) <= PARALLEL * o->size;
 }
 
 static bool level(const struct flattening *o, const struct model_point *a, const struct model_point *b)
 {
-    return fabs(height(o, a) - height(o, b)) <= PARALLEL * o->size;
+    return flat_level(o, flat_height(o, a->body, a->p), flat_height(o, b->body, b->p));
 }
 
 static void move_point(struct model_point *x, const struct flattening *o)
@@ -140,6 +136,20 @@ static void move_point(struct model_point *x, const struct flattening *o)
 
 /* ---- bodies and joints ---- */
 
+/* The flexible body's data in the plane's axes; its modes out of the plane are gone, see model/mirror.h. */
+static bool flatten_bent(struct model_body *b, struct flattening *o, int i)
+{
+    bool *odd = TAKE(o->life, bool, b->nmode);
+    if (o->bent || !b->flex) return true;
+    struct flex_body *flex = flex_in_axes(b->flex, o->T[i], o->life);
+    bool plane = flex_parity(odd, flex) && flex_is_plane(flex);
+    for (int k = 0; k < b->nmode; k++) plane = plane && !odd[k];
+    if (!plane) return spatial(o, b->name, "bends out of the plane");
+    flex->affine = true;
+    b->flex = flex;
+    return true;
+}
+
 static bool flatten_bodies(struct flattening *o)
 {
     const struct model *m = o->full;
@@ -147,8 +157,8 @@ static bool flatten_bodies(struct flattening *o)
     memcpy(body, m->body, sizeof *body * (size_t)m->nbody);
     for (int i = 0; i < m->nbody; i++) {
         double at[3], inertia[6];
-        if (body[i].flex) return spatial(o, body[i].name, "is flexible");
         m3_tmulm(o->T[i], o->P, body[i].R);
+        if (!flatten_bent(&body[i], o, i)) return false;
         m3_tmul(at, o->P, body[i].at);
         v3_copy(body[i].at, at);
         press(body[i].at);
@@ -325,7 +335,7 @@ static double still_energy(const struct flattening *o)
     return -sum * v3_dot(m->gravity, n);
 }
 
-static bool flatten(struct flattening *o)
+bool flatten(struct flattening *o)
 {
     double normal[3];
     if (o->full->space == 2 || o->full->n == 0) return spatial(o, "the deck", "is planar as it is");
@@ -345,14 +355,19 @@ static bool flatten(struct flattening *o)
     return true;
 }
 
+struct flattening flattening_of(const struct model *full, struct model_spatial *why, struct arena *life)
+{
+    return (struct flattening){.full = full,
+                               .plane = TAKE(life, struct model, 1),
+                               .life = life,
+                               .why = why,
+                               .T = arena_take(life, (size_t)full->nbody, sizeof(double[9])),
+                               .size = size_of(full)};
+}
+
 const struct model_flat *model_flatten(const struct model *full, struct model_spatial *why, struct arena *life)
 {
-    struct flattening o = {.full = full,
-                           .plane = TAKE(life, struct model, 1),
-                           .life = life,
-                           .why = why,
-                           .T = arena_take(life, (size_t)full->nbody, sizeof *o.T),
-                           .size = size_of(full)};
+    struct flattening o = flattening_of(full, why, life);
     if (!flatten(&o)) return NULL;
     struct model_flat *flat = TAKE(life, struct model_flat, 1);
     *flat = (struct model_flat){.full = full, .plane = o.plane, .level = still_energy(&o)};

@@ -178,7 +178,9 @@ static void note_starts(const struct making *o, double *q, double *v)
         const bool whole = c->type == INITIAL_OMEGA || c->type == INITIAL_ROTATION;
         double *x = c->type == INITIAL_POSITION || c->type == INITIAL_ROTATION ? q : v;
         if (c->joint < 0) {
-            at_most(&x[o->body[o->body_of[c->body]].mode_v[c->k]], given);
+            const struct model_body *b = &o->body[o->body_of[c->body]];
+            const int k = model_mode(b, c->k);
+            if (k >= 0) at_most(&x[b->mode_v[k]], given);
         } else if (whole) {
             const struct model_joint *j = &o->joint[o->joint_of[c->joint]];
             for (int k = j->nv - 3; k < j->nv; k++) at_most(&x[j->iv[k]], given);

@@ -1,10 +1,11 @@
 /* model.c -- from a scene to a model, stage by stage; see build.h */
 #include "model/parts.h"
 
-enum status model_build(struct model **out, const struct scene *scene, struct diags *diags, struct arena *life)
+enum status model_build(struct model **out, const struct scene *scene, const bool *const *still, struct diags *diags,
+                        struct arena *life)
 {
     struct model *m = TAKE(life, struct model, 1);
-    struct making o = {.scene = scene, .diags = diags, .life = life, .m = m};
+    struct making o = {.scene = scene, .still = still, .diags = diags, .life = life, .m = m};
     m->space = scene->space;
     for (int i = 0; i < 3; i++) m->gravity[i] = scene->gravity[i];
     TRY(make_tree(&o));

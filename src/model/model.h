@@ -30,6 +30,8 @@ struct model_body {
     const struct flex_body *full; /* with what effects have left out of flex; NULL: nothing */
     const struct flex_body *flex; /* NULL: rigid; mass and inertia are then those of the undeformed body */
     int nmode, *mode_q, *mode_v;  /* [nmode] places of its elastic coordinates in q and v: q' = v */
+    int nmade;                    /* elastic coordinates that the deck asks for, and */
+    const int *made;              /* [nmode] which of these they are: the others stay 0, see model/mirror.h */
     bool at_node;                 /* a massless body that stands at a node of its parent, which is flexible: fixed */
     int node;                     /* to it by a joint of no freedom; number of the node */
     int component;                /* of the loops that tie its elastic coordinates; -1: none */
@@ -211,6 +213,14 @@ static inline const struct joint_kind *model_kind(const struct model *m, enum jo
 static inline int model_rate(const struct model_joint *j, int k)
 {
     return j->exchanged ? 1 - k : k;
+}
+
+/* Which of its coordinates is the deck's mode k (from 0); -1: none, it stays 0. */
+static inline int model_mode(const struct model_body *b, int k)
+{
+    for (int i = 0; i < b->nmode; i++)
+        if (b->made[i] == k) return i;
+    return -1;
 }
 
 /* The number of the first loop that is a drive; nloop where there are none. */

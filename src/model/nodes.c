@@ -4,6 +4,7 @@
  * there, held by a joint of no freedom, which the elastic coordinates move; one for each node in use. */
 #include <string.h>
 
+#include "flex/pick.h"
 #include "la/vec3.h"
 #include "model/parts.h"
 
@@ -64,6 +65,25 @@ int marker_on(double *p, struct making *o, const struct marker *m)
     return place_on(p, o, m->body, world);
 }
 
+/* Which of the deck's modes it has; its data without the others. */
+static void number_modes(const struct making *o, int index)
+{
+    struct model_body *body = &o->body[index];
+    const bool *still = o->still ? o->still[index] : NULL;
+    bool *keep = TAKE(o->life, bool, body->flex->n);
+    int *made = TAKE(o->life, int, body->flex->n);
+    body->nmade = body->flex->n;
+    body->nmode = 0;
+    for (int k = 0; k < body->nmade; k++) {
+        keep[k] = !still || !still[k];
+        if (keep[k]) made[body->nmode++] = k;
+    }
+    body->made = made;
+    if (body->nmode == body->nmade) return;
+    body->flex = flex_pick(body->flex, keep, o->life);
+    if (body->full) body->full = flex_pick(body->full, keep, o->life);
+}
+
 void make_flexible_body(struct making *o, int index, const struct scene_body *sb, const double *joint)
 {
     struct model_body *body = &o->body[index];
@@ -71,7 +91,7 @@ void make_flexible_body(struct making *o, int index, const struct scene_body *sb
     int node = scene_node(offset, sb, joint);
     body->flex = node == sb->flex->reference ? sb->flex : flex_refer(sb->flex, node, o->life);
     if (sb->full) body->full = node == sb->full->reference ? sb->full : flex_refer(sb->full, node, o->life);
-    body->nmode = sb->flex->n;
+    number_modes(o, index);
     body->mode_q = TAKE(o->life, int, body->nmode);
     body->mode_v = TAKE(o->life, int, body->nmode);
     v3_copy(body->at, sb->origin);

@@ -6,6 +6,7 @@
 
 struct making {
     const struct scene *scene;
+    const bool *const *still; /* [nbody][modes] coordinates to go without; NULL: none */
     struct diags *diags;
     struct arena *life;
     struct model *m;

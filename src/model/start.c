@@ -107,8 +107,9 @@ void make_start(struct making *o)
         const struct scene_initial *s = &scene->initial[i];
         if (s->joint < 0) {
             const struct model_body *b = &o->body[o->body_of[s->body]];
-            if (s->type == INITIAL_POSITION) give(q, given_q, b->mode_q[s->k], s->x[0]);
-            if (s->type == INITIAL_RATE) give(v, given_v, b->mode_v[s->k], s->x[0]);
+            const int k = model_mode(b, s->k);
+            if (k >= 0 && s->type == INITIAL_POSITION) give(q, given_q, b->mode_q[k], s->x[0]);
+            if (k >= 0 && s->type == INITIAL_RATE) give(v, given_v, b->mode_v[k], s->x[0]);
             continue;
         }
         if (s->type == INITIAL_POSITION) give(q, given_q, position_place(o, s->joint, s->k), s->x[0]);

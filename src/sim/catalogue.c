@@ -177,9 +177,10 @@ static void add_modes(struct listing *l, const struct owner *of, int number)
 {
     const struct model_body *b = &l->m->body[l->m->body_of[number]];
     for (int p = 0; p < 3; p++)
-        for (int k = 0; k < b->nmode; k++) {
+        for (int k = 0; k < b->nmade; k++) {
+            const int i = model_mode(b, k);
             const char *name = arena_print(l->life, "%s.mode%d%s", of->name, k + 1, columns_mode[p].space);
-            struct origin o = {&columns_mode[p], .of = of, .index = p ? b->mode_v[k] : b->mode_q[k]};
+            struct origin o = {&columns_mode[p], .of = of, .index = i < 0 ? -1 : p ? b->mode_v[i] : b->mode_q[i]};
             if (p < 2) o.slot = slot(l, p ? SCENE_MODE_RATE : SCENE_MODE, number, k);
             add(l, name, columns_mode[p].unit, o);
         }

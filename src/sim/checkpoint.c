@@ -80,6 +80,7 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     effort_recall(&sim->stepper.effort, r);
     trust_recall(sim, r);
     if (sim->neglects.n) neglects_recall(sim, r);
+    lateral_recall(sim, r);
     recall_without(r);
 }
 

@@ -5,19 +5,21 @@
 
 /* ---- coordinates of the state, of joints and of modes, by their places in q and v ---- */
 
+/* A mode that is not there stays 0: index -1. */
 static double position(const struct sim *sim, const struct origin *o)
 {
-    return sim->x.q[o->index];
+    return o->index < 0 ? 0 : sim->x.q[o->index];
 }
 
 static double rate(const struct sim *sim, const struct origin *o)
 {
+    if (o->index < 0) return 0;
     return sim->model->nloop ? system_rates(sim->system)[o->index] : sim->x.v[o->index];
 }
 
 static double acceleration(const struct sim *sim, const struct origin *o)
 {
-    return system_accelerations(sim->system)[o->index];
+    return o->index < 0 ? 0 : system_accelerations(sim->system)[o->index];
 }
 
 /* Names and units are those of the kind of joint. */

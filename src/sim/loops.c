@@ -43,7 +43,7 @@ const char *sim_loop_kind(const struct sim *sim, int l)
 void warn_of_loops(const struct sim *sim, struct diags *diags)
 {
     static const double SILENT = 1e-6; /* of the mechanism's size */
-    const struct condense *c = system_loops(sim->system);
+    const struct condense *c = sim->whole ? system_loops_stepped(sim->system) : system_loops(sim->system);
     if (!c || condense_started(c)->status != OK) return;
     const struct condense_start *s = condense_started(c);
     if (s->redundant) {

@@ -164,6 +164,7 @@ void warn_at_end(struct sim *sim)
     warn_of_deflections(sim);
     warn_of_trust(sim);
     warn_of_neglects(sim);
+    warn_of_lateral(sim);
 }
 
 /* "61.9 kJ" */

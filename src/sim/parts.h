@@ -152,6 +152,13 @@ double record_value(const struct sim *sim, const struct origin *o);
 enum status record_fill(struct sim *sim);
 
 /* trust.c: how far the run is off, noted with each record; at the end */
+/* *m without modes that stay 0; where the deck looks at all of them, with all. */
+enum status leave_still(struct model **m, struct sim *sim, struct arena *life);
+/* lateral.c */
+void lateral_open(struct sim *sim, struct arena *life);
+void lateral_note(struct sim *sim);
+void lateral_recall(struct sim *sim, struct recall *r);
+void warn_of_lateral(struct sim *sim);
 void trust_open(struct sim *sim, struct arena *life);
 struct recall;
 void trust_recall(struct sim *sim, struct recall *r);

@@ -94,7 +94,10 @@ static enum status least_energy(double *least, struct sim *sim, struct trouble *
 /* What start_at_rest() finds, found before. */
 static void take_rest(struct sim *sim)
 {
-    memcpy(sim->x.q, sim->options.rest, sizeof *sim->x.q * (size_t)sim->stepper.ode->nq);
+    const double *rest = sim->options.rest;
+    if (!sim->whole) memcpy(sim->x.q, rest, sizeof *sim->x.q * (size_t)sim->stepper.ode->nq);
+    for (int i = 0; sim->whole && i < sim->whole->n; i++)
+        if (sim->from_whole[i] >= 0) sim->x.q[sim->from_whole[i]] = rest[i];
 }
 
 /* Consistent accelerations at the start; a massless freedom shows here. */
@@ -124,7 +127,8 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
 {
     struct model *m;
     *sim = (struct sim){.scene = scene, .plan = *plan, .options = *options};
-    TRY(model_build(&m, scene, diags, life));
+    TRY(model_build(&m, scene, NULL, diags, life));
+    TRY(leave_still(&m, sim, life));
     sim->model = m;
     enum status steps = plan_steps(sim, diags, life, report);
     TRY(choose_columns(sim, diags, life, report));
@@ -156,6 +160,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     TRY(start(sim, diags, report));
     trust_open(sim, life);
     neglects_open(sim, life);
+    lateral_open(sim, life);
     return memory_take(sim, life, report);
 }
 
@@ -183,7 +188,7 @@ bool sim_column_compared(const struct sim *sim, int i)
 int sim_column_rate(const struct sim *sim, int i)
 {
     const struct origin *o = &sim->catalogue.origin[sim->chosen.index[i]];
-    return o->kind->use == USE_POSITION ? sim->model->coordinate[o->index].fast : -1;
+    return o->kind->use == USE_POSITION && o->index >= 0 ? sim->model->coordinate[o->index].fast : -1;
 }
 
 static enum status write_meta(const struct sim *sim, struct sink *sink, struct report *report)

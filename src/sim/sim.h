@@ -15,6 +15,7 @@
 #include "out/sink.h"
 #include "scene/scene.h"
 #include "sim/catalogue.h"
+#include "sim/lateral.h"
 #include "sim/neglects.h"
 #include "sim/trust.h"
 #include "system/idle.h"
@@ -67,7 +68,10 @@ struct sim {
     struct integrate plan; /* as run: scheme, step, ratio, until */
     struct system *system;
     struct model_spatial spatial; /* why a spatial model's motion does not stay in a plane */
+    const struct model *whole;    /* with the modes that stay 0, which `model` is without; NULL: there are none */
+    const int *from_whole;        /* [n of it] which of the model's coordinates its are; -1: left out */
     bool flat;                    /* it does, and steps are taken there */
+    struct lateral lateral;       /* does it still stand there? */
     struct idle idle;             /* turns that move no mass */
     struct stepper stepper;
     struct state x;

@@ -136,7 +136,7 @@ enum status state_take(const struct sim *sim, struct model *m, struct diags *dia
         }
         read_number(&x, n, NULL, &rd);
         given[i] = true;
-        (c->origin[i].kind->use == USE_POSITION ? q : v)[c->origin[i].index] = x;
+        if (c->origin[i].index >= 0) (c->origin[i].kind->use == USE_POSITION ? q : v)[c->origin[i].index] = x;
     }
     if (diags_status(diags) == OK) report_missing(c, given, from, diags);
     if (diags_status(diags) == OK) check_deck(sim, diags);

@@ -19,6 +19,7 @@ static enum status write_row(struct sim *sim, struct sink *sink, struct report *
     sim->recorded = sim->x.t;
     trust_note(sim);
     neglects_note(sim);
+    lateral_note(sim);
     return sink->ops->row(sink, sim->row, report);
 }
 

@@ -124,8 +124,10 @@ static const struct stepper_kind *any_kind(void)
 
 static const double *keep_rest(const struct sim *sim, struct arena *life)
 {
-    double *q = TAKE(life, double, sim->model->nq);
-    memcpy(q, sim->x.q, sizeof *q * (size_t)sim->model->nq);
+    double *q = TAKE(life, double, sim->whole ? sim->whole->nq : sim->model->nq);
+    if (!sim->whole) memcpy(q, sim->x.q, sizeof *q * (size_t)sim->model->nq);
+    for (int i = 0; sim->whole && i < sim->whole->n; i++)
+        if (sim->from_whole[i] >= 0) q[i] = sim->x.q[sim->from_whole[i]];
     return q;
 }
 

@@ -76,6 +76,11 @@ struct condense *system_loops(const struct system *s)
     return system_seen(s)->loops;
 }
 
+struct condense *system_loops_stepped(const struct system *s)
+{
+    return s->loops;
+}
+
 int system_place(const struct system *s, int i)
 {
     return s->loops ? condense_place(s->loops, i) : i;

@@ -84,6 +84,8 @@ double system_force_torque(const struct system *s, int i);
 /* The loops, NULL: none.  Largest |C| of all states seen; the model's place in v of the door's number i. */
 struct condense;
 struct condense *system_loops(const struct system *s);
+/* Of the plane, where steps are taken there: bodies that bend out of it hold what is across. */
+struct condense *system_loops_stepped(const struct system *s);
 double system_constraint_worst(const struct system *s);
 /* The loops at q and t are looked at for it. */
 void system_note_closure(struct system *s, const double *q, double t);

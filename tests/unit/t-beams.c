@@ -37,7 +37,7 @@ static void open_deck(struct opened *o, const char *text, const char *partition)
     struct report report = {0};
     struct diags *diags = diags_open(o->life);
     enum status status = sim_load(&o->scene, path, NULL, diags, o->life, &report);
-    if (status == OK) status = model_build(&o->model, o->scene, diags, o->life);
+    if (status == OK) status = model_build(&o->model, o->scene, NULL, diags, o->life);
     if (status != OK) diags_print(stderr, diags, false);
     assert_int_equal(status, OK);
     unlink(path);

@@ -399,6 +399,7 @@ static void test_flap_of_wide_blades(void **state)
                  "  sh: {revolute: [ground, hub], at: [0, 0, 0], axis: [0, 0, 1]}\n"
                  "  cl: {fixed: [hub, arm], at: [0, 0, 0]}\n"
                  "drives: {s: {drive: sh.angle, value: \"%.17g*t\"}}\n"
+                 "effects: {out_of_plane: true}\n"
                  "integrate: {scheme: midpoint, step: 1.0e-4, until: 0.1}\n",
                  k % 2 ? "true" : "false", width[k / 2], 12 * unit);
         assert_int_equal(frequencies(omega, 3, text), 3);

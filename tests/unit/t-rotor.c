@@ -68,6 +68,7 @@ static void check_disk(double W, double Ip)
              "  bearing: {revolute: [ground, hub], at: [0, 0, 0], axis: [1, 0, 0]}\n"
              "  clamp: {fixed: [hub, shaft], at: [0, 0, 0]}\n"
              "drives: {spin: {drive: bearing.angle, value: %g*t}}\n"
+             "effects: {out_of_plane: true}\n"
              "integrate: {scheme: midpoint, step: 1.0e-4, until: 0.01}\n",
              Ip, W);
     find_modes(&modes, &o, text);
@@ -154,6 +155,7 @@ static void test_propeller(void **state)
                  "  bearing: {revolute: [ground, hub], at: [0, 0, 0], axis: [0, 0, 1]}\n"
                  "  clamp: {fixed: [hub, blade], at: [0, 0, 0]}\n"
                  "drives: {spin: {drive: bearing.angle, value: %g*t}}\n"
+                 "effects: {out_of_plane: true}\n"
                  "integrate: {scheme: midpoint, step: 1.0e-4, until: 0.01}\n",
                  b * h, h * b * b * b / 12, b * h * h * h / 12, W);
         find_modes(&modes, &o, text);

@@ -151,7 +151,7 @@ static void test_near(void **state)
     struct model *m;
     static struct walk a, b;
     assert_int_equal(sim_load(&scene, "tests/bench/arms.yaml", NULL, diags, arena, &report), OK);
-    assert_int_equal(model_build(&m, scene, diags, arena), OK);
+    assert_int_equal(model_build(&m, scene, NULL, diags, arena), OK);
     struct ode2 *o = system_ode2(system_build(m, arena));
     struct step_options options = step_defaults;
     options.newton_tolerance = 1e-13;
