@@ -177,8 +177,7 @@ static void print_suggestion(FILE *to, const struct sim *sim, const struct modes
         return;
     }
     if (fmax(modes->fast_top, modes->slow_top) * modes_longest_step(sim) < slow) {
-        fprintf(to, "  too slow to choose a step by%s\n",
-                sim->scene->ncontact ? "" : ": `fmdsub study` tells what steps are worth in the motion itself");
+        fputs("  too slow to choose a step by: `fmdsub study` tells what steps are worth in the motion itself\n", to);
         return;
     }
     modes_suggest(&h, &ratio, modes, sim);
@@ -219,7 +218,7 @@ static void print_no_steps(FILE *to, const struct advice *o)
 static void print_advice(FILE *to, const struct sim *sim, const struct advice *o)
 {
     if (o->why) {
-        const bool study = !sim->scene->ncontact && !o->stop.text[0];
+        const bool study = !o->stop.text[0];
         fprintf(to, "steps: no advice, for %s%s", o->why, study ? "; `fmdsub study` looks longer" : "");
         if (o->stop.text[0]) fputs(":\n  ", to), text_put(to, o->stop.text);
         fputc('\n', to);

@@ -176,7 +176,6 @@ enum status verb_study(const struct request *request, struct arena *life, struct
     TRY(check_plot(request, report));
     if (request->plot && !request->script) TRY(gnuplot_open(&gnuplot, report));
     enum status status = cli_load_run(&scene, &diags, request, life, report);
-    if (status == OK && reference_none(scene)) status = fail(report, E_MODEL, "%s", reference_none(scene));
     const struct target files[] = {
         {"--output", request->output, true}, {"--plot", request->plot, true}, {"--report", request->page, true}};
     if (status == OK) status = targets_check(files, 3, &scene->deck->read, life, report);

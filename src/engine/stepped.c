@@ -159,7 +159,7 @@ static enum status smooth_part(struct stepper *s, struct adaptive *m, struct sta
     if (happened) TRY(begin_behind(s, m, x, why));
     for (int k = 0, cuts = 0; k < MOST; k++) {
         TRY(touch_part(s->touch, &turned, x, &cuts, h, t + h, why));
-        if (x->t != t + h) m->came = x->t - t;
+        m->came = x->t != t + h ? x->t - t : h;
         if (m->came > 0) return OK;
         if (!turned) TRY(touch_meet(s->touch, &happened, x, why));
         TRY(begin_behind(s, m, x, why));

@@ -41,10 +41,11 @@ const struct column_kind columns_contact[] = {
     {COLUMN(".gap_rate", ".gap_rate", "m/s", "its rate", EVALUATE_MOTION, speed), .angular = "rad/s"},
     {COLUMN(".normal", ".normal", "N", "push of the contact, mean over the last step", EVALUATE_NOTHING, normal),
      .angular = "N m"},
-    {COLUMN(".state", ".state", NULL, "0: open, 1: closed and slides, 2: closed and sticks", EVALUATE_NOTHING, state)},
+    {COLUMN(".state", ".state", NULL, "0: open, 1: closed and slides, 2: closed and sticks", EVALUATE_NOTHING, state),
+     .own = true},
     {COLUMN(".impulse", ".impulse", "N s", "impulse of its push since the start", EVALUATE_NOTHING, impulse),
      .angular = "N m s"},
-    {COLUMN(".impacts", ".impacts", NULL, "impacts since the start", EVALUATE_NOTHING, impacts)},
+    {COLUMN(".impacts", ".impacts", NULL, "impacts since the start", EVALUATE_NOTHING, impacts), .own = true},
     {0},
 };
 
@@ -57,7 +58,8 @@ const struct column_kind columns_joint_friction[] = {
     {COLUMN(".friction", ".friction", "N",
             "its friction on the second body, along the coordinate, mean over the last step", EVALUATE_NOTHING, rubs),
      .angular = "N m"},
-    {COLUMN(".friction_state", ".friction_state", NULL, "1: it moves, 2: it sticks", EVALUATE_NOTHING, state)},
+    {COLUMN(".friction_state", ".friction_state", NULL, "1: it moves, 2: it sticks", EVALUATE_NOTHING, state),
+     .own = true},
     {0},
 };
 

@@ -22,8 +22,15 @@ static bool damps(const struct stepper_kind *kind)
     return !kind->two_rates && key_find(kind->keys, "rho_infinity") && !key_find(kind->keys, "gamma");
 }
 
+/* Rigid contacts are cut into steps of one rate, those of other schemes are refused. */
+static bool takes_contacts(const struct stepper_kind *kind)
+{
+    return kind->cut || (kind->two_rates && kind->single && kind->single->cut);
+}
+
 static bool makes_sense(const struct stepper_kind *kind, const struct subject *subject)
 {
+    if (subject->scene->ncontact && !takes_contacts(kind)) return false;
     if (kind == stepper_find(subject->scene->integrate.scheme)) return !too_full(kind, subject);
     return !too_full(kind, subject) && !damps(kind) && (!kind->two_rates || two_rates(subject));
 }
@@ -96,7 +103,8 @@ static enum status add_kind(struct grid *o, const struct stepper_kind *kind, con
     const int usual[] = {plan->ratio > 1 ? plan->ratio : USUAL_RATIO}, single[] = {1};
     const bool all = kind->two_rates && options->nratio;
     const int *ratio = all ? options->ratio : kind->two_rates ? usual : single, n = all ? options->nratio : 1;
-    if (by_tolerance(kind) && (kind->adaptive || !options->nstep)) {
+    const bool cut = subject->scene->ncontact && kind->two_rates; /* those take fixed steps */
+    if (by_tolerance(kind) && !cut && (kind->adaptive || !options->nstep)) {
         add_tolerances(o, kind, options, life);
         return OK;
     }

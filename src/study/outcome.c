@@ -115,9 +115,10 @@ enum status outcome_run(struct outcome *o, const struct setting *setting, double
 }
 
 /* Any that opens whatever the deck says of steps. */
-static const struct stepper_kind *any_kind(void)
+static const struct stepper_kind *any_kind(const struct scene *scene)
 {
     int i = 0;
+    if (scene->ncontact) return stepper_find("midpoint");
     while (!(by_tolerance(stepper_kinds[i]) && stepper_kinds[i]->adaptive && !stepper_kinds[i]->full)) i++;
     return stepper_kinds[i];
 }
@@ -150,7 +151,7 @@ enum status subject_open(struct subject *o, const struct scene *scene, const cha
 {
     const struct integrate *plan = &scene->integrate;
     const double H = plan->step * plan->ratio * (scene->output.every_steps ? (double)scene->output.every_steps : 1);
-    const struct setting any = {any_kind(), 1e-3, NAN, 1};
+    const struct setting any = {any_kind(scene), 1e-3, NAN, 1};
     struct sim_options options;
     struct step_options how;
     struct sim sim;

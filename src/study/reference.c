@@ -18,13 +18,6 @@ static const double RESTS = 1e-8;     /* of its size: the range of a column that
 static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less */
 enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
 
-const char *reference_none(const struct scene *scene)
-{
-    return scene->ncontact ? "a study has no reference for scenes with rigid contacts yet; `fmdsub run --verify` "
-                             "compares two steps"
-                           : NULL;
-}
-
 static void find_ranges(struct reference *o)
 {
     for (int c = 0; c < o->run.n; c++) {
@@ -179,9 +172,35 @@ static void bring_forward(struct reference *o, struct subject *subject, double s
     o->cut = true;
 }
 
+/* Rigid contacts are midpoint's alone, at two tolerances: errors between impacts, by which its steps go, are of order 2, and
+ * so the second is off by about what the two differ by, the first by a tenth of that. */
+static enum status choose_with_contacts(struct reference *o, struct subject *subject, double most, struct arena *life,
+                                        struct report *report)
+{
+    static const double COARSE = 1e-4, pairs[][2] = {{1e-8, 1e-7}, {1e-7, 1e-6}, {1e-6, 1e-5}};
+    enum { PAIRS = sizeof pairs / sizeof *pairs };
+    struct outcome run;
+    const struct stepper_kind *kind = stepper_find("midpoint");
+    const struct setting trial = {kind, COARSE, NAN, 1};
+    TRY(outcome_run(&run, &trial, fmin(TRIALS * most, MOST_TRIAL), subject, life, report));
+    o->spent += run.seconds;
+    if (run.rows < 2) return fail(report, E_NUMERIC, "no reference: midpoint does not take this deck on");
+    const double span = subject->until - subject->scene->start, allowed = (1 - TRIALS) * most;
+    const double gone = outcome_row(&run, run.rows - 1)[0] - subject->scene->start;
+    for (int i = 0; i < PAIRS; i++) {
+        const double seconds = run.seconds * span / gone * (sqrt(COARSE / pairs[i][0]) + sqrt(COARSE / pairs[i][1]));
+        o->first = (struct setting){kind, pairs[i][0], NAN, 1};
+        o->second = (struct setting){kind, pairs[i][1], NAN, 1};
+        if (seconds <= allowed) break;
+        if (i + 1 == PAIRS) bring_forward(o, subject, allowed / seconds);
+    }
+    return OK;
+}
+
 static enum status choose(struct reference *o, struct subject *subject, double most, struct arena *life,
                           struct report *report)
 {
+    if (subject->scene->ncontact) return choose_with_contacts(o, subject, most, life, report);
     static const double pairs[][2] = {{1e-11, 1e-11}, {1e-11, 1e-10}, {1e-11, 1e-9}, {1e-10, 1e-8}};
     enum { PAIRS = sizeof pairs / sizeof *pairs };
     struct trials trials;

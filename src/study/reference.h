@@ -5,6 +5,8 @@
  * foretold any longer (chaos, or a scene that neither resolves): the horizon ends there.  What they differ by up to it is
  * the uncertainty of each column; a column in which that is above a hundredth of its range is not compared.
  *
+ * With rigid contacts, which only midpoint takes, it is that by two tolerances, 1e-8 and 1e-7 where the budget allows.
+ *
  * Where the budget does not allow as much the second is content with a larger tolerance, then both, then the end of the
  * run is brought forward. */
 #ifndef FMDSUB_STUDY_REFERENCE_H
@@ -62,8 +64,5 @@ struct errors {
 };
 void reference_compare(struct errors *e, const struct reference *o, const struct subject *subject,
                        const struct outcome *run);
-
-/* Why a scene has none, whatever is tried; NULL: it may have one. */
-const char *reference_none(const struct scene *scene);
 
 #endif
