@@ -216,7 +216,7 @@ static int read_friction(struct builder *b, struct contact_law *law, double *sli
         return 0;
     }
     if (read_keys(&k, keys_friction, n, NULL, "'friction'", &b->reader)) return 1;
-    *slip = k.slip;
+    if (k.slip > 0) *slip = k.slip;
     return check_coefficients(b, law, k.kinetic, k.holding, n, what);
 }
 

@@ -45,18 +45,19 @@ const struct key keys_cam[] = {
 
 const struct key keys_contact[] = {
     PARAM_NODE(struct contact_keys, between, "between", "[surface, surface]", KEY_REQUIRED, "what touches"),
-    PARAM_REAL(struct contact_keys, restitution, "restitution", NULL, 0, 1, 0, "0",
-               "speed after an impact over that before"),
+    PARAM_REAL(struct contact_keys, restitution, "restitution", NULL, 0, 1, 0, NULL,
+               "speed after an impact over that before; default 0"),
     PARAM_NODE(struct contact_keys, friction, "friction", "number, or a map", 0,
                "coefficient of friction; default: none"),
-    PARAM_REAL(struct contact_keys, speed, "speed", "m/s", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, "0",
-               "of a belt: of the plane's surface, along it; in 2-D to the right where its normal points up"),
+    PARAM_REAL(
+        struct contact_keys, speed, "speed", "m/s", -INFINITY, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+        "of a belt: of the plane's surface, along it; in 2-D to the right where its normal points up; default 0"),
     PARAM_REAL(struct contact_keys, push.k, "stiffness", "N/m^n", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
                "makes it compliant, for every scheme: push per depth to the power of n; default: rigid"),
-    PARAM_WORD(struct contact_keys, push.root, "exponent", "1|1.5", 0, "1",
-               "n, of compliant ones; 1.5 for balls (Hertz)"),
-    PARAM_REAL(struct contact_keys, push.c, "damping", "N s/m", 0, INFINITY, KEY_BELOW, "0",
-               "compliant: push per rate while it pushes; it never pulls"),
+    PARAM_WORD(struct contact_keys, push.root, "exponent", "1|1.5", 0, NULL,
+               "n, of compliant ones; 1.5 for balls (Hertz); default 1"),
+    PARAM_REAL(struct contact_keys, push.c, "damping", "N s/m", 0, INFINITY, KEY_BELOW, NULL,
+               "compliant: push per rate while it pushes; it never pulls; default 0"),
     KEYS_END,
 };
 const struct key keys_friction[] = {
@@ -64,8 +65,8 @@ const struct key keys_friction[] = {
                "coefficient where it slides"),
     PARAM_REAL(struct friction_keys, holding, "static", NULL, 0, INFINITY, KEY_BELOW, NULL,
                "coefficient where it sticks; default: kinetic"),
-    PARAM_REAL(struct friction_keys, slip, "slip_speed", "m/s", 0, INFINITY, KEY_ABOVE | KEY_BELOW, "1.0e-3",
-               "compliant: speed at which friction has reached 0.7 of its bound"),
+    PARAM_REAL(struct friction_keys, slip, "slip_speed", "m/s", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "compliant: speed at which friction has reached 0.7 of its bound; default 1.0e-3"),
     KEYS_END,
 };
 
@@ -104,12 +105,12 @@ const struct key keys_range[] = {
 };
 
 const struct key keys_hold[] = {
-    PARAM_REAL(struct scene_hold, restitution, "restitution", NULL, 0, 1, 0, "0",
-               "rigid: speed after an impact over that before"),
+    PARAM_REAL(struct scene_hold, restitution, "restitution", NULL, 0, 1, 0, NULL,
+               "rigid: speed after an impact over that before; default 0"),
     PARAM_REAL(struct scene_hold, k, "stiffness", "N/m^n or N m/rad^n", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
                "makes the stops compliant: push per depth to the power of n; default: rigid"),
-    PARAM_WORD(struct scene_hold, root, "exponent", "1|1.5", 0, "1", "n, of compliant ones"),
-    PARAM_REAL(struct scene_hold, c, "damping", "N s/m or N m s/rad", 0, INFINITY, KEY_BELOW, "0",
-               "compliant: push per rate while they push; they never pull"),
+    PARAM_WORD(struct scene_hold, root, "exponent", "1|1.5", 0, NULL, "n, of compliant ones; default 1"),
+    PARAM_REAL(struct scene_hold, c, "damping", "N s/m or N m s/rad", 0, INFINITY, KEY_BELOW, NULL,
+               "compliant: push per rate while they push; they never pull; default 0"),
     KEYS_END,
 };

@@ -10,6 +10,16 @@ sed 's/at: \[0, 0\]}/at: [0, 0], range: [-1, 1]}/; s/until: 3/until: {when: "hei
 ended "the example of the manual runs" 0 $? start.json err
 sed '/^initial:/d' crane.yaml >goes-on.yaml
 echo 'initial: {from: start.json, deck: any}' >>goes-on.yaml
+# What is left out of contacts and stops that give way is not written as what rigid ones have.
+cat >soft.yaml <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {b: {mass: 1, inertia: 1, at: [0, 1]}, c: {mass: 1, inertia: 1, at: [2, 0]}}
+constraints: {f: {planar: [ground, b]}, g: {prismatic: [ground, c], axis: [0, 1], range: {lower: -0.5, hold: {stiffness: 1.0e+5}}}}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, skin: {sphere: b, radius: 0.1}}
+contacts: {hit: {between: [skin, floor], stiffness: 1.0e+4, friction: {kinetic: 0.2}}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+END
 
 for deck in *.yaml; do
     name=${deck%.yaml}
