@@ -108,14 +108,14 @@ int read_signals(struct builder *b, const struct node *n)
     if (read_map(n, "'signals'", &b->reader)) return 1;
     scene->signal = TAKE(b->life, struct scene_signal, n->count);
     errors += refuse_circles(b, n);
-    bool *known = TAKE(b->life, bool, n->count);
     for (int tables = 1; tables >= 0; tables--) /* tables first: others read them */
         for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
-            if (n->item[i]->reported || (n->item[i]->type == NODE_MAP) != (tables == 1)) continue;
-            known[i] = read_one(b, &scene->signal[i], n->item[i]) == 0;
-            errors += !known[i];
+            struct scene_signal signal;
+            if (n->item[i]->reported || (tables && n->item[i]->type != NODE_MAP)) continue;
+            if (read_one(b, &signal, n->item[i]))
+                errors++;
+            else if (!tables)
+                scene->signal[scene->nsignal++] = signal;
         }
-    for (int i = 0; i < n->count; i++)
-        if (known[i]) scene->signal[scene->nsignal++] = scene->signal[i];
     return errors;
 }
