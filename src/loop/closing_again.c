@@ -6,12 +6,14 @@
  *     dx_d := dx_d - C_qd^-1 C_qi d,   then dx_d := dx_d - C_qd^-1 C(q) again and again,
  *
  * with the same factor; where drives have gone on since, C(q) of there goes with C_qi d.  C_qd changes by something like
- * d, so that the first correction s is half of d squared and the later ones shrink at the rate 2 s/d.  For late iterates
- * nothing is missed, and all that is left to do is to see it.
+ * d, so that the first correction s is half of d squared and the later ones shrink at the rate 2 s/d.  For the last
+ * iterates nothing is missed.
  */
 #include <math.h>
 
 #include "loop/closing.h"
+
+static const double UNSEEN = 1e-9; /* way whose square is none: so near, the tangent leads to a closed posture */
 
 static inline double farther(double far, double x, double per)
 {
@@ -23,9 +25,8 @@ static inline double farther(double far, double x, double per)
  * far that is, in scales. */
 static double go_along(struct closing *o, double *dx, double *last, bool driven)
 {
-    static const double NEAR = 1e-9; /* way that is none: its rate would be that of round-off */
     const double *per = o->rows->per;
-    double far = NEAR;
+    double far = UNSEEN; /* at least: the rate of less would be that of round-off */
     for (int i = 0; i < o->split->n; i++) {
         const int k = o->split->ind[i];
         last[k] = dx[k] - last[k];
@@ -85,5 +86,10 @@ int closing_again(struct closing *o, double *q1, const double *q0, const double 
     split_spread(o->split, o->full, dx);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
     const double far = go_along(o, o->dx, o->last, driven);
-    return step_on(o, q1, &(struct way){q0, o->full, s, o->dx}, far, corrections);
+    const struct way way = {q0, o->full, s, o->dx};
+    if (!driven && far <= UNSEEN) {
+        closing_put(o, q1, &way);
+        return 1;
+    }
+    return step_on(o, q1, &way, far, corrections);
 }
