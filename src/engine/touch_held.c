@@ -95,6 +95,27 @@ static double noise(const struct touch *o, double h)
     return 16 * ROUGH * size / h;
 }
 
+/* Across two directions the way turns: of what slides well friction goes by the way in the middle of the step, that at its end is
+ * of first order. */
+static void turn_ways(const struct touch *o, double h)
+{
+    static const double WELL = 8; /* times what friction makes of it in a step */
+    const int n = o->ode->n;
+    for (int k = 0; k < o->n; k++) {
+        const struct cone *c = &o->cone[k];
+        const int i = o->contact[k], row = c->row + 1;
+        if (c->across < 2 || c->slides || o->state[i] != TOUCH_SLIDES || !(o->took > 0)) continue;
+        double mid[2], end[2];
+        for (int j = 0; j < 2; j++) {
+            mid[j] = dot(o->middle.G + (row + j) * n, o->vm, n) + o->middle.b[row + j];
+            end[j] = dot(o->end.G + (row + j) * n, o->v1, n) + o->end.b[row + j];
+        }
+        const double push = o->p[o->first[i]] * (h / o->took), w = o->W[row + row * o->rows];
+        if (hypot(mid[0], mid[1]) <= WELL * c->mu * push * w) continue;
+        for (int j = 0; j < 2; j++) o->u[row + j] += 2 * mid[j] - end[j];
+    }
+}
+
 /* One correction of v1 and p; *err: how large, of velocities. */
 static enum status correct(struct touch *o, double *err, struct instant *x, double h, int count, struct trouble *why)
 {
@@ -121,6 +142,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
         o->u[row] += 2 / h * (o->g1[o->contact[k]] - left_open(o, o->contact[k], h)) -
                      dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
     }
+    turn_ways(o, h);
     const double size = larger(o->top, DBL_MIN);
     if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, noise(o, h), &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->tb);
