@@ -59,6 +59,8 @@ at_most "a satellite's step without momenta" "$(cat "$work/satellite")" 50924
 step heavy-top decks/heavy-top.yaml 1.0e-4 --columns t
 step crank-plane $scenes/crank-plane.yaml 2.0e-5 --columns t
 step crank-space $scenes/crank-space.yaml 2.0e-5 --columns t
+step crank-twin $scenes/crank-plane.yaml 2.0e-5 --columns t --set parameters.n=2 # the same modes in the plane
+wanted "crank: space that is planar, of the plane" "$(ratio crank-space crank-twin)" 1.02 1.07
 
 # No flexible kernel in rigid scenes.
 for scene in pend-plane chain-plane fourbar-plane heavy-top; do
