@@ -81,7 +81,7 @@ for key in beta=0.3 gamma=0.6 order=4 rho_infinity=0.8 ratio=5 symmetric=true; d
     expect "auto: ${key%=*} means nothing" 1 "$(grep -c "'${key%=*}' means nothing to scheme dopri5, which 'auto' has taken" "$work/err")" "$work/err"
 done
 "$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 decks/four-bar.yaml >"$work/first" 2>"$work/err"
-expect "auto: a tolerance means something" 0 "$(wc -l <"$work/err" | tr -d ' ')" "$work/err"
+expect "auto: a tolerance means something" "records 0" "$([ -s "$work/first" ] && echo records) $(wc -l <"$work/err" | tr -d ' ')" "$work/err"
 
 # A scheme by name that is dear says so.
 "$FMDSUB" check --set integrate.scheme=subcycle --set partition=auto --set integrate.tolerance=1.0e-4 decks/telescope.yaml >"$work/words" 2>"$work/err"

@@ -44,7 +44,7 @@ refuse 7 'major steps away: the limit is' modes --at 1e20 deck.yaml
 refuse 2 "is for decks: 'rec.csv' holds records already" plot --script --until 1 rec.csv
 refuse 2 'checkpoints are of records as csv or ndjson' run -f json -o x.json -s 'checkpoint={file: c.json, every: 1}' deck.yaml
 "$FMDSUB" animate -q --every 20 --until 20 -o one.html deck.yaml >out 2>err
-expect "two records move" 0 $? err
+ended "two records move" 0 $? one.html err
 refuse 6 'none/x.csv' run -q -o none/x.csv deck.yaml
 refuse 6 'none/x.csv' diff -o none/x.csv rec.csv rec.csv
 
