@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/inline.h"
 #include "engine/accel.h"
 #include "engine/kinematic.h"
 #include "engine/missed.h"
@@ -129,7 +130,8 @@ static enum status between_corners(struct stepper *s, struct state *x, double h,
 }
 
 /* Where nothing touches. */
-static enum status smooth_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+INTO static inline enum status smooth_step(struct stepper *s, struct state *x, double h, int ratio, double to,
+                                           struct trouble *why)
 {
     const struct ode2 *o = s->ode;
     if (s->kind->two_rates && !s->kind->points && ratio > 1 && o->breaks && o->breaks->jump)
@@ -158,7 +160,7 @@ static enum status plain_step(struct stepper *s, struct state *x, double h, int 
 
 /* A major step of two rates beside contacts: where all of them are far, for all of it, they are not there; else its minor
  * steps are taken of all coordinates, from impact to impact. */
-static enum status near_or_far(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+APART enum status near_or_far(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
 {
     const double H = to - x->t;
     bool far;
