@@ -16,6 +16,7 @@ enum { DEEPEST = 48, PARTS = 64, MOST_PASSES = 4 };
 
 struct piece {
     double from, to, lo, hi; /* bounds of the value */
+    double change;           /* from one end to the other */
 };
 
 struct look {
@@ -56,9 +57,10 @@ static bool is_calm(const struct look *o, double lo, double hi)
 }
 
 /* Do its ends show what it does, and is that no more than a part of all? */
-static bool is_seen(struct look *o, const struct piece *p)
+static bool is_seen(struct look *o, struct piece *p)
 {
     const double a = value(o, p->from), b = value(o, p->to);
+    p->change = fabs(b - a);
     return p->hi - p->lo <= PART * o->whole && p->hi - fmax(a, b) <= SEEN * o->whole &&
            fmin(a, b) - p->lo <= SEEN * o->whole;
 }
@@ -76,18 +78,20 @@ static void close_calm(struct look *o)
     o->calm.from = o->calm.to;
 }
 
-static void take(struct look *o, const struct piece *p)
+/* What a corner or a part of the run has cut short, halved not at all, is not short for what it does. */
+static void take(struct look *o, const struct piece *p, bool halved)
 {
     const double length = p->to - p->from;
     if (is_calm(o, p->lo, p->hi)) {
-        struct piece both = {o->calm.from, p->to, fmin(o->calm.lo, p->lo), fmax(o->calm.hi, p->hi)};
+        struct piece both = {o->calm.from, p->to, fmin(o->calm.lo, p->lo), fmax(o->calm.hi, p->hi), 0};
         const bool on = o->calm.to > o->calm.from && is_calm(o, both.lo, both.hi);
         if (!on) close_calm(o);
         o->calm = on ? both : *p;
         return;
     }
+    if (p->change <= CALM / 5 * o->whole) return; /* its bounds are wide, that is all */
     close_calm(o);
-    if (length < SUDDEN * o->before) {
+    if (halved && length < SUDDEN * o->before) {
         stop_at(o, p->from);
         stop_at(o, p->to);
     }
@@ -100,7 +104,7 @@ static void look_into(struct look *o, double from, double to, int depth)
     const double middle = from + (to - from) / 2;
     if (o->left <= 0 || !(middle > from && middle < to)) return;
     if (bounds(&p, o) && (is_calm(o, p.lo, p.hi) || is_seen(o, &p))) {
-        take(o, &p);
+        take(o, &p, depth > 0);
         return;
     }
     (void)value(o, middle);
@@ -145,7 +149,7 @@ static void look_over(struct look *o, const struct expr_corner *corner, int n, d
 {
     enum { LOOKS = 5000, LEAST = 400 };
     long left = LOOKS;
-    o->calm = (struct piece){from, from, 0, 0};
+    o->calm = (struct piece){from, from, 0, 0, 0};
     o->before = 0;
     o->n = 0;
     for (int i = 0; i < PARTS && left > 0; i++) {

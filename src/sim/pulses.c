@@ -164,7 +164,7 @@ void warn_of_pulses(const struct sim *sim, struct diags *diags)
 /* Before the system is built: it asks whether there is anything to stop at. */
 void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life)
 {
-    const double from = sim->scene->start, to = sim->plan.until;
+    const double from = fmin(0, sim->scene->start), to = sim->plan.until; /* the same for a run that goes on */
     if (!sim->stepper.kind->adaptive) return;
     struct model_force *force = TAKE(life, struct model_force, m->nforce);
     struct model_loop *loop = TAKE(life, struct model_loop, m->nloop);
