@@ -17,7 +17,7 @@ enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100, LEAST = 100
 static const double SHARE = .02;                                                    /* of the run's evaluations */
 static const double USUAL = 1e-4;
 static const double SAFE = .1;  /* of a tolerance that stands for a step: errors of high order are less foreseeable */
-enum { LONG = 1000 };           /* evaluations of dopri5 from which on order 8 pays at any tolerance: auto.sh */
+enum { LONG = 300 };            /* evaluations of dopri5 from which on order 8 pays at any tolerance: auto.sh */
 static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
 static const double WORTH = .9; /* of the work of what is taken without trials: less than that, or it is that */
 enum {
