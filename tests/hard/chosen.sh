@@ -28,4 +28,5 @@ askew 40
 robot 15
 float 40
 ball 40
+rssr 30
 END
