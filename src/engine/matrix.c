@@ -27,7 +27,8 @@ void matrix_open(struct matrix *m, const struct ode2 *ode, struct effort *effort
     m->structured = ode->direct && n >= ode->direct->least && ode->direct->factor && ode->direct->solve;
     if (m->structured) m->F = arena_take(life, 1, ode->direct->factor_size);
     double **dense[] = {&m->J, &m->K, &m->C, &m->spare};
-    for (int i = 0; i < 4 && !m->structured; i++) *dense[i] = TAKE_MATRIX(life, double, n, n);
+    const bool now = !m->structured && (size_t)n * (size_t)n <= LARGE; /* else with the first factor: need_dense() */
+    for (int i = 0; i < 4 && now; i++) *dense[i] = TAKE_MATRIX(life, double, n, n);
 }
 
 static enum status need_dense(struct matrix *m, double t, struct trouble *why)
