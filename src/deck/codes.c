@@ -369,8 +369,8 @@ const struct diag_help diag_helps[] = {
      "of sticking, at a rate that the 0.001 sets."},
     {"contact",
      "Rigid contacts of points and spheres with planes, holes, profiles, cams and each other stand in 'surfaces' and "
-     "'contacts', "
-     "with Coulomb's friction; stops of a joint stand in its 'range'. They need scheme midpoint and a 'step'. With a "
+     "'contacts', with Coulomb's friction; stops of a joint stand in its 'range'. Schemes midpoint, by a 'step' or a "
+     "'tolerance', and subcycle, by a 'step', take them. With a "
      "'stiffness' they are compliant, for every scheme and for points of flexible bodies: the step must then resolve "
      "the time of touch, about 3*sqrt(mass/stiffness), where it matters, and friction creeps. A compliant contact "
      "along another distance is a force: {unilateral: gap, stiffness: 1.0e+5, side: below}."},
