@@ -23,9 +23,10 @@ void turned_far(double x, double *s, double *c);
 /* *s, *c of x [rad]. */
 INTO static inline void turned(double x, double *s, double *c)
 {
+    static const double FAR = 1 << 20;    /* turned that often k still has exact multiples of CIRCLE_HEAD */
     static const double WHOLE = 0x1.8p52; /* in the last bits of what is added to it stand whole numbers */
     const double sum = x * CIRCLE_PER + WHOLE, k = sum - WHOLE;
-    if (!(k > -0x1p20 && k < 0x1p20)) {
+    if (!(k > -FAR && k < FAR)) {
         turned_far(x, s, c);
         return;
     }

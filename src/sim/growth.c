@@ -33,7 +33,7 @@ static enum status accelerations(double *a, double *by, struct sim *sim, const s
     const int n = o->n;
     for (int k = 0; k < n; k++) t->dq[k] = 0;
     copy(t->dv, p->v, n);
-    *by = i < 0 ? 0 : SMALL * ode2_usual(o, i % n);
+    *by = i < 0 ? 0 : SMALL * ode2_usual(o, i < n ? i : i - n);
     if (i >= n) *by *= fmax(1, p->pace), t->dv[i - n] += *by;
     if (i >= 0 && i < n) t->dq[i] = *by;
     motion_point(o, sim->look->q, p->q, t->dq, 1, p->t);
