@@ -1,5 +1,4 @@
-/* circle.c -- cosine and sine of angles round the circle, made by circle.py;
- * t-turned checks every line */
+/* circle.c -- cosine and sine of 2 pi i/CIRCLE, each the double nearest to it; t-turned checks every line */
 #include "la/turned.h"
 
 const double circle[CIRCLE][2] = {
