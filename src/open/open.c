@@ -181,74 +181,6 @@ static enum status settle(const struct ode2 *o, double *q1, double *v1, const st
 
 /* --- articulated bodies ------------------------------------------------------------------------- */
 
-/* x := M^-1 x where the last sweep has stood. */
-static enum status solve_mass(struct open_tree *s, double *x, const double *q, double t, struct trouble *why)
-{
-    const int n = s->model->n;
-    if (s->ops->factor(s->sweep, s->factor, 1, s->zero, NULL)) {
-        s->ops->solve(s->sweep, s->factor, x);
-        return OK;
-    }
-    if (!s->elastic.n) return trouble_set(why, TROUBLE_MASS, -1, 0, t);
-    TRY(mass(&s->ode, s->M, q, t, ALL, why));
-    int pivot = dense_cholesky(s->M, n, n);
-    if (pivot >= 0) return trouble_set(why, TROUBLE_MASS, pivot, 0, t);
-    dense_cholesky_solve(s->M, x, n, n);
-    return OK;
-}
-
-static enum status accel(const struct ode2 *o, double *a, double *w, const double *q, const double *v, double t,
-                         struct trouble *why)
-{
-    struct open_tree *s = tree_of(o);
-    const struct instant x = {.t = t, .q = q, .v = v};
-    TRY(resid(o, a, w, NULL, &x, ALL, why));
-    TRY(solve_mass(s, a, q, t, why));
-    for (int i = 0; i < o->n; i++) a[i] = -a[i];
-    return OK;
-}
-
-/* What the engine keeps: that of the whole matrix, or one of M^ and a diagonal where the whole is not known. */
-struct factor {
-    double moving;
-    double of[];
-};
-
-static enum status factor(const struct ode2 *o, void *F, double cm, double cc, double ck, const struct instant *x,
-                          struct trouble *why)
-{
-    struct open_tree *s = tree_of(o);
-    struct factor *f = F;
-    f->moving = s->ops->moving_factor && x->a && (cc != 0 || ck != 0);
-    memset(s->d, 0, sizeof *s->d * (size_t)o->n);
-    elements_diagonal(s->elements, s->d, cc, ck, x);
-    if (f->moving && s->ops->moving_factor(s->sweep, f->of, cm, cc, ck, s->d, x->v, x->a)) return OK;
-    f->moving = 0;
-    s->placed = false;
-    return s->ops->factor(s->sweep, f->of, cm, s->d, x->q) ? OK : trouble_set(why, TROUBLE_SINGULAR, -1, 0, x->t);
-}
-
-static enum status stiffen(const struct ode2 *o, void *F, const double *d, const double *q, double t,
-                           struct trouble *why)
-{
-    struct open_tree *s = tree_of(o);
-    struct factor *f = F;
-    s->placed = placed_at(s, q);
-    f->moving = 0;
-    return s->ops->factor(s->sweep, f->of, 1, d, s->placed ? NULL : q) ? OK
-                                                                       : trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
-}
-
-static void solve(const struct ode2 *o, const void *F, double *x)
-{
-    const struct open_tree *s = tree_of(o);
-    const struct factor *f = F;
-    if (f->moving)
-        s->ops->moving_solve(s->sweep, f->of, x);
-    else
-        s->ops->solve(s->sweep, f->of, x);
-}
-
 /* --- after a step ------------------------------------------------------------------------------- */
 
 static void tell(void *self, const struct sweep *s, double dt)
@@ -367,23 +299,13 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     moves_build(&o->moves, m, life);
     turns_build(&o->turns, m, &o->moves, life);
     floating_build(&o->floating, m, o->ops, life);
-    const size_t bytes = o->ops->factor_size(o->sweep);
-    const size_t whole = o->ops->moving_size ? o->ops->moving_size(o->sweep) : 0;
-    o->factor = arena_take(life, 1, bytes);
     o->d = TAKE(life, double, m->n);
     o->zero = TAKE(life, double, m->n);
     o->size = TAKE(life, double, m->n);
     sizes_fill(o->size, m);
     o->posture.q = TAKE(life, double, m->nq);
     o->suspect = TAKE(life, struct effect, m->nforce);
-    const bool structured = o->diagonal && !o->elastic.n;
-    o->direct = (struct ode2_direct){.accel = accel,
-                                     .factor_size = sizeof(struct factor) + (whole > bytes ? whole : bytes),
-                                     .price = whole ? 1 : 2,
-                                     .least = whole ? 7 : 13,
-                                     .factor = structured ? factor : NULL,
-                                     .stiffen = stiffen,
-                                     .solve = solve};
+    open_direct(o, life);
     bool plain = o->moves.nturn == 0 && o->moves.nfirst == m->n && m->nq == m->n;
     o->breaks = (struct ode2_breaks){.next = next_kink, .sides = has_sides};
     o->ode.self = o;

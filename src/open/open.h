@@ -42,6 +42,8 @@ struct open_tree {
 };
 
 void open_build(struct open_tree *o, const struct model *m, struct arena *life);
+/* direct.c: its factor and its `direct`, as open_build() has the rest. */
+void open_direct(struct open_tree *o, struct arena *life);
 
 /* All bodies at q, unless they stand there; then moving with v.  Returns the number of the posture (posture.h). */
 long open_place(struct open_tree *o, const double *q);
