@@ -253,9 +253,10 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     struct diags *diags = NULL;
     struct sim sim;
     const struct sim_options options = {.version = FMDSUB_VERSION, .drawn = true};
-    if (request->format && (strcmp(request->format, "json") != 0 || request->expanded))
+    if (request->format && (strcmp(request->format, "ndjson") == 0 || request->expanded))
         return fail(report, E_USAGE,
-                    "'fmdsub check' prints words, or one object by --format json, or a deck by --expanded");
+                    "'fmdsub check' prints words, or one object by --format json, or rows by --format csv, or a deck "
+                    "by --expanded");
     enum status status = cli_load(&scene, &diags, request, life, report);
     if (status == OK && !request->expanded && !request->no_trial) status = auto_choose(scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
@@ -265,8 +266,8 @@ enum status verb_check(const struct request *request, struct arena *life, struct
     if (trial) TRY(advice_find(&advice, &sim, diags_open(life), report));
     if (request->expanded) {
         deck_print(stdout, scene->deck);
-    } else if (request->format && strcmp(request->format, "json") == 0) {
-        TRY(check_json(&sim, trial ? &advice : NULL, life, report));
+    } else if (request->format) {
+        TRY(check_json(&sim, trial ? &advice : NULL, strcmp(request->format, "csv") == 0, life, report));
     } else {
         print_title(stdout, &sim);
         print_bodies(stdout, sim.model, scene->nbody - 1);

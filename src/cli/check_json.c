@@ -1,5 +1,6 @@
-/* check_json.c -- fmdsub check --format json: the same as one object */
+/* check_json.c -- fmdsub check --format json: the same as one object; csv: as rows of that */
 #include <math.h>
+#include <string.h>
 
 #include "cli/chosen.h"
 #include "cli/cli.h"
@@ -62,6 +63,14 @@ static cJSON *bodies(const struct model *m)
     return list;
 }
 
+/* Of a column of that name. */
+static const char *unit_of(const struct sim *sim, const char *name)
+{
+    for (int i = 0; i < sim->catalogue.n; i++)
+        if (strcmp(sim->catalogue.column[i].name, name) == 0) return sim->catalogue.column[i].unit;
+    return "1";
+}
+
 static cJSON *coordinates(const struct sim *sim)
 {
     const struct model *m = sim->model;
@@ -71,6 +80,7 @@ static cJSON *coordinates(const struct sim *sim)
         cJSON_AddStringToObject(o, "name", m->coordinate[i].name);
         facts_add(o, "class", rate_class(m->coordinate[i].fast));
         facts_add(o, "start", facts_number(sim->x.q[m->coordinate[i].iq]));
+        cJSON_AddStringToObject(o, "unit", unit_of(sim, m->coordinate[i].name));
         cJSON_AddItemToArray(list, o);
     }
     return list;
@@ -188,7 +198,8 @@ static void add_steps(cJSON *to, const struct sim *sim, const struct advice *adv
     if (!advice || !(advice->no_steps || advice_step(advice, 1e-2))) add_suggestion(steps, &modes, sim);
 }
 
-enum status check_json(struct sim *sim, const struct advice *advice, struct arena *life, struct report *report)
+enum status check_json(struct sim *sim, const struct advice *advice, bool rows, struct arena *life,
+                       struct report *report)
 {
     double mass, centre[3];
     TRY(sim_mass(&mass, centre, sim, report));
@@ -205,5 +216,8 @@ enum status check_json(struct sim *sim, const struct advice *advice, struct aren
     add_loops(o, sim, life);
     add_steps(o, sim, advice, life);
     if (sim->plan.because) facts_add(o, "auto", facts_text(sim->plan.because, life));
-    return facts_print(o, true, report);
+    if (!rows) return facts_print(o, true, report);
+    const enum status status = check_rows(o, life, report);
+    cJSON_Delete(o);
+    return status;
 }

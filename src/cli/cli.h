@@ -95,7 +95,7 @@ static inline enum status cli_told(const struct diags *diags, const struct reque
 struct sim;
 enum status cli_go_to(struct sim *sim, const struct request *request, struct report *report);
 
-/* check --format json */
+/* check --format json, csv */
 struct model;
 /* A frequency that moves nothing in the whole run is round-off: none. */
 double check_omega(const struct sim *sim, double omega);
@@ -103,6 +103,10 @@ double check_omega(const struct sim *sim, double omega);
 const char *check_parent(const struct model *m, int body);
 /* advice NULL: not asked for. */
 struct advice;
-enum status check_json(struct sim *sim, const struct advice *advice, struct arena *life, struct report *report);
+enum status check_json(struct sim *sim, const struct advice *advice, bool rows, struct arena *life,
+                       struct report *report);
+/* The object as rows of topic, name, fact, value, unit. */
+struct cJSON;
+enum status check_rows(const struct cJSON *object, struct arena *life, struct report *report);
 
 #endif

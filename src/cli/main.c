@@ -146,8 +146,8 @@ static enum status flush_words(struct report *report)
 
 static enum status dispatch(const struct request *request, struct arena *life, struct report *report)
 {
-    const char *names[32];
-    int n = 0;
+    const char *names[32] = {"help"};
+    int n = 1;
     if (request->version) return printf("fmdsub %s\n", FMDSUB_VERSION), OK;
     const bool asked = request->verb && strcmp(request->verb, "help") == 0;
     const char *about = asked ? request->nword ? request->word[0] : NULL : request->verb;

@@ -13,7 +13,7 @@ enum { OWN = 0 };
 
 const struct cli_option cli_options[] = {
     {"format", "csv|ndjson|json", 'f', "run check study modes stability diff sweep explain list",
-     "form of records and tables (default csv); check: json", TO(format)},
+     "form of records and tables (default csv); check: json, csv", TO(format)},
     {"output", "FILE", 'o', "run study plot diff sweep animate",
      "write there; renamed from FILE.part when whole (plot: .svg, .png, .pdf; animate: .html, .glb, .pvd, .svg)",
      TO(output)},

@@ -4,6 +4,7 @@ deck=$ROOT/decks/pendulum.yaml
 cd "$work" || exit 1
 
 refuse 2 "unknown verb 'rnu': did you mean 'run'" rnu "$deck"
+refuse 2 "unknown verb 'hlp': did you mean 'help'" hlp
 refuse 2 "unknown option '--formt': did you mean '--format'" run --formt csv "$deck"
 refuse 2 "option '--quiet' takes no value" run --quiet=3 "$deck"
 refuse 2 "needs a value" run "$deck" --set
@@ -25,7 +26,7 @@ refuse 2 "names no column" run --columns '' "$deck"
 refuse 2 "names no column" run --columns ' , ' "$deck"
 refuse 2 "names no scheme" study --schemes , "$deck"
 refuse 2 "names no number" study --ratios '' "$deck"
-refuse 2 "one object by --format json" check -f csv "$deck"
+refuse 2 "rows by --format csv" check -f ndjson "$deck"
 refuse 2 "one object by --format json" check -f json --expanded "$deck"
 refuse 2 "needs the name of a file" run -o '' "$deck"
 [ ! -e .part ] && [ -s err ] && ok "-o '': nothing is written" || not_ok "-o '': nothing is written" ".part is there"

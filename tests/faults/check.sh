@@ -18,6 +18,19 @@ expect "check: joints whose reactions are not unique" "pin1 pin2 pin3 pin5 pin6"
 expect "check: mass" "5 kg, centre at (0.6, -0.6, 0.5) m" "$(sed -n 's/^mass: //p' "$work/words")"
 expect "check: centre in the object" "[0.6, -0.6, 0.5]" "$(sed -n 's/^.*"centre":[[:space:]]*\(\[.*\]\),$/\1/p' "$work/object" | sed 's/0000000000*1//g')"
 
+"$FMDSUB" check --no-trial -f csv -s 'title=a "b", c' decks/bricard.yaml >"$work/rows" 2>"$work/err"
+ended "check: rows" 0 $? "$work/rows" "$work/err"
+while read -r row; do
+    grep -qxF "$row" "$work/rows" && ok "check: row $row" || not_ok "check: row $row" "rows:" "$work/rows"
+done <<'EOF'
+topic,name,fact,value,unit
+deck,,title,"a ""b"", c",
+bodies,bar1,on,ground,
+deck,,centre.3,0.5,m
+coordinates,pin1.angle,unit,rad,
+loops,,rank,4,
+EOF
+
 # A wish alone is the same as in a map.
 sed 's/^initial:.*/initial: static/' decks/cantilever.yaml >"$work/alone.yaml"
 for deck in decks/cantilever.yaml "$work/alone.yaml"; do

@@ -21,6 +21,7 @@ for form in json ndjson; do
     grep -q 'u001b\]0;x\\u0007 \\u009b31m \\u202e \\u2028 \\u007f"' out && ok "the title in $form" || not_ok "the title in $form" "got:" out
 done
 clean "title and name of the deck, check -f json" 0 '"$FMDSUB" check -f json "$name.yaml" | tr -d "\\t"'
+clean "title and name of the deck, check -f csv" 0 '"$FMDSUB" check --no-trial -f csv "$name.yaml"'
 clean "name of the deck, plan line" 0 '"$FMDSUB" run -o out.csv "$name.yaml"'
 clean "name of the deck, modes" 0 '"$FMDSUB" modes "$name.yaml"'
 clean "name of the deck, not there" 6 '"$FMDSUB" check "no$name"'
