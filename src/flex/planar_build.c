@@ -311,7 +311,7 @@ void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_plana
 
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)
 {
-    o->work = TAKE(life, double, k->node[node].d.size + k->node[node].S.size);
+    *o = (struct flex_planar_place){.work = TAKE(life, double, k->node[node].d.size + k->node[node].S.size)};
     o->dx = o->work + k->node[node].d.at[0];
     o->dy = o->work + k->node[node].d.at[1];
     o->dw = k->node[node].psi;
