@@ -162,7 +162,8 @@ const struct diag_help diag_helps[] = {
      "A disc touches a curve at one place. Where a hollow is narrower than the disc it would touch at two. Take a "
      "smaller disc, or a curve with wider hollows."},
     {"E-contact-flexible",
-     "Rigid contacts are of rigid bodies, planes and balls, too. A point of a flexible body touches by a compliant "
+     "Rigid contacts are of rigid bodies; planes, balls and curves always are. A point of a flexible body touches by a "
+     "compliant "
      "contact: give it a 'stiffness'. Or fix a small rigid body at the place, and let that touch."},
     {"E-points", "A surface of 'points' has one point or more, each of another place: a body rests on a place once. "
                  "Name points of the body, or delete the second of the two."},

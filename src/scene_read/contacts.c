@@ -44,11 +44,11 @@ static int shape_of(struct builder *b, const struct node *n)
 }
 
 /* Bodies that bend have contacts at bodies of their own. */
-static int refuse_bending(struct builder *b, const struct node *n, int body, const char *what)
+static int refuse_bending(struct builder *b, const struct node *n, int body, const char *what, const char *why)
 {
     if (!b->draft[body] && !b->scene->body[body].flex) return 0;
-    diag_error(b->diags, n, AT_VALUE, "E-contact-flexible", "%s: '%.60s' bends: rigid contacts are of rigid bodies",
-               what, b->scene->body[body].name);
+    diag_error(b->diags, n, AT_VALUE, "E-contact-flexible", "%s: '%.60s' bends: %s", what, b->scene->body[body].name,
+               why);
     diag_hint(b->diags, "fix a small rigid body at the place; points touch by contacts with a 'stiffness', too");
     return 1;
 }
@@ -58,7 +58,7 @@ static int place_on_body(struct builder *b, struct marker *o, const struct surfa
 {
     double world[3];
     const int body = find_body(b, k->on);
-    if (body < 0 || refuse_bending(b, k->on, body, what)) return 1;
+    if (body < 0 || refuse_bending(b, k->on, body, what, "planes, balls and curves are of rigid bodies")) return 1;
     *o = (struct marker){.body = body};
     if (!k->at) return 0;
     if (read_place(b, world, k->at, what)) return 1;
@@ -255,7 +255,8 @@ static int refuse_bent_spots(struct builder *b, const struct surface *o)
     int errors = 0;
     char what[100];
     snprintf(what, sizeof what, "surface '%.60s'", o->node->key);
-    for (int i = 0; o->spot && i < o->n; i++) errors += refuse_bending(b, o->spot[i], o->at[i].body, what);
+    for (int i = 0; o->spot && i < o->n; i++)
+        errors += refuse_bending(b, o->spot[i], o->at[i].body, what, "rigid contacts are of rigid bodies");
     return errors;
 }
 
