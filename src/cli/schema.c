@@ -33,6 +33,8 @@ static cJSON *words_schema(const char *words)
         const bool truth = strcmp(word, "true") == 0;
         if (truth || strcmp(word, "false") == 0)
             cJSON_AddItemToArray(list, cJSON_CreateBool(truth));
+        else if (strspn(word, ".0123456789") == strlen(word)) /* a number, as editors read it */
+            cJSON_AddItemToArray(list, cJSON_CreateRaw(word));
         else
             cJSON_AddItemToArray(list, cJSON_CreateString(word));
     }
@@ -178,6 +180,14 @@ static void put_schemes(cJSON *integrate)
     cJSON_AddItemToArray(list, cJSON_CreateString("auto"));
 }
 
+/* A deck that includes others may have from them what a deck needs. */
+static void unless_included(cJSON *root)
+{
+    cJSON *included = cJSON_AddObjectToObject(root, "if"), *whole = cJSON_AddObjectToObject(root, "else");
+    cJSON_AddItemToArray(cJSON_AddArrayToObject(included, "required"), cJSON_CreateString("include"));
+    cJSON_AddItemToObject(whole, "required", cJSON_DetachItemFromObject(root, "required"));
+}
+
 static cJSON *deck_schema(void)
 {
     cJSON *root = path_schema(""), *properties = cJSON_GetObjectItem(root, "properties");
@@ -201,6 +211,7 @@ static cJSON *deck_schema(void)
     put_nested(properties, "output", "output");
     put_nested(properties, "checkpoint", "checkpoint");
     put_nested(properties, "energy", "energy");
+    unless_included(root);
     return root;
 }
 
