@@ -141,7 +141,8 @@ static enum status strike(struct touch *o, struct state *x, double h, double nea
 }
 
 /* May a gap that is open at both ends of the step h from o->part to x have been closed in between?  Where it falls at first and
- * grows at last it is above both its tangents, if it is convex as that of two balls is. */
+ * grows at last it is above both its tangents, if it is convex as that of two balls is; what falls ever faster has come as fast
+ * as at the end. */
 static enum status may_have_passed(struct touch *o, bool *passed, const struct state *x, double h, struct trouble *why)
 {
     const struct touch_saved *from = &o->part;
@@ -154,6 +155,8 @@ static enum status may_have_passed(struct touch *o, bool *passed, const struct s
     touch_choose(o, o->p);
     if (o->n == 0) return OK;
     TRY(touch_look(o, o->u1, &o->end, &before, why));
+    touch_rates(o, o->u, &o->end, x->v);
+    for (int k = 0; k < o->rows; k++) o->u1[k] = smaller(o->u1[k], o->u[k]);
     TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) {
         const double a = o->u1[o->cone[k].row], b = o->u[o->cone[k].row];
