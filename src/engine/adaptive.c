@@ -221,6 +221,13 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
     return E_NUMERIC;
 }
 
+/* A touch that neither end of the trial shows. */
+static bool has_passed(const struct stepper *s, const struct adaptive *m, double t)
+{
+    const struct instant a = {.t = t, .q = m->q, .v = m->v}, b = {.t = t + m->came, .q = m->q1, .v = m->v1};
+    return s->ode->passed && s->ode->passed(s->ode, &a, &b);
+}
+
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order. */
 static enum status own_step(struct stepper *s, double *t, double end, int *passed, struct trouble *why)
@@ -240,6 +247,11 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         err /= adaptive_share(m, came);
         if (h > least && err <= 1) *passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
+        if (status == OK && err <= 1 && h > least && has_passed(s, m, *t)) {
+            m->h = .5 * came;
+            s->effort.rejected++;
+            continue;
+        }
         if (status == OK && (err <= 1 || jump)) {
             note_missed(s, m, whole, m->came);
             take(s, m, *t, m->came);

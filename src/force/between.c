@@ -160,5 +160,15 @@ double elements_tilt(const struct elements *e, const struct sweep *s, int force)
     return strains.tilt;
 }
 
+static double place(double *rate, const struct elements *e, const struct sweep *s, const struct model_force *f,
+                    const double *q, const double *v)
+{
+    struct strains strains;
+    (void)q, (void)v;
+    strains_at(&strains, e, s, f);
+    *rate = strains.of[0].rate;
+    return strains.of[0].s;
+}
+
 const struct element_kind element_between = {
-    .sort = sort, .load = load, .slopes = slopes, .stored = stored, .end = energy};
+    .sort = sort, .load = load, .slopes = slopes, .stored = stored, .end = energy, .place = place};

@@ -190,6 +190,38 @@ bool elements_bent(const struct elements *e)
     return false;
 }
 
+bool elements_may_be_passed(const struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->model->force[e->other[i].force].kind && e->model->force[e->other[i].force].kind->clear) return true;
+    return false;
+}
+
+static void find_clear(struct elements *e, struct sweep *s, const struct instant *x, int end)
+{
+    e->ops->move(s, x->q, x->v, ALL);
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        struct part_of *p = &e->other[i];
+        const struct model_force *f = &e->model->force[p->force];
+        if (!f->kind || !f->kind->clear) continue;
+        p->open[end] = f->kind->clear(f->par, p->kind->place(&p->pace[end], e, s, f, x->q, x->v));
+    }
+}
+
+bool elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *b, double deep)
+{
+    find_clear(e, s, a, 0);
+    find_clear(e, s, b, 1);
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct part_of *p = &e->other[i];
+        const struct force_kind *kind = e->model->force[p->force].kind;
+        if (!kind || !kind->clear || !(p->open[0] > 0 && p->open[1] > 0)) continue;
+        const double way = fmax(fabs(p->pace[0]), fabs(p->pace[1])) * fabs(b->t - a->t);
+        if (way > p->open[0] + p->open[1] + 2 * deep) return true;
+    }
+    return false;
+}
+
 static void read_all(struct elements *e, struct sweep *s, const struct instant *x)
 {
     e->ops->move(s, x->q, x->v, ALL);

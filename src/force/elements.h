@@ -73,6 +73,12 @@ bool elements_may_be_steep(const struct elements *e);
 bool elements_bent(const struct elements *e);
 bool elements_may_have_poles(const struct elements *e);
 int elements_pole(const struct elements *e);
+/* Is there any that may be met and left again within a step? */
+bool elements_may_be_passed(const struct elements *e);
+/* Clear at both instants, may one have been met between, by as much as `deep`?  Nothing is quicker than at the ends. */
+bool elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *b,
+                     double deep);
+
 /* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
 struct leap {
     int force; /* -1: there is none */

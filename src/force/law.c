@@ -213,10 +213,20 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     p->ends = p->stores && !along && !(straight && p->linear);
 }
 
+static double place(double *rate, const struct elements *e, const struct sweep *s, const struct model_force *f,
+                    const double *q, const double *v)
+{
+    struct action act;
+    measure_at(&act, &e->measures, s, f->measure, q, v);
+    *rate = act.rate;
+    return act.s;
+}
+
 const struct element_kind element_law = {.sort = sort,
                                          .load = load,
                                          .slopes = slopes,
                                          .diagonal = diagonal,
                                          .stored = stored,
                                          .end = at_end,
+                                         .place = place,
                                          .follow = follow};

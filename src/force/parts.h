@@ -25,25 +25,26 @@ struct plain {
 struct part_of {
     const struct element_kind *kind;
     int force;
-    bool stores;        /* it has energy */
-    bool diagonal;      /* its slopes, if any, are along joint coordinates one by one, for diagonal() */
-    bool linear;        /* its law is affine */
-    bool ends;          /* keeps energy by what stood at the interval's ends (see law.c, remainder.c) */
-    double end[2];      /* what end() says of these */
-    int nstrain;        /* it has at most so many strains: */
-    double *strain[2];  /* [nstrain] those at these ends */
-    double kref;        /* a law's slope at the last slopes() */
-    bool poles;         /* it may have poles */
-    bool bends;         /* its law may have corners */
-    bool sums;          /* its energy is summed from step to step */
-    bool follows;       /* it knows where the last step went: */
-    double came;        /* the measure at its start */
-    double stood;       /* and at its end */
-    double V;           /* of one that sums: the energy there [J] */
-    bool reads;         /* it knows what it has read: */
-    double *last, *now; /* [slots of the force] at the start of the last step, at its end */
-    bool pole;          /* it has grown without bound in the last step */
-    int a, b;           /* the bodies, where each is part of another tree that flies; else both 0 */
+    bool stores;             /* it has energy */
+    bool diagonal;           /* its slopes, if any, are along joint coordinates one by one, for diagonal() */
+    bool linear;             /* its law is affine */
+    bool ends;               /* keeps energy by what stood at the interval's ends (see law.c, remainder.c) */
+    double end[2];           /* what end() says of these */
+    int nstrain;             /* it has at most so many strains: */
+    double *strain[2];       /* [nstrain] those at these ends */
+    double kref;             /* a law's slope at the last slopes() */
+    bool poles;              /* it may have poles */
+    bool bends;              /* its law may have corners */
+    bool sums;               /* its energy is summed from step to step */
+    bool follows;            /* it knows where the last step went: */
+    double came;             /* the measure at its start */
+    double stood;            /* and at its end */
+    double V;                /* of one that sums: the energy there [J] */
+    bool reads;              /* it knows what it has read: */
+    double *last, *now;      /* [slots of the force] at the start of the last step, at its end */
+    double open[2], pace[2]; /* clear() at two instants, and the size of its rate */
+    bool pole;               /* it has grown without bound in the last step */
+    int a, b;                /* the bodies, where each is part of another tree that flies; else both 0 */
     int nturn;
     const int *turn; /* [nturn] else: rotations that change the measure: on one body's path and not on the other's */
 };
@@ -73,6 +74,9 @@ struct element_kind {
      * NULL. */
     double (*end)(const struct elements *e, const struct sweep *there, const struct model_force *f, const double *q,
                   const double *v, double *strain);
+    /* Required where the force's kind has clear(): the measure that it is told, and its rate. */
+    double (*place)(double *rate, const struct elements *e, const struct sweep *s, const struct model_force *f,
+                    const double *q, const double *v);
     /* Required where follows is set: at the start (begins), and at the end of each step. */
     void (*follow)(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins);
 };

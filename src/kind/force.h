@@ -110,6 +110,9 @@ struct force_kind {
     /* Optional, with mean().  V [J]; without it V is summed by mean(), from step to step. */
     double (*stored)(const void *par, double s);
 
+    /* Optional.  How far s, of strains() the first, is from where a push begins; negative where it pushes. */
+    double (*clear)(const void *par, double s);
+
     /* Optional, with mean().  Is there a corner or a jump of f between s0 and s1? */
     bool (*bends)(const void *par, double s0, double s1);
     bool sharp; /* where it acts, steps are solved to round-off, so that many bounces keep the energy */

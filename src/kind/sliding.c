@@ -117,9 +117,16 @@ static void means(struct strains *o, const void *par, const double *s0, const do
     if (p->pair == PAIR_OUTLINE) push->f = unilateral_mean_push(&push->ks, &p->push, s0[0], s1[0]);
 }
 
+/* Beside a push of its own it has nothing to tell. */
+static double clear(const void *par, double s)
+{
+    return ((const struct sliding *)par)->pair == PAIR_OUTLINE ? s : INFINITY;
+}
+
 const struct force_kind force_sliding = {.name = "sliding",
                                          .brief = "smooth friction of a compliant contact",
                                          .size = sizeof(struct sliding),
                                          .strains = strains,
                                          .means = means,
+                                         .clear = clear,
                                          .sharp = true};

@@ -123,6 +123,11 @@ static bool unilateral_bends(const void *par, double s0, double s1)
     return (depth(par, s0) > 0) != (depth(par, s1) > 0);
 }
 
+static double unilateral_clear(const void *par, double s)
+{
+    return 0 - depth(par, s);
+}
+
 static const struct key unilateral_keys[] = {
     PARAM_REAL(struct unilateral, k, "stiffness", "N/m^n or N m/rad^n", 0, INFINITY,
                KEY_REQUIRED | KEY_ABOVE | KEY_BELOW, NULL, "push per depth to the power of n"),
@@ -141,6 +146,7 @@ const struct force_kind force_unilateral = {.name = "unilateral",
                                             .law = unilateral_law,
                                             .stored = unilateral_stored,
                                             .mean = unilateral_mean,
+                                            .clear = unilateral_clear,
                                             .bends = unilateral_bends,
                                             .sharp = true,
                                             .dissipative = unilateral_dissipative};

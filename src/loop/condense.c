@@ -178,6 +178,18 @@ void condense_reduce(struct condense *o, double *r, const double *rt, const doub
 
 /* --- building ----------------------------------------------------------------------------------- */
 
+static bool passed(const struct ode2 *ode, const struct instant *a, const struct instant *b)
+{
+    struct condense *o = ode->self;
+    struct instant x = *a, y = *b;
+    struct trouble none = {0};
+    if (condense_rates(o, o->va, NULL, a->q, a->v, NULL, a->t, &none) != OK) return false;
+    if (condense_rates(o, o->vb, NULL, b->q, b->v, NULL, b->t, &none) != OK) return false;
+    x.v = o->va;
+    y.v = o->vb;
+    return o->tree->ode.passed(&o->tree->ode, &x, &y);
+}
+
 static void build_workspace(struct condense *o, struct arena *life)
 {
     double **of_rows[] = {&o->C, &o->lambda, &o->jump};
@@ -264,6 +276,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .kinetic = kinetic,
                            .size = size_of,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
+                           .passed = tree->ode.passed ? passed : NULL,
                            .settle = tree->ode.settle ? settle : NULL,
                            .bends = tree->ode.bends,
                            .steep = tree->ode.steep,

@@ -287,6 +287,15 @@ static double size_of(const struct ode2 *o, int i)
     return tree_of(o)->size[i];
 }
 
+/* By as much as a millionth of the mechanism. */
+static bool passed(const struct ode2 *o, const struct instant *a, const struct instant *b)
+{
+    static const double DEEP = 1e-6;
+    struct open_tree *s = tree_of(o);
+    s->placed = false;
+    return elements_passed(s->elements, s->sweep, a, b, DEEP * s->length);
+}
+
 void open_build(struct open_tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
@@ -303,6 +312,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
     o->zero = TAKE(life, double, m->n);
     o->size = TAKE(life, double, m->n);
     sizes_fill(o->size, m);
+    o->length = sizes_length(m);
     o->posture.q = TAKE(life, double, m->nq);
     o->suspect = TAKE(life, struct effect, m->nforce);
     open_direct(o, life);
@@ -325,6 +335,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .bends = elements_may_bend(o->elements),
                            .steep = elements_may_be_steep(o->elements),
                            .workless = m->nforce == 0 && o->elastic.n == 0,
+                           .passed = elements_may_be_passed(o->elements) ? passed : NULL,
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};

@@ -35,6 +35,7 @@ struct open_tree {
     void *factor;                  /* of M^, for accel() */
     double *d, *zero;              /* [n] */
     double *size;                  /* [n] usual changes of the coordinates */
+    double length;                 /* of the mechanism [m] */
     struct effect *suspect;        /* [nforce] for naming the element that is not finite */
     const struct follower *follow; /* NULL: nobody does */
     void *follower;
