@@ -260,8 +260,8 @@ pictures: $(PROGRAM)
 	@$(PROGRAM) animate -q --until 0.049 -o decks/figures/flexible-crank.svg decks/flexible-crank.yaml
 	@$(PROGRAM) study -q --repeats 0 --budget 20 --plot decks/figures/work-precision.svg decks/flexible-crank.yaml >$(BUILD)/pictures.csv
 
-## pages         build/pages/index.html: every shipped deck with a picture, a sentence and what it costs
-pages: $(PROGRAM)
+## pages         (also: gallery) build/pages/index.html: every shipped deck with a picture, a sentence and what it costs
+pages gallery: $(PROGRAM)
 	@BUILD=$(BUILD) sh tests/tools/pages.sh
 
 ## figures       figures 3 to 6 and the times of the paper, drawn anew into decks/figures
@@ -427,5 +427,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: pick sweeps auto film deb deb-check pictures pages readme cluster hard-table kills advice trust tolerance figures coverage counted vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users modes \
+.PHONY: pick sweeps auto film deb deb-check pictures pages gallery readme cluster hard-table kills advice trust tolerance figures coverage counted vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users modes \
         help deps deps-test demo tools tests-built dist install-test install uninstall clean
