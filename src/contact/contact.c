@@ -74,10 +74,9 @@ static void of_spheres(struct place *o, const struct model_contact *c, const dou
 static void over_outline(struct place *o, const struct model_contact *c, const double *d, const double *xa,
                          const double *R)
 {
-    double ex[3], foot[3];
+    double ex[3];
     m3_mul(ex, R, c->normal);
-    outline_meet(c->outline, foot, o->n, ex, d);
-    o->gap = v3_dot(o->n, d) - v3_dot(o->n, foot) - c->radius;
+    o->gap = outline_meet(c->outline, o->n, ex, d) - c->radius;
     v3_copy(o->c, xa);
     v3_axpy(o->c, -c->radius, o->n);
 }

@@ -190,10 +190,17 @@ bool elements_bent(const struct elements *e)
     return false;
 }
 
+/* Of an element that tells how far it is from where it pushes, its kind; else NULL. */
+static const struct force_kind *clear_of(const struct elements *e, const struct part_of *p)
+{
+    const struct force_kind *kind = e->model->force[p->force].kind;
+    return kind && kind->clear ? kind : NULL;
+}
+
 bool elements_may_be_passed(const struct elements *e)
 {
     for (int i = 0; i < e->nother[ALL]; i++)
-        if (e->model->force[e->other[i].force].kind && e->model->force[e->other[i].force].kind->clear) return true;
+        if (clear_of(e, &e->other[i])) return true;
     return false;
 }
 
@@ -203,7 +210,7 @@ static void find_clear(struct elements *e, struct sweep *s, const struct instant
     for (int i = 0; i < e->nother[ALL]; i++) {
         struct part_of *p = &e->other[i];
         const struct model_force *f = &e->model->force[p->force];
-        if (!f->kind || !f->kind->clear) continue;
+        if (!clear_of(e, p)) continue;
         p->open[end] = f->kind->clear(f->par, p->kind->place(&p->pace[end], e, s, f, x->q, x->v));
     }
 }
@@ -214,8 +221,7 @@ bool elements_passed(struct elements *e, struct sweep *s, const struct instant *
     find_clear(e, s, b, 1);
     for (int i = 0; i < e->nother[ALL]; i++) {
         const struct part_of *p = &e->other[i];
-        const struct force_kind *kind = e->model->force[p->force].kind;
-        if (!kind || !kind->clear || !(p->open[0] > 0 && p->open[1] > 0)) continue;
+        if (!clear_of(e, p) || !(p->open[0] > 0 && p->open[1] > 0)) continue;
         const double way = fmax(fabs(p->pace[0]), fabs(p->pace[1])) * fabs(b->t - a->t);
         if (way > p->open[0] + p->open[1] + 2 * deep) return true;
     }

@@ -5,6 +5,7 @@
  * mean force over a step is a mean over pieces, so that a step across corners keeps the energy. */
 #include <math.h>
 
+#include "base/ascending.h"
 #include "kind/force.h"
 
 struct curve {
@@ -12,18 +13,9 @@ struct curve {
     double rest;
 };
 
-/* The number of the piece from the i-th point to the next that holds x; by halving. */
 static int piece(const struct points *p, double x)
 {
-    int lo = 0, hi = p->n - 1;
-    while (hi - lo > 1) {
-        const int mid = lo + (hi - lo) / 2;
-        if (p->x[mid] <= x)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return lo;
+    return ascending_piece(p->x, p->n, x);
 }
 
 /* Of one point: the same everywhere. */

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ascending.h"
 #include "base/scalar.h"
 #include "la/vec3.h"
 
@@ -96,15 +97,7 @@ const struct outline *outline_make(const struct points *table, bool closed, stru
 /* The piece from the i-th point to the next that holds u. */
 static int piece(const struct outline *o, double u)
 {
-    int lo = 0, hi = o->closed ? o->n : o->n - 1;
-    while (hi - lo > 1) {
-        const int mid = lo + (hi - lo) / 2;
-        if (o->x[mid] <= u)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return lo;
+    return ascending_piece(o->x, o->closed ? o->n + 1 : o->n, u);
 }
 
 /* An angle within the turn of the table. */
@@ -240,13 +233,14 @@ void outline_nearest(const struct outline *o, double *at, double *normal, const 
     normal_of(normal, &spot, o->closed);
 }
 
-void outline_meet(const struct outline *o, double *at, double *normal, const double *ex, const double *d)
+double outline_meet(const struct outline *o, double *normal, const double *ex, const double *d)
 {
     const double p[2] = {v3_dot(ex, d), ex[0] * d[1] - ex[1] * d[0]};
-    double c[2], n[2];
+    double c[2], n[2], at[3];
     outline_nearest(o, c, n, p);
     v3_set(at, c[0] * ex[0] - c[1] * ex[1], c[0] * ex[1] + c[1] * ex[0], 0);
     v3_set(normal, n[0] * ex[0] - n[1] * ex[1], n[0] * ex[1] + n[1] * ex[0], 0);
+    return v3_dot(normal, d) - v3_dot(normal, at);
 }
 
 /* ---- what it is like ---- */

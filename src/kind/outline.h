@@ -25,8 +25,9 @@ void outline_point(const struct outline *o, double *c, double u);
 /* The point of it nearest to p and the unit normal there, to the free side; all [2], axes of the curve. */
 void outline_nearest(const struct outline *o, double *at, double *normal, const double *p);
 
-/* The same in the world, [3]: ex its x axis there, d from its origin to p, `at` from its origin. */
-void outline_meet(const struct outline *o, double *at, double *normal, const double *ex, const double *d);
+/* How far p is from it, outside positive, and the normal there in the world, [3]: ex its x axis there, d from its origin to
+ * p. */
+double outline_meet(const struct outline *o, double *normal, const double *ex, const double *d);
 
 /* The largest curvature of its hollows [1/m], 0 where it has none, and about where, x of the table. */
 double outline_hollow(const struct outline *o, double *where);

@@ -5,22 +5,9 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/ascending.h"
 #include "expr/expr.h"
 #include "kind/force.h"
-
-/* The table's piece with t[i] <= t < t[i + 1]; by halving. */
-static int piece(const struct signal *s, double t)
-{
-    int lo = 0, hi = s->n - 1;
-    while (hi - lo > 1) {
-        int mid = lo + (hi - lo) / 2;
-        if (s->t[mid] <= t)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return lo;
-}
 
 /* An empty table is 0. */
 static double table_value(double *slope, const struct signal *s, double t)
@@ -29,7 +16,7 @@ static double table_value(double *slope, const struct signal *s, double t)
     if (s->n == 0) return 0;
     if (t <= s->t[0]) return s->x[0];
     if (t >= s->t[s->n - 1]) return s->x[s->n - 1];
-    int i = piece(s, t);
+    int i = ascending_piece(s->t, s->n, t);
     *slope = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
     return s->x[i] + *slope * (t - s->t[i]);
 }
@@ -96,7 +83,7 @@ void signal_motion(const struct signal *s, double *x, double t)
     double slope;
     x[0] = table_value(&slope, s, t);
     if (s->n < 2 || t < s->t[0] || t - s->t[s->n - 1] > same) return;
-    int i = t >= s->t[s->n - 1] ? s->n - 2 : piece(s, t);
+    int i = t >= s->t[s->n - 1] ? s->n - 2 : ascending_piece(s->t, s->n, t);
     if (i == 0 && t != 0 && t - s->t[0] <= same) return; /* before its first point it stands; at the start it moves */
     if (i > 0 && t - s->t[i] <= same) i--;
     x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);
@@ -310,7 +297,7 @@ double signal_next(const struct signal *s, double t)
     for (int i = 0; i < s->ncorner; i++) next = fmin(next, expr_corner_next(&s->corner[i], t));
     if (s->expr) return next;
     if (s->n == 0 || t >= s->t[s->n - 1]) return INFINITY;
-    return t < s->t[0] ? s->t[0] : s->t[piece(s, t) + 1];
+    return t < s->t[0] ? s->t[0] : s->t[ascending_piece(s->t, s->n, t) + 1];
 }
 
 bool signal_may_have_poles(const struct signal *s)

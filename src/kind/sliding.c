@@ -27,10 +27,9 @@ static void meet(struct meeting *o, const struct sliding *p, const struct betwee
     double d[3], size, out = p->radius;
     v3_diff(d, x->b.x, x->a.x);
     if (p->pair == PAIR_OUTLINE) {
-        double ex[3], foot[3];
+        double ex[3];
         m3_mul(ex, x->a.E, p->normal);
-        outline_meet(p->outline, foot, o->n, ex, d);
-        o->s = v3_dot(o->n, d) - v3_dot(o->n, foot) - p->radius;
+        o->s = outline_meet(p->outline, o->n, ex, d) - p->radius;
     } else if (p->pair == PAIR_PLANE) {
         m3_mul(o->n, x->a.E, p->normal);
         o->s = v3_dot(o->n, d);
