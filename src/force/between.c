@@ -66,19 +66,32 @@ static void add(struct wrench *o, const struct strain *s)
     }
 }
 
+/* How far the mean of strain i at the ends is from that in the middle. */
+static double bend_of(const struct strains *o, const struct part_of *p, int i)
+{
+    return (p->strain[0][i] + p->strain[1][i]) / 2 - o->of[i].s;
+}
+
+/* A turn in space that came round between the ends did so in all its components, however small one is along these axes. */
+static bool came_round(const struct strains *o, const struct part_of *p)
+{
+    static const double ROUND = 1;
+    double square = 0;
+    for (int i = 0; i < o->n; i++)
+        if (!o->of[i].slides) square += bend_of(o, p, i) * bend_of(o, p, i);
+    return square >= ROUND * ROUND;
+}
+
 /* The forces of the mean strains at the ends; a turn that came round between them stays with its middle. */
 static void mean_strains(struct strains *o, const struct part_of *p, const struct model_force *f)
 {
-    static const double ROUND = 1;
     if (f->kind->means) {
         f->kind->means(o, f->par, p->strain[0], p->strain[1]);
         return;
     }
-    for (int i = 0; i < o->n; i++) {
-        struct strain *s = &o->of[i];
-        const double over = (p->strain[0][i] + p->strain[1][i]) / 2 - s->s;
-        if (s->slides || fabs(over) < ROUND) s->f -= s->ks * over;
-    }
+    const bool round = came_round(o, p);
+    for (int i = 0; i < o->n; i++)
+        if (o->of[i].slides || !round) o->of[i].f -= o->of[i].ks * bend_of(o, p, i);
 }
 
 static void load(struct elements *e, struct sweep *s, struct part_of *p, const struct loading *to,
