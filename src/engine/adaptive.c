@@ -57,14 +57,20 @@ double adaptive_scale_q(const struct stepper *s, int i)
     return m->tolerance * ode2_usual(s->ode, i) + m->tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
 }
 
-/* What all but stands is not judged by its round-off. */
-double adaptive_scale_v(const struct stepper *s, int i)
+double adaptive_standing(const struct stepper *s, int i)
 {
     static const double SLOWEST = 1e-3; /* [1/s] */
     const struct adaptive *m = s->self;
     const double part = m->scheme->plain ? .1 : .01;
+    return ode2_usual(s->ode, i) * fmax(part * m->pace, SLOWEST);
+}
+
+/* What all but stands is not judged by its round-off. */
+double adaptive_scale_v(const struct stepper *s, int i)
+{
+    const struct adaptive *m = s->self;
     const double own = m->scheme->plain ? m->top[i] : fmax(fabs(m->v[i]), fabs(m->v1[i]));
-    return m->tolerance * ode2_usual(s->ode, i) * fmax(part * m->pace, SLOWEST) + m->tolerance * own;
+    return m->tolerance * adaptive_standing(s, i) + m->tolerance * own;
 }
 
 static void note_pace(struct stepper *s)

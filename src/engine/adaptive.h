@@ -98,6 +98,8 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
 /* tol (Y_i + |y_i|) of position and of velocity i. */
 double adaptive_scale_q(const struct stepper *s, int i);
 double adaptive_scale_v(const struct stepper *s, int i);
+/* How fast velocity i may be and all but stand. */
+double adaptive_standing(const struct stepper *s, int i);
 
 /* The error of works e [POWER_CHANNELS], of a trial from t by h that did `work`. */
 double adaptive_works(struct stepper *s, const double *e, const double *work, double t, double h);

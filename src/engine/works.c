@@ -18,12 +18,12 @@ void works_taken(struct works *o, const double *before, const double *after)
     o->slow = 0;
 }
 
-/* With velocities that are each faster by what all but stands. */
+/* With velocities that are each faster by what all but stands; not those of a trial, which may be anything. */
 static double energy_at(const struct stepper *s, double t)
 {
     const struct adaptive *m = adaptive_of(s);
     if (!s->ode->kinetic) return 0;
-    for (int i = 0; i < s->ode->n; i++) m->works.u[i] = copysign(adaptive_scale_v(s, i) / m->tolerance, m->v[i]);
+    for (int i = 0; i < s->ode->n; i++) m->works.u[i] = m->v[i] + copysign(adaptive_standing(s, i), m->v[i]);
     return s->ode->kinetic(s->ode, m->q, m->works.u, t);
 }
 
@@ -57,8 +57,9 @@ double adaptive_works(struct stepper *s, const double *e, const double *work, do
         o->asked = true;
         o->energy = larger(o->energy, energy_at(s, t));
     }
+    static const double ROUND_OFF = 1e-12; /* of energies and works */
     const double err = share(m, most, by);
-    if (!(err > 1) || !is_rough(o, err, fabs(h))) return err;
+    if (!(err > 1) || !is_rough(o, err, fabs(h)) || most > ROUND_OFF * (o->energy + o->turned + by)) return err;
     o->energy = larger(o->energy, 10 * most / m->tolerance);
     return share(m, most, by);
 }

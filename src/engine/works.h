@@ -5,7 +5,7 @@
  * e_c the error of channel c, sum over all channels and steps so far, this one included; E the largest kinetic energy that
  * is known, drives' included, with the speed added of what all but stands (adaptive.h).  It is asked for where works may
  * make a step shorter, once in H.  Where errors do not fall with the square of the step, as they do not where
- * powers are round-off or jump, E becomes what they are below. */
+ * powers are round-off, E becomes what they are below; what is more than that, as of a power that jumps, is held. */
 #ifndef FMDSUB_ENGINE_WORKS_H
 #define FMDSUB_ENGINE_WORKS_H
 
