@@ -70,13 +70,14 @@ void stepped_forget(struct adaptive *m)
 /* ---- a trial --------------------------------------------------------------------------------------------------- */
 
 /* However long it goes on, a vibration that is off in phase is off by no more than twice its size: what is too small to be
- * seen need not be resolved. */
+ * seen need not be resolved.  Nor is round-off of contacts an error that a shorter step would lessen: it grows there. */
 static double against(const struct stepper *s, double position, double velocity, int i)
 {
     const struct adaptive *m = s->self;
     const struct stepped *o = m->own;
     const double top = larger(m->top[i], fabs(m->v1[i])), eq = fabs(position) / adaptive_scale_q(s, i);
-    const double ev = smaller(fabs(velocity), 2 * o->share * top) / adaptive_scale_v(s, i);
+    const double off = s->touch ? larger(0, fabs(velocity) - touch_noise(s->touch, m->came)) : fabs(velocity);
+    const double ev = smaller(off, 2 * o->share * top) / adaptive_scale_v(s, i);
     return worse(eq, ev);
 }
 

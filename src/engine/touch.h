@@ -69,6 +69,10 @@ void touch_back(struct touch *o, struct state *x);
 enum status touch_far(struct touch *o, bool *far, const struct state *x, double H, struct trouble *why);
 enum status touch_was_far(struct touch *o, bool *far, const struct state *x, double H, struct trouble *why);
 
+/* What round-off of the gaps of the contacts that were closed last makes of velocities in a step h, friction of them along the
+ * surface by its coefficient. */
+double touch_noise(const struct touch *o, double h);
+
 /* x->a := accelerations at x, with the forces of closed contacts. */
 enum status touch_accelerations(struct touch *o, struct state *x, struct trouble *why);
 

@@ -10,6 +10,7 @@ enum { LIMIT = 60, RENEW = 6 };
 static const double EXACT = 1e-15, ENOUGH = 1e-11, STILL = 1e-13; /* of the largest velocity */
 static const double SOON = 1e-3;                                  /* of a usual step */
 static const double ROUGH = 4 * DBL_EPSILON;                      /* of usual gaps */
+static const double NOISE = 64;                                   /* round-offs of a gap */
 
 /* Where v1 leads: the instant in the middle, and the end. */
 static struct instant place(struct touch *o, const struct state *x, double h, double t1)
@@ -87,12 +88,11 @@ static double left_open(const struct touch *o, int i, double h)
     return h < soon ? (1 - h / soon) * left : 0;
 }
 
-/* What round-off of gaps makes of velocities in a short step, friction of them along the surface by its coefficient. */
-static double noise(const struct touch *o, double h)
+double touch_noise(const struct touch *o, double h)
 {
     double size = 0;
     for (int k = 0; k < o->n; k++) size = larger(size, larger(1, o->cone[k].mu) * o->size[o->contact[k]]);
-    return 16 * ROUGH * size / h;
+    return DBL_EPSILON * size / h;
 }
 
 /* Across two directions the way turns: of what slides well friction goes by the way in the middle of the step, that at its end is
@@ -144,7 +144,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     }
     turn_ways(o, h);
     const double size = larger(o->top, DBL_MIN);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, noise(o, h), &o->work))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, NOISE * touch_noise(o, h), &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->tb);
     touch_kick(o, o->vf, o->l);
     *err = 0;
@@ -174,7 +174,7 @@ static bool pressed(const struct touch *o)
 static enum status iterate(struct touch *o, struct instant *at, const struct state *x, double h, double t1,
                            struct trouble *why)
 {
-    const double rough = noise(o, h);
+    const double rough = NOISE * touch_noise(o, h);
     double err = INFINITY, least = INFINITY;
     for (int k = 0, since = 0; k < LIMIT; k++) {
         *at = place(o, x, h, t1);

@@ -191,6 +191,13 @@ int sim_column_rate(const struct sim *sim, int i)
     return o->kind->use == USE_POSITION && o->index >= 0 ? sim->model->coordinate[o->index].fast : -1;
 }
 
+double sim_column_usual(const struct sim *sim, int i)
+{
+    const char *unit = sim->columns[i].unit;
+    if (sim_column_rate(sim, i) < 0 || !unit) return 0;
+    return strcmp(unit, "m") == 0 ? system_length(sim->system) : strcmp(unit, "rad") == 0 ? 1 : 0;
+}
+
 static enum status write_meta(const struct sim *sim, struct sink *sink, struct report *report)
 {
     struct pair settings[24];

@@ -218,6 +218,8 @@ bool sim_bends_unseen(const struct sim *sim);
 bool sim_column_compared(const struct sim *sim, int i);
 /* Of chosen column i: 1: a fast coordinate, 0: a slow one, -1: something else. */
 int sim_column_rate(const struct sim *sim, int i);
+/* A usual change of such a coordinate: 1 rad, the mechanism's length [m]; 0: of any other column, and of modes. */
+double sim_column_usual(const struct sim *sim, int i);
 
 /* "planar", "spatial", "spatial, in a plane". */
 const char *sim_space(const struct sim *sim);

@@ -142,7 +142,7 @@ struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life
     struct outcome_column *column = TAKE(life, struct outcome_column, sim->chosen.n);
     for (int i = 0; i < sim->chosen.n; i++)
         column[i] = (struct outcome_column){sim->columns[i].name, sim->columns[i].unit, sim_column_rate(sim, i),
-                                            sim_column_compared(sim, i)};
+                                            sim_column_compared(sim, i), sim_column_usual(sim, i)};
     return column;
 }
 

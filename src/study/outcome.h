@@ -17,6 +17,7 @@ struct subject {
         const char *name, *unit;
         int rate;      /* 1: a fast coordinate, 0: a slow one, -1: something else */
         bool compared; /* the deck asks for it, and it is of the motion */
+        double usual;  /* a usual change of a coordinate; 0: not known */
     } * column;        /* [ncolumn] */
     struct price price;
     const double *rest; /* where the scene stands at rest, if that is its start: found once; NULL */

@@ -15,7 +15,7 @@ static const double TRIALS = .2;      /* of what the reference may cost goes to 
 static const double MOST_TRIAL = 10;  /* [s] without a budget */
 static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
 static const double RESTS = 1e-8;     /* of its size: the range of a column that does not move */
-static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less */
+static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less, */
 enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
 
 static void find_ranges(struct reference *o)
@@ -31,11 +31,12 @@ static void find_ranges(struct reference *o)
     }
 }
 
-/* What is lost in round-off beside the largest column of its unit: a mode that nothing moves, next to one that bends. */
+/* What is lost in round-off beside the largest column of its unit, or a usual change of a coordinate: a mode that nothing
+ * moves, next to one that bends; the angle of a block that slides. */
 static void find_least(struct reference *o, const struct subject *subject)
 {
     for (int c = 0; c < o->run.n; c++) {
-        double most = 0;
+        double most = subject->column[c].usual;
         for (int k = 0; k < o->run.n; k++)
             if (same_unit(&subject->column[c], &subject->column[k])) most = fmax(most, o->largest[k]);
         o->least[c] = LOST * most;

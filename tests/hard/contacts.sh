@@ -171,3 +171,11 @@ END
         near "a peg in the way, ${peg%%:*}, $how: where it is" "0.8,$want" "$last" 1e-9
     done
 done
+
+# A block let go by friction under two feet, a start from rest: in closed form 0.09468878551071935, to each tolerance that is asked.
+for tolerance in 1e-4 1e-5 1e-6 1e-7 1e-8 1e-9; do
+    "$FMDSUB" run -q -s integrate.scheme=midpoint -s integrate.tolerance=$tolerance decks/effect-friction.yaml >"$work/out" 2>"$work/err"
+    expect "a block let go, by $tolerance: status, within 10 tolerances" "0 0" \
+        "$? $(tail -n 1 "$work/out" | awk -F, -v tol=$tolerance '{ d = $2 / .09468878551071935 - 1; print !(d < 10 * tol && d > -10 * tol) }')" \
+        "$work/out" "$work/err"
+done

@@ -43,3 +43,9 @@ expect "chaos: errors up to there" 0 $? "$work/out" "$work/err"
 "$FMDSUB" study -q --repeats 0 --schemes midpoint,radau9 --set 'initial={static: true}' --until 0.04 decks/cantilever.yaml >"$work/rest.csv" 2>"$work/err"
 expect "at rest: status, errors" "0 0" "$? $(awk -F, 'NR > 1 { n++; if (!($5 < 1e-6)) bad++ } END { print bad + !n }' "$work/rest.csv")" "$work/rest.csv" "$work/err"
 expect "at rest: a tolerance that changes nothing has no row" 1 "$(grep -c '^radau9' "$work/rest.csv")" "$work/rest.csv"
+
+# Nor is that of what friction holds and lets go: all of the run is compared.
+"$FMDSUB" study --repeats 0 --tolerances 1e-3,1e-5 decks/effect-friction.yaml >"$work/rows" 2>"$work/err"
+expect "let go by friction: status, compared to the end" "0 0" "$? $(grep -c '^they part\|^the budget takes' "$work/err")" "$work/err"
+expect "let go by friction: errors" "0" \
+    "$(awk -F, 'NR > 1 && $2 > 0 { n++; if (!($5 < $2 && $8 < 10 * $2)) bad++ } END { print bad + (n != 2) }' "$work/rows")" "$work/rows"
