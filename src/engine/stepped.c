@@ -288,7 +288,7 @@ double stepped_grow(const struct adaptive *m, double err)
     const bool cut = o->H < m->h * (1 - 1e-10);
     const bool two = o->fixed.ode->ns > 0 && fixed_kind(m)->two_rates;
     const bool all = o->fixed.ode->ns == o->fixed.ode->n;
-    if (cut && err <= 1) return 1;
+    if ((cut && err <= 1) || o->met) return 1; /* what has just happened tells nothing of the next step */
     double factor = filter(&o->slow, share);
     if (!two) return factor;
     const double minor = o->H / o->ratio;
