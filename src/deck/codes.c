@@ -190,10 +190,10 @@ const struct diag_help diag_helps[] = {
      "Rigid contacts cut steps where they strike, which the schemes midpoint and subcycle do. Leave 'scheme' out. A "
      "contact with a 'stiffness' is compliant, which every scheme takes; a joint's stop likewise, range: {hold: "
      "{stiffness: 1.0e+6}}."},
-    {"E-damping",
-     "rho_infinity below 1 takes out what the step does not resolve: generalized-alpha from 0 to 1, hht from "
-     "0.5, newmark from 0 to 1 at the price of order 1, subcycle in what is fast. The others have no such "
-     "damping; midpoint keeps all energy of linear systems at any step."},
+    {"E-damping", "rho_infinity below 1 takes out what the step does not resolve: midpoint and generalized-alpha from "
+                  "0 to 1, hht from "
+                  "0.5, newmark from 0 to 1 at the price of order 1, subcycle in what is fast. The others have no such "
+                  "damping; midpoint keeps all energy of linear systems at any step."},
     {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "
                       "way: drive another joint, and put a spring along this one."},
     {"E-kind",

@@ -38,7 +38,12 @@ static void rates(struct implicit *m, const double *a)
 
 const struct implicit_scheme midpoint_rule = {.middle = true, .begin = begin, .rates = rates};
 
-static const struct key keys[] = {KEY_ORDER, KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
+static void open(struct stepper *s, struct arena *life)
+{
+    s->self = implicit_new(s, s->options.rho_infinity < 1 ? &midpoint_damped : &midpoint_rule, life);
+}
+
+static const struct key keys[] = {KEY_RHO_INFINITY, KEY_ORDER, KEY_NEWTON_TOLERANCE, KEY_TOLERANCE, KEYS_END};
 
 #define MIDPOINT                                                                                                       \
     .name = "midpoint", .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems", .keys = keys, \
@@ -47,11 +52,6 @@ static const struct stepped_scheme by_error = STEPPED(&step_midpoint, stepped_be
 static const struct stepper_kind tolerant = {MIDPOINT, TOLERANT(&by_error)};
 static const struct stepper_kind fourth = {MIDPOINT, COMPOSED(&step_midpoint)};
 const struct stepper_kind step_midpoint = {
-    MIDPOINT,
-    .tolerant = &tolerant,
-    .fourth = &fourth,
-    .formulas = &midpoint_rule,
-    .open = implicit_open,
-    .step = implicit_step,
-    .recall = implicit_recall,
+    MIDPOINT,     .tolerant = &tolerant, .fourth = &fourth,         .formulas = &midpoint_rule,
+    .open = open, .step = implicit_step, .recall = implicit_recall,
 };

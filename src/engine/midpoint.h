@@ -5,6 +5,7 @@
 #include "engine/implicit.h"
 
 extern const struct implicit_scheme midpoint_rule;
+extern const struct implicit_scheme midpoint_damped; /* with rho_infinity below 1: damped.c */
 extern const struct stepper_kind step_midpoint;
 
 #endif

@@ -26,12 +26,12 @@ static const char *refused(const struct sim *sim, const struct node **at)
     const struct stepper_kind *kind = sim->stepper.kind, *single = stepper_find(p->scheme)->single;
     const struct node *scheme = node_find(p->node, "scheme");
     *at = scheme ? scheme : p->node;
-    if (kind->cut) return NULL;
-    if (!single || !single->cut) return "";
-    if (!(o->tolerance > 0) && o->rho_infinity == 1) return NULL;
-    const char *key = o->tolerance > 0 ? "tolerance" : "rho_infinity";
+    if (!kind->cut && (!single || !single->cut)) return "";
+    const bool chosen = !kind->cut && o->tolerance > 0;
+    if (!chosen && o->rho_infinity == 1) return NULL;
+    const char *key = chosen ? "tolerance" : "rho_infinity";
     if (node_find(p->node, key)) *at = node_find(p->node, key);
-    return o->tolerance > 0 ? " by 'step' only" : " without 'rho_infinity' only";
+    return chosen ? " by 'step' only" : " without 'rho_infinity' only";
 }
 
 /* Rigid contacts cut steps at impacts: that is written for the midpoint rule. */
@@ -52,7 +52,10 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags)
     diag_error(diags, at, AT_VALUE, "E-scheme-contact",
                *what ? "'%.60s' %s: %s takes those%s" : "'%.60s' %s: only schemes midpoint and subcycle take those",
                name, does, p->scheme, what);
-    diag_hint(diags, "write 'scheme: midpoint', or leave it out%s", give_way(sim));
+    if (sim->stepper.kind->cut)
+        diag_hint(diags, "leave 'rho_infinity' out%s", give_way(sim));
+    else
+        diag_hint(diags, "write 'scheme: midpoint', or leave it out%s", give_way(sim));
     return E_DECK;
 }
 

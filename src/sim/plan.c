@@ -37,8 +37,8 @@ static enum status check_damping(const struct sim *sim, const struct stepper_kin
         diag_error(diags, rho, AT_KEY, "E-damping", "scheme %s does not damp, it has no 'rho_infinity'", kind->name);
         diag_hint(diags, kind->adaptive
                              ? "its steps resolve what there is: leave it out"
-                             : "generalized-alpha, hht and newmark have; subcycle damps what is fast, at ratio "
-                               "1, too");
+                             : "midpoint, generalized-alpha, hht and newmark have; subcycle damps what is fast, at "
+                               "ratio 1, too");
         return E_DECK;
     }
     const struct node *alpha = node_find(p->node, "alpha");

@@ -118,8 +118,9 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
-        if (look_is_due(sim, k, due)) TRY(check_energies(sim, report));
-        if (sim->looks_always || due) TRY(guard_look(sim, sink, report));
+        const bool looks = look_is_due(sim, k, due);
+        if (looks) TRY(check_energies(sim, report));
+        if (looks || sim->looks_always) TRY(guard_look(sim, sink, report));
         if (due) TRY(write_row(sim, sink, report));
         if (due || k % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
         if (sim->saves.stream) TRY(save(sim, k, 0, 0, report));

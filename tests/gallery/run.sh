@@ -19,7 +19,7 @@ line() {
            else case $3 in 1|5) [ -s err ] && verdict=told ;; esac; fi ;;
     esac
     printf '%-5s %-18s %-7s %-12s %-10s %s\n' "$case_" "$1" $verdict "${figure:--}" "$2" \
-        "$(awk -v ns=$(($(date +%s%N) - begun)) 'BEGIN { printf "%.2f", ns / 1e9 }')" | tee -a table
+        "$(awk -v ns=$(($(date +%s%N) - begun)) 'BEGIN { printf "%.2f", ns / 1e9 }')" | tee -a "$work/table"
     case $verdict,$2 in right,*|told,*told) ;; *) echo "not as it should be: status $3" && head -n 3 err ;; esac >&2
 }
 

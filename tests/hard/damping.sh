@@ -83,7 +83,7 @@ integrate: {$1, step: 1.0e-2, until: 1}
 output: {every: 1, columns: [energy.numerical, energy.residual]}
 END
 }
-for way in "newmark 0.8" "newmark 0.3" "generalized-alpha 0.8" "hht 0.6"; do
+for way in "midpoint 0.8" "midpoint 0.3" "newmark 0.8" "newmark 0.3" "generalized-alpha 0.8" "hht 0.6"; do
     vibration "scheme: ${way% *}, rho_infinity: ${way#* }"
     "$FMDSUB" stability --schemes "${way% *}" --steps 1e3 "$work/vibration.yaml" >"$work/out" 2>"$work/err"
     expect "$way: what is left of what is not resolved" "${way#* }" \
@@ -92,11 +92,25 @@ for way in "newmark 0.8" "newmark 0.3" "generalized-alpha 0.8" "hht 0.6"; do
     expect "$way: its loss is booked" "0 1 1" \
         "$? $(tail -n 1 "$work/out" | awk -F, '{ printf "%d %d", ($2 > 0.5), ($3 * $3 < 1e-18) }')" "$work/out"
 done
-for way in midpoint:0.5 "hht:0.3" "hht:1" "newmark:0.8, gamma: 0.6" "newmark:0.8, tolerance: 1.0e-5" dopri5:0.5 miao:0.5; do
+for way in rk4:0.5 "midpoint:0.5, order: 4" "hht:0.3" "hht:1" "newmark:0.8, gamma: 0.6" "newmark:0.8, tolerance: 1.0e-5" dopri5:0.5 miao:0.5; do
     vibration "scheme: ${way%%:*}, rho_infinity: ${way#*:}"
     "$FMDSUB" run -q "$work/vibration.yaml" >"$work/out" 2>"$work/err"
-    expect "$way: refused" "3 1" "$? $(grep -cE 'error: .*(rho_infinity|hht leaves).*(E-damping|E-newmark)' "$work/err")" "$work/err"
+    expect "$way: refused" "3 1" "$? $(grep -cE 'error: .*(rho_infinity|hht leaves).*(E-damping|E-newmark|E-order)' "$work/err")" "$work/err"
 done
 vibration "scheme: subcycle, rho_infinity: 0.5"
 "$FMDSUB" run -q "$work/vibration.yaml" >"$work/out" 2>"$work/err"
 expect "subcycle: nothing fast to damp" "0 1" "$? $(grep -c 'nothing is damped' "$work/err")" "$work/err"
+
+# Beside what touches, steps are not damped: refused.
+for scheme in midpoint subcycle; do
+    cat >"$work/ball.yaml" <<DECK
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {ball: {mass: 1, at: [0, 1]}}
+constraints: {rail: {prismatic: [ground, ball], axis: [0, 1], range: {lower: -1, upper: 10, hold: {restitution: 0.8}}}}
+integrate: {scheme: $scheme, step: 1.0e-3, rho_infinity: 0.5, until: 1}
+DECK
+    "$FMDSUB" run -q "$work/ball.yaml" >"$work/out" 2>"$work/err"
+    expect "$scheme, rho_infinity and a stop: refused" "3 1" \
+        "$? $(grep -c "error: .rail.lower. is a rigid contact: $scheme takes those without .rho_infinity. only .E-scheme-contact" "$work/err")" "$work/err"
+done

@@ -67,6 +67,8 @@ static void test_damping_at_infinity(void **state)
         assert_true(fabs(find(&s, "newmark", &o, 1e6, 1).radius - rho) < 1e-3);
         assert_true(find(&s, "newmark", &o, 1e-2, 1).radius < 1);
         assert_true(fabs(find(&s, "subcycle", &o, 1e6, 1).radius - rho) < 1e-3);
+        assert_true(fabs(find(&s, "midpoint", &o, 1e6, 1).radius - rho) < 1e-3);
+        assert_true(fabs(1 - find(&s, "midpoint", &o, 1e-1, 1).radius - (1 - rho) / (1 + rho) * 1e-4 / 8) < 1e-7);
         if (rho > .5) assert_true(fabs(find(&s, "hht", &o, 1e6, 1).radius - rho) < 1e-3);
         o.rho_infinity = 1;
         o.alpha = -rho / 3;

@@ -257,7 +257,8 @@ static void test_effort(void **state)
 static void test_ledger(void **state)
 {
     (void)state;
-    for (int damped = 0; damped < 2; damped++) {
+    for (int k = 0; k < 4; k++) {
+        const int damped = k % 2;
         struct linear s;
         struct run r;
         struct step_options o = sharp();
@@ -266,7 +267,7 @@ static void test_ledger(void **state)
         memcpy(s.C[0], (double[]){.3, -.2, -.2, .5}, 4 * sizeof(double));
         s.M[1][3] = 1, s.K[1][3] = 14, s.C[1][3] = 1;
         s.f[0] = 5, s.f[1] = 2, s.w = 4;
-        assert_int_equal(run_open(&r, "subcycle", &s.ode, &o, both_q, both_v), OK);
+        assert_int_equal(run_open(&r, k < 2 ? "subcycle" : "midpoint", &s.ode, &o, both_q, both_v), OK);
         double E0 = linear_energy(&s, r.q, r.v);
         assert_int_equal(run_steps(&r, .02, 6, 100), OK);
         double gap = linear_energy(&s, r.q, r.v) - E0 - r.work[POWER_DAMPER] - r.work[POWER_EXTERNAL] + r.lost;
