@@ -21,9 +21,16 @@ struct rest {
     double *q, *q1, *r, *r1, *dx, *zero, *up, *down; /* [nq] [nq] [n]... */
     double *M, *K, *J;                               /* [n x n] */
     double mu;
+    int steps; /* taken */
 };
 
-enum { MOST_STEPS = 500, MOST_TRIES = 60 };
+enum { MOST_STEPS = 500, FEW_STEPS = 60, MOST_EVALUATIONS = 50000, MOST_TRIES = 60 };
+
+/* Is there still hope?  Equilibria take 5 steps, far ones 50; many coordinates are dear, two evaluations each a step. */
+static bool may_go_on(const struct rest *s)
+{
+    return s->steps < FEW_STEPS || (s->steps < MOST_STEPS && 2 * s->n * s->steps < MOST_EVALUATIONS);
+}
 
 static struct rest open_rest(const struct sim *sim, struct arena *scratch)
 {
@@ -119,7 +126,7 @@ static enum status descend(struct rest *s, double *size, struct trouble *why)
 {
     static const double longest = 0.5; /* [m], [rad] a step */
     for (int i = 0; i < MOST_TRIES; i++) {
-        if (!factor(s)) return trouble_set(why, TROUBLE_SINGULAR, -1, s->mu, s->t);
+        if (!factor(s)) return trouble_set(why, TROUBLE_SINGULAR, s->steps, s->mu, s->t);
         for (int k = 0; k < s->n; k++) s->dx[k] = -s->r[k];
         dense_cholesky_solve(s->J, s->dx, s->n, s->n);
         *size = 0;
@@ -135,7 +142,7 @@ static enum status descend(struct rest *s, double *size, struct trouble *why)
         }
         s->mu = 4 * s->mu + 1e-3;
     }
-    return trouble_set(why, TROUBLE_DIVERGED, 0, *size, s->t);
+    return trouble_set(why, TROUBLE_DIVERGED, s->steps, *size, s->t);
 }
 
 /* What bends so far is pulled apart, and goes on for ever. */
@@ -152,7 +159,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
     double size = INFINITY;
     s.mu = 1;
     TRY(resid(&s, s.r, s.q, why));
-    for (int i = 0; i < MOST_STEPS; i++) {
+    for (; may_go_on(&s); s.steps++) {
         if (stop) return stop_status();
         TRY(s.ode->ops->mass(s.ode, s.M, s.q, s.t, ALL, why));
         TRY(stiffness(&s, why));
@@ -166,5 +173,5 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
         memset(sim->x.v, 0, sizeof *sim->x.v * (size_t)s.n);
         return OK;
     }
-    return trouble_set(why, TROUBLE_DIVERGED, 0, size, s.t);
+    return trouble_set(why, TROUBLE_DIVERGED, s.steps, size, s.t);
 }

@@ -37,10 +37,11 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
             "no start: no static equilibrium was found: on the way '%s' bends by %g times its length; look at its "
             "loads, or at how fast it is turned [no-equilibrium]",
             sim->model->body[why.index].name, why.value);
-    return fail(report, E_MODEL,
-                "no start: no stable static equilibrium was found near the initial position (last move %.3g m or rad); "
-                "look for a part that nothing holds [no-equilibrium]",
-                why.value);
+    return fail(
+        report, E_MODEL,
+        "no start: no stable static equilibrium was found near the initial position in %d steps (last move %.3g m "
+        "or rad); look for a part that nothing holds [no-equilibrium]",
+        why.index, why.value);
 }
 
 static enum status place(struct sim *sim, struct report *report)

@@ -116,3 +116,8 @@ warned "" 'partition={}' 'integrate.ratio=1'
 warned "'independent' means nothing without loops or drives [W-unused]" 'partition.independent=[shaft]'
 warned "" 'partition.independent=[shaft]' 'constraints.far={distance: [[0, 1], arm.tip]}' 'bodies.arm.points.tip={station: 1}' 'integrate.ratio=1'
 warned "all coordinates are fast: the ratio saves nothing [W-partition]" 'partition.fast=[shaft, arm]'
+
+# No rest: blades of 80 m are pulled out by how fast they are turned, without end; told after 66 steps of 384 coordinates.
+sed 's/R: 0.45/R: 80.45/' tests/decks/airscrew-pull.yaml >"$work/pulled.yaml"
+"$FMDSUB" check --no-trial "$work/pulled.yaml" >"$work/out" 2>"$work/err"
+expect "no rest, many coordinates: status, steps" "4 66" "$? $(sed -n 's/.* in \([0-9]*\) steps .*/\1/p' "$work/err")" "$work/err"
