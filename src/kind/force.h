@@ -183,6 +183,8 @@ struct signal signal_of(const struct expr *expr, struct arena *life);
 double signal_time(const struct signal *s, double t);
 /* Is there such a corner at t, with another side?  Not at t = 0. */
 bool signal_has_sides(const struct signal *s, double t);
+/* The time, not before t, up to which it is known that it has no corner and no jump; t: that is not known. */
+double signal_clear(const struct signal *s, double t);
 double signal_value(const struct signal *s, const double *slot);
 bool signal_reads_time(const struct signal *s);
 /* Is it 0 always? */

@@ -150,22 +150,23 @@ static double late_rate(const struct signal *s, double ta, double tb)
     return 64 * DBL_EPSILON * fmax(fabs(ta), fabs(tb)) * fmax(fabs(a[2]), fabs(b[2]));
 }
 
-/* Is it known that there is no corner from ta to tb? */
-static bool has_none(const struct signal *s, double ta, double tb)
+double signal_clear(const struct signal *s, double t)
 {
-    double before;
-    for (int i = 0; s->cornered && i < s->ncorner; i++)
-        if (!(expr_corner_next(&s->corner[i], ta) > tb) || expr_corner_meets(&before, &s->corner[i], ta) ||
-            expr_corner_meets(&before, &s->corner[i], tb))
-            return false;
-    return s->cornered;
+    double end = INFINITY, before;
+    if (!s->cornered) return t;
+    for (int i = 0; i < s->ncorner; i++) {
+        const double next = expr_corner_next(&s->corner[i], t);
+        if (expr_corner_meets(&before, &s->corner[i], t)) return t;
+        end = fmin(end, next - 2 * SAME * fmax(fabs(next), s->corner[i].width));
+    }
+    return end;
 }
 
 /* That of a true corner stays, and returns; that of a mere jump of the
  * acceleration halves with the interval: 0. */
 static double narrow(const struct signal *s, double *ta, double *tb, int halvings)
 {
-    if (has_none(s, *ta, *tb)) return 0;
+    if (signal_clear(s, *ta) > *tb) return 0;
     double size, first = excess(s, 1, &size, *ta, *tb);
     if (fabs(first) <= 1e-6 * size || fabs(first) <= late_rate(s, *ta, *tb)) return 0;
     double here = halve(s, 1, ta, tb, first, halvings);

@@ -7,7 +7,7 @@
 
 struct schur {
     int n;
-    double complex *T, *U; /* [n x n] A = U T U*, T upper Hessenberg, then triangular */
+    double complex *T, *U; /* [n x n] A = U T U*, T upper Hessenberg, then triangular; U: NULL, not wanted */
 };
 
 /* ---- Hessenberg's form ---- */
@@ -31,11 +31,11 @@ static void reflect_right(double *A, const double *v, double b, int first, int n
         for (int i = 0; i < n; i++) A[i + (long)n * j] -= b * v[j] * work[i];
 }
 
-/* A := Q'AQ, U := Q. */
+/* A := Q'AQ, U := Q, where U is not NULL. */
 static void hessenberg(double *A, double *U, int n, struct arena *scratch)
 {
     double *v = TAKE(scratch, double, n), *work = TAKE(scratch, double, n);
-    for (int i = 0; i < n; i++) U[i + (long)n * i] = 1;
+    for (int i = 0; U && i < n; i++) U[i + (long)n * i] = 1;
     for (int k = 0; k + 2 < n; k++) {
         double norm = 0, square = 0;
         for (int i = k + 1; i < n; i++) norm = hypot(norm, v[i] = A[i + (long)n * k]);
@@ -44,7 +44,7 @@ static void hessenberg(double *A, double *U, int n, struct arena *scratch)
         for (int i = k + 1; i < n; i++) square += v[i] * v[i];
         reflect_left(A, v, 2 / square, k + 1, n);
         reflect_right(A, v, 2 / square, k + 1, n, work);
-        reflect_right(U, v, 2 / square, k + 1, n, work);
+        if (U) reflect_right(U, v, 2 / square, k + 1, n, work);
     }
 }
 
@@ -72,7 +72,7 @@ static void rotate(struct schur *o, int k, int first, int last, double complex x
         t[0] = c * u + s * w;
         t[1] = conj(c) * w - conj(s) * u;
     }
-    for (int side = 0; side < 2; side++) {
+    for (int side = 0; side < (o->U ? 2 : 1); side++) {
         double complex *t = (side ? o->U : o->T) + (long)n * k;
         for (int i = 0; i < (side ? n : last + 1); i++) {
             const double complex u = t[i], w = t[i + n];
@@ -155,22 +155,30 @@ static void vector(double complex *x, const struct schur *o, int j, double size,
     for (int i = 0; i < n; i++) x[i] /= norm;
 }
 
-bool schur_eigen(double complex *s, double complex *X, double *A, int n, struct arena *scratch)
+/* The Schur form of A, which is destroyed; false: not finite, or no convergence. */
+static bool decompose(struct schur *o, double *A, bool vectors, struct arena *scratch)
 {
-    struct schur o = {.n = n, .T = TAKE(scratch, double complex, n *n), .U = TAKE(scratch, double complex, n *n)};
-    double *U = TAKE(scratch, double, n *n), size = 0;
-    for (int i = 0; i < n * n; i++) size = fmax(size, fabs(A[i]));
+    const int n = o->n;
+    double *U = vectors ? TAKE(scratch, double, n *n) : NULL;
+    o->T = TAKE(scratch, double complex, n *n);
+    o->U = vectors ? TAKE(scratch, double complex, n *n) : NULL;
     for (int i = 0; i < n * n; i++)
         if (!isfinite(A[i])) return false;
     hessenberg(A, U, n, scratch);
     for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) {
-            o.T[i + (long)n * j] = i > j + 1 ? 0 : A[i + (long)n * j];
-            o.U[i + (long)n * j] = U[i + (long)n * j];
-        }
-    if (!triangular(&o)) return false;
+        for (int i = 0; i < n; i++) o->T[i + (long)n * j] = i > j + 1 ? 0 : A[i + (long)n * j];
+    for (int i = 0; vectors && i < n * n; i++) o->U[i] = U[i];
+    return triangular(o);
+}
+
+bool schur_eigen(double complex *s, double complex *X, double *A, int n, struct arena *scratch)
+{
+    struct schur o = {.n = n};
+    double size = 0;
+    for (int i = 0; i < n * n; i++) size = fmax(size, fabs(A[i]));
+    if (!decompose(&o, A, X != NULL, scratch)) return false;
     for (int j = 0; j < n; j++) s[j] = o.T[j + (long)n * j];
     double complex *work = TAKE(scratch, double complex, n);
-    for (int j = 0; j < n; j++) vector(X + (long)n * j, &o, j, size > 0 ? size : 1, work);
+    for (int j = 0; X && j < n; j++) vector(X + (long)n * j, &o, j, size > 0 ? size : 1, work);
     return true;
 }

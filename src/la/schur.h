@@ -7,7 +7,7 @@
 
 #include "base/arena.h"
 
-/* A X = X diag(s), A [n x n] real by column (destroyed), X [n x n] with columns of length 1, s [n] as found.  By
+/* A X = X diag(s), A [n x n] real by column (destroyed), X [n x n] with columns of length 1, or NULL, s [n] as found.  By
  * Householder's reflections to Hessenberg's form and Francis' QR algorithm with Wilkinson's shifts to Schur's (Golub &
  * Van Loan, Matrix Computations, ch. 7), in complex numbers.  Vectors of eigenvalues that are equal may be near to one
  * another.  False: no convergence, or not finite. */

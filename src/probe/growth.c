@@ -219,7 +219,7 @@ static double own(const struct probe *o, struct arena *life)
     const int n = o->n, m = 2 * n;
     double *A = TAKE_MATRIX(life, double, m, m), *q = TAKE(life, double, n), *v = TAKE(life, double, n);
     double *a = TAKE(life, double, n), top = 0, most = 0;
-    double complex *s = TAKE(life, double complex, m), *X = TAKE_MATRIX(life, double complex, m, m);
+    double complex *s = TAKE(life, double complex, m);
     for (int j = 0; j < m; j++) {
         double *x = j < n ? q : v;
         x[j % n] = unit(o, j / n, j % n);
@@ -228,7 +228,7 @@ static double own(const struct probe *o, struct arena *life)
         for (int i = 0; i < n; i++) A[n + i + (long)m * j] = a[i] / unit(o, 1, i);
         x[j % n] = 0;
     }
-    if (!schur_eigen(s, X, A, m, life)) return NAN;
+    if (!schur_eigen(s, NULL, A, m, life)) return NAN;
     for (int j = 0; j < m; j++) top = fmax(top, cabs(s[j]));
     for (int j = 0; j < m; j++)
         if (cabs(s[j]) > nothing * top && creal(s[j]) > 1e-9 * cabs(s[j])) most = fmax(most, creal(s[j]));

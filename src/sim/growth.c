@@ -60,8 +60,8 @@ double growth_at(struct sim *sim, const struct growth_place *p)
     const int m = 2 * sim->stepper.ode->n;
     struct arena *scratch = arena_open();
     double *J = TAKE_MATRIX(scratch, double, m, m), most = 0;
-    double complex *s = TAKE(scratch, double complex, m), *X = TAKE_MATRIX(scratch, double complex, m, m);
-    const bool known = linearize(J, sim, p, scratch) == OK && schur_eigen(s, X, J, m, scratch);
+    double complex *s = TAKE(scratch, double complex, m);
+    const bool known = linearize(J, sim, p, scratch) == OK && schur_eigen(s, NULL, J, m, scratch);
     for (int i = 0; known && i < m; i++) most = fmax(most, creal(s[i]));
     arena_close(scratch);
     sim->stepper.effort = effort;

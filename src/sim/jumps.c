@@ -19,7 +19,7 @@ void jumps_open(struct sim *sim, struct arena *life)
     sim->jump = TAKE(life, struct jumping, m->ndrive);
     for (int i = 0; i < m->ndrive; i++) {
         const struct signal *s = m->loop[model_first_drive(m) + i].drive;
-        struct jumping o = {.loop = model_first_drive(m) + i};
+        struct jumping o = {.loop = model_first_drive(m) + i, .t = m->t0, .clear = m->t0};
         if (!s->expr || expr_is_smooth(s->expr)) continue;
         signal_motion(s, o.x, m->t0);
         o.most = fabs(o.x[0]);
@@ -32,16 +32,31 @@ static double unseen(const struct jumping *o)
     return fmax(NOTHING, ROUNDED * o->most);
 }
 
+/* To a, over what was passed because it was known not to jump there. */
+static void go_to(struct jumping *o, const struct signal *s, double a)
+{
+    enum { SAMPLES = 16 };
+    const double t = o->t;
+    if (t == a) return;
+    for (int i = 1; i <= SAMPLES; i++) {
+        signal_motion(s, o->x, i < SAMPLES ? t + i * ((a - t) / SAMPLES) : a);
+        o->most = fmax(o->most, fabs(o->x[0]));
+    }
+    o->t = a;
+}
+
 /* Does the value at b stand where its rates since a lead, but for what is not seen (Simpson)?  Then nothing jumps
  * between.  Goes on to b. */
 static bool follows(struct jumping *o, const struct signal *s, double a, double b)
 {
     double m[3], x[3];
+    go_to(o, s, a);
     signal_motion(s, m, a + (b - a) / 2);
     signal_motion(s, x, b);
     const double gap = x[0] - o->x[0] - (b - a) / 6 * (o->x[1] + 4 * m[1] + x[1]);
     o->most = fmax(o->most, fabs(x[0]));
     memcpy(o->x, x, sizeof x);
+    o->t = b;
     return fabs(gap) <= unseen(o);
 }
 
@@ -82,6 +97,7 @@ enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct re
         struct jumping *o = &sim->jump[i];
         const struct signal *s = sim->model->loop[o->loop].drive;
         double at, before, behind;
+        if (to < o->clear || to < (o->clear = signal_clear(s, from))) continue;
         for (int k = 0; k < pieces; k++) {
             const double a = from + k * ((to - from) / pieces),
                          b = k + 1 < pieces ? from + (k + 1) * ((to - from) / pieces) : to;

@@ -51,6 +51,7 @@ static void watch_recall(struct watch *o, struct recall *r)
 static void jumps_recall(struct sim *sim, struct recall *r)
 {
     recall_within(r, "jumps");
+    recall_each(r, "t", sim->jump, t, sim->njump);
     recall_each(r, "value", sim->jump, x[0], sim->njump);
     recall_each(r, "rate", sim->jump, x[1], sim->njump);
     recall_each(r, "acceleration", sim->jump, x[2], sim->njump);

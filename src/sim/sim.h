@@ -140,9 +140,11 @@ struct sim {
     double *press; /* [rows of contacts] their forces where a record is due */
     int njump;
     struct jumping {
-        int loop;    /* of the model: a drive that may jump */
-        double x[3]; /* it and its rates at the end of the last step */
-        double most; /* its largest value so far [m] or [rad] */
+        int loop;     /* of the model: a drive that may jump */
+        double t;     /* where it was looked at last, */
+        double x[3];  /* it and its rates there */
+        double most;  /* its largest value so far [m] or [rad] */
+        double clear; /* it is known not to jump before that time */
         bool reported;
     } * jump; /* [njump] */
     struct {

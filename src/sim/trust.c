@@ -260,7 +260,7 @@ void trust_find(struct sim *sim)
     keep(sim);
     for (int i = 0; i < o->n; i++)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
-    o->growth = growth_on_the_way(sim, chart);
+    o->growth = sim->options.log ? growth_on_the_way(sim, chart) : 0; /* a word of the end line's */
     sim->x = end;
     sim->trouble = trouble;
     find_worst(sim);
