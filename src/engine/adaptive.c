@@ -231,7 +231,7 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
 static bool has_passed(const struct stepper *s, const struct adaptive *m, double t)
 {
     const struct instant a = {.t = t, .q = m->q, .v = m->v}, b = {.t = t + m->came, .q = m->q1, .v = m->v1};
-    return s->ode->passed && s->ode->passed(s->ode, &a, &b);
+    return s->ode->passed && s->ode->passed(s->ode, &a, NULL, &b) != MET_NOT;
 }
 
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where

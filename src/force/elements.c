@@ -215,17 +215,28 @@ static void find_clear(struct elements *e, struct sweep *s, const struct instant
     }
 }
 
-bool elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *b, double deep)
+/* Of an element that is clear at both ends. */
+static enum met pass(const struct part_of *p, double h, double deep, bool looked)
 {
+    const double way = fmax(fabs(p->pace[0]), fabs(p->pace[1])) * fabs(h);
+    if (looked && p->open[2] < -deep) return MET;
+    return way > p->open[0] + p->open[1] + 2 * deep ? MET_MAYBE : MET_NOT;
+}
+
+enum met elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *between,
+                         const struct instant *b, double deep)
+{
+    enum met most = MET_NOT;
     find_clear(e, s, a, 0);
     find_clear(e, s, b, 1);
+    if (between) find_clear(e, s, between, 2);
     for (int i = 0; i < e->nother[ALL]; i++) {
         const struct part_of *p = &e->other[i];
         if (!clear_of(e, p) || !(p->open[0] > 0 && p->open[1] > 0)) continue;
-        const double way = fmax(fabs(p->pace[0]), fabs(p->pace[1])) * fabs(b->t - a->t);
-        if (way > p->open[0] + p->open[1] + 2 * deep) return true;
+        const enum met one = pass(p, b->t - a->t, deep, between != NULL);
+        if (one > most) most = one;
     }
-    return false;
+    return most;
 }
 
 static void read_all(struct elements *e, struct sweep *s, const struct instant *x)

@@ -75,9 +75,10 @@ bool elements_may_have_poles(const struct elements *e);
 int elements_pole(const struct elements *e);
 /* Is there any that may be met and left again within a step? */
 bool elements_may_be_passed(const struct elements *e);
-/* Clear at both instants, may one have been met between, by as much as `deep`?  Nothing is quicker than at the ends. */
-bool elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *b,
-                     double deep);
+/* Clear at instants a and b, may one have been met between, by as much as `deep`?  Nothing is quicker than at the ends.  Is one
+ * met at `between`, if that is not NULL? */
+enum met elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *between,
+                         const struct instant *b, double deep);
 
 /* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
 struct leap {

@@ -42,7 +42,7 @@ struct part_of {
     double V;                /* of one that sums: the energy there [J] */
     bool reads;              /* it knows what it has read: */
     double *last, *now;      /* [slots of the force] at the start of the last step, at its end */
-    double open[2], pace[2]; /* clear() at two instants, and the size of its rate */
+    double open[3], pace[3]; /* clear() at two instants and one between, and its rate */
     bool pole;               /* it has grown without bound in the last step */
     int a, b;                /* the bodies, where each is part of another tree that flies; else both 0 */
     int nturn;

@@ -178,16 +178,19 @@ void condense_reduce(struct condense *o, double *r, const double *rt, const doub
 
 /* --- building ----------------------------------------------------------------------------------- */
 
-static bool passed(const struct ode2 *ode, const struct instant *a, const struct instant *b)
+/* Of a state in between its place alone is looked at. */
+static enum met passed(const struct ode2 *ode, const struct instant *a, const struct instant *between,
+                       const struct instant *b)
 {
     struct condense *o = ode->self;
-    struct instant x = *a, y = *b;
+    struct instant x = *a, y = *b, z = {0};
     struct trouble none = {0};
-    if (condense_rates(o, o->va, NULL, a->q, a->v, NULL, a->t, &none) != OK) return false;
-    if (condense_rates(o, o->vb, NULL, b->q, b->v, NULL, b->t, &none) != OK) return false;
+    if (condense_rates(o, o->va, NULL, a->q, a->v, NULL, a->t, &none) != OK) return MET_NOT;
+    if (condense_rates(o, o->vb, NULL, b->q, b->v, NULL, b->t, &none) != OK) return MET_NOT;
     x.v = o->va;
     y.v = o->vb;
-    return o->tree->ode.passed(&o->tree->ode, &x, &y);
+    if (between) z = (struct instant){.t = between->t, .q = between->q, .v = o->va};
+    return o->tree->ode.passed(&o->tree->ode, &x, between ? &z : NULL, &y);
 }
 
 static void build_workspace(struct condense *o, struct arena *life)

@@ -288,12 +288,13 @@ static double size_of(const struct ode2 *o, int i)
 }
 
 /* By as much as a millionth of the mechanism. */
-static bool passed(const struct ode2 *o, const struct instant *a, const struct instant *b)
+static enum met passed(const struct ode2 *o, const struct instant *a, const struct instant *between,
+                       const struct instant *b)
 {
     static const double DEEP = 1e-6;
     struct open_tree *s = tree_of(o);
     s->placed = false;
-    return elements_passed(s->elements, s->sweep, a, b, DEEP * s->length);
+    return elements_passed(s->elements, s->sweep, a, between, b, DEEP * s->length);
 }
 
 void open_build(struct open_tree *o, const struct model *m, struct arena *life)

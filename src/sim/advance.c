@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "engine/adaptive.h"
+#include "engine/passing.h"
 #include "engine/single.h"
 #include "engine/touch.h"
 #include "sim/parts.h"
@@ -52,6 +53,7 @@ void advance_open(struct sim *sim, struct arena *life)
                            (!sim->onto_records || events_watched(sim) || sim->stepper.touch);
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system) ||
                    guard_acts(sim);
+    if (!sim->stepper.kind->adaptive) sim->passing = passing_open(sim->stepper.ode, life);
     sim->looks_always = looks_always(sim);
     sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;
 }
@@ -118,15 +120,25 @@ static bool spoilt(const struct sim *sim)
     return fabs(l->residual - sim->kept.residual) > SPOILT * l->delta * l->norm && (acts || system_bent(sim->system));
 }
 
+/* Has a step that ends clear of all gone over a touch?  What minor steps in between have seen is not known: they are taken
+ * in shorter major ones. */
+static bool passed_over(const struct sim *sim)
+{
+    const struct state before = {sim->kept_t, sim->keep->q, sim->keep->v, sim->keep->a};
+    if (!sim->passing) return false;
+    return passing_found(sim->passing, &before, &sim->x) || passes_through(sim);
+}
+
 /* Watched: is the step to be undone that was taken in the chart of number `chart`? */
 static bool wrong(const struct sim *sim, long chart)
 {
-    return chart == system_charts(sim->system) && (system_pole(sim->system) >= 0 || spoilt(sim));
+    if (chart != system_charts(sim->system)) return false;
+    return (sim->watched && (system_pole(sim->system) >= 0 || spoilt(sim))) || passed_over(sim);
 }
 
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
-    const bool divisible = depth < MOST_HALVINGS, watched = sim->watched;
+    const bool divisible = depth < MOST_HALVINGS, watched = sim->watched || sim->passing;
     const double t = sim->x.t;
     const long chart = watched ? system_charts(sim->system) : 0;
     if (depth < sim->guard.depth) return halve(sim, h, ratio, to, depth);
@@ -140,7 +152,7 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
         if (guard_acts(sim)) guard_part(sim, depth + 1);
         return halve(sim, h, ratio, to, depth);
     }
-    const int pole = watched ? system_pole(sim->system) : -1;
+    const int pole = sim->watched ? system_pole(sim->system) : -1;
     if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
     return note(sim, h, ratio);
 }

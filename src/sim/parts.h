@@ -125,6 +125,8 @@ enum status inertias_note(struct sim *sim);
 /* passes.c: forces along distances whose ends come together: refused at the start, reported on the way */
 void passes_open(struct sim *sim, struct arena *life);
 enum status passes_begin(struct sim *sim, struct diags *diags);
+/* Has what only pushes let its ends through each other since the last check?  Such balls went through each other. */
+bool passes_through(const struct sim *sim);
 enum status passes_check(struct sim *sim, struct sink *sink, struct report *report);
 
 /* tilts.c: the largest rotations of bushings that are shared by convention */

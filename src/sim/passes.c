@@ -56,6 +56,20 @@ static bool passed(const double *d, const double *d0, double near)
     return v3_dot(d, d0) < 0 && v3_norm(across) <= near * v3_norm(along) * fmax(v3_norm(d), v3_norm(d0));
 }
 
+bool passes_through(const struct sim *sim)
+{
+    static const double NEAR = .5;
+    for (int i = 0; i < sim->npass; i++) {
+        const struct passing *o = &sim->pass[i];
+        const struct force_kind *kind = sim->model->force[o->force].kind;
+        double d[3];
+        if (!kind || !kind->clear) continue;
+        system_apart(sim->system, d, measure_of(sim, o));
+        if (passed(d, o->d, NEAR)) return true;
+    }
+    return false;
+}
+
 enum status passes_check(struct sim *sim, struct sink *sink, struct report *report)
 {
     char text[200];

@@ -83,10 +83,11 @@ struct sim {
     bool onto_records;   /* of a scheme that chooses its steps: it steps onto records, as it cannot look back */
     bool looks_always;   /* energies are looked at after every step */
     bool watched;        /* steps may be undone */
-    struct single *keep; /* then the state before, */
-    struct ledger kept;  /* and the ledger */
-    double kept_t;       /* [s] when it was */
-    int went_back;       /* from the last event, to step onto the next */
+    struct passing_look *passing; /* likewise, where they may pass over a touch; NULL: they do not */
+    struct single *keep;          /* then the state before, */
+    struct ledger kept;           /* and the ledger */
+    double kept_t;                /* [s] when it was */
+    int went_back;                /* from the last event, to step onto the next */
     struct ledger ledger;
     struct catalogue catalogue;
     int nformula;

@@ -154,6 +154,8 @@ struct ode2_contact {
                          const double *f, struct trouble *why);
 };
 
+enum met { MET_NOT, MET_MAYBE, MET };
+
 struct ode2 {
     int n;        /* independent velocities */
     int ns;       /* of these fast, the first ns */
@@ -175,9 +177,10 @@ struct ode2 {
      * left of the residual.  x->t is the middle of a step of the midpoint rule, and x->tb where an interval is several of them.
      * E_NUMERIC: the ends are no states of the system; q1 and v1 stay. */
     enum status (*settle)(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why);
-    /* May what pushes only where bodies meet have been met and left again between two states, unseen at both?  NULL: there
-     * is nothing of the kind. */
-    bool (*passed)(const struct ode2 *o, const struct instant *a, const struct instant *b);
+    /* Has what pushes only where bodies meet been met and left again between two states, unseen at both?  `between`: a state
+     * on the way, at which it may be seen; NULL: none is known.  NULL: there is nothing of the kind. */
+    enum met (*passed)(const struct ode2 *o, const struct instant *a, const struct instant *between,
+                       const struct instant *b);
     double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */
     int straight;     /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int bends;        /* forces may jump or bend where nobody knows beforehand: by the state */
