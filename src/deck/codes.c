@@ -310,7 +310,8 @@ const struct diag_help diag_helps[] = {
      "whole beam would do at rest: modes come by frequency, and all of the lowest may bend it in another plane. Take "
      "more modes, or make the place of a load a point with 'static: true'. `fmdsub check` shows the kind of each mode "
      "and what they keep. Directions 10 000 times stiffer than the softest are passed over."},
-    {"W-unconnected", "No joint leads from the body to the ground. If that is meant, give it a free joint."},
+    {"W-unconnected", "No joint leads from the body to the ground, and it has no surface to stand on. If that is "
+                      "meant, give it a free joint."},
     {"W-denormal", "The number is so small that it has lost digits (below 2.2e-308)."},
     /* stops and verdicts */
     {"no-convergence",

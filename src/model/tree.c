@@ -112,7 +112,7 @@ static void hang_free(struct making *o, int body)
 {
     static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const struct scene_body *sb = &o->scene->body[body];
-    if (!is_tied(o->scene, body))
+    if (!is_tied(o->scene, body) && !sb->touches)
         diag_warn(o->diags, sb->node, AT_KEY, "W-unconnected", "body '%s' hangs on no joint: it moves freely",
                   sb->name);
     struct model_joint *j = hang(o, 0, body, JOINT_FREE, sb->at, identity);

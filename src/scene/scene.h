@@ -26,6 +26,7 @@ struct scene_body {
     const char *name;
     const struct node *node;
     const char *whole; /* a part of a beam cut into segments: its name in the deck; NULL: not cut */
+    bool touches;      /* it has a surface */
     double mass;
     double inertia[6];            /* xx yy zz xy xz yz about the centre of mass, body axes [kg m2] */
     double at[3];                 /* centre of mass when drawn, world [m] */

@@ -329,6 +329,7 @@ static void keep_surfaces(struct builder *b, const struct surface *all, int n)
 {
     struct scene_surface *o = b->scene->surface = TAKE(b->life, struct scene_surface, n);
     for (int i = 0; i < n; i++) {
+        for (int k = 0; k < all[i].n; k++) b->scene->body[all[i].at[k].body].touches = true;
         if (all[i].shape == SHAPE_POINT || all[i].shape == SHAPE_POINTS) continue;
         *o = (struct scene_surface){.name = all[i].node->key,
                                     .shape = all[i].shape,

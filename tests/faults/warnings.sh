@@ -57,6 +57,7 @@ warned "a density in kg/mm3" "$(echo "$space" | sed 's/mass: 8, //; s/0.1]}/0.1]
 silent "the densest" "$space" 'bodies.top.mass=22.5'
 echo "$plane" | sed '/constraints/d' >free.yaml
 warned "a body that nothing holds" "$(cat free.yaml)" "W-unconnected"
+silent "a body that may stand on something" "$(cat free.yaml; echo 'surfaces: {foot: {point: arm}}')"
 beam='fmdsub: 1
 bodies:
   arm: {beam: {from: [0, 0], to: [2, 0]}, section: {rectangle: [0.02, 0.01]}, material: steel, modes: 2}
