@@ -260,6 +260,14 @@ static void mend_inertia(const struct why *o)
     SAY(o, "mend its inertia: 'inertia_check: false' takes it as it is");
 }
 
+/* Not a smaller tolerance: it would fall sooner. */
+static void look_there(const struct why *o)
+{
+    SAY(o, "%s",
+        o->sim->scene->ncontact ? "give a 'step' in place of the tolerance: it passes what happens there"
+                                : "look for a force that jumps or grows without bound there");
+}
+
 /* --- all of it --------------------------------------------------------------------------------- */
 
 static const struct stop_words {
@@ -275,7 +283,7 @@ static const struct stop_words {
     [TROUBLE_DIVERGED] = {diverged, smaller_step, "no-convergence", true},
     [TROUBLE_CONTACT] = {jammed, fewer_points, "E-jam", true},
     [TROUBLE_REJECTED] = {rejected, find_jump, "no-convergence", true},
-    [TROUBLE_TOO_SMALL] = {too_small, smaller_step, "no-convergence", true},
+    [TROUBLE_TOO_SMALL] = {too_small, look_there, "no-convergence", true},
     [TROUBLE_MASS] = {no_mass, give_mass, "no-mass", false},
     [TROUBLE_LAW] = {law, mend_law, "not-finite", false},
     [TROUBLE_CONDITION] = {condition, mend_condition, "not-finite", false},
