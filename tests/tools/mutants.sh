@@ -8,14 +8,15 @@
 # One that compiles to the same code is none, and lines with texts in them, sizes of memory and tables are left alone.
 #
 # It meets the tests of `make test` that run its line (the counters of COUNTED, see reached.sh, say which), no others could
-# notice it: the unit test of its file first, those of its folder, then the rest, quickest first, until BUDGET (90) seconds of
-# a processor are spent; its own unit test and the part of its folder (see part_of) are met in any case.  What nothing notices meets unit tests, decks and wrong decks of them once more with the mutated file
-# and the arena compiled for the address sanitizer, as in `make asan`: an index one too far is seen there.  What takes ten times as long as ever is killed, too.  A test of the program that notices has to pass
-# without the mutant, then and there, or it counts for nothing: others may be at work on the machine.  At least 85 percent
+# notice it: the unit test of its file first and those of its folder; then the part of its folder (see part_of) and the rest,
+# quickest first, until BUDGET (90) seconds of a processor are spent; the first that fails ends it.  What nothing notices
+# meets those that `make asan` runs once more with the mutated file and the arena compiled for the address sanitizer: an index
+# one too far is seen there.  What takes ten times as long as ever is killed, too.  A test of the program that notices has to
+# pass without the mutant, then and there, or it counts for nothing: others may be at work on the machine.  At least 85 percent
 # have to be noticed.  Survivors are printed as they are.
 . tests/tools/lib.sh
-UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60
-export BUILD UNIT_SECONDS DECK_SECONDS BAD_SECONDS
+UNIT_SECONDS=900 DECK_SECONDS=600 BAD_SECONDS=60 BROWSER=none
+export BROWSER BUILD UNIT_SECONDS DECK_SECONDS BAD_SECONDS
 N=${N:-60} SEED=${SEED:-1} CC=${CC:-gcc} BUDGET=${BUDGET:-90} TESTS=${TESTS:-}
 case $COUNTED in /*) ;; *) COUNTED=$PWD/$COUNTED ;; esac
 FLAGS="-std=c11 -D_GNU_SOURCE -Isrc -O1 -fPIC -ffp-contract=off -fno-math-errno"
@@ -55,13 +56,20 @@ run() {
     ) </dev/null >/dev/null 2>&1
 }
 
-# lines_of FILE: which items run which of its lines, ITEM LINE, in a file whose name is printed.
+# near FOLDER: the unit tests that include its headers.
+near() { grep -l "\"$1/" tests/unit/t-*.c tests/reduce/t-*.c | sed 's|.*/\(.*\)\.c|\1|'; }
+
+# lines_of FILE STAGE: which items run which of its lines, ITEM LINE, in a file whose name is printed; of stage 1 its own unit
+# test and those of its folder, of stage 2 all others: counters are read where they are asked for.
 lines_of() {
     room=$(basename "$(dirname "$1")") base=$(basename "$1" .c)
-    list=$work/lines/$room-$base
+    list=$work/lines/$room-$base-$2
     [ -f "$list" ] || for item in "$COUNTED"/reached/*/seconds; do
         item=${item%/seconds}
         [ -f "$item/$room/$base.gcda" ] || continue
+        stage=2
+        grep -qx "${item##*/}" "$work/near" && stage=1
+        [ $stage = "$2" ] || continue
         cp "$COUNTED/obj/$room/$base.gcno" "$item/$room/$base.gcda" "$work/x"
         gcov -t "$work/x/$base.gcda" 2>/dev/null | awk -v item="${item##*/}" -v file="$1" '
             / 0:Source:/ { own = substr($0, index($0, "Source:") + 7) == file }
@@ -85,16 +93,15 @@ part_of() {
     esac
 }
 
-# tests_of FILE LINE: items that run the line, in the order in which they are run, with their times.
+# tests_of FILE LINE STAGE: items that run the line, in the order in which they are run; of stage 2 the part of its folder
+# first, then the quickest, as many as BUDGET has time for.
 tests_of() {
     own=t-$(basename "$1" .c) folder=$(basename "$(dirname "$1")")
-    grep -l "\"$folder/" tests/unit/t-*.c tests/reduce/t-*.c | sed 's|.*/\(.*\)\.c|\1|' >"$work/near"
-    awk -v line="$2" '$2 == line { print $1 }' "$(lines_of "$1")" | while read -r item; do
+    { echo "$own"; near "$folder"; } >"$work/near"
+    awk -v line="$2" '$2 == line { print $1 }' "$(lines_of "$1" "$3")" | while read -r item; do
         case $item in install | fuzz) ;; *) echo "$item $(seconds_of "$item")" ;; esac
-    done | awk -v own="$own" -v near="$work/near" -v part="$(part_of "$folder")" '
-        BEGIN { while ((getline name < near) > 0) of[name] = 1 }
-        { mine = $1 ~ part; print $1 == own ? 0 : $1 in of || mine ? 1 : 2, $2, $1, $1 == own || mine }' |
-        sort -k1n -k2n | awk -v budget="$BUDGET" '$4 { print $3; next } sum + $2 <= budget { sum += $2; print $3 }'
+    done | awk -v own="$own" -v part="$(part_of "$folder")" '{ print $1 == own ? 0 : $1 ~ part ? 1 : 2, $2, $1 }' |
+        sort -k1n -k2n | awk -v budget="$BUDGET" '$1 < 2 { print $3; next } sum + $2 <= budget { sum += $2; print $3 }'
 }
 
 # ---- mutants ----
@@ -187,7 +194,7 @@ sanitized() {
     join "$1" "$work/o/same.o" fmdsub "$work/arena.o" "$work/limits.o" && mv "$work/mutant.so" "$work/same.so" || return
     join "$1" "$work/m.o" fmdsub "$work/arena.o" "$work/limits.o" || return
     put "$work/mutant.so" fmdsub
-    for item in $(tests_of "$1" "$2" | grep '^t-\|^decks-\|^bad$\|^study-'); do
+    for item in $({ tests_of "$1" "$2" 1; tests_of "$1" "$2" 2; } | grep '^t-\|^decks-\|^bad$'); do
         guarded "$item" && continue
         put "$work/same.so" fmdsub
         guarded "$item" && { killer=$item,sanitized; break; }
@@ -211,9 +218,11 @@ judge() {
     case $1 in src/reduce/*) library=reduce ;; *) library=fmdsub ;; esac
     join "$1" "$work/m.o" $library && put "$work/mutant.so" $library || exit 2
     killer= met=0
-    for item in ${TESTS:-$(tests_of "$1" "$2")}; do
-        met=$((met + 1))
-        run "$item" || ! passes "$item" $library || { killer=$item; break; }
+    for stage in $([ "$TESTS" ] && echo 0 || echo 1 2); do
+        for item in $(test "$stage" = 0 && echo "$TESTS" || tests_of "$1" "$2" "$stage"); do
+            met=$((met + 1))
+            run "$item" || ! passes "$item" $library || { killer=$item; break 2; }
+        done
     done
     [ "$killer$TESTS" ] || sanitized "$1" "$2"
     put "$live/clean-$library.so" $library
