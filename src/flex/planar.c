@@ -162,6 +162,16 @@ static void core_inertia(double *F, double *N, double *Q, const struct flex_plan
     const double A = k->j_inv * (x.b[2] - al * o->tau - ww * o->rho - 2 * w * x.tau);
     const double B = k->j_inv * (x.b[3] + al * o->rho - ww * o->tau + 2 * w * x.rho);
     core_rows(Q, k, o, (double[]){k->m_inv * F[0], k->m_inv * F[1]}, A, B, w, al);
+    o->now = (struct flex_planar_now){.a = {a[0], a[1]},
+                                      .w = w,
+                                      .al = al,
+                                      .F = {F[0], F[1]},
+                                      .A = A,
+                                      .B = B,
+                                      .h = {x.h[0], x.h[1]},
+                                      .rho = x.rho,
+                                      .tau = x.tau,
+                                      .W = x.W};
     *N = k->m_inv * (o->h[0] * F[1] - o->h[1] * F[0]) + (o->rho * B - o->tau * A) + al * o->rest + 2 * w * x.W + x.G;
 }
 

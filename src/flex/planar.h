@@ -58,11 +58,17 @@ struct flex_planar;
 struct flex_planar *flex_planar_build(const struct flex_body *o, struct arena *life);
 
 /* What depends on q alone. */
+/* Motion that flex_planar_inertia() has seen last, in the mean frame, and what it has made of it: F, A, B; h', rho',
+ * tau' by q', (W^ q).q'. */
+struct flex_planar_now {
+    double a[2], w, al, F[2], A, B, h[2], rho, tau, W;
+};
 struct flex_planar_core {                  /* in the mean frame */
     double h[2], rho, tau, J, rest;        /* rest: r */
     const double *Hx, *Hy, *E, *C, *W, *P; /* [n]; W^ q, P^'q */
     double *work, *rates;                  /* where they stand; work of flex_planar_inertia() */
     double *Q;                             /* [n] work */
+    struct flex_planar_now now;
 };
 struct flex_planar_shape {
     double h[2], J;
@@ -76,6 +82,10 @@ void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar 
  * q1 = q', q2 = q''. */
 void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
                          const double *a, double w, double al, const double *q1, const double *q2);
+/* K = dQ/dq, C = dQ/dq' [n x n] += at fixed a, w, al and q'', as flex_slopes() of motion.h; after flex_planar_inertia()
+ * with the same q1 and q2. */
+void flex_planar_slopes(double *K, double *C, const struct flex_planar *k, const struct flex_planar_shape *o,
+                        const double *q1, const double *q2);
 /* Q += K q + D q' */
 void flex_planar_elastic(double *Q, const struct flex_planar *k, const double *q, const double *q1);
 

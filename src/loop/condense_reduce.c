@@ -253,7 +253,6 @@ enum status condense_turning(const struct ode2 *ode, double *K, double *C, const
     TRY(solve_G(&o->solve, x->q, x->t, why));
     for (int i = 0; i < tree->elastic.n; i++) {
         struct elastic_body *b = &tree->elastic.body[i];
-        struct pose frame;
         if (!elastic_in_class(b, (enum rate)cls) || !is_driven(o, b)) continue;
         if (!moving) {
             condense_time(o, x->t, x->ta, x->tb);
@@ -261,8 +260,7 @@ enum status condense_turning(const struct ode2 *ode, double *K, double *C, const
             tree->ops->accelerate(tree->sweep, o->vt, o->at, ALL);
             moving = true;
         }
-        tree->ops->pose(tree->sweep, &frame, b->number);
-        elastic_turning(b, K, C, ode->n, o->split.slot, &frame, o->model->gravity, &whole);
+        elastic_turning(b, K, C, ode->n, o->split.slot, tree->ops, tree->sweep, o->model->gravity, &whole);
     }
     return OK;
 }

@@ -109,20 +109,33 @@ bool elastic_in_class(const struct elastic_body *o, enum rate cls)
     return in_class(o->model, cls);
 }
 
-void elastic_turning(struct elastic_body *o, double *K, double *C, int n, const int *slot, const struct pose *frame,
-                     const double *gravity, const struct instant *x)
+/* By the kernel in space. */
+static void slopes_in_space(struct elastic_body *o, const struct pose *frame, const double *gravity,
+                            const struct instant *x)
 {
-    const struct model_body *b = o->model;
-    const size_t bytes = sizeof *o->K * (size_t)(b->nmode * b->nmode);
     double up[3], a[3], w[3], al[3];
     gather(o, x->q, x->v, x->a);
     v3_diff(up, frame->a, gravity);
     m3_tmul(a, frame->R, up);
     m3_tmul(w, frame->R, frame->w);
     m3_tmul(al, frame->R, frame->al);
+    flex_slopes(o->K, o->C, o->kernel, &o->shape, a, w, al, o->q1, o->q2);
+}
+
+void elastic_turning(struct elastic_body *o, double *K, double *C, int n, const int *slot, const struct sweep_ops *ops,
+                     const struct sweep *s, const double *gravity, const struct instant *x)
+{
+    const struct model_body *b = o->model;
+    const size_t bytes = sizeof *o->K * (size_t)(b->nmode * b->nmode);
     memset(o->K, 0, bytes);
     memset(o->C, 0, bytes);
-    flex_slopes(o->K, o->C, o->kernel, &o->shape, a, w, al, o->q1, o->q2);
+    if (ops->bend_slopes) {
+        ops->bend_slopes(s, o->K, o->C, o->number);
+    } else {
+        struct pose frame;
+        ops->pose(s, &frame, o->number);
+        slopes_in_space(o, &frame, gravity, x);
+    }
     for (int j = 0; j < b->nmode; j++)
         for (int i = 0; i < b->nmode; i++) {
             const int at = slot[b->mode_v[i]] + n * slot[b->mode_v[j]];

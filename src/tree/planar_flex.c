@@ -159,6 +159,17 @@ void planar_node_body_collect_forces(struct node_body *o, const struct part *x)
     for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * x->N;
 }
 
+void planar_bend_slopes(const struct sweep *s, double *K, double *C, int body)
+{
+    const struct part *x = &s->part[body];
+    struct flexible *b = s->bend[body];
+    double a[2], F[2], N;
+    planar_flex_shape(b);
+    v2_turn_back(a, b->cs, x->a);
+    flex_planar_inertia(F, &N, b->Q, b->kernel, &b->shape, a, x->w, x->al, b->v, b->a);
+    flex_planar_slopes(K, C, b->kernel, &b->shape, b->v, b->a);
+}
+
 void planar_flexible_collect_forces(double *r, const struct flexible *b)
 {
     for (int k = 0; k < b->n; k++) r[b->iv[k]] += b->Q[k];

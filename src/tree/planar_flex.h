@@ -51,6 +51,9 @@ void planar_flexible_accelerate(struct flexible *b, const double *a);
 void planar_flexible_load(struct part *x, struct flexible *b, bool bears);
 void planar_flexible_collect_forces(double *r, const struct flexible *b);
 
+/* For the table of the sweep (sweep.h). */
+void planar_bend_slopes(const struct sweep *s, double *K, double *C, int body);
+
 /* The three passes for x at its node of p; its force and moment to the modes' Q. */
 void planar_node_body_place(struct part *x, struct node_body *o, const struct part *p);
 void planar_node_body_move(struct part *x, struct node_body *o, const struct part *p);

@@ -95,6 +95,10 @@ struct sweep_ops {
                          const double *a);
     void (*moving_solve)(const struct sweep *s, const void *F, double *x);
 
+    /* K = dQ/dq, C = dQ/dq' [nmode x nmode] += of a flexible body's coordinates, while its frame moves as it does;
+     * after accelerate() or forward() with a.  NULL: flex_slopes() has it. */
+    void (*bend_slopes)(const struct sweep *s, double *K, double *C, int body);
+
     /* Kinetic energy and energy in the field of gravity (0 in the drawn position at the world's origin level:
      * V = -sum m g.r) at the last move() or forward() [J]. */
     void (*energy)(const struct sweep *s, double *kinetic, double *gravity);

@@ -27,13 +27,15 @@ struct fixture {
     double v[2], a[2], w, al, q[MODES], q1[MODES], q2[MODES]; /* v, a: velocity of the origin, its true acceleration */
 };
 
-static void open_body(struct fixture *f, unsigned seed, bool stiffening)
+/* affine: as a body in space is, whose second extent stands apart. */
+static void open_body_of(struct fixture *f, unsigned seed, bool stiffening, bool affine)
 {
     struct tree_dice d = {seed + 5};
     memset(f, 0, sizeof *f);
     f->arena = arena_open();
     f->n = (int)seed % (MODES + 1);
     f->cloud = random_cloud(&d, f->n, stiffening, f->arena);
+    f->cloud->body.affine = affine;
     f->k = flex_planar_build(&f->cloud->body, f->arena);
     flex_planar_shape_take(&f->shape, f->k, f->arena);
     for (int c = 0; c < 2; c++) f->v[c] = tree_roll(&d, -1, 1), f->a[c] = tree_roll(&d, -3, 3);
@@ -41,6 +43,11 @@ static void open_body(struct fixture *f, unsigned seed, bool stiffening)
     for (int i = 0; i < f->n; i++)
         f->q[i] = tree_roll(&d, -1, 1), f->q1[i] = tree_roll(&d, -1, 1), f->q2[i] = tree_roll(&d, -3, 3);
     flex_planar_shape_at(&f->shape, f->k, f->q);
+}
+
+static void open_body(struct fixture *f, unsigned seed, bool stiffening)
+{
+    open_body_of(f, seed, stiffening, false);
 }
 
 /* Place, velocity and acceleration against the frame. */
@@ -253,6 +260,38 @@ static void mass_matrix_is_positive(void **state)
     }
 }
 
+/* Q at q + dq, q1 + dq1 along coordinate j. */
+static void rows_at(double *Q, struct fixture *f, int j, double dq, double dq1)
+{
+    double F[2], N, q[MODES], q1[MODES];
+    memcpy(q, f->q, sizeof q), memcpy(q1, f->q1, sizeof q1);
+    q[j] += dq, q1[j] += dq1;
+    flex_planar_shape_at(&f->shape, f->k, q);
+    flex_planar_inertia(F, &N, Q, f->k, &f->shape, f->a, f->w, f->al, q1, f->q2);
+}
+
+/* By central differences: exact with q', of which the rows are of second degree, but for round-off. */
+static void slopes_are_differences(void **state)
+{
+    static const double STEP = 1e-4;
+    (void)state;
+    for (unsigned seed = 0; seed < 3 * SEEDS; seed++) {
+        struct fixture f;
+        double F[2], N, Q[MODES], K[MODES * MODES] = {0}, C[MODES * MODES] = {0}, a[MODES], b[MODES];
+        open_body_of(&f, seed, seed % 3 > 0, seed % 3 == 2);
+        flex_planar_inertia(F, &N, Q, f.k, &f.shape, f.a, f.w, f.al, f.q1, f.q2);
+        flex_planar_slopes(K, C, f.k, &f.shape, f.q1, f.q2);
+        for (int j = 0; j < f.n; j++)
+            for (int rate = 0; rate < 2; rate++) {
+                const double h = rate ? 1 : STEP, *slope = (rate ? C : K) + f.n * j;
+                rows_at(a, &f, j, rate ? 0 : -h, rate ? -h : 0);
+                rows_at(b, &f, j, rate ? 0 : h, rate ? h : 0);
+                for (int i = 0; i < f.n; i++) near(slope[i], (b[i] - a[i]) / (2 * h), rate ? 1e-12 : 1e-6);
+            }
+        arena_close(f.arena);
+    }
+}
+
 static void elastic_forces_are_the_products(void **state)
 {
     (void)state;
@@ -326,6 +365,7 @@ int main(void)
         cmocka_unit_test(inertia_is_lagrange),
         cmocka_unit_test(mass_matrix_is_the_energy),
         cmocka_unit_test(mass_matrix_is_positive),
+        cmocka_unit_test(slopes_are_differences),
         cmocka_unit_test(elastic_forces_are_the_products),
         cmocka_unit_test(nodes_move_like_particles),
     };
