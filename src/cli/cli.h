@@ -75,6 +75,9 @@ enum status verb_new(const struct request *request, struct arena *life, struct r
 /* The only deck named, read and checked; its warnings and errors are printed. */
 enum status cli_load(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                      struct report *report);
+/* That deck, which has been read, once more: what it says against these effects (effect_bit()) is not heard. */
+enum status cli_load_again(struct scene **scene, struct diags **diags, const struct request *request,
+                           const struct scene *before, unsigned unheard, struct arena *life, struct report *report);
 /* Likewise, for a run: what it leaves open is chosen (study/auto.h). */
 enum status cli_load_run(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                          struct report *report);

@@ -179,7 +179,8 @@ static void flip(struct told *o, enum effect_id id, const struct flip *run, cons
     other.set[other.nset] =
         arena_print(life, "effects.%s=%s", effect_kinds[id].name, o->state == STATE_ON ? "false" : "true");
     other.option[other.nset++] = NULL;
-    const enum status loaded = cli_load(&scene, &diags, &other, life, &report);
+    const enum status loaded = cli_load_again(&scene, &diags, &other, run->sim.scene,
+                                              o->state == STATE_ON ? 0 : effect_bit(id), life, &report);
     if (loaded == OK) auto_same(scene, run->sim.scene);
     if (loaded != OK || flip_run(&turned, scene, run->until, diags, life, &report) != OK) {
         o->why = "it cannot be turned in this scene";

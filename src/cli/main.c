@@ -91,6 +91,17 @@ enum status cli_load(struct scene **scene, struct diags **diags, const struct re
     return sim_load(scene, request->word[0], &options, *diags, life, report);
 }
 
+enum status cli_load_again(struct scene **scene, struct diags **diags, const struct request *request,
+                           const struct scene *before, unsigned unheard, struct arena *life, struct report *report)
+{
+    const struct deck_options options = {.nset = request->nset,
+                                         .set = request->set,
+                                         .option = request->option,
+                                         .again = diags_source(before->deck->diags, 0)};
+    *diags = diags_open(life);
+    return sim_load_with(scene, request->word[0], &options, unheard, *diags, life, report);
+}
+
 enum status cli_load_run(struct scene **scene, struct diags **diags, const struct request *request, struct arena *life,
                          struct report *report)
 {

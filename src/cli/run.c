@@ -10,6 +10,7 @@
 #include "out/targets.h"
 #include "sim/checkpoint.h"
 #include "sim/sim.h"
+#include "study/left_out.h"
 #include "study/verify.h"
 
 static bool shows_progress(const struct request *request)
@@ -113,6 +114,27 @@ static enum status begin_stream(struct stream *stream, struct sim *sim, const st
     return checkpoint_open(sim, stream, form_of(request), report);
 }
 
+/* A deck that is run, for study/left_out.h. */
+struct again {
+    const struct request *request;
+    const struct scene *scene;
+};
+
+static enum status load_again(struct scene **scene, void *self, unsigned unheard, struct arena *life)
+{
+    const struct again *o = self;
+    struct report report = {0};
+    struct diags *diags;
+    return cli_load_again(scene, &diags, o->request, o->scene, unheard, life, &report);
+}
+
+/* Would somebody read what effects that are left out change? */
+static bool tells(const struct sim *sim, const struct request *request)
+{
+    return !request->quiet || request->want_stats || sim->scene->effects.tolerance > 0 ||
+           strcmp(form_of(request), "csv") != 0;
+}
+
 static enum status stream_run(struct sim *sim, const struct request *request, struct arena *life, struct report *report)
 {
     struct stream stream;
@@ -121,7 +143,11 @@ static enum status stream_run(struct sim *sim, const struct request *request, st
     struct sink sink = open_sink(&stream, request, life);
     struct verify verify;
     verify_open(&verify, sim, &sink, diags_open(life), life);
-    enum status status = sim_run(sim, request->verify ? &verify.sink : &sink, report);
+    struct sink *to = request->verify ? &verify.sink : &sink;
+    struct again again = {request, sim->scene};
+    struct left_out left_out = {.load = load_again, .self = &again};
+    if (tells(sim, request)) to = left_out_open(&left_out, sim, to, life);
+    enum status status = sim_run(sim, to, report);
     if (request->verify && !request->quiet) verify_print(&verify, stderr);
     enum status closed = stream_close(&stream, status == OK || status == E_VERDICT, &closing);
     if (closed != OK && (status == OK || status == E_VERDICT)) {

@@ -277,9 +277,9 @@ const struct diag_help diag_helps[] = {
     {"W-effect",
      "The deck has turned an effect off, and what it would have done was watched: it is more than the tolerance of "
      "'effects' "
-     "allows. The number is a share of how the body bends, right within a factor of about three: turn the effect on, "
-     "or "
-     "run with it and without and compare (`fmdsub explain DECK` does), and give a tolerance that fits. Of a scene "
+     "allows, which is a tenth of the run's own at most. Of a column the number is what a second run with the effect "
+     "found; of how a body bends a share by records, right within a factor of about three. Turn the effect on, or "
+     "give a tolerance that fits. Of a scene "
      "that is "
      "stepped in a plane: what bends there would buckle out of it, which no symmetric computation shows by itself."},
     {"W-tolerance",

@@ -166,10 +166,14 @@ enum status deck_load(struct deck **out, const char *path, const struct deck_opt
                       struct arena *arena, struct report *report)
 {
     struct deck *deck = open_deck(path, options, diags, arena);
-    struct source *s;
-    struct stat self;
+    const struct source *s = options && strcmp(path, "-") == 0 ? options->again : NULL;
+    struct source *file;
+    struct stat self = {0};
     *out = NULL;
-    TRY(read_file(&s, &self, path, deck, report));
+    if (!s) {
+        TRY(read_file(&file, &self, path, deck, report));
+        s = file;
+    }
     deck->root = deck_parse(deck, s, "the deck");
     if (!deck->root) return diags_status(diags);
     include_all(deck, &self);

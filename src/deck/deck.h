@@ -26,6 +26,7 @@ struct deck_options {
     const char *const
         *option;      /* [nset] the option that a setting came by, "--until"; NULL: --set, or all of them are */
     size_t max_bytes; /* of one file; 0: DECK_BYTES */
+    const struct source *again; /* of path "-": standard input, read before; NULL: it has not been */
 };
 
 struct parameter;

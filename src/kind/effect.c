@@ -19,7 +19,7 @@ const struct key keys_effects[] = {
 #undef X
         PARAM_REAL(struct effect_wishes, tolerance, "tolerance", NULL, 0, 1, KEY_ABOVE, NULL,
                    "share that what is left out may have: of columns the modes that 'modes: auto' leaves out (default "
-                   "1.0e-3), of how bodies bend stiffening and damping turned off (W-effect)"),
+                   "1.0e-3), and effects turned off (W-effect); at most a tenth of the run's own tolerance"),
     KEYS_END,
 };
 

@@ -15,20 +15,20 @@
       "0: the deck's data leave no way out of the plane", "3-D over 2-D: 1.3 to 3.2 times the step",                   \
       "not needed: structural")                                                                                        \
     X(GRAVITY, "gravity", "the deck's gravity on all bodies", "g/(Omega^2 l)", "0: the deck has none", "nothing",      \
-      "turn it in `fmdsub explain DECK`")                                                                              \
+      "by a second run with it")                                                                                       \
     X(GYROSCOPIC, "gyroscopic", "w x J w of rigid bodies in space", "|w x J w| over the largest moment on the body",   \
       "0: a body that turns about one principal axis, or in the plane", "1 to 2 % of a step in space",                 \
-      "turn it in `fmdsub explain DECK`")                                                                              \
+      "by a second run with it")                                                                                       \
     X(STIFFENING, "stiffening", "bending shortens: loads along a body stiffen or soften it",                           \
       "(Omega/w1)^2 (Kane, Ryan & Banerjee 1987; Padilla & von Flotow 1992)", "0: no flexible body",                   \
       "4 to 21 % of an evaluation; without it the iteration takes more of them",                                       \
-      "at records, by its share of what bends")                                                                        \
+      "at records by its share of what bends, near the tolerance by a second run")                                     \
     X(ROTARY, "rotary", "rotary inertia of the sections of flexible bodies", "4.65 I/(A l^2) of the first bending",    \
-      "0: no flexible body", "0 to 4 % of an evaluation", "turn it in `fmdsub explain DECK`")                          \
+      "0: no flexible body", "0 to 4 % of an evaluation", "by a second run with it")                                   \
     X(SHEAR, "shear", "shear deformation of beams (Timoshenko)", "3 E I/(kappa G A l^2) of the first bending",         \
-      "0: no beam with shear factors", "nothing: in the reduced data", "turn it in `fmdsub explain DECK`")             \
+      "0: no beam with shear factors", "nothing: in the reduced data", "by a second run with it")                      \
     X(DAMPING, "damping", "damping of flexible bodies", "1 - exp(-zeta w1 T)", "0: the deck gives none",               \
-      "nothing where there is none", "at records, by its share of what bends")                                         \
+      "nothing where there is none", "at records by its share of what bends, near the tolerance by a second run")      \
     X(MOMENTUM, "momentum", "what nothing holds keeps momentum, angular momentum and energy to round-off",             \
       "is a column momentum.* written?", "0: no; then kept as far as the scheme does by itself",                       \
       "half of a satellite's step", "by columns momentum.*")                                                           \
@@ -42,6 +42,12 @@ enum effect_id {
         EFFECTS
 };
 
+/* In sets of effects. */
+static inline unsigned effect_bit(enum effect_id id)
+{
+    return 1u << id;
+}
+
 enum effect_wish { WISH_AUTO, WISH_ON, WISH_OFF }; /* in this order in the deck's words */
 #define EFFECT_WISHES "auto|true|false"
 
@@ -54,9 +60,12 @@ extern const struct effect_kind effect_kinds[EFFECTS];
 struct effect_wishes {
     int all; /* mode: 1: nothing is left out that is not forced */
     int wish[EFFECTS];
-    double tolerance; /* of what is left out; 0: not given */
+    double tolerance; /* of what is left out, a tenth of the run's at most; 0: neither is given */
 };
 extern const struct key keys_effects[];
+
+/* The share that what is left out may have where the deck says nothing of it. */
+#define EFFECTS_TOLERANCE 1.0e-3
 
 /* What it wishes of one: where it says nothing, by its mode. */
 enum effect_wish effect_wish(const struct effect_wishes *o, enum effect_id id);

@@ -2,6 +2,7 @@
  *
  * Off is done in data: no gravity, no damping matrices, a tensor of zeros for w x J w.  Nothing below looks at wishes, so
  * what is off costs nothing.  Stiffening, rotary inertia and shear of beams are in their reduced data (scene_flex). */
+#include "la/vec3.h"
 #include "model/parts.h"
 
 static bool off(const struct making *o, enum effect_id id)
@@ -11,12 +12,14 @@ static bool off(const struct making *o, enum effect_id id)
 
 static void leave_gravity(struct model *m)
 {
+    if (v3_norm(m->gravity) > 0) m->off |= effect_bit(EFFECT_GRAVITY);
     for (int i = 0; i < 3; i++) m->gravity[i] = 0;
 }
 
 static void leave_gyroscopic(struct making *o)
 {
     static const double none[6] = {0, 0, 0, 0, 0, 0};
+    if (o->m->space == 3) o->m->off |= effect_bit(EFFECT_GYROSCOPIC);
     for (int i = 1; i < o->m->nbody; i++) o->body[i].swung = none;
 }
 
@@ -26,6 +29,7 @@ static void leave_damping(struct making *o)
         if (!o->body[i].flex) continue;
         struct flex_body *undamped = TAKE(o->life, struct flex_body, 1);
         *undamped = *o->body[i].flex;
+        if (undamped->D) o->m->off |= effect_bit(EFFECT_DAMPING);
         undamped->D = NULL;
         if (!o->body[i].full && o->body[i].flex->D) o->body[i].full = o->body[i].flex;
         o->body[i].flex = undamped;
@@ -34,6 +38,7 @@ static void leave_damping(struct making *o)
 
 void make_effects(struct making *o)
 {
+    o->m->off = o->scene->off;
     if (off(o, EFFECT_GRAVITY)) leave_gravity(o->m);
     if (off(o, EFFECT_GYROSCOPIC)) leave_gyroscopic(o);
     if (off(o, EFFECT_DAMPING)) leave_damping(o);

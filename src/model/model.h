@@ -166,6 +166,7 @@ struct model {
     int space;      /* 2 or 3 */
     bool flattened; /* in the plane, for a scene in space */
     double gravity[3];
+    unsigned off; /* effects that the deck turns off, though there is some: effect_bit() */
     enum model_drift drift;
     int n, ns, near, nq; /* as in ode2.h */
     int nbody;

@@ -285,12 +285,13 @@ struct scene {
     double delta; /* of (2-26) */
     struct effect_wishes effects;
     const struct node *effects_node; /* NULL: not given */
+    unsigned off;                    /* effects of flexible bodies that the deck turns off, though there is some */
 };
 
 /* Checks the deck and fills a scene; all errors go to diags, the status is diags' own.  schemes: what the schemes read of
  * `integrate`, for the rooms above. */
-enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, struct diags *diags,
-                       struct arena *life);
+enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, unsigned unheard,
+                       struct diags *diags, struct arena *life);
 
 /* What a picture is called: the deck's title, or its name. */
 static inline const char *scene_title(const struct scene *scene)

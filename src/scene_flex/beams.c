@@ -36,12 +36,14 @@ static int read_axes(struct builder *b, struct scene_body *body, struct draft *o
     return 0;
 }
 
-bool wants_effect(const struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own)
+bool wants_effect(struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own, bool usual)
 {
     const struct node *n = node_find(map, key);
     const int wish = b->scene->effects.wish[id];
-    if ((n && !n->implied) || wish == WISH_AUTO) return own;
-    return wish == WISH_ON;
+    const bool wanted = (n && !n->implied) || wish == WISH_AUTO ? own : wish == WISH_ON;
+    if (wanted || !usual) return wanted;
+    if (!(b->unheard & effect_bit(id))) b->scene->off |= effect_bit(id);
+    return (b->unheard & effect_bit(id)) != 0;
 }
 
 static int read_axis(struct builder *b, struct scene_body *body, struct draft *o, const struct beam_body_keys *k,
@@ -54,9 +56,9 @@ static int read_axis(struct builder *b, struct scene_body *body, struct draft *o
     if (errors) return errors;
     const struct node *sections = k->section ? k->section : k->sections;
     o->beam.elements = a.elements;
-    const bool shear = a.shear >= 0 ? a.shear : sections && gives_shear(sections);
-    o->rotary = wants_effect(b, k->beam, "rotary", EFFECT_ROTARY, a.rotary);
-    o->shear = wants_effect(b, k->beam, "shear", EFFECT_SHEAR, shear);
+    const bool given = sections && gives_shear(sections), shear = a.shear >= 0 ? a.shear : given;
+    o->rotary = wants_effect(b, k->beam, "rotary", EFFECT_ROTARY, a.rotary, true);
+    o->shear = wants_effect(b, k->beam, "shear", EFFECT_SHEAR, shear, given);
     return read_axes(b, body, o, &a, what);
 }
 
@@ -231,7 +233,7 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     o->modes = node_find(n, "modes");
     o->choose = k.modes == 0;
     o->beam.modes = body->nmode = o->choose ? MOST_CANDIDATES : k.modes;
-    o->beam.stiffening = wants_effect(b, n, "stiffening", EFFECT_STIFFENING, k.stiffening);
+    o->beam.stiffening = wants_effect(b, n, "stiffening", EFFECT_STIFFENING, k.stiffening, true);
     weigh_beam(body, o);
     warn_of_pieces(b, o, &k, what);
     if (k.segments > 1) cut_beam(b, index, k.segments);

@@ -13,8 +13,6 @@
 
 #include "la/vec3.h"
 
-static const double TOLERANCE = 1e-3;
-
 /* ---- the deck, before all of it is read ---- */
 
 static const struct node *raw(const struct builder *b, const char *section, const char *key)
@@ -101,7 +99,7 @@ const struct flex_chosen *choose_modes(bool *keep, struct builder *b, int body, 
     const struct draft *draft = b->draft[body];
     const double tolerance = b->scene->effects.tolerance;
     e.o = (struct flex_choosing){.all = all, .movable = all->inner, .span = span(b), .nfamily = FAMILIES};
-    e.o.tolerance = tolerance > 0 ? tolerance : TOLERANCE;
+    e.o.tolerance = tolerance > 0 ? tolerance : EFFECTS_TOLERANCE;
     if (draft) e.o.tolerance *= draft->to - draft->from; /* what segments leave out adds up */
     if (draft) e.o.alpha = draft->beam.alpha, e.o.beta = draft->beam.beta, e.o.zeta = draft->beam.zeta;
     e.at_rest = begins_at_rest(b);

@@ -78,6 +78,7 @@ static int read_file(struct builder *b, struct scene_body *body, double *centre,
             return 1;
         }
         if (b->scene->effects.wish[EFFECT_STIFFENING] == WISH_OFF && flex->s) {
+            b->scene->off |= effect_bit(EFFECT_STIFFENING);
             struct flex_body *full = TAKE(b->life, struct flex_body, 1);
             struct flex_node *node = TAKE(b->life, struct flex_node, flex->nnode);
             *full = *flex;

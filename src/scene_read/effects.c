@@ -1,8 +1,25 @@
 /* effects.c -- `effects`: which of them the deck wants, which it leaves to the program */
+#include <math.h>
+
 #include "scene_read/parts.h"
+
+/* With a tolerance of the run what is left out may have a tenth of it at most. */
+static void take_share(struct builder *b)
+{
+    static const double SHARE = .1;
+    double *tolerance = &b->scene->effects.tolerance, x;
+    const struct node *n = node_find(node_find(b->scene->deck->root, "integrate"), "tolerance");
+    if (!n || n->implied || n->type != NODE_SCALAR || deck_number(&x, n, b->reader.deck) != OK || !(x > 0)) return;
+    *tolerance = fmin(*tolerance > 0 ? *tolerance : EFFECTS_TOLERANCE, SHARE * x);
+}
 
 int read_effects(struct builder *b, const struct node *n)
 {
+    struct effect_wishes *o = &b->scene->effects;
     b->scene->effects_node = n;
-    return n && read_keys(&b->scene->effects, keys_effects, n, NULL, "'effects'", &b->reader) ? 1 : 0;
+    if (n && read_keys(o, keys_effects, n, NULL, "'effects'", &b->reader)) return 1;
+    take_share(b);
+    for (int i = 0; i < EFFECTS; i++)
+        if (b->unheard & effect_bit((enum effect_id)i) && o->wish[i] == WISH_OFF) o->wish[i] = WISH_AUTO;
+    return 0;
 }

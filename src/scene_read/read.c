@@ -63,12 +63,16 @@ static int read_energy(struct builder *b, const struct node *n)
     return 0;
 }
 
-enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, struct diags *diags,
-                       struct arena *life)
+enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, unsigned unheard,
+                       struct diags *diags, struct arena *life)
 {
     struct scene *scene = TAKE(life, struct scene, 1);
-    struct builder b = {
-        .scene = scene, .diags = diags, .reader = {.diags = diags, .deck = deck}, .sections = keys_deck, .life = life};
+    struct builder b = {.scene = scene,
+                        .diags = diags,
+                        .reader = {.diags = diags, .deck = deck},
+                        .sections = keys_deck,
+                        .unheard = unheard,
+                        .life = life};
     struct deck_keys k = {.space = -1};
     struct index **names[] = {&scene->bodies, &scene->joints, &scene->measures};
     for (int i = 0; i < 3; i++) *(*names[i] = TAKE(life, struct index, 1)) = (struct index){.life = life};

@@ -9,10 +9,16 @@
 enum status sim_load(struct scene **scene, const char *path, const struct deck_options *options, struct diags *diags,
                      struct arena *life, struct report *report)
 {
+    return sim_load_with(scene, path, options, 0, diags, life, report);
+}
+
+enum status sim_load_with(struct scene **scene, const char *path, const struct deck_options *options, unsigned unheard,
+                          struct diags *diags, struct arena *life, struct report *report)
+{
     struct deck *deck;
     TRY(deck_load(&deck, path, options, diags, life, report));
     const struct key_block schemes = stepper_options(life);
-    enum status status = scene_read(scene, deck, &schemes, diags, life);
+    enum status status = scene_read(scene, deck, &schemes, unheard, diags, life);
     if (status != OK && (*scene)->integrate.scheme) { /* all errors at once: the plan's too */
         struct sim sim = {.scene = *scene, .plan = (*scene)->integrate};
         (void)plan_steps(&sim, diags, life, NULL); /* they are in diags, and the deck is wrong as it is */

@@ -66,7 +66,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     const struct effort *e = &sim->stepper.effort;
     const struct ledger *l = &sim->ledger;
     int n = 0;
-    if (most < 26) return 0;
+    if (most < MOST_SIM_FACTS) return 0;
     facts[n++] = pair_text("status", status_word(sim));
     facts[n++] = pair_number("exit", sim->status);
     facts[n++] = pair_number("t_end", sim->x.t);

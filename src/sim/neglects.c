@@ -3,7 +3,8 @@
  * lambda = |sum q.d|/sum q.Kq and w^2 = sum v.v/sum q.q over the records so far, T the time since the start: a share lambda
  * of the stiffness has changed what bends by min(2, lambda max(1, w T/2)); a damper of the rate mu by 1 - exp(-mu T/2)
  * of what swings, sqrt(sum v.Mv/sum q.Kq) of it.  Bodies in loops are forced by these, where it is 4 times too much, and
- * other effects have no such estimate: no number is printed for them (make watched). */
+ * other effects have no such estimate: for them, and where it comes near the tolerance, a second run with the effect says
+ * (study/left_out.c; make watched shows both). */
 #include <math.h>
 
 #include "la/rot.h"
@@ -140,40 +141,108 @@ static const struct neglect *worst(const struct neglects *o, bool damping)
     return most;
 }
 
+/* What is known of an effect: of a column by a second run, or of how a body bends. */
+struct said {
+    const char *body, *column;
+    double share, t, until;
+    const struct neglect_found *found; /* NULL: of a body */
+};
+
+static bool watched(struct said *o, const struct sim *sim, enum effect_id id)
+{
+    const bool damping = id == EFFECT_DAMPING;
+    const struct neglect_found *found = &sim->neglects.found[id];
+    if (found->known) {
+        *o = (struct said){NULL, found->column, found->share, found->t, found->until, found};
+        return true;
+    }
+    const struct neglect *k = damping || id == EFFECT_STIFFENING ? worst(&sim->neglects, damping) : NULL;
+    if (!k) return false;
+    *o = (struct said){sim->model->body[k->body].name,           NULL,     damping ? k->damping : k->stiffening,
+                       damping ? k->t_damping : k->t_stiffening, sim->x.t, NULL};
+    return true;
+}
+
+/* Bodies in loops have no watch. */
+static bool watched_everywhere(const struct sim *sim, bool damping)
+{
+    const struct model *m = sim->model;
+    for (int i = 1; i < m->nbody; i++) {
+        const struct flex_body *full = m->body[i].full;
+        if (m->body[i].component < 0 || !full) continue;
+        if (damping ? full->D && !m->body[i].flex->D : full->s && !m->body[i].flex->s) return false;
+    }
+    return true;
+}
+
+bool neglects_unsettled(const struct sim *sim, enum effect_id id)
+{
+    static const double NEAR = 1. / 3; /* of the tolerance: the watch is right within 3 */
+    const double tolerance = sim->scene->effects.tolerance;
+    struct said said;
+    if (!(sim->model->off & effect_bit(id))) return false;
+    if (id == EFFECT_GYROSCOPIC && sim_in_plane(sim)) return false;
+    if (!watched(&said, sim, id) || !watched_everywhere(sim, id == EFFECT_DAMPING)) return true;
+    return said.share > NEAR * (tolerance > 0 ? tolerance : EFFECTS_TOLERANCE);
+}
+
 int neglects_facts(const struct sim *sim, struct pair *facts)
 {
-    static const char *const names[] = {"neglected_stiffening", "neglected_damping"};
+    static const char *const names[EFFECTS] = {
+#define X(id, name, ...) "neglected_" name,
+        EFFECT_ROWS(X)
+#undef X
+    };
+    struct said said;
     int n = 0;
-    for (int d = 0; d < 2; d++) {
-        const struct neglect *k = worst(&sim->neglects, d);
-        if (k) facts[n++] = pair_number(names[d], d ? k->damping : k->stiffening);
-    }
+    for (int i = 0; i < EFFECTS; i++)
+        if (watched(&said, sim, (enum effect_id)i)) facts[n++] = pair_number(names[i], said.share);
     return n;
+}
+
+static void print_found(const struct neglect_found *o, const struct sim *sim, FILE *to)
+{
+    fprintf(to, ": about %.2g %% of '%s'", 100 * o->share, o->column);
+    if (o->acting && o->acting != o->column) fprintf(to, ", %.2g %% of '%s'", 100 * o->acts, o->acting);
+    fputs(", by a second run with it", to);
+    if (o->until < sim->x.t) fprintf(to, ", to t = %.4g s: longer is not watched", o->until);
+    if (o->share <= o->noise) fputs("; the runs' own errors may be as much", to);
+}
+
+static void print_watched(const struct sim *sim, enum effect_id id, FILE *to)
+{
+    struct said o;
+    if (watched(&o, sim, id)) {
+        fprintf(to, "left out: %s", effect_kinds[id].name);
+        if (o.body) fprintf(to, " of '%s': about %.2g %% of how it bends", o.body, 100 * o.share);
+        if (o.found) print_found(o.found, sim, to);
+        fputc('\n', to);
+    } else if (sim->model->off & effect_bit(id)) {
+        fprintf(to, "left out: %s: what it would change has not been watched\n", effect_kinds[id].name);
+    }
 }
 
 void print_neglects(const struct sim *sim, FILE *to)
 {
-    static const char *const names[] = {"stiffening", "damping"};
-    for (int d = 0; d < 2; d++) {
-        const struct neglect *k = worst(&sim->neglects, d);
-        if (!k) continue;
-        fprintf(to, "left out: %s of '%s': about %.2g %% of how it bends\n", names[d], sim->model->body[k->body].name,
-                100 * (d ? k->damping : k->stiffening));
-    }
+    for (int i = 0; i < EFFECTS; i++) print_watched(sim, (enum effect_id)i, to);
+}
+
+static void warn_of(struct sim *sim, enum effect_id id)
+{
+    struct said o;
+    char what[100];
+    const double tolerance = sim->scene->effects.tolerance;
+    if (!(tolerance > 0) || !watched(&o, sim, id) || !(o.share > tolerance)) return;
+    if (o.found && o.share <= o.found->noise) return;
+    snprintf(what, sizeof what, o.body ? "how '%.60s' bends" : "'%.60s'", o.body ? o.body : o.column);
+    sim_warn(
+        sim,
+        "%s, turned off by the deck, would change %s by about %.2g %%; the tolerance of 'effects', %g, is passed at t "
+        "= %.6g s: turn it on, or give a larger tolerance [W-effect]",
+        effect_kinds[id].name, what, 100 * o.share, tolerance, o.t);
 }
 
 void warn_of_neglects(struct sim *sim)
 {
-    static const char *const names[] = {"stiffening", "damping"};
-    for (int d = 0; d < 2; d++) {
-        const struct neglect *k = worst(&sim->neglects, d);
-        if (!k) continue;
-        const double t = d ? k->t_damping : k->t_stiffening;
-        if (t < 0) continue;
-        sim_warn(sim,
-                 "%s of '%.60s', turned off by the deck, would change how it bends by about %.2g %%; the tolerance of "
-                 "'effects', %g, is passed at t = %.6g s: turn it on, or give a larger tolerance [W-effect]",
-                 names[d], sim->model->body[k->body].name, 100 * (d ? k->damping : k->stiffening),
-                 sim->scene->effects.tolerance, t);
-    }
+    for (int i = 0; i < EFFECTS; i++) warn_of(sim, (enum effect_id)i);
 }

@@ -229,10 +229,10 @@ static enum status write_head(const struct sim *sim, struct sink *sink, struct r
 
 static enum status write_end(struct sim *sim, struct sink *sink, struct report *report)
 {
-    struct pair facts[32];
+    struct pair facts[MOST_SIM_FACTS];
     struct run_summary summary = {.facts = facts};
     if (!sink) return OK;
-    summary.n = sim_facts(sim, facts, 32);
+    summary.n = sim_facts(sim, facts, MOST_SIM_FACTS);
     return sink_end(sink, &summary, report);
 }
 

@@ -235,7 +235,8 @@ double sim_spin(struct sim *sim);
 /* What small motions and equilibria leave out is refused where there are rigid contacts; what: "modes". */
 enum status sim_without_contacts(const struct sim *sim, const char *what, struct report *report);
 
-/* The run's settings and its summary as facts, for sinks and for people. */
+/* The run's settings and its summary as facts, for sinks and for people.  The summary has at most so many. */
+enum { MOST_SIM_FACTS = 40 };
 int sim_settings(const struct sim *sim, struct pair *facts, int most);
 int sim_facts(const struct sim *sim, struct pair *facts, int most);
 

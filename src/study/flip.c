@@ -59,9 +59,7 @@ static double largest(const struct outcome *a, int i)
     return most;
 }
 
-/* The column's largest value in a, but no less than what round-off is beside others of its unit; where all of them stay at
- * 0, its largest in b. */
-static double usual(const struct flip *a, int i, const struct flip *b, int k)
+double flip_usual(const struct flip *a, int i, const struct flip *b, int k)
 {
     static const double LOST = 1e-9;
     double most = 0;
@@ -69,6 +67,13 @@ static double usual(const struct flip *a, int i, const struct flip *b, int k)
         if (same_unit(&a->column[c], &a->column[i])) most = fmax(most, largest(&a->kept, c));
     most = fmax(largest(&a->kept, i), LOST * most);
     return most > 0 ? most : largest(&b->kept, k);
+}
+
+int flip_column(const struct flip *o, const char *name)
+{
+    for (int i = 0; i < o->kept.n; i++)
+        if (strcmp(o->column[i].name, name) == 0) return i;
+    return -1;
 }
 
 static double change(const struct outcome *a, int i, const struct outcome *b, int k)
@@ -92,9 +97,9 @@ double flip_change(const char **column, const struct flip *a, const struct flip 
     *column = NULL;
     if (common_times(&a->kept, &b->kept) < 2) return NAN; /* the start tells nothing */
     for (int i = 1; i < a->kept.n; i++) {
-        const int k = columns_find(b->sim.columns, b->kept.n, a->column[i].name);
+        const int k = flip_column(b, a->column[i].name);
         if (!a->column[i].compared || k < 0) continue;
-        const double moved = change(&a->kept, i, &b->kept, k), x = moved > 0 ? moved / usual(a, i, b, k) : 0;
+        const double moved = change(&a->kept, i, &b->kept, k), x = moved > 0 ? moved / flip_usual(a, i, b, k) : 0;
         if (*column && !(x > worst)) continue;
         worst = x;
         *column = a->column[i].name;

@@ -113,6 +113,10 @@ awk -F, 'NR == FNR { for (i = 1; i <= NF; i++) on[FNR, i] = $i; next }
           printf "%.4g\n", worst }' "$work/on.csv" "$work/off.csv" >"$work/hand"
 sed -n 's/.*"effect":"stiffening"[^}]*"change_if_turned":\([0-9.e-]*\).*/\1/p' "$work/flat" | awk '{ printf "%.4g\n", $1 }' >"$work/said"
 same "explain says what stiffening changes" "$work/hand" "$work/said"
+# From standard input, which is read once.
+"$FMDSUB" explain decks/effect-gyroscopic.yaml | sed 1d >"$work/hand"
+"$FMDSUB" explain - <decks/effect-gyroscopic.yaml 2>"$work/err" | sed 1d >"$work/said"
+same "explain of standard input says the same" "$work/hand" "$work/said"
 "$FMDSUB" explain E-tab >"$work/out" 2>"$work/err"
 expect "explain CODE stays" 0 $? "$work/err"
 "$FMDSUB" explain --format json E-tab >"$work/out" 2>"$work/err"
