@@ -94,11 +94,26 @@ static bool report_modes(struct builder *b, const struct node *n, enum diag_at w
     return false;
 }
 
+/* A coordinate of what a body without a joint moves on, which is not the deck's. */
+static bool report_free(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *name)
+{
+    static const char FREE[] = "_free";
+    const size_t len = strcspn(name, "."), end = sizeof FREE - 1;
+    if (len <= end || strncmp(name + len - end, FREE, end) != 0) return false;
+    const int body = scene_find_body(b->scene, name, len - end);
+    if (body <= 0) return false;
+    const char *lead = b->scene->body[body].name;
+    diag_error(b->diags, n, which, code, "'%.60s': body '%.60s' has no joint of that name to name coordinates by", name,
+               lead);
+    diag_hint(b->diags, "give it one: constraints: {%.60s_free: {free: [ground, %.60s]}}", lead, lead);
+    return true;
+}
+
 void unknown_name(struct builder *b, const struct node *n, enum diag_at which, const char *code, const char *kind,
                   const char *name, const char *const *list, int count)
 {
     if (known_but_wrong(b, name) || report_segments(b, n, which, code, name)) return;
-    if (report_modes(b, n, which, code, name)) return;
+    if (report_modes(b, n, which, code, name) || report_free(b, n, which, code, name)) return;
     diag_error(b->diags, n, which, code, "unknown %s '%s'", kind, diag_clip(b->diags, name));
     diag_suggest(b->diags, name, list, count);
 }
