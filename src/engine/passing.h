@@ -1,7 +1,7 @@
 /* passing.h -- what is met and left again within a step, unseen at both its ends: a touch that the step passes over.
  *
- * The step is looked at along the cubics through positions and rates at its ends, in halves where a touch may lie between
- * (ode2's passed()), as far as a 256th of it. */
+ * The step is looked at along the cubic of path.h, in halves where a touch may lie between (ode2's passed()), as far as a
+ * 256th of it. */
 #ifndef FMDSUB_ENGINE_PASSING_H
 #define FMDSUB_ENGINE_PASSING_H
 

@@ -71,6 +71,8 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     cone_open(&o->work, rows, life);
     matrix_open(&o->J, ode, &s->effort, life);
     matrix_open(&o->M, ode, &s->effort, life);
+    path_open(&o->path, ode, life);
+    o->among = TAKE_MATRIX(life, double, TOUCH_PARTS + 1, m);
     open_saved(&o->start, ode, life);
     open_saved(&o->part, ode, life);
     for (int i = 1; i < m; i++) o->first[i] = o->first[i - 1] + 1 + o->c->of[i - 1].across;

@@ -4,10 +4,12 @@
 
 #include "engine/cone.h"
 #include "engine/matrix.h"
+#include "engine/path.h"
 #include "engine/single.h"
 #include "engine/touch.h"
 
 enum { MOST_EVENTS = 256 };
+enum { TOUCH_PARTS = 16 };                /* of a step, in which gaps are looked for that close and open again */
 static const double TOUCH_CLOSED = 1e-12; /* of a usual gap: where an impact is found */
 static const double TOUCH_DRAWN = 1e-9;   /* of a usual gap: where the run starts it is closed */
 static const double TOUCH_AT_REST = 1e-9; /* of the largest velocity */
@@ -78,6 +80,8 @@ struct touch {
     double share;                          /* of that, by which they are mended */
     double *v1, *vm, *a, *dx, *r, *y, *vf; /* [n] */
     double *q, *q1;                        /* [nq] */
+    struct path path;                      /* within a step */
+    double *among;                         /* [parts of it, m] gaps on the way */
     double *weight;                        /* [n] of displacements, for Gonzalez' correction */
     struct touch_saved start, part;        /* before a step, before a part of it */
 };
@@ -122,6 +126,10 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
 /* At the end of a part that was taken: what opens, sticks or slides from here on, and impacts; what would be back
  * within `back` stays. */
 enum status touch_at_end(struct touch *o, struct state *x, double back, int *impacts, struct trouble *why);
+
+/* touch_passed.c: has a gap that is open at both ends of the step h from o->part to x, where gaps are g0 and g, been closed
+ * in between?  Then *met is how far into the step; else it stays. */
+enum status touch_passed(struct touch *o, double *met, const struct state *x, double h, struct trouble *why);
 
 /* touch_held.c: one step h of x with the closed contacts held, or x as it was. */
 enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why);

@@ -140,32 +140,6 @@ static enum status strike(struct touch *o, struct state *x, double h, double nea
     return touch_impact(o, x, h, *count > MOST_IMPACTS, why);
 }
 
-/* May a gap that is open at both ends of the step h from o->part to x have been closed in between?  Where it falls at first and
- * grows at last it is above both its tangents, if it is convex as that of two balls is; what falls ever faster has come as fast
- * as at the end. */
-static enum status may_have_passed(struct touch *o, bool *passed, const struct state *x, double h, struct trouble *why)
-{
-    const struct touch_saved *from = &o->part;
-    const struct state before = {from->t, from->at.q, from->at.v, from->at.a};
-    *passed = false;
-    for (int i = 0; i < o->c->m; i++) {
-        const double far = 4 * h * o->top * larger(1, o->size[i]);
-        o->on[i] = !o->closed[i] && smaller(o->g0[i], o->g[i]) < far;
-    }
-    touch_choose(o, o->p);
-    if (o->n == 0) return OK;
-    TRY(touch_look(o, o->u1, &o->end, &before, why));
-    touch_rates(o, o->u, &o->end, x->v);
-    for (int k = 0; k < o->rows; k++) o->u1[k] = smaller(o->u1[k], o->u[k]);
-    TRY(touch_look(o, o->u, &o->end, x, why));
-    for (int k = 0; k < o->n; k++) {
-        const double a = o->u1[o->cone[k].row], b = o->u[o->cone[k].row];
-        const double g0 = o->g0[o->contact[k]], g1 = o->g[o->contact[k]];
-        *passed |= a < 0 && b > 0 && g0 + a * (g1 - g0 - b * h) / (a - b) < 0;
-    }
-    return OK;
-}
-
 /* What pushes into what cannot give way, as a drive does, ends the run. */
 static enum status none_is_deep(const struct touch *o, double t, struct trouble *why)
 {
@@ -200,19 +174,19 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
 {
     double g0, g1, left = smaller(t1 - x->t, *most);
     const double end = left < t1 - x->t ? x->t + left : t1;
-    bool passed = false;
     *again = false;
     if (fabs(left - h) <= 1e-9 * h) left = h;
+    double met = left;
     TRY(deepest(o, &g0, x, why));
     copy(o->g0, o->g, o->c->m);
     touch_save(&o->part, o, x);
     TRY(attempt(o, x, left, end, why));
     TRY(deepest(o, &g1, x, why));
     touch_grow(o, x->v);
-    if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(may_have_passed(o, &passed, x, left, why));
-    if (passed) {
+    if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(touch_passed(o, &met, x, left, why));
+    if (met < left) {
         touch_restore(&o->part, o, x);
-        *most = left / 2;
+        *most = met;
         *again = true;
         return OK;
     }

@@ -213,3 +213,29 @@ for tolerance in 1e-2 1e-3 1e-4 1e-5; do
         "$? $(paste -d, "$work/by-step" "$work/out" | awk -F, 'NR > 1 { for (i = 2; i <= 5; i++) if (($i - $(i + 6))^2 > .05^2) bad++ } END { print bad + (NR != 5) }')" \
         "$work/out" "$work/err"
 done
+
+# A pendulum that comes by a peg on its arc within a step, in ways that the ends of the step do not tell.
+cat >"$work/arc.yaml" <<'YAML'
+fmdsub: 1
+parameters: {turn: -1, r: 1.0e-3, off: 0}
+gravity: [0, -9.81]
+bodies: {arm: {mass: 1, inertia: 0.1, at: [1, 0]}}
+constraints: {pin: {revolute: [ground, arm], at: [0, 0]}}
+surfaces: {peg: {sphere: ground, at: [(1 + off*r)*cos(turn), (1 + off*r)*sin(turn)], radius: r}, tip: {point: arm}}
+contacts: {hit: {between: [tip, peg], restitution: 0.5}}
+integrate: {step: 0.1, until: 1.2}
+output: {every: 1.2, columns: [hit.impacts]}
+YAML
+sed 's/{sphere: ground, \(.*\), radius: r}/{cam: ground, \1, table: [[0, r], [2, r], [4, r]]}/' "$work/arc.yaml" >"$work/arc-cam.yaml"
+for peg in arc arc-cam; do
+    for turn in -0.4 -1.1 -1.6 -2.3; do
+        for r in 3.0e-4 1.0e-3 1.0e-2; do
+            for how in "0.1 0" "5.0e-2 0.8" "2.0e-2 -0.8"; do
+                set -- $how
+                "$FMDSUB" run -q -s integrate.step=$1 -s parameters.off=$2 -s parameters.turn=$turn -s parameters.r=$r "$work/$peg.yaml" >"$work/out" 2>"$work/err"
+                expect "$peg at $turn, $r m, $2 off its middle, steps of $1: met" "0 1" \
+                    "$? $(tail -n 1 "$work/out" | awk -F, '{ print ($2 > 0) }')" "$work/out" "$work/err"
+            done
+        done
+    done
+done
