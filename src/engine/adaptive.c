@@ -73,9 +73,10 @@ double adaptive_scale_v(const struct stepper *s, int i)
     return m->tolerance * adaptive_standing(s, i) + m->tolerance * own;
 }
 
-static void note_pace(struct stepper *s)
+static void note_pace(struct stepper *s, double t)
 {
     struct adaptive *m = s->self;
+    if (s->ode->driven) m->pace = larger(m->pace, s->ode->driven(s->ode, t));
     for (int i = 0; i < s->ode->n; i++) {
         m->top[i] = larger(m->top[i], fabs(m->v[i]));
         m->pace = fmax(m->pace, fabs(m->v[i]) / ode2_usual(s->ode, i));
@@ -157,7 +158,7 @@ static void take(struct stepper *s, struct adaptive *m, double t, double h)
     s->swing = larger(s->swing, sum_of(m->work));
     copy(m->q, m->q1, s->ode->nq);
     copy(m->v, m->v1, s->ode->n);
-    note_pace(s);
+    note_pace(s, m->t1);
     m->cause.code = TROUBLE_NONE;
     m->elapsed += fabs(h);
     s->effort.minors++;
@@ -297,7 +298,7 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     m->works.asked = false;
     if (s->fresh) {
         zero(m->span, s->ode->n);
-        note_pace(s);
+        note_pace(s, x->t);
         TRY(first_step(s, x->t, fabs(to - x->t), why));
         TRY(accelerate(s, x->t, why));
         if (s->guess.h > 0) m->h = fmin(s->guess.h * s->guess.ratio, fabs(to - x->t));

@@ -11,7 +11,7 @@
  * goes on from a value of higher order than the error is of.
  *
  * Y_i is what makes the tolerance a share in any units: of a position its usual size L_i (a radian, the mechanism's
- * length), of a velocity L_i times a hundredth of the fastest |v_j|/L_j so far, a tenth where the scheme goes on from a
+ * length), of a velocity L_i times a hundredth of the fastest |v_j|/L_j so far, of drives, too, a tenth where the scheme goes on from a
  * value of the estimate's order; there |y_i| of a velocity is its largest so far.  Starting step: Hairer, Norsett & Wanner,
  * Solving Ordinary Differential Equations I, II.4. */
 #ifndef FMDSUB_ENGINE_ADAPTIVE_H
@@ -42,7 +42,7 @@ struct adaptive {
     double t0, t1;        /* and when, and its end */
     double *u, *dx;       /* [n] scratch */
     double tolerance;     /* of the scales: the deck's, or what open() makes of it */
-    double pace;          /* largest |v|/L so far [1/s] */
+    double pace;          /* largest |v|/L so far, of drives, too [1/s] */
     double *top;          /* [n] largest |v| so far */
     double *span;         /* [n] displacement since the start, where positions have a move of their own */
     double elapsed;       /* time gone by since the run's start [s] */

@@ -19,7 +19,14 @@ void local_error_forget(struct local_error *o)
     o->h = 0;
 }
 
-/* At the start the mean acceleration of a step of no length stands for the step before. */
+/* At the start the mean acceleration of a step of no length stands for the step before, and nothing is known of s: what vibrates
+ * within the step changes all of j, and s is taken to be j/h.  Who puts such a step there himself knows no s. */
+static double fourth(const struct local_error *o, int i, double h)
+{
+    if (o->known == 0) return o->new_jerk[i] / h;
+    return o->h > 0 ? (o->new_jerk[i] - o->jerk[i]) / o->h : 0;
+}
+
 void local_error_try(struct local_error *o, const double *dv, const double *a0, double h, double c)
 {
     const double *before = o->known > 0 ? o->mean : a0, off = c * h * h * h;
@@ -28,7 +35,7 @@ void local_error_try(struct local_error *o, const double *dv, const double *a0, 
         o->new_mean[i] = dv[i] / h;
         o->new_jerk[i] = (o->new_mean[i] - before[i]) / apart;
         o->position[i] = off * o->new_jerk[i];
-        o->velocity[i] = o->known > 1 ? off * (o->new_jerk[i] - o->jerk[i]) / o->h : 0;
+        o->velocity[i] = off * fourth(o, i, h);
     }
 }
 

@@ -374,7 +374,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
 #define RADAU                                                                                                          \
     .stages = 2, .open = open, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,     \
     .recall = recall, .off = off, .left = left
-static const struct adaptive_scheme radau5 = {.order = 4, .sharper = 2. / 4, .drifts = 1, RADAU},
+static const struct adaptive_scheme radau5 = {.order = 4, .sharper = .48, .drifts = 1, RADAU},
                                     radau9 = {.order = 6, .sharper = .35, RADAU};
 
 const struct stepper_kind step_radau5 = {

@@ -278,6 +278,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .chart = &o->chart,
                            .kinetic = kinetic,
                            .size = size_of,
+                           .driven = m->ndrive ? condense_fastest : NULL,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .passed = tree->ode.passed ? passed : NULL,
                            .settle = tree->ode.settle ? settle : NULL,

@@ -50,6 +50,12 @@ void condense_power(const struct condense *o, double *w, const double *lambda)
         }
 }
 
+double condense_fastest(const struct ode2 *ode, double t)
+{
+    const struct condense *o = ode->self;
+    return loops_fastest(o->rows.loops, t);
+}
+
 double condense_corner(const struct ode2 *ode, double ta, double tb)
 {
     const struct condense *o = ode->self;

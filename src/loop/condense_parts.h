@@ -64,6 +64,8 @@ int condense_jumps(const struct condense *o);
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why);
 /* w += power of the drives, with multipliers lambda [rows] */
 void condense_power(const struct condense *o, double *w, const double *lambda);
+/* driven() of ode2. */
+double condense_fastest(const struct ode2 *ode, double t);
 /* As ode2_breaks has it. */
 enum status condense_jump(const struct ode2 *ode, int *met, double *v, double *work, const double *q, double ta,
                           double tb, struct trouble *why);

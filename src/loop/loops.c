@@ -117,6 +117,14 @@ void loops_over(struct loops *o, double ta, double tb)
     }
 }
 
+double loops_fastest(struct loops *o, double t)
+{
+    double most = 0;
+    for (int l = model_first_drive(o->model); l < o->model->nloop; l++)
+        most = fmax(most, loops_scale(o, l) * fabs(motion_of(o, l, t)[1]));
+    return most;
+}
+
 int loops_corners(double *jump, const struct loops *o, double ta, double tb)
 {
     int any = 0;

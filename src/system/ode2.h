@@ -171,6 +171,9 @@ struct ode2 {
     /* Kinetic energy [J] at a state, of what drives move, too; 0 where it is not known.  NULL: not known. */
     double (*kinetic)(const struct ode2 *o, const double *q, const double *v, double t);
     double (*size)(const struct ode2 *o, int i); /* a usual change of coordinate i; NULL: 1 */
+    /* The fastest of what drives move at t, which may be none of the coordinates, in usual changes a second; NULL: there are
+     * no drives. */
+    double (*driven)(const struct ode2 *o, double t);
     /* Of a system in which something flies freely: where va and vb are given, resid(ALL) takes the change of its
      * momenta from end to end, so that a step keeps them.  Its centre of mass then is not quite where point() has put
      * it: at the end of a step settle() moves q1, which is x->qb where that is known, there, and v1, x->vb, by what is

@@ -27,7 +27,8 @@ static void steps(struct local_error *o)
             const double j0 = (A0 - a0[i]) / .05, j1 = (A1 - A0) / .2, j2 = (A2 - A1) / .25;
             const double j[3] = {j0, j1, j2};
             same(o->position[i], c * h[k] * h[k] * h[k] * j[k]);
-            same(o->velocity[i], k < 2 ? 0 : c * .2 * .2 * .2 * (j2 - j1) / .3);
+            const double s[3] = {j0 / .1, (j1 - j0) / .1, (j2 - j1) / .3};
+            same(o->velocity[i], c * h[k] * h[k] * h[k] * s[k]);
         }
         local_error_keep(o, h[k]);
     }
