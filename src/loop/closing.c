@@ -9,8 +9,8 @@
 
 /* --- the tangent -------------------------------------------------------------------------------- */
 
-/* T and s of the posture that is factored: of the posture alone, to the last bit, whenever drives are asked for. */
-static void lead_from(struct closing *o)
+/* T of the posture that is factored, s of q: of the postures alone, to the last bit, whenever drives are asked for. */
+static void lead_from(struct closing *o, const double *q)
 {
     const struct loops *l = o->rows->loops;
     if (l->model->ndrive == 0) return;
@@ -23,26 +23,67 @@ static void lead_from(struct closing *o)
             memset(x, 0, sizeof *x * (size_t)p->nr);
             x[p->lead[k]] = 1;
             factor_solve(&o->solve->block[i].C_qd, x);
-            t->s[k] = loops_measure(l, l->row[row].loop);
+            t->s[k] = loops_measure_at(l, l->row[row].loop, q);
         }
     }
 }
 
-int closing_tangent(struct closing *o, const double *q)
+static struct made take_base(struct closing *o, const double *q)
 {
-    const struct made now = {posture_take(&o->base, q, o->rows->tree->model->nq), o->split->number};
-    if (now.posture == o->made.posture && now.split == o->made.split) return 1;
-    o->made.posture = 0;
-    if (solve_factor(o->solve, q, 0, NULL) != OK) return 0;
+    return (struct made){posture_take(&o->base, q, o->rows->tree->model->nq), o->split->number};
+}
+
+static bool is_made(const struct closing *o, struct made now)
+{
+    return now.posture == o->made.posture && now.split == o->made.split;
+}
+
+/* The tangent of what is factored, as that at q. */
+static void tangent_from(struct closing *o, const double *q)
+{
     for (int i = 0; i < o->split->npart; i++) {
         if (o->split->part[i].wide)
             factor_copy(&o->tangent[i].C_qd, &o->solve->block[i].C_qd);
         else
             factor_G(&o->solve->block[i].C_qd, o->tangent[i].G);
     }
-    lead_from(o);
+    lead_from(o, q);
+}
+
+int closing_tangent(struct closing *o, const double *q)
+{
+    const int nq = o->rows->tree->model->nq;
+    const struct made now = take_base(o, q);
+    if (is_made(o, now)) return 1;
+    o->made.posture = 0;
+    if (solve_factor(o->solve, posture_is(&o->about, q, nq) ? o->at : q, 0, NULL) != OK) return 0;
+    tangent_from(o, q);
     o->made = now;
     return 1;
+}
+
+int closing_tangent_about(struct closing *o, const double *q)
+{
+    static const double NEAR = 1e-6; /* it turns by as little: nothing beside what it misses at the end of a step */
+    const int nq = o->rows->tree->model->nq;
+    o->about.number = 0;
+    if (!o->plain || !solve_is_near(o->solve, o->full, q, NEAR)) return closing_tangent(o, q);
+    posture_take(&o->about, q, nq);
+    memcpy(o->at, o->solve->at, sizeof *o->at * (size_t)nq);
+    o->made = take_base(o, q);
+    tangent_from(o, q);
+    return 1;
+}
+
+void closing_recall(struct closing *o, struct recall *r)
+{
+    const int nq = o->rows->tree->model->nq;
+    recall_within(r, "tangent");
+    recall_one(r, "about", o->about.number);
+    recall_list(r, "base", o->about.q, nq);
+    recall_list(r, "at", o->at, nq);
+    recall_without(r);
+    if (r->back) o->made.posture = 0;
 }
 
 double closing_gain(const struct closing *o, int i)
@@ -129,6 +170,7 @@ static double note(struct miss *miss, const struct rows *rows, const double *C)
 int closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way)
 {
     static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
+    static const double NOTHING = 1e-15;   /* and one that is round-off */
     static const double ROUND_OFF = 1e-15; /* |C| that no correction makes less: C_qd is nearly singular */
     static const double FAR = 1;           /* a correction this large after two iterations leads elsewhere */
     enum { MOST_ITERATIONS = 20 };
@@ -138,6 +180,7 @@ int closing_close(struct closing *o, double *q1, struct miss *miss, const struct
         const double size = correct(o, o->C, way->dx, q1);
         const double left = size <= CLOSED ? 0 : note(miss, o->rows, o->C);
         if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
+        if (size <= NOTHING) return 1;
         if (size > CLOSED && left > ROUND_OFF) continue;
         closing_put(o, q1, way);
         return 1;
@@ -178,6 +221,9 @@ void closing_build(struct closing *o, struct solve *solve, struct arena *life)
     o->tangent = TAKE(life, struct tangent, split->npart);
     for (int i = 0; i < split->npart; i++) build_tangent(&o->tangent[i], &split->part[i], rows->loops, life);
     o->base.q = TAKE(life, double, rows->tree->model->nq);
+    o->about.q = TAKE(life, double, rows->tree->model->nq);
+    o->at = TAKE(life, double, rows->tree->model->nq);
+    o->plain = loops_drive_coordinates(rows->loops);
     o->C = TAKE(life, double, rows->loops->nrow);
     o->x = TAKE(life, double, most);
     o->y = TAKE(life, double, most);

@@ -40,6 +40,9 @@ struct closing {
     struct tangent *tangent; /* of each component */
     struct posture base;
     struct made made;         /* what the tangent is of: base and split */
+    struct posture about;     /* a base whose tangent is that `at` a posture beside it; 0: there is none */
+    double *at;               /* [nq] */
+    bool plain;               /* all drives, if any, are of coordinates */
     double *C;                /* [rows] */
     double *x, *y;            /* [of a component's rows or coordinates] */
     double *full, *dx, *last; /* [of the tree] */
@@ -52,6 +55,9 @@ void closing_fit(struct closing *o, int i);
 
 /* The tangent at q, which is the base then; 0: singular there. */
 int closing_tangent(struct closing *o, const double *q);
+/* The same for a step from q, with what is factored already, where that is right beside q: from now on the tangent at q. */
+int closing_tangent_about(struct closing *o, const double *q);
+void closing_recall(struct closing *o, struct recall *r);
 /* split_gain() of component i there. */
 double closing_gain(const struct closing *o, int i);
 /* dx of the dependents along it. */

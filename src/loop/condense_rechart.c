@@ -104,9 +104,10 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     struct condense *o = ode->self;
     int changed = 0, wanted = 0;
     struct ode2 *tree = &o->tree->ode;
+    const bool led = closing_tangent_about(&o->closing, q); /* first of all: it takes what the step has left */
     if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
-    if (!closing_tangent(&o->closing, q)) return 0;
+    if (!led) return 0;
     for (int i = 0; i < o->split.npart; i++) wanted += gain_too_large(o, i);
     if (!wanted) return 0;
     double *const whole[] = {o->va, o->vb};
@@ -134,6 +135,7 @@ void condense_recall(struct condense *o, struct recall *r)
     recall_list(r, "drawn", o->rows.loops->drawn, o->rows.loops->nrow);
     recall_list(r, "turned", o->rows.loops->turned, o->model->nloop);
     split_recall(&o->split, r);
+    closing_recall(&o->closing, r);
     recall_without(r);
     if (!r->back || *r->wrong) return;
     for (int i = 0; i < o->split.npart; i++) fit(o, i);

@@ -166,6 +166,19 @@ double loops_measure(const struct loops *o, int l)
     return loops_scale(o, l) * o->act[l].s;
 }
 
+double loops_measure_at(const struct loops *o, int l, const double *q)
+{
+    const struct model_measure *m = &o->model->measure[o->model->loop[l].measure];
+    return loops_scale(o, l) * (loops_along_coordinate(o, l) ? q[m->iq] : o->act[l].s);
+}
+
+bool loops_drive_coordinates(const struct loops *o)
+{
+    for (int l = model_first_drive(o->model); l < o->model->nloop; l++)
+        if (!loops_along_coordinate(o, l)) return false;
+    return true;
+}
+
 void loops_values(double *C, const struct loops *o)
 {
     for (int i = 0; i < o->nrow; i++) C[i] = o->row[i].says->value(o, i);

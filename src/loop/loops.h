@@ -89,9 +89,11 @@ double loops_fastest(struct loops *o, double t);
 int loops_corners(double *jump, const struct loops *o, double ta, double tb);
 /* Looks at the bodies where they stand: first of all, after each place(). */
 void loops_place(struct loops *o, const struct sweep *s, const double *q);
-double loops_measure(const struct loops *o, int l);          /* of drive l, where the bodies stand */
-void loops_values(double *C, const struct loops *o);         /* C [nrow] at the time of loops_when() */
-void loops_jacobian(struct loops *o, const struct sweep *s); /* fills Cq */
+double loops_measure(const struct loops *o, int l);                     /* of drive l, where the bodies stand */
+double loops_measure_at(const struct loops *o, int l, const double *q); /* the same, but of a coordinate at q */
+bool loops_drive_coordinates(const struct loops *o);                    /* all drives do */
+void loops_values(double *C, const struct loops *o);                    /* C [nrow] at the time of loops_when() */
+void loops_jacobian(struct loops *o, const struct sweep *s);            /* fills Cq */
 /* C'' [nrow], after accelerate(), with the coordinates' own accelerations a where a row is of them: C_q a + (C_q v)_q v
  * + C_tt. */
 void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a);

@@ -30,7 +30,19 @@ enum status solve_as_it_is(struct solve *o, double t, struct trouble *why)
     for (int i = 0; i < o->split->npart; i++)
         if (!factor_make(&o->block[i].C_qd)) return singular(o, i, t, why);
     o->factored = (struct made){o->rows->linear, o->split->number};
+    if (o->factored.posture) memcpy(o->at, o->rows->tree->posture.q, sizeof *o->at * (size_t)o->rows->tree->model->nq);
     return OK;
+}
+
+bool solve_is_near(const struct solve *o, double *dx, const double *q, double far)
+{
+    const double *per = o->rows->per;
+    if (!o->factored.posture || o->factored.split != o->split->number) return false;
+    if (o->rows->linear != o->factored.posture) return false; /* C_qi is in rows */
+    moves_diff(&o->rows->tree->moves, dx, q, o->at);
+    for (int i = 0; i < o->rows->n; i++)
+        if (!(fabs(dx[i]) * per[i] <= far)) return false;
+    return true;
 }
 
 enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why)
@@ -165,6 +177,7 @@ void solve_build(struct solve *o, struct rows *rows, const struct split *split, 
 {
     *o = (struct solve){.rows = rows, .split = split, .life = life};
     o->block = TAKE(life, struct block, split->npart);
+    o->at = TAKE(life, double, rows->tree->model->nq);
     o->x = TAKE(life, double, rows->loops->nrow);
     o->second = TAKE(life, double, rows->loops->nrow);
     for (int i = 0; i < split->npart; i++) {

@@ -29,6 +29,7 @@ struct solve {
     const struct split *split;
     struct block *block; /* of each component */
     struct made factored, G;
+    double *at;     /* [nq] where C_qd is factored, if that is of a posture */
     double *x;      /* [of a component's rows] */
     double *second; /* [rows] C'' */
     struct arena *life;
@@ -41,6 +42,8 @@ void solve_fit(struct solve *o, int i);
 /* The tree at q, C_qd factored there; G as well.  E_NUMERIC: singular or not finite. */
 enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why);
 enum status solve_G(struct solve *o, const double *q, double t, struct trouble *why);
+/* Is C_qd factored, for the split as it is, at a posture no farther from q than that, in scales?  dx [of the tree]: work. */
+bool solve_is_near(const struct solve *o, double *dx, const double *q, double far);
 /* G [nr x ni] of component i there. */
 const double *solve_G_of(const struct solve *o, int i);
 /* C_qd factored of C_q as it stands in rows; of component i only: its pivot ratio, 0 if it is singular. */

@@ -114,10 +114,46 @@ static void a_way_ends_where_it_should(void **state)
     assert_true(w.done > 100 && w.split_anew > 10 && w.quickly > 100 && w.open < 1e-13 && w.worst < 1e-10);
 }
 
+/* Of what is factored beside a base: nearly the tangent there, and the same bits whenever it is made anew. */
+static void a_tangent_may_be_of_beside(void **state)
+{
+    (void)state;
+    int beside = 0;
+    double worst = 0;
+    for (unsigned seed = 1; seed <= 200; seed++) {
+        struct bench o;
+        struct tree_dice d = {seed};
+        struct miss miss;
+        if (open_closed(&o, 2 + (int)(seed % 2), seed) && loops_drive_coordinates(o.rows.loops)) {
+            const size_t size = sizeof *o.x * (size_t)o.n;
+            roll(o.a, o.split.n, 1e-8, &d);
+            roll(o.v, o.n, 1, &d);
+            assert_int_equal(closing_point(&o.closing, o.q1, &miss, o.q, o.a, 1), 1);
+            memcpy(o.x, o.v, size);
+            assert_int_equal(closing_tangent(&o.closing, o.q1), 1);
+            closing_predict(&o.closing, o.x); /* at q1 */
+            assert_int_equal(closing_tangent(&o.closing, o.q), 1);
+            assert_int_equal(closing_tangent_about(&o.closing, o.q1), 1); /* with what is factored at q */
+            memcpy(o.y, o.v, size);
+            closing_predict(&o.closing, o.y);
+            beside += memcmp(o.x, o.y, size) != 0;
+            worst = fmax(worst, apart(o.x, o.y, o.n));
+            assert_int_equal(closing_tangent(&o.closing, o.q), 1);
+            assert_int_equal(closing_tangent(&o.closing, o.q1), 1);
+            closing_predict(&o.closing, o.v);
+            assert_memory_equal(o.v, o.y, size);
+        }
+        arena_close(o.arena);
+    }
+    print_message("%d tangents beside their base: off by %.2g\n", beside, worst);
+    assert_true(beside > 5 && worst < 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tangents_are_of_second_order),
+        cmocka_unit_test(a_tangent_may_be_of_beside),
         cmocka_unit_test(a_way_ends_where_it_should),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
