@@ -57,12 +57,23 @@ double adaptive_scale_q(const struct stepper *s, int i)
     return m->tolerance * ode2_usual(s->ode, i) + m->tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
 }
 
-double adaptive_standing(const struct stepper *s, int i)
+static double standing(const struct stepper *s, int i, bool plain)
 {
     static const double SLOWEST = 1e-3; /* [1/s] */
     const struct adaptive *m = s->self;
-    const double part = m->scheme->plain ? .1 : .01;
-    return ode2_usual(s->ode, i) * fmax(part * m->pace, SLOWEST);
+    return ode2_usual(s->ode, i) * fmax((plain ? .1 : .01) * m->pace, SLOWEST);
+}
+
+double adaptive_standing(const struct stepper *s, int i)
+{
+    const struct adaptive *m = s->self;
+    return standing(s, i, m->scheme->plain);
+}
+
+double adaptive_scale_plain(const struct stepper *s, int i, double top)
+{
+    const struct adaptive *m = s->self;
+    return m->tolerance * standing(s, i, true) + m->tolerance * top;
 }
 
 /* What all but stands is not judged by its round-off. */

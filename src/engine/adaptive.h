@@ -100,6 +100,8 @@ double adaptive_scale_q(const struct stepper *s, int i);
 double adaptive_scale_v(const struct stepper *s, int i);
 /* How fast velocity i may be and all but stand. */
 double adaptive_standing(const struct stepper *s, int i);
+/* What that is of a plain scheme whose largest |v_i| was `top`, whatever s is of. */
+double adaptive_scale_plain(const struct stepper *s, int i, double top);
 
 /* The error of works e [POWER_CHANNELS], of a trial from t by h that did `work`. */
 double adaptive_works(struct stepper *s, const double *e, const double *work, double t, double h);

@@ -16,7 +16,7 @@
 enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100, LEAST = 100 }; /* evaluations */
 static const double SHARE = .02;                                                    /* of the run's evaluations */
 static const double USUAL = 1e-4;
-static const double SAFE = .1;  /* of a tolerance that stands for a step: errors of high order are less foreseeable */
+static const double SAFE = .03; /* of a tolerance that stands for a step: errors of high order are less foreseeable */
 enum { LONG = 300 };            /* evaluations of dopri5 from which on order 8 pays at any tolerance: auto.sh */
 static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
 static const double WORTH = .9; /* of the work of what is taken without trials: less than that, or it is that */
@@ -246,6 +246,7 @@ static bool open_eye(struct choice *o)
     o->stiff = stiff_rate(&o->eye->sim) * (o->eye->sim.plan.until - o->scene->start);
     o->eye->least = auto_least(o->eye->setting.kind, o->stiff);
     o->quiet = racer_quiet(o->eye);
+    o->bounded = auto_bounded(o->eye, o->stiff);
     o->eye_hopes = racer_hope(o->eye);
     return !o->eye->out;
 }
@@ -259,15 +260,19 @@ static void open_usual(struct choice *o)
     o->n = 0;
     o->eye->out = true;
     o->looked = o->eye->work;
-    if (steps) o->tolerance = SAFE * quick_tolerance(&o->quick, o->step, o->eye->sim.plan.until - o->scene->start);
+    if (steps)
+        o->tolerance =
+            SAFE * quick_tolerance(&o->quick, &o->eye->sim, o->step, o->eye->sim.plan.until - o->scene->start);
     struct racer *r = auto_add(o, name, steps ? NAN : o->tolerance, steps ? o->step : NAN, 1, NULL);
     racer_go(r, r->work + HALF, NULL, NULL);
 }
 
-/* In place of dopri5: order 8; what is stiff and does not move asks an explicit scheme for steps that the motion does not. */
+/* In place of dopri5: order 8; what is stiff and does not move asks an explicit scheme for steps that the motion does not.
+ * What moves and yet keeps steps at their bound is left to the race, if there is one. */
 static void take_higher_order(struct choice *o)
 {
-    const bool implicit = o->quiet && o->eye->sim.stepper.ode->n <= MOST_DENSE;
+    const bool idle = o->quiet || (o->bounded && SHARE * o->eye_hopes < LEAST);
+    const bool implicit = idle && o->eye->sim.stepper.ode->n <= MOST_DENSE;
     o->n = 0;
     o->looked = o->eye->work;
     o->eye->least = implicit ? 0 : o->eye->least;

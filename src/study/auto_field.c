@@ -21,15 +21,29 @@ const struct node *auto_named(const struct scene *scene, const char *key)
 
 /* An explicit scheme takes steps of at most so many radians of the quickest small motion, excited or not: as
  * measured on flexible decks, where the error estimate ends what stability would (on the imaginary axis). */
+static const struct bound {
+    const char *name;
+    double radians, evaluations; /* a step */
+} bounds[] = {{"dopri5", 1.1, 6}, {"dop853", 4, 11}};
+
+static const struct bound *bound_of(const struct stepper_kind *kind)
+{
+    for (size_t i = 0; i < sizeof bounds / sizeof *bounds; i++)
+        if (strcmp(kind->name, bounds[i].name) == 0) return &bounds[i];
+    return NULL;
+}
+
 double auto_least(const struct stepper_kind *kind, double stiff)
 {
-    static const struct {
-        const char *name;
-        double radians, evaluations; /* a step */
-    } limit[] = {{"dopri5", 1.1, 6}, {"dop853", 4, 11}};
-    for (size_t i = 0; i < sizeof limit / sizeof *limit; i++)
-        if (strcmp(kind->name, limit[i].name) == 0) return stiff / limit[i].radians * limit[i].evaluations;
-    return 0;
+    const struct bound *o = bound_of(kind);
+    return o ? stiff / o->radians * o->evaluations : 0;
+}
+
+bool auto_bounded(const struct racer *r, double stiff)
+{
+    const struct bound *o = bound_of(r->setting.kind);
+    const double share = (r->sim.x.t - r->t_last) / (r->sim.plan.until - r->scene.start);
+    return o && share * stiff > o->radians;
 }
 
 /* A first step, so that little goes into finding it. */
@@ -37,7 +51,7 @@ static struct guess guess_for(const struct choice *o, const struct racer *r, con
 {
     if (!o->eye || !isfinite(r->setting.tolerance)) return r->sim.stepper.guess;
     const double span = o->eye->sim.plan.until - o->scene->start;
-    const double h = quick_step(&o->quick, r->setting.tolerance, span);
+    const double h = quick_step(&o->quick, &o->eye->sim, r->setting.tolerance, span);
     if (r->setting.kind->order > 2) return (struct guess){.5 * r->setting.kind->order * o->quick.h / 2.5, 1};
     const double apart = cut ? cut->apart : r->setting.kind->two_rates ? quick_apart(&o->quick, &o->eye->sim, NULL) : 1;
     return (struct guess){h, (int)fmax(1, fmin(100, apart))};

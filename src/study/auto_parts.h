@@ -22,6 +22,7 @@ struct choice {
     double looked;     /* its work, where it does not race */
     double stiff;      /* what the quickest small motion turns by in the run [rad] */
     bool quiet;        /* and nothing has been seen of it */
+    bool bounded;      /* it is what keeps the steps of an explicit scheme short */
     struct quick quick;
     int ncut;
     struct quick_cut cut[QUICK_CUTS];
@@ -35,6 +36,8 @@ struct choice {
 const struct node *auto_named(const struct scene *scene, const char *key);
 /* The least that a run of that kind takes, in evaluations, where the quickest small motion turns by so much in it [rad]. */
 double auto_least(const struct stepper_kind *kind, double stiff);
+/* Are its steps as long as that quickest motion lets them be, whatever else moves? */
+bool auto_bounded(const struct racer *r, double stiff);
 /* One more, by a tolerance or a step; NAN: not by that.  cut: what is fast; NULL: what is in the deck.  NULL: it cannot be
  * opened, or there are too many. */
 struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,

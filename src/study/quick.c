@@ -23,7 +23,8 @@ void quick_open(struct quick *o, const struct sim *sim, struct arena *life)
     o->a = TAKE(life, double, n);
     o->j = TAKE(life, double, n);
     o->top = TAKE(life, double, n);
-    o->sum = TAKE(life, double, n);
+    o->third = TAKE(life, double, n);
+    o->fourth = TAKE(life, double, n);
     for (int i = 0; i < QUICK_SAMPLES; i++) {
         o->sample[i].j = TAKE(life, double, n);
         o->sample[i].k = TAKE(life, double, n);
@@ -35,25 +36,36 @@ void quick_open(struct quick *o, const struct sim *sim, struct arena *life)
 static double off(const struct quick *o, const struct sim *sim, int i, double j, double k)
 {
     const struct stepper *s = &sim->stepper;
-    const double v = adaptive_scale_v(s, i), seen = 2 * o->top[i] > v ? fabs(k) / v : 0;
+    const double v = adaptive_scale_plain(s, i, o->top[i]), seen = 2 * o->top[i] > v ? fabs(k) / v : 0;
     return LATE * s->options.tolerance * (fabs(j) / adaptive_scale_q(s, i) + seen);
+}
+
+/* The same of what was seen in the mean. */
+static double mean_off(const struct quick *o, const struct sim *sim, int i)
+{
+    return off(o, sim, i, o->third[i] / o->seen, o->fourth[i] / o->seen);
+}
+
+/* Of the quickest. */
+static double most_off(const struct quick *o, const struct sim *sim)
+{
+    double most = 0;
+    for (int i = 0; i < o->n && o->seen > 0; i++) most = fmax(most, mean_off(o, sim, i));
+    return most;
 }
 
 /* The step of length h that has just ended. */
 static void note_step(struct quick *o, const struct sim *sim, double h)
 {
     struct quick_sample *to = &o->sample[o->samples++ % QUICK_SAMPLES];
-    double most = 0;
     to->h = h;
     for (int i = 0; i < o->n; i++) {
         to->j[i] = (sim->x.a[i] - o->a[i]) / h;
         to->k[i] = o->known > 1 ? (to->j[i] - o->j[i]) / (.5 * (h + o->h)) : 0;
-        const double e = off(o, sim, i, to->j[i], to->k[i]);
-        o->sum[i] += e * h;
-        most = fmax(most, e);
+        o->third[i] += h * fabs(to->j[i]);
+        o->fourth[i] += h * fabs(to->k[i]);
         o->j[i] = to->j[i];
     }
-    o->most += most * h;
     o->seen += h;
     o->h = h;
 }
@@ -74,15 +86,16 @@ void quick_note(struct quick *o, const struct sim *sim)
     if (o->known < 2) o->known++;
 }
 
-double quick_tolerance(const struct quick *o, double h, double span)
+double quick_tolerance(const struct quick *o, const struct sim *sim, double h, double span)
 {
     static const double LEAST = 1e-10, MOST = 1e-2;
-    return o->seen > 0 ? fmin(MOST, fmax(LEAST, o->most / o->seen * h * h * span)) : MOST;
+    return o->seen > 0 ? fmin(MOST, fmax(LEAST, most_off(o, sim) * h * h * span)) : MOST;
 }
 
-double quick_step(const struct quick *o, double tolerance, double span)
+double quick_step(const struct quick *o, const struct sim *sim, double tolerance, double span)
 {
-    return o->most > 0 ? sqrt(tolerance / (o->most / o->seen * span)) : span;
+    const double most = most_off(o, sim);
+    return most > 0 ? sqrt(tolerance / (most * span)) : span;
 }
 
 /* ---- cuts ---- */
@@ -159,7 +172,7 @@ static void find_slow(struct slow *o)
     const int taken = q->samples < QUICK_SAMPLES ? q->samples : QUICK_SAMPLES;
     int m = 0, s = 0;
     for (int i = 0; i < q->n; i++) {
-        o->e[i] = q->sum[i] / q->seen;
+        o->e[i] = mean_off(q, o->sim, i);
         if (o->fast[i])
             o->quicker[s++] = i;
         else
@@ -212,7 +225,8 @@ static double fourth_of(const struct slow *o, int i, bool fast)
     squares(&j2, &k2, o, i, fast);
     if (!(j2 > 0 && k2 > 0)) return 0;
     const double w = sqrt(k2 / j2), v = sqrt(j2) / (w * w);
-    const bool seen = v > SMALL * adaptive_scale_v(s, place) || v / w > SMALL * adaptive_scale_q(s, place);
+    const bool seen =
+        v > SMALL * adaptive_scale_plain(s, place, o->quick->top[place]) || v / w > SMALL * adaptive_scale_q(s, place);
     return seen ? PART * w * w * o->e[place] : 0;
 }
 

@@ -25,11 +25,10 @@ struct quick {
     int n;
     int known; /* accelerations, third derivatives that are known: 0, 1, 2 */
     double t, h;
-    double *a, *j; /* [n] there */
-    double *top;   /* [n] largest |v| so far */
-    double *sum;   /* [n] e_i over the time that was seen */
-    double most;   /* the largest of them, likewise */
-    double seen;   /* [s] */
+    double *a, *j;          /* [n] there */
+    double *top;            /* [n] largest |v| so far */
+    double *third, *fourth; /* [n] |derivatives| over the time that was seen */
+    double seen;            /* [s] */
     long charts;
     int samples; /* of third and fourth derivatives, the latest ones */
     struct quick_sample {
@@ -41,7 +40,7 @@ void quick_open(struct quick *o, const struct sim *sim, struct arena *life);
 /* Of a run by an adaptive scheme, at the end of a step of its own. */
 void quick_note(struct quick *o, const struct sim *sim);
 /* The tolerance at which the midpoint rule would take steps of about h. */
-double quick_tolerance(const struct quick *o, double h, double span);
+double quick_tolerance(const struct quick *o, const struct sim *sim, double h, double span);
 
 /* A part of the coordinates that might take the minor steps. */
 struct quick_cut {
@@ -61,6 +60,6 @@ int quick_cuts(struct quick_cut *cut, const struct quick *o, struct sim *sim, st
 /* The same of what is fast in the deck: how far apart; fourth [2] as above, NULL: not wanted. */
 double quick_apart(const struct quick *o, struct sim *sim, double *fourth);
 /* Steps that the midpoint rule would take for that tolerance, about [s]. */
-double quick_step(const struct quick *o, double tolerance, double span);
+double quick_step(const struct quick *o, const struct sim *sim, double tolerance, double span);
 
 #endif

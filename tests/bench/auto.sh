@@ -1,10 +1,12 @@
 # auto.sh -- what scheme: auto takes against the cheapest setting of one rate that is as accurate, on every shipped deck, in
-# counted evaluations: `sh tests/bench/auto.sh [TOLERANCE [DECK...]]`.  BUDGET (default 8): CPU seconds of a study.
+# counted evaluations: `sh tests/bench/auto.sh [TOLERANCE [DECK...]]`.  BUDGET (default 8): CPU seconds of a study.  The last two
+# columns: the same over the cheapest of one rate by that very tolerance, which is what a deck asks for -- that a looser one
+# happens to be as accurate nobody knows beforehand.
 . tests/tools/lib.sh
 tolerance=${1:-1.0e-4}
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- decks/*.yaml tests/bench/*.yaml
-printf '%-22s %-9s %10s %9s   %-9s %8s %9s  %6s  %s\n' deck takes error work as_good at work over trials
+printf '%-22s %-9s %10s %9s   %-9s %8s %9s  %6s   %-9s %6s  %s\n' deck takes error work as_good at work over asked over trials
 for deck in "$@"; do
     set_auto="--set integrate.scheme=auto --set integrate.tolerance=$tolerance --set partition=auto"
     name=$(basename "$deck" .yaml)
@@ -18,13 +20,18 @@ for deck in "$@"; do
     awk -F , -v name="$name" -v took="$took" -v tolerance="$tolerance" -v trials="${trials:--}" '
         NR == 1 || $16 != "ok" || $5 == "" { next }
         $1 == took && $2 + 0 == tolerance + 0 && !seen { seen = 1; error = $5; work = $9; next }
+        $1 != "subcycle" && $2 + 0 == tolerance + 0 && (!asked || $9 < least) { asked = $1; least = $9 }
         $1 != "subcycle" { n++; scheme[n] = $1; at[n] = $2; e[n] = $5; w[n] = $9 }
         END {
             if (!seen) { printf "%-22s %-9s %s\n", name, took, "not within the budget"; exit }
             best = work
             for (i = 1; i <= n; i++) if (e[i] <= error && (!pick || w[i] < w[pick])) pick = i
-            printf "%-22s %-9s %10.2g %9d   %-9s %8s %9s  %6s  %s\n", name, took, error, work, pick ? scheme[pick] : "none",
-                pick ? at[pick] + 0 : "", pick ? w[pick] : "", pick ? sprintf("%.2f", work / w[pick]) : "", trials
+            if (work <= least) asked = took
+            if (!asked || work < least) least = work
+            printf "%-22s %-9s %10.2g %9d   %-9s %8s %9s  %6s   %-9s %6.2f  %s\n", name, took, error, work,
+                pick ? scheme[pick] : "none", pick ? at[pick] + 0 : "-", pick ? w[pick] : "-", pick ? sprintf("%.2f", work / w[pick]) : "-",
+                asked, work / least, trials
         }' "$work/rows"
 done | tee "$work/table"
-awk 'NF > 7 { n++; fine += $8 <= 1.05; none += 0 } / none / { n++; fine++ } END { printf "%d decks, on %d at most 1.05 of the cheapest of one rate\n", n, fine }' "$work/table"
+awk '$NF != "trials" && NF > 9 { n++; fine += $8 == "-" || $8 <= 1.05; met += $10 <= 1.05 }
+    END { printf "%d decks, on %d at most 1.05 of the cheapest of one rate that is as accurate, on %d of the cheapest by that tolerance\n", n, fine, met }' "$work/table"

@@ -75,6 +75,23 @@ done
 # A run that is too short for trials, but not for order 8.
 expect "auto: a longer run" "dop853 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/geared-pendulum.yaml >/dev/null; taken "$work/err")" "$work/err"
 
+# What keeps dopri5's steps at their bound is no matter of accuracy.
+expect "auto: a run whose steps are bound by what is stiff" "radau9 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/effect-stiffening.yaml >/dev/null; taken "$work/err")" "$work/err"
+
+# A step alone stands for the error that the midpoint rule makes with it: what is taken is no worse, from rest, too.
+error() { # of records in A against those in B: the largest, of a column's range
+    paste -d , "$1" "$2" | awk -F , 'NR == 1 { n = NF / 2; next }
+        { for (i = 2; i <= n; i++) { d = $i - $(i + n); if (d < 0) d = -d; if (d > off[i]) off[i] = d
+            if (NR == 2 || $(i + n) > high[i]) high[i] = $(i + n); if (NR == 2 || $(i + n) < low[i]) low[i] = $(i + n) } }
+        END { for (i = 2; i < n; i++) if (high[i] > low[i] && off[i] / (high[i] - low[i]) > worst) worst = off[i] / (high[i] - low[i])
+            print(NR > 15 ? worst : "no records") }'
+}
+"$FMDSUB" run -q -o "$work/exact" --set 'integrate={scheme: dop853, tolerance: 1.0e-10, until: 2}' decks/spring-pendulum.yaml 2>"$work/err"
+"$FMDSUB" run -q -o "$work/first" --set 'integrate={scheme: auto, step: 2.0e-4, until: 2}' decks/spring-pendulum.yaml 2>>"$work/err"
+"$FMDSUB" run -q -o "$work/second" --set 'integrate={scheme: midpoint, step: 2.0e-4, until: 2}' decks/spring-pendulum.yaml 2>>"$work/err"
+auto=$(error "$work/first" "$work/exact") rule=$(error "$work/second" "$work/exact")
+expect "auto: as good as the midpoint rule by that step" fine "$(awk -v a="$auto" -v b="$rule" 'BEGIN { print((a > 0 && b > 0 && a <= 1.05 * b) ? "fine" : a " " b) }')" "$work/err"
+
 # Keys that mean nothing to what was taken.
 for key in beta=0.3 gamma=0.6 order=4 ratio=5 symmetric=true; do
     "$FMDSUB" run -q --set integrate.scheme=auto --set integrate.tolerance=1.0e-4 --set integrate.$key --until 0.1 decks/four-bar.yaml >"$work/first" 2>"$work/err"
