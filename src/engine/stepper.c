@@ -37,6 +37,22 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     ode->along[1] = s->missed->velocity;
 }
 
+bool stepper_may_damp(struct stepper *s, double rho)
+{
+    const struct stepper_kind *kind = s->kind;
+    struct step_options options = s->options;
+    struct misfit why;
+    options.rho_infinity = rho;
+    if (kind->adaptive || s->touch || s->options.rho_infinity < 1) return false;
+    if (!key_find(kind->keys, "rho_infinity") || (kind->fits && !kind->fits(&options, &why))) return false;
+    s->damped = TAKE(s->life, struct stepper, 1);
+    stepper_open(s->damped, kind, s->ode, &options, s->life);
+    s->damped->missed = s->missed;
+    s->ode->along[0] = s->missed->position;
+    s->ode->along[1] = s->missed->velocity;
+    return true;
+}
+
 void effort_hand_on(struct effort *to, struct effort *from)
 {
     to->slow += from->slow;
@@ -141,20 +157,37 @@ INTO static inline enum status smooth_step(struct stepper *s, struct state *x, d
     return s->kind->step(s, x, h, ratio, to, why);
 }
 
-static enum status plain_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+/* A step by the stepper p inside. */
+static enum status inner_step(struct stepper *s, struct stepper *p, struct state *x, double h, int ratio, double to,
+                              struct trouble *why)
 {
-    struct stepper *p = s->plain;
     memset(p->work, 0, sizeof p->work);
     p->lost = p->left = p->struck = 0;
-    const enum status status = touch_step(p, x, h, ratio, to, why);
+    const enum status status = p->touch ? touch_step(p, x, h, ratio, to, why) : smooth_step(p, x, h, ratio, to, why);
     memcpy(s->work, p->work, sizeof s->work);
     s->lost = p->lost;
     s->left = p->left;
     s->struck = p->struck;
     s->effort.minors += p->effort.minors;
     effort_hand_on(&s->effort, &p->effort);
+    return status;
+}
+
+static enum status plain_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    const enum status status = inner_step(s, s->plain, x, h, ratio, to, why);
     s->was_plain = true;
     s->plainly += status == OK;
+    return status;
+}
+
+static enum status damped_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why)
+{
+    if (s->fresh) s->damped->fresh = 1;
+    s->fresh = 0;
+    s->damped->last_sweeps = 0;
+    const enum status status = inner_step(s, s->damped, x, h, ratio, to, why);
+    s->last_sweeps = s->damped->last_sweeps;
     return status;
 }
 
@@ -187,6 +220,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
         TRY(kinematic_step(s, x, ratio, to, why));
         return s->touch ? touch_driven(s->touch, x, why) : OK;
     }
+    if (s->damps) return damped_step(s, x, h, ratio, to, why);
     if (s->plain) return near_or_far(s, x, h, ratio, to, why);
     if (s->touch && !s->kind->adaptive) return touch_step(s, x, h, ratio, to, why);
     return smooth_step(s, x, h, ratio, to, why);
@@ -222,6 +256,12 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->missed) missed_recall(s->missed, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
+    if (s->damped) {
+        recall_one(r, "damps", s->damps);
+        recall_within(r, "damped");
+        if (status == OK) status = stepper_recall(s->damped, r);
+        recall_without(r);
+    }
     if (s->plain) {
         recall_one(r, "was_plain", s->was_plain);
         recall_one(r, "plainly", s->plainly);

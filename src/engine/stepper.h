@@ -132,8 +132,10 @@ struct stepper {
                             * them is closed or near; NULL: nothing does */
     bool was_plain; /* it took the last step */
     long plainly;   /* major steps that it has taken */
-    struct single *keep;  /* v, a before a corner */
-    struct single *whole; /* the state before a step that is taken in parts */
+    struct stepper *damped; /* the same scheme with rho_infinity below 1, by stepper_may_damp(); NULL: none */
+    bool damps;             /* it takes the steps, by stepper_damp() */
+    struct single *keep;    /* v, a before a corner */
+    struct single *whole;   /* the state before a step that is taken in parts */
     struct arena *life;
     void *self; /* the scheme's memory */
 };
@@ -141,6 +143,16 @@ struct stepper {
 /* Opens s on ode with options; the memory is life's. */
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life);
+
+/* Right after it: steps may be damped on the way, by rho_infinity rho.  false: the scheme has none, damps already, or bodies
+ * touch. */
+bool stepper_may_damp(struct stepper *s, double rho);
+/* From here on they are. */
+static inline void stepper_damp(struct stepper *s)
+{
+    s->damps = true;
+    s->damped->fresh = 1;
+}
 
 /* What a stepper inside has counted goes to the one around it, which counts steps for itself. */
 void effort_hand_on(struct effort *to, struct effort *from);

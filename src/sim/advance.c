@@ -21,11 +21,6 @@ enum { REJECTED_PER_MAJOR = 10, REJECTED_BESIDES = 10000, REJECTED_PER_RECORD = 
 static const double SPOILT = 1e-3; /* of what the balance may be off by, in one step */
 enum { CALM = 64 };                /* major steps behind which the guard tries larger parts */
 
-static bool guard_acts(const struct sim *sim)
-{
-    return sim->plan.guard == GUARD_ACT && !sim->stepper.kind->adaptive;
-}
-
 /* Is there a watch that reads what the look at the energies leaves: bodies where the step has ended? */
 static bool looks_always(const struct sim *sim)
 {
@@ -152,6 +147,10 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
         if (guard_acts(sim)) guard_part(sim, depth + 1);
         return halve(sim, h, ratio, to, depth);
     }
+    if (watched && !divisible && spoilt(sim) && guard_acts(sim) && guard_damp(sim)) {
+        TRY(undo(sim, t));
+        return step(sim, h, ratio, to, depth);
+    }
     const int pole = sim->watched ? system_pole(sim->system) : -1;
     if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
     return note(sim, h, ratio);
@@ -190,7 +189,10 @@ enum status advance(struct sim *sim, double h, int ratio, double to)
         sim->guard.calm = 0;
         sim->guard.depth--;
     }
-    return step(sim, h, ratio, to, 0);
+    const int most = sim->guard.most;
+    const enum status status = step(sim, h, ratio, to, 0);
+    if (sim->guard.depth > 0 || sim->guard.most > most) sim->guard.parted++;
+    return status;
 }
 
 static enum status natural_step(struct sim *sim, double to, int depth)

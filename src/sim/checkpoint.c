@@ -70,9 +70,6 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_one(r, "cut", sim->cut);
     recall_one(r, "balance_told", sim->guard.told);
     recall_one(r, "balance_t", sim->guard.t);
-    recall_one(r, "guard_acted", sim->guard.acted);
-    recall_one(r, "guard_depth", sim->guard.depth);
-    recall_one(r, "guard_calm", sim->guard.calm);
     recall_each(r, "pass_x", sim->pass, d[0], sim->npass);
     recall_each(r, "pass_y", sim->pass, d[1], sim->npass);
     recall_each(r, "pass_z", sim->pass, d[2], sim->npass);

@@ -6,8 +6,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/recall.h"
 #include "la/dense.h"
 #include "sim/parts.h"
+
+#define GUARD_RHO .5
 
 enum { SOON = 20 }; /* major steps in which all works are near nothing, and a quadrature is off by parts of them */
 
@@ -47,10 +50,51 @@ static void add_cause(char *text, size_t size, int n, const struct sim *sim)
     arena_close(scratch);
 }
 
+bool guard_acts(const struct sim *sim)
+{
+    return sim->plan.guard == GUARD_ACT && !sim->stepper.kind->adaptive;
+}
+
+void guard_open(struct sim *sim)
+{
+    if (guard_acts(sim)) sim->guard.may_damp = stepper_may_damp(&sim->stepper, GUARD_RHO);
+}
+
+bool guard_damp(struct sim *sim)
+{
+    char text[240];
+    const struct ledger *l = &sim->ledger;
+    if (!sim->guard.may_damp || sim->stepper.damps) return false;
+    const int n =
+        snprintf(text, sizeof text,
+                 "the energy balance, off by %.3g of ||W||, is lost in parts of a step, too, which are damped "
+                 "by rho_infinity %g from here",
+                 l->norm > 0 ? fabs(l->residual) / l->norm : 0, GUARD_RHO);
+    add_cause(text, sizeof text, n, sim);
+    sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
+    sim->guard.t_damped = sim->x.t;
+    sim->guard.depth = sim->guard.calm = 0;
+    stepper_damp(&sim->stepper);
+    return true;
+}
+
+void guard_recall(struct sim *sim, struct recall *r)
+{
+    recall_within(r, "guard");
+    recall_one(r, "acted", sim->guard.acted);
+    recall_one(r, "depth", sim->guard.depth);
+    recall_one(r, "most", sim->guard.most);
+    recall_one(r, "calm", sim->guard.calm);
+    recall_one(r, "parted", sim->guard.parted);
+    recall_one(r, "t_damped", sim->guard.t_damped);
+    recall_without(r);
+}
+
 void guard_part(struct sim *sim, int depth)
 {
     char text[240];
     sim->guard.calm = 0;
+    if (depth > sim->guard.most) sim->guard.most = depth;
     if (depth <= sim->guard.depth) return;
     if (sim->guard.depth == 0 && !sim->guard.acted) {
         const int n =
@@ -67,6 +111,7 @@ enum status guard_look(struct sim *sim, struct sink *sink, struct report *report
     const struct ledger *l = &sim->ledger;
     const double share = l->norm > 0 ? fabs(l->residual) / l->norm : 0;
     char text[240];
+    if (guard_acts(sim) && share > l->delta / 2) (void)guard_damp(sim);
     if (!(share > l->delta) || sim->guard.told || sim->stepper.effort.majors < SOON) return OK;
     sim->guard.told = true;
     sim->guard.t = sim->x.t;

@@ -90,6 +90,11 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
         facts[n++] = pair_number("partitions", (double)system_charts(sim->system));
     }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
+    if (guard_acts(sim)) {
+        facts[n++] = pair_number("guard_steps", (double)sim->guard.parted);
+        facts[n++] = pair_number("guard_parts", ldexp(1, sim->guard.most));
+        facts[n++] = pair_bool("guard_damps", sim->stepper.damps);
+    }
     n += trust_facts(sim, facts + n);
     n += neglects_facts(sim, facts + n);
     if (sim->nspin) facts[n++] = pair_bool("buckling_speed_passed", spins_passed(sim));
@@ -190,6 +195,17 @@ static void print_balance(const struct ledger *l, FILE *to)
     fprintf(to, " (%.2g; limit %g)\n", ledger_share(l), l->delta);
 }
 
+/* What the guard has done. */
+static void print_guard(const struct sim *sim, FILE *to)
+{
+    if (!sim->guard.acted && !sim->stepper.damps) return;
+    fprintf(to, "guard: %ld major steps in parts, at most %.0f", sim->guard.parted, ldexp(1, sim->guard.most));
+    if (sim->stepper.damps)
+        fprintf(to, "; rho_infinity %g from t = %.6g s", sim->stepper.damped->options.rho_infinity,
+                sim->guard.t_damped);
+    fputc('\n', to);
+}
+
 void print_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.log;
@@ -208,6 +224,7 @@ void print_end(const struct sim *sim, double wall)
             wall);
     if (isfinite(sim->plan.foretold))
         fprintf(to, "auto: %s, foretold %.2g evaluations\n", sim->stepper.kind->name, sim->plan.foretold);
+    print_guard(sim, to);
     print_balance(l, to);
     print_trust(sim, to);
     print_neglects(sim, to);

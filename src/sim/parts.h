@@ -83,8 +83,13 @@ enum status contacts_press(struct sim *sim);
 enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report);
 /* guard.c: where energies have been looked at: the first sign of a balance that is lost */
 enum status guard_look(struct sim *sim, struct sink *sink, struct report *report);
-/* It acts: major steps are taken in 2^depth parts from here. */
+/* Does it act?  Then major steps are taken in 2^depth parts from here; and damped, which is said, where parts do not do it:
+ * false: they cannot be, or are already. */
+bool guard_acts(const struct sim *sim);
+void guard_open(struct sim *sim);
 void guard_part(struct sim *sim, int depth);
+bool guard_damp(struct sim *sim);
+void guard_recall(struct sim *sim, struct recall *r);
 
 /* checkpoint.c: at the end of a step, its place in sim->place: is one due?  All that the run needs to go on. */
 bool checkpoint_due(struct sim *sim);

@@ -152,8 +152,12 @@ struct sim {
         bool told, acted;
         double t;
         int depth,
-            calm; /* where it acts: halvings that major steps begin with, and major steps since the last one more */
-    } guard;      /* the balance has been lost, when */
+            calm;    /* where it acts: halvings that major steps begin with, and major steps since the last one more */
+        int most;    /* of these halvings */
+        long parted; /* major steps that were taken in parts */
+        bool may_damp;
+        double t_damped; /* [s] when damping set in, if it did */
+    } guard;             /* the balance has been lost, when */
     struct run_place {
         bool resumed; /* the run goes on from a checkpoint */
         long step;    /* steps that have been taken: major ones, or those that a scheme chooses */

@@ -29,6 +29,9 @@ echo "$ROOT/decks/bounce-and-roll.yaml csv 5 integrate={tolerance: 1.0e-6, until
 sed 's/integrate: .*/integrate: {scheme: subcycle, step: 1.0e-4, ratio: 10, until: 6}/; s/^  rail:/  knob: {prismatic: [ball, pea], axis: [0, 1]}\n&/; s/^bodies: {/&pea: {mass: 0.1, at: [0, 1.2]}, /; $a forces: {s: {spring: knob.displacement, stiffness: 4000}}\npartition: {fast: [knob]}' ball.yaml >peas.yaml
 echo "$work/peas.yaml csv 20 integrate.until=3" >>scenes # ... at two rates
 
+sed -n '/^fmdsub: 1$/,/^DECK$/p' "$ROOT/tests/hard/coupler.sh" | sed '/^DECK$/d' >coupler.yaml
+echo "$work/coupler.yaml csv 10 integrate={scheme: subcycle, step: 1.0e-3, ratio: 20, guard: act, until: 0.3}" >>scenes # damped on the way
+
 # A run that may be killed after so many seconds; 137 when it was.
 keep() { # SECONDS ARGUMENT...
     seconds=$1
