@@ -253,6 +253,18 @@ void arena_defer(struct arena *arena, void (*release)(void *object), void *objec
     arena->deferred = d;
 }
 
+static void close_within(void *arena)
+{
+    arena_close(arena);
+}
+
+struct arena *arena_within(struct arena *life)
+{
+    struct arena *o = arena_open();
+    arena_defer(life, close_within, o);
+    return o;
+}
+
 struct arena_mark arena_mark(const struct arena *arena)
 {
     return (struct arena_mark){arena->block, arena->block->used};
@@ -269,6 +281,13 @@ void arena_rewind(struct arena *arena, struct arena_mark mark)
     }
     arena->block->used = mark.used;
     ASAN_POISON_MEMORY_REGION(arena->block->bytes + mark.used, arena->block->capacity - mark.used);
+}
+
+size_t arena_held(const struct arena *arena)
+{
+    size_t held = 0;
+    for (const struct block *b = arena->block; b; b = b->before) held += sizeof *b + b->capacity;
+    return held;
 }
 
 size_t arena_used(const struct arena *arena)

@@ -19,6 +19,8 @@ struct arena_mark {
 };
 
 struct arena *arena_open(void);
+/* One that is closed with another. */
+struct arena *arena_within(struct arena *life);
 /* Runs what was deferred, last first, then frees all.  NULL is allowed. */
 void arena_close(struct arena *arena);
 
@@ -63,6 +65,8 @@ void arena_defer(struct arena *arena, void (*release)(void *object), void *objec
 struct arena_mark arena_mark(const struct arena *arena);
 void arena_rewind(struct arena *arena, struct arena_mark mark);
 
+/* Bytes that the system has given for it. */
+size_t arena_held(const struct arena *arena);
 /* Bytes taken since opening, and the times the arena asked the system for memory. */
 size_t arena_used(const struct arena *arena);
 long arena_grown(const struct arena *arena);

@@ -59,15 +59,23 @@ static void put_lines(FILE *to, const struct pair *facts, int n)
     }
 }
 
-/* Counts, and the CPU time of stepping. */
-static enum status write_stats(const struct sim *sim, const struct request *request, struct arena *life,
-                               struct report *report)
+/* For the scene and its run, before the first step, and for watches over what is left out. */
+struct bytes {
+    size_t taken, used, watches;
+};
+
+/* Counts, the CPU time of stepping, and memory. */
+static enum status write_stats(const struct sim *sim, const struct bytes *bytes, const struct request *request,
+                               struct arena *life, struct report *report)
 {
     struct pair facts[MOST_FACTS];
-    int n = sim_facts(sim, facts, MOST_FACTS - 1);
+    int n = sim_facts(sim, facts, MOST_FACTS - 4);
     FILE *to = request->stats ? file_or_end(request->stats, "w") : stderr;
     if (!to) return fail(report, E_FILE, "%s: cannot open for writing", request->stats);
     facts[n++] = pair_number("cpu_seconds", sim->cpu);
+    facts[n++] = pair_number("bytes_taken", (double)bytes->taken);
+    facts[n++] = pair_number("bytes_used", (double)bytes->used);
+    facts[n++] = pair_number("bytes_watches", (double)bytes->watches);
     if (is_json(request->stats))
         put_json(to, facts, n, life);
     else
@@ -212,6 +220,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     if (status == OK) status = check_targets(request, scene, life, report);
     if (status == OK) status = sim_open(&sim, scene, &scene->integrate, &options, diags, life, report);
     TRY(cli_told(diags, request, status));
+    const struct bytes bytes = {arena_held(life), arena_used(life), sim.beside ? arena_used(sim.beside) : 0};
     status = stream_run(&sim, request, life, report);
     if (request->final_state && status != E_SIGPIPE) {
         struct report failed = {0};
@@ -220,7 +229,7 @@ enum status verb_run(const struct request *request, struct arena *life, struct r
     }
     if (status == OK && request->strict) status = strict_verdict(&sim, diags, report);
     if ((request->want_stats || request->verbose) && status != E_SIGPIPE) {
-        enum status written = write_stats(&sim, request, life, report);
+        enum status written = write_stats(&sim, &bytes, request, life, report);
         if (status == OK) status = written;
     }
     return status;

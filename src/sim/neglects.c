@@ -15,6 +15,7 @@ void neglects_open(struct sim *sim, struct arena *life)
 {
     const struct model *m = sim->model;
     struct neglects *o = &sim->neglects;
+    if (!m->off) return;
     o->of = TAKE(life, struct neglect, m->nbody);
     for (int i = 1; i < m->nbody; i++) {
         struct neglected *of = m->body[i].component < 0 ? neglected_open(&m->body[i], life) : NULL;

@@ -161,8 +161,9 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     if (sim->stepper.touch) sim->press = TAKE(life, double, sim->stepper.ode->contact->nrow);
     TRY(start(sim, diags, report));
     trust_open(sim, life);
-    neglects_open(sim, life);
-    lateral_open(sim, life);
+    if (sim->whole || m->off) sim->beside = arena_within(life);
+    neglects_open(sim, sim->beside);
+    lateral_open(sim, sim->beside);
     return memory_take(sim, life, report);
 }
 

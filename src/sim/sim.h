@@ -169,6 +169,7 @@ struct sim {
         const char *format;
         double next; /* [s] */
     } saves;
+    struct arena *beside;   /* of watches over what is left out; NULL: there is nothing */
     double cpu;             /* seconds of stepping, without records */
     int warnings;           /* told in the course of the run and at its end */
     struct trouble trouble; /* why it stopped */

@@ -146,11 +146,6 @@ static enum status take_end(struct sink *sink, const struct run_summary *summary
     return sink_end(o->to, &all, report);
 }
 
-static void close_own(void *arena)
-{
-    arena_close(arena);
-}
-
 static const struct sink_ops ops = {take_meta, take_row, take_event, take_end, take_tick};
 
 /* Of the same scene: looking at the run's own loops would move it. */
@@ -170,8 +165,7 @@ struct sink *left_out_open(struct left_out *o, struct sim *sim, struct sink *to,
     if (!sim->model->off || sim->place.resumed || sim->saves.stream) return to;
     o->to = to;
     o->sim = sim;
-    o->own = arena_open();
-    arena_defer(life, close_own, o->own);
+    o->own = arena_within(life);
     if (!price(o)) return to;
     o->sink = (struct sink){&ops, o};
     return &o->sink;

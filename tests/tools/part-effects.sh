@@ -92,6 +92,23 @@ for deck in decks/*.yaml; do
     expect "${deck#decks/} is not taken for planar" 1 $?
 done
 
+# Bytes of a scene do not grow by what is off; its watches stand beside.
+bytes() { # DECK EFFECT STATE: taken, used
+    "$FMDSUB" run -q --until 0.01 --stats -s "effects.$2=$3" "$1" 2>&1 >"$work/out" |
+        awk '{ x[$1] = $2 } END { print x["bytes_taken"] + 0, x["bytes_used"] + 0 }'
+}
+for deck in pendulum heavy-top four-bar cantilever rotating-blade flexible-crank floating-satellite; do
+    for effect in gravity gyroscopic stiffening rotary shear damping momentum ledger; do
+        more=$(echo "$(bytes decks/$deck.yaml $effect auto) $(bytes decks/$deck.yaml $effect false)" |
+            awk '{ print ($1 > 0 && $3 <= $1 && $4 <= 1.01 * $2) ? "no more" : $0 }')
+        expect "$deck without $effect: bytes" "no more" "$more"
+    done
+done
+for deck in tests/bench/effects/*-space.yaml; do
+    expect "${deck##*/} in a plane: bytes taken" "no more" "$(echo "$(bytes $deck out_of_plane true) $(bytes $deck out_of_plane auto)" |
+        awk '{ print ($1 > 0 && $3 <= $1) ? "no more" : $0 }')"
+done
+
 # explain DECK: what decides, what turning it costs and changes.
 "$FMDSUB" explain --format json decks/floating-satellite.yaml >"$work/told" 2>"$work/err"
 expect "explain tells of a deck" 0 $? "$work/err"
