@@ -136,6 +136,16 @@ int loops_corners(double *jump, const struct loops *o, double ta, double tb)
     return any;
 }
 
+bool loops_are_constant(const struct loops *o)
+{
+    for (int l = 0; l < o->model->nloop; l++) {
+        const struct model_loop *loop = &o->model->loop[l];
+        const bool empty = o->first[l] == o->first[l + 1];
+        if (!(loop->drive ? loops_along_coordinate(o, l) : loop->nterm || empty)) return false;
+    }
+    return true;
+}
+
 /* The row of loop l that is a screw's; -1: none, or it has no pitch. */
 static int screw_row(const struct loops *o, int l)
 {

@@ -83,6 +83,8 @@ void loops_partly(struct loops *o, double t, double share);
 enum counting { COUNT_NEVER, COUNT_ANEW, COUNT_ON };
 void loops_count_turns(struct loops *o, enum counting how);
 bool loops_have_screws(const struct loops *o);
+/* Is C_q the same everywhere, and no body looked at: drives along coordinates, gears? */
+bool loops_are_constant(const struct loops *o);
 /* The largest rate of a drive at t: of angles [rad/s], of lengths in the mechanism's a second. */
 double loops_fastest(struct loops *o, double t);
 /* jump [nrow] of drives := by how much their rates jump at corners in [ta, tb); 0: nowhere. */

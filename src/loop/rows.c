@@ -74,6 +74,7 @@ void rows_build(struct rows *o, struct open_tree *tree, struct arena *life)
     const struct moves *moves = &tree->moves;
     *o = (struct rows){.tree = tree, .n = m->n, .ncomponent = m->ncomponent};
     o->loops = loops_build(m, tree->ops, life);
+    o->constant = loops_are_constant(o->loops);
     o->component = TAKE(life, struct component, o->ncomponent);
     o->owner = TAKE(life, int, o->n);
     o->column = TAKE(life, int, o->n);
@@ -97,7 +98,7 @@ void rows_build(struct rows *o, struct open_tree *tree, struct arena *life)
 
 long rows_place(struct rows *o, const double *q)
 {
-    const long posture = open_place(o->tree, q);
+    const long posture = o->constant ? open_take(o->tree, q) : open_place(o->tree, q);
     if (posture != o->placed) loops_place(o->loops, o->tree->sweep, q);
     return o->placed = posture;
 }
@@ -105,6 +106,7 @@ long rows_place(struct rows *o, const double *q)
 long rows_linearize(struct rows *o, const double *q)
 {
     const long posture = rows_place(o, q);
+    if (o->constant && o->linear) return o->linear;
     if (posture != o->linear) loops_jacobian(o->loops, o->tree->sweep);
     return o->linear = posture;
 }
@@ -131,7 +133,7 @@ static void turn_rows(struct rows *o, const struct component *c, const double *d
 
 void rows_turn(struct rows *o, const double *dx, const bool *marked)
 {
-    if (o->tree->moves.nturn == 0) return;
+    if (o->tree->moves.nturn == 0 || o->constant) return;
     assert(o->linear == o->placed);
     for (int i = 0; i < o->ncomponent; i++) turn_rows(o, &o->component[i], dx, marked);
 }

@@ -31,9 +31,10 @@ struct rows {
     struct component *component;
     int *owner;         /* [n] a coordinate's component; -1: in no loop */
     int *column;        /* [n] its number there */
+    bool constant;      /* C_q is the same everywhere: drives along coordinates, gears; no row looks at a body */
     double *size, *per; /* [n] usual change of a coordinate, 1 rad or a length of the mechanism; 1/size */
     long placed;        /* posture at which the loops were looked at; 0: none */
-    long linear;        /* posture that C_q is of; 0: none */
+    long linear;        /* posture that C_q is of, any where it is constant; 0: none */
 };
 
 void rows_build(struct rows *o, struct open_tree *tree, struct arena *life);
@@ -41,6 +42,11 @@ void rows_build(struct rows *o, struct open_tree *tree, struct arena *life);
 /* The tree at q, and C, or C and C_q, there.  Returns the number of the posture. */
 long rows_place(struct rows *o, const double *q);
 long rows_linearize(struct rows *o, const double *q);
+/* Of the C_q where the tree stands. */
+static inline long rows_number(const struct rows *o)
+{
+    return o->constant ? o->linear : o->tree->posture.number;
+}
 /* C_q becomes that along the Cayley vectors in dx [n], from a base, of the rotations that are marked [nturn of moves]:
  * it is of no posture then. */
 void rows_turn(struct rows *o, const double *dx, const bool *marked);

@@ -15,7 +15,7 @@ static bool same(struct made a, struct made b)
 /* Is C_qd factored where the tree stands, for the split as it is? */
 static bool at_hand(const struct solve *o)
 {
-    return same(o->factored, (struct made){o->rows->tree->posture.number, o->split->number});
+    return same(o->factored, (struct made){rows_number(o->rows), o->split->number});
 }
 
 static enum status singular(const struct solve *o, int i, double t, struct trouble *why)
@@ -26,6 +26,7 @@ static enum status singular(const struct solve *o, int i, double t, struct troub
 
 enum status solve_as_it_is(struct solve *o, double t, struct trouble *why)
 {
+    if (o->rows->constant && at_hand(o)) return OK;
     o->factored.posture = 0;
     for (int i = 0; i < o->split->npart; i++)
         if (!factor_make(&o->block[i].C_qd)) return singular(o, i, t, why);
@@ -130,7 +131,7 @@ enum status solve_motion(struct solve *o, double *vt, double *at, const double *
     else
         memset(at, 0, sizeof *at * (size_t)o->rows->n);
     open_move(o->rows->tree, q, vt);
-    tree->ops->accelerate(tree->sweep, vt, at, ALL);
+    if (!o->rows->constant) tree->ops->accelerate(tree->sweep, vt, at, ALL);
     accelerate(o, at);
     return OK;
 }

@@ -30,6 +30,12 @@ static bool take_posture(struct open_tree *s, const double *q)
     return there;
 }
 
+long open_take(struct open_tree *s, const double *q)
+{
+    s->placed = take_posture(s, q);
+    return s->posture.number;
+}
+
 long open_place(struct open_tree *s, const double *q)
 {
     if (take_posture(s, q)) return s->posture.number;

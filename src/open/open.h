@@ -46,6 +46,8 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life);
 /* direct.c: its factor and its `direct`, as open_build() has the rest. */
 void open_direct(struct open_tree *o, struct arena *life);
 
+/* The number of the posture q; where it is another than the last, no body stands there yet. */
+long open_take(struct open_tree *o, const double *q);
 /* All bodies at q, unless they stand there; then moving with v.  Returns the number of the posture (posture.h). */
 long open_place(struct open_tree *o, const double *q);
 long open_move(struct open_tree *o, const double *q, const double *v);
