@@ -266,6 +266,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
 {
     struct condense *o = TAKE(life, struct condense, 1);
     const struct model *m = o->model = tree->model;
+    o->nearest = (struct nearest){.ratio = 1, .place = -1};
     o->tree = tree;
     o->chart = (struct ode2_chart){.rechart = condense_rechart};
     o->breaks = (struct ode2_breaks){.next = next_kink,
@@ -352,6 +353,11 @@ double condense_missed(const struct condense *c, int *loop)
 {
     *loop = c->missed_by;
     return c->missed;
+}
+
+struct nearest condense_nearest(const struct condense *c)
+{
+    return c->nearest;
 }
 
 double condense_ratio(struct condense *c)

@@ -70,7 +70,14 @@ void condense_mark(struct condense *c, bool *unique, bool *unique_joint);
 bool condense_dropped(const struct condense *c, int row);
 /* The most that a redundant row has missed by so far, of the mechanism's size; of which loop. */
 double condense_missed(const struct condense *c, int *loop);
-double condense_ratio(struct condense *c);      /* least pivot ratio of C_qd at the start */
+double condense_ratio(struct condense *c); /* least pivot ratio of C_qd at the start */
+/* How near the loops have come to a posture where they do not hold what follows, at the ends of steps: the least of the
+ * pivots of C_qd over the largest, against what it was when they were chosen. */
+struct nearest {
+    double ratio, t; /* 1 at first, [s] */
+    int place;       /* in the tree's v, of the coordinate that is held least */
+};
+struct nearest condense_nearest(const struct condense *c);
 long condense_charts(const struct condense *c); /* partitions chosen since the start */
 
 #endif

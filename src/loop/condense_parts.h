@@ -41,6 +41,7 @@ struct condense {
     struct miss lost; /* the last way that could not be closed: point() can only say that there was one */
     bool few;         /* independents, against the tree: M^ and slopes without its own matrices */
     long charts;
+    struct nearest nearest;
     /* workspace */
     double *C, *lambda, *jump;  /* [rows] */
     double *vt, *at, *rt;       /* [nt] of the tree */

@@ -55,6 +55,14 @@ static bool gain_too_large(struct condense *o, int i)
     return p->resplit_due = p->gain > fmax(LARGE, WORSE * p->least_gain);
 }
 
+static void note_nearest(struct condense *o, int i, double t)
+{
+    const struct part *p = &o->split.part[i];
+    const struct factor *at = &o->solve.block[i].C_qd;
+    const double ratio = p->nr > 0 ? factor_ratio(at, o->rows.size) / p->chosen : 1;
+    if (ratio < o->nearest.ratio) o->nearest = (struct nearest){ratio, t, factor_weakest(at, o->rows.size)};
+}
+
 /* Another split: is its gain this much less? */
 static bool gains(struct condense *o, int i, double fast)
 {
@@ -108,7 +116,10 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (!led) return 0;
-    for (int i = 0; i < o->split.npart; i++) wanted += gain_too_large(o, i);
+    for (int i = 0; i < o->split.npart; i++) {
+        note_nearest(o, i, t);
+        wanted += gain_too_large(o, i);
+    }
     if (!wanted) return 0;
     double *const whole[] = {o->va, o->vb};
     const bool along = take_along(o, whole, q, t);
@@ -132,6 +143,9 @@ void condense_recall(struct condense *o, struct recall *r)
     recall_one(r, "missed_by", o->missed_by);
     recall_one(r, "price", o->ode.price);
     recall_one(r, "charts", o->charts);
+    recall_one(r, "nearest", o->nearest.ratio);
+    recall_one(r, "nearest_t", o->nearest.t);
+    recall_one(r, "nearest_place", o->nearest.place);
     recall_list(r, "drawn", o->rows.loops->drawn, o->rows.loops->nrow);
     recall_list(r, "turned", o->rows.loops->turned, o->model->nloop);
     split_recall(&o->split, r);

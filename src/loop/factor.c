@@ -47,16 +47,29 @@ void factor_copy(struct factor *to, const struct factor *from)
     memcpy(to->swap, from->swap, sizeof *to->swap * (size_t)p->nr);
 }
 
+static double pivot_of(const struct factor *o, const double *size, int j)
+{
+    return fabs(o->A[(size_t)j * (size_t)(o->part->ld + 1)]) * size[o->part->dep[j]];
+}
+
 double factor_ratio(const struct factor *o, const double *size)
 {
     const struct part *p = o->part;
     double least = INFINITY, most = 0;
     for (int j = 0; j < p->nr; j++) {
-        double x = fabs(o->A[(size_t)j * (size_t)(p->ld + 1)]) * size[p->dep[j]];
+        const double x = pivot_of(o, size, j);
         least = smaller(least, x);
         most = larger(most, x);
     }
     return p->nr == 0 ? 1 : most > 0 ? least / most : 0;
+}
+
+int factor_weakest(const struct factor *o, const double *size)
+{
+    int at = 0;
+    for (int j = 1; j < o->part->nr; j++)
+        if (pivot_of(o, size, j) < pivot_of(o, size, at)) at = j;
+    return o->part->dep[at];
 }
 
 void factor_take(const struct factor *o, double *restrict x, const double *restrict xt)

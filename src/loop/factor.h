@@ -32,6 +32,8 @@ int factor_make(struct factor *o);
 void factor_copy(struct factor *to, const struct factor *from);
 /* Least over largest pivot; size: the scales of the tree's coordinates. */
 double factor_ratio(const struct factor *o, const double *size);
+/* The place in v of the dependent coordinate whose pivot is the least. */
+int factor_weakest(const struct factor *o, const double *size);
 
 /* x [nr] -= C_qi of the independent numbers of xt */
 void factor_take(const struct factor *o, double *restrict x, const double *restrict xt);

@@ -83,6 +83,25 @@ void warn_of_misfits(struct sim *sim)
         sim_loop_kind(sim, loop), sim->model->loop[loop].name, miss, sqrt(miss));
 }
 
+int nearest_facts(const struct sim *sim, struct pair *facts)
+{
+    const struct nearest near = condense_nearest(system_loops(sim->system));
+    facts[0] = pair_number("dead_point_ratio", near.ratio);
+    facts[1] = pair_number("dead_point_t", near.t);
+    facts[2] = pair_text("dead_point_at", near.place < 0 ? "" : sim_place_name(sim, near.place));
+    return 3;
+}
+
+void print_nearest(const struct sim *sim, FILE *to)
+{
+    static const double NEAR = 1e-2;
+    const struct condense *c = system_loops(sim->system);
+    if (!c || !(condense_nearest(c).ratio < NEAR)) return;
+    const struct nearest near = condense_nearest(c);
+    fprintf(to, "nearest to a dead point at t = %.6g s: the loops hold '%s' by %.2g of what they do at best\n", near.t,
+            sim_place_name(sim, near.place), near.ratio);
+}
+
 void sim_print_assembly(const struct sim *sim, FILE *to)
 {
     const struct condense *c = system_loops(sim->system);

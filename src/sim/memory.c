@@ -9,7 +9,7 @@
 #include "base/recall.h"
 #include "sim/parts.h"
 
-enum { VERSION = 3 }; /* of the spans: another where a run would not go on the same from older ones */
+enum { VERSION = 4 }; /* of the spans: another where a run would not go on the same from older ones */
 
 /* ---- for whom ---- */
 

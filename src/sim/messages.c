@@ -88,6 +88,7 @@ int sim_facts(const struct sim *sim, struct pair *facts, int most)
     if (sim->model->nloop) {
         facts[n++] = pair_number("constraint_worst", system_constraint_worst(sim->system));
         facts[n++] = pair_number("partitions", (double)system_charts(sim->system));
+        n += nearest_facts(sim, facts + n);
     }
     facts[n++] = pair_bool("balanced", !ledger_broken(l));
     if (guard_acts(sim)) {
@@ -224,6 +225,7 @@ void print_end(const struct sim *sim, double wall)
             wall);
     if (isfinite(sim->plan.foretold))
         fprintf(to, "auto: %s, foretold %.2g evaluations\n", sim->stepper.kind->name, sim->plan.foretold);
+    print_nearest(sim, to);
     print_guard(sim, to);
     print_balance(l, to);
     print_trust(sim, to);

@@ -138,7 +138,9 @@ enum status passes_check(struct sim *sim, struct sink *sink, struct report *repo
 void tilts_open(struct sim *sim, struct arena *life);
 void tilts_note(struct sim *sim);
 void warn_of_tilts(struct sim *sim);
-/* loops.c: redundant equations that do not say the same to round-off */
+/* loops.c: how near loops have come to a dead point, three facts or a line; redundant equations that do not say the same to round-off */
+int nearest_facts(const struct sim *sim, struct pair *facts);
+void print_nearest(const struct sim *sim, FILE *to);
 void warn_of_misfits(struct sim *sim);
 
 /* jumps.c: drives that jump in the major step that ends at `to` */

@@ -101,3 +101,15 @@ done
     --columns shaft.angle,pivot.angle_rate decks/four-bar.yaml >"$work/out" 2>"$work/err"
 expect "four-bar: where from one coordinate, how fast from another" "0 0.2 1" \
     "$(awk -F, 'NR == 2 { printf "%g %g %.12g", $1, $2, $3 }' "$work/out")" "$work/err"
+
+# How near it came to a posture where the loops do not hold what follows: two windows lie flat at 0.714355529 s and every half
+# of 1.942514922607 s behind that (closed form); equal arms at a right angle; a four-bar that turns round has none.
+for scheme in midpoint newmark subcycle; do
+    "$FMDSUB" run --stats="$work/stats" --until 1 --set "integrate={scheme: $scheme, step: 1.25e-4, until: 1}" decks/windows.yaml >"$work/out" 2>"$work/err"
+    expect "windows, $scheme: the dead point is told" "0 1 yes" \
+        "$? $(grep -c "^nearest to a dead point at t = 0.714[0-9]* s: the loops hold '.*.angle' by .* of what they do at best" "$work/err") $(awk '$1 == "dead_point_ratio" { r = $2 } $1 == "dead_point_t" { t = $2 } END { if (r < 2e-3 && t > 0.714355529 - 2e-2 * (r > 1e-3) - 1.3e-4 && t < 0.714355529 + 1.3e-4) print "yes" }' "$work/stats")" "$work/err" "$work/stats"
+done
+"$FMDSUB" run --stats="$work/stats" decks/slider-crank.yaml >"$work/out" 2>"$work/err"
+expect "equal arms: the dead point is told" "1 rail.displacement 0" "$(grep -c '^nearest to a dead point' "$work/err") $(awk '$1 == "dead_point_at" { print $2 } $1 == "dead_point_ratio" { print ($2 > 1e-2) }' "$work/stats" | sort -r | tr '\n' ' ' | sed 's/ $//')" "$work/stats"
+"$FMDSUB" run --stats="$work/stats" decks/four-bar.yaml >"$work/out" 2>"$work/err"
+expect "four-bar: far from any" "0 1" "$(grep -c '^nearest to a dead point' "$work/err") $(awk '$1 == "dead_point_ratio" { print ($2 > .1 && $2 < 1) }' "$work/stats")" "$work/stats"
