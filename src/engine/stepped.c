@@ -27,6 +27,8 @@ struct stepped {
     double share;             /* of the tolerance that the trial may take */
     struct class slow, fast;  /* of one rate: all are slow */
     double h;                 /* minor step; 0: not chosen yet */
+    double alone;             /* last step at one rate, where there can be two; 0: there was none */
+    int rest, pause;          /* steps at one rate until two are tried again; and how many these will be next time */
     int ratio;                /* of the trial */
     double H;                 /* and its length */
     bool met;                 /* something has touched at its end, opened, or begun to slide or stick */
@@ -63,6 +65,9 @@ void stepped_forget(struct adaptive *m)
     struct stepped *o = m->own;
     o->fixed.fresh = 1;
     o->slow = o->fast = (struct class){0};
+    o->alone = 0;
+    o->rest = 0;
+    o->pause = 1;
     local_error_forget(&o->local);
     if (fixed_kind(m)->keep) fixed_kind(m)->keep(&o->fixed, false);
 }
@@ -267,6 +272,24 @@ static double retry(const struct class *c, double share)
     return now > 1 ? larger(LEAST, .8 / sqrt(now)) : 1;
 }
 
+/* Slow coordinates that move in a straight line in a major step are in the way of stiff fast ones: two rates whose major step can
+ * be but a few steps of one rate lose by them, and are tried again only after a while.  Times H to the next step of either. */
+static double one_or_two(struct stepped *o, double factor)
+{
+    enum { SOON = 8, LATE = 512 };
+    static const double APART = 1.5;
+    const double H = factor * o->H, one = larger(o->alone, o->h);
+    const bool two = o->ratio > 1, apart = H >= APART * one;
+    if (two && apart) o->pause = SOON;
+    if (two && !apart) {
+        o->rest = o->pause;
+        o->pause = o->pause < LATE ? 2 * o->pause : LATE;
+    }
+    if (apart && o->rest == 0) return factor;
+    o->h = smaller(two ? o->H : H, one);
+    return o->h / o->H;
+}
+
 double stepped_shrink(const struct adaptive *m, double err)
 {
     struct stepped *o = m->own;
@@ -278,7 +301,7 @@ double stepped_shrink(const struct adaptive *m, double err)
     if (o->ratio > 1 || o->fast.error > 0) o->h = minor * retry(&o->fast, share);
     const double factor = retry(&o->slow, share);
     if (!(o->h > 0)) return factor;
-    return smaller(factor, o->ratio > 1 ? MOST_RATIO * o->h / o->H : o->h / minor);
+    return o->ratio > 1 ? smaller(one_or_two(o, factor), MOST_RATIO * o->h / o->H) : smaller(factor, o->h / minor);
 }
 
 double stepped_grow(const struct adaptive *m, double err)
@@ -293,7 +316,11 @@ double stepped_grow(const struct adaptive *m, double err)
     if (!two) return factor;
     const double minor = o->H / o->ratio;
     o->h = minor * larger(filter(&o->fast, share), one_less(o, share));
-    if (all) factor = o->h / o->H;
+    if (o->ratio == 1) {
+        o->alone = o->h;
+        if (o->rest > 0) o->rest--;
+    }
+    factor = all ? o->h / o->H : one_or_two(o, factor);
     o->h = smaller(o->h, factor * o->H);
     return smaller(factor, MOST_RATIO * o->h / o->H);
 }
@@ -315,6 +342,9 @@ enum status stepped_recall(struct stepper *s, struct adaptive *m, struct recall 
     (void)s;
     recall_within(r, "stepped");
     recall_one(r, "minor", o->h);
+    recall_one(r, "alone", o->alone);
+    recall_one(r, "rest", o->rest);
+    recall_one(r, "pause", o->pause);
     recall_one(r, "slow", o->slow.before);
     recall_one(r, "slow_factor", o->slow.factor);
     recall_one(r, "fast", o->fast.before);
