@@ -9,22 +9,29 @@
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
-static void place(struct loops *o, const struct sweep *s, int loop)
+/* y = R x, where R turns about z. */
+static inline void turn_flat(double *y, const double *R, const double *x)
+{
+    v3_set(y, R[0] * x[0] + R[3] * x[1], R[1] * x[0] + R[4] * x[1], x[2]);
+}
+
+INTO static inline void place(struct loops *o, const struct sweep *s, int loop,
+                              void (*turned)(double *y, const double *R, const double *x))
 {
     const struct model_loop *l = &o->model->loop[loop];
     struct loop_place *p = &o->place[loop];
     double a[3], b[3];
-    o->ops->pose(s, &p->A, l->first);
-    o->ops->pose(s, &p->B, l->second);
-    m3_mul(a, p->A.R, l->a);
-    m3_mul(b, p->B.R, l->b);
+    o->ops->stand(s, &p->A, l->first);
+    o->ops->stand(s, &p->B, l->second);
+    turned(a, p->A.R, l->a);
+    turned(b, p->B.R, l->b);
     v3_sum(p->x, p->B.r, b);
     v3_diff(p->d, p->x, p->A.r);
     v3_take(p->d, a);
     for (int i = o->first[loop]; i < o->first[loop + 1]; i++) {
         const struct loop_row *r = &o->row[i];
-        if (r->says->needs & FIRST) m3_mul(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
-        if (r->says->needs & SECOND) m3_mul(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
+        if (r->says->needs & FIRST) turned(o->axes[i].e, p->A.R, l->Ea + 3 * r->i);
+        if (r->says->needs & SECOND) turned(o->axes[i].g, p->B.R, l->Eb + 3 * r->j);
     }
 }
 
@@ -55,8 +62,10 @@ void loops_place(struct loops *o, const struct sweep *s, const double *q)
         const struct model_loop *loop = &o->model->loop[l];
         if (loop->nterm)
             place_terms(&o->place[l], o->model, loop, q);
+        else if (o->model->space == 2)
+            place(o, s, l, turn_flat);
         else
-            place(o, s, l);
+            place(o, s, l, m3_mul);
     }
     for (int l = joints; l < o->model->nloop; l++) check_drive(o, s, l, q);
 }
@@ -217,18 +226,22 @@ APART void join(double *Cq, const struct loop_ways *w, const double *to)
 static void jacobian(struct loops *o, const struct sweep *s, int l)
 {
     const struct loop_ways w = o->ways[l];
-    const int first = o->model->loop[l].first, second = o->model->loop[l].second, end = o->first[l + 1];
+    const int first = o->model->loop[l].first, second = o->model->loop[l].second;
+    const int from = o->first[l], m = o->first[l + 1] - from, nk = o->nk[l];
     const double *x = o->place[l].x;
     double *Cq = o->Cq[l];
-    for (int i = o->first[l]; i < end; i++, Cq += o->nk[l]) {
-        const struct equation *says = o->row[i].says;
-        double unit[2][3], back[2][3], *to = w.same ? o->grad.g : Cq + w.n[0], *f = NULL, *n = NULL;
-        says->wrench(unit[0], unit[1], o, i);
-        if (says->bears & FORCE) v3_scale(f = back[0], -1, unit[0]);
-        if (says->bears & MOMENT) v3_scale(n = back[1], -1, unit[1]);
-        if (w.n[0] > 0) o->ops->row(s, Cq, first, w.from, x, f, n);
-        if (w.n[1] > 0) o->ops->row(s, to, second, w.from, x, f ? unit[0] : NULL, n ? unit[1] : NULL);
-        if (w.same) join(Cq, &w, to);
+    struct pull on[LOOP_ROWS];
+    for (int i = 0; i < m; i++) {
+        const struct equation *says = o->row[from + i].says;
+        if (!(says->bears & FORCE)) v3_set(on[i].f, 0, 0, 0);
+        if (!(says->bears & MOMENT)) v3_set(on[i].n, 0, 0, 0);
+        says->wrench(on[i].f, on[i].n, o, from + i);
+    }
+    if (w.n[0] > 0) o->ops->rows(s, Cq, nk, first, w.from, x, -1, m, on);
+    if (w.n[1] > 0 && !w.same) o->ops->rows(s, Cq + w.n[0], nk, second, w.from, x, 1, m, on);
+    for (int i = 0; w.same && i < m; i++, Cq += nk) {
+        o->ops->row(s, o->grad.g, second, w.from, x, on[i].f, on[i].n);
+        join(Cq, &w, o->grad.g);
     }
 }
 
@@ -240,6 +253,26 @@ void loops_jacobian(struct loops *o, const struct sweep *s)
     for (int l = joints; l < o->model->nloop; l++) drive_jacobian(o, s, l);
 }
 
+/* equations_seen() in the plane. */
+static inline void flat_rates(double *xv, double *xa, const struct pose *p, const double *x)
+{
+    const double b[2] = {x[0] - p->r[0], x[1] - p->r[1]}, w = p->w[2], turned[2] = {-w * b[1], w * b[0]};
+    for (int i = 0; i < 2; i++) xv[i] = p->v[i] + turned[i];
+    xa[0] = p->a[0] - p->al[2] * b[1] - w * turned[1];
+    xa[1] = p->a[1] + p->al[2] * b[0] + w * turned[0];
+}
+
+static void seen_flat(double *ab, const struct loop_place *p)
+{
+    double vb[2], va[2], aa[2];
+    flat_rates(vb, ab, &p->B, p->x);
+    flat_rates(va, aa, &p->A, p->x);
+    const double w = p->A.w[2], u[2] = {vb[0] - va[0], vb[1] - va[1]};
+    ab[0] = ab[0] - aa[0] + 2 * w * u[1];
+    ab[1] = ab[1] - aa[1] - 2 * w * u[0];
+    ab[2] = 0;
+}
+
 /* Motion of the bodies of a loop, if its rows ask for it. */
 static void place_motion(struct loops *o, const struct sweep *s, int l)
 {
@@ -247,9 +280,17 @@ static void place_motion(struct loops *o, const struct sweep *s, int l)
     struct loop_place *p = &o->place[l];
     if (loop->nterm || (loop->drive && loops_along_coordinate(o, l))) return;
     if (o->first[l] == o->first[l + 1]) return; /* it holds nothing */
-    o->ops->pose(s, &p->A, loop->first);
-    o->ops->pose(s, &p->B, loop->second);
-    if (o->row[o->first[l]].says->needs & SEEN_POINT) equations_seen(p->seen, p);
+    if (loop->drive) {                          /* place() has not been there */
+        o->ops->stand(s, &p->A, loop->first);
+        o->ops->stand(s, &p->B, loop->second);
+    }
+    o->ops->stir(s, &p->A, loop->first);
+    o->ops->stir(s, &p->B, loop->second);
+    if (!(o->row[o->first[l]].says->needs & SEEN_POINT)) return;
+    if (o->model->space == 2)
+        seen_flat(p->seen, p);
+    else
+        equations_seen(p->seen, p);
 }
 
 void loops_second(double *C2, struct loops *o, const struct sweep *s, const double *a)

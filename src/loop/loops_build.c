@@ -84,6 +84,7 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
     o->scale = TAKE(life, double, m->nloop);
     o->turned = TAKE(life, double, m->nloop);
     for (int l = 0; l < m->nloop; l++) o->turned[l] = NAN;
+    for (int l = 0; l < m->nloop; l++) o->place[l].A.R[8] = o->place[l].B.R[8] = 1;
     struct sweep *paths = ops->build(m, FOR_RECORDS, NULL, life);
     for (int l = 0; l < m->nloop; l++) {
         o->first[l + 1] = o->nrow += equations_of(o->row + o->nrow, m, l);

@@ -51,6 +51,22 @@ TWICE void place(struct part *restrict x, const struct part *restrict p, const s
     }
 }
 
+/* The same of a hinge, what most trees are made of, to the same bits. */
+TWICE void place_hinge(struct part *restrict x, const struct part *restrict p, const struct link *restrict l, double q)
+{
+    const double rho0 = p->c * l->a[0] - p->s * l->a[1], rho1 = p->s * l->a[0] + p->c * l->a[1];
+    double sin, cos;
+    x->phi = p->phi + l->turn * q;
+    turned(x->phi, &sin, &cos);
+    const double b0 = cos * l->b[0] - sin * l->b[1], b1 = sin * l->b[0] + cos * l->b[1];
+    const double arm0 = rho0 - b0, arm1 = rho1 - b1;
+    x->c = cos, x->s = sin;
+    x->rho[0] = rho0, x->rho[1] = rho1;
+    x->c_b[0] = -b0, x->c_b[1] = -b1;
+    x->arm[0] = arm0, x->arm[1] = arm1;
+    x->r[0] = p->r[0] + arm0, x->r[1] = p->r[1] + arm1;
+}
+
 TWICE void move_on(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
                    const double *v)
 {
@@ -99,6 +115,8 @@ TWICE void place_all(struct sweep *s, const double *q, const struct roster *o, b
         struct part *x = &s->part[body], *p = &s->part[l->parent];
         if (flexible && s->node_body[body])
             planar_node_body_place(x, s->node_body[body], p);
+        else if (l->type == TURN)
+            place_hinge(x, p, l, q[l->iq[0]]);
         else
             place(x, p, l, q);
         if (flexible && s->bend[body]) planar_flexible_place(s->bend[body], x, q);

@@ -96,11 +96,15 @@ void planar_forward(struct sweep *s, const double *q, const double *v, const dou
 void planar_backward(struct sweep *s, double *r, unsigned cls);
 void planar_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
 void planar_pose(const struct sweep *s, struct pose *o, int body);
+void planar_stand(const struct sweep *s, struct pose *o, int body);
+void planar_stir(const struct sweep *s, struct pose *o, int body);
 void planar_push(struct sweep *s, int body, const double *x, const double *f);
 void planar_twist(struct sweep *s, int body, const double *n);
 void planar_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
 void planar_row(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
                 const double *n);
+void planar_rows(const struct sweep *s, double *g, int stride, int body, int from, const double *x, double sign, int m,
+                 const struct pull *on);
 int planar_path(const struct sweep *s, const int **k, int body);
 void planar_energy(const struct sweep *s, double *kinetic, double *gravity);
 void planar_reaction(const struct sweep *s, double *f, double *n, int joint);

@@ -24,24 +24,35 @@ void planar_point(const struct sweep *s, double *x, double *xv, int body, const 
     x[2] = xv[2] = 0;
 }
 
-void planar_pose(const struct sweep *s, struct pose *o, int body)
+void planar_stand(const struct sweep *s, struct pose *o, int body)
 {
     const struct part *b = &s->part[body];
     double z[2];
     planar_turn(z, b->c, b->s, s->link[body].drawn);
-    memset(o, 0, sizeof *o);
     o->R[0] = o->R[4] = z[0];
     o->R[1] = z[1];
     o->R[3] = -z[1];
-    o->R[8] = 1;
-    o->w[2] = b->w;
     o->angle = b->phi;
+    for (int i = 0; i < 2; i++) o->r[i] = b->r[i];
+}
+
+void planar_stir(const struct sweep *s, struct pose *o, int body)
+{
+    const struct part *b = &s->part[body];
+    o->w[2] = b->w;
+    o->al[2] = s->accelerated ? b->al : 0;
     for (int i = 0; i < 2; i++) {
-        o->r[i] = b->r[i];
         o->v[i] = b->v[i];
-        if (s->accelerated) o->a[i] = b->a[i] + s->model->gravity[i];
+        o->a[i] = s->accelerated ? b->a[i] + s->model->gravity[i] : 0;
     }
-    if (s->accelerated) o->al[2] = b->al;
+}
+
+void planar_pose(const struct sweep *s, struct pose *o, int body)
+{
+    memset(o, 0, sizeof *o);
+    o->R[8] = 1;
+    planar_stand(s, o, body);
+    planar_stir(s, o, body);
 }
 
 void planar_push(struct sweep *s, int body, const double *x, const double *f)
@@ -119,6 +130,61 @@ void planar_row(const struct sweep *s, double *g, int body, int from, const doub
         else
             joint_row(g + at, &s->part[body], &s->link[body], x, f, moment);
     }
+}
+
+/* Of a joint's turning, for all wrenches; of its displacements. */
+INTO static inline void turn_rows(double *restrict g, int stride, const struct part *p, const struct link *l,
+                                  const double *x, double sign, int m, const struct pull *on)
+{
+    const double at[2] = {x[0] - (p->r[0] - p->c_b[0]), x[1] - (p->r[1] - p->c_b[1])}, turn = sign * l->turn;
+    for (int i = 0; i < m; i++, g += stride) *g = turn * (v2_cross(at, on[i].f) + on[i].n[2]);
+}
+
+INTO static inline void slide_rows(double *restrict g, int stride, const double *e, double sign, int m,
+                                   const struct pull *on)
+{
+    for (int i = 0; i < m; i++, g += stride) *g = sign * along(e, on[i].f);
+}
+
+APART void node_rows(double *g, int stride, const struct node_body *node, const struct part *p, const double *x,
+                     double sign, int m, const struct pull *on)
+{
+    for (int i = 0; i < m; i++, g += stride) {
+        const double force[2] = {sign * on[i].f[0], sign * on[i].f[1]};
+        planar_node_body_row(g, node, p, x, force, sign * on[i].n[2]);
+    }
+}
+
+TWICE void all_rows(const struct sweep *s, double *g, int stride, int body, int from, const double *x, double sign,
+                    int m, const struct pull *on)
+{
+    for (int at = s->routes.npath[body] - from; at > 0; body = s->link[body].parent) {
+        const struct node_body *node = planar_node_body(s, body);
+        const struct link *l = &s->link[body];
+        const struct part *p = &s->part[body];
+        const int k = node ? node->of->n : l->nv, slides = l->type == GLIDE ? 2 : l->type == SLIDE;
+        at -= k;
+        if (node) {
+            node_rows(g + at, stride, node, p, x, sign, m, on);
+            continue;
+        }
+        if (l->type == TURN) { /* what most are */
+            turn_rows(g + at, stride, p, l, x, sign, m, on);
+            continue;
+        }
+        for (int i = 0; i < slides; i++) slide_rows(g + at + i, stride, p->e[i], sign, m, on);
+        if (slides < k) turn_rows(g + at + slides, stride, p, l, x, sign, m, on);
+    }
+}
+
+/* Two are those of a pin, what most loops are closed by. */
+void planar_rows(const struct sweep *s, double *g, int stride, int body, int from, const double *x, double sign, int m,
+                 const struct pull *on)
+{
+    if (m == 2)
+        all_rows(s, g, stride, body, from, x, sign, 2, on);
+    else
+        all_rows(s, g, stride, body, from, x, sign, m, on);
 }
 
 int planar_path(const struct sweep *s, const int **k, int body)

@@ -179,9 +179,13 @@ static inline double spatial_node_body_row(const struct node_body *o, int j, con
 /* See sweep.h. */
 void spatial_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
 void spatial_pose(const struct sweep *s, struct pose *o, int body);
+void spatial_stand(const struct sweep *s, struct pose *o, int body);
+void spatial_stir(const struct sweep *s, struct pose *o, int body);
 void spatial_push(struct sweep *s, int body, const double *x, const double *f);
 void spatial_twist(struct sweep *s, int body, const double *n);
 void spatial_partial(const struct sweep *s, double *xv, double *w, int body, const double *x, int k);
+void spatial_rows(const struct sweep *s, double *g, int stride, int body, int from, const double *x, double sign, int m,
+                  const struct pull *on);
 void spatial_row(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
                  const double *n);
 int spatial_path(const struct sweep *s, const int **k, int body);

@@ -21,17 +21,31 @@ void spatial_point(const struct sweep *s, double *x, double *xv, int body, const
     v3_cross_add(xv, b->w, d);
 }
 
-void spatial_pose(const struct sweep *s, struct pose *o, int body)
+void spatial_stand(const struct sweep *s, struct pose *o, int body)
 {
     const struct part *b = &s->part[body];
-    memset(o, 0, sizeof *o);
     m3_mulmt(o->R, b->R, s->link[body].turned);
     v3_copy(o->r, b->r);
+}
+
+void spatial_stir(const struct sweep *s, struct pose *o, int body)
+{
+    static const double none[3];
+    const struct part *b = &s->part[body];
     v3_copy(o->v, b->v);
     v3_copy(o->w, b->w);
-    if (!s->accelerated) return;
-    v3_sum(o->a, b->a, s->model->gravity);
-    v3_copy(o->al, b->al);
+    v3_copy(o->al, s->accelerated ? b->al : none);
+    if (s->accelerated)
+        v3_sum(o->a, b->a, s->model->gravity);
+    else
+        v3_copy(o->a, none);
+}
+
+void spatial_pose(const struct sweep *s, struct pose *o, int body)
+{
+    spatial_stand(s, o, body);
+    spatial_stir(s, o, body);
+    o->angle = 0;
 }
 
 void spatial_push(struct sweep *s, int body, const double *x, const double *f)
@@ -123,6 +137,17 @@ void spatial_row(const struct sweep *s, double *g, int body, int from, const dou
             node_body_row(g + at, &s->part[body], node_body, x, f, n);
         else
             joint_row(g + at, &s->part[body], &s->link[body], x, f, n);
+    }
+}
+
+void spatial_rows(const struct sweep *s, double *g, int stride, int body, int from, const double *x, double sign, int m,
+                  const struct pull *on)
+{
+    for (int i = 0; i < m; i++, g += stride) {
+        double force[3], moment[3];
+        v3_scale(force, sign, on[i].f);
+        v3_scale(moment, sign, on[i].n);
+        spatial_row(s, g, body, from, x, force, moment);
     }
 }
 

@@ -21,6 +21,11 @@ struct pose {
     double angle;       /* plane: rotation about z since drawn, continuous [rad] */
 };
 
+/* A force and a torque, world axes. */
+struct pull {
+    double f[3], n[3];
+};
+
 /* Some bodies as one; world axes. */
 struct aggregate {
     double m, c[3];       /* mass, centre of mass */
@@ -60,6 +65,9 @@ struct sweep_ops {
     /* World position x and velocity xv [3] of the point p (body axes, from the centre). */
     void (*point)(const struct sweep *s, double *x, double *xv, int body, const double *p);
     void (*pose)(const struct sweep *s, struct pose *o, int body);
+    /* r, R and angle of it; then the rest.  In the plane what is 0 there, and R[8], which is 1, are as they have been. */
+    void (*stand)(const struct sweep *s, struct pose *o, int body);
+    void (*stir)(const struct sweep *s, struct pose *o, int body);
     /* Applied force f at world point x, or torque n, both world axes [3]. */
     void (*push)(struct sweep *s, int body, const double *x, const double *f);
     void (*twist)(struct sweep *s, int body, const double *n);
@@ -80,6 +88,10 @@ struct sweep_ops {
      * velocity on its path, behind the first `from` of them; these end with those of a body. */
     void (*row)(const struct sweep *s, double *g, int body, int from, const double *x, const double *f,
                 const double *n);
+
+    /* `sign` times that of m pulls `on` at once: that of pull i to g + i stride. */
+    void (*rows)(const struct sweep *s, double *g, int stride, int body, int from, const double *x, double sign, int m,
+                 const struct pull *on);
 
     /* cm M + diag(d), d [n], factored at q (NULL: where place(ALL) has left the bodies) by articulated
      * bodies into F; 0 when a pivot is not positive. */
