@@ -221,8 +221,7 @@ static enum status any_step(struct stepper *s, struct state *x, double h, int ra
         return s->touch ? touch_driven(s->touch, x, why) : OK;
     }
     if (s->damps) return damped_step(s, x, h, ratio, to, why);
-    if (s->plain) return near_or_far(s, x, h, ratio, to, why);
-    if (s->touch && !s->kind->adaptive) return touch_step(s, x, h, ratio, to, why);
+    if (s->touch && !s->kind->adaptive) return (s->plain ? near_or_far : touch_step)(s, x, h, ratio, to, why);
     return smooth_step(s, x, h, ratio, to, why);
 }
 

@@ -49,6 +49,7 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system) ||
                    guard_acts(sim);
     if (!sim->stepper.kind->adaptive) sim->passing = passing_open(sim->stepper.ode, life);
+    sim->undone = sim->watched || sim->passing;
     sim->looks_always = looks_always(sim);
     sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;
 }
@@ -133,21 +134,22 @@ static bool wrong(const struct sim *sim, long chart)
 
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
-    const bool divisible = depth < MOST_HALVINGS, watched = sim->watched || sim->passing;
+    const bool divisible = depth < MOST_HALVINGS, undone = sim->undone;
     const double t = sim->x.t;
-    const long chart = watched ? system_charts(sim->system) : 0;
+    const long chart = undone ? system_charts(sim->system) : 0;
     if (depth < sim->guard.depth) return halve(sim, h, ratio, to, depth);
-    if (watched) keep(sim);
+    if (undone) keep(sim);
     enum status status = stepper_step(&sim->stepper, &sim->x, h, ratio, to, &sim->trouble);
     if (status == E_NUMERIC && depth < halvings(sim)) return halve(sim, h, ratio, to, depth);
     TRY(status);
     TRY(book(sim));
-    if (watched && divisible && wrong(sim, chart)) {
+    if (!undone) return note(sim, h, ratio);
+    if (divisible && wrong(sim, chart)) {
         TRY(undo(sim, t));
         if (guard_acts(sim)) guard_part(sim, depth + 1);
         return halve(sim, h, ratio, to, depth);
     }
-    if (watched && !divisible && spoilt(sim) && guard_acts(sim) && guard_damp(sim)) {
+    if (sim->watched && !divisible && spoilt(sim) && guard_acts(sim) && guard_damp(sim)) {
         TRY(undo(sim, t));
         return step(sim, h, ratio, to, depth);
     }

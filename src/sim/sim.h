@@ -82,8 +82,9 @@ struct sim {
     bool noting;         /* there are watches of the step */
     bool onto_records;   /* of a scheme that chooses its steps: it steps onto records, as it cannot look back */
     bool looks_always;   /* energies are looked at after every step */
-    bool watched;        /* steps may be undone */
-    struct passing_look *passing; /* likewise, where they may pass over a touch; NULL: they do not */
+    bool undone;         /* steps may be: */
+    bool watched;        /* what their forces do is looked at, */
+    struct passing_look *passing; /* or whether they pass over a touch; NULL: it is not */
     struct single *keep;          /* then the state before, */
     struct ledger kept;           /* and the ledger */
     double kept_t;                /* [s] when it was */
