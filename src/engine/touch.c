@@ -77,6 +77,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     open_saved(&o->part, ode, life);
     for (int i = 1; i < m; i++) o->first[i] = o->first[i - 1] + 1 + o->c->of[i - 1].across;
     for (int i = 0; i < m; i++) o->size[i] = o->c->of[i].size;
+    for (int i = 0; i < m; i++) o->longest = larger(o->longest, larger(1, o->size[i]));
     weigh(o);
     return o;
 }
@@ -258,7 +259,7 @@ enum status touch_begin(struct touch *o, int *deepest, double *overlap, const st
     *overlap = 0;
     *deepest = -1;
     o->usual = h;
-    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    TRY(o->c->gap(o->c, o->g, INFINITY, x->q, x->t, why));
     for (int i = 0; i < o->c->m; i++) {
         const double share = o->g[i] / o->size[i];
         if (share < -TOUCH_DRAWN && (*deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[*deepest = i];

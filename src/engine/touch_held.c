@@ -65,7 +65,7 @@ static void correct_normals(struct touch *o, double h)
 static enum status rows_there(struct touch *o, const struct instant *x, double h, struct trouble *why)
 {
     const struct ode2_contact *c = o->c;
-    TRY(c->gap(o->c, o->g1, o->q1, x->tb, why));
+    TRY(c->gap(o->c, o->g1, o->reach, o->q1, x->tb, why));
     TRY(c->rows(o->c, o->middle.G, o->middle.b, o->on, o->q, x->t, why));
     TRY(c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, x->tb, why));
     correct_normals(o, h);
@@ -287,7 +287,7 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
         o->cone[k].preload = h * of->preload;
         if (o->forced[o->contact[k]]) force(o, &o->cone[k], o->contact[k]);
     }
-    TRY(o->c->gap(o->c, o->g0, x->q, x->t, why));
+    TRY(o->c->gap(o->c, o->g0, o->reach, x->q, x->t, why));
     copy(o->v1, x->v, ode->n);
     for (int i = 0; i < ode->n && !o->stepper->fresh; i++) o->v1[i] += h * x->a[i];
     TRY(iterate(o, &at, x, h, t1, why));

@@ -116,7 +116,7 @@ void touch_back(struct touch *o, struct state *x)
 
 static enum status all_far(struct touch *o, bool *far, const struct state *x, double reach, struct trouble *why)
 {
-    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    TRY(o->c->gap(o->c, o->g, reach * o->longest, x->q, x->t, why));
     *far = true;
     for (int i = 0; i < o->c->m && *far; i++)
         *far = !o->closed[i] && !o->c->of[i].joint && o->g[i] > reach * larger(1, o->size[i]);

@@ -39,6 +39,8 @@ struct touch {
     const struct ode2_contact *c;
     struct stepper *stepper;
     double *size;    /* [m] usual gaps, those of the start */
+    double longest;  /* the longest of them, or 1 */
+    double reach;    /* gaps above it are not looked at in the step under way */
     int *first;      /* [m] the first of a contact's rows among all */
     int *on;         /* [m] is it looked at now? */
     int *closed;     /* [m] */
@@ -115,6 +117,8 @@ void touch_kick(const struct touch *o, double *v, const double *p);
 void touch_strike(struct touch *o, const double *q, double *v, double t);
 
 /* touch_run.c */
+/* o->reach for a step h. */
+void touch_reach(struct touch *o, double h);
 void touch_save(struct touch_saved *o, const struct touch *t, const struct state *x);
 void touch_restore(const struct touch_saved *o, struct touch *t, struct state *x);
 /* What touches at the start of the run and comes nearer. */

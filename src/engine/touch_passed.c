@@ -13,7 +13,7 @@ static const double BELOW = 1e-9; /* of a usual gap: what is no round-off */
 static enum status gaps_at(struct touch *o, double *g, double x, struct trouble *why)
 {
     path_place(&o->path, o->q1, x);
-    return o->c->gap(o->c, g, o->q1, path_time(&o->path, x), why);
+    return o->c->gap(o->c, g, o->reach, o->q1, path_time(&o->path, x), why);
 }
 
 /* The fastest that gaps change, by velocities and rows of both ends: u [rows]. */
@@ -87,7 +87,7 @@ static enum status look_for(struct touch *o, double *first, int i, struct troubl
         const double *g = o->among + k * m + i, far = -BELOW * o->size[i];
         const bool begins = k == 0, ends = k == TOUCH_PARTS;
         double x = k * PART, at = *g;
-        if ((begins || at <= g[-m]) && (ends || at <= g[m]) && !(at < far))
+        if (isfinite(at) && (begins || at <= g[-m]) && (ends || at <= g[m]) && !(at < far))
             TRY(least(o, &x, &at, i, begins ? 0 : x - PART, ends ? 1 : x + PART, why));
         if (at < far && x > 0 && x < *first) *first = x;
     }

@@ -70,11 +70,17 @@ static enum status attempt(struct touch *o, struct state *x, double h, double t1
     return s->kind->step(s, x, h, 1, t1, why);
 }
 
+void touch_reach(struct touch *o, double h)
+{
+    static const double LEAST = 1e-3; /* of usual gaps: what is held is never as far as that */
+    o->reach = o->longest * larger(LEAST, 4 * h * o->top);
+}
+
 /* The deepest of the open ones, in usual gaps. */
 static enum status deepest(struct touch *o, double *g, const struct state *x, struct trouble *why)
 {
     *g = INFINITY;
-    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
     for (int i = 0; i < o->c->m; i++)
         if (!o->closed[i]) *g = smaller(*g, o->g[i] / o->size[i]);
     return OK;
@@ -84,7 +90,7 @@ static enum status deepest(struct touch *o, double *g, const struct state *x, st
 static enum status locate(struct touch *o, struct state *x, double h, double deep, double g0, struct trouble *why)
 {
     const double t0 = o->part.t;
-    struct bracket b = {0, h, larger(g0, 0), deep, 0};
+    struct bracket b = {0, h, isfinite(g0) ? larger(g0, 0) : 1, deep, 0};
     double g = deep;
     for (int k = 0; k < TRIALS && fabs(g) > TOUCH_CLOSED && b.hi - b.lo > 4 * DBL_EPSILON * (fabs(t0) + h); k++) {
         const double part = bracket_next(&b);
@@ -99,7 +105,7 @@ static enum status locate(struct touch *o, struct state *x, double h, double dee
 /* Contacts that were closed in the part of the step that was taken. */
 static enum status renew(struct touch *o, const struct state *x, struct trouble *why)
 {
-    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
     touch_choose_closed(o);
     if (o->n == 0) return OK;
     TRY(touch_look(o, o->u, &o->end, x, why));
@@ -177,6 +183,7 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
     *again = false;
     if (fabs(left - h) <= 1e-9 * h) left = h;
     double met = left;
+    touch_reach(o, left);
     TRY(deepest(o, &g0, x, why));
     copy(o->g0, o->g, o->c->m);
     touch_save(&o->part, o, x);
@@ -224,7 +231,8 @@ enum status touch_at_start(struct touch *o, struct state *x, double h, struct tr
 {
     int impacts = 0;
     o->begun = 1;
-    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    touch_reach(o, h);
+    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
     return strike(o, x, h, TOUCH_DRAWN, &impacts, why);
 }
 
@@ -244,6 +252,7 @@ enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, 
 
 enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why)
 {
-    TRY(o->c->gap(o->c, o->g, x->q, x->t, why));
+    touch_reach(o, 0);
+    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
     return none_is_deep(o, x->t, why);
 }

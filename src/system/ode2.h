@@ -142,8 +142,9 @@ struct ode2_contact {
     int m, nrow;                 /* contacts; 1 + across of them, summed */
     const struct ode2_touch *of; /* [m] */
     void *self;                  /* the owner's */
-    /* Gaps g [m] at q, t: open above 0. */
-    enum status (*gap)(const struct ode2_contact *o, double *g, const double *q, double t, struct trouble *why);
+    /* Gaps g [m] at q, t: open above 0; of any above the reach, INFINITY will do: of whom does not depend on calls before. */
+    enum status (*gap)(const struct ode2_contact *o, double *g, double reach, const double *q, double t,
+                       struct trouble *why);
     /* Of contacts with on[i], one behind the other, each with 1 + across rows: G [rows x n], row after row, the gradient
      * of the gap, then directions across; b [rows]: rates that come not from v but from what is driven. */
     enum status (*rows)(const struct ode2_contact *o, double *G, double *b, const int *on, const double *q, double t,

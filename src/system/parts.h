@@ -2,7 +2,7 @@
 #ifndef FMDSUB_SYSTEM_PARTS_H
 #define FMDSUB_SYSTEM_PARTS_H
 
-#include "contact/contact.h"
+#include "contact/near.h"
 #include "loop/condense.h"
 #include "loop/coordinates.h"
 #include "model/flat.h"
@@ -18,6 +18,7 @@ struct system {
     struct sweep *view;
     struct loops *shown; /* the loops there */
     struct contacts *contacts;
+    struct near *near;            /* gaps of those contacts */
     struct ode2_contact touching; /* as the engine sees them */
     double *row, *still;          /* [(1 + 2) n], [n] zeros */
     double *press;                /* [rows] forces of contacts at the instant that is looked at */

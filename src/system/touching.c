@@ -12,15 +12,15 @@
 #include "system/parts.h"
 #include "tree/sizes.h"
 
-static enum status gap(const struct ode2_contact *c, double *g, const double *q, double t, struct trouble *why)
+static enum status gap(const struct ode2_contact *c, double *g, double reach, const double *q, double t,
+                       struct trouble *why)
 {
     struct system *s = c->self;
     s->ops->place(s->view, q, ALL);
-    for (int i = 0; i < c->m; i++) {
-        g[i] = contacts_gap(s->contacts, s->view, i, q);
-        if (!isfinite(g[i])) return trouble_set(why, TROUBLE_NOT_FINITE, -1, g[i], t);
-    }
-    return OK;
+    near_gaps(s->near, s->view, g, reach, q);
+    double sum = 0;
+    for (int i = 0; i < c->m; i++) sum += g[i];
+    return sum > -INFINITY ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, sum, t);
 }
 
 /* Do drives move the tree by themselves?  Then s->v is how. */
@@ -114,6 +114,7 @@ void touching_build(struct system *s, struct arena *life)
     struct ode2_touch *of = TAKE(life, struct ode2_touch, m->ncontact);
     const double length = sizes_length(m);
     s->contacts = contacts_build(m, s->ops, life);
+    s->near = near_build(s->contacts, m, s->ops, life);
     s->touching = (struct ode2_contact){.m = m->ncontact, .of = of, .self = s, .gap = gap, .rows = rows};
     for (int i = 0; i < m->ncontact; i++) {
         const struct model_contact *c = &m->contact[i];
