@@ -158,6 +158,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
     struct rest s = open_rest(sim, scratch);
     double size = INFINITY;
     s.mu = 1;
+    system_count_turns(sim->system, s.q, s.t);
     TRY(resid(&s, s.r, s.q, why));
     for (; may_go_on(&s); s.steps++) {
         if (stop) return stop_status();
@@ -166,6 +167,7 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
         idle_clear(&sim->idle, sim->system, s.K, largest(s.K, s.n), s.q, s.t); /* any posture of them will do */
         if (!settled(&s)) {
             TRY(descend(&s, &size, why));
+            system_count_turns(sim->system, s.q, s.t);
             TRY(still_whole(sim, &s, why));
             continue;
         }

@@ -259,6 +259,15 @@ void system_follow_turns(struct system *s, struct arena *life)
     windings_start(s->windings, s->tree.sweep);
 }
 
+void system_count_turns(struct system *s, double *q, double t)
+{
+    struct ode2 *tree = &s->tree.ode;
+    double *rest = s->near_v[0];
+    if (!tree->chart) return;
+    memset(rest, 0, sizeof *rest * (size_t)s->model->n);
+    tree->chart->rechart(tree, q, rest, t);
+}
+
 void system_set_loop_coordinate(struct system *s, int loop, int k, double x)
 {
     if (s->seen) return;

@@ -69,6 +69,8 @@ void system_loop_reaction(const struct system *s, double *f, double *n, int loop
 double system_loop_coordinate(const struct system *s, int loop, int order, int k);
 /* From the start on, such angles in space keep their whole turns; before the first step. */
 void system_follow_turns(struct system *s, struct arena *life);
+/* All angles in space, which forces may read, go on to q, at rest there; the split of loops stays. */
+void system_count_turns(struct system *s, double *q, double t);
 /* And one of them stands at x [rad] there. */
 void system_set_loop_coordinate(struct system *s, int loop, int k, double x);
 /* Of drive `loop`: its force along its measure, its power [W]. */

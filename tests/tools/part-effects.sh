@@ -44,6 +44,16 @@ flat "bent by dopri5" tests/effects/flat-bent.yaml --set integrate.scheme=dopri5
 flat "driven by dopri5" tests/effects/flat-driven.yaml --set integrate.scheme=dopri5 --set integrate.tolerance=1e-9
 flat "upright by generalized-alpha" tests/effects/flat-upright.yaml --set integrate.scheme=generalized-alpha
 flat "upright at rest" tests/effects/flat-upright.yaml --set initial.static=true
+# Whole turns of angles on the way to rest, which the forces read.
+for turns in "3 5 0 3" "7 2 3 0" "-8 9 7 3" "12 0 0 0"; do
+    set -- $turns
+    flat "wound to rest, $turns" tests/effects/flat-wound.yaml --set parameters.rest=$1 --set parameters.rest2=$2 --set parameters.from=$3 --set parameters.from2=$4
+done
+# And in a scene that is in no plane, by the moments there: coils hold the arms' weight, bend is within 0.1 rad of the coil's rest.
+for rest in 4 12 -8; do
+    "$FMDSUB" run -q --until 0.02 --set 'constraints.knee.axis=[0.001, -1, 0]' --set parameters.rest=$rest --columns 't,bend,coil.force,hip.angle_rate' tests/effects/flat-wound.yaml >"$work/wound" 2>"$work/err"
+    expect "wound to rest in space, $rest: stands" "0 stands" "$? $(awk -F, -v rest=$rest 'NR > 1 { d = $2 - rest; if (d > .1 || d < -.1 || $3 > 6 || $3 < -6 || $4 > 1e-6 || $4 < -1e-6) bad = 1 } END { print bad || NR < 2 ? "moves" : "stands" }' "$work/wound")" "$work/wound" "$work/err"
+done
 flat "loops by newmark" tests/effects/flat-loops.yaml --set integrate.scheme=newmark
 flat "slides, assembled" tests/effects/flat-slides.yaml --set initial.assemble=true
 
