@@ -175,7 +175,7 @@ for scene in plane space; do
 done
 
 # Surfaces that touch have many vertices: kept are sums of them.
-for scene in touch balls; do
+for scene in touch balls things; do
     for ext in svg html pvd; do
         animate -q --every 0.1 -o $scene.$ext "$ROOT/tests/pictures/$scene.yaml"
         ended "$scene.$ext" 0 $? $scene.$ext err
