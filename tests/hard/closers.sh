@@ -37,7 +37,7 @@ cylindrical:spatial, in a plane:cylindrical: [rod, arm], at: [0.8, 0, 0.4], axis
 spherical:spatial, in a plane:spherical: [rod, arm], at: [0.8, 0, 0.4], loop: true
 prismatic:spatial, in a plane:prismatic: [rod, arm], at: [0.8, 0, 0.4], axis: [1, 0, 1], loop: true
 distance:spatial, in a plane:distance: [rod.tip, [0.9, 0, 0.9]]
-line:spatial, in a plane:point-on-line: [rod, arm], at: [0.8, 0, 0.4], axis: [-1, 0, 2], loop: true
+line:spatial, in a plane:point-on-line: [rod, arm], at: [0.8, 0, 0.4], axis: [-1, 0, 2]
 gear:spatial, in a plane:gear: [a, d], ratio: -0.5
 universal:spatial:universal: [rod, arm], at: [0.8, 0, 0.4], axis: [0, 1, 0], axis2: [1, 0, 0], loop: true
 END
