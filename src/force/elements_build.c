@@ -49,6 +49,15 @@ static int flying_root(const struct model *m, int body)
     return body > 0 && m->joint[m->body[body].joint].nv == (m->space == 2 ? 3 : 6) ? body : 0;
 }
 
+/* May what else there is of its tree displace a root that flies, beside its own motion: open/floating.h? */
+static bool is_displaced(const struct model *m, int root)
+{
+    if (root == 0) return false;
+    for (int i = 1; i < m->nbody; i++)
+        if (i != root && flying_root(m, i) == root) return true;
+    return m->body[root].nmode > 0;
+}
+
 /* Without rotations the elastic coordinates, which bend the points' ways too. */
 static void find_rotations(struct part_of *p, struct elements *e, int a, int b, const bool *turns, struct arena *life)
 {
@@ -84,7 +93,7 @@ static void add_other(struct elements *e, int force, const bool *turns, struct a
     if (!p->ends) return;
     model_touched(&on, m, f, 0);
     const int a = flying_root(m, on.a), b = flying_root(m, on.b);
-    if (a > 0 && b > 0 && a != b) {
+    if (a != b && ((a > 0 && b > 0) || is_displaced(m, a) || is_displaced(m, b))) {
         p->a = on.a;
         p->b = on.b;
     } else {

@@ -44,7 +44,7 @@ struct part_of {
     double *last, *now;      /* [slots of the force] at the start of the last step, at its end */
     double open[3], pace[3]; /* clear() at two instants and one between, and its rate */
     bool pole;               /* it has grown without bound in the last step */
-    int a, b;                /* the bodies, where each is part of another tree that flies; else both 0 */
+    int a, b; /* the bodies, where each is part of another tree that flies, or one of a tree of several; else both 0 */
     int nturn;
     const int *turn; /* [nturn] else: rotations that change the measure: on one body's path and not on the other's */
 };

@@ -6,7 +6,8 @@
  *
  * where only flexible bodies change it, to their coordinates: Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with this choice
  * of the direction dq.  Between bodies of two trees that fly, of which the roots turn, too, that would push both from
- * outside.  There it goes along the relative motion of the bodies themselves, velocity v of the second against the first
+ * outside; and where a tree of several bodies flies its root goes beside its own motion (open/floating.h), so that E does
+ * not vanish with the root's turn.  There it goes along the relative motion of the bodies themselves, velocity v of the second against the first
  * at the middle c of the points, and w, as a force and a torque and their opposites,
  *
  *     F = E v / (h N),   n = E l^2 w / (h N),   N = v.v + l^2 w.w,
