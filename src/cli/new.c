@@ -39,8 +39,8 @@ static const char mechanism[] =
     "  spring: {spring: guide, stiffness: k, damping: 1}\n"
     "  motor:  {torque: hub, value: \"if(t < 1, 20*t, 20)\"}   # an expression with a comma needs quotes\n"
     "partition: {fast: [guide]}              # takes the minor step, all else the major one\n"
-    "# scheme, step and ratio by hand: `fmdsub study` tells what else would cost.  Without these three and the partition\n"
-    "# short trials choose all of them.\n"
+    "# Scheme, step and ratio by hand: `fmdsub study` tells what else would cost.  Without them and\n"
+    "# the partition short trials choose all of it.\n"
     "integrate: {scheme: subcycle, step: 2.0e-4, ratio: 10, until: 2}\n"
     "output: {every: 0.01, columns: [hub.angle, guide.displacement, spring.force, \"energy.*\"]}\n";
 
@@ -64,8 +64,8 @@ static const char beam[] =
     "forces:\n"
     "  stay: {spring: shaft, stiffness: 500, damping: 2}\n"
     "partition: {fast: [arm]}                # its elastic coordinates take the minor step\n"
-    "# scheme, step and ratio by hand: `fmdsub study` tells what else would cost.  Without these three and the partition\n"
-    "# short trials choose all of them.\n"
+    "# Scheme, step and ratio by hand: `fmdsub study` tells what else would cost.  Without them and\n"
+    "# the partition short trials choose all of it.\n"
     "integrate: {scheme: subcycle, step: 2.0e-4, ratio: 5, until: 2}\n"
     "output: {every: 0.01, columns: [shaft.angle, arm.tip.d*, arm.root.bending, grip.f*, \"energy.*\"]}\n";
 
