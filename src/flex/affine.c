@@ -98,6 +98,17 @@ static void fill_pair(struct affine *o, int j, int k)
     }
 }
 
+static void by_component(struct affine *k, struct arena *life)
+{
+    const int n = k->n;
+    if (k->fixed) return;
+    double *to = k->second = TAKE(life, double, (long)k->na * 3 * n * n);
+    for (int a = 0; a < k->na; a++)
+        for (int j = 0; j < n; j++)
+            for (int c = 0; c < 3; c++)
+                for (int i = 0; i < n; i++) *to++ = k->change[3 * (i + n * a) + c + (long)k->rows * j];
+}
+
 struct affine *affine_build(const struct flex_body *o, struct arena *life)
 {
     struct affine *k = TAKE(life, struct affine, 1);
@@ -114,6 +125,7 @@ struct affine *affine_build(const struct flex_body *o, struct arena *life)
     undeformed(k);
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) fill_pair(k, i, j);
+    by_component(k, life);
     sift_build(&k->by_q, k->change, k->base + k->fixed, k->rows - k->fixed, n, life);
     sift_build(&k->by_q1, k->fast, NULL, k->nfast, n, life);
     return k;
@@ -127,6 +139,7 @@ void affine_take(struct affine_shape *o, const struct affine *k, struct arena *l
     *o = (struct affine_shape){.C = all, .dJ = all + k->rows - 9 * k->n, .rest = all + k->rows - 3 * k->n};
     o->work = TAKE(life, double, k->nfast);
     o->later = TAKE(life, double, k->nfast);
+    o->aside = TAKE(life, double, 9 * k->n);
     memcpy(all, k->base, sizeof *all * (size_t)k->rows);
 }
 

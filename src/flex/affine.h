@@ -47,6 +47,7 @@ struct affine_shape {
     double *dJ;            /* [6 x n] dJ^/dq */
     double *rest;          /* [3 x n] G^ */
     double *work, *later;  /* [nfast] */
+    double *aside;         /* [9 n] of affine_slopes() */
 };
 void affine_take(struct affine_shape *o, const struct affine *k, struct arena *life);
 void affine_at(struct affine_shape *o, const struct affine *k, const double *q);

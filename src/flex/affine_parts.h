@@ -17,6 +17,7 @@ struct affine {
     double *change;          /* [rows - fixed, by n] its rate with q */
     int nfast;               /* 3 n, with s and xs more */
     double *fast;            /* [nfast by n]: 2 Y, d2c_a/dq2 */
+    double *second;          /* [n x 3, by a and j] the rows of `change` of c_a by component; NULL: fixed */
     double *Me;              /* [n x n] M^ */
     struct sift by_q, by_q1; /* change, fast */
 };
@@ -24,7 +25,13 @@ struct affine {
 /* o [m] += A x, A [m x n] of so few rows that they stay in registers. */
 static inline void add3(double *o, const double *A, const double *x, int n)
 {
-    for (int j = 0; j < n; j++) v3_axpy(o, x[j], A + 3 * j);
+    double s0 = o[0], s1 = o[1], s2 = o[2];
+    for (int j = 0; j < n; j++, A += 3) {
+        s0 += x[j] * A[0];
+        s1 += x[j] * A[1];
+        s2 += x[j] * A[2];
+    }
+    v3_set(o, s0, s1, s2);
 }
 
 static inline void add6(double *o, const double *A, const double *x, int n)

@@ -15,6 +15,7 @@
 
 #include "flex/affine_parts.h"
 #include "la/dense.h"
+#include "la/wide.h"
 
 /* Rates with q_j of all that changes, by its place in the rows. */
 static const double *rates_with(const struct affine *k, int j)
@@ -29,29 +30,47 @@ static void lever(double *o, const struct affine *k, const struct affine_shape *
     if (a == 0) v3_axpy(o, -k->root, p);
 }
 
+/* Column j of K += C gK_j + S_j g and of C += C gC_j, C and S_j [n x 3] by component, S NULL: zero. */
+WIDE static void columns(double *restrict K, double *restrict C, const double *restrict dc, const double *restrict S,
+                         const double *restrict gK, const double *restrict gC, const double *restrict g, int n)
+{
+    const double *restrict dy = dc + n, *restrict dz = dy + n;
+    for (int j = 0; j < n; j++, K += n, C += n, gK += 3, gC += 3) {
+        const double kx = gK[0], ky = gK[1], kz = gK[2], cx = gC[0], cy = gC[1], cz = gC[2];
+        for (int i = 0; i < n; i++) C[i] += dc[i] * cx + dy[i] * cy + dz[i] * cz;
+        if (!S) {
+            for (int i = 0; i < n; i++) K[i] += dc[i] * kx + dy[i] * ky + dz[i] * kz;
+            continue;
+        }
+        const double *restrict Sx = S + 3L * n * j, *restrict Sy = Sx + n, *restrict Sz = Sy + n;
+        const double gx = g[0], gy = g[1], gz = g[2];
+        for (int i = 0; i < n; i++)
+            K[i] += (dc[i] * kx + dy[i] * ky + dz[i] * kz) + (Sx[i] * gx + Sy[i] * gy + Sz[i] * gz);
+    }
+}
+
 static void particle(double *K, double *C, double *mK, double *mC, const struct affine *k, const struct affine_shape *o,
                      int a, const double *arm, const double *g, const double *w, const double *al)
 {
     const int n = k->n;
     const double *dc = o->C + 3 * n * a, *S1 = o->work + 3 * n * (a + 1), *S2 = o->later + 3 * n * (a + 1);
-    for (int j = 0; j < n; j++) {
-        const double *S = k->fixed ? NULL : rates_with(k, j) + 3 * n * a;
-        double x[3], gK[3], gC[3];
+    const bool second = !k->fixed;
+    double *by = o->aside, *gK = by + 3 * n, *gC = gK + 3 * n;
+    for (int j = 0; j < n; j++, gK += 3, gC += 3) {
+        double x[3];
+        for (int c = 0; c < 3; c++) by[j + n * c] = dc[3 * j + c];
         v3_cross(x, w, dc + 3 * j);
         v3_scale(gC, 2, x);
-        if (S) v3_axpy(gC, 2, S1 + 3 * j);
-        if (S) v3_axpy(x, 2, S1 + 3 * j);
+        if (second) v3_axpy(gC, 2, S1 + 3 * j);
+        if (second) v3_axpy(x, 2, S1 + 3 * j);
         v3_cross(gK, w, x);
         v3_cross_add(gK, al, dc + 3 * j);
-        if (S) v3_add(gK, S2 + 3 * j);
-        for (int i = 0; i < n; i++) {
-            K[i + n * j] += v3_dot(dc + 3 * i, gK) + (S ? v3_dot(S + 3 * i, g) : 0);
-            C[i + n * j] += v3_dot(dc + 3 * i, gC);
-        }
+        if (second) v3_add(gK, S2 + 3 * j);
         v3_cross_add(mK + 3 * j, dc + 3 * j, g);
         v3_cross_add(mK + 3 * j, arm, gK);
         v3_cross_add(mC + 3 * j, arm, gC);
     }
+    columns(K, C, by, second ? k->second + 3L * n * n * a : NULL, by + 3 * n, by + 6 * n, g, n);
 }
 
 static double form(const double *J, const double *ww)

@@ -41,10 +41,20 @@ static void second_order(struct flex_kernel *k, struct arena *life)
     }
 }
 
+static bool is_diagonal(const double *A, int n)
+{
+    for (int j = 0; A && j < n; j++)
+        for (int i = 0; i < n; i++)
+            if (i != j && A[i + n * j] != 0) return false;
+    return true;
+}
+
 struct flex_kernel *flex_kernel_build(const struct flex_body *o, struct arena *life)
 {
     struct flex_kernel *k = TAKE(life, struct flex_kernel, 1);
     *k = (struct flex_kernel){.body = o, .n = o->n};
+    k->K_diagonal = is_diagonal(o->K, o->n);
+    k->D_diagonal = is_diagonal(o->D, o->n);
     v3_copy(k->pivot, o->node[o->reference].x);
     v3_copy(k->mean.x, k->pivot);
     k->mean.phi = TAKE(life, double, 3 * o->n);
@@ -180,6 +190,13 @@ void flex_carry(double *a1, double *w1, double *al1, const struct flex_shape *o,
     m3_tmul(al1, o->R, spin);
 }
 
+/* Q += A x */
+static void add_product(double *Q, const double *A, const double *x, int n, bool diagonal)
+{
+    if (!diagonal) dense_gemv(Q, 1, A, x, n, n, n);
+    for (int i = 0; diagonal && i < n; i++) Q[i] += A[i + n * i] * x[i];
+}
+
 void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, const struct flex_shape *shape,
                   const double *a, const double *w, const double *al, const double *q, const double *q1,
                   const double *q2, bool elastic)
@@ -197,8 +214,8 @@ void flex_inertia(double *F, double *N, double *Q, const struct flex_kernel *k, 
     v3_cross_add(N, shape->d, F);
     for (int j = 0; j < n; j++) Q[j] += v3_dot(shape->dw + 3 * j, moment);
     if (!elastic) return;
-    dense_gemv(Q, 1, k->body->K, q, n, n, n);
-    if (k->body->D && q1) dense_gemv(Q, 1, k->body->D, q1, n, n, n);
+    add_product(Q, k->body->K, q, n, k->K_diagonal);
+    if (k->body->D && q1) add_product(Q, k->body->D, q1, n, k->D_diagonal);
 }
 
 /* With unit rate of coordinate j: H and its moment about the pivot G from those against the mean frame and those that

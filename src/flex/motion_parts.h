@@ -16,7 +16,8 @@ struct flex_kernel {
     double pivot[3];       /* the reference node */
     struct flex_node mean; /* psi: Theta */
     struct affine *in;
-    struct second *node; /* [nnode] */
+    struct second *node;         /* [nnode] */
+    bool K_diagonal, D_diagonal; /* as of modes */
 };
 
 /* The turn by o->theta: R, a, b and their slopes, y, d. */

@@ -145,21 +145,36 @@ int dense_lu(double *A, int *swap, int n, int ld)
     return n <= NARROW ? lu(A, swap, n, ld) : lu_wide(A, swap, n, ld);
 }
 
+/* x -= f a + g b */
+INTO static inline void minus_two(double *restrict x, const double *restrict a, double f, const double *restrict b,
+                                  double g, int n)
+{
+    for (int i = 0; i < n; i++) x[i] = (x[i] - a[i] * f) - b[i] * g;
+}
+
+/* x/c; what is nothing stays so, whatever the pivot. */
+static inline double over(double x, double c)
+{
+    return x == 0 ? x : x / c;
+}
+
+/* Two columns at a time. */
 void dense_lu_solve(const double *LU, const int *swap, double *x, int n, int ld)
 {
+    int j = 0;
     swap_entries(x, swap, n);
-    for (int j = 0; j < n; j++) {
-        const double *c = LU + (long)j * ld;
-        double xj = x[j];
-        if (xj == 0) continue;
-        for (int i = j + 1; i < n; i++) x[i] -= c[i] * xj;
+    for (; j + 1 < n; j += 2) {
+        const double *a = LU + (long)j * ld, *b = a + ld;
+        x[j + 1] -= a[j + 1] * x[j];
+        minus_two(x + j + 2, a + j + 2, x[j], b + j + 2, x[j + 1], n - j - 2);
     }
-    for (int j = n - 1; j >= 0; j--) {
-        const double *c = LU + (long)j * ld;
-        if (x[j] == 0) continue;
-        double xj = x[j] /= c[j];
-        for (int i = 0; i < j; i++) x[i] -= c[i] * xj;
+    for (j = n - 1; j > 0; j -= 2) {
+        const double *a = LU + (long)j * ld, *b = a - ld;
+        x[j] = over(x[j], a[j]);
+        x[j - 1] = over(x[j - 1] - a[j - 1] * x[j], b[j - 1]);
+        minus_two(x, a, x[j], b, x[j - 1], j - 1);
     }
+    if (j == 0) x[0] = over(x[0], LU[0]);
 }
 
 void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld, int m, int ldx)
