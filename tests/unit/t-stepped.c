@@ -228,12 +228,28 @@ static void all_are_fast(void **state)
     run_close(&o.r);
 }
 
+/* What is left to the end is a little more than the step: two of half its length, and the step is kept. */
+static void no_splinters(void **state)
+{
+    const double h = 1e-4, end = 1.001 * h;
+    struct trial o;
+    (void)state;
+    open_trial(&o, "midpoint", 0, 1, 2, 1e-2);
+    o.r.stepper.guess = (struct guess){h, 1};
+    assert_int_equal(stepper_step(&o.r.stepper, &o.r.x, end, 1, end, &o.r.why), OK);
+    assert_true(o.r.x.t == end);
+    assert_int_equal(o.r.stepper.effort.minors, 2);
+    close_to(o.m->t1 - o.m->t0, end / 2);
+    close_to(o.m->h, h);
+    run_close(&o.r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_by_hand),      cmocka_unit_test(grows_by_the_filter),
         cmocka_unit_test(shrinks_by_the_root), cmocka_unit_test(whole_minor_steps),
-        cmocka_unit_test(all_are_fast),
+        cmocka_unit_test(all_are_fast),        cmocka_unit_test(no_splinters),
     };
     return cmocka_run_group_tests_name("stepped", tests, NULL, NULL);
 }
