@@ -248,7 +248,7 @@ static bool has_passed(const struct stepper *s, const struct adaptive *m, double
 
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order.  None is
- * left over that is far shorter than the others: changes of velocities over it would be round-off. */
+ * left over that is far shorter than the others, where changes of velocities over it, round-off, would be read. */
 static enum status own_step(struct stepper *s, double *t, double end, int *passed, struct trouble *why)
 {
     enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
@@ -257,7 +257,8 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
     const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), left = fabs(end - *t), way = end > *t ? 1 : -1;
     for (;;) {
         double h = m->h, err = 0;
-        const bool last = h >= left * (1 - 1e-10), near = !last && h > NEAR * left, cut = near || (last && h > left);
+        const bool last = h >= left * (1 - 1e-10), near = m->scheme->plain && !last && h > NEAR * left,
+                   cut = near || (last && h > left);
         if (last) h = left;
         if (near) h = left / 2;
         if (*t + way * h == *t) return too_small(s, *t, h, way * left, why);
