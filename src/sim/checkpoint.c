@@ -70,6 +70,10 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_one(r, "cut", sim->cut);
     recall_one(r, "balance_told", sim->guard.told);
     recall_one(r, "balance_t", sim->guard.t);
+    recall_one(r, "balance_broken", sim->guard.broken);
+    recall_one(r, "balance_there", sim->guard.there);
+    recall_one(r, "balance_looks", sim->guard.looks);
+    recall_one(r, "balance_next", sim->guard.next);
     recall_each(r, "pass_x", sim->pass, d[0], sim->npass);
     recall_each(r, "pass_y", sim->pass, d[1], sim->npass);
     recall_each(r, "pass_z", sim->pass, d[2], sim->npass);

@@ -1,12 +1,15 @@
 /* guard.c -- the first sign of motion that the step does not resolve: the balance of energy is lost on the way.
  *
  * The verdict on the balance is passed at the end, against all that was done; where it is lost by then, it was at some step,
- * and there, with the coordinate whose frequency the step resolves least, it is told. */
+ * and there, with the coordinate whose frequency the step resolves least, it is told.  Beside motion that is not resolved the
+ * balance is held against the energies that are there, and against that motion's own, too. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/recall.h"
+#include "base/scalar.h"
+#include "engine/motion.h"
 #include "la/dense.h"
 #include "sim/parts.h"
 
@@ -14,25 +17,60 @@
 
 enum { SOON = 20 }; /* major steps in which all works are near nothing, and a quadrature is off by parts of them */
 
-/* The coordinate of the largest local frequency times its step, that too; -1: not known. */
-static int least_resolved(double *omega_h, const struct sim *sim, struct arena *scratch)
+/* M, factored, and M^-1 K of the state; false: not known. */
+static bool look_at_masses(double *M, double *K, const struct sim *sim)
 {
     const struct ode2 *o = sim->stepper.ode;
-    const int n = o->n, two = sim->stepper.kind->two_rates;
-    double *M = TAKE_MATRIX(scratch, double, n, n), *K = TAKE_MATRIX(scratch, double, n, n);
     const struct instant x = {.t = sim->x.t, .q = sim->x.q, .v = sim->x.v, .ta = sim->x.t, .tb = sim->x.t};
     struct trouble why;
+    if (o->ops->mass(o, M, x.q, x.t, ALL, &why) != OK || o->ops->slopes(o, K, NULL, &x, ALL, &why) != OK) return false;
+    if (dense_cholesky(M, o->n, o->n) >= 0) return false;
+    dense_cholesky_solves(M, K, o->n, o->n, o->n, o->n);
+    return true;
+}
+
+/* Local frequency of coordinate i, others recoiling, times its step. */
+static double turn_in_step(const struct sim *sim, const double *K, int i)
+{
+    const struct ode2 *o = sim->stepper.ode;
+    const bool slow = sim->stepper.kind->two_rates && i >= o->ns;
+    return sqrt(fabs(K[i + (long)o->n * i])) * sim->last_h * (slow ? sim->plan.ratio : 1);
+}
+
+/* The coordinate of the largest of these, that too; -1: not known. */
+static int least_resolved(double *omega_h, const struct sim *sim, struct arena *scratch)
+{
+    const int n = sim->stepper.ode->n;
+    double *M = TAKE_MATRIX(scratch, double, n, n), *K = TAKE_MATRIX(scratch, double, n, n);
     int worst = -1;
     *omega_h = 0;
-    if (o->ops->mass(o, M, x.q, x.t, ALL, &why) != OK || o->ops->slopes(o, K, NULL, &x, ALL, &why) != OK) return -1;
-    if (dense_cholesky(M, n, n) >= 0) return -1;
+    if (!look_at_masses(M, K, sim)) return -1;
     for (int i = 0; i < n; i++) {
-        dense_cholesky_solve(M, K + (long)n * i, n, n);
-        const double h = sim->last_h * (two && i >= o->ns ? sim->plan.ratio : 1);
-        const double w = sqrt(fabs(K[i + (long)n * i])) * h;
+        const double w = turn_in_step(sim, K, i);
         if (w > *omega_h) *omega_h = w, worst = i;
     }
     return worst;
+}
+
+/* Of the coordinates that the step does not resolve the largest kinetic energy of its own, whose and how fast; 0: there is
+ * none. */
+static double moves_unresolved(int *at, double *omega_h, const struct sim *sim, struct arena *scratch)
+{
+    static const double RESOLVED = 1;
+    const int n = sim->stepper.ode->n;
+    double *M = TAKE_MATRIX(scratch, double, n, n), *K = TAKE_MATRIX(scratch, double, n, n), most = 0;
+    double *y = TAKE(scratch, double, n);
+    if (!look_at_masses(M, K, sim)) return 0;
+    for (int i = 0; i < n; i++) {
+        const double w = turn_in_step(sim, K, i);
+        if (!(w > RESOLVED)) continue;
+        zero(y, n);
+        y[i] = 1;
+        dense_cholesky_solve(M, y, n, n);
+        const double own = sim->x.v[i] * sim->x.v[i] / (2 * y[i]);
+        if (own > most) most = own, *at = i, *omega_h = w;
+    }
+    return most;
 }
 
 /* Behind the n characters of text: what the step does not resolve, if that is known. */
@@ -106,13 +144,55 @@ void guard_part(struct sim *sim, int depth)
     sim->guard.depth = depth;
 }
 
+/* ||W|| grows with all that passes through: beside a motor and a brake that have turned over megajoules nobody sees that a stiff
+ * part makes what it likes.  Is the balance off by more than its share of the energies that have been there, beside motion that
+ * the step does not resolve, or by a tenth of what moves so?  Looked at ever more seldom. */
+static bool hidden(double *share, int *at, double *omega_h, struct sim *sim)
+{
+    enum { MANY = 500, OFTEN = 32 };
+    static const double EXCITED = 1e-4, STRONGLY = 1e-2, TENTH = .1;
+    const struct ledger *l = &sim->ledger;
+    const double energy = l->kinetic + fabs(l->elastic) + fabs(l->gravity - l->gravity0), off = fabs(l->residual);
+    sim->guard.there = larger(sim->guard.there, larger(energy, larger(l->least, l->kinetic0 + fabs(l->elastic0))));
+    const double there = sim->guard.there;
+    if (!(off > TENTH * STRONGLY * there) || sim->stepper.kind->adaptive || sim->stepper.ode->n > MANY) return false;
+    if (sim->guard.looks++ < sim->guard.next) return false;
+    sim->guard.next = sim->guard.looks < OFTEN ? 0 : 2 * sim->guard.looks;
+    struct arena *scratch = arena_open();
+    const double moves = moves_unresolved(at, omega_h, sim, scratch);
+    arena_close(scratch);
+    if (!(moves > EXCITED * there && off > l->delta * there) && !(moves > STRONGLY * there && off > TENTH * moves))
+        return false;
+    *share = off / there;
+    return true;
+}
+
+static enum status tell_hidden(struct sim *sim, double share, int at, double omega_h, struct sink *sink,
+                               struct report *report)
+{
+    char text[300];
+    snprintf(text, sizeof text,
+             "the energy balance is off by %.3g of the energy that is there, for the first time: the step does not "
+             "resolve '%.80s' (omega h = %.3g), which moves",
+             share, sim_coordinate_name(sim, at), omega_h);
+    sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
+    sim->guard.told = sim->guard.broken = true;
+    sim->guard.t = sim->x.t;
+    if (guard_acts(sim)) (void)guard_damp(sim);
+    return sink_event(sink, sim->x.t, "balance", text, report);
+}
+
 enum status guard_look(struct sim *sim, struct sink *sink, struct report *report)
 {
     const struct ledger *l = &sim->ledger;
     const double share = l->norm > 0 ? fabs(l->residual) / l->norm : 0;
     char text[240];
     if (guard_acts(sim) && share > l->delta / 2) (void)guard_damp(sim);
-    if (!(share > l->delta) || sim->guard.told || sim->stepper.effort.majors < SOON) return OK;
+    double part = 0, omega_h = 0;
+    int at = -1;
+    if (sim->guard.told || sim->stepper.effort.majors < SOON) return OK;
+    if (!(share > l->delta))
+        return hidden(&part, &at, &omega_h, sim) ? tell_hidden(sim, part, at, omega_h, sink, report) : OK;
     sim->guard.told = true;
     sim->guard.t = sim->x.t;
     const int n = snprintf(text, sizeof text, "the energy balance is off by %.3g of ||W||, for the first time", share);

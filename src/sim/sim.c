@@ -245,6 +245,12 @@ static enum status verdict(const struct sim *sim, struct report *report)
         return fail(report, E_VERDICT,
                     "a body without geometric stiffening turned faster than it can: what it did beyond is wrong "
                     "[W-stiffening]");
+    if (!ledger_broken(l) && sim->guard.broken)
+        return fail(
+            report, E_VERDICT,
+            "motion that the step does not resolve was excited from t = %.6g s on, and the energy balance did not "
+            "hold there: try a smaller step, or rho_infinity below 1 [balance]",
+            sim->guard.t);
     if (!ledger_broken(l)) return OK;
     if (ledger_judge(l).gained)
         return fail(

@@ -151,7 +151,9 @@ struct sim {
     } * jump; /* [njump] */
     struct {
         bool told, acted;
-        double t;
+        bool broken;      /* beside energies that are there, and motion that the step does not resolve */
+        double t, there;  /* the most energy that has been there [J] */
+        long looks, next; /* at what moves there; that with which the next one is due */
         int depth,
             calm;    /* where it acts: halvings that major steps begin with, and major steps since the last one more */
         int most;    /* of these halvings */
