@@ -91,10 +91,12 @@ static double rounded(double x)
 /* Errors are taken to fall a little less than the tolerance; none that is wider than the error itself is to be trusted. */
 static void advise_tolerance(struct advice *o, const struct trial *t, double error)
 {
-    static const double POWER = .8, LEAST = 1e-12, MOST = 1e-3, DEAR = 1. / 9;
+    static const double LEAST = 1e-12, MOST = 1e-3;
     const struct tried *f = &t->own;
+    const bool contacts = t->scene.ncontact > 0; /* order 2, and forces as means over a step, of order 1 */
+    const double dear = contacts ? 1. / 2 : 1. / 9, less = contacts ? .5 : .8;
     const double aim = AIM * error, loose = fmax(ahead(f, 0), 1e-12);
-    double x = aim >= loose ? f->at[0] * pow(aim / loose, POWER) : f->at[1] * pow(aim / ahead(f, 1), 1 / POWER);
+    double x = aim >= loose ? f->at[0] * pow(aim / loose, less) : f->at[1] * pow(aim / ahead(f, 1), 1 / less);
     if (x < LEAST) return;
     x = rounded(fmin(x, fmin(error, MOST)));
     *add(o) = (struct advised){.error = error,
@@ -102,7 +104,7 @@ static void advise_tolerance(struct advice *o, const struct trial *t, double err
                                .ratio = 1,
                                .step = NAN,
                                .tolerance = x,
-                               .work = f->work[0] / f->share * pow(f->at[0] / x, DEAR)};
+                               .work = f->work[0] / f->share * pow(f->at[0] / x, dear)};
 }
 
 /* From a part of the run in which nothing is missed nothing follows for the rest. */

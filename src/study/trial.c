@@ -69,14 +69,15 @@ static bool complete(const struct outcome *o)
     return o->rows > 1 && !o->over;
 }
 
-/* An explicit scheme where it is quick, or quicker than an implicit one. */
+/* An explicit scheme where it is quick, or quicker than an implicit one; with rigid contacts the one that takes them. */
 static enum status find_own(struct outcome *o, struct trial *t)
 {
     const bool small = !too_full(stepper_find("radau9"), &t->subject);
     const char *explicit = small ? "dop853" : "dopri5";
     const double most = SHARE * t->most, quick = QUICK * t->subject.price.evaluation;
     struct outcome other;
-    t->own = (struct tried){.scheme = explicit, .ratio = 1};
+    t->own = (struct tried){.scheme = t->scene.ncontact ? "midpoint" : explicit, .ratio = 1};
+    if (t->scene.ncontact) return attempt_own(o, t, t->own.scheme, LOOSE, most);
     TRY(attempt_own(o, t, explicit, LOOSE, small ? fmin(quick, .2 * most) : most));
     if (complete(o) || !small) return OK;
     TRY(attempt_own(&other, t, "radau9", LOOSE, most));
@@ -97,9 +98,12 @@ static double tight_for(const struct trial *t, const struct outcome *loose)
 {
     static const struct {
         double tolerance, price; /* of the loose run's */
-    } choice[] = {{1e-6, 2.5}, {1e-5, 1.9}, {1e-4, 1.4}};
-    for (size_t i = 0; i < sizeof choice / sizeof *choice; i++)
-        if (choice[i].price * loose->seconds < 1.2 * SHARE * t->most) return choice[i].tolerance;
+    } choices[2][3] = {{{1e-6, 2.5}, {1e-5, 1.9}, {1e-4, 1.4}}, {{1e-6, 32}, {1e-5, 10}, {1e-4, 3.2}}};
+    const bool second_order = t->scene.ncontact > 0;
+    for (int i = 0; i < 3; i++) {
+        if (choices[second_order][i].price * loose->seconds < 1.2 * SHARE * t->most)
+            return choices[second_order][i].tolerance;
+    }
     return LOOSE;
 }
 
@@ -143,6 +147,10 @@ static enum status find_reference(struct trial *t)
         t->why = "trial runs of it part at once";
         return OK;
     }
+    if (t->scene.ncontact && !t->reference.whole) {
+        t->why = "trial runs of it part before the end, and impacts behind that are not known";
+        return OK;
+    }
     note_own(t, fmax(other, LOOSE), fmin(other, LOOSE), swap ? &tight : &loose);
     return OK;
 }
@@ -159,8 +167,6 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->report = report;
     const double *rest = scene->at_rest ? sim->x.q : NULL;
     enum status status = OK;
-    o->why = scene->ncontact ? "impacts are rare, and a short trial may see none" : NULL;
-    if (o->why) return OK;
     if (n <= MOST_FREEDOMS) status = subject_open(&o->subject, &o->scene, NULL, rest, diags, life, report);
     if (stop) return status;
     if (status != OK) o->why = "no trial run of it starts";
@@ -170,7 +176,7 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->most = fmin(SECONDS, MOST_EVALUATIONS * o->subject.price.evaluation);
     o->opening = opening_of(scene);
     o->tried_until = o->corner = NAN;
-    o->unseen = sim_bends_unseen(sim);
+    o->unseen = sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
     corners_find(&o->corners, sim, o->until, life);
     plan_records(o);
     TRY(find_reference(o));

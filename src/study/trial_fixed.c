@@ -151,7 +151,8 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
     struct next next = first_run(t);
     while (status == OK && t->used < t->most) {
         if (t->unseen && told_enough(t) && !fits(&next, t, LEFT)) break;
-        if (shorten(&next, t)) t->fixed.n = 0;
+        if (t->scene.ncontact && !fits(&next, t, 1)) break; /* impacts of a part are not those of the rest */
+        if (!t->scene.ncontact && shorten(&next, t)) t->fixed.n = 0;
         if (t->corners.n && !fits(&next, t, 1)) break;
         status = attempt(&next, t, kind);
         if (told(t, kind->order)) break;
@@ -159,6 +160,8 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
         next.seconds *= 2;
     }
     t->tried_until = next.end;
+    if (t->scene.ncontact && t->fixed.n < 2)
+        give_up(t, "it takes too long to try them to the end, and impacts are rare", NAN);
     if (t->fixed.n == 0 && t->corners.n)
         give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
     return status;

@@ -88,12 +88,27 @@ expect "check: a drive that locks, as an object" 2 "$(grep -c -e '"no_advice":.*
 "$FMDSUB" explain tests/hard/locked-drive.yaml >"$work/words" 2>"$work/err"
 expect "explain: a drive that locks" "1 0" "$(grep -c '^it does not run to its end: stopped at t = 0.4429.*\[dead-point\]$' "$work/words") $(grep -c 'then the run stops' "$work/words")" "$work/words"
 
-# Rigid contacts: trials are too short for advice, a study has the midpoint rule by two tolerances for its reference.
+# Rigid contacts: advice, and a study, have the midpoint rule by two tolerances for its reference.
 deck=decks/bounce-and-roll.yaml
 "$FMDSUB" check "$deck" >"$work/words" 2>"$work/err"
 ended "check: rigid contacts" 0 $? "$work/words" "$work/err"
-expect "check: rigid contacts, why no advice" "steps: no advice, for impacts are rare, and a short trial may see none; \`fmdsub study\` looks longer" \
-    "$(grep '^steps:' "$work/words")" "$work/words"
+expect "check: rigid contacts, advice on steps and tolerances" "3 2" \
+    "$(grep -c '^  1e-0[246]: midpoint at step' "$work/words") $(grep -c 'midpoint at tolerance' "$work/words")" "$work/words"
+step=$(sed -n 's/^  1e-04: midpoint at step \([^ ]*\) .*/\1/p' "$work/words")
+"$FMDSUB" study --repeats 1 --schemes midpoint --steps "$step" "$deck" >"$work/rows" 2>"$work/err"
+expect "check: rigid contacts, what it promises is so" 1 "$(awk -F, '$3 == '"$step"' && $5 > 0 && $5 < 1e-4 { n++ } END { print n + 0 }' "$work/rows")" "$work/rows"
+cat >"$work/stops.yaml" <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {a: {mass: 1, inertia: 0.1, at: [1, 0]}, b: {mass: 1, inertia: 0.1, at: [2, 0]}}
+constraints:
+  p: {revolute: [ground, a], at: [0, 0], range: {lower: -1.8, upper: 1, hold: {restitution: 0.9}}}
+  q: {revolute: [a, b], at: [1, 0], range: {lower: -1, upper: 1, hold: {restitution: 0.9}}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 60}
+output: {every: 0.1}
+END
+expect "check: a double pendulum between stops, why no advice" 1 \
+    "$("$FMDSUB" check "$work/stops.yaml" 2>&1 | grep -c '^steps: no advice, for trial runs of it part before the end, and impacts behind that are not known;')"
 "$FMDSUB" study "$deck" >"$work/rows" 2>"$work/err"
 ended "study: rigid contacts" 0 $? "$work/err"
 expect "study: rigid contacts, its reference" 1 "$(grep -c 'reference: midpoint to 1e-08; midpoint to 1e-07 differs' "$work/err")" "$work/err"
