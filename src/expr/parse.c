@@ -128,7 +128,7 @@ static enum made power(struct parser *p)
     if (a_number(p, made, start) == FAILED || parse_deeper(p) == FAILED) return FAILED;
     offset = p->at++;
     int right = p->n;
-    start = p->at;
+    start = (scan_next(p), p->at);
     if (a_number(p, sign(p), start) == FAILED) return FAILED;
     emit_binary(p, OP_POW, left, right, offset);
     p->depth--;
@@ -140,9 +140,9 @@ static enum made sign(struct parser *p)
     char c = scan_next(p);
     if (c != '-' && c != '+') return power(p);
     if (parse_deeper(p) == FAILED) return FAILED;
-    size_t start = p->at++;
+    size_t start = p->at++, operand = (scan_next(p), p->at);
     int from = p->n;
-    enum made made = a_number(p, sign(p), start + 1);
+    enum made made = a_number(p, sign(p), operand);
     if (made == NUMBER && c == '-') emit_unary(p, OP_NEG, from, start);
     p->depth--;
     return made;
@@ -158,7 +158,7 @@ static enum made level(struct parser *p, enum made (*operand)(struct parser *), 
         if (a_number(p, made, start) == FAILED) return FAILED;
         size_t offset = p->at++;
         int right = p->n;
-        start = p->at;
+        start = (scan_next(p), p->at);
         made = a_number(p, operand(p), start);
         if (made == NUMBER) emit_binary(p, ops[c - chars], left, right, offset);
     }
