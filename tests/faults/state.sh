@@ -188,3 +188,13 @@ DECK
 "$FMDSUB" run -q --final-state spun.json spun.yaml >out 2>err
 expect "turns in space: those of an angle alone" "0 1 0" "$? $(sed -n '/"angles"/,/}/p' spun.json | grep -c '"turn"') $(sed -n '/"angles"/,/}/p' spun.json | grep -c '"far"')" spun.json err
 awk -F, 'END { exit !($2 > 9.99 && $2 < 10.01) }' out && ok "turns in space: 10 rad" || not_ok "turns in space: 10 rad" "got:" out
+
+# A quaternion of a state has length 1 but for round-off: its square to 1e-9.
+for square in 0.9999999992:0 1.0000000008:0 0.999999998:3 1.000000002:3; do
+    cat >long.json <<STATE
+{"fmdsub_state": 2, "t": 0, "state": {"spin.qw": $(awk "BEGIN { printf \"%.15g\", sqrt(${square%:*}) }"), "spin.qx": 0, "spin.qy": 0,
+    "spin.qz": 0, "spin.omega_x": 0, "spin.omega_y": 0, "spin.omega_z": 0}}
+STATE
+    "$FMDSUB" run -q -s 'initial={from: long.json, deck: any}' --until 1.001 spun.yaml >out 2>err
+    expect "a quaternion of square ${square%:*}" "${square#*:} $((${square#*:} / 3))" "$? $(grep -c E-quaternion err)" err
+done
