@@ -256,6 +256,13 @@ static double share(int *by, int *of, struct choosing *c, const bool *keep)
     return other;
 }
 
+/* How far a change of the pull along the body changes its bending: its share of the stiffness, which adds up as phase while
+ * the body swings. */
+static double weight_of_pull(double lambda, const struct flex_choosing *o)
+{
+    return fmin(1, o->pull / lambda * fmax(1, sqrt(lambda) * o->span / 2));
+}
+
 static bool set_out(struct choosing *c, const struct flex_choosing *o, bool spins, const bool *keep,
                     struct arena *scratch)
 {
@@ -286,7 +293,7 @@ static bool set_out(struct choosing *c, const struct flex_choosing *o, bool spin
     add_ties(c);
     take(c, keep);
     if (!solve(c)) return false;
-    if (c->loose < c->m && c->lambda[c->loose] > 0) c->weight = fmin(1, o->pull / c->lambda[c->loose]);
+    if (c->loose < c->m && c->lambda[c->loose] > 0) c->weight = weight_of_pull(c->lambda[c->loose], o);
     respond(c->answer, c);
     fill_sizes(c);
     return true;

@@ -31,7 +31,7 @@ struct flex_view {
     const double *c; /* [n] */
     int group;       /* views of like size; from 0 */
     bool tension;    /* it counts for what loads along the body do to its bending alone: by pull over the square of the
-                      * first frequency */
+                      * first frequency, times half its turns in the span: as phase */
 };
 
 /* At a further joint: what hangs there moves along b'x, or what closes a loop there holds it. */
