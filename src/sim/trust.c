@@ -131,6 +131,18 @@ static double sign(int draw, int i)
     return ((unsigned)(i + 1) * 2654435761u + (unsigned)draw * 2246822519u) >> (draw + 13) & 1 ? -1 : 1;
 }
 
+/* Energies there, where columns have them; works are sums of the run's. */
+static bool energies_at(struct sim *sim, double t)
+{
+    struct energies e;
+    if (!(sim->needs & NEED_ENERGY)) return true;
+    if (system_energy_at(sim->system, &e, sim->x.q, sim->x.v, t, &sim->trouble) != OK) return false;
+    sim->ledger.kinetic = e.kinetic;
+    sim->ledger.elastic = e.elastic;
+    sim->ledger.gravity = e.gravity;
+    return true;
+}
+
 /* Columns where the place is moved by so much of what was missed; by 0: where it is.  false: they cannot be had. */
 static bool columns_at(struct sim *sim, const struct trust_place *p, double by, int draw)
 {
@@ -142,7 +154,7 @@ static bool columns_at(struct sim *sim, const struct trust_place *p, double by, 
     }
     sim->x = (struct state){p->t, sim->look->q, o->dv, sim->look->a};
     motion_point(ode, sim->x.q, p->q, o->dq, 1, p->t);
-    return record_fill(sim) == OK;
+    return energies_at(sim, p->t) && record_fill(sim) == OK;
 }
 
 static void look_at(struct sim *sim, const struct trust_place *p)
@@ -201,12 +213,17 @@ static double share(const struct sim *sim, int i)
     return o->off[i] > 0 ? AMPLE * o->off[i] / fmax(range > RESTS * size ? range : size, LOST * least) : 0;
 }
 
+static bool is_work(const struct sim *sim, int i)
+{
+    return sim->catalogue.origin[sim->chosen.index[i]].needs & NEED_WORKS;
+}
+
 static void find_worst(struct sim *sim)
 {
     struct trust *o = &sim->trust;
     o->worst = 0;
     for (int i = 0; i < sim->chosen.n; i++) {
-        if (!sim_column_compared(sim, i) || !(share(sim, i) >= o->worst)) continue;
+        if (!sim_column_compared(sim, i) || is_work(sim, i) || !(share(sim, i) >= o->worst)) continue;
         o->worst = share(sim, i);
         o->column = i;
     }
@@ -252,6 +269,7 @@ void trust_find(struct sim *sim)
 {
     struct trust *o = &sim->trust;
     const struct state end = sim->x;
+    const struct ledger ledger = sim->ledger;
     const struct trouble trouble = sim->trouble;
     const long chart = system_charts(sim->system);
     o->column = -1;
@@ -262,6 +280,7 @@ void trust_find(struct sim *sim)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
     o->growth = sim->options.log ? growth_on_the_way(sim, chart) : 0; /* a word of the end line's */
     sim->x = end;
+    sim->ledger = ledger;
     sim->trouble = trouble;
     find_worst(sim);
     o->known = o->column >= 0 && o->worst < UNKNOWN;
