@@ -113,17 +113,12 @@ static bool is_drawn(const struct study_row *r)
     return r->status == OK && r->errors.worst > 0 && isfinite(r->errors.worst) && r->work > 0;
 }
 
-static bool together(const struct study_row *a, const struct study_row *b)
-{
-    return a->setting.kind == b->setting.kind && a->setting.ratio == b->setting.ratio;
-}
-
 /* The rows of a scheme and ratio in the order of their work. */
 static int line_of(const struct study_row **list, const struct study *o, const struct study_row *of)
 {
     int n = 0;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
-        if (!is_drawn(r) || !together(r, of)) continue;
+        if (!is_drawn(r) || !setting_together(&r->setting, &of->setting)) continue;
         int at = n++;
         for (; at > 0 && list[at - 1]->work > r->work; at--) list[at] = list[at - 1];
         list[at] = r;
@@ -144,7 +139,9 @@ static void put_line(const struct axes *a, const struct study *o, const struct s
     for (int i = 0; i < n; i++)
         fprintf(a->to, "<circle r=\"4\" fill=\"%s\" cx=\"%.1f\" cy=\"%.1f\"/>\n", palette[line % PALETTE],
                 across(a, log10(list[i]->work)), upward(a, log10(list[i]->errors.worst)));
-    snprintf(name, sizeof name, of->setting.ratio > 1 ? "%s %d:1" : "%s", of->setting.kind->name, of->setting.ratio);
+    const struct setting *s = &of->setting;
+    const char *order = s->order > 2 ? ", order 4," : "";
+    snprintf(name, sizeof name, s->ratio > 1 ? "%s%s %d:1" : "%s%s", s->kind->name, order, s->ratio);
     put_key(a, line, name);
 }
 
@@ -160,7 +157,8 @@ static void put_diagram(FILE *to, const struct study *o, struct arena *life)
     put_axes(&axes, "work [evaluations of all bodies]", "error, over the range of the worst column");
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
         bool first = is_drawn(r);
-        for (const struct study_row *b = o->row; b < r && first; b++) first = !(is_drawn(b) && together(b, r));
+        for (const struct study_row *b = o->row; b < r && first; b++)
+            first = !(is_drawn(b) && setting_together(&b->setting, &r->setting));
         if (first) put_line(&axes, o, r, lines++, list);
     }
     if (o->own && is_drawn(o->own))

@@ -7,6 +7,7 @@
 void study_print_setting(const struct setting *r, FILE *to)
 {
     fprintf(to, "%s", r->kind->name);
+    if (r->order > 2) fprintf(to, " of order %d", r->order);
     if (isfinite(r->tolerance)) fprintf(to, " at tolerance %.3g", r->tolerance);
     if (isfinite(r->step)) fprintf(to, " at step %.4g s", r->step);
     if (r->ratio > 1) fprintf(to, ", ratio %d", r->ratio);
@@ -19,17 +20,11 @@ static void print_error(const struct study_row *r, FILE *to)
     if (*r->worst) fprintf(to, " in %s", r->worst);
 }
 
-/* Rows of one scheme at one ratio. */
-static bool together(const struct study_row *a, const struct study_row *b)
-{
-    return a->setting.kind == b->setting.kind && a->setting.ratio == b->setting.ratio;
-}
-
 double study_digit(const struct study *o, const struct study_row *of)
 {
     const struct study_row *coarse = NULL, *fine = NULL;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
-        if (!together(r, of) || r->status != OK || r->doubtful) continue;
+        if (!setting_together(&r->setting, &of->setting) || r->status != OK || r->doubtful) continue;
         if (!(r->errors.worst > 0 && r->errors.worst < .1)) continue;
         if (!coarse || r->errors.worst > coarse->errors.worst) coarse = r;
         if (!fine || r->errors.worst < fine->errors.worst) fine = r;
@@ -51,7 +46,8 @@ static const struct study_row *pick_other(const struct study *o, double error, c
 {
     const struct study_row *best = NULL;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
-        if (r->status == OK && !together(r, but) && r->errors.worst <= error && (!best || r->work < best->work))
+        if (r->status == OK && r->setting.kind != but->setting.kind && r->errors.worst <= error &&
+            (!best || r->work < best->work))
             best = r;
     return best;
 }
@@ -145,17 +141,6 @@ static void print_own(const struct study *o, FILE *to)
 
 /* ---- two rates ---- */
 
-/* The best row of a scheme of two rates: by the error that its work buys. */
-static const struct study_row *best_of(const struct study *o, const struct stepper_kind *kind)
-{
-    const struct study_row *best = NULL;
-    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++)
-        if (r->status == OK && r->setting.kind == kind && (r->setting.ratio > 1 || isfinite(r->setting.tolerance)) &&
-            r->errors.worst < 1 && (!best || r->work * r->errors.worst < best->work * best->errors.worst))
-            best = r;
-    return best;
-}
-
 /* The cheapest of one rate that is as accurate. */
 static const struct study_row *rival_of(const struct study *o, const struct study_row *two)
 {
@@ -165,6 +150,31 @@ static const struct study_row *rival_of(const struct study *o, const struct stud
             (!best || r->work < best->work))
             best = r;
     return best;
+}
+
+/* A whole run of two rates? */
+static bool is_of(const struct study_row *r, const struct stepper_kind *kind)
+{
+    return r->status == OK && r->setting.kind == kind && (r->setting.ratio > 1 || isfinite(r->setting.tolerance)) &&
+           r->errors.worst < 1;
+}
+
+/* The best row of a scheme of two rates that is of use: by what it saves; where none of one rate is as accurate, by the error
+ * that its work buys. */
+static const struct study_row *best_of(const struct study *o, const struct stepper_kind *kind)
+{
+    static const double OF_USE = 1e-2;
+    const struct study_row *best = NULL, *cheap = NULL;
+    double most = 0;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
+        if (!is_of(r, kind)) continue;
+        const struct study_row *one = r->errors.worst <= OF_USE ? rival_of(o, r) : NULL;
+        if (!cheap || r->work * r->errors.worst < cheap->work * cheap->errors.worst) cheap = r;
+        if (!one || one->work <= most * r->work) continue;
+        most = one->work / r->work;
+        best = r;
+    }
+    return best ? best : cheap;
 }
 
 /* The most accurate of one rate, of those that took more work. */
@@ -198,7 +208,7 @@ static const struct study_row *twin_of(const struct study *o, const struct study
     for (const struct study_row *r = o->row; twin.kind && r < o->row + o->nrow; r++)
         if (r->setting.kind == twin.kind && r->setting.tolerance == twin.tolerance) return r;
     for (const struct study_row *r = o->row; twin.kind && r < o->row + o->nrow; r++)
-        if (r->setting.kind == twin.kind && r->setting.step == twin.step) return r;
+        if (r->setting.kind == twin.kind && r->setting.step == twin.step && r->setting.order == twin.order) return r;
     return NULL;
 }
 
@@ -301,4 +311,5 @@ void study_print_pick(const struct study *o, const struct study_row *r, FILE *to
     if (isfinite(r->setting.tolerance)) fprintf(to, "  tolerance: %.3e\n", r->setting.tolerance);
     if (isfinite(r->setting.step)) fprintf(to, "  step: %.12g\n", r->setting.step);
     if (r->setting.ratio > 1) fprintf(to, "  ratio: %d\n", r->setting.ratio);
+    if (r->setting.order > 2) fprintf(to, "  order: %d\n", r->setting.order);
 }

@@ -134,7 +134,7 @@ static void test_leader(struct choice *o)
 {
     for (;;) {
         struct racer *best = (struct racer *)leader(o);
-        if (isfinite(o->step) || !best->order || stop) return;
+        if (isfinite(o->step) || !best->setting.order || stop) return;
         if (missed_by(o, best) <= 1) return;
         best->out = true;
     }

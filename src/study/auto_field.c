@@ -5,11 +5,11 @@
 #include "model/model.h"
 #include "multirate/schemes.h"
 #include "study/auto_parts.h"
+#include "study/fourth.h"
 #include "study/reference.h"
 
 static const char OF_TWO_RATES[] = "subcycle";
 static const double LOOSE = 3e-3; /* a tolerance to which the midpoint rule may be the least */
-static const double EXACT = .5;   /* of a tolerance, where steps are chosen once: the motion seen is not all of it */
 static const int ratios[] = {200, 100, 50, 20, 10, 5, 2};
 static const char *const explicit_ones[] = {"dopri5", "dop853"}, *const full_ones[] = {"radau9", "radau5"};
 
@@ -57,11 +57,10 @@ static struct guess guess_for(const struct choice *o, const struct racer *r, con
     return (struct guess){h, (int)fmax(1, fmin(100, apart))};
 }
 
-static struct racer *put_in(struct choice *o, const struct setting *setting, int order, const struct quick_cut *cut)
+static struct racer *put_in(struct choice *o, const struct setting *setting, const struct quick_cut *cut)
 {
     struct racer *r = TAKE(o->own, struct racer, 1);
     if (o->n >= MOST_RACERS) return NULL;
-    r->order = order;
     r->nfast = cut ? cut->n : o->scene->nfast;
     r->fast = cut ? cut->fast : o->scene->fast;
     r->unit = o->n ? o->racer[0]->unit : 0;
@@ -76,8 +75,8 @@ static struct racer *put_in(struct choice *o, const struct setting *setting, int
 struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,
                        const struct quick_cut *cut)
 {
-    const struct setting setting = {stepper_find(name), tolerance, step, ratio};
-    return put_in(o, &setting, 0, cut);
+    const struct setting setting = {stepper_find(name), tolerance, step, ratio, 0};
+    return put_in(o, &setting, cut);
 }
 
 struct racer *auto_add_half(struct choice *o, const struct racer *r)
@@ -85,7 +84,7 @@ struct racer *auto_add_half(struct choice *o, const struct racer *r)
     const struct quick_cut same = {.n = r->nfast, .fast = r->fast};
     struct setting half = r->setting;
     half.step /= 2;
-    return put_in(o, &half, r->order, &same);
+    return put_in(o, &half, &same);
 }
 
 /* The largest ratio up to `most` whose major steps meet the records. */
@@ -103,24 +102,20 @@ static int ratio_for(const struct choice *o, double most)
 /* Two rates of order 4, by fixed steps that records are ends of, so that the run is off by `tolerance`. */
 static void add_fourth(struct choice *o, const struct quick_cut *cut)
 {
-    enum { MOST_RATIO = 200, LEAST_RATIO = 3, LEAST_MAJORS = 10, A_STEP = 10 }; /* evaluations */
+    enum { A_STEP = 10 }; /* evaluations */
     static const double PAYS = .5;
-    const double span = o->eye->sim.plan.until - o->scene->start, every = o->scene->output.every;
-    double off[2];
+    const double span = o->eye->sim.plan.until - o->scene->start;
+    struct fourth known = {.span = span, .every = o->scene->output.every};
+    struct setting setting;
     if (cut)
-        memcpy(off, cut->fourth, sizeof off);
+        memcpy(known.off, cut->fourth, sizeof known.off);
     else
-        quick_apart(&o->quick, &o->eye->sim, off);
-    const double most = every > 0 ? every : span / LEAST_MAJORS;
-    const double h = pow(EXACT * o->tolerance / (off[0] * span), .25),
-                 H = fmin(most, fmin(MOST_RATIO * h, pow(EXACT * o->tolerance / (off[1] * span), .25)));
-    const double major = most / ceil(most / H * (1 - 1e-9));
-    const int ratio = (int)ceil(major / h);
-    if (!(off[0] > 0) || !(ratio >= LEAST_RATIO && ratio <= MOST_RATIO)) return;
+        quick_apart(&o->quick, &o->eye->sim, known.off);
+    if (!fourth_setting(&setting, &known, o->tolerance)) return;
     const double share = cut ? cut->share : (double)o->scene->nfast / o->eye->sim.stepper.ode->n;
-    if (span / major * A_STEP * (ratio * share + 1 - share) > PAYS * o->foretold) return;
-    const struct setting setting = {stepper_find(OF_TWO_RATES), NAN, major / ratio, ratio};
-    put_in(o, &setting, 4, cut);
+    const double major = setting.step * setting.ratio;
+    if (span / major * A_STEP * (setting.ratio * share + 1 - share) > PAYS * o->foretold) return;
+    put_in(o, &setting, cut);
 }
 
 /* Two rates, with these coordinates fast; NULL: the deck's. */

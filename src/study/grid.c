@@ -3,7 +3,9 @@
 
 #include <math.h>
 
+#include "engine/composed.h"
 #include "multirate/schemes.h"
+#include "study/fourth.h"
 
 enum { USUAL_RATIO = 5 };
 static const double tolerances[] = {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
@@ -48,15 +50,16 @@ bool grid_own(struct setting *o, const struct subject *subject)
     const struct step_options *how = plan->options;
     const struct stepper_kind *kind = stepper_find(plan->scheme);
     const bool tolerance = kind && by_tolerance(kind) && how->tolerance > 0;
-    *o = (struct setting){kind, tolerance ? how->tolerance : NAN, tolerance ? NAN : plan->step, 1};
+    *o = (struct setting){kind, tolerance ? how->tolerance : NAN, tolerance ? NAN : plan->step, 1, 0};
     if (kind && kind->two_rates && !tolerance) o->ratio = plan->ratio;
+    if (!tolerance && how->order > 2) o->order = how->order;
     return kind && (tolerance || (plan->step > 0 && !kind->adaptive));
 }
 
 bool grid_same(const struct setting *a, const struct setting *b)
 {
     const bool step = isfinite(a->step);
-    return a->kind == b->kind && a->ratio == b->ratio && step == isfinite(b->step) &&
+    return setting_together(a, b) && step == isfinite(b->step) &&
            (step ? a->step == b->step : a->tolerance == b->tolerance);
 }
 
@@ -75,7 +78,7 @@ static void add_tolerances(struct grid *o, const struct stepper_kind *kind, cons
     const int usual = sizeof tolerances / sizeof *tolerances, n = options->ntolerance ? options->ntolerance : usual;
     const double *list = options->ntolerance ? options->tolerance : tolerances;
     struct chain *chain = begin(o, !options->ntolerance, life);
-    for (int i = 0; i < n; i++) add(o, chain, (struct setting){kind, list[i], NAN, 1}, life);
+    for (int i = 0; i < n; i++) add(o, chain, (struct setting){kind, list[i], NAN, 1, 0}, life);
 }
 
 /* Do records fall on the ends of major steps? */
@@ -89,10 +92,67 @@ static void add_steps(struct grid *o, const struct stepper_kind *kind, int ratio
                       const struct subject *subject, struct arena *life)
 {
     const double h = subject->scene->integrate.step;
+    const struct step_options *how = subject->scene->integrate.options;
+    const int order = kind->fourth && how->order > 2 ? how->order : 0;
     struct chain *chain = begin(o, !options->nstep, life);
-    for (int i = 0; i < options->nstep; i++) add(o, chain, (struct setting){kind, NAN, options->step[i], ratio}, life);
+    for (int i = 0; i < options->nstep; i++)
+        add(o, chain, (struct setting){kind, NAN, options->step[i], ratio, order}, life);
     for (size_t i = 0; !options->nstep && i < sizeof parts / sizeof *parts; i++)
-        if (fits(h * parts[i], ratio, subject)) add(o, chain, (struct setting){kind, NAN, h * parts[i], ratio}, life);
+        if (fits(h * parts[i], ratio, subject))
+            add(o, chain, (struct setting){kind, NAN, h * parts[i], ratio, order}, life);
+}
+
+/* Two rates of order 4: from one major step to an interval of records on. */
+static void add_fourth(struct grid *o, const struct stepper_kind *kind, int ratio, const struct subject *subject,
+                       struct arena *life)
+{
+    enum { FINEST = 1 << 12 };
+    const double every = subject->every;
+    struct chain *chain = begin(o, true, life);
+    for (int m = 1; m <= FINEST; m *= 2) /* 1, 2, 3, 4, 6, 8, 12 ... */
+        for (int k = 2; k < (m > 1 ? 4 : 3); k++)
+            add(o, chain, (struct setting){kind, NAN, every / (m * k / 2) / ratio, ratio, 4}, life);
+}
+
+/* By what is seen of the motion, from one tolerance to the next. */
+static void add_foreseen(struct grid *o, const struct subject *subject, struct arena *life)
+{
+    enum { LEVELS = 16 };
+    static const double LOOSEST = .1, LEVEL = 3;
+    struct fourth known;
+    struct setting setting, last = {0};
+    if (!fourth_look(&known, subject->scene, subject->diags)) return;
+    struct chain *chain = begin(o, true, life);
+    double tolerance = LOOSEST;
+    for (int i = 0; i < LEVELS; i++, tolerance /= LEVEL) {
+        if (!fourth_setting(&setting, &known, tolerance) || grid_same(&setting, &last)) continue;
+        add(o, chain, setting, life);
+        last = setting;
+    }
+}
+
+/* At the deck's ratio, at a smaller one, since minor steps of order 4 resolve what takes more of order 2, and at those that
+ * the motion asks for. */
+static void add_fourths(struct grid *o, const struct stepper_kind *kind, const struct study_options *options,
+                        const struct subject *subject, struct arena *life)
+{
+    static const int less[] = {1, 5};
+    const struct integrate *plan = &subject->scene->integrate;
+    const int usual = plan->ratio > 1 ? plan->ratio : USUAL_RATIO;
+    for (int i = 0; i < options->nratio; i++) add_fourth(o, kind, options->ratio[i], subject, life);
+    for (size_t i = 0; !options->nratio && i < sizeof less / sizeof *less; i++)
+        if (i == 0 || usual / less[i] > 1) add_fourth(o, kind, usual / less[i], subject, life);
+    if (!options->nratio && kind == stepper_find("subcycle")) add_foreseen(o, subject, life);
+}
+
+/* Where nothing is said of steps, and these may be of order 4. */
+static bool takes_fourth(const struct stepper_kind *kind, const struct study_options *options,
+                         const struct subject *subject)
+{
+    const struct step_options *how = subject->scene->integrate.options;
+    struct misfit why;
+    return kind->two_rates && kind->fourth && !options->nstep && !options->ntolerance && !subject->scene->ncontact &&
+           two_rates(subject) && composed_fits(how, &why);
 }
 
 /* By tolerance where the kind knows one, unless steps are asked for and it takes them. */
@@ -104,6 +164,7 @@ static enum status add_kind(struct grid *o, const struct stepper_kind *kind, con
     const bool all = kind->two_rates && options->nratio;
     const int *ratio = all ? options->ratio : kind->two_rates ? usual : single, n = all ? options->nratio : 1;
     const bool cut = subject->scene->ncontact && kind->two_rates; /* those take fixed steps */
+    if (takes_fourth(kind, options, subject)) add_fourths(o, kind, options, subject, life);
     if (by_tolerance(kind) && !cut && (kind->adaptive || !options->nstep)) {
         add_tolerances(o, kind, options, life);
         return OK;

@@ -59,11 +59,17 @@ bool by_tolerance(const struct stepper_kind *kind)
     return key_find(kind->keys, "tolerance") != NULL;
 }
 
+bool setting_together(const struct setting *a, const struct setting *b)
+{
+    return a->kind == b->kind && a->ratio == b->ratio && a->order == b->order;
+}
+
 struct integrate outcome_plan(struct step_options *how, const struct setting *setting, const struct subject *subject)
 {
     struct integrate plan = subject->scene->integrate;
     *how = *(const struct step_options *)plan.options;
     how->tolerance = isfinite(setting->tolerance) ? setting->tolerance : 0;
+    if (setting->order > 0) how->order = setting->order;
     if (how->tolerance > 0) how->order = 2; /* what a tolerance is for */
     if (key_find(setting->kind->keys, "gamma") && strcmp(plan.scheme, setting->kind->name) != 0)
         how->rho_infinity = 1; /* Newmark's is of order 1 where it damps: not for another scheme's wish */
@@ -151,7 +157,7 @@ enum status subject_open(struct subject *o, const struct scene *scene, const cha
 {
     const struct integrate *plan = &scene->integrate;
     const double H = plan->step * plan->ratio * (scene->output.every_steps ? (double)scene->output.every_steps : 1);
-    const struct setting any = {any_kind(scene), 1e-3, NAN, 1};
+    const struct setting any = {any_kind(scene), 1e-3, NAN, 1, 0};
     struct sim_options options;
     struct step_options how;
     struct sim sim;

@@ -50,7 +50,11 @@ struct setting {
     const struct stepper_kind *kind;
     double tolerance, step;
     int ratio;
+    int order; /* of its steps; 0: the deck's, or what the tolerance is for */
 };
+
+/* Of one scheme at one ratio and order? */
+bool setting_together(const struct setting *a, const struct setting *b);
 
 /* Does the kind choose its steps by a tolerance? */
 bool by_tolerance(const struct stepper_kind *kind);

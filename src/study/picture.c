@@ -21,17 +21,12 @@ static bool drawn(const struct study_row *r)
     return r->status == OK && r->errors.worst > 0 && isfinite(r->errors.worst) && r->work > 0;
 }
 
-static bool together(const struct study_row *a, const struct study_row *b)
-{
-    return a->setting.kind == b->setting.kind && a->setting.ratio == b->setting.ratio;
-}
-
 /* The first row of its line? */
 static bool leads(const struct study *o, const struct study_row *r)
 {
     if (!drawn(r)) return false;
     for (const struct study_row *b = o->row; b < r; b++)
-        if (drawn(b) && together(b, r)) return false;
+        if (drawn(b) && setting_together(&b->setting, &r->setting)) return false;
     return true;
 }
 
@@ -40,7 +35,7 @@ static int sort(const struct study_row **list, const struct study *o, const stru
 {
     int n = 0;
     for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
-        if (!drawn(r) || (of && !together(r, of))) continue;
+        if (!drawn(r) || (of && !setting_together(&r->setting, &of->setting))) continue;
         int at = n++;
         for (; at > 0 && (of ? list[at - 1]->work > r->work : list[at - 1]->errors.worst < r->errors.worst); at--)
             list[at] = list[at - 1];
@@ -95,6 +90,7 @@ static void put_title(FILE *to, const struct study *o, const struct study_row *r
     char title[200];
     const double digit = study_digit(o, r);
     int n = snprintf(title, sizeof title, "%s", r->setting.kind->name);
+    if (r->setting.order > 2) n += snprintf(title + n, sizeof title - (size_t)n, ", order %d,", r->setting.order);
     if (r->setting.ratio > 1) n += snprintf(title + n, sizeof title - (size_t)n, " %d:1", r->setting.ratio);
     if (isfinite(digit)) snprintf(title + n, sizeof title - (size_t)n, "  x %.2g a digit", digit);
     script_put_text(to, title);

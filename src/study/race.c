@@ -13,7 +13,7 @@ static void plan(struct racer *o)
     const bool own = isfinite(o->setting.tolerance);
     o->how = *(const struct step_options *)deck->options;
     o->how.tolerance = own ? o->setting.tolerance : 0;
-    if (o->order) o->how.order = o->order;
+    if (o->setting.order) o->how.order = o->setting.order;
     if (own) o->how.order = 2; /* what a tolerance is for */
     o->plan = *deck;
     o->plan.scheme = o->setting.kind->name;

@@ -7,7 +7,6 @@
 
 struct racer {
     struct setting setting;
-    int order; /* of its steps, where they are not by a tolerance; 0: the deck's */
     int nfast;
     struct scene_choice *fast; /* [nfast] what takes its minor steps */
     struct scene scene;

@@ -138,7 +138,7 @@ static enum status run_trials(struct trials *o, const struct subject *subject, d
     for (int i = 0; stepper_kinds[i] && o->n < MOST_TRIALS; i++) {
         const struct stepper_kind *kind = stepper_kinds[i];
         if (kind->order >= HIGH && kind->adaptive && !too_full(kind, subject))
-            o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1}, INFINITY, 0};
+            o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1, 0}, INFINITY, 0};
     }
     o->most = fmin(TRIALS * most / o->n, MOST_TRIAL);
     const struct crew crew = {.n = o->n, .self = o, .work = try_one, .hear = hear_trial};
@@ -182,7 +182,7 @@ static enum status choose_with_contacts(struct reference *o, struct subject *sub
     enum { PAIRS = sizeof pairs / sizeof *pairs };
     struct outcome run;
     const struct stepper_kind *kind = stepper_find("midpoint");
-    const struct setting trial = {kind, COARSE, NAN, 1};
+    const struct setting trial = {kind, COARSE, NAN, 1, 0};
     TRY(outcome_run(&run, &trial, fmin(TRIALS * most, MOST_TRIAL), subject, life, report));
     o->spent += run.seconds;
     if (run.rows < 2) return fail(report, E_NUMERIC, "no reference: midpoint does not take this deck on");
@@ -190,8 +190,8 @@ static enum status choose_with_contacts(struct reference *o, struct subject *sub
     const double gone = outcome_row(&run, run.rows - 1)[0] - subject->scene->start;
     for (int i = 0; i < PAIRS; i++) {
         const double seconds = run.seconds * span / gone * (sqrt(COARSE / pairs[i][0]) + sqrt(COARSE / pairs[i][1]));
-        o->first = (struct setting){kind, pairs[i][0], NAN, 1};
-        o->second = (struct setting){kind, pairs[i][1], NAN, 1};
+        o->first = (struct setting){kind, pairs[i][0], NAN, 1, 0};
+        o->second = (struct setting){kind, pairs[i][1], NAN, 1, 0};
         if (seconds <= allowed) break;
         if (i + 1 == PAIRS) bring_forward(o, subject, allowed / seconds);
     }

@@ -17,6 +17,7 @@ static const struct table_column columns[] = {
     {"cpu", "CPU [s]", 2},     {"cpu_ratio", NULL, 3},        {"slow", NULL, 9},
     {"fast", NULL, 9},         {"factors", NULL, 7},          {"energy", "energy", 2},
     {"status", "status", 0},   {"uncertain", NULL, 3},        {"unit", NULL, 0},
+    {"order", "order", 1},
 };
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
@@ -51,7 +52,8 @@ static void fill(struct cells *c, const struct study_row *r, const struct rows *
                         r->energy,
                         0,
                         scale * r->uncertain,
-                        0};
+                        0,
+                        r->setting.order > 0 ? r->setting.order : NAN};
     memcpy(c->x, x, sizeof x);
     for (int i = 0; i < COLUMNS; i++) c->text[i] = "";
     c->text[0] = r->setting.kind->name;

@@ -1,7 +1,7 @@
 /* rows.h -- the rows of a study on their way out, each when it is done: a table for people, CSV, NDJSON or JSON.
  *
  * csv      scheme,tolerance,step,ratio,error,worst,error_fast,error_slow,work,cpu,cpu_ratio,slow,fast,factors,energy,
- *          status,uncertain,unit; a number that there is none of is an empty field
+ *          status,uncertain,unit,order; a number that there is none of is an empty field
  * ndjson   one object a line with the same members, null for none
  * json     {"rows":[ ... ]} of these */
 #ifndef FMDSUB_STUDY_ROWS_H

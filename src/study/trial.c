@@ -60,7 +60,7 @@ enum status trial_attempt(struct outcome *o, struct trial *t, const struct setti
 
 static enum status attempt_own(struct outcome *o, struct trial *t, const char *scheme, double tolerance, double most)
 {
-    const struct setting setting = {stepper_find(scheme), tolerance, NAN, 1};
+    const struct setting setting = {stepper_find(scheme), tolerance, NAN, 1, 0};
     return trial_attempt(o, t, &setting, most, t->life);
 }
 

@@ -87,7 +87,7 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     struct errors e;
     struct outcome run;
     struct arena *life = arena_open();
-    const struct setting setting = {kind, NAN, t->every / next->m / t->fixed.ratio, t->fixed.ratio};
+    const struct setting setting = {kind, NAN, t->every / next->m / t->fixed.ratio, t->fixed.ratio, 0};
     reference_up_to(&t->reference, next->end);
     t->subject.until = next->end;
     const enum status status = trial_attempt(&run, t, &setting, t->most - t->used, life);

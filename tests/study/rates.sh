@@ -26,3 +26,12 @@ for n in 5 10 20; do as_near stiff-leaf-chain "$work/chain.csv" $n; done
 "$FMDSUB" study -q --schemes midpoint,subcycle,miao --ratios 5,20 --steps 2.0e-5 --until 0.2 --repeats 1 \
     decks/light-hub.yaml >"$work/hub.csv" 2>"$work/err"
 for n in 5 20; do as_near light-hub "$work/hub.csv" $n slow; done
+
+# Two rates of order 4 are found by study itself, at ratios of its own, and told: a picked one is lines of a deck that run.
+timeout 120 "$FMDSUB" study --repeats 0 --budget 20 --schemes subcycle,radau9 decks/satellite-instrument.yaml >"$work/rows" 2>"$work/err"
+awk -F, '$16 == "ok" && $5 <= 1e-4 { if ($1 == "radau9" && (!one || $9 < one)) one = $9; if ($19 == 4 && (!two || $9 < two)) two = $9 }
+    END { print two, one; exit !(two > 0 && one >= 2.5 * two) }' "$work/rows" >"$work/line"
+expect "order 4 at 1e-4: two fifths of the work of one rate" 0 $? "$work/line" "$work/err"
+expect "order 4 at 1e-4: told" 1 "$(grep -c '^error below 1e-04: subcycle of order 4 at step .*, ratio 20 .*radau9, which takes 2\.[5-9] times' "$work/err")" "$work/err"
+timeout 120 "$FMDSUB" study -q --repeats 0 --budget 20 --schemes subcycle,radau9 --pick 1e-4 decks/satellite-instrument.yaml >"$work/picked" 2>"$work/err"
+expect "order 4: picked" "2 ratio: 20 order: 4" "$(grep -c 'scheme: subcycle\|step: 0.00125' "$work/picked") $(grep -o 'ratio: .*\|order: .*' "$work/picked" | tr '\n' ' ' | sed 's/ $//')" "$work/picked" "$work/err"
