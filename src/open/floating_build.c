@@ -109,7 +109,7 @@ static bool floats(const struct model *m, const struct roots *r, int body)
     const struct model_body *b = &m->body[body];
     const struct model_joint *j = &m->joint[b->joint];
     if (b->parent != 0 || !travels(m, j) || r->tied[body]) return false;
-    if (r->count[body] > 1 || b->flex) return m->drift == DRIFT_NONE || !is_free(r, body);
+    if (r->count[body] > 1 || b->flex) return m->drift == DRIFT_NONE;
     return v3_norm(j->b) > 0 || (r->turned[body] && is_free(r, body));
 }
 
