@@ -28,5 +28,6 @@ askew 40
 robot 15
 float 40
 ball 40
+payload 40
 rssr 30
 END
