@@ -12,26 +12,30 @@
 
 /* --- products ----------------------------------------------------------------------------------- */
 
-/* out := base + eight columns, or none: how many were taken. */
+/* out := base + eight columns, or four, or none: how many were taken. */
 INTO static inline int panel_begin(double *restrict out, const struct panel *o, const double *restrict x, int rows)
 {
     const double *restrict base = o->base;
-    if (o->n < 8) {
-        memcpy(out, base, sizeof *out * (size_t)o->size);
+    if (o->n < 4) {
+        memcpy(out, base, sizeof *out * (size_t)rows);
         return 0;
     }
     const double *restrict A = o->A;
     const double *A1 = A + rows, *A2 = A1 + rows, *A3 = A2 + rows;
+    const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
+    if (o->n < 8) {
+        for (int i = 0; i < rows; i++) out[i] = base[i] + ((A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3));
+        return 4;
+    }
     const double *A4 = A3 + rows, *A5 = A4 + rows, *A6 = A5 + rows, *A7 = A6 + rows;
-    const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3], x4 = x[4], x5 = x[5], x6 = x[6], x7 = x[7];
+    const double x4 = x[4], x5 = x[5], x6 = x[6], x7 = x[7];
     for (int i = 0; i < rows; i++)
         out[i] = (base[i] + ((A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3))) +
                  ((A4[i] * x4 + A5[i] * x5) + (A6[i] * x6 + A7[i] * x7));
-    for (int i = rows; i < o->size; i++) out[i] = base[i];
     return 8;
 }
 
-/* Four columns at a time, at first eight; the order of sums is that of the text. */
+/* Four columns at a time, at first eight; the order of sums is that of the text.  What does not change stands there. */
 WIDE static void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
 {
     const int rows = o->rows / 4 * 4; /* as they are; so they are known to be a multiple of 4 */
@@ -191,20 +195,42 @@ static void core_momentum(double *P, double *L, double *T, const struct flex_pla
     P[1] = k->mass * v[1] + w * o->h[0] + dot(o->Hy, q1, n);
     *L = k->m_inv * (o->h[0] * P[1] - o->h[1] * P[0]) + k->j_inv * (o->rho * y - o->tau * x) + o->rest * w + rest;
     if (!T) return;
-    panel_at(o->rates, &k->M, q1);
-    const double sum = o->rest * w * w + 2 * w * rest + dot(o->rates, q1, n);
+    double *Mq1 = o->rates + k->rates.size;
+    panel_at(Mq1, &k->M, q1);
+    const double sum = o->rest * w * w + 2 * w * rest + dot(Mq1, q1, n);
     *T = .5 * (k->m_inv * (P[0] * P[0] + P[1] * P[1]) + k->j_inv * (x * x + y * y) + sum);
 }
 
-/* --- the second extent of a body as in space ---------------------------------------------------- */
+/* --- the second extent of a body as in space, which has E and C and nothing else; after the first - */
+
+static void across_at(struct flex_planar_core *o, const struct flex_planar *k, const double *q)
+{
+    double rho = 0, tau = 0;
+    for (int i = 0; i < k->n; i++) {
+        rho += (k->e[i] + o->E[i]) * q[i];
+        tau += (k->g[i] + o->C[i]) * q[i];
+    }
+    o->rho = k->jx + .5 * rho;
+    o->tau = .5 * tau;
+    o->J = k->j_inv * (o->rho * o->rho + o->tau * o->tau);
+}
 
 static void add_inertia(double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o, double w,
                         double al, const double *q1, const double *q2)
 {
-    double F[2], more;
-    core_inertia(F, &more, o->Q, k, o, (double[]){0, 0}, w, al, q1, q2);
-    *N += more;
-    for (int i = 0; i < k->n; i++) Q[i] += o->Q[i];
+    const double ww = w * w, *E = o->E, *C = o->C, *se = o->se, *sc = o->sc;
+    double rho = 0, tau = 0, a = 0, b = 0;
+    for (int i = 0; i < k->n; i++) {
+        rho += E[i] * q1[i];
+        tau += C[i] * q1[i];
+        a += E[i] * q2[i] + se[i] * q1[i];
+        b += C[i] * q2[i] + sc[i] * q1[i];
+    }
+    const double A = k->j_inv * (a - al * o->tau - ww * o->rho - 2 * w * tau);
+    const double B = k->j_inv * (b + al * o->rho - ww * o->tau + 2 * w * rho);
+    for (int i = 0; i < k->n; i++) Q[i] += E[i] * A + C[i] * B;
+    *N += o->rho * B - o->tau * A;
+    o->now = (struct flex_planar_now){.w = w, .al = al, .A = A, .B = B, .rho = rho, .tau = tau};
 }
 
 static void add_momentum(double *L, double *T, const struct flex_planar *k, const struct flex_planar_core *o, double w,
@@ -236,7 +262,7 @@ void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar 
     double h[2];
     core_at(c, k, q);
     if (k->across) {
-        core_at(&o->across, k->across, q);
+        across_at(&o->across, k->across, q);
         c->J += o->across.J;
     }
     turned(dot(k->mean, q, k->n), &o->cs[1], &o->cs[0]);
@@ -318,11 +344,13 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
 
 /* --- nodes -------------------------------------------------------------------------------------- */
 
-/* w = c theta', c = 1/(1 + theta^2/4). */
+/* w = c theta', c = 1/(1 + theta^2/4) = (1 + cos)/2. */
 static void turn_by_cayley(struct flex_planar_place *o, const double *psi, int n)
 {
     const double theta = o->theta = o->angle, c = 1 / (1 + .25 * theta * theta);
     o->angle = 2 * atan(.5 * theta);
+    o->cs[0] = 2 * c - 1;
+    o->cs[1] = c * theta;
     for (int i = 0; i < n; i++) o->turn[i] = c * psi[i];
 }
 
@@ -340,7 +368,10 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
     o->x[0] = d->x[0] + .5 * x;
     o->x[1] = d->x[1] + .5 * y;
     o->angle = angle;
-    if (o->turn) turn_by_cayley(o, d->psi, k->n);
+    if (o->turn)
+        turn_by_cayley(o, d->psi, k->n);
+    else
+        turned(angle, &o->cs[1], &o->cs[0]);
 }
 
 void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, const double *q1)

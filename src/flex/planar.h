@@ -67,7 +67,7 @@ struct flex_planar_core {                  /* in the mean frame */
     double h[2], rho, tau, J, rest;        /* rest: r */
     const double *Hx, *Hy, *E, *C, *W, *P; /* [n]; W^ q, P^'q */
     double *work, *rates;                  /* where they stand; work of flex_planar_inertia() */
-    double *Q;                             /* [n] work */
+    const double *se, *sc;                 /* [n] of the across: what is made of q' for E and C */
     struct flex_planar_now now;
 };
 struct flex_planar_shape {
@@ -101,6 +101,7 @@ void flex_planar_mass(double *M, double *U, const struct flex_planar *k, const s
 /* A node's small body in the frame: it stands at x, turned by angle. */
 struct flex_planar_place {
     double x[2], angle; /* x + phi q + 1/2 q' S q,  psi . q */
+    double cs[2];       /* cos, sin of the angle */
     double v[2], w;     /* against the frame, frame axes */
     double a[2], al;
     double bias[2], turning;    /* of a: q1' S q1; of al */

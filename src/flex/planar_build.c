@@ -15,7 +15,7 @@ static bool all_zero(const double *x, int n)
 static void panel_build(struct panel *o, int n, int blocks, double *const *table, double *const *base,
                         struct arena *life)
 {
-    bool zero[BLOCKS];
+    bool zero[BLOCKS + ACROSS];
     int next = 0;
     o->n = n;
     o->size = (blocks * n + 3) / 4 * 4;
@@ -185,12 +185,10 @@ static void stretch(double *se, double *sc, const struct flex_planar *k, const s
         }
 }
 
-/* The squares of the second extent. */
-static void build_square_across(struct flex_planar *k, const struct flex_body *o, struct arena *life)
+/* The squares of the second extent: slopes take them from here, what moves from the panels of the body. */
+static void build_square_across(struct flex_planar *k, double *se, double *sc, struct arena *life)
 {
-    const int nn = k->n * k->n;
-    double *none = TAKE(life, double, nn), *se = TAKE(life, double, nn), *sc = TAKE(life, double, nn);
-    stretch(se, sc, k, o);
+    double *none = TAKE(life, double, k->n * k->n);
     double *const base[BLOCKS] = {k->f, k->f, k->e, k->g, NULL, NULL};
     panel_build(&k->shape, k->n, BLOCKS, (double *const[]){none, none, se, sc, none, none}, base, life);
     panel_build(&k->rates, k->n, RATES, (double *const[]){none, none, none, se, sc}, NULL, life);
@@ -226,10 +224,14 @@ static void build_square(struct flex_planar *k, const struct flex_body *o, struc
             }
         }
     stretch(se, sc, k, o);
-    if (k->across) build_square_across(k->across, o, life);
-    double *const base[BLOCKS] = {k->f, k->f + n, k->e, k->g, NULL, NULL};
-    panel_build(&k->shape, n, BLOCKS, (double *const[]){sx, sy, se, sc, W, P}, base, life);
-    panel_build(&k->rates, n, RATES, (double *const[]){P, sx, sy, se, sc}, NULL, life);
+    const struct flex_planar *more = k->across;
+    double *se2 = more ? TAKE(life, double, nn) : NULL, *sc2 = more ? TAKE(life, double, nn) : NULL;
+    if (more) stretch(se2, sc2, more, o);
+    if (more) build_square_across(k->across, se2, sc2, life);
+    double *const base[] = {k->f, k->f + n, k->e, k->g, NULL, NULL, more ? more->e : NULL, more ? more->g : NULL};
+    const int across = more ? ACROSS : 0;
+    panel_build(&k->shape, n, BLOCKS + across, (double *const[]){sx, sy, se, sc, W, P, se2, sc2}, base, life);
+    panel_build(&k->rates, n, RATES + across, (double *const[]){P, sx, sy, se, sc, se2, sc2}, NULL, life);
     panel_build(&k->M, n, 1, &k->rest, NULL, life);
 }
 
@@ -290,11 +292,19 @@ struct flex_planar *flex_planar_build(const struct flex_body *body, struct arena
     return k;
 }
 
+/* What does not change, for good. */
+static void panel_start(double *out, const struct panel *o)
+{
+    memcpy(out, o->base, sizeof *out * (size_t)o->size);
+}
+
 static void core_take(struct flex_planar_core *o, const struct flex_planar *k, struct arena *life)
 {
-    o->Q = TAKE(life, double, k->n);
     o->work = TAKE(life, double, k->shape.size);
     o->rates = TAKE(life, double, k->rates.size + k->M.size);
+    panel_start(o->work, &k->shape);
+    panel_start(o->rates, &k->rates);
+    panel_start(o->rates + k->rates.size, &k->M);
     o->Hx = o->work + k->shape.at[0];
     o->Hy = o->work + k->shape.at[1];
     o->E = o->work + k->shape.at[2];
@@ -306,12 +316,19 @@ static void core_take(struct flex_planar_core *o, const struct flex_planar *k, s
 void flex_planar_shape_take(struct flex_planar_shape *o, const struct flex_planar *k, struct arena *life)
 {
     core_take(&o->core, k, life);
-    if (k->across) core_take(&o->across, k->across, life);
+    if (!k->across) return;
+    core_take(&o->across, k->across, life);
+    o->across.E = o->core.work + k->shape.at[BLOCKS];
+    o->across.C = o->core.work + k->shape.at[BLOCKS + 1];
+    o->across.se = o->core.rates + k->rates.at[RATES];
+    o->across.sc = o->core.rates + k->rates.at[RATES + 1];
 }
 
 void flex_planar_place_take(struct flex_planar_place *o, const struct flex_planar *k, int node, struct arena *life)
 {
     *o = (struct flex_planar_place){.work = TAKE(life, double, k->node[node].d.size + k->node[node].S.size)};
+    panel_start(o->work, &k->node[node].d);
+    panel_start(o->work + k->node[node].d.size, &k->node[node].S);
     o->dx = o->work + k->node[node].d.at[0];
     o->dy = o->work + k->node[node].d.at[1];
     o->dw = k->node[node].psi;

@@ -4,13 +4,13 @@
 
 #include "flex/planar.h"
 
-enum { BLOCKS = 6, RATES = 5 };
+enum { BLOCKS = 6, RATES = 5, ACROSS = 2 }; /* of a panel; more of them where there is an across */
 
-/* out = base + A x; block b of out begins at at[b]. */
+/* out = base + A x; block b of out begins at at[b].  Rows of out that do not change stand there from the start. */
 struct panel {
     int n, size,
         rows; /* size of out; rows of A, whose other blocks are zero; both multiples of 4, what is too many 0 */
-    int at[BLOCKS];
+    int at[BLOCKS + ACROSS];
     double *base; /* [size] */
     double *A;    /* [rows x n] */
 };
@@ -36,8 +36,8 @@ struct flex_planar {
     double m_inv, j_inv;  /* 1/mass, 1/jx; 0 for a particle */
     double *f, *e, *g;    /* [n x 2], [n], [n]: of the body at rest */
     double *rpsi;         /* [n] */
-    struct panel shape;   /* of q: H (x, y), E, C, W^ q, P^' q */
-    struct panel rates;   /* of q': P^' q', sx, sy, tr xs, X */
+    struct panel shape;   /* of q: H (x, y), E, C, W^ q, P^' q; E, C across */
+    struct panel rates;   /* of q': P^' q', sx, sy, tr xs, X; the last two across */
     struct panel M;       /* of q'': M^ q'' */
     struct form K, D;
     double *rest; /* [n x n] M^ */

@@ -15,7 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "la/turned.h"
 #include "tree/planar_flex.h"
 
 static void gather(double *x, const int *i, const double *from, int n)
@@ -53,14 +52,13 @@ void planar_node_body_place(struct part *x, struct node_body *o, const struct pa
     const struct flex_planar_place *d = &o->place;
     if (o->change != b->change) {
         flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
-        turned(d->angle, &o->cs[1], &o->cs[0]);
         o->change = b->change;
     }
     v2_turn(x->arm, b->cs, d->x);
     x->c_b[0] = x->c_b[1] = 0;
     x->phi = p->phi + d->angle;
-    x->c = p->c * o->cs[0] - p->s * o->cs[1];
-    x->s = p->s * o->cs[0] + p->c * o->cs[1];
+    x->c = p->c * d->cs[0] - p->s * d->cs[1];
+    x->s = p->s * d->cs[0] + p->c * d->cs[1];
     for (int i = 0; i < 2; i++) x->r[i] = p->r[i] + x->arm[i];
 }
 

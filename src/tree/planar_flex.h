@@ -24,10 +24,9 @@ struct node_body {
     struct flexible *of;
     int node;
     struct flex_planar_place place;
-    double cs[2]; /* cos, sin of its angle against the frame */
-    long change;  /* of the modes that place is for */
-    bool biased;  /* place.bias is that of their rates */
-    size_t at;    /* its place in a factor */
+    long change; /* of the modes that place is for */
+    bool biased; /* place.bias is that of their rates */
+    size_t at;   /* its place in a factor */
 };
 
 /* Leaves bend and node_body NULL in a model without flexible bodies; none of the others is then called. */

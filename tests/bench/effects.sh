@@ -60,11 +60,11 @@ step heavy-top decks/heavy-top.yaml 1.0e-4 --columns t
 step crank-plane $scenes/crank-plane.yaml 2.0e-5 --columns t
 step crank-space $scenes/crank-space.yaml 2.0e-5 --columns t
 step crank-twin $scenes/crank-plane.yaml 2.0e-5 --columns t --set parameters.n=2 # the same modes in the plane
-wanted "crank: space that is planar, of the plane" "$(ratio crank-space crank-twin)" 1.02 1.07
+at_most "crank: space that is planar, of the plane" "$(ratio crank-space crank-twin)" 1.02
 
 # No flexible kernel in rigid scenes.
 for scene in pend-plane chain-plane fourbar-plane heavy-top; do
-    grep -E '^(flex_|affine_|planar_bend|planar_stand|spatial_flex)' "$work/$scene.fn" | grep -v _build >"$work/flexible"
+    grep -E '^(flex_|affine_|planar_flex|planar_bend|planar_node|spatial_flex|spatial_node)' "$work/$scene.fn" | grep -v _build >"$work/flexible"
     expect "$scene executes no flexible kernel" 0 "$(wc -l <"$work/flexible")" "$work/flexible"
 done
 
@@ -79,7 +79,7 @@ FROM=500 TO=2500 step chain-newmark decks/chain.yaml 1.0e-3 --columns pin1.angle
 a=$(collected "$work/fn" "$BUILD/bench/bare_chain" 8 1e-3 500)
 b=$(collected "$work/fn" "$BUILD/bench/bare_chain" 8 1e-3 2500)
 awk -v a="$a" -v b="$b" 'BEGIN { printf "%.0f\n", (b - a) / 2000 }' >"$work/bare"
-wanted "chain of 8 by newmark, of the bare loop" "$(ratio chain-newmark bare)" 1.45 1.53
+at_most "chain of 8 by newmark, of the bare loop" "$(ratio chain-newmark bare)" 1.45
 
 # None may grow by a hundredth.
 for name in pend-plane chain-plane fourbar-plane heavy-top satellite crank-plane crank-space chain-newmark; do
