@@ -1,6 +1,6 @@
 # H09: a four-bar whose coupler has no mass, beside one of 1e-12 kg; a free body without mass is refused by name.
 bar() { sed -e "s|coupler: {mass: 1, inertia: 1/12|coupler: {mass: $1, inertia: $1/12|" "$ROOT/decks/four-bar.yaml"; }
-for scheme in midpoint newmark rk4; do
+for scheme in subcycle midpoint newmark generalized-alpha miao rk4; do
     how="--columns shaft.angle,pivot.angle,shaft.angle_rate --every 2"
     bar 1.0e-12 >light.yaml
     want=$("$FMDSUB" run -q --set integrate.scheme=$scheme $how light.yaml 2>/dev/null | tail -n 1)

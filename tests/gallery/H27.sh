@@ -5,7 +5,7 @@ bodies: {a: {mass: 1, inertia: 0.1, at: [0.5, 0]}, b: {mass: 1, inertia: 0.1, at
 constraints: {foot: {fixed: [ground, a], at: [0, 0]}, ab: {revolute: [a, b], at: [1, 0]}, bc: {revolute: [b, c], at: [0.5, 1]}, ca: {revolute: [c, a], at: [0, 0]}}
 integrate: {step: 1.0e-3, until: 0.01}
 DECK
-for scheme in midpoint newmark subcycle dopri5; do
+for scheme in subcycle midpoint newmark generalized-alpha miao dopri5; do
     step="step: 1.0e-3"
     [ $scheme = dopri5 ] && step="tolerance: 1.0e-9"
     row $scheme 1e-9 'END { printf "%.2g", abs($2 + 4.905) + abs($3 + 4.905) }' <<DECK

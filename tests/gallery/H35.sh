@@ -1,5 +1,5 @@
 # H35: a force 1/x that meets 0, and a table with a row that is not a number: it ends there, and says so.
-for scheme in midpoint newmark rk4 dopri5 subcycle generalized-alpha radau5; do
+for scheme in subcycle midpoint newmark generalized-alpha miao rk4 dopri5 radau5; do
     step="step: 1.0e-3"
     case $scheme in dopri5|radau5) step="tolerance: 1.0e-6" ;; esac
     row $scheme told 'without bound\|the step fell to' <<DECK
