@@ -8,11 +8,12 @@ scenes=tests/bench/effects
 FROM=120 TO=520 # steps between which a step is counted
 counts=$scenes/counts
 
-collected() { # FUNCTIONS COMMAND...: instructions; their functions into the file
+collected() { # FUNCTIONS COMMAND...: instructions; each function with its own into the file
     to=$1
     shift
-    valgrind --tool=callgrind --compress-strings=no --callgrind-out-file="$work/cg" "$@" >/dev/null 2>"$work/err"
-    sed -n 's/^fn=//p' "$work/cg" | sort -u >"$to"
+    valgrind --tool=callgrind --compress-strings=no --compress-pos=no --callgrind-out-file="$work/cg" "$@" >/dev/null 2>"$work/err"
+    awk '/^fn=/ { fn = substr($0, 4); next } /^calls=/ { getline; next } /^[0-9]/ { own[fn] += $2 }
+        END { for (fn in own) print fn, own[fn] }' "$work/cg" | sort >"$to"
     awk '/Collected/ { print $NF }' "$work/err"
 }
 
@@ -28,6 +29,8 @@ step() { # NAME DECK H [ARGUMENT...]: of a step, into $work/NAME
     a=$(of_run "$work/fn" "$deck" "$(awk -v h="$h" -v n="$FROM" 'BEGIN { printf "%.12g", n * h }')" "$@")
     b=$(of_run "$work/$name.fn" "$deck" "$(awk -v h="$h" -v n="$TO" 'BEGIN { printf "%.12g", n * h }')" "$@")
     awk -v a="$a" -v b="$b" -v n=$((TO - FROM)) 'BEGIN { printf "%.0f\n", (b - a) / n }' >"$work/$name"
+    awk 'NR == FNR { was[$1] = $2; next } $2 > was[$1] { sub(/\.(constprop|isra|part|lto_priv).*/, "", $1); print $1 }' "$work/fn" "$work/$name.fn" |
+        sort -u >"$work/$name.stepped"
     printf '%-28s %8s\n' "$name" "$(cat "$work/$name")"
 }
 
@@ -62,11 +65,36 @@ step crank-space $scenes/crank-space.yaml 2.0e-5 --columns t
 step crank-twin $scenes/crank-plane.yaml 2.0e-5 --columns t --set parameters.n=2 # the same modes in the plane
 at_most "crank: space that is planar, of the plane" "$(ratio crank-space crank-twin)" 1.02
 
-# No flexible kernel in rigid scenes.
-for scene in pend-plane chain-plane fourbar-plane heavy-top; do
-    grep -E '^(flex_|affine_|planar_flex|planar_bend|planar_node|spatial_flex|spatial_node)' "$work/$scene.fn" | grep -v _build >"$work/flexible"
-    expect "$scene executes no flexible kernel" 0 "$(wc -l <"$work/flexible")" "$work/flexible"
+# What is off executes no instruction in a step: functions by the objects that define them and no other does.
+defined() { nm "$@" 2>/dev/null | awk '$2 ~ /^[tT]$/ { sub(/\.(constprop|isra|part|lto_priv).*/, "", $3); print $3 }' | sort -u; }
+of_objects() { # FILE OBJECT...: functions that these define alone
+    to=$1
+    shift
+    defined "$@" >"$work/these"
+    ls "$BUILD"/obj/*/*.o >"$work/objects"
+    printf '%s\n' "$@" | grep -vxF -f - "$work/objects" | xargs nm 2>/dev/null |
+        awk '$2 ~ /^[tT]$/ { sub(/\.(constprop|isra|part|lto_priv).*/, "", $3); print $3 }' | sort -u | comm -13 - "$work/these" >"$to"
+}
+none_of() { # SCENE FUNCTIONS WHAT
+    comm -12 "$work/$1.stepped" "$work/$2" >"$work/executed"
+    expect "$1: a step executes no $3" 0 "$(wc -l <"$work/executed")" "$work/executed"
+}
+some_of() { # SCENE FUNCTIONS WHAT: the audit sees what there is
+    comm -12 "$work/$1.stepped" "$work/$2" >"$work/executed"
+    expect "$1: a step does execute $3" yes "$([ -s "$work/executed" ] && echo yes)" "$work/$1.stepped"
+}
+of_objects "$work/flexible" "$BUILD"/obj/flex/*.o "$BUILD"/obj/tree/planar_flex*.o "$BUILD"/obj/tree/spatial_flex*.o
+of_objects "$work/spatial" "$BUILD"/obj/tree/spatial*.o
+of_objects "$work/floating" "$BUILD"/obj/open/floating.o
+step momenta decks/floating-satellite.yaml 2.0e-3 --columns t,momentum.x
+for scene in pend-plane chain-plane fourbar-plane pend-space chain-space fourbar-space heavy-top; do
+    none_of $scene flexible "flexible kernel"
 done
+for scene in crank-plane crank-space satellite; do some_of $scene flexible "flexible kernels"; done
+for scene in pend-space chain-space fourbar-space crank-space; do none_of $scene spatial "spatial recursion"; done
+some_of heavy-top spatial "the spatial recursion"
+none_of satellite floating "momentum of what floats"
+some_of momenta floating "momentum of what floats"
 
 # A record of t alone with loops.
 a=$(of_run "$work/fn" $scenes/fourbar-plane.yaml .4 --columns t)
