@@ -265,6 +265,8 @@ static int whole(const int *band, int n)
 int pivot_rows(double *A, int *swap, const int *band, int n, int ld)
 {
     switch (whole(band, n)) {
+    case 1:
+        return few_factor(A, swap, 1, ld);
     case 2:
         return few_factor(A, swap, 2, ld);
     case 3:
@@ -297,6 +299,9 @@ INTO static inline void any_solve(const double *LU, const int *swap, const int *
 void pivot_rows_solve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
 {
     switch (whole(band, n)) {
+    case 1:
+        x[0] /= LU[0];
+        break;
     case 2:
         few_solve(LU, swap, x, 2, ld);
         break;
@@ -311,6 +316,9 @@ void pivot_rows_solve(const double *LU, const int *swap, const int *band, double
 void pivot_rows_solves(const double *LU, const int *swap, const int *band, double *X, int n, int ld, int m)
 {
     switch (whole(band, n)) {
+    case 1:
+        for (int k = 0; k < m; k++) X[k] /= LU[0];
+        break;
     case 2:
         for (int k = 0; k < m; k++) few_solve(LU, swap, X + (long)k * 2, 2, ld);
         break;
@@ -325,6 +333,9 @@ void pivot_rows_solves(const double *LU, const int *swap, const int *band, doubl
 void pivot_rows_tsolve(const double *LU, const int *swap, const int *band, double *x, int n, int ld)
 {
     switch (whole(band, n)) {
+    case 1:
+        x[0] /= LU[0];
+        return;
     case 2:
         few_tsolve(LU, swap, x, 2, ld);
         return;

@@ -153,7 +153,10 @@ double closing_correct(const struct closing *o, double *dx, const double *C)
 static double correct(struct closing *o, double *C, double *dx, const double *q1)
 {
     rows_linearize(o->rows, q1);
-    rows_values(C, o->rows);
+    if (o->rows->constant)
+        rows_values_at(C, o->rows, q1);
+    else
+        rows_values(C, o->rows);
     rows_turn(o->rows, dx, o->split->follows);
     return solve_as_it_is(o->solve, 0, NULL) == OK ? closing_correct(o, dx, C) : NAN;
 }
@@ -188,10 +191,36 @@ int closing_close(struct closing *o, double *q1, struct miss *miss, const struct
     return 0;
 }
 
+/* Where C_q is the same everywhere: all that is missed at the base goes in one correction. */
+static int go_straight(struct closing *o, double *q1, struct miss *miss, const struct way *way)
+{
+    const struct made *factored = &o->solve->factored;
+    if (!(factored->posture && factored->split == o->split->number) && solve_factor(o->solve, way->base, 0, NULL) != OK)
+        return 0;
+    rows_values_at(o->C, o->rows, way->base);
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        double *x = o->x;
+        for (int r = 0; r < p->nr; r++) x[r] = -o->C[p->row[r]];
+        factor_take(&o->solve->block[i].C_qd, x, way->dx);
+        factor_solve(&o->solve->block[i].C_qd, x);
+        for (int r = 0; r < p->nr; r++) way->dx[p->dep[r]] = x[r];
+        for (int r = 0; r < p->nr; r++)
+            if (!isfinite(x[r])) *miss = (struct miss){o->rows->loops->row[p->row[r]].loop, INFINITY};
+        if (!isfinite(miss->by)) return 0;
+    }
+    closing_put(o, q1, way);
+    return 1;
+}
+
 int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s)
 {
     split_spread(o->split, o->full, dx);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
+    if (o->rows->constant) {
+        miss->by = 0;
+        return go_straight(o, q1, miss, &(struct way){q0, o->full, s, o->dx});
+    }
     if (!closing_tangent(o, q0)) return 0;
     closing_predict(o, o->dx);
     return closing_close(o, q1, miss, &(struct way){o->base.q, o->full, s, o->dx});

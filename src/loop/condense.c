@@ -38,10 +38,10 @@ static enum status end_velocities(struct condense *o, struct instant *whole, con
 }
 
 /* E_NUMERIC where a redundant row no longer holds. */
-static enum status check_redundant_rows(struct condense *o, double t, struct trouble *why)
+static enum status check_redundant_rows(struct condense *o, const double *q, double t, struct trouble *why)
 {
     if (o->holds == 0) return OK;
-    rows_values(o->C, &o->rows);
+    rows_values_at(o->C, &o->rows, q);
     for (const struct part *p = o->split.part; p < o->split.part + o->split.npart; p++)
         for (int r = p->nr; r < p->of->nrow; r++) {
             const double miss = fabs(o->C[p->row[r]]);
@@ -64,7 +64,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     whole.jump = condense_jumps(o);
     TRY(condense_driven(o, false, x->t, why));
     TRY(solve_motion(&o->solve, o->vt, o->at, x->q, x->v, x->a, x->t, why));
-    TRY(check_redundant_rows(o, x->t, why));
+    TRY(check_redundant_rows(o, x->q, x->t, why));
     whole.v = o->vt;
     whole.a = o->at;
     TRY(condense_own_rows(o, open_resid(o->tree, o->rt, w, dk, &whole, (enum rate)cls, why), why));

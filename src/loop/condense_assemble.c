@@ -96,7 +96,7 @@ static enum status prepare(struct projection *p, struct condense *o, const doubl
     const int n = p->n, rows = p->rows = l->nrow + p->nheld;
     TRY(mass(p, o, q, why));
     rows_linearize(&o->rows, q);
-    rows_values(o->C, &o->rows);
+    rows_values_at(o->C, &o->rows, q);
     memset(p->Cq, 0, sizeof *p->Cq * (size_t)(rows * n));
     for (int r = 0; r < l->nrow; r++) {
         const int loop = l->row[r].loop, nk = l->nk[loop];

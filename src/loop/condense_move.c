@@ -22,15 +22,17 @@ enum { LATE = 3, EARLY = 6 }; /* corrections of a way from a late iterate, from 
 static void again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
     struct condense *o = ode->self;
-    loops_when(o->rows.loops, t, 0);
-    if (!closing_again(&o->closing, q1, q0, dx, s, LATE, false)) condense_point(o, q1, q0, dx, s, t, 0);
+    if (!o->rows.constant) loops_when(o->rows.loops, t, 0);
+    if (o->rows.constant || !closing_again(&o->closing, q1, q0, dx, s, LATE, false))
+        condense_point(o, q1, q0, dx, s, t, 0);
 }
 
 static void onward(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
     struct condense *o = ode->self;
-    loops_when(o->rows.loops, t, 0);
-    if (!closing_again(&o->closing, q1, q0, dx, s, EARLY, o->model->ndrive > 0)) condense_point(o, q1, q0, dx, s, t, 0);
+    if (!o->rows.constant) loops_when(o->rows.loops, t, 0);
+    if (o->rows.constant || !closing_again(&o->closing, q1, q0, dx, s, EARLY, o->model->ndrive > 0))
+        condense_point(o, q1, q0, dx, s, t, 0);
 }
 
 enum status condense_lost(const struct condense *o, double t, struct trouble *why)

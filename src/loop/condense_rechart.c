@@ -112,14 +112,16 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     struct condense *o = ode->self;
     int changed = 0, wanted = 0;
     struct ode2 *tree = &o->tree->ode;
-    const bool led = closing_tangent_about(&o->closing, q); /* first of all: it takes what the step has left */
+    const bool known = o->rows.constant && o->judged == o->split.number;
+    const bool led = known || closing_tangent_about(&o->closing, q); /* first of all: it takes what the step has left */
     if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
-    if (!led) return 0;
+    if (known || !led) return 0;
     for (int i = 0; i < o->split.npart; i++) {
         note_nearest(o, i, t);
         wanted += gain_too_large(o, i);
     }
+    o->judged = o->split.number;
     if (!wanted) return 0;
     double *const whole[] = {o->va, o->vb};
     const bool along = take_along(o, whole, q, t);

@@ -97,12 +97,15 @@ static void set_drives(struct loops *o, double t, double share, double beside)
 
 void loops_when(struct loops *o, double t, double beside)
 {
+    if (o->as_it_is && o->t == t && beside == 0) return;
     set_drives(o, t, 1, beside);
+    o->as_it_is = beside == 0;
 }
 
 void loops_partly(struct loops *o, double t, double share)
 {
     set_drives(o, t, share, 0);
+    o->as_it_is = false;
 }
 
 /* Is the mean rate so far from that of the ends because there is a corner between? */
@@ -115,6 +118,7 @@ static bool has_corner(const struct signal *c, const double *a, const double *b,
 void loops_over(struct loops *o, double ta, double tb)
 {
     if (ta == tb) return;
+    o->as_it_is = false;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         double a[3], unit = loops_scale(o, l) / (tb - ta);
         int row = o->first[l];

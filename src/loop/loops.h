@@ -64,6 +64,7 @@ struct loops {
     struct row grad;     /* of a driven measure; its work */
     struct action *act;  /* [nloop] of drives: the measure where the bodies stand */
     double t;            /* time that drives are set for */
+    bool as_it_is;       /* as they are then: not by means, beside it or in part */
     double *c, *c1, *c2; /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
     double *cw;          /* [nrow] the rate that their force works with */
     struct moved *moved; /* [ndrive x MOVED] drives at the times last asked for */

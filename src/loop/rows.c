@@ -105,8 +105,8 @@ long rows_place(struct rows *o, const double *q)
 
 long rows_linearize(struct rows *o, const double *q)
 {
-    const long posture = rows_place(o, q);
     if (o->constant && o->linear) return o->linear;
+    const long posture = rows_place(o, q);
     if (posture != o->linear) loops_jacobian(o->loops, o->tree->sweep);
     return o->linear = posture;
 }
@@ -141,6 +141,17 @@ void rows_turn(struct rows *o, const double *dx, const bool *marked)
 void rows_values(double *C, const struct rows *o)
 {
     assert(o->placed == o->tree->posture.number);
+    loops_values(C, o->loops);
+}
+
+void rows_values_at(double *C, struct rows *o, const double *q)
+{
+    if (o->constant) {
+        loops_place(o->loops, o->tree->sweep, q);
+        o->placed = 0;
+    } else {
+        rows_place(o, q);
+    }
     loops_values(C, o->loops);
 }
 

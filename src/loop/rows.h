@@ -39,7 +39,8 @@ struct rows {
 
 void rows_build(struct rows *o, struct open_tree *tree, struct arena *life);
 
-/* The tree at q, and C, or C and C_q, there.  Returns the number of the posture. */
+/* The tree at q, and C, or C and C_q, there.  Returns the number of the posture.  A constant C_q that has been made moves
+ * nothing. */
 long rows_place(struct rows *o, const double *q);
 long rows_linearize(struct rows *o, const double *q);
 /* Of the C_q where the tree stands. */
@@ -53,6 +54,8 @@ void rows_turn(struct rows *o, const double *dx, const bool *marked);
 
 /* C [rows] where rows_place() has been, with drives as they are. */
 void rows_values(double *C, const struct rows *o);
+/* The same at q; the tree is left where it is if C_q is constant. */
+void rows_values_at(double *C, struct rows *o, const double *q);
 /* The largest |C|; *row is where, and stays where all are 0. */
 double rows_worst(int *row, const struct rows *o, const double *C);
 /* Both at q. */
