@@ -72,29 +72,64 @@ static struct decimal decimal(double x)
     return shortest(c, q, fraction == 0 && e > 1);
 }
 
-static const char pairs[201] = "00010203040506070809101112131415161718192021222324252627282930313233343536373839"
-                               "40414243444546474849505152535455565758596061626364656667686970717273747576777879"
-                               "8081828384858687888990919293949596979899";
+#define TENS(n) n, 10 * (n), 100 * (n), 1000 * (n)
+static const uint64_t tens[] = {TENS(UINT64_C(1)),           TENS(UINT64_C(10000)),
+                                TENS(UINT64_C(100000000)),   TENS(UINT64_C(1000000000000)),
+                                UINT64_C(10000000000000000), UINT64_C(100000000000000000)};
 
-/* The digits of u to the left of end; returns where they start. */
-static char *put_digits(char *end, uint64_t u)
+/* How many digits 0 < u < 10^17 has: 1233/2^12 is a little less than log10 2. */
+static int length_of(uint64_t u)
 {
-    if (u >= 100000000) {
-        uint32_t low = (uint32_t)(u % 100000000);
-        u /= 100000000;
-        memcpy(end - 2, pairs + 2 * (low % 100), 2);
-        memcpy(end - 4, pairs + 2 * (low / 100 % 100), 2);
-        memcpy(end - 6, pairs + 2 * (low / 10000 % 100), 2);
-        memcpy(end - 8, pairs + 2 * (low / 1000000), 2);
-        end -= 8;
-    }
-    uint32_t rest = (uint32_t)u;
-    for (; rest >= 100; rest /= 100) memcpy(end -= 2, pairs + 2 * (rest % 100), 2);
-    if (rest < 10) {
-        *--end = (char)('0' + rest);
-        return end;
-    }
-    return memcpy(end - 2, pairs + 2 * rest, 2);
+    const int n = (64 - __builtin_clzll(u)) * 1233 >> 12;
+    return n + (u >= tens[n]);
+}
+
+/* The eight digits of u < 10^8, the first in the lowest byte: halves, quarters and eighths side by side in one word.  The
+ * quotients are exact for what is below 10^4 and below 100. */
+static uint64_t eight_digits(uint64_t u)
+{
+    const uint64_t high = u / 10000, four = high | (u - 10000 * high) << 32;
+    const uint64_t hundreds = (four * 10486 >> 20) & UINT64_C(0x0000007f0000007f);
+    const uint64_t two = hundreds | (four - 100 * hundreds) << 16;
+    const uint64_t ten = (two * 103 >> 10) & UINT64_C(0x000f000f000f000f);
+    return ten | (two - 10 * ten) << 8;
+}
+
+static void put_eight(char *to, uint64_t digits)
+{
+    uint64_t text = digits + UINT64_C(0x3030303030303030);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    text = __builtin_bswap64(text);
+#endif
+    memcpy(to, &text, sizeof text);
+}
+
+/* 17 digits d[0].d[1]... times 10^e of a number, the last zeros among them; n without these. */
+struct digits {
+    uint64_t middle, last; /* eight each */
+    char first;
+    int n, e;
+};
+
+static struct digits digits_of(struct decimal x)
+{
+    const int n = length_of(x.digits);
+    const uint64_t u = x.digits * tens[17 - n], first = u / tens[16], rest = u - first * tens[16];
+    const uint64_t middle = rest / tens[8];
+    struct digits o = {eight_digits(middle), eight_digits(rest - middle * tens[8]), (char)('0' + first), 1,
+                       n - 1 + x.exponent};
+    if (o.last)
+        o.n = 17 - __builtin_clzll(o.last) / 8;
+    else if (o.middle)
+        o.n = 9 - __builtin_clzll(o.middle) / 8;
+    return o;
+}
+
+static void put_17(char *to, const struct digits *d)
+{
+    to[0] = d->first;
+    put_eight(to + 1, d->middle);
+    put_eight(to + 9, d->last);
 }
 
 static char *put(char *to, const char *from, int n)
@@ -109,6 +144,14 @@ static char *put_zeros(char *to, int n)
     return to + n;
 }
 
+static char *put_exponent(char *to, int e)
+{
+    if (e >= 100) *to++ = (char)('0' + e / 100);
+    if (e >= 10) *to++ = (char)('0' + e / 10 % 10);
+    *to++ = (char)('0' + e % 10);
+    return to;
+}
+
 /* d[0].d[1]...d[n-1] times 10^e */
 static char *put_decimal(char *to, const char *d, int n, int e)
 {
@@ -118,8 +161,7 @@ static char *put_decimal(char *to, const char *d, int n, int e)
         to = put(to, d + 1, n - 1);
         *to++ = 'e';
         *to++ = e < 0 ? '-' : '+';
-        char text[4], *end = text + sizeof text, *from = put_digits(end, (uint64_t)(e < 0 ? -e : e));
-        return put(to, from, (int)(end - from));
+        return put_exponent(to, e < 0 ? -e : e);
     }
     if (e < 0) return put(put_zeros(put(to, "0.", 2), -e - 1), d, n);
     if (n <= e + 1) return put_zeros(put(to, d, n), e + 1 - n);
@@ -145,15 +187,38 @@ static char *put_sign(char *to, int *length, double x)
     return NULL;
 }
 
+/* As put_decimal(), all 17 digits at once where they belong; up to 24 bytes are written, whatever the length. */
+static char *put_shortest(char *to, const struct digits *d)
+{
+    const int n = d->n, e = d->e;
+    if (e >= 0 && e < 17) {
+        put_17(to + 1, d);
+        for (int i = 0; i <= e; i++) to[i] = to[i + 1];
+        if (n <= e + 1) return to + e + 1;
+        to[e + 1] = '.';
+        return to + n + 1;
+    }
+    if (e < 0 && e >= -5) {
+        memcpy(to, "0.00000", 7);
+        put_17(to + 1 - e, d);
+        return to + 1 - e + n;
+    }
+    put_17(to + 1, d);
+    to[0] = to[1];
+    to[1] = '.';
+    to += n > 1 ? n + 1 : 1;
+    *to++ = 'e';
+    *to++ = e < 0 ? '-' : '+';
+    return put_exponent(to, e < 0 ? -e : e);
+}
+
 int number_write(char *to, double x)
 {
     int length;
     char *place = put_sign(to, &length, x);
     if (!place) return length;
-    struct decimal d = decimal(fabs(x));
-    char text[20], *end = text + sizeof text, *from = put_digits(end, d.digits);
-    int n = (int)(end - from);
-    return (int)(put_decimal(place, from, significant(from, n), n - 1 + d.exponent) - to);
+    const struct digits d = digits_of(decimal(fabs(x)));
+    return (int)(put_shortest(place, &d) - to);
 }
 
 /* printf rounds correctly from the exact value; only its digits and its exponent are taken, so that

@@ -12,7 +12,8 @@
 
 enum { NUMBER_MOST = 25 }; /* bytes that a number may take */
 
-/* Writes x, which must be finite, without a 0 after it; returns its length.  -0 keeps its sign. */
+/* Writes x, which must be finite, without a 0 after it; returns its length.  -0 keeps its sign.  All of NUMBER_MOST bytes
+ * may be written. */
 int number_write(char *to, double x);
 
 /* The same form for people: rounded to `digits` (1..17) significant digits, last zeros dropped. */

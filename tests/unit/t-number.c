@@ -84,7 +84,8 @@ static const char *written(double x)
     memset(text, '#', sizeof text);
     int n = number_write(text, x);
     assert_in_range(n, 1, NUMBER_MOST);
-    assert_int_equal(text[n], '#');
+    assert_null(memchr(text, '#', (size_t)n));
+    assert_true(text[NUMBER_MOST] == '#' && text[NUMBER_MOST + 1] == '#'); /* its room, and no more */
     text[n] = 0;
     return text;
 }
