@@ -6,11 +6,11 @@
 #include "engine/accel.h"
 #include "engine/motion.h"
 
-enum { ROUNDS = 6 };
+enum { ROUNDS = (STIFF_EVALUATIONS - 1) / 2 };
 static const double SMALL = 1e-6; /* of the usual sizes */
 
 struct about {
-    struct sim *sim;
+    const struct sim *sim;
     struct accel accel;
     struct effort none;
     int n;
@@ -63,7 +63,7 @@ static double squared(struct about *o)
     return before > 0 ? after / before : NAN;
 }
 
-double stiff_rate(struct sim *sim)
+double stiff_rate(const struct sim *sim)
 {
     struct arena *scratch = arena_open();
     const int n = sim->stepper.ode->n, nq = sim->stepper.ode->nq;

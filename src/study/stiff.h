@@ -7,7 +7,9 @@
 
 #include "sim/sim.h"
 
+enum { STIFF_EVALUATIONS = 13 }; /* that it takes */
+
 /* [rad/s], about; 0: not known. */
-double stiff_rate(struct sim *sim);
+double stiff_rate(const struct sim *sim);
 
 #endif

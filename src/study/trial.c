@@ -5,13 +5,15 @@
 
 #include "base/stop.h"
 #include "multirate/schemes.h"
+#include "study/stiff.h"
 
 static const double LOOSE = 1e-3;
 static const double PARTED = .3, UNKNOWN = .3; /* of the range: coordinates that have parted, columns nobody knows */
 static const double SECONDS = .5;              /* that the counts of all runs may stand for */
 static const double SHARE = .25;               /* of them for a run by a scheme of high order */
-static const double QUICK = 2000;              /* evaluations up to which an explicit scheme is a matter of course */
-static const double COVERED = .3;              /* of the run, without which nothing is said of fixed steps */
+static const double QUICK = 3000;              /* evaluations up to which an explicit scheme is a matter of course */
+static const double A_RADIAN = 2; /* evaluations that an explicit scheme takes at least, stable up to 6 rad a step */
+static const double COVERED = .3; /* of the run, without which nothing is said of fixed steps */
 enum { MOST_RECORDS = 200, MOST_EVALUATIONS = 200000 };
 
 double trial_handy(double x)
@@ -75,17 +77,19 @@ static enum status find_own(struct outcome *o, struct trial *t)
     const bool small = !too_full(stepper_find("radau9"), &t->subject);
     const char *explicit = small ? "dop853" : "dopri5";
     const double most = SHARE * t->most, quick = QUICK * t->subject.price.evaluation;
+    const double least = A_RADIAN * t->stiff * t->subject.price.evaluation;
     struct outcome other;
     t->own = (struct tried){.scheme = t->scene.ncontact ? "midpoint" : explicit, .ratio = 1};
     if (t->scene.ncontact) return attempt_own(o, t, t->own.scheme, LOOSE, most);
-    TRY(attempt_own(o, t, explicit, LOOSE, small ? fmin(quick, .2 * most) : most));
+    *o = (struct outcome){0};
+    if (!small || least <= quick) TRY(attempt_own(o, t, explicit, LOOSE, small ? fmin(quick, .2 * most) : most));
     if (complete(o) || !small) return OK;
     TRY(attempt_own(&other, t, "radau9", LOOSE, most));
     if (other.rows > o->rows) {
         t->own.scheme = "radau9";
         *o = other;
     }
-    if (!complete(&other) || other.seconds < 2 * quick) return OK;
+    if (!complete(&other) || other.seconds < fmax(2 * quick, least)) return OK;
     TRY(attempt_own(&other, t, explicit, LOOSE, fmin(other.seconds, .5 * most)));
     if (!complete(&other)) return OK;
     t->own.scheme = explicit;
@@ -93,14 +97,14 @@ static enum status find_own(struct outcome *o, struct trial *t)
     return OK;
 }
 
-/* The tightest tolerance that may be paid for; the loose one where none may. */
+/* The tightest tolerance that may be paid for; the loose one where none may, and where drives alone move all. */
 static double tight_for(const struct trial *t, const struct outcome *loose)
 {
     static const struct {
         double tolerance, price; /* of the loose run's */
     } choices[2][3] = {{{1e-6, 2.5}, {1e-5, 1.9}, {1e-4, 1.4}}, {{1e-6, 32}, {1e-5, 10}, {1e-4, 3.2}}};
     const bool second_order = t->scene.ncontact > 0;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3 && t->n > 0; i++) {
         if (choices[second_order][i].price * loose->seconds < 1.2 * SHARE * t->most)
             return choices[second_order][i].tolerance;
     }
@@ -163,6 +167,7 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     enum { MOST_FREEDOMS = 2000 };
     static const double LEAST = 500; /* evaluations, by which nothing is found */
     *o = (struct trial){.scene = *scene, .start = scene->start, .until = scene->integrate.until};
+    o->n = n;
     o->life = life;
     o->report = report;
     const double *rest = scene->at_rest ? sim->x.q : NULL;
@@ -177,6 +182,8 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->opening = opening_of(scene);
     o->tried_until = o->corner = NAN;
     o->unseen = sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
+    o->stiff = stiff_rate(sim) * (o->until - o->start);
+    o->work += STIFF_EVALUATIONS;
     corners_find(&o->corners, sim, o->until, life);
     plan_records(o);
     TRY(find_reference(o));

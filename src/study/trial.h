@@ -26,10 +26,12 @@ struct tried {
 struct trial {
     struct scene scene; /* with records of the trial's own */
     struct subject subject;
+    int n; /* coordinates */
     double start, until;
     double every;           /* [s] between its records */
     double multiple;        /* of the deck's interval: a whole number, or one over a whole number */
     double most, used;      /* [s] that counts may stand for, and stand for */
+    double stiff;           /* [rad] that the quickest small motion turns by in the run; 0: not known */
     double opening;         /* [s] of a run */
     double work;            /* in evaluations */
     struct corners corners; /* of loads and drives in time */

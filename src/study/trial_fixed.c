@@ -12,10 +12,11 @@ static const struct stepper_kind *fixed_kind(const struct scene *scene)
     return kind && !kind->adaptive && !kind->yardstick ? kind : stepper_find("midpoint");
 }
 
-/* Major steps to the run: a hundred, or so many times two that there are some to a step of the scheme of high order. */
+/* Major steps to the run: a hundred, or so many times two that there are some to a step of the scheme of high order; fewer
+ * resolve nothing. */
 static double first_steps(const struct trial *t)
 {
-    const double wanted = 2 * (double)t->steps / t->own.share;
+    const double wanted = 4 * (double)t->steps / t->own.share;
     return LEAST_STEPS * exp2(fmax(0, floor(log2(wanted / LEAST_STEPS))));
 }
 
@@ -67,8 +68,24 @@ static bool shorten(struct next *next, const struct trial *t)
     return next->end < before;
 }
 
+/* A run at longer steps than the only one before. */
+static void note_coarser(struct tried *f, double m, double error, double work)
+{
+    f->at[0] = m;
+    f->error[0] = error;
+    f->work[0] = work;
+    f->n = 2;
+    f->level[1] = f->level[0];
+    f->level[0] = (struct level){m, error};
+    f->nlevel = 2;
+}
+
 static void note(struct tried *f, double m, double error, double work)
 {
+    if (f->n == 1 && m < f->at[1]) {
+        note_coarser(f, m, error, work);
+        return;
+    }
     if (f->n) {
         f->at[0] = f->at[1];
         f->error[0] = f->error[1];
@@ -99,20 +116,22 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     return status;
 }
 
+static const double KNOWN = .05, LITTLE = 5e-7; /* an error that others follow from; less than anybody asks for */
+
 static bool told_enough(const struct trial *t)
 {
-    static const double KNOWN = .05;
     return t->fixed.n == 2 && t->fixed.error[1] <= KNOWN;
 }
 
 /* Is what the last runs have missed told well enough to go on from? */
 static bool told(const struct trial *t, int order)
 {
-    static const double SMALL = 1e-3, LEAST = 5e-7; /* less than anybody asks for */
+    static const double SMALL = 1e-3;
     const struct tried *f = &t->fixed;
-    if (t->unseen && f->error[1] >= LEAST) return false; /* nothing is known to go on by */
-    if (f->error[1] < LEAST && f->share == t->own.share) return true;
-    return told_enough(t) && (f->error[0] / f->error[1] >= pow(2, order - .6) || f->error[1] <= SMALL);
+    if (t->unseen && f->error[1] >= LITTLE) return false; /* nothing is known to go on by */
+    if (f->error[1] < LITTLE && f->share == t->own.share) return true;
+    return told_enough(t) &&
+           (f->error[0] / f->error[1] >= pow(f->at[1] / f->at[0], order - .6) || f->error[1] <= SMALL);
 }
 
 static void give_up(struct trial *t, const char *why, double corner)
@@ -145,6 +164,13 @@ static bool is_like_the_rest(const struct trial *t, const double *whole)
     return true;
 }
 
+/* Has the first run resolved what moves?  Then steps twice as long tell the order for a quarter of what half of them cost. */
+static bool coarser_will_do(const struct trial *t)
+{
+    const struct tried *f = &t->fixed;
+    return f->n == 1 && f->error[1] <= KNOWN && f->error[1] >= LITTLE && !t->unseen && f->at[1] > t->base;
+}
+
 static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
 {
     enum status status = OK;
@@ -155,6 +181,11 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
         if (!t->scene.ncontact && shorten(&next, t)) t->fixed.n = 0;
         if (t->corners.n && !fits(&next, t, 1)) break;
         status = attempt(&next, t, kind);
+        if (status == OK && coarser_will_do(t)) {
+            struct next coarser = next;
+            coarser.m = t->base * ceil(next.m / 2 / t->base);
+            status = attempt(&coarser, t, kind);
+        }
         if (told(t, kind->order)) break;
         next.m *= 2;
         next.seconds *= 2;

@@ -20,3 +20,14 @@ advised "that is said" late-pulse 'no fixed step: those that there was time to t
 advised "corners in steps that are too many, and where" driven-crank 'no fixed step: .* such as t = 0.05 s; schemes with a tolerance' 1
 advised "corners as ends of steps" jumps '1e-04: midpoint at step 0.0001 ' 1
 advised "no step beside a tolerance" tolerance 'no fixed step: the deck has a tolerance' 1
+
+# What the trials take, counted, is at most 2 percent of what the run by fixed steps to 1e-6 takes that they advise.
+share() { # DECK
+    "$FMDSUB" check -q -f json "$1" 2>"$work/err" | awk '{ gsub(/[",]/, "") }
+        $1 == "trial_evaluations:" { trial = $2 } $1 == "error:" { e = $2 } $1 == "suggested_step:" { h = $2 }
+        $1 == "evaluations:" && e + 0 == 1e-6 && h != "null" { run = $2 }
+        END { print (trial > 0 && run > 0 && trial <= .02 * run ? "within" : trial " of " run) }'
+}
+for deck in andrews bricard chain four-bar geared-pendulum governor heavy-top heavy-top-slow light-hub pendulum slider-crank spin-up stiff-leaf-chain telescope turbine-blade windows; do
+    expect "trials of $deck: 2 percent" within "$(share decks/$deck.yaml)" "$work/err"
+done
