@@ -150,7 +150,7 @@ const struct diag_help diag_helps[] = {
     {"E-hold",
      "'hold' is 'rigid' or a map of its keys: {restitution: 0.5}, or {stiffness: 1.0e+6} for stops that give way."},
     {"E-exclusive", "The marked key goes with another kind of stop or contact. 'stiffness' makes one compliant, then "
-                    "'damping' and 'exponent' say more of it; 'restitution' is of rigid ones."},
+                    "'damping' or 'restitution' with its 'impact_speed', and 'exponent', say more of it."},
     {"E-unknown-surface",
      "The surface is not known here: surfaces stand in 'surfaces:', as plane, point, points, sphere, "
      "hole, profile or cam; a contact names two of them."},

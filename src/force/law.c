@@ -33,6 +33,7 @@ static void law_over(struct law *o, double *dissipative, const struct force_kind
     *dissipative = kind->dissipative ? kind->dissipative(par, s, rate, t) : 0;
     if (!end || linear) return;
     kind->mean(o, par, end[0], end[1]);
+    if (kind->beside) *dissipative = kind->beside(par, o->f, s, rate);
     o->f += *dissipative;
 }
 

@@ -119,6 +119,8 @@ struct force_kind {
 
     /* Optional.  The part of f that is not from stored(), at rate v: its power goes to the damper channel. */
     double (*dissipative)(const void *par, double s, double v, double t);
+    /* Optional, with mean() and dissipative().  The same over an interval with the mean force f. */
+    double (*beside)(const void *par, double f, double s, double v);
 
     /* Optional (none: no).  Is f affine in s and v with these parameters, all but c s' from stored()?  Then how.  Its
      * slopes never change and its discrete gradient is the midpoint force. */

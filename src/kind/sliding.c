@@ -72,7 +72,7 @@ static void add(struct strains *o, const double *dir, double rate, double lost, 
 static void add_push(struct strains *o, const struct sliding *p, const struct meeting *m, double rate)
 {
     const double spring = unilateral_push(&p->push, m->s, 0), all = unilateral_push(&p->push, m->s, rate);
-    add(o, m->n, rate, all - spring, all > 0 ? p->push.c : 0);
+    add(o, m->n, rate, all - spring, all > 0 ? unilateral_resistance(&p->push, m->s) : 0);
     struct strain *s = &o->of[o->n - 1];
     s->s = m->s;
     s->V = unilateral_energy(&p->push, m->s);

@@ -4,7 +4,15 @@
  *
  *     F = k d^n,   V = k d^(n+1) / (n+1)   where d > 0, else both 0;   n = 1 or 1.5
  *
- * and a damper that acts while it pushes and never makes it pull: the whole push is max(0, F + c d').  The mean of F over a
+ * and a damper that acts while it pushes and never makes it pull: the whole push is max(0, F (1 + l d') + c d').  With c = 0
+ * and l = D/v a mass that comes with the speed v leaves with e v, of any n, if
+ *
+ *     (1 + e) D = ln((1 + D)/(1 - e D)),   0 <= D < 1/e
+ *
+ * (the law: Hunt & Crossley, J. Appl. Mech. 42 (1975) 440, who take D = 3 (1 - e)/2, good for e near 1; as Lankarani &
+ * Nikravesh, J. Mech. Des. 112 (1990) 369, 3 (1 - e^2)/4; the equation: with u = d'/v and w the energy of F over m v^2,
+ * u du = -(1 + D u) dw from u = 1 to -e, w back to 0).  As D < 1/e it does not pull on its way back.  At another speed v e
+ * is another, the nearer to 1 the slower.  The mean of F over a
  * step from d0 to d1 is (V1 - V0)/(d1 - d0) in closed form, without a difference of energies, so that a step over the kink
  * keeps the energy to round-off at any stiffness:
  *
@@ -63,7 +71,7 @@ static double mean_push(double *ks, const struct unilateral *p, double d0, doubl
 /* What the damper adds to the push F at rate d' of the depth: not less than -F. */
 static double damping(const struct unilateral *p, double F, double rate)
 {
-    return F > 0 ? fmax(p->c * rate, -F) : 0;
+    return F > 0 ? fmax((p->c + p->loss * F) * rate, -F) : 0;
 }
 
 static double sign_of(const struct unilateral *p)
@@ -75,6 +83,25 @@ double unilateral_push(const struct unilateral *p, double s, double v)
 {
     const double F = push(p, depth(p, s));
     return F + damping(p, F, sign_of(p) * v);
+}
+
+double unilateral_resistance(const struct unilateral *p, double s)
+{
+    return p->c + p->loss * push(p, depth(p, s));
+}
+
+double unilateral_loss(double e, double v)
+{
+    double low = 0, high = 1 / e; /* there the logarithm is infinite, and near 0 the difference is below 0 */
+    if (!(e < 1)) return 0;
+    for (int i = 0; i < 100; i++) {
+        const double D = .5 * (low + high);
+        if (log1p(D) - log1p(-e * D) > (1 + e) * D)
+            high = D;
+        else
+            low = D;
+    }
+    return low / v;
 }
 
 double unilateral_energy(const struct unilateral *p, double s)
@@ -92,7 +119,7 @@ static void unilateral_law(struct law *o, const void *par, double s, double v, d
     const struct unilateral *p = par;
     const double d = depth(p, s), F = push(p, d), sign = sign_of(p), more = damping(p, F, sign * v);
     (void)t;
-    *o = (struct law){0 - sign * (F + more), slope(p, d), F > 0 && more > -F ? p->c : 0};
+    *o = (struct law){0 - sign * (F + more), slope(p, d), F > 0 && more > -F ? p->c + p->loss * F : 0};
 }
 
 static double unilateral_stored(const void *par, double s)
@@ -116,6 +143,15 @@ static double unilateral_dissipative(const void *par, double s, double v, double
     const double sign = sign_of(p);
     (void)t;
     return 0 - sign * damping(p, push(p, depth(p, s)), sign * v);
+}
+
+/* What goes with the push goes with its mean. */
+static double unilateral_beside(const void *par, double f, double s, double v)
+{
+    const struct unilateral *p = par;
+    const double sign = sign_of(p);
+    if (!(p->loss > 0)) return unilateral_dissipative(par, s, v, 0);
+    return 0 - sign * damping(p, fabs(f), sign * v);
 }
 
 static bool unilateral_bends(const void *par, double s0, double s1)
@@ -149,4 +185,5 @@ const struct force_kind force_unilateral = {.name = "unilateral",
                                             .clear = unilateral_clear,
                                             .bends = unilateral_bends,
                                             .sharp = true,
-                                            .dissipative = unilateral_dissipative};
+                                            .dissipative = unilateral_dissipative,
+                                            .beside = unilateral_beside};

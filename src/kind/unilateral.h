@@ -8,6 +8,7 @@ struct unilateral {
     double k;    /* [N/m^n] or [N m/rad^n] */
     double from; /* where it begins [m] or [rad] */
     double c;    /* [N s/m] or [N m s/rad] */
+    double loss; /* of the push, per rate [s/m] or [s/rad] */
     int side;    /* UNILATERAL_... */
     int root;    /* 1: n is 1.5; 0: 1 */
 };
@@ -19,5 +20,10 @@ double unilateral_push(const struct unilateral *p, double s, double v);
 double unilateral_energy(const struct unilateral *p, double s);
 double unilateral_slope(const struct unilateral *p, double s);
 double unilateral_mean_push(double *ks, const struct unilateral *p, double s0, double s1);
+
+/* How fast the whole push grows with the rate of the depth, as long as it does not pull [N s/m]. */
+double unilateral_resistance(const struct unilateral *p, double s);
+/* The loss of one that leaves at e times the speed v at which it came, 0 < e <= 1, of any exponent. */
+double unilateral_loss(double e, double v);
 
 #endif

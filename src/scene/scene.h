@@ -52,7 +52,8 @@ struct scene_term {
 
 /* What holds a coordinate at the ends of its range. */
 struct scene_hold {
-    double restitution; /* rigid: of its impacts */
+    double restitution; /* of its impacts, of compliant stops at the speed */
+    double speed;       /* 0: not given */
     double k, c;        /* compliant: see kind/unilateral.h; k 0: rigid */
     int root;
 };

@@ -16,13 +16,33 @@ int refuse_beside(struct builder *b, const struct node *n, const char *key, cons
     return 1;
 }
 
+int check_loss(struct builder *b, const struct node *n, double e, double speed, const char *what)
+{
+    const struct node *given = node_find(n, "restitution");
+    static const char loss[] = "says what it takes, as 'restitution' does";
+    if (!given || given->implied)
+        return refuse_beside(b, n, "impact_speed", what, "is that of a 'restitution'", "give one, or delete it");
+    if (refuse_beside(b, n, "damping", what, loss, "delete one of them")) return 1;
+    if (!(speed > 0)) {
+        diag_error(b->diags, given, AT_KEY, "E-exclusive", "%s: 'restitution' of what is compliant is so at one speed",
+                   what);
+        diag_hint(b->diags, "add 'impact_speed', or delete 'stiffness', or give 'damping' in its place");
+        return 1;
+    }
+    if (e > 0) return 0;
+    diag_error(b->diags, given, AT_VALUE, "E-exclusive",
+               "%s: a 'stiffness' throws back what it takes: 'restitution' is above 0", what);
+    diag_hint(b->diags, "give 'damping' in its place, or delete 'stiffness'");
+    return 1;
+}
+
 int check_compliant(struct builder *b, const struct contact_keys *k, const struct node *n, const char *what)
 {
     static const char rigid[] = "is of rigid contacts, 'stiffness' makes them compliant",
                       soft[] = "is of compliant contacts: it needs a 'stiffness'";
     int errors = 0;
     if (k->push.k > 0) {
-        errors += refuse_beside(b, n, "restitution", what, rigid, "delete 'stiffness', or give 'damping' in its place");
+        errors += check_loss(b, n, k->restitution, k->impact, what);
         errors += refuse_beside(b, n, "speed", what, rigid, "delete 'stiffness'");
         if (k->friction && k->friction->type == NODE_MAP)
             errors += refuse_beside(b, k->friction, "static", what, rigid,
@@ -31,6 +51,7 @@ int check_compliant(struct builder *b, const struct contact_keys *k, const struc
     }
     errors += refuse_beside(b, n, "damping", what, soft, "a rigid contact takes energy by its 'restitution'");
     errors += refuse_beside(b, n, "exponent", what, soft, "delete it, or give a 'stiffness'");
+    errors += refuse_beside(b, n, "impact_speed", what, soft, "'restitution' of rigid contacts is of any speed");
     if (k->friction && k->friction->type == NODE_MAP)
         errors += refuse_beside(b, k->friction, "slip_speed", what, soft, "what is rigid sticks exactly: delete it");
     return errors;
@@ -92,6 +113,7 @@ void add_compliant(struct builder *b, const struct scene_contact *c, const struc
 {
     struct unilateral *push = TAKE(b->life, struct unilateral, 1);
     *push = k->push;
+    if (k->impact > 0) push->loss = unilateral_loss(k->restitution, k->impact);
     push->side = c->pair == PAIR_HOLE ? UNILATERAL_ABOVE : UNILATERAL_BELOW;
     push->from = c->pair == PAIR_SPHERES ? c->radius + c->other : c->pair == PAIR_HOLE ? c->other - c->radius : 0;
     if (c->pair != PAIR_OUTLINE) add_push(b, c, push);

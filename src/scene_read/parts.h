@@ -44,8 +44,8 @@ struct surface_keys {
 };
 struct contact_keys {
     const struct node *between, *friction;
-    double restitution, speed;
-    struct unilateral push; /* k 0: it is rigid */
+    double restitution, speed, impact; /* impact: speed of impacts, 0: not given */
+    struct unilateral push;            /* k 0: it is rigid */
 };
 struct friction_keys {
     double kinetic, holding; /* NAN: not given */
@@ -141,6 +141,8 @@ int check_coefficients(struct builder *b, struct contact_law *law, double kineti
 int check_stops(struct builder *b);
 /* contacts.c: behind the forces, whose stops are contacts, too */
 /* compliant.c: what one that gives way is made of; keys of the other kind of contact are refused */
+/* Restitution of one with a stiffness, if it has any. */
+int check_loss(struct builder *b, const struct node *n, double e, double speed, const char *what);
 int check_compliant(struct builder *b, const struct contact_keys *k, const struct node *n, const char *what);
 void add_compliant(struct builder *b, const struct scene_contact *c, const struct contact_keys *k, double slip);
 /* Refuses the key of n, if it is given, for the reason `why`. */

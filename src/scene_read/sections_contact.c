@@ -46,7 +46,7 @@ const struct key keys_cam[] = {
 const struct key keys_contact[] = {
     PARAM_NODE(struct contact_keys, between, "between", "[surface, surface]", KEY_REQUIRED, "what touches"),
     PARAM_REAL(struct contact_keys, restitution, "restitution", NULL, 0, 1, 0, NULL,
-               "speed after an impact over that before; default 0"),
+               "speed after an impact over that before; default 0, of compliant ones: they take nothing"),
     PARAM_NODE(struct contact_keys, friction, "friction", "number, or a map", 0,
                "coefficient of friction; default: none"),
     PARAM_REAL(
@@ -58,6 +58,8 @@ const struct key keys_contact[] = {
                "n, of compliant ones; 1.5 for balls (Hertz); default 1"),
     PARAM_REAL(struct contact_keys, push.c, "damping", "N s/m", 0, INFINITY, KEY_BELOW, NULL,
                "compliant: push per rate while it pushes; it never pulls; default 0"),
+    PARAM_REAL(struct contact_keys, impact, "impact_speed", "m/s", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "compliant, in place of damping: the speed at which 'restitution' is what it is"),
     KEYS_END,
 };
 const struct key keys_friction[] = {
@@ -106,11 +108,13 @@ const struct key keys_range[] = {
 
 const struct key keys_hold[] = {
     PARAM_REAL(struct scene_hold, restitution, "restitution", NULL, 0, 1, 0, NULL,
-               "rigid: speed after an impact over that before; default 0"),
+               "speed after an impact over that before; default 0, of compliant stops: they take nothing"),
     PARAM_REAL(struct scene_hold, k, "stiffness", "N/m^n or N m/rad^n", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
                "makes the stops compliant: push per depth to the power of n; default: rigid"),
     PARAM_WORD(struct scene_hold, root, "exponent", "1|1.5", 0, NULL, "n, of compliant ones; default 1"),
     PARAM_REAL(struct scene_hold, c, "damping", "N s/m or N m s/rad", 0, INFINITY, KEY_BELOW, NULL,
                "compliant: push per rate while they push; they never pull; default 0"),
+    PARAM_REAL(struct scene_hold, speed, "impact_speed", "m/s or rad/s", 0, INFINITY, KEY_ABOVE | KEY_BELOW, NULL,
+               "compliant, in place of damping: the speed at which 'restitution' is what it is"),
     KEYS_END,
 };

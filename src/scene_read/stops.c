@@ -20,11 +20,10 @@ static int read_hold(struct builder *b, struct scene_joint *j, const struct node
         return 1;
     }
     if (read_keys(o, keys_hold, n, NULL, "'hold'", &b->reader)) return 1;
-    if (o->k > 0)
-        return refuse_beside(b, n, "restitution", what, "is of rigid stops, 'stiffness' makes them compliant",
-                             "delete 'stiffness', or give 'damping' in place of 'restitution'");
-    for (int i = 0; i < 2; i++)
-        if (refuse_beside(b, n, i ? "damping" : "exponent", what, "is of compliant stops: it needs a 'stiffness'",
+    if (o->k > 0) return check_loss(b, n, o->restitution, o->speed, what);
+    static const char *const soft[] = {"exponent", "damping", "impact_speed"};
+    for (int i = 0; i < 3; i++)
+        if (refuse_beside(b, n, soft[i], what, "is of compliant stops: it needs a 'stiffness'",
                           "a rigid stop takes energy by its 'restitution'"))
             return 1;
     return 0;
@@ -62,8 +61,12 @@ int read_range(struct builder *b, struct scene_joint *j, const struct node *n, c
 static void make_compliant(struct builder *b, const struct scene_joint *j, const char *name, int measure, int end)
 {
     struct unilateral *p = TAKE(b->life, struct unilateral, 1);
-    *p = (struct unilateral){j->hold->k, j->range[end], j->hold->c, end ? UNILATERAL_ABOVE : UNILATERAL_BELOW,
-                             j->hold->root};
+    *p = (struct unilateral){.k = j->hold->k,
+                             .from = j->range[end],
+                             .c = j->hold->c,
+                             .side = end ? UNILATERAL_ABOVE : UNILATERAL_BELOW,
+                             .root = j->hold->root};
+    if (j->hold->speed > 0) p->loss = unilateral_loss(j->hold->restitution, j->hold->speed);
     b->scene->force[b->scene->nforce++] = (struct scene_force){
         .name = name, .node = j->node, .type = FORCE_LAW, .measure = measure, .kind = &force_unilateral, .par = p};
 }

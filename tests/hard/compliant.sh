@@ -119,3 +119,61 @@ integrate: {step: 1.0e-5, until: 1.0e-3}
 END
 want=$(awk 'BEGIN { EI = 2.1e11 * .02 * .01 ^ 3 / 12; w = (20 + 1e5 * 1e-3) / (3 * EI + 1e5); print 1e5 * (w - 1e-3) }')
 near "a beam on a stop: its push" "0,$want" "0,$(echo "$last" | cut -d , -f 2)" 0.01
+
+# Restitution of what is compliant, at the speed that it is said of: by every exponent, to the tolerance; the way in between
+# against the law by quadrature (its own equation of motion at 15 digits).
+hits() {
+    cat <<'YAML'
+fmdsub: 1
+bodies: {ball: {mass: 1, inertia: 0.004, at: [0, 0.1]}}
+constraints: {f: {prismatic: [ground, ball], axis: [0, 1]}}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, skin: {point: ball}}
+contacts: {hit: {between: [skin, floor], stiffness: 1.0e+6, exponent: 1.5, restitution: 0.5, impact_speed: 1}}
+initial: {f.displacement_rate: -1}
+integrate: {scheme: dopri5, tolerance: 1.0e-9, until: 0.2}
+output: {every: 0.2, columns: [ball.vy, energy.damper]}
+YAML
+}
+hits >"$work/hits"
+for e in 0.02 0.3 0.5 0.9 1; do
+    for n in 1 1.5; do
+        go "restitution $e, exponent $n" 0 -q --set contacts.hit.restitution=$e --set contacts.hit.exponent=$n <"$work/hits"
+        near "restitution $e, exponent $n: met" "$(awk -v e=$e 'BEGIN { printf "0.2,%.12g,%.12g", e, (e * e - 1) / 2 }')" "$last" 1e-8
+    done
+done
+go "restitution: the way" 0 -q --set "integrate={scheme: dop853, tolerance: 1.0e-12, until: 0.102}" \
+    --set "output={every: 0.001, columns: [ball.y, ball.vy]}" <"$work/hits"
+near "restitution: the way" "0.102,-0.0019053909956311705,-0.840184141895897" "$last" 1e-12
+surface() { # NAME SURFACES
+    go "restitution, $1" 0 -q --set "surfaces={$2}" <"$work/hits"
+    near "restitution, $1: met" 0.2,0.5,-0.375 "$last" 1e-8
+}
+surface "balls" "floor: {sphere: ground, at: [0, -0.3], radius: 0.3}, skin: {point: ball}"
+surface "a cam" "floor: {cam: ground, at: [0, -0.3], table: [[0, 0.3], [2, 0.3], [4, 0.3]]}, skin: {point: ball}"
+surface "a hole" "floor: {hole: ground, at: [0, 0.11], radius: 0.16}, skin: {sphere: ball, radius: 0.05}"
+sed '/^surfaces/d; /^contacts/d; s/axis: \[0, 1\]/&, range: {lower: -0.1, hold: {stiffness: 1.0e+6, restitution: 0.5, impact_speed: 1}}/' \
+    "$work/hits" >"$work/stop"
+go "restitution, a stop" 0 -q <"$work/stop"
+near "restitution, a stop: met" 0.2,0.5,-0.375 "$last" 1e-8
+# At steps of the midpoint rule, w h = 0.1 and 0.2, wherever in a step it touches; the balance is kept.
+for how in "1.0e-4 4e-4" "2.0e-4 1.5e-3"; do
+    set -- $how
+    for e in 0.5 0.9; do
+        for phase in 0 1 2 3 4 5 6; do
+            y=$(awk -v h="$1" -v p=$phase 'BEGIN { printf "%.10g", 0.1 + p * h / 7 }')
+            go "restitution $e, steps of $1" 0 -q --set contacts.hit.restitution=$e --set contacts.hit.exponent=1 --set "bodies.ball.at=[0, $y]" \
+                --set "integrate={scheme: midpoint, step: $1, until: 0.2}" --set "output.columns=[ball.vy, energy.residual]" <"$work/hits"
+            near "restitution $e, steps of $1, from $y m" 0.2,$e,0 "$last" "$2"
+        done
+    done
+done
+while read -r keys; do
+    "$FMDSUB" check --set "contacts.hit={between: [skin, floor], $keys}" - <"$work/hits" >"$work/out" 2>"$work/err"
+    expect "restitution: {$keys}" "3 1" "$? $(grep -c 'error: contact .hit.: .*\[E-exclusive\]' "$work/err")" "$work/err"
+done <<'KEYS'
+stiffness: 1.0e+6, restitution: 0.5
+stiffness: 1.0e+6, restitution: 0.5, impact_speed: 1, damping: 3
+stiffness: 1.0e+6, impact_speed: 1
+stiffness: 1.0e+6, restitution: 0, impact_speed: 1
+impact_speed: 1
+KEYS
