@@ -282,6 +282,13 @@ const struct diag_help diag_helps[] = {
      "give a tolerance that fits. Of a scene "
      "that is "
      "stepped in a plane: what bends there would buckle out of it, which no symmetric computation shows by itself."},
+    {"W-resolve",
+     "A fast coordinate vibrates, and the minor steps of sub-cycling are too long for it: omega h above 2, with more "
+     "than "
+     "a millionth of the energy of motion. Its energy is kept, so that the balance is, but nothing of its phase is "
+     "right, and its mean is where the vibration is symmetric only. Take a step of omega h = 0.3, `scheme: auto` with "
+     "a tolerance, or "
+     "'rho_infinity' below 1, which takes the vibration out."},
     {"W-tolerance",
      "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
      "parts from "

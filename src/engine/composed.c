@@ -41,6 +41,9 @@ static void book(struct stepper *s, struct stepper *stage)
     s->lost += stage->lost;
     s->left += stage->left;
     s->last_sweeps += stage->last_sweeps;
+    const double motion = larger(s->unresolved.motion, stage->unresolved.motion);
+    if (stage->unresolved.energy > s->unresolved.energy) s->unresolved = stage->unresolved;
+    s->unresolved.motion = motion;
     effort_hand_on(&s->effort, &stage->effort);
 }
 

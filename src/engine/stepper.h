@@ -108,19 +108,28 @@ struct guess {
     int ratio;
 };
 
+/* A vibration that minor steps are too long for: of all steps so far the one of the largest energy. */
+struct unresolved {
+    double energy;     /* twice its own, at least [J]; 0: there is none */
+    double motion;     /* twice the largest kinetic energy so far [J] */
+    double omega_h, t; /* its frequency times the minor step; when */
+    int coordinate;
+};
+
 struct stepper {
     const struct stepper_kind *kind;
     struct ode2 *ode; /* charts change between steps, see ode2_chart */
     struct step_options options;
     struct effort effort;
-    double work[POWER_CHANNELS]; /* of the last accepted step [J] */
-    double lost;                 /* energy taken by the scheme's own damping in the last step [J]; some schemes give
+    double work[POWER_CHANNELS];  /* of the last accepted step [J] */
+    double lost;                  /* energy taken by the scheme's own damping in the last step [J]; some schemes give
                                   * back of it within a vibration what they have taken before */
-    double struck;               /* energy taken by impacts in the last step [J] */
-    double left;                 /* energy-like size of what Newton left over in the last step [J] */
-    double swing;                /* the largest sum of |work| on the way of the last step, where it was many [J] */
-    int last_sweeps;             /* sweeps (iterations) of the last step */
-    int fresh;                   /* no history: predictors and factors must not be used */
+    double struck;                /* energy taken by impacts in the last step [J] */
+    double left;                  /* energy-like size of what Newton left over in the last step [J] */
+    double swing;                 /* the largest sum of |work| on the way of the last step, where it was many [J] */
+    struct unresolved unresolved; /* of two rates by fixed steps without damping */
+    int last_sweeps;              /* sweeps (iterations) of the last step */
+    int fresh;                    /* no history: predictors and factors must not be used */
     struct guess guess;
     bool natural;          /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
     int unstarted;         /* accelerations were not found in a new chart: the next step asks for them again */

@@ -100,6 +100,7 @@ static void open(struct stepper *s, struct arena *life)
     take_vectors(c, life);
     subcycle_last_open(c, life);
     subcycle_coarse_open(c, life);
+    subcycle_resolve_open(c, life);
     reserve(c, LEAST_CAPACITY, life);
     subcycle_error_open(c, life);
 }
@@ -307,6 +308,7 @@ static enum status recall(struct stepper *s, struct recall *r)
     forecast_recall(&c->forecast, r);
     subcycle_last_recall(c, r);
     subcycle_coarse_recall(c, r);
+    subcycle_resolve_recall(c, r);
     recall_one(r, "last_local", c->last_local);
     recall_one(r, "local", c->local);
     recall_one(r, "structured", c->dec.structured);

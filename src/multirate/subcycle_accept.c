@@ -54,6 +54,7 @@ enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state 
     copy(s->work, c->work, POWER_CHANNELS);
     subcycle_compose(c);
     remember(c);
+    subcycle_resolve(c, s);
     subcycle_last_keep(c);
     if (c->looked) subcycle_error_measure(c, s->missed != NULL);
     for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];

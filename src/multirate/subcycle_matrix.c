@@ -90,6 +90,7 @@ enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
     int pivot = minor_factor(m);
     if (pivot >= 0) return singular(c, pivot, why);
     response_freeze(p, &c->dec);
+    subcycle_resolve_refresh(c);
     TRY(slow_matrix(c, why));
     c->local = 0;
     newton_refreshed(&c->newton);

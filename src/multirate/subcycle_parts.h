@@ -11,6 +11,7 @@
  *     decouple.h         W and P (S1)
  *     response.h         the minor steps' linearized answer to the slow unknown (S11), (S12)
  *     forecast.h         where the iteration begins
+ *     subcycle_resolve.c do the minor steps resolve what vibrates in them?
  *     subcycle_error.c   what a step is off by, where steps go by a tolerance
  *     subcycle_coupling.c  what of that the fast coordinates have from the slow ones' straight line (S13)-(S15)
  */
@@ -75,6 +76,12 @@ struct coarse {
     double *left;  /* [ns x COARSE_POINTS] what is left in the fast rows: of powers of f_k */
 };
 
+/* Of the fast coordinates, each by itself while the others recoil. */
+struct resolve {
+    double *M;            /* [ns x ns] factored: scratch */
+    double *own, *square; /* [ns] inertia; square of the frequency [rad^2/s^2] */
+};
+
 struct subcycle {
     const struct ode2 *ode;
     struct effort *effort;
@@ -120,6 +127,7 @@ struct subcycle {
     double *R, *Du;              /* [nl] slow rows, the correction of du */
     struct last_step last;
     struct coarse coarse;
+    struct resolve resolve;
     double *c, *g;               /* [ns] what it means for the fast rows: constant, linear in k */
     double *dq;                  /* [n] displacement */
     double *sum;                 /* [n] size of the corrections of a sweep */
@@ -191,6 +199,13 @@ void subcycle_coarse_recall(struct subcycle *c, struct recall *r);
 
 /* x at the end of the step found; E_NUMERIC: that is no state of the system. */
 enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why);
+
+void subcycle_resolve_open(struct subcycle *c, struct arena *life);
+/* With J. */
+void subcycle_resolve_refresh(struct subcycle *c);
+void subcycle_resolve_recall(struct subcycle *c, struct recall *r);
+/* What of the motion of the step found its minor steps are too long for, so far. */
+void subcycle_resolve(const struct subcycle *c, struct stepper *s);
 
 /* --- from step to step -------------------------------------------------------------------------- */
 

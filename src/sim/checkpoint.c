@@ -68,6 +68,11 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_one(r, "warnings", sim->warnings);
     recall_one(r, "rejected", sim->rejected);
     recall_one(r, "cut", sim->cut);
+    recall_one(r, "unresolved_energy", sim->stepper.unresolved.energy);
+    recall_one(r, "unresolved_motion", sim->stepper.unresolved.motion);
+    recall_one(r, "unresolved_omega_h", sim->stepper.unresolved.omega_h);
+    recall_one(r, "unresolved_t", sim->stepper.unresolved.t);
+    recall_one(r, "unresolved_coordinate", sim->stepper.unresolved.coordinate);
     recall_one(r, "balance_told", sim->guard.told);
     recall_one(r, "balance_t", sim->guard.t);
     recall_one(r, "balance_broken", sim->guard.broken);

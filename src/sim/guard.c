@@ -200,3 +200,16 @@ enum status guard_look(struct sim *sim, struct sink *sink, struct report *report
     sim_warn(sim, "t = %.6g s: %s", sim->x.t, text);
     return sink_event(sink, sim->x.t, "balance", text, report);
 }
+
+void warn_of_unresolved(struct sim *sim)
+{
+    static const double EXCITED = 1e-6, FINE = .3; /* omega h */
+    const struct unresolved *o = &sim->stepper.unresolved;
+    if (!(o->energy > EXCITED * o->motion)) return;
+    sim_warn(
+        sim,
+        "the minor steps do not resolve '%.60s', which vibrates at t = %.6g s with %.2g of the energy of motion (omega "
+        "h = %.3g): that is kept, but nothing of its phase is right; take a step of %.2g s [W-resolve]",
+        sim_coordinate_name(sim, o->coordinate), o->t, smaller(1, o->energy / o->motion), o->omega_h,
+        sim->plan.step * FINE / o->omega_h);
+}

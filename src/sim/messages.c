@@ -168,6 +168,7 @@ void warn_at_end(struct sim *sim)
     warn_of_tilts(sim);
     warn_of_misfits(sim);
     warn_of_deflections(sim);
+    warn_of_unresolved(sim);
     warn_of_trust(sim);
     warn_of_neglects(sim);
     warn_of_lateral(sim);

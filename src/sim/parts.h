@@ -101,6 +101,7 @@ enum status checkpoint_write(struct sim *sim, struct report *report);
 void rotations_open(struct sim *sim, struct arena *life);
 void rotations_note(struct sim *sim, double h, int ratio);
 void warn_of_rotations(struct sim *sim);
+void warn_of_unresolved(struct sim *sim);
 
 /* deflections.c: the largest deflections of flexible bodies */
 void deflections_open(struct sim *sim, struct arena *life);
