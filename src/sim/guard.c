@@ -29,12 +29,28 @@ static bool look_at_masses(double *M, double *K, const struct sim *sim)
     return true;
 }
 
-/* Local frequency of coordinate i, others recoiling, times its step. */
+/* The step of coordinate i. */
+static double step_of(const struct sim *sim, int i)
+{
+    const bool slow = sim->stepper.kind->two_rates && i >= sim->stepper.ode->ns;
+    return sim->last_h * (slow ? sim->plan.ratio : 1);
+}
+
+/* Its local frequency, others recoiling, times that. */
 static double turn_in_step(const struct sim *sim, const double *K, int i)
 {
-    const struct ode2 *o = sim->stepper.ode;
-    const bool slow = sim->stepper.kind->two_rates && i >= o->ns;
-    return sqrt(fabs(K[i + (long)o->n * i])) * sim->last_h * (slow ? sim->plan.ratio : 1);
+    return sqrt(fabs(K[i + (long)sim->stepper.ode->n * i])) * step_of(sim, i);
+}
+
+/* The velocity of the vibration in it, turn w in a step, by accelerations: what goes on evenly has none.  Schemes of the middle
+ * have the mean over the major step, in which what is not resolved turns round. */
+static double vibrates(const struct sim *sim, double w, int i)
+{
+    static const double EVENLY = .05;
+    const struct stepper_kind *kind = sim->stepper.kind;
+    const double whole = sim->last_h * (kind->two_rates ? sim->plan.ratio : 1), v = fabs(sim->x.v[i]);
+    const double change = fabs(sim->x.a[i]) * (kind->points ? step_of(sim, i) / w : whole / 2);
+    return change > EVENLY * v ? larger(change, v) : change;
 }
 
 /* The coordinate of the largest of these, that too; -1: not known. */
@@ -52,7 +68,7 @@ static int least_resolved(double *omega_h, const struct sim *sim, struct arena *
     return worst;
 }
 
-/* Of the coordinates that the step does not resolve the largest kinetic energy of its own, whose and how fast; 0: there is
+/* Of the coordinates that the step does not resolve the largest kinetic energy of vibration, whose and how fast; 0: there is
  * none. */
 static double moves_unresolved(int *at, double *omega_h, const struct sim *sim, struct arena *scratch)
 {
@@ -67,7 +83,7 @@ static double moves_unresolved(int *at, double *omega_h, const struct sim *sim, 
         zero(y, n);
         y[i] = 1;
         dense_cholesky_solve(M, y, n, n);
-        const double own = sim->x.v[i] * sim->x.v[i] / (2 * y[i]);
+        const double v = vibrates(sim, w, i), own = v * v / (2 * y[i]);
         if (own > most) most = own, *at = i, *omega_h = w;
     }
     return most;
