@@ -196,5 +196,5 @@ for square in 0.9999999992:0 1.0000000008:0 0.999999998:3 1.000000002:3; do
     "spin.qz": 0, "spin.omega_x": 0, "spin.omega_y": 0, "spin.omega_z": 0}}
 STATE
     "$FMDSUB" run -q -s 'initial={from: long.json, deck: any}' --until 1.001 spun.yaml >out 2>err
-    expect "a quaternion of square ${square%:*}" "${square#*:} $((${square#*:} / 3))" "$? $(grep -c E-quaternion err)" err
+    expect "a quaternion of square ${square%:*}" "${square#*:} $((${square#*:} / 3)) $((${square#*:} == 0))" "$? $(grep -c E-quaternion err) $(grep -c '^t,' out)" out err
 done
