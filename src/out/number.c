@@ -20,6 +20,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/inline.h"
 #include "out/pow10.h"
 
 __extension__ typedef unsigned __int128 wide;
@@ -31,7 +32,7 @@ struct decimal {
 
 /* g c 2^-128 rounded to odd: the last bit is set when anything was cut off.  g is less than one unit
  * above the true power: an exact product leaves 0 or 1 in the low word, any other more. */
-static uint64_t times(const uint64_t g[2], uint64_t c)
+INTO static inline uint64_t times(const uint64_t g[2], uint64_t c)
 {
     wide low = (wide)g[1] * c;
     wide high = (wide)g[0] * c + (uint64_t)(low >> 64);
@@ -39,7 +40,7 @@ static uint64_t times(const uint64_t g[2], uint64_t c)
 }
 
 /* c 2^q, c > 0; narrow: the neighbour below is half as far away as the one above. */
-static struct decimal shortest(uint64_t c, int q, bool narrow)
+INTO static inline struct decimal shortest(uint64_t c, int q, bool narrow)
 {
     int k = (q * 1262611 - (narrow ? 524031 : 0)) >> 22;
     int h = q + ((-k * 1741647) >> 19) + 1;
@@ -59,7 +60,7 @@ static struct decimal shortest(uint64_t c, int q, bool narrow)
     return (struct decimal){s + (v > middle || (v == middle && (s & 1))), k};
 }
 
-static struct decimal decimal(double x)
+INTO static inline struct decimal decimal(double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -86,7 +87,7 @@ static int length_of(uint64_t u)
 
 /* The eight digits of u < 10^8, the first in the lowest byte: halves, quarters and eighths side by side in one word.  The
  * quotients are exact for what is below 10^4 and below 100. */
-static uint64_t eight_digits(uint64_t u)
+INTO static inline uint64_t eight_digits(uint64_t u)
 {
     const uint64_t high = u / 10000, four = high | (u - 10000 * high) << 32;
     const uint64_t hundreds = (four * 10486 >> 20) & UINT64_C(0x0000007f0000007f);
@@ -111,7 +112,7 @@ struct digits {
     int n, e;
 };
 
-static struct digits digits_of(struct decimal x)
+INTO static inline struct digits digits_of(struct decimal x)
 {
     const int n = length_of(x.digits);
     const uint64_t u = x.digits * tens[17 - n], first = u / tens[16], rest = u - first * tens[16];
