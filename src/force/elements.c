@@ -4,6 +4,7 @@
 #include "force/elements.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/inline.h"
 #include "force/parts.h"
@@ -215,6 +216,30 @@ static void find_clear(struct elements *e, struct sweep *s, const struct instant
     }
 }
 
+/* At the start of a step, where the last one has ended. */
+static void find_clear_start(struct elements *e, struct sweep *s, const struct instant *x)
+{
+    const size_t q = sizeof *x->q * (size_t)e->model->nq, v = sizeof *x->v * (size_t)e->model->n;
+    if (!e->clear_known || memcmp(x->q, e->clear_q, q) != 0 || memcmp(x->v, e->clear_v, v) != 0) {
+        find_clear(e, s, x, 0);
+        return;
+    }
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        struct part_of *p = &e->other[i];
+        p->open[0] = p->open[1];
+        p->pace[0] = p->pace[1];
+    }
+}
+
+static void find_clear_end(struct elements *e, struct sweep *s, const struct instant *x)
+{
+    find_clear(e, s, x, 1);
+    if (!e->clear_q) return;
+    memcpy(e->clear_q, x->q, sizeof *x->q * (size_t)e->model->nq);
+    memcpy(e->clear_v, x->v, sizeof *x->v * (size_t)e->model->n);
+    e->clear_known = true;
+}
+
 /* Of an element that is clear at both ends. */
 static enum met pass(const struct part_of *p, double h, double deep, bool looked)
 {
@@ -227,8 +252,8 @@ enum met elements_passed(struct elements *e, struct sweep *s, const struct insta
                          const struct instant *b, double deep)
 {
     enum met most = MET_NOT;
-    find_clear(e, s, a, 0);
-    find_clear(e, s, b, 1);
+    find_clear_start(e, s, a);
+    find_clear_end(e, s, b);
     if (between) find_clear(e, s, between, 2);
     for (int i = 0; i < e->nother[ALL]; i++) {
         const struct part_of *p = &e->other[i];

@@ -151,6 +151,9 @@ struct elements *elements_build(const struct model *m, const struct sweep_ops *o
     e->slope = TAKE(life, double, e->most_slots);
     e->which = TAKE(life, int, e->most_slots);
     for (int i = 0; i < e->most_slots; i++) e->which[i] = i + 1;
+    if (!elements_may_be_passed(e) || elements_turn(e)) return e;
+    e->clear_q = TAKE(life, double, m->nq);
+    e->clear_v = TAKE(life, double, m->n);
     return e;
 }
 

@@ -103,6 +103,8 @@ struct elements {
     const double *press;             /* these forces; NULL: none */
     bool loads;                      /* is there any force, or one of contacts? */
     const struct reduction *to;      /* of elements_slopes_reduced(), while it runs */
+    double *clear_q, *clear_v; /* [nq], [n] where open[1] and pace[1] of others were found last; NULL: not kept, as */
+    bool clear_known;          /* angles that know their past may differ; were they found? */
 };
 
 /* First and last + 1 of a class in a list sorted by class. */
