@@ -9,14 +9,15 @@
 #include "base/text.h"
 #include "cli/chosen.h"
 #include "cli/cli.h"
+#include "la/vec3.h"
 #include "out/facts.h"
 #include "study/auto.h"
 #include "study/flip.h"
 
 static const double SECOND = 1; /* of CPU by price, a run */
 
-enum told_state { STATE_ON, STATE_OFF, STATE_ABSENT };
-static const char *const states[] = {"on", "off", "absent"};
+enum told_state { STATE_ON, STATE_OFF, STATE_WATCHED, STATE_ABSENT }; /* watched: off, and told by run */
+static const char *const states[] = {"on", "off", "watched", "absent"};
 
 struct told {
     enum told_state state;
@@ -87,6 +88,23 @@ static void tell_stiffening(struct told *o, const struct flip *run)
                  (run->spin / w) * (run->spin / w), run->spin, w);
 }
 
+/* 4.65 I/(A l^2) of the stoutest, by its tensors; l to its node farthest from the reference. */
+static void tell_rotary(struct told *o, const struct model *m)
+{
+    double most = 0;
+    for (int i = 1; i < m->nbody; i++) {
+        const struct flex_body *f = m->body[i].flex;
+        double l2 = 0, rot = 0, d[3];
+        for (int k = 0; f && k < f->nnode; k++) {
+            v3_diff(d, f->node[k].x, f->node[f->reference].x);
+            l2 = fmax(l2, v3_dot(d, d));
+        }
+        for (int k = 0; f && k < 9; k += 4) rot = fmax(rot, f->rot[k]);
+        if (l2 > 0 && f->mass > 0) most = fmax(most, 4.65 * rot / (f->mass * l2));
+    }
+    if (most > 0) snprintf(o->number, sizeof o->number, "4.65 I/(A l^2) up to %.3g", most);
+}
+
 static void tell_damping(struct told *o, const struct sim *sim)
 {
     const struct model *m = sim->model;
@@ -150,9 +168,15 @@ static void tell(struct told *o, enum effect_id id, const struct flip *run)
         tell_ledger(o, sim);
         break;
     case EFFECT_ROTARY:
+        tell_rotary(o, sim->model);
+        break;
     case EFFECT_SHEAR:
     case EFFECTS:
         break;
+    }
+    if (sim->model->off & effect_bit(id) && o->state != STATE_ABSENT) {
+        o->state = STATE_WATCHED;
+        o->by = "deck";
     }
     const bool flexible = id == EFFECT_STIFFENING || id == EFFECT_ROTARY || id == EFFECT_SHEAR || id == EFFECT_DAMPING;
     if (!flexible || flexible_bodies(sim->model)) return;
@@ -189,7 +213,8 @@ static void flip(struct told *o, enum effect_id id, const struct flip *run, cons
     o->flipped = true;
     const double from = scene->start, was = run->kept.seconds / (run->until - from);
     o->cost = turned.kept.seconds / (turned.until - from) / was - 1;
-    o->change = flip_change(&o->column, run, &turned);
+    const bool was_on = o->state == STATE_ON; /* of the run with the effect */
+    o->change = flip_change(&o->column, was_on ? run : &turned, was_on ? &turned : run);
     if (isnan(o->change)) o->why = "the two runs have no time in common but the start";
     if (turned.kept.status == E_VERDICT && run->kept.status == OK) o->why = "then the run is told wrong";
     if (is_stopped(&turned) && !is_stopped(run)) o->why = "then the run stops";

@@ -140,6 +140,16 @@ awk -F, 'NR == FNR { for (i = 1; i <= NF; i++) on[FNR, i] = $i; next }
           printf "%.4g\n", worst }' "$work/on.csv" "$work/off.csv" >"$work/hand"
 sed -n 's/.*"effect":"stiffening"[^}]*"change_if_turned":\([0-9.e-]*\).*/\1/p' "$work/flat" | awk '{ printf "%.4g\n", $1 }' >"$work/said"
 same "explain says what stiffening changes" "$work/hand" "$work/said"
+# What the deck turns off is watched by run; a body's own key is turned, too, and the number tells.
+"$FMDSUB" explain decks/flexible-crank.yaml >"$work/told" 2>"$work/err"
+expect "explain: off by a body's key, watched" 1 "$(grep -c '^rotary *watched by the deck' "$work/told")" "$work/told"
+expect "explain: and what turning it on changes" 1 "$(sed -n '/^rotary/{n;p;}' "$work/told" | grep -c "turned on: .* changes by [0-9]")" "$work/told"
+# 4.65 h^2/12 of a rectangle of 0.01 m, 1 m long; a tenth of a percent less by the mesh, if any.
+"$FMDSUB" explain decks/cantilever.yaml >"$work/told" 2>"$work/err"
+expect "explain: 4.65 I/(A l^2)" 1 "$(grep -c '^rotary *on *by default *4.65 I/(A l^2) up to 3.8[78]e-05' "$work/told")" "$work/told"
+"$FMDSUB" explain -s effects.gravity=false decks/pendulum.yaml >"$work/told" 2>"$work/err"
+expect "explain: changes are of the run with the effect" "gravity watched: 1e+02 or 2e+02" \
+    "$(sed -n '/^gravity/{N;s/^gravity *\([a-z]*\) .* changes by \([0-9.e+]*\) %.*/gravity \1: \2/;s/: [12]e+02$/: 1e+02 or 2e+02/p;}' "$work/told")" "$work/told"
 # From standard input, which is read once.
 "$FMDSUB" explain decks/effect-gyroscopic.yaml | sed 1d >"$work/hand"
 "$FMDSUB" explain - <decks/effect-gyroscopic.yaml 2>"$work/err" | sed 1d >"$work/said"
