@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "cli/chosen.h"
 #include "cli/cli.h"
-#include "la/vec3.h"
 #include "out/facts.h"
 #include "study/auto.h"
 #include "study/flip.h"
@@ -94,10 +93,10 @@ static void tell_rotary(struct told *o, const struct model *m)
     double most = 0;
     for (int i = 1; i < m->nbody; i++) {
         const struct flex_body *f = m->body[i].flex;
-        double l2 = 0, rot = 0, d[3];
+        double l2 = 0, rot = 0;
         for (int k = 0; f && k < f->nnode; k++) {
-            v3_diff(d, f->node[k].x, f->node[f->reference].x);
-            l2 = fmax(l2, v3_dot(d, d));
+            const double *x = f->node[k].x, *x0 = f->node[f->reference].x;
+            l2 = fmax(l2, pow(x[0] - x0[0], 2) + pow(x[1] - x0[1], 2) + pow(x[2] - x0[2], 2));
         }
         for (int k = 0; f && k < 9; k += 4) rot = fmax(rot, f->rot[k]);
         if (l2 > 0 && f->mass > 0) most = fmax(most, 4.65 * rot / (f->mass * l2));

@@ -54,13 +54,15 @@ static enum status take_tick(struct sink *sink, double now, struct report *repor
 /* A column's largest change, and when it is more than `limit` [s]; -1: never. */
 struct change {
     double most, t;
+    int common; /* instants */
 };
 
 static struct change compare(const struct flip *a, int i, const struct flip *b, int k, double limit)
 {
-    struct change o = {0, -1};
+    struct change o = {0, -1, 0};
     for (int row[2] = {-1, -1}; outcome_next(row, &a->kept, &b->kept);) {
         const double *y = outcome_row(&b->kept, row[1]), d = fabs(y[k] - outcome_row(&a->kept, row[0])[i]);
+        o.common++;
         o.most = fmax(o.most, d);
         if (o.t < 0 && d > limit) o.t = y[0];
     }
@@ -98,6 +100,7 @@ static struct neglect_found find(const struct left_out *o, const struct flip *wi
         if (k < 0 || !with->column[i].compared || sort_of(&with->column[i]) != sort) continue;
         const double usual = flip_usual(with, i, run, k);
         const struct change c = compare(with, i, run, k, limit * usual);
+        if (c.common < 2) continue; /* the start tells nothing */
         const double share = c.most > 0 ? c.most / usual : 0;
         if (c.t >= 0 && (found.t < 0 || c.t < found.t)) found.t = c.t;
         if (found.known && !(share > found.share)) continue;
@@ -107,6 +110,19 @@ static struct neglect_found find(const struct left_out *o, const struct flip *wi
     }
     if (found.share <= noise(o->sim)) found.t = -1;
     return found;
+}
+
+/* A run that ends by what happens may end at another time. */
+static void add_end(struct neglect_found *found, const struct left_out *o, const struct flip *with)
+{
+    const double first = fmin(with->until, o->first.until), last = fmax(with->until, o->first.until);
+    const double share = (last - first) / (last - o->sim->model->t0);
+    if (o->cut || !(last > first) || (found->known && share <= found->share)) return;
+    if (share > o->sim->scene->effects.tolerance && found->t < 0) found->t = first;
+    found->known = true;
+    found->share = share;
+    found->column = o->first.column[0].name;
+    found->until = o->sim->x.t;
 }
 
 static void run_with(struct left_out *o, enum effect_id id)
@@ -120,6 +136,7 @@ static void run_with(struct left_out *o, enum effect_id id)
     if (with.kept.status != OK && with.kept.status != E_VERDICT) return;
     struct neglect_found moved = find(o, &with, MOVES), acts = find(o, &with, ACTS);
     if (!moved.known) moved = acts;
+    add_end(&moved, o, &with);
     moved.noise = noise(o->sim);
     moved.acts = acts.share;
     moved.acting = acts.column;
