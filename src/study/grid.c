@@ -110,8 +110,10 @@ static void add_fourth(struct grid *o, const struct stepper_kind *kind, int rati
     const double every = subject->every;
     struct chain *chain = begin(o, true, life);
     for (int m = 1; m <= FINEST; m *= 2) /* 1, 2, 3, 4, 6, 8, 12 ... */
-        for (int k = 2; k < (m > 1 ? 4 : 3); k++)
-            add(o, chain, (struct setting){kind, NAN, every / (m * k / 2) / ratio, ratio, 4}, life);
+        for (int k = 2; k < (m > 1 ? 4 : 3); k++) {
+            const int steps = m * k / 2;
+            add(o, chain, (struct setting){kind, NAN, every / steps / ratio, ratio, 4}, life);
+        }
 }
 
 /* By what is seen of the motion, from one tolerance to the next. */
