@@ -233,7 +233,7 @@ trust: $(PROGRAM) $(BUILD)/random/mechanism
 
 ## tolerance     is a requested tolerance met: errors in tolerances, schemes by decks; minutes
 tolerance: $(PROGRAM)
-	@BUILD=$(BUILD) LONGEST=$(or $(LONGEST),10) sh tests/tools/tolerance.sh
+	@BUILD=$(BUILD) LONGEST=$(or $(LONGEST),60) sh tests/tools/tolerance.sh
 
 ## modes         `modes: auto` beside all modes, on shipped decks at three tolerances
 modes: $(PROGRAM)

@@ -1,12 +1,12 @@
 # tolerance.sh -- is a tolerance met?  Errors of positions and rates at the end, over the column's range, in tolerances.
 #
-#     BUILD=build LONGEST=10 sh tests/tools/tolerance.sh [DECK ...]              default: all of the list below
+#     BUILD=build LONGEST=60 sh tests/tools/tolerance.sh [DECK ...]              default: all of the list below
 #
 # The limit is 10 times max(1, the run in periods of the fastest motion that is excited), at most 100: periods by the turns of the
 # deck's columns in the reference (dop853 or radau9 to 1e-12), of hundredths of a range and more.  A run that takes more than
 # LONGEST CPU seconds is shown as such and not judged.
 . tests/tools/lib.sh
-LONGEST=${LONGEST:-10}
+LONGEST=${LONGEST:-60}
 
 # deck, file, reference, settings
 cat >"$work/decks" <<'LIST'
