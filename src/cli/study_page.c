@@ -171,7 +171,8 @@ static void put_diagram(FILE *to, const struct study *o, struct arena *life)
 
 static void put_row(FILE *to, const struct study *o, const struct study_row *r)
 {
-    fprintf(to, "<tr%s><td>%s</td><td>", o->own && r == o->own ? " class=\"own\"" : "", r->setting.kind->name);
+    fprintf(to, "<tr%s><td>%s%s</td><td>", o->own && r == o->own ? " class=\"own\"" : "", r->setting.kind->name,
+            r->setting.order > 2 ? ", order 4" : "");
     const double numbers[] = {r->setting.tolerance, r->setting.step, r->setting.ratio, r->errors.worst};
     for (int i = 0; i < 4; i++) {
         put_number(to, numbers[i]);
