@@ -73,13 +73,14 @@ static void solutions(void **state)
     (void)state;
     for (int trial = 0; trial < 500; trial++) {
         int n = 1 + tree_pick(&d, MOST), row[MOST], col[MOST], swap[MOST], band[2] = {n, 2 * n};
+        const int below = 1 + trial / 5 % 4; /* of a band */
         double A[MOST * MOST], LU[MOST * MOST], rows[MOST * MOST], x[MOST], b[MOST], work[MOST];
         double many[3 * MOST];
         random_matrix(A, &d, n, n, trial % 2 ? .6 : 0);
         for (int i = 0; i < n; i++) A[i + n * ((i + trial) % n)] += 3;
-        for (int i = 0; trial % 5 == 4 && i < n; i++) /* a band */
-            for (int j = 0; j < n; j++) A[i + j * n] = i - j > 2 || j - i > 1 ? 0 : tree_roll(&d, -1, 1);
-        if (trial % 5 == 4) band[0] = 2, band[1] = 3;
+        for (int i = 0; trial % 5 == 4 && i < n; i++)
+            for (int j = 0; j < n; j++) A[i + j * n] = i - j > below || j - i > 1 ? 0 : tree_roll(&d, -1, 1);
+        if (trial % 5 == 4) band[0] = below, band[1] = below + 1;
         if (trial % 5 == 3) band[0] = band[1] = n - 1;
         for (int i = 0; i < n; i++) x[i] = tree_roll(&d, -1, 1);
         memcpy(LU, A, sizeof A);
