@@ -112,12 +112,12 @@ void sift_build(struct sift *o, const double *A, const double *base, int rows, i
 typedef double half __attribute__((vector_size(SIFT_BLOCK / 2 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
 /* Written out: as a loop it takes as long as the product. */
-INTO static inline void spread(double *restrict y, half s, const int *restrict row)
+INTO static inline void spread(double *restrict y, const half *s, const int *restrict row)
 {
-    y[row[0]] = s[0];
-    y[row[1]] = s[1];
-    y[row[2]] = s[2];
-    y[row[3]] = s[3];
+    y[row[0]] = (*s)[0];
+    y[row[1]] = (*s)[1];
+    y[row[2]] = (*s)[2];
+    y[row[3]] = (*s)[3];
 }
 
 INTO static inline void block(double *restrict y, const double *restrict A, const double *restrict base,
@@ -129,8 +129,8 @@ INTO static inline void block(double *restrict y, const double *restrict A, cons
         s += *(const half *)A * f;
         t += *(const half *)(A + SIFT_BLOCK / 2) * f;
     }
-    spread(y, s, row);
-    spread(y, t, row + SIFT_BLOCK / 2);
+    spread(y, &s, row);
+    spread(y, &t, row + SIFT_BLOCK / 2);
 }
 
 /* A base of zeros has no stride. */
