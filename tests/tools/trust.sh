@@ -157,7 +157,7 @@ errors() { # RUN REFERENCE: "error column", the worst
               if (abs($i) > size[i]) size[i] = abs($i) } }
         END { worst = -1
               for (i = 2; i <= n; i++) {
-                  if (name[i] ~ /^(h|sweeps|step\..*|energy\..*)$/) continue
+                  if (name[i] ~ /^(h|sweeps|step\..*)$/ || (name[i] ~ /^energy\./ && name[i] !~ /^energy\.(kinetic|gravity|elastic)$/)) continue
                   r = high[i] - low[i]; if (r < 1e-8 * size[i]) r = size[i]
                   if (r < 1e-6) continue
                   if (e[i] / r > worst) { worst = e[i] / r; w = name[i] } }
