@@ -35,6 +35,11 @@ expect "but what is beyond the tolerance" "1 1" "$? $(grep -c W-effect "$work/er
 "$FMDSUB" run -q -s effects.gyroscopic=false -s 'integrate={scheme: dopri5, tolerance: 1e-5, until: 0.1}' decks/heavy-top.yaml >"$work/out" 2>"$work/err"
 expect "the run's tolerance gives one, a tenth of it" 1 "$(grep -c "the tolerance of 'effects', 1e-06, is passed.*W-effect" "$work/err")" "$work/err"
 "$FMDSUB" run -f json -q -s effects.gravity=false decks/pendulum.yaml 2>/dev/null | grep -q '"neglected_gravity":[12]' && ok "the summary has gravity" || not_ok "the summary has gravity" "no neglected_gravity"
+for given in "1.0e-4 1e-3 1e-05" "1.0e-2 1e-2 0.001" "1.0e-2 1e-4 0.0001"; do
+    set -- $given
+    "$FMDSUB" check --no-trial -s bodies.arm.modes=auto -s effects.tolerance=$2 -s "integrate={scheme: dopri5, tolerance: $1, until: 0.1}" decks/cantilever.yaml >"$work/out" 2>"$work/err"
+    expect "modes: auto, run to $1, effects to $2: to $3" 1 "$(grep -c "modes: auto: .* tolerance $3\$" "$work/out")" "$work/out" "$work/err"
+done
 # A run that ends by what happens: not by the one instant that both have, but by when they end.
 "$FMDSUB" run -s effects.gravity=false -s 'integrate.until={when: "pin.angle > 0.1", latest: 3}' decks/pendulum.yaml >"$work/out" 2>"$work/err"
 expect "an end at another time is a change" 1 "$(grep -c "left out: gravity: about 95 % of 't'" "$work/err")" "$work/err"
