@@ -95,3 +95,10 @@ grep -q "limit of time" "$work/err" && ok "a deck that nobody writes: told" || n
 timeout 20 "$FMDSUB" run -q --max-time 0.2 -o "$work/pipe" "$deck" >"$work/out" 2>"$work/err"
 expect "records that nobody reads: status" 7 $? "$work/err"
 grep -q "limit of time" "$work/err" && ok "records that nobody reads: told" || not_ok "records that nobody reads: told" "stderr:" "$work/err"
+
+# A deck of 300 kB that comes in pieces is read to its end.
+{ awk 'BEGIN { for (i = 0; i < 3000; i++) printf "# %098d\n", i }'; cat "$ROOT/decks/pendulum.yaml"; } >"$work/long.yaml"
+cat "$work/long.yaml" | "$FMDSUB" run -q - >"$work/out" 2>"$work/err"
+ended "a long deck by a pipe" 0 $? "$work/out" "$work/err"
+"$FMDSUB" run -q "$ROOT/decks/pendulum.yaml" | cmp -s - "$work/out" && [ -s "$work/out" ] && ok "a long deck by a pipe: as from its file" ||
+    not_ok "a long deck by a pipe: as from its file" "differs" "$work/out" "$work/err"
