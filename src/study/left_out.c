@@ -8,7 +8,7 @@
 #include "sim/neglects.h"
 #include "study/auto.h"
 
-static const double MINUTE = 60; /* of CPU by price: of the run that is compared, at most */
+static const double MOST = 5; /* [s] of CPU by price: of the run that is compared */
 enum { MOST_NUMBERS = 1 << 23 };
 
 /* ---- kept -------------------------------------------------------------------------------------------------------- */
@@ -19,7 +19,7 @@ static bool within(const struct left_out *o)
     const struct stepper *s = &sim->stepper;
     const double spent = price_seconds(&o->price, s->kind, &s->effort) + price_books(&o->price, &s->effort);
     if ((o->first.kept.rows + 1) * (double)o->first.kept.n > MOST_NUMBERS) return false;
-    return spent <= MINUTE;
+    return spent <= MOST;
 }
 
 static enum status take_meta(struct sink *sink, const struct run_meta *meta, struct report *report)

@@ -1,6 +1,6 @@
 /* left_out.h -- a run whose deck turns effects off, and for each a second one with it: what leaving it out changes.
  *
- * A sink between the run and where it writes to.  It keeps the records, of a minute's worth by price at most; behind the
+ * A sink between the run and where it writes to.  It keeps the records, of five seconds by price at most; behind the
  * run's end as much is run with each effect that is off and may matter, and both are compared, column by column.  What is
  * watched at records as it is (sim/neglects.h), on all bodies, and stays far from the tolerance of `effects` (1.0e-3 where
  * it has none), is run no second time.
