@@ -65,11 +65,19 @@ static void keep(struct sim *sim)
     copy(p->velocity, missed->velocity, ode->n);
 }
 
+static double works(const struct ledger *l)
+{
+    double sum = 0;
+    for (int c = 0; c < LEDGER_CHANNELS; c++) sum += fabs(l->work[c]);
+    return sum;
+}
+
 /* The last place is left for the end of the run. */
 void trust_note(struct sim *sim)
 {
     struct trust *o = &sim->trust;
     if (!o->asked) return;
+    o->worked = fmax(o->worked, works(&sim->ledger));
     for (int i = 0; i < sim->chosen.n; i++) {
         const double x = sim->row[i];
         if (o->seen == 0) o->low[i] = o->high[i] = x;
@@ -88,6 +96,7 @@ void trust_recall(struct sim *sim, struct recall *r)
     recall_within(r, "trust");
     recall_list(r, "low", o->low, sim->chosen.n);
     recall_list(r, "high", o->high, sim->chosen.n);
+    recall_one(r, "worked", o->worked);
     recall_one(r, "n", o->n);
     recall_one(r, "every", o->every);
     recall_one(r, "seen", o->seen);
@@ -131,15 +140,34 @@ static double sign(int draw, int i)
     return ((unsigned)(i + 1) * 2654435761u + (unsigned)draw * 2246822519u) >> (draw + 13) & 1 ? -1 : 1;
 }
 
-/* Energies there, where columns have them; works are sums of the run's. */
-static bool energies_at(struct sim *sim, double t)
+/* What the sum of all energies may be off by: what the run has lost of it, and works, of whose errors nothing else is known. */
+static double energy_off(const struct sim *sim)
 {
-    struct energies e;
+    const struct ledger *l = &sim->ledger;
+    return l->worst + l->gained + fabs(l->lost) + sim->trust.worked;
+}
+
+/* An energy's error is what those of the others leave of the sum's, all counted from the place: signs that are drawn know nothing
+ * of a sum that the motion keeps. */
+static double held(double change, double others, double sum)
+{
+    const double most = fabs(others) + sum;
+    return fmin(most, fmax(-most, change));
+}
+
+/* Energies there, where columns have them, moved by so much of what was missed, 0: not; works are sums of the run's. */
+static bool energies_at(struct sim *sim, double t, double by)
+{
+    struct energies e, *o = &sim->trust.there;
+    struct ledger *l = &sim->ledger;
     if (!(sim->needs & NEED_ENERGY)) return true;
     if (system_energy_at(sim->system, &e, sim->x.q, sim->x.v, t, &sim->trouble) != OK) return false;
-    sim->ledger.kinetic = e.kinetic;
-    sim->ledger.elastic = e.elastic;
-    sim->ledger.gravity = e.gravity;
+    if (by == 0) *o = e;
+    const double kinetic = e.kinetic - o->kinetic, elastic = e.elastic - o->elastic, gravity = e.gravity - o->gravity;
+    const double sum = by * energy_off(sim);
+    l->kinetic = o->kinetic + held(kinetic, fabs(elastic) + fabs(gravity), sum);
+    l->elastic = o->elastic + held(elastic, fabs(kinetic) + fabs(gravity), sum);
+    l->gravity = o->gravity + held(gravity, fabs(kinetic) + fabs(elastic), sum);
     return true;
 }
 
@@ -154,7 +182,7 @@ static bool columns_at(struct sim *sim, const struct trust_place *p, double by, 
     }
     sim->x = (struct state){p->t, sim->look->q, o->dv, sim->look->a};
     motion_point(ode, sim->x.q, p->q, o->dq, 1, p->t);
-    return energies_at(sim, p->t) && record_fill(sim) == OK;
+    return energies_at(sim, p->t, by) && record_fill(sim) == OK;
 }
 
 static void look_at(struct sim *sim, const struct trust_place *p)

@@ -2,11 +2,14 @@
  *
  * engine/missed.h sums what steps leave in coordinates and rates.  At a few records the state is moved by a small part of
  * that, each coordinate this way or that, and each column tells what it makes of it: its root mean square over some draws,
- * over the column's range in the run. */
+ * over the column's range in the run.  Of energies no more than what the others are moved by, and what the run's balance and works
+ * leave open: the sum is kept by the motion, not by what is drawn. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 
 #include <stdbool.h>
+
+#include "system/system.h"
 
 enum { TRUST_PLACES = 6 };
 
@@ -21,8 +24,11 @@ struct trust {
         double *q, *v, *position, *velocity; /* [nq], [n], what was missed up to there [n] */
     } place[TRUST_PLACES];
     double *base, *sum; /* [columns] values at a place; squares of what they are moved by */
+    double worked;      /* sum of |work| of all channels, the largest at a record [J] */
     double *dq, *dv;    /* [n] */
     double *off;        /* [columns] largest at a place */
+
+    struct energies there; /* at a place */
 
     double growth; /* least of small differences at the places [1/s]; 0: they do not grow everywhere */
     bool known;

@@ -23,6 +23,12 @@ for quiet in pendulum four-bar governor spring-pendulum; do
     tail -n 1 err | grep -q "summed over the steps; " && ok "none that grow: $quiet" || not_ok "none that grow: $quiet" "it says" err
 done
 
+# Kinetic energy is off by what the others are: signs that are drawn know nothing of the sum, which the motion keeps.
+"$FMDSUB" run -q --stats=energies -s integrate.scheme=dopri5 -s integrate.tolerance=1e-5 -s 'output.columns=[energy.kinetic,energy.gravity]' \
+    "$decks"/chain.yaml >out 2>err
+told=$(awk '$1 == "estimated_error" { print ($2 > 1e-9 && $2 < 1e-6 ? "fine" : $2) }' energies)
+expect "the estimate of energies that a chain exchanges" fine "$told" err
+
 # A second run: the table, the summary, the same records.
 "$FMDSUB" run -q "$deck" >plain 2>err
 "$FMDSUB" run --verify "$deck" >out 2>err
@@ -84,6 +90,6 @@ words 'the run has too few steps' 'few steps' -s integrate.scheme=midpoint -s in
 
 # Energies are of the motion, works are sums: an error of 0 is nobody's.
 "$FMDSUB" run --columns energy.kinetic "$ROOT/decks/double-pendulum.yaml" >"$work/out" 2>"$work/err"
-expect "the error of an energy" 1 "$(grep -c "^estimated error: 0.00[1-9]* of the range of 'energy.kinetic'" "$work/err")" "$work/err"
+expect "the error of an energy" 1 "$(grep -c "^estimated error: 0.000[1-9]* of the range of 'energy.kinetic'" "$work/err")" "$work/err"
 "$FMDSUB" run --columns energy.external,energy.drive "$ROOT/decks/double-pendulum.yaml" >"$work/out" 2>"$work/err"
 expect "the error of works" 1 "$(grep -c "^estimated error: not known: no column of the motion is written" "$work/err")" "$work/err"
