@@ -218,14 +218,6 @@ static double growth_on_the_way(struct sim *sim, long chart)
     return seen >= FEW ? least : 0;
 }
 
-/* A momentum that the scheme keeps: errors of all bodies cancel in it. */
-static bool is_kept(const struct sim *sim, int i, double range)
-{
-    static const double KEPT = 1e-6; /* of the error that it would have */
-    const bool momentum = sim->catalogue.origin[sim->chosen.index[i]].needs & NEED_MOMENTUM;
-    return momentum && range <= KEPT * sim->trust.off[i];
-}
-
 /* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
 static double share(const struct sim *sim, int i)
 {
@@ -233,7 +225,6 @@ static double share(const struct sim *sim, int i)
     const struct trust *o = &sim->trust;
     const double size = fmax(fabs(o->low[i]), fabs(o->high[i])), range = o->high[i] - o->low[i];
     double least = 0;
-    if (is_kept(sim, i, range)) return 0;
     for (int k = 0; k < sim->chosen.n; k++) {
         const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
         if (a == b || (a && b && strcmp(a, b) == 0)) least = fmax(least, fmax(fabs(o->low[k]), fabs(o->high[k])));
@@ -241,9 +232,16 @@ static double share(const struct sim *sim, int i)
     return o->off[i] > 0 ? AMPLE * o->off[i] / fmax(range > RESTS * size ? range : size, LOST * least) : 0;
 }
 
-static bool is_work(const struct sim *sim, int i)
+static bool needs(const struct sim *sim, int i, unsigned what)
 {
-    return sim->catalogue.origin[sim->chosen.index[i]].needs & NEED_WORKS;
+    return sim->catalogue.origin[sim->chosen.index[i]].needs & what;
+}
+
+/* A momentum that changes by no more than what the bodies' errors would make of it, is kept: they cancel in it, by some schemes
+ * to round-off, by others as far as these are accurate.  Its range is no measure then. */
+static bool is_kept(const struct sim *sim, int i)
+{
+    return needs(sim, i, NEED_MOMENTUM) && !(share(sim, i) < UNKNOWN);
 }
 
 static void find_worst(struct sim *sim)
@@ -251,7 +249,8 @@ static void find_worst(struct sim *sim)
     struct trust *o = &sim->trust;
     o->worst = 0;
     for (int i = 0; i < sim->chosen.n; i++) {
-        if (!sim_column_compared(sim, i) || is_work(sim, i) || !(share(sim, i) >= o->worst)) continue;
+        if (!sim_column_compared(sim, i) || needs(sim, i, NEED_WORKS) || is_kept(sim, i)) continue;
+        if (!(share(sim, i) >= o->worst)) continue;
         o->worst = share(sim, i);
         o->column = i;
     }

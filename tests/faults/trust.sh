@@ -93,3 +93,25 @@ words 'the run has too few steps' 'few steps' -s integrate.scheme=midpoint -s in
 expect "the error of an energy" 1 "$(grep -c "^estimated error: 0.000[1-9]* of the range of 'energy.kinetic'" "$work/err")" "$work/err"
 "$FMDSUB" run --columns energy.external,energy.drive "$ROOT/decks/double-pendulum.yaml" >"$work/out" 2>"$work/err"
 expect "the error of works" 1 "$(grep -c "^estimated error: not known: no column of the motion is written" "$work/err")" "$work/err"
+
+# A momentum that is kept as far as the steps are accurate: its range is of errors alone, which tell nothing of the steps.
+cat >"$work/flies.yaml" <<'EOF'
+fmdsub: 1
+bodies:
+  hub: {mass: 60, at: [0, 0], inertia: 9}
+  arm: {mass: 3, at: [1, 0], inertia: 0.5}
+constraints:
+  f: {free: [ground, hub]}
+  w: {revolute: [hub, arm], at: [0.4, 0]}
+forces:
+  k: {spring: w, stiffness: 5, damping: 0.1}
+initial: {f.x_rate: 0.2, f.angle_rate: 0.5, w.angle: 0.4}
+integrate: {until: 4, tolerance: 1.0e-4}
+output: {every: 0.05, columns: [f.angle, w.angle, "momentum.*"]}
+EOF
+for scheme in dopri5 radau5 newmark midpoint; do
+    "$FMDSUB" run --strict -s integrate.scheme=$scheme "$work/flies.yaml" >"$work/out" 2>"$work/err"
+    expect "momenta beside what moves, $scheme" "0 1" "$? $(grep -c "^estimated error: [0-9.e-]* of the range of '[fw].angle'" "$work/err")" "$work/err"
+done
+"$FMDSUB" run -s integrate.scheme=newmark --columns 'momentum.*' "$work/flies.yaml" >"$work/out" 2>"$work/err"
+expect "momenta alone" 1 "$(grep -c "^estimated error: not known: no column of the motion is written" "$work/err")" "$work/err"
