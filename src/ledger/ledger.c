@@ -18,12 +18,20 @@ void ledger_open(struct ledger *o, double delta, double least, double kinetic, d
     o->gravity0 = o->gravity = gravity;
 }
 
+/* Velocities off by the tolerance leave twice that in their energy: by the usual delta, that is within the balance. */
+void ledger_tolerate(struct ledger *o, double tolerance)
+{
+    static const double USUAL_DELTA = .01;
+    o->motion = 2 * tolerance / USUAL_DELTA;
+}
+
 /* The floor of ||W||.  Energies are differences of larger numbers, and where little work is done, as on a body that
  * spins freely, the balance is measured against a small share of the energy that is there. */
 static double least_norm(const struct ledger *o)
 {
     static const double share = 1e-2, round_off = 1e4 * DBL_EPSILON;
-    return larger(larger(o->least, share * (o->kinetic0 + fabs(o->elastic0))),
+    const double there = larger(share * (o->kinetic0 + fabs(o->elastic0)), o->motion * o->kinetic0);
+    return larger(larger(o->least, there),
                   round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 

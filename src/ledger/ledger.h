@@ -5,9 +5,8 @@
  * counted from the start: W_kin the change of kinetic energy; W_int the change of elastic energy and
  * what dampers, friction and the scheme's own damping took; W_ext the work of external forces, drives and gravity.
  * ||W|| is the largest |W_kin| + |W_int| + |W_ext| of the run, the drives' share in W_ext for itself, also of what works
- * come to between two looks, at least 1e-2 of the energy at the start and what round-off leaves of a difference of energies,
- * or moves of a mechanism at rest: print
- * (2-26*) leaves it undefined.  A scheme's own damping may only take: what it has put in, on the whole, breaks the
+ * come to between two looks, at least 1e-2 of the energy at the start, 200 times a scheme's tolerance of the kinetic one, and
+ * what round-off leaves of a difference of energies, or moves of a mechanism at rest: print (2-26*) leaves it undefined.  A scheme's own damping may only take: what it has put in, on the whole, breaks the
  * balance, too, as where a start that the step does not resolve makes it swing over.
  * The works come from the integrator, summed by its own quadrature. */
 #ifndef FMDSUB_LEDGER_LEDGER_H
@@ -20,6 +19,7 @@ enum { LEDGER_EXTERNAL, LEDGER_DRIVE, LEDGER_DAMPER, LEDGER_FRICTION, LEDGER_CHA
 struct ledger {
     double delta;
     double least;                        /* energy of what round-off moves [J] */
+    double motion;                       /* of the kinetic energy at the start: ||W|| at least */
     double kinetic0, elastic0, gravity0; /* at the start [J] */
     double kinetic, elastic, gravity;    /* now [J] */
     double work[LEDGER_CHANNELS];        /* done on the system so far [J] */
@@ -33,6 +33,9 @@ struct ledger {
 };
 
 void ledger_open(struct ledger *o, double delta, double least, double kinetic, double elastic, double gravity);
+
+/* Steps are chosen by that tolerance. */
+void ledger_tolerate(struct ledger *o, double tolerance);
 
 /* The end of an accepted step: its works [LEDGER_CHANNELS]; each step's. */
 void ledger_add(struct ledger *o, const double *work, double lost, double left);

@@ -118,6 +118,7 @@ static enum status start(struct sim *sim, struct diags *diags, struct report *re
     TRY(passes_begin(sim, diags));
     if (sim->stepper.touch) TRY(contacts_begin(sim, report));
     ledger_open(&sim->ledger, sim->scene->delta, least, e.kinetic, e.elastic, e.gravity);
+    if (sim->stepper.kind->adaptive) ledger_tolerate(&sim->ledger, sim->stepper.options.tolerance);
     sim->last_h = sim->plan.step;
     sim->min_h = sim->plan.step;
     return OK;
