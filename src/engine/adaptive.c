@@ -7,6 +7,7 @@
 
 #include "base/scalar.h"
 #include "base/stop.h"
+#include "engine/edge.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/touch.h"
@@ -239,13 +240,6 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
     return E_NUMERIC;
 }
 
-/* A touch that neither end of the trial shows. */
-static bool has_passed(const struct stepper *s, const struct adaptive *m, double t)
-{
-    const struct instant a = {.t = t, .q = m->q, .v = m->v}, b = {.t = t + m->came, .q = m->q1, .v = m->v1};
-    return s->ode->passed && s->ode->passed(s->ode, &a, NULL, &b) != MET_NOT;
-}
-
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order.  None is
  * left over that is far shorter than the others, where changes of velocities over it, round-off, would be read. */
@@ -269,8 +263,9 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         err /= adaptive_share(m, came);
         if (h > least && err <= 1) *passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
-        if (status == OK && err <= 1 && h > least && has_passed(s, m, *t)) {
-            m->h = .5 * came;
+        const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, adaptive_share(m, came)) : 1;
+        if (cut_to < 1) {
+            m->h = cut_to * came;
             s->effort.rejected++;
             continue;
         }

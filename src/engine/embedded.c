@@ -15,6 +15,7 @@ void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life)
 {
     const struct embedded_pair *p = pair_of(m);
     (void)life;
+    m->ahead = m->rk.dv[p->table.stages - 1];
     if (p->part > 0)
         m->tolerance = smaller(1, p->part * pow(s->options.tolerance, p->power - 1)) * s->options.tolerance;
 }

@@ -74,6 +74,7 @@ static void open(struct stepper *s, struct adaptive *m, struct arena *life)
     m->tolerance = .1 * pow(s->options.tolerance, (stages + 1) / (2. * stages));
     x->stale = true;
     m->own = x;
+    m->ahead = x->a[stages - 1];
 }
 
 static void forget(struct adaptive *m)

@@ -264,6 +264,18 @@ enum met elements_passed(struct elements *e, struct sweep *s, const struct insta
     return most;
 }
 
+double elements_edge(const struct elements *e)
+{
+    double most = NAN;
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct part_of *p = &e->other[i];
+        if (!clear_of(e, p) || !((p->open[0] > 0) != (p->open[1] > 0))) continue;
+        const double x = p->open[0] / (p->open[0] - p->open[1]);
+        if (isfinite(x) && !(fabs(x - .5) >= fabs(most - .5))) most = x;
+    }
+    return most;
+}
+
 static void read_all(struct elements *e, struct sweep *s, const struct instant *x)
 {
     e->ops->move(s, x->q, x->v, ALL);

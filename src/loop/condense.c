@@ -193,6 +193,12 @@ static enum met passed(const struct ode2 *ode, const struct instant *a, const st
     return o->tree->ode.passed(&o->tree->ode, &x, between ? &z : NULL, &y);
 }
 
+static double edge(const struct ode2 *ode)
+{
+    const struct condense *o = ode->self;
+    return o->tree->ode.edge(&o->tree->ode);
+}
+
 static void build_workspace(struct condense *o, struct arena *life)
 {
     double **of_rows[] = {&o->C, &o->lambda, &o->jump};
@@ -282,6 +288,7 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .driven = m->ndrive ? condense_fastest : NULL,
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .passed = tree->ode.passed ? passed : NULL,
+                           .edge = edge,
                            .settle = tree->ode.settle ? settle : NULL,
                            .bends = tree->ode.bends,
                            .steep = tree->ode.steep,

@@ -303,6 +303,11 @@ static enum met passed(const struct ode2 *o, const struct instant *a, const stru
     return elements_passed(s->elements, s->sweep, a, between, b, DEEP * s->length);
 }
 
+static double edge(const struct ode2 *o)
+{
+    return elements_edge(tree_of(o)->elements);
+}
+
 void open_build(struct open_tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
@@ -343,6 +348,7 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .steep = elements_may_be_steep(o->elements),
                            .workless = m->nforce == 0 && o->elastic.n == 0,
                            .passed = elements_may_be_passed(o->elements) ? passed : NULL,
+                           .edge = edge,
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};

@@ -185,6 +185,9 @@ struct ode2 {
      * on the way, at which it may be seen; NULL: none is known.  NULL: there is nothing of the kind. */
     enum met (*passed)(const struct ode2 *o, const struct instant *a, const struct instant *between,
                        const struct instant *b);
+    /* Required with passed().  The part of the way between the states a and b that it has looked at last at which a push begins
+     * or ends, of several that which is farthest from both; NAN: none does. */
+    double (*edge)(const struct ode2 *o);
     double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */
     int straight;     /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int bends;        /* forces may jump or bend where nobody knows beforehand: by the state */
