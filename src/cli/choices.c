@@ -46,7 +46,9 @@ enum status choices_read(struct choices *o, const struct request *request, struc
     if (request->steps) TRY(choices_numbers(o->step, &o->nstep, "steps", request->steps, false, life, report));
     if (request->tolerances)
         TRY(choices_numbers(o->tolerance, &o->ntolerance, "tolerances", request->tolerances, false, life, report));
-    for (int i = 0; i < o->ntolerance; i++)
+    for (int i = 0; i < o->ntolerance; i++) {
         if (o->tolerance[i] > .1) return fail(report, E_USAGE, "--tolerances: at most 0.1");
+        if (o->tolerance[i] < 1e-14) return fail(report, E_USAGE, "--tolerances: at least 1e-14");
+    }
     return OK;
 }

@@ -104,6 +104,14 @@ static void tell_rotary(struct told *o, const struct model *m)
     if (most > 0) snprintf(o->number, sizeof o->number, "4.65 I/(A l^2) up to %.3g", most);
 }
 
+/* Turned on, it is in all beams whose own key says nothing. */
+static void tell_shear(struct told *o, const struct scene *scene)
+{
+    if (scene->in_beams & effect_bit(EFFECT_SHEAR)) return;
+    o->state = STATE_OFF;
+    snprintf(o->number, sizeof o->number, "no section gives ky or kz, no beam 'shear: true'");
+}
+
 static void tell_damping(struct told *o, const struct sim *sim)
 {
     const struct model *m = sim->model;
@@ -170,6 +178,8 @@ static void tell(struct told *o, enum effect_id id, const struct flip *run)
         tell_rotary(o, sim->model);
         break;
     case EFFECT_SHEAR:
+        tell_shear(o, sim->scene);
+        break;
     case EFFECTS:
         break;
     }

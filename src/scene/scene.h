@@ -287,6 +287,7 @@ struct scene {
     struct effect_wishes effects;
     const struct node *effects_node; /* NULL: not given */
     unsigned off;                    /* effects of flexible bodies that the deck turns off, though there is some */
+    unsigned in_beams;               /* rotary, shear: those that a beam has */
 };
 
 /* Checks the deck and fills a scene; all errors go to diags, the status is diags' own.  schemes: what the schemes read of

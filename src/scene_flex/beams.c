@@ -41,6 +41,7 @@ bool wants_effect(struct builder *b, const struct node *map, const char *key, en
     const struct node *n = node_find(map, key);
     const int wish = b->scene->effects.wish[id];
     const bool wanted = (n && !n->implied) || wish == WISH_AUTO ? own : wish == WISH_ON;
+    if (wanted) b->scene->in_beams |= effect_bit(id);
     if (wanted || !usual) return wanted;
     if (!(b->unheard & effect_bit(id))) b->scene->off |= effect_bit(id);
     return (b->unheard & effect_bit(id)) != 0;

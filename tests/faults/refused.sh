@@ -10,6 +10,7 @@ many() { seq -s , 1 "$1"; }
 refuse 2 '--steps: more than 64' study --steps "$(many 65)" deck.yaml
 refuse 2 '--schemes names no scheme' study --schemes , deck.yaml
 refuse 2 '--tolerances: at most 0.1' study --tolerances 1e-3,0.2 deck.yaml
+refuse 2 '--tolerances: at least 1e-14' study --tolerances 1e-3,1e-15 deck.yaml
 refuse 2 '--repeats takes one number' study --repeats 1,2 deck.yaml
 refuse 2 '--script and --pick both print on stdout' study --script --plot x.svg --pick 1e-3 deck.yaml
 refuse 2 "budget takes seconds, or none, not 'x'" study --budget x deck.yaml

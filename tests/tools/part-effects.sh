@@ -147,6 +147,11 @@ expect "explain: and what turning it on changes" 1 "$(sed -n '/^rotary/{n;p;}' "
 # 4.65 h^2/12 of a rectangle of 0.01 m, 1 m long; a tenth of a percent less by the mesh, if any.
 "$FMDSUB" explain decks/cantilever.yaml >"$work/told" 2>"$work/err"
 expect "explain: 4.65 I/(A l^2)" 1 "$(grep -c '^rotary *on *by default *4.65 I/(A l^2) up to 3.8[78]e-05' "$work/told")" "$work/told"
+# Shear is in beams that give its factors or ask for it: elsewhere it is off, and turning it on tells what it is worth.
+expect "explain: no shear without factors" "off by default: changes" \
+    "$(sed -n '/^shear/{N;s/^shear *\([a-z]*\) *\(by [a-z]*\) .*turned on: .* \(changes\) by [0-9].*/\1 \2: \3/p;}' "$work/told")" "$work/told"
+"$FMDSUB" explain -s bodies.arm.beam.shear=true decks/cantilever.yaml >"$work/told" 2>"$work/err"
+expect "explain: shear by a beam's own key" 1 "$(grep -c '^shear *on ' "$work/told")" "$work/told"
 "$FMDSUB" explain -s effects.gravity=false decks/pendulum.yaml >"$work/told" 2>"$work/err"
 expect "explain: changes are of the run with the effect" "gravity watched: 1e+02 or 2e+02" \
     "$(sed -n '/^gravity/{N;s/^gravity *\([a-z]*\) .* changes by \([0-9.e+]*\) %.*/gravity \1: \2/;s/: [12]e+02$/: 1e+02 or 2e+02/p;}' "$work/told")" "$work/told"
