@@ -53,6 +53,18 @@ for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
     compare_counts "$name"
 done
 
+# Decks under other schemes, by their lines there: NAME is DECK,KEY=VALUE,KEY=VALUE..., keys of integrate.
+for case in $(awk '$1 ~ /,/ { print $1 }' tests/decks/counts.txt); do
+    name=${case%%,*}
+    wanted "$name" || continue
+    deck=$(ls "decks/$name.yaml" "tests/decks/$name.yaml" 2>/dev/null)
+    timeout "${DECK_SECONDS:-60}" "$FMDSUB" run -q --stats="$work/stats" \
+        $(echo "${case#*,}" | tr , '\n' | sed 's/^/--set integrate./') "$deck" >"$work/out" 2>"$work/err" </dev/null
+    rc=$?
+    ended "$case run" 0 $rc "$work/out" "$work/err"
+    [ $rc = 0 ] && compare_counts "$case"
+done
+
 [ -z "$D" ] || exit 0
 
 # Same deck, same bytes; from a file and from stdin.

@@ -36,6 +36,18 @@ diff_of "times that only one has" 0 a.csv half.csv
 expect "words: times in common" "2 times compared (a has 3, b 2)" "$(sed 's/, 2 col.*//' err)" err
 diff_of "a record that ends early" 1 a.csv short.csv
 expect "words: where" "the records do not begin and end together: 0 to 1 and 0 to 0.5" "$(tail -n 1 err)" err
+# Times are the same within a billionth of the shorter of the two intervals, that of the rows' mean.
+printf 't,x\n10,1\n11,2\n14,3\n' >long.csv
+printf 't,x\n11.0000000019,2\n14.0000000021,3\n' >late.csv
+diff_of "times within a billionth of two seconds between rows" 1 long.csv late.csv
+expect "which meet" "1 times compared (a has 3, b 2)" "$(sed -n '1s/, 1 col.*//p' err)" err
+diff_of "and in the other order" 1 late.csv long.csv
+expect "the same meet" "1 times compared (a has 2, b 3)" "$(sed -n '1s/, 1 col.*//p' err)" err
+printf 't,x\n2,5\n' >single.csv
+printf 't,x\n2.0000000019,5\n' >single-late.csv
+diff_of "single rows, within a billionth of their time" 0 single.csv single-late.csv
+printf 't,x\n2.0000000021,5\n' >single-late.csv
+refuse 2 "have no time in common" diff single.csv single-late.csv
 sed 's/arm.y/arm.z/' a.csv >other.csv
 diff_of "a column that only one has" 1 a.csv other.csv
 expect "verdicts of lone columns" "same only in a only in b" "$(echo $(echo "$rows" | sed 's/.*,//'))" out

@@ -1,4 +1,5 @@
 /* t-crew.c -- jobs in processes of their own: heard in order whichever ends first, failures with their words, signals. */
+#include <errno.h>
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -56,6 +57,26 @@ static void in_order(void **state)
     for (int i = 0; i < heard.n; i++) assert_int_equal(heard.job[i], i / 2);
     assert_true(heard.sum == 1);
     arena_close(life);
+}
+
+/* What failed long before, by errno, is no reason to pass over what a pipe has, nor over its end. */
+static void after_interruption(void **state)
+{
+    const int before[] = {EINTR, EAGAIN};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct heard heard = {0};
+        struct report report = {0};
+        struct arena *life = arena_open();
+        const struct crew crew = {.n = JOBS, .self = &heard, .work = work, .hear = hear};
+        alarm(20);
+        errno = before[i];
+        assert_int_equal(crew_run(&crew, life, &report), OK);
+        alarm(0);
+        assert_int_equal(heard.n, 2 * JOBS);
+        assert_true(heard.sum == 1);
+        arena_close(life);
+    }
 }
 
 static enum status work_badly(void *self, int i, int to, struct report *report)
@@ -124,7 +145,8 @@ static void none(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order), cmocka_unit_test(failing), cmocka_unit_test(killed),
-                                       cmocka_unit_test(stopped), cmocka_unit_test(none)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_order), cmocka_unit_test(after_interruption),
+                                       cmocka_unit_test(failing),  cmocka_unit_test(killed),
+                                       cmocka_unit_test(stopped),  cmocka_unit_test(none)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
