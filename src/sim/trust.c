@@ -218,18 +218,25 @@ static double growth_on_the_way(struct sim *sim, long chart)
     return seen >= FEW ? least : 0;
 }
 
+static double largest_of_unit(const struct sim *sim, int i)
+{
+    const struct trust *o = &sim->trust;
+    double most = 0;
+    for (int k = 0; k < sim->chosen.n; k++) {
+        const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
+        if (a == b || (a && b && strcmp(a, b) == 0)) most = fmax(most, fmax(fabs(o->low[k]), fabs(o->high[k])));
+    }
+    return most;
+}
+
 /* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
 static double share(const struct sim *sim, int i)
 {
     static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
     const struct trust *o = &sim->trust;
     const double size = fmax(fabs(o->low[i]), fabs(o->high[i])), range = o->high[i] - o->low[i];
-    double least = 0;
-    for (int k = 0; k < sim->chosen.n; k++) {
-        const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
-        if (a == b || (a && b && strcmp(a, b) == 0)) least = fmax(least, fmax(fabs(o->low[k]), fabs(o->high[k])));
-    }
-    return o->off[i] > 0 ? AMPLE * o->off[i] / fmax(range > RESTS * size ? range : size, LOST * least) : 0;
+    const double least = LOST * largest_of_unit(sim, i);
+    return o->off[i] > 0 ? AMPLE * o->off[i] / fmax(range > RESTS * size ? range : size, least) : 0;
 }
 
 static bool needs(const struct sim *sim, int i, unsigned what)
@@ -237,11 +244,14 @@ static bool needs(const struct sim *sim, int i, unsigned what)
     return sim->catalogue.origin[sim->chosen.index[i]].needs & what;
 }
 
-/* A momentum that changes by no more than what the bodies' errors would make of it, is kept: they cancel in it, by some schemes
- * to round-off, by others as far as these are accurate.  Its range is no measure then. */
+/* A momentum that is kept, by some schemes to round-off, by others as far as these are accurate: the bodies' errors cancel in
+ * it, and its range is no measure.  It changes by little beside the largest, or by no more than what these errors would make. */
 static bool is_kept(const struct sim *sim, int i)
 {
-    return needs(sim, i, NEED_MOMENTUM) && !(share(sim, i) < UNKNOWN);
+    static const double LITTLE = 1e-3;
+    const double range = sim->trust.high[i] - sim->trust.low[i];
+    if (!needs(sim, i, NEED_MOMENTUM)) return false;
+    return range <= LITTLE * largest_of_unit(sim, i) || !(share(sim, i) < UNKNOWN);
 }
 
 static void find_worst(struct sim *sim)

@@ -113,5 +113,9 @@ for scheme in dopri5 radau5 newmark midpoint; do
     "$FMDSUB" run --strict -s integrate.scheme=$scheme "$work/flies.yaml" >"$work/out" 2>"$work/err"
     expect "momenta beside what moves, $scheme" "0 1" "$? $(grep -c "^estimated error: [0-9.e-]* of the range of '[fw].angle'" "$work/err")" "$work/err"
 done
+for at in radau5,1e-6 radau9,1e-6 newmark,1e-6 radau9,1e-9; do
+    "$FMDSUB" run --strict -s integrate.scheme=${at%,*} -s integrate.tolerance=${at#*,} "$work/flies.yaml" >"$work/out" 2>"$work/err"
+    expect "momenta beside what moves, $at" "0 1" "$? $(grep -c "^estimated error: [0-9.e-]* of the range of '[fw].angle'" "$work/err")" "$work/err"
+done
 "$FMDSUB" run -s integrate.scheme=newmark --columns 'momentum.*' "$work/flies.yaml" >"$work/out" 2>"$work/err"
 expect "momenta alone" 1 "$(grep -c "^estimated error: not known: no column of the motion is written" "$work/err")" "$work/err"
