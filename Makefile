@@ -308,6 +308,10 @@ auto: $(PROGRAM)
 bench: $(PROGRAM) $(TOOLS) $(BENCHES)
 	@BUILD=$(BUILD) sh tests/bench/run.sh
 
+## prices        instructions of the kernels of a step against the table of explain DECK; WRITE=1 writes the table
+prices: $(PROGRAM)
+	@BUILD=$(BUILD) WRITE=$(WRITE) sh tests/bench/prices.sh
+
 # ---- against another program -----------------------------------------------------------------
 
 ## REF           the other program
@@ -427,5 +431,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: pick sweeps auto film deb deb-check pictures pages gallery readme cluster hard-table kills advice trust tolerance figures coverage counted vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users modes \
+.PHONY: prices pick sweeps auto film deb deb-check pictures pages gallery readme cluster hard-table kills advice trust tolerance figures coverage counted vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users modes \
         help deps deps-test demo tools tests-built dist install-test install uninstall clean

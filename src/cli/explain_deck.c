@@ -1,7 +1,7 @@
 /* explain_deck.c -- fmdsub explain DECK: which effects its scene has, what decided, what each costs and changes.
  *
  * The deck is run as it is and, for every effect that may be turned, once more with that one turned the other way: what it
- * costs and changes is what these two runs say, their counts at the prices of study/price.c.  Long runs are cut to a
+ * costs and changes is what these two runs say, their counts at the instructions of study/price_table.h.  Long runs are cut to a
  * second's worth. */
 #include <math.h>
 #include <string.h>
@@ -87,12 +87,21 @@ static void tell_stiffening(struct told *o, const struct flip *run)
                  (run->spin / w) * (run->spin / w), run->spin, w);
 }
 
-/* 4.65 I/(A l^2) of the stoutest, by its tensors; l to its node farthest from the reference. */
-static void tell_rotary(struct told *o, const struct model *m)
+/* The most of any beam: [0] rotary inertia, [1] shear, see struct scene_body. */
+static double stoutest(const struct scene *scene, int k)
 {
     double most = 0;
-    for (int i = 1; i < m->nbody; i++) {
-        const struct flex_body *f = m->body[i].flex;
+    for (int i = 1; i < scene->nbody; i++) most = fmax(most, scene->body[i].stout[k]);
+    return most;
+}
+
+/* 4.65 I/(A l^2) of the stoutest, of bodies from files by their tensors; l to the node farthest from the reference. */
+static void tell_rotary(struct told *o, const struct sim *sim)
+{
+    const struct scene *scene = sim->scene;
+    double most = 4.65 * stoutest(scene, 0);
+    for (int i = 1; i < scene->nbody; i++) {
+        const struct flex_body *f = scene->body[i].stout[0] > 0 ? NULL : scene->body[i].flex;
         double l2 = 0, rot = 0;
         for (int k = 0; f && k < f->nnode; k++) {
             const double *x = f->node[k].x, *x0 = f->node[f->reference].x;
@@ -107,9 +116,15 @@ static void tell_rotary(struct told *o, const struct model *m)
 /* Turned on, it is in all beams whose own key says nothing. */
 static void tell_shear(struct told *o, const struct scene *scene)
 {
-    if (scene->in_beams & effect_bit(EFFECT_SHEAR)) return;
-    o->state = STATE_OFF;
-    snprintf(o->number, sizeof o->number, "no section gives ky or kz, no beam 'shear: true'");
+    const double x = stoutest(scene, 1);
+    const bool any = scene->in_beams & effect_bit(EFFECT_SHEAR);
+    if (!any) o->state = STATE_OFF;
+    if (x > 0)
+        snprintf(o->number, sizeof o->number, "3 E I/(kappa G A l^2) up to %.3g%s", 3 * x,
+                 any ? "" : "; no section gives ky or kz, no beam 'shear: true'");
+    else
+        snprintf(o->number, sizeof o->number, "%s",
+                 any ? "of sections that are not known here" : "no section gives ky or kz, no beam 'shear: true'");
 }
 
 static void tell_damping(struct told *o, const struct sim *sim)
@@ -175,7 +190,7 @@ static void tell(struct told *o, enum effect_id id, const struct flip *run)
         tell_ledger(o, sim);
         break;
     case EFFECT_ROTARY:
-        tell_rotary(o, sim->model);
+        tell_rotary(o, sim);
         break;
     case EFFECT_SHEAR:
         tell_shear(o, sim->scene);
@@ -220,8 +235,8 @@ static void flip(struct told *o, enum effect_id id, const struct flip *run, cons
         return;
     }
     o->flipped = true;
-    const double from = scene->start, was = run->kept.seconds / (run->until - from);
-    o->cost = turned.kept.seconds / (turned.until - from) / was - 1;
+    const double from = scene->start, was = run->instructions / (run->until - from);
+    o->cost = turned.instructions / (turned.until - from) / was - 1;
     const bool was_on = o->state == STATE_ON; /* of the run with the effect */
     o->change = flip_change(&o->column, was_on ? run : &turned, was_on ? &turned : run);
     if (isnan(o->change)) o->why = "the two runs have no time in common but the start";
@@ -270,11 +285,16 @@ static void add_modes(cJSON *to, const struct model *m)
     }
 }
 
+static double per_step(const struct flip *run, double x)
+{
+    return x / fmax(1, (double)run->kept.effort.majors);
+}
+
 static void print_words(const struct told *told, const struct flip *run)
 {
     const struct sim *sim = &run->sim;
-    printf("%s: %s, %.3g us a step by counts, runs to t = %.4g s\n", sim->scene->deck->name, sim_space(sim),
-           1e6 * run->kept.seconds / fmax(1, (double)run->kept.effort.majors), run->until);
+    printf("%s: %s, %.3g instructions a step by counts, runs to t = %.4g s\n", sim->scene->deck->name, sim_space(sim),
+           per_step(run, run->instructions), run->until);
     if (is_stopped(run))
         fputs("it does not run to its end: ", stdout), text_put(stdout, run->kept.report.text), puts("");
     for (int i = 0; i < EFFECTS; i++) print_row(&told[i], (enum effect_id)i);
@@ -303,7 +323,8 @@ static enum status print_json(const struct told *told, const struct flip *run, s
     cJSON *o = cJSON_CreateObject();
     facts_add(o, "deck", facts_text(run->sim.scene->deck->name, life));
     cJSON_AddStringToObject(o, "motion", sim_space(&run->sim));
-    facts_add(o, "seconds_per_step", facts_number(run->kept.seconds / fmax(1, (double)run->kept.effort.majors)));
+    facts_add(o, "instructions_per_step", facts_number(per_step(run, run->instructions)));
+    facts_add(o, "seconds_per_step", facts_number(per_step(run, run->kept.seconds)));
     facts_add(o, "until", facts_number(run->until));
     if (is_stopped(run)) cJSON_AddStringToObject(o, "stop", run->kept.report.text);
     cJSON *list = cJSON_AddArrayToObject(o, "effects");

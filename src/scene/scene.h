@@ -34,6 +34,8 @@ struct scene_body {
     int nmode;                    /* elastic coordinates; 0: rigid */
     const struct flex_body *flex; /* NULL: rigid, or its deck is wrong */
     const struct flex_body *full; /* with the stiffening that the deck has turned off; NULL: it has not */
+    double stout[2];              /* of a beam, whether they count or not: rotary inertia I/(A l^2) and shear
+                                   * E I/(kappa G A l^2) of its stoutest section; 0: not known */
     double origin[3];             /* the frame's origin when drawn: `at` but for round-off, world [m] */
 };
 

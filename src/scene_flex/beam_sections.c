@@ -129,6 +129,17 @@ static int read_shape(struct builder *b, struct flex_section *s, struct draft *o
     return annulus(b, s, o, a, n, what);
 }
 
+/* Bending about z shears along y, and about y along z. */
+static void note_stout(struct draft *o, const struct flex_section *s, bool spatial)
+{
+    const double I[2] = {s->Iz, spatial ? s->Iy : 0}, kappa[2] = {s->ky, s->kz};
+    for (int i = 0; i < 2; i++) {
+        const double r = I[i] / (s->A * o->length * o->length), sheared = o->beam.E / (kappa[i] * o->beam.G) * r;
+        if (isfinite(r)) o->stout[0] = fmax(o->stout[0], r);
+        if (kappa[i] > 0 && isfinite(sheared)) o->stout[1] = fmax(o->stout[1], sheared);
+    }
+}
+
 static int read_section(struct builder *b, struct flex_section *s, struct draft *o, const struct node *n,
                         const struct key *keys, const char *what)
 {
@@ -140,6 +151,7 @@ static int read_section(struct builder *b, struct flex_section *s, struct draft 
     s->twist = k.twist;
     if (!isnan(k.ky)) s->ky = k.ky;
     if (!isnan(k.kz)) s->kz = k.kz;
+    note_stout(o, s, b->scene->space == 3);
     if (!o->shear) s->ky = s->kz = 0;
     if (k.y > 0) s->y = k.y;
     if (k.z > 0) s->z = k.z;

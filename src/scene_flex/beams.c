@@ -235,6 +235,7 @@ int read_beam(struct builder *b, struct scene_body *body, int index, const struc
     o->choose = k.modes == 0;
     o->beam.modes = body->nmode = o->choose ? MOST_CANDIDATES : k.modes;
     o->beam.stiffening = wants_effect(b, n, "stiffening", EFFECT_STIFFENING, k.stiffening, true);
+    memcpy(body->stout, o->stout, sizeof body->stout);
     weigh_beam(body, o);
     warn_of_pieces(b, o, &k, what);
     if (k.segments > 1) cut_beam(b, index, k.segments);

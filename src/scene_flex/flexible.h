@@ -59,6 +59,7 @@ struct draft {
     bool shear, rotary;       /* as the deck wants them */
     bool wrong;               /* and that was reported: no stress is judged by its sections */
     double length;            /* [m] */
+    double stout[2];          /* see struct scene_body */
     double centre;            /* station of the centre of mass */
     const struct node *modes; /* where the deck gives their number; NULL: it does not */
     bool choose;              /* it does not, but wants them by evidence */

@@ -31,22 +31,28 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
 
 static const struct sink_ops keeping = {.meta = keep_meta, .row = keep_row};
 
+static double whole_price(const struct price *p, const struct flip *o)
+{
+    return price_seconds(p, o->sim.stepper.kind, &o->kept.effort) + price_books(p, &o->kept.effort);
+}
+
 enum status flip_run(struct flip *o, const struct scene *scene, double until, struct diags *diags, struct arena *life,
                      struct report *report)
 {
     const struct sim_options options = {0};
     struct integrate plan = scene->integrate;
-    struct price price;
+    struct price price, counted;
     *o = (struct flip){0};
     struct keeper keeper = {o, life};
     struct sink sink = {&keeping, &keeper};
     if (until > 0) plan.until = fmin(until, plan.until);
     TRY(sim_open(&o->sim, scene, &plan, &options, diags, life, report));
     price_find(&price, &o->sim);
+    price_count(&counted, &o->sim);
     o->kept.status = sim_run(&o->sim, &sink, &o->kept.report);
     o->kept.effort = o->sim.stepper.effort;
-    o->kept.seconds =
-        price_seconds(&price, o->sim.stepper.kind, &o->kept.effort) + price_books(&price, &o->kept.effort);
+    o->kept.seconds = whole_price(&price, o);
+    o->instructions = whole_price(&counted, o);
     o->until = o->sim.x.t;
     o->column = outcome_columns(&o->sim, life);
     return OK;

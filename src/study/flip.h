@@ -7,6 +7,7 @@
 struct flip {
     struct outcome kept; /* but for its work, CPU time and share of energy; seconds: with those of the books */
     struct outcome_column *column; /* [kept.n] */
+    double instructions;           /* that its counts stand for, with those of the books */
     double until;                  /* when it ended [s] */
     double spin;                   /* fastest turn of a flexible body's frame at a record [rad/s] */
     struct sim sim;

@@ -5,6 +5,8 @@
  * off, rms; nine in ten within a factor of 1.8. */
 #include "study/price.h"
 
+#include "study/price_table.h"
+
 static const double ANY = .38e-6; /* [s] */
 static const struct prices {
     double body, row, mode, pair; /* of a body, an equation of a loop, a mode, two modes of a mechanism [s] */
@@ -15,6 +17,15 @@ static const double LOOK = .4;      /* at the energies, likewise of a pendulum a
 enum { LOOK_EVERY = 8 };            /* steps, but where each is looked at */
 static const double FULL = .58e-9;  /* factors of a matrix for all stages, for n^3 */
 static const double STRUCTURED = 4; /* one that knows the structure, in evaluations */
+
+/* Of instructions, by callgrind: what explain DECK tells.  Choices go by the seconds above, which no change of a kernel
+ * moves. */
+static const struct counted {
+    double any, body, row, mode, pair, bent, structured; /* bent: of an equation and a mode; structured: evaluations */
+} COUNTED_PLANAR = {PRICE_PLANAR}, COUNTED_SPATIAL = {PRICE_SPATIAL};
+static const struct {
+    double balance, look, full;
+} COUNTED = {PRICE_SHARED};
 
 static int count_rows(const struct sim *sim)
 {
@@ -36,19 +47,50 @@ static void count_bodies(double *bodies, double *modes, const struct model *m)
     }
 }
 
-void price_find(struct price *o, const struct sim *sim)
+/* What one evaluation sweeps. */
+struct swept {
+    bool spatial;
+    double n, rows, bodies, modes;
+};
+
+static struct swept sweep_of(const struct sim *sim)
+{
+    struct swept o = {.spatial = sim->model->space == 3 && !(sim->flat && !sim->options.drawn),
+                      .n = sim->stepper.ode->n,
+                      .rows = count_rows(sim)};
+    count_bodies(&o.bodies, &o.modes, sim->model);
+    return o;
+}
+
+/* What follows from the price of an evaluation. */
+static void find_shares(struct price *o, const struct sim *sim, double structured, double balance, double look)
 {
     const struct ode2 *ode = sim->stepper.ode;
-    const struct prices *p = sim->model->space == 3 && !(sim->flat && !sim->options.drawn) ? &SPATIAL : &PLANAR;
-    const double n = ode->n, r = count_rows(sim);
-    double bodies, modes;
-    count_bodies(&bodies, &modes, sim->model);
-    o->evaluation = ANY + p->body * bodies + p->row * r + ROWS * r * r + p->mode * modes + p->pair * modes * modes;
-    o->full = FULL * n * n * n;
-    o->structured = STRUCTURED * o->evaluation;
-    o->fast = n > 0 ? ode->ns / n : 0;
-    o->balance = sim_floating(sim) ? BALANCE : 0;
-    o->look = LOOK * o->evaluation / (sim->looks_always ? 1 : LOOK_EVERY);
+    o->structured = structured * o->evaluation;
+    o->fast = ode->n > 0 ? ode->ns / (double)ode->n : 0;
+    o->balance = sim_floating(sim) ? balance : 0;
+    o->look = look * o->evaluation / (sim->looks_always ? 1 : LOOK_EVERY);
+}
+
+void price_find(struct price *o, const struct sim *sim)
+{
+    const struct swept x = sweep_of(sim);
+    const struct prices *p = x.spatial ? &SPATIAL : &PLANAR;
+    const double r = x.rows;
+    o->evaluation =
+        ANY + p->body * x.bodies + p->row * r + ROWS * r * r + p->mode * x.modes + p->pair * x.modes * x.modes;
+    o->full = FULL * x.n * x.n * x.n;
+    find_shares(o, sim, STRUCTURED, BALANCE, LOOK);
+}
+
+void price_count(struct price *o, const struct sim *sim)
+{
+    const struct swept x = sweep_of(sim);
+    const struct counted *c = x.spatial ? &COUNTED_SPATIAL : &COUNTED_PLANAR;
+    o->evaluation = c->any + c->body * x.bodies + c->row * x.rows + c->mode * x.modes + c->pair * x.modes * x.modes +
+                    c->bent * x.rows * x.modes;
+    o->full = COUNTED.full * x.n * x.n * x.n;
+    find_shares(o, sim, c->structured, COUNTED.balance, COUNTED.look);
 }
 
 double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e)

@@ -17,6 +17,8 @@ struct price {
 
 /* Of an open run, which is of no other use: it looks at its loops. */
 void price_find(struct price *o, const struct sim *sim);
+/* The same in instructions instead of seconds, by the table that `make prices` counts: for telling, not for choosing. */
+void price_count(struct price *o, const struct sim *sim);
 
 double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e);
 /* What momenta and energies take besides, which those prices have as a usual share. */

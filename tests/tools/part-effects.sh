@@ -152,6 +152,15 @@ expect "explain: no shear without factors" "off by default: changes" \
     "$(sed -n '/^shear/{N;s/^shear *\([a-z]*\) *\(by [a-z]*\) .*turned on: .* \(changes\) by [0-9].*/\1 \2: \3/p;}' "$work/told")" "$work/told"
 "$FMDSUB" explain -s bodies.arm.beam.shear=true decks/cantilever.yaml >"$work/told" 2>"$work/err"
 expect "explain: shear by a beam's own key" 1 "$(grep -c '^shear *on ' "$work/told")" "$work/told"
+# The numbers of shear and rotary inertia stand where these are off, too: a bar of h = 0.01, l = 1, nu = 0.3, with Cowper's factor.
+closed=$(awk 'BEGIN { r = .01 ^ 2 / 12; kappa = 10 * 1.3 / (12 + 11 * .3); printf "%.3g %.3g", 4.65 * r, 3 * 2 * 1.3 / kappa * r }')
+"$FMDSUB" explain -s effects.rotary=false decks/cantilever.yaml >"$work/told" 2>"$work/err"
+expect "explain: rotary and shear off, their numbers" "watched 4.65 I/(A l^2) up to ${closed% *}; off 3 E I/(kappa G A l^2) up to ${closed#* }" \
+    "$(sed -n 's/^rotary *\([a-z]*\) *by the deck *\(4.65.*\)/\1 \2/p' "$work/told"); $(sed -n 's/^shear *\([a-z]*\) *by default *\(3 E[^;]*\).*/\1 \2/p' "$work/told")" "$work/told"
+"$FMDSUB" explain -s bodies.arm.beam.shear=true decks/cantilever.yaml >"$work/told" 2>"$work/err"
+expect "explain: shear on, the same number" "on ${closed#* }" "$(sed -n 's/^shear *\([a-z]*\) .*up to \(.*\)/\1 \2/p' "$work/told")" "$work/told"
+"$FMDSUB" explain --format json decks/cantilever.yaml >"$work/told" 2>"$work/err"
+expect "explain: instructions of a step" yes "$(awk '/"instructions_per_step"/ { gsub(",", ""); print ($2 > 3000 && $2 < 300000) ? "yes" : "no" }' "$work/told")" "$work/told"
 "$FMDSUB" explain -s effects.gravity=false decks/pendulum.yaml >"$work/told" 2>"$work/err"
 expect "explain: changes are of the run with the effect" "gravity watched: 1e+02 or 2e+02" \
     "$(sed -n '/^gravity/{N;s/^gravity *\([a-z]*\) .* changes by \([0-9.e+]*\) %.*/gravity \1: \2/;s/: [12]e+02$/: 1e+02 or 2e+02/p;}' "$work/told")" "$work/told"
