@@ -239,11 +239,12 @@ static void book_rubbing(struct touch *o)
     o->stepper->work[POWER_FRICTION] += rub;
 }
 
-/* Takes what is left of the rates along rows that push and stick. */
-static enum status settle(struct touch *o, double t1, struct trouble *why)
+/* Takes what is left of the rates along rows that push and stick.  Such as stick within round-off slip by as much: where
+ * rows say nearly the same, as of a foot beside a corner, they contradict each other by that. */
+static enum status settle(struct touch *o, double h, double t1, struct trouble *why)
 {
     const struct state there = {t1, o->q1, o->v1, o->a};
-    double most = 0;
+    double most = 0, rough = NOISE * touch_noise(o, h);
     const bool mended = o->took == 0 || has_mended(o);
     touch_spread(o, o->p);
     for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0 || o->c->of[o->contact[k]].joint;
@@ -252,12 +253,13 @@ static enum status settle(struct touch *o, double t1, struct trouble *why)
     for (int k = 0; k < o->n; k++) {
         struct cone *c = &o->cone[k];
         hold(o, c, o->contact[k]);
+        if (!c->slides) rough = larger(rough, touch_slip(o->u, c));
         most = larger(most, fabs(o->u[c->row]));
     }
     if (o->n == 0 || most <= (mended ? 0 : STILL) * o->top) return OK; /* right behind an impact, to 0 */
     TRY(touch_mass(o, &there, why));
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, 0, &o->work))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, rough, &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, t1);
     copy(o->vf, o->v1, o->ode->n);
     touch_kick(o, o->vf, o->l);
@@ -293,7 +295,7 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
     TRY(iterate(o, &at, x, h, t1, why));
     TRY(book(o, &at, h, why));
     at = place(o, x, h, t1);
-    TRY(settle(o, t1, why));
+    TRY(settle(o, h, t1, why));
     copy(x->q, o->q1, ode->nq);
     copy(x->v, o->v1, ode->n);
     copy(x->a, o->a, ode->n);

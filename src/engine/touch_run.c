@@ -76,13 +76,19 @@ void touch_reach(struct touch *o, double h)
     o->reach = o->longest * larger(LEAST, 4 * h * o->top);
 }
 
-/* The deepest of the open ones, in usual gaps. */
-static enum status deepest(struct touch *o, double *g, const struct state *x, struct trouble *why)
+/* How deep it is, in usual gaps, behind a start with gap g0: what an impact beside it has left inside there may come out. */
+static double depth(const struct touch *o, int i, double g0)
+{
+    return (g0 < -2 * TOUCH_CLOSED * o->size[i] ? o->g[i] - g0 : o->g[i]) / o->size[i];
+}
+
+/* The deepest of the open ones behind a start with gaps g0. */
+static enum status deepest(struct touch *o, double *g, const double *g0, const struct state *x, struct trouble *why)
 {
     *g = INFINITY;
     TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
     for (int i = 0; i < o->c->m; i++)
-        if (!o->closed[i]) *g = smaller(*g, o->g[i] / o->size[i]);
+        if (!o->closed[i]) *g = smaller(*g, depth(o, i, g0[i]));
     return OK;
 }
 
@@ -96,7 +102,7 @@ static enum status locate(struct touch *o, struct state *x, double h, double dee
         const double part = bracket_next(&b);
         touch_restore(&o->part, o, x);
         TRY(attempt(o, x, part, t0 + part, why));
-        TRY(deepest(o, &g, x, why));
+        TRY(deepest(o, &g, o->g0, x, why));
         bracket_take(&b, part, g);
     }
     return OK;
@@ -184,11 +190,11 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
     if (fabs(left - h) <= 1e-9 * h) left = h;
     double met = left;
     touch_reach(o, left);
-    TRY(deepest(o, &g0, x, why));
+    TRY(deepest(o, &g0, o->g, x, why));
     copy(o->g0, o->g, o->c->m);
     touch_save(&o->part, o, x);
     TRY(attempt(o, x, left, end, why));
-    TRY(deepest(o, &g1, x, why));
+    TRY(deepest(o, &g1, o->g0, x, why));
     touch_grow(o, x->v);
     if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(touch_passed(o, &met, x, left, why));
     if (met < left) {
