@@ -259,8 +259,12 @@ static enum status settle(struct touch *o, double h, double t1, struct trouble *
     if (o->n == 0 || most <= (mended ? 0 : STILL) * o->top) return OK; /* right behind an impact, to 0 */
     TRY(touch_mass(o, &there, why));
     zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, rough, &o->work))
-        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, t1);
+    bool found = cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, 0, &o->work);
+    if (!found) {
+        zero(o->l, o->rows);
+        found = cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, o->top, rough, &o->work);
+    }
+    if (!found) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, t1);
     copy(o->vf, o->v1, o->ode->n);
     touch_kick(o, o->vf, o->l);
     touch_rates(o, o->u1, &o->end, o->vf);

@@ -1,6 +1,6 @@
-# piles.sh -- boxes and discs that fall on each other with friction in the plane.  Drawn at random; 155 and 229 once jammed where a
+# piles.sh -- boxes and discs that fall on each other with friction in the plane.  Drawn at random; 155 once jammed where a
 # foot lay within 1 nm of a corner, 54 and 230 never ended: beside a point that another impact had left 0.5 nm inside, no part of a
-# step moved on.
+# step moved on; 147 once gained 1 J where rates were settled to round-off only.
 . tests/tools/lib.sh
 
 # pile NAME: the deck by standard input; it runs to its end, and keeps its energy to 0.02 J of some 30.
@@ -44,6 +44,63 @@ contacts:
   g2: {between: [p2, floor], friction: 0.8}
   k2: {between: [f2, t1], friction: 0.8}
 initial: {f0.angle: 0, f0.x_rate: -0.6, f1.angle: 0, f1.angle_rate: 1.999, f1.x_rate: -0.444, f2.angle: 0}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1.5}
+output: {every: 0.5, columns: [b0.x, b0.y, energy.residual]}
+END
+
+pile 147 <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  b0: {mass: 23.021, inertia: 0.493213, at: [0.047, 0.344000]}
+  b1: {mass: 1.413, inertia: 0.1158, at: [0.018, 0.833964], points: {a: [-0.448, -0.2125], b: [0.448, -0.2125], c: [0.448, 0.2125], d: [-0.448, 0.2125]}}
+  b2: {mass: 1, inertia: 0.0313414, at: [0.051, 1.456164], points: {a: [-0.232, -0.2005], b: [0.232, -0.2005], c: [0.232, 0.2005], d: [-0.232, 0.2005]}}
+  b3: {mass: 1, inertia: 0.0209451, at: [-0.025, 2.039525], points: {a: [-0.225, -0.1105], b: [0.225, -0.1105], c: [0.225, 0.1105], d: [-0.225, 0.1105]}}
+  b4: {mass: 1, inertia: 0.0831668, at: [-0.029, 2.532676], points: {a: [-0.4405, -0.2355], b: [0.4405, -0.2355], c: [0.4405, 0.2355], d: [-0.4405, 0.2355]}}
+  b5: {mass: 0.112, inertia: 0.00575405, at: [-0.04, 3.060741], points: {a: [-0.3265, -0.218], b: [0.3265, -0.218], c: [0.3265, 0.218], d: [-0.3265, 0.218]}}
+constraints:
+  f0: {planar: [ground, b0], at: [0.047, 0.344000]}
+  f1: {planar: [ground, b1], at: [0.018, 0.833964]}
+  f2: {planar: [ground, b2], at: [0.051, 1.456164]}
+  f3: {planar: [ground, b3], at: [-0.025, 2.039525]}
+  f4: {planar: [ground, b4], at: [-0.029, 2.532676]}
+  f5: {planar: [ground, b5], at: [-0.04, 3.060741]}
+surfaces:
+  floor: {plane: ground, at: [0, 0], normal: [0, 1]}
+  s0: {sphere: b0, radius: 0.207}
+  p1: {points: [b1.a, b1.b, b1.c, b1.d]}
+  f1: {points: [b1.a, b1.b]}
+  t1: {plane: b1, at: [0.018, 1.046464], normal: [0, 1]}
+  u1: {plane: b1, at: [0.018, 0.621464], normal: [0, -1]}
+  p2: {points: [b2.a, b2.b, b2.c, b2.d]}
+  f2: {points: [b2.a, b2.b]}
+  t2: {plane: b2, at: [0.051, 1.656664], normal: [0, 1]}
+  u2: {plane: b2, at: [0.051, 1.255664], normal: [0, -1]}
+  p3: {points: [b3.a, b3.b, b3.c, b3.d]}
+  f3: {points: [b3.a, b3.b]}
+  t3: {plane: b3, at: [-0.025, 2.150025], normal: [0, 1]}
+  u3: {plane: b3, at: [-0.025, 1.929025], normal: [0, -1]}
+  p4: {points: [b4.a, b4.b, b4.c, b4.d]}
+  f4: {points: [b4.a, b4.b]}
+  t4: {plane: b4, at: [-0.029, 2.768176], normal: [0, 1]}
+  u4: {plane: b4, at: [-0.029, 2.297176], normal: [0, -1]}
+  p5: {points: [b5.a, b5.b, b5.c, b5.d]}
+  f5: {points: [b5.a, b5.b]}
+  t5: {plane: b5, at: [-0.04, 3.278741], normal: [0, 1]}
+  u5: {plane: b5, at: [-0.04, 2.842741], normal: [0, -1]}
+contacts:
+  g0: {between: [s0, floor], friction: 0.5}
+  g1: {between: [p1, floor], friction: 0.3}
+  k1: {between: [s0, u1], friction: 0.3}
+  g2: {between: [p2, floor], friction: 0.3, restitution: 0.8}
+  k2: {between: [f2, t1], friction: 0.3, restitution: 0.8}
+  g3: {between: [p3, floor], friction: 0.8}
+  k3: {between: [f3, t2], friction: 0.8}
+  g4: {between: [p4, floor], friction: 0.1}
+  k4: {between: [f4, t3], friction: 0.1}
+  g5: {between: [p5, floor], friction: 1.2, restitution: 0.8}
+  k5: {between: [f5, t4], friction: 1.2, restitution: 0.8}
+initial: {f1.angle: 0.068, f1.x_rate: 0.333, f2.angle: 0.098, f2.angle_rate: 0.943, f3.angle: 0.145, f4.angle: -0.092, f5.angle: -0.043, f5.angle_rate: 0.087}
 integrate: {scheme: midpoint, step: 1.0e-3, until: 1.5}
 output: {every: 0.5, columns: [b0.x, b0.y, energy.residual]}
 END
@@ -98,60 +155,6 @@ contacts:
   g5: {between: [p5, floor], friction: 0.8}
   k5: {between: [s4, u5], friction: 0.8}
 initial: {f1.angle: 0.117, f1.angle_rate: -1.869, f2.angle: 0.103, f2.x_rate: 0.272, f3.angle: -0.029, f3.angle_rate: 1.404, f3.x_rate: 0.882, f5.angle: -0.056}
-integrate: {scheme: midpoint, step: 1.0e-3, until: 1.5}
-output: {every: 0.5, columns: [b0.x, b0.y, energy.residual]}
-END
-
-pile 229 <<'END'
-fmdsub: 1
-gravity: [0, -9.81]
-bodies:
-  b0: {mass: 2.141, inertia: 0.161732, at: [-0.001, 0.414000], points: {a: [-0.4435, -0.173], b: [0.4435, -0.173], c: [0.4435, 0.173], d: [-0.4435, 0.173]}}
-  b1: {mass: 0.155, inertia: 0.0156322, at: [0.047, 0.931467], points: {a: [-0.4985, -0.2325], b: [0.4985, -0.2325], c: [0.4985, 0.2325], d: [-0.4985, 0.2325]}}
-  b2: {mass: 22.452, inertia: 1.61868, at: [-0.095, 1.465564], points: {a: [-0.4605, -0.065], b: [0.4605, -0.065], c: [0.4605, 0.065], d: [-0.4605, 0.065]}}
-  b3: {mass: 19.671, inertia: 0.230239, at: [0.093, 1.761194]}
-  b4: {mass: 1, inertia: 0.0032805, at: [-0.015, 2.071194]}
-  b5: {mass: 1, inertia: 0.0817254, at: [-0.098, 2.388810], points: {a: [-0.484, -0.1045], b: [0.484, -0.1045], c: [0.484, 0.1045], d: [-0.484, 0.1045]}}
-constraints:
-  f0: {planar: [ground, b0], at: [-0.001, 0.414000]}
-  f1: {planar: [ground, b1], at: [0.047, 0.931467]}
-  f2: {planar: [ground, b2], at: [-0.095, 1.465564]}
-  f3: {planar: [ground, b3], at: [0.093, 1.761194]}
-  f4: {planar: [ground, b4], at: [-0.015, 2.071194]}
-  f5: {planar: [ground, b5], at: [-0.098, 2.388810]}
-surfaces:
-  floor: {plane: ground, at: [0, 0], normal: [0, 1]}
-  p0: {points: [b0.a, b0.b, b0.c, b0.d]}
-  f0: {points: [b0.a, b0.b]}
-  t0: {plane: b0, at: [-0.001, 0.587000], normal: [0, 1]}
-  u0: {plane: b0, at: [-0.001, 0.241000], normal: [0, -1]}
-  p1: {points: [b1.a, b1.b, b1.c, b1.d]}
-  f1: {points: [b1.a, b1.b]}
-  t1: {plane: b1, at: [0.047, 1.163967], normal: [0, 1]}
-  u1: {plane: b1, at: [0.047, 0.698967], normal: [0, -1]}
-  p2: {points: [b2.a, b2.b, b2.c, b2.d]}
-  f2: {points: [b2.a, b2.b]}
-  t2: {plane: b2, at: [-0.095, 1.530564], normal: [0, 1]}
-  u2: {plane: b2, at: [-0.095, 1.400564], normal: [0, -1]}
-  s3: {sphere: b3, radius: 0.153}
-  s4: {sphere: b4, radius: 0.081}
-  p5: {points: [b5.a, b5.b, b5.c, b5.d]}
-  f5: {points: [b5.a, b5.b]}
-  t5: {plane: b5, at: [-0.098, 2.493310], normal: [0, 1]}
-  u5: {plane: b5, at: [-0.098, 2.284310], normal: [0, -1]}
-contacts:
-  g0: {between: [p0, floor], friction: 1.2, restitution: 0.8}
-  g1: {between: [p1, floor], friction: 1.2}
-  k1: {between: [f1, t0], friction: 1.2}
-  g2: {between: [p2, floor], friction: 1.2, restitution: 0.3}
-  k2: {between: [f2, t1], friction: 1.2, restitution: 0.3}
-  g3: {between: [s3, floor], friction: 0.5, restitution: 0.5}
-  k3: {between: [s3, t2], friction: 0.5, restitution: 0.5}
-  g4: {between: [s4, floor], friction: 0.3, restitution: 0.3}
-  k4: {between: [s4, s3], friction: 0.3, restitution: 0.3}
-  g5: {between: [p5, floor], friction: 0.5}
-  k5: {between: [s4, u5], friction: 0.5}
-initial: {f0.angle: 0, f0.angle_rate: 0.029, f1.angle: -0.022, f1.angle_rate: -0.926, f2.angle: -0.06, f5.angle: 0.149, f5.angle_rate: 0.666}
 integrate: {scheme: midpoint, step: 1.0e-3, until: 1.5}
 output: {every: 0.5, columns: [b0.x, b0.y, energy.residual]}
 END
