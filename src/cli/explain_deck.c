@@ -101,13 +101,14 @@ static void tell_rotary(struct told *o, const struct sim *sim)
     const struct scene *scene = sim->scene;
     double most = 4.65 * stoutest(scene, 0);
     for (int i = 1; i < scene->nbody; i++) {
-        const struct flex_body *f = scene->body[i].stout[0] > 0 ? NULL : scene->body[i].flex;
+        const struct flex_body *f = scene->body[i].flex;
         double l2 = 0, rot = 0;
-        for (int k = 0; f && k < f->nnode; k++) {
+        if (!f || scene->body[i].stout[0] > 0) continue;
+        for (int k = 0; k < f->nnode; k++) {
             const double *x = f->node[k].x, *x0 = f->node[f->reference].x;
             l2 = fmax(l2, pow(x[0] - x0[0], 2) + pow(x[1] - x0[1], 2) + pow(x[2] - x0[2], 2));
         }
-        for (int k = 0; f && k < 9; k += 4) rot = fmax(rot, f->rot[k]);
+        for (int k = 0; k < 9; k += 4) rot = fmax(rot, f->rot[k]);
         if (l2 > 0 && f->mass > 0) most = fmax(most, 4.65 * rot / (f->mass * l2));
     }
     if (most > 0) snprintf(o->number, sizeof o->number, "4.65 I/(A l^2) up to %.3g", most);

@@ -223,8 +223,9 @@ static enum status parts(struct touch *o, struct state *x, double h, double t1, 
     int impacts = 0, cuts = 0;
     double most = INFINITY;
     o->hardest = 0;
-    while (x->t < t1) {
+    for (int k = 0; x->t < t1; k++) {
         bool again;
+        if (k == NO_END) return trouble_set(why, TROUBLE_CONTACT, 0, INFINITY, x->t);
         TRY(touch_to_next(o, x, &most, &cuts, &again, h, t1, why));
         if (again) continue;
         TRY(touch_at_end(o, x, h, &impacts, why));
