@@ -39,8 +39,13 @@ struct quick {
 void quick_open(struct quick *o, const struct sim *sim, struct arena *life);
 /* Of a run by an adaptive scheme, at the end of a step of its own. */
 void quick_note(struct quick *o, const struct sim *sim);
-/* The tolerance at which the midpoint rule would take steps of about h. */
+/* What a second of the run is off by in coordinate i, over h^2, by its third and fourth derivatives j and k; by the mean of
+ * those that were seen. */
+double quick_off(const struct quick *o, const struct sim *sim, int i, double j, double k);
+double quick_mean_off(const struct quick *o, const struct sim *sim, int i);
+/* The tolerance at which the midpoint rule would take steps of about h, and steps that it would take for one [s]. */
 double quick_tolerance(const struct quick *o, const struct sim *sim, double h, double span);
+double quick_step(const struct quick *o, const struct sim *sim, double tolerance, double span);
 
 /* A part of the coordinates that might take the minor steps. */
 struct quick_cut {
@@ -54,12 +59,9 @@ struct quick_cut {
 };
 
 enum { QUICK_CUTS = 2 };
-/* The best ones by counts, of gain 1.2 at least, the best first; their number.
- */
+/* quick_cuts.c: the best ones by counts, of gain 1.2 at least, the best first; their number. */
 int quick_cuts(struct quick_cut *cut, const struct quick *o, struct sim *sim, struct arena *life);
 /* The same of what is fast in the deck: how far apart; fourth [2] as above, NULL: not wanted. */
 double quick_apart(const struct quick *o, struct sim *sim, double *fourth);
-/* Steps that the midpoint rule would take for that tolerance, about [s]. */
-double quick_step(const struct quick *o, const struct sim *sim, double tolerance, double span);
 
 #endif
