@@ -29,7 +29,7 @@ static void forces_and_means(void **state)
     (void)state;
     struct tree_dice d = {3};
     for (int i = 0; i < 400; i++) {
-        const struct unilateral p = {30, .25, 0, i % 2, i / 2 % 2};
+        const struct unilateral p = {.k = 30, .from = .25, .side = i % 2, .root = i / 2 % 2};
         const double s0 = .25 + tree_roll(&d, -1, 1), s1 = .25 + tree_roll(&d, -1, 1), e = 1e-6;
         struct law mean, back, up, down;
         force_unilateral.mean(&mean, &p, s0, s1);
@@ -49,7 +49,7 @@ static void forces_and_means(void **state)
 static void dampers(void **state)
 {
     (void)state;
-    const struct unilateral p = {100, 1, 5, UNILATERAL_ABOVE, 0};
+    const struct unilateral p = {.k = 100, .from = 1, .c = 5, .side = UNILATERAL_ABOVE};
     struct law f;
     force_unilateral.law(&f, &p, .9, 3, 0);
     assert_true(f.f == 0 && f.ks == 0 && f.kv == 0);
