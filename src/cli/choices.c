@@ -47,8 +47,9 @@ enum status choices_read(struct choices *o, const struct request *request, struc
     if (request->tolerances)
         TRY(choices_numbers(o->tolerance, &o->ntolerance, "tolerances", request->tolerances, false, life, report));
     for (int i = 0; i < o->ntolerance; i++) {
-        if (o->tolerance[i] > .1) return fail(report, E_USAGE, "--tolerances: at most 0.1");
-        if (o->tolerance[i] < 1e-14) return fail(report, E_USAGE, "--tolerances: at least 1e-14");
+        if (o->tolerance[i] > MOST_TOLERANCE) return fail(report, E_USAGE, "--tolerances: at most %g", MOST_TOLERANCE);
+        if (o->tolerance[i] < LEAST_TOLERANCE)
+            return fail(report, E_USAGE, "--tolerances: at least %g", LEAST_TOLERANCE);
     }
     return OK;
 }

@@ -259,11 +259,11 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         m->came = way * h;
         enum status status = m->scheme->attempt(s, m, &err, *t, way * h, why);
         if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
-        const double whole = err, came = status == OK ? fabs(m->came) : h;
-        err /= adaptive_share(m, came);
+        const double whole = err, came = status == OK ? fabs(m->came) : h, share = adaptive_share(m, came);
+        err /= share;
         if (h > least && err <= 1) *passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
-        const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, adaptive_share(m, came)) : 1;
+        const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, share) : 1;
         if (cut_to < 1) {
             m->h = cut_to * came;
             s->effort.rejected++;

@@ -38,10 +38,9 @@ void adaptive_look(const struct stepper *s, double *q, double *v, double t)
 
 void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x)
 {
-    const double h = m->t1 - m->t0, y = 1 - x;
     motion_diff(s->ode, dx, m->q, m->q0);
     motion_rate(s->ode, rate, m->q, m->q0, dx, m->v, m->t1);
-    for (int i = 0; i < s->ode->n; i++) u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * m->v0[i] - x * rate[i]);
+    motion_cubic(u, dx, m->v0, rate, s->ode->n, m->t1 - m->t0, x);
 }
 
 void adaptive_travel(const struct stepper *s, struct adaptive *m, double *dx)

@@ -88,4 +88,12 @@ static inline double dot(const double *x, const double *y, int n)
     return sum;
 }
 
+/* u [n] := the displacement at the part x of a step h by Hermite's cubic: dx all of it, v0 and v1 its rates at both ends. */
+static inline void motion_cubic(double *u, const double *dx, const double *v0, const double *v1, int n, double h,
+                                double x)
+{
+    const double y = 1 - x;
+    for (int i = 0; i < n; i++) u[i] = x * x * (3 - 2 * x) * dx[i] + h * x * y * (y * v0[i] - x * v1[i]);
+}
+
 #endif

@@ -29,8 +29,10 @@ struct step_options {
     PARAM_REAL(struct step_options, newton_tolerance, "newton_tolerance", NULL, 0, 1, 0, "0",                          \
                "relative; 0: a thousandth of the step's own error")
 
+#define LEAST_TOLERANCE 1e-14
+#define MOST_TOLERANCE 0.1
 #define KEY_TOLERANCE                                                                                                  \
-    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, 1e-14, 0.1, KEY_META, NULL,                          \
+    PARAM_REAL(struct step_options, tolerance, "tolerance", NULL, LEAST_TOLERANCE, MOST_TOLERANCE, KEY_META, NULL,     \
                "error of the motion, relative; the steps are the scheme's own")
 
 #endif

@@ -25,9 +25,7 @@ double path_time(const struct path *o, double x)
 
 void path_place(struct path *o, double *q, double x)
 {
-    const double h = o->to->t - o->from->t, y = 1 - x;
-    for (int i = 0; i < o->ode->n; i++)
-        o->u[i] = x * x * (3 - 2 * x) * o->dx[i] + h * x * y * (y * o->from->v[i] - x * o->rate[i]);
+    motion_cubic(o->u, o->dx, o->from->v, o->rate, o->ode->n, o->to->t - o->from->t, x);
     motion_point(o->ode, q, o->from->q, o->u, 1, path_time(o, x));
 }
 

@@ -31,11 +31,6 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
 
 static const struct sink_ops keeping = {.meta = keep_meta, .row = keep_row};
 
-static double whole_price(const struct price *p, const struct flip *o)
-{
-    return price_seconds(p, o->sim.stepper.kind, &o->kept.effort) + price_books(p, &o->kept.effort);
-}
-
 enum status flip_run(struct flip *o, const struct scene *scene, double until, struct diags *diags, struct arena *life,
                      struct report *report)
 {
@@ -51,8 +46,8 @@ enum status flip_run(struct flip *o, const struct scene *scene, double until, st
     price_count(&counted, &o->sim);
     o->kept.status = sim_run(&o->sim, &sink, &o->kept.report);
     o->kept.effort = o->sim.stepper.effort;
-    o->kept.seconds = whole_price(&price, o);
-    o->instructions = whole_price(&counted, o);
+    o->kept.seconds = price_whole(&price, o->sim.stepper.kind, &o->kept.effort);
+    o->instructions = price_whole(&counted, o->sim.stepper.kind, &o->kept.effort);
     o->until = o->sim.x.t;
     o->column = outcome_columns(&o->sim, life);
     return OK;

@@ -17,9 +17,8 @@ static bool within(const struct left_out *o)
 {
     const struct sim *sim = o->sim;
     const struct stepper *s = &sim->stepper;
-    const double spent = price_seconds(&o->price, s->kind, &s->effort) + price_books(&o->price, &s->effort);
     if ((o->first.kept.rows + 1) * (double)o->first.kept.n > MOST_NUMBERS) return false;
-    return spent <= MOST;
+    return price_whole(&o->price, s->kind, &s->effort) <= MOST;
 }
 
 static enum status take_meta(struct sink *sink, const struct run_meta *meta, struct report *report)

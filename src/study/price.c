@@ -99,8 +99,13 @@ double price_seconds(const struct price *o, const struct stepper_kind *kind, con
            (kind->full ? o->full : o->structured) * (double)e->factors;
 }
 
-double price_books(const struct price *o, const struct effort *e)
+static double books(const struct price *o, const struct effort *e)
 {
     return o->evaluation * o->balance * ((double)e->slow * (1 - o->fast) + (double)e->fast * o->fast) +
            o->look * (double)e->majors;
+}
+
+double price_whole(const struct price *o, const struct stepper_kind *kind, const struct effort *e)
+{
+    return price_seconds(o, kind, e) + books(o, e);
 }

@@ -21,7 +21,7 @@ void price_find(struct price *o, const struct sim *sim);
 void price_count(struct price *o, const struct sim *sim);
 
 double price_seconds(const struct price *o, const struct stepper_kind *kind, const struct effort *e);
-/* What momenta and energies take besides, which those prices have as a usual share. */
-double price_books(const struct price *o, const struct effort *e);
+/* The same, and what momenta and energies take besides, which those prices have as a usual share. */
+double price_whole(const struct price *o, const struct stepper_kind *kind, const struct effort *e);
 
 #endif

@@ -191,7 +191,9 @@ static void test_price(void **state)
     const struct effort e = {.slow = 8, .fast = 16, .factors = 3, .majors = 4};
     assert_true(price_seconds(&p, stepper_find("midpoint"), &e) == 2 * (8 * .75 + 16 * .25) + 15);
     assert_true(price_seconds(&p, stepper_find("radau5"), &e) == 2 * (8 * .75 + 16 * .25) + 21);
-    assert_true(price_books(&p, &e) == 2 * 1.5 * (8 * .75 + 16 * .25) + .5);
+    const double books = 2 * 1.5 * (8 * .75 + 16 * .25) + .5;
+    assert_true(price_whole(&p, stepper_find("midpoint"), &e) == 2 * (8 * .75 + 16 * .25) + 15 + books);
+    assert_true(price_whole(&p, stepper_find("radau5"), &e) == 2 * (8 * .75 + 16 * .25) + 21 + books);
 }
 
 static void test_kinds(void **state)
