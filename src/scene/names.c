@@ -137,6 +137,18 @@ int scene_find_body(const struct scene *scene, const char *name, size_t len)
     return index_find(scene->bodies, name, len, &scene->body->name, sizeof *scene->body, scene->nbody);
 }
 
+/* BODY.POINT where a body is wanted. */
+static bool report_point(struct builder *b, const struct node *n)
+{
+    const int body = scene_find_body(b->scene, n->text, strcspn(n->text, "."));
+    if (body < 0) return false;
+    const char *owner = b->scene->body[body].name;
+    diag_error(b->diags, n, AT_VALUE, "E-unknown-body", "'%s': expected a body, not a point of one",
+               diag_clip(b->diags, n->text));
+    diag_hint(b->diags, "name '%.60s' alone: where on it is said by a place, such as a joint's 'at'", owner);
+    return true;
+}
+
 int find_body(struct builder *b, const struct node *n)
 {
     const struct scene *scene = b->scene;
@@ -146,6 +158,7 @@ int find_body(struct builder *b, const struct node *n)
     }
     int body = scene_find_body(scene, n->text, n->len);
     if (body >= 0) return body;
+    if (report_point(b, n)) return -1;
     struct arena *scratch = arena_open();
     const char **list = TAKE(scratch, const char *, scene->nbody);
     for (int i = 0; i < scene->nbody; i++) list[i] = scene->body[i].name;
