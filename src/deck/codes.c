@@ -292,7 +292,9 @@ const struct diag_help diag_helps[] = {
     {"W-tolerance",
      "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
      "parts from "
-     "others near it, makes more of it. The estimate is meant to be right within a factor of thirty: --verify makes a "
+     "others near it, makes more of it. Of speeds, forces and energies the error is taken over their size where they "
+     "change by "
+     "less than that. The estimate is meant to be right within a factor of thirty: --verify makes a "
      "second run at a tenth of the tolerance and prints what differs. Take a tolerance smaller by about as much as the "
      "error is larger."},
     {"W-branch",

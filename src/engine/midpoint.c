@@ -47,7 +47,7 @@ static const struct key keys[] = {KEY_RHO_INFINITY, KEY_ORDER, KEY_NEWTON_TOLERA
 
 #define MIDPOINT                                                                                                       \
     .name = "midpoint", .brief = "implicit midpoint rule, one rate, keeps the energy of linear systems", .keys = keys, \
-    .fits = composed_fits, .order = 2, .late = stepped_late, .cut = true
+    .fits = composed_fits, .order = 2, .keeps = true, .late = stepped_late, .cut = true
 static const struct stepped_scheme by_error = STEPPED(&step_midpoint, stepped_between);
 static const struct stepper_kind tolerant = {MIDPOINT, TOLERANT(&by_error)};
 static const struct stepper_kind fourth = {MIDPOINT, COMPOSED(&step_midpoint)};

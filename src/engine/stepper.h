@@ -54,6 +54,7 @@ struct stepper_kind {
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
     bool yardstick;                    /* to compare with: nobody is advised to take it */
     bool cut;                          /* its steps may be cut at impacts and where friction sets in: rigid contacts */
+    bool keeps;                        /* the momenta of what flies freely: settle() of ode2.h */
     int order;
     int adaptive; /* chooses its own steps inside H */
     bool full;    /* its matrices are full ones of all coordinates: for hundreds of these */

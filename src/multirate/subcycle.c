@@ -330,8 +330,8 @@ static const struct key keys[] = {
 #define SUBCYCLE                                                                                                       \
     .name = "subcycle",                                                                                                \
     .brief = "energy-consistent sub-cycling, inertially decoupled: slow parts in steps of ratio * step", .keys = keys, \
-    .single = &step_midpoint, .two_rates = true, .fits = composed_fits, .order = 2, .late = stepped_late,              \
-    .error = subcycle_error, .error_end = subcycle_error_end, .keep = subcycle_error_keep
+    .single = &step_midpoint, .two_rates = true, .fits = composed_fits, .order = 2, .keeps = true,                     \
+    .late = stepped_late, .error = subcycle_error, .error_end = subcycle_error_end, .keep = subcycle_error_keep
 extern const struct stepper_kind step_subcycle;
 static const struct stepped_scheme by_error = STEPPED(&step_subcycle, NULL);
 static const struct stepper_kind tolerant = {SUBCYCLE, TOLERANT(&by_error)};

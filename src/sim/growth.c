@@ -13,15 +13,22 @@
 #include "la/schur.h"
 #include "sim/parts.h"
 
-enum { MOST_FREEDOMS = 10 };
+enum { FEW_FREEDOMS = 10, MOST_FREEDOMS = 40 };
 static const double PART = .02; /* of a run's evaluations */
+static const double BLUR =
+    1e-4; /* of the largest eigenvalue: what the root of differences' errors makes of a double one */
+
+/* Evaluations, and of many freedoms what their eigenvalues cost, in evaluations. */
+static double price(int n)
+{
+    return 2 * n + 1 + (n > FEW_FREEDOMS ? n * n / 2. : 0);
+}
 
 int growth_places(const struct sim *sim)
 {
     const int n = sim->stepper.ode->n;
-    if (n < 2 || n > MOST_FREEDOMS || sim->stepper.touch)
-        return 0; /* one freedom drifts at most, if nothing drives it */
-    return (int)(PART * (double)sim->stepper.effort.slow / (2 * n + 1));
+    if (n > MOST_FREEDOMS || sim->stepper.touch) return 0;
+    return (int)(PART * (double)sim->stepper.effort.slow / price(n));
 }
 
 /* Accelerations where coordinate i, or velocity i - n, is more by a small part of its usual size, which is *by; i < 0: none is. */
@@ -54,16 +61,20 @@ static enum status linearize(double *J, struct sim *sim, const struct growth_pla
     return OK;
 }
 
-double growth_at(struct sim *sim, const struct growth_place *p)
+double growth_at(struct sim *sim, const struct growth_place *p, double *blur)
 {
     const struct effort effort = sim->stepper.effort;
     const int m = 2 * sim->stepper.ode->n;
     struct arena *scratch = arena_open();
-    double *J = TAKE_MATRIX(scratch, double, m, m), most = 0;
+    double *J = TAKE_MATRIX(scratch, double, m, m), most = 0, fastest = 0;
     double complex *s = TAKE(scratch, double complex, m);
     const bool known = linearize(J, sim, p, scratch) == OK && schur_eigen(s, NULL, J, m, scratch);
-    for (int i = 0; known && i < m; i++) most = fmax(most, creal(s[i]));
+    for (int i = 0; known && i < m; i++) {
+        most = fmax(most, creal(s[i]));
+        fastest = fmax(fastest, cabs(s[i]));
+    }
+    *blur = known ? BLUR * fastest : INFINITY;
     arena_close(scratch);
     sim->stepper.effort = effort;
-    return known ? most : 0;
+    return most;
 }

@@ -174,19 +174,21 @@ struct recall;
 void trust_recall(struct sim *sim, struct recall *r);
 void trust_note(struct sim *sim);
 void trust_find(struct sim *sim);
-/* Three facts. */
+/* trust_told.c: the worst column, of what was found at the places; three facts; words. */
+void trust_judge(struct sim *sim);
 int trust_facts(const struct sim *sim, struct pair *facts);
 void warn_of_trust(struct sim *sim);
 void print_trust(const struct sim *sim, FILE *to);
 
 /* growth.c: at how many places of the run that has ended a look at how small differences grow is worth a fiftieth of its
- * evaluations; the fastest growth at one of them [1/s], 0: none, or not known */
+ * evaluations; the fastest growth at one of them [1/s], 0: none, and what it may be by the blur of differences alone; INFINITY:
+ * it cannot be had */
 struct growth_place {
     double t, pace; /* pace: of the fastest velocity over its usual size [1/s] */
     const double *q, *v;
 };
 int growth_places(const struct sim *sim);
-double growth_at(struct sim *sim, const struct growth_place *p);
+double growth_at(struct sim *sim, const struct growth_place *p, double *blur);
 
 /* neglects.c: what effects turned off by the deck would change */
 void neglects_open(struct sim *sim, struct arena *life);

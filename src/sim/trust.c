@@ -12,10 +12,6 @@
 #include "sim/parts.h"
 
 static const double SMALL = 1e-6; /* of usual sizes: what the state is moved by */
-static const double UNKNOWN = .5; /* of a column's range: an error from which nothing follows */
-static const double AMPLE = 1.5;  /* times what is summed, so that few estimates are too small */
-static const double FAR = 300;    /* times the tolerance */
-static const double GROWN = 3;    /* logarithm of what small differences may have grown by */
 enum { DRAWS = 2 };
 
 void trust_open(struct sim *sim, struct arena *life)
@@ -200,70 +196,26 @@ static void look_at(struct sim *sim, const struct trust_place *p)
     for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], sqrt(o->sum[i] / DRAWS));
 }
 
-/* How small differences grow, at the least, everywhere on the way. */
-static double growth_on_the_way(struct sim *sim, long chart)
+/* How small differences grow, at the least, everywhere on the way; NAN: it was not looked at, or cannot be told. */
+static double growth_on_the_way(struct sim *sim, long chart, double run)
 {
     enum { FEW = 3 };
     const struct trust *o = &sim->trust;
     const int places = growth_places(sim);
     double least = INFINITY;
     int seen = 0;
+    if (sim->stepper.ode->n < 2) return 0; /* one freedom drifts at most, if nothing drives it */
     for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
         const struct trust_place *p = &o->place[i];
+        double blur;
         if (p->chart != chart) continue;
         const struct growth_place there = {p->t, pace_of(p, sim->stepper.ode), p->q, p->v};
-        least = fmin(least, growth_at(sim, &there));
+        const double grows = growth_at(sim, &there, &blur);
+        if (!(grows > blur) && !(blur * run < TRUST_GROWN)) return NAN;
+        least = fmin(least, grows > blur ? grows : 0);
         seen++;
     }
-    return seen >= FEW ? least : 0;
-}
-
-static double largest_of_unit(const struct sim *sim, int i)
-{
-    const struct trust *o = &sim->trust;
-    double most = 0;
-    for (int k = 0; k < sim->chosen.n; k++) {
-        const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
-        if (a == b || (a && b && strcmp(a, b) == 0)) most = fmax(most, fmax(fabs(o->low[k]), fabs(o->high[k])));
-    }
-    return most;
-}
-
-/* Over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
-static double share(const struct sim *sim, int i)
-{
-    static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
-    const struct trust *o = &sim->trust;
-    const double size = fmax(fabs(o->low[i]), fabs(o->high[i])), range = o->high[i] - o->low[i];
-    const double least = LOST * largest_of_unit(sim, i);
-    return o->off[i] > 0 ? AMPLE * o->off[i] / fmax(range > RESTS * size ? range : size, least) : 0;
-}
-
-static bool needs(const struct sim *sim, int i, unsigned what)
-{
-    return sim->catalogue.origin[sim->chosen.index[i]].needs & what;
-}
-
-/* A momentum that is kept, by some schemes to round-off, by others as far as these are accurate: the bodies' errors cancel in
- * it, and its range is no measure.  It changes by little beside the largest, or by no more than what these errors would make. */
-static bool is_kept(const struct sim *sim, int i)
-{
-    static const double LITTLE = 1e-3;
-    const double range = sim->trust.high[i] - sim->trust.low[i];
-    if (!needs(sim, i, NEED_MOMENTUM)) return false;
-    return range <= LITTLE * largest_of_unit(sim, i) || !(share(sim, i) < UNKNOWN);
-}
-
-static void find_worst(struct sim *sim)
-{
-    struct trust *o = &sim->trust;
-    o->worst = 0;
-    for (int i = 0; i < sim->chosen.n; i++) {
-        if (!sim_column_compared(sim, i) || needs(sim, i, NEED_WORKS) || is_kept(sim, i)) continue;
-        if (!(share(sim, i) >= o->worst)) continue;
-        o->worst = share(sim, i);
-        o->column = i;
-    }
+    return seen >= FEW ? least : NAN;
 }
 
 static bool has_jumped(const struct sim *sim)
@@ -309,74 +261,16 @@ void trust_find(struct sim *sim)
     const struct ledger ledger = sim->ledger;
     const struct trouble trouble = sim->trouble;
     const long chart = system_charts(sim->system);
-    o->column = -1;
+    o->column = o->still = o->farthest = -1;
     o->why = reason(sim);
     if (o->why || !o->asked) return;
     keep(sim);
     for (int i = 0; i < o->n; i++)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
-    o->growth = sim->options.log ? growth_on_the_way(sim, chart) : 0; /* a word of the end line's */
+    o->growth =
+        sim->options.log ? growth_on_the_way(sim, chart, end.t - sim->scene->start) : 0; /* a word of the end line's */
     sim->x = end;
     sim->ledger = ledger;
     sim->trouble = trouble;
-    find_worst(sim);
-    o->known = o->column >= 0 && o->worst < UNKNOWN;
-}
-
-/* ---- told ------------------------------------------------------------------------------------------------------ */
-
-static double tolerance(const struct sim *sim)
-{
-    return sim->stepper.kind->adaptive ? ((const struct step_options *)sim->plan.options)->tolerance : 0;
-}
-
-int trust_facts(const struct sim *sim, struct pair *facts)
-{
-    const struct trust *o = &sim->trust;
-    const bool any = o->column >= 0;
-    facts[0] = pair_number("estimated_error", o->known ? o->worst : NAN);
-    facts[1] = pair_text("estimated_error_column", any ? sim->columns[o->column].name : NULL);
-    facts[2] = pair_bool("resolved", o->known || !any);
-    return 3;
-}
-
-void warn_of_trust(struct sim *sim)
-{
-    const struct trust *o = &sim->trust;
-    if (!(tolerance(sim) > 0) || o->column < 0 || !(o->worst > FAR * tolerance(sim))) return;
-    char error[24] = "more than half";
-    if (o->known) snprintf(error, sizeof error, "%.2g", o->worst);
-    sim_warn(sim,
-             "the estimated error, %s of the range of '%.60s', is far above the "
-             "tolerance of %g: what the steps miss "
-             "adds up "
-             "or grows; take a smaller tolerance, and measure with --verify "
-             "[W-tolerance]",
-             error, sim->columns[o->column].name, tolerance(sim));
-}
-
-void print_trust(const struct sim *sim, FILE *to)
-{
-    const struct trust *o = &sim->trust;
-    if (sim->status != OK && sim->status != E_VERDICT) return;
-    if (o->why)
-        fprintf(to, "estimated error: not known: %s; `fmdsub run --verify` measures it\n", o->why);
-    else if (o->column < 0)
-        fputs("estimated error: not known: no column of the motion is written\n", to);
-    else if (!o->known)
-        fprintf(to,
-                "estimated error: not known, above half the range of '%s': the "
-                "steps do not resolve what moves there; take "
-                "%s\n",
-                sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
-    else if (o->growth * (sim->x.t - sim->scene->start) > GROWN)
-        fprintf(to,
-                "estimated error: %.1g of the range of '%s', summed over the steps, but small differences grow all the "
-                "way, at %.2g /s and more, and errors with them: `fmdsub run --verify` measures it\n",
-                o->worst, sim->columns[o->column].name, o->growth);
-    else
-        fprintf(
-            to,
-            "estimated error: %.1g of the range of '%s', summed over the steps; `fmdsub run --verify` measures it\n",
-            o->worst, sim->columns[o->column].name);
+    trust_judge(sim);
 }

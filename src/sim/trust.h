@@ -12,6 +12,7 @@
 #include "system/system.h"
 
 enum { TRUST_PLACES = 6 };
+static const double TRUST_GROWN = 3; /* logarithm of what small differences may have grown by */
 
 struct trust {
     double *low, *high; /* [columns] over the records */
@@ -30,11 +31,15 @@ struct trust {
 
     struct energies there; /* at a place */
 
-    double growth; /* least of small differences at the places [1/s]; 0: they do not grow everywhere */
+    double
+        growth; /* least of small differences at the places [1/s]; 0: they do not grow everywhere; NAN: not looked at */
     bool known;
     const char *why; /* not */
     double worst;    /* over its range */
-    int column;      /* of the chosen ones */
+    int column;      /* of the chosen ones; -1: none */
+    int still;       /* the first that changes by no more than its error; -1: none */
+    double beyond;   /* the largest error over what a tolerance is of: ranges, or sizes where these have an origin */
+    int farthest;    /* its column */
 };
 
 #endif

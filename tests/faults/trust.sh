@@ -12,16 +12,46 @@ grep -q "^estimated error: not known, above half the range of 'wrist.fx': the st
 "$FMDSUB" run -s integrate.scheme=miao "$decks"/bar-slider.yaml >out 2>err
 tail -n 1 err | grep -q 'not known: its scheme does not tell' && ok "a scheme that does not tell" || not_ok "a scheme that does not tell" "it says" err
 
-# Where small differences grow all the way: a double pendulum, an orbit; not a pendulum, a four-bar of one freedom, a governor.
-for at in "double-pendulum $decks/double-pendulum.yaml" "orbit $ROOT/tests/tolerance/orbit.yaml"; do
-    "$FMDSUB" run "${at#* }" >out 2>err
+# Where small differences grow all the way: a double pendulum, an orbit, a chain of 16 links; not a pendulum, a four-bar of one
+# freedom, a governor, the same chain hanging.
+cat >hanging.yaml <<'END'
+fmdsub: 1
+parameters: {N: 16}
+gravity: [0, -9.81]
+bodies: {"link$i": {repeat: {i: [1, N]}, mass: 1, inertia: 1/12, at: [0, 0.5 - i]}}
+constraints:
+  pin1:  {revolute: [ground, link1], at: [0, 0]}
+  pin$i: {repeat: {i: [2, N]}, revolute: [link$(i-1), link$i], at: [0, 1 - i]}
+initial: {pin3.angle: 0.05, pin9.angle: -0.02}
+integrate: {scheme: newmark, step: 1.0e-3, until: 20}
+output: {every: 0.1, columns: ["pin*.angle"]}
+END
+for at in "double-pendulum: $decks/double-pendulum.yaml" "orbit: $ROOT/tests/tolerance/orbit.yaml" \
+    "16 links: -s parameters.N=16 -s integrate.until=20 -s output.every=0.1 $decks/chain.yaml"; do
+    "$FMDSUB" run ${at##*: } >out 2>err
     tail -n 1 err | grep -q "summed over the steps, but small differences grow all the way, at [0-9.]* /s and more, and errors with them: " &&
-        ok "differences that grow: ${at%% *}" || not_ok "differences that grow: ${at%% *}" "it says" err
+        ok "differences that grow: ${at%%: *}" || not_ok "differences that grow: ${at%%: *}" "it says" err
 done
-for quiet in pendulum four-bar governor spring-pendulum; do
-    "$FMDSUB" run "$decks/$quiet.yaml" >out 2>err
-    tail -n 1 err | grep -q "summed over the steps; " && ok "none that grow: $quiet" || not_ok "none that grow: $quiet" "it says" err
+for quiet in "$decks/pendulum" "$decks/four-bar" "$decks/governor" "$decks/spring-pendulum" hanging; do
+    "$FMDSUB" run "$quiet.yaml" >out 2>err
+    tail -n 1 err | grep -q "summed over the steps; .fmdsub" && ok "none that grow: ${quiet##*/}" || not_ok "none that grow: ${quiet##*/}" "it says" err
 done
+"$FMDSUB" run -s parameters.N=60 "$decks/chain.yaml" >out 2>err
+tail -n 1 err | grep -q "summed over the steps; whether small differences grow was not looked at: " && ok "60 links: not looked at" ||
+    not_ok "60 links: not looked at" "it says" err
+
+# What the motion keeps changes by errors alone, which say nothing of the steps: a free body's kinetic energy.
+for scheme in dopri5 radau5 newmark; do
+    "$FMDSUB" run --strict -s integrate.scheme=$scheme -s integrate.tolerance=1e-3 "$decks/free-top.yaml" >out 2>err
+    expect "energy that is kept, $scheme" "0 1" \
+        "$? $(grep -c "^estimated error: 0.00[0-9]* of the range of .*, without 'energy.kinetic', which changes by no more than its error; " err)" err
+done
+"$FMDSUB" run -s integrate.scheme=dopri5 -s integrate.tolerance=1e-3 --columns energy.kinetic "$decks/free-top.yaml" >out 2>err
+expect "energy that is kept, alone" 1 "$(grep -c "^estimated error: not known: 'energy.kinetic' changes by no more than that$" err)" err
+
+# Errors of bodies that pull at each other cancel in the momenta that midpoint keeps, however little these change by.
+"$FMDSUB" run --strict -s integrate.scheme=midpoint -s integrate.tolerance=1e-3 "$ROOT/tests/decks/audit-two-free.yaml" >out 2>err
+expect "momenta that are kept, of what is pushed" 0 $? err
 
 # Kinetic energy is off by what the others are: signs that are drawn know nothing of the sum, which the motion keeps.
 "$FMDSUB" run -q --stats=energies -s integrate.scheme=dopri5 -s integrate.tolerance=1e-5 -s 'output.columns=[energy.kinetic,energy.gravity]' \

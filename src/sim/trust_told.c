@@ -1,0 +1,165 @@
+/* trust_told.c -- the columns judged by what trust.c has found, and what is said of it; see trust.h */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "engine/options.h"
+#include "engine/stepper.h"
+#include "sim/parts.h"
+
+static const double UNKNOWN = .5;  /* of a column's range: an error from which nothing follows */
+static const double AMPLE = 1.5;   /* times what is summed, so that few estimates are too small */
+static const double FAR = 300;     /* times the tolerance */
+static const double LITTLE = 1e-3; /* of its size: what changes by less all but stands */
+
+/* ---- columns --------------------------------------------------------------------------------------------------- */
+
+static double largest_of_unit(const struct sim *sim, int i)
+{
+    const struct trust *o = &sim->trust;
+    double most = 0;
+    for (int k = 0; k < sim->chosen.n; k++) {
+        const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
+        if (a == b || (a && b && strcmp(a, b) == 0)) most = fmax(most, fmax(fabs(o->low[k]), fabs(o->high[k])));
+    }
+    return most;
+}
+
+static double range(const struct sim *sim, int i)
+{
+    return sim->trust.high[i] - sim->trust.low[i];
+}
+
+static double size(const struct sim *sim, int i)
+{
+    return fmax(fabs(sim->trust.low[i]), fabs(sim->trust.high[i]));
+}
+
+/* The error over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
+static double share(const struct sim *sim, int i)
+{
+    static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
+    const double least = LOST * largest_of_unit(sim, i), whole = size(sim, i), over = range(sim, i);
+    return sim->trust.off[i] > 0 ? AMPLE * sim->trust.off[i] / fmax(over > RESTS * whole ? over : whole, least) : 0;
+}
+
+/* Places may be counted from anywhere; of all else nothing is 0. */
+static bool has_origin(const struct sim *sim, int i)
+{
+    const char *unit = sim->columns[i].unit;
+    return unit && strcmp(unit, "m") != 0 && strcmp(unit, "rad") != 0;
+}
+
+/* Over what a tolerance is of: where there is an origin the size, not the little by which something that is large changes. */
+static double share_of_size(const struct sim *sim, int i)
+{
+    return fmin(share(sim, i), has_origin(sim, i) ? AMPLE * sim->trust.off[i] / size(sim, i) : INFINITY);
+}
+
+static bool needs(const struct sim *sim, int i, unsigned what)
+{
+    return sim->catalogue.origin[sim->chosen.index[i]].needs & what;
+}
+
+/* A momentum that is kept, by some schemes to round-off, by others as far as these are accurate: the bodies' errors cancel in
+ * it, and its range is no measure.  It changes by little beside the largest, or by no more than what these errors would make. */
+static bool is_kept(const struct sim *sim, int i)
+{
+    if (!needs(sim, i, NEED_MOMENTUM)) return false;
+    if (sim->stepper.kind->keeps && sim_floating(sim) > 0) return true;
+    return range(sim, i) <= LITTLE * largest_of_unit(sim, i) || !(share(sim, i) < UNKNOWN);
+}
+
+/* Whether it changes at all is not known: by no more than its error, and by little of its size. */
+static bool is_still(const struct sim *sim, int i)
+{
+    return has_origin(sim, i) && range(sim, i) <= LITTLE * size(sim, i) && !(share(sim, i) < UNKNOWN);
+}
+
+void trust_judge(struct sim *sim)
+{
+    struct trust *o = &sim->trust;
+    o->worst = o->beyond = 0;
+    o->column = o->still = o->farthest = -1;
+    for (int i = 0; i < sim->chosen.n; i++) {
+        if (!sim_column_compared(sim, i) || needs(sim, i, NEED_WORKS) || is_kept(sim, i)) continue;
+        if (share_of_size(sim, i) >= o->beyond) {
+            o->beyond = share_of_size(sim, i);
+            o->farthest = i;
+        }
+        if (is_still(sim, i)) {
+            if (o->still < 0) o->still = i;
+        } else if (share(sim, i) >= o->worst) {
+            o->worst = share(sim, i);
+            o->column = i;
+        }
+    }
+    o->known = o->column >= 0 && o->worst < UNKNOWN;
+}
+
+/* ---- told ------------------------------------------------------------------------------------------------------ */
+
+static double tolerance(const struct sim *sim)
+{
+    return sim->stepper.kind->adaptive ? ((const struct step_options *)sim->plan.options)->tolerance : 0;
+}
+
+int trust_facts(const struct sim *sim, struct pair *facts)
+{
+    const struct trust *o = &sim->trust;
+    const bool any = o->column >= 0;
+    facts[0] = pair_number("estimated_error", o->known ? o->worst : NAN);
+    facts[1] = pair_text("estimated_error_column", any ? sim->columns[o->column].name : NULL);
+    facts[2] = pair_bool("resolved", o->known || !any);
+    return 3;
+}
+
+void warn_of_trust(struct sim *sim)
+{
+    const struct trust *o = &sim->trust;
+    if (!(tolerance(sim) > 0) || o->why || o->farthest < 0 || !(o->beyond > FAR * tolerance(sim))) return;
+    char error[24] = "more than half";
+    if (o->beyond < UNKNOWN) snprintf(error, sizeof error, "%.2g", o->beyond);
+    sim_warn(sim,
+             "the estimated error, %s of the %s of '%.60s', is far above the "
+             "tolerance of %g: what the steps miss "
+             "adds up "
+             "or grows; take a smaller tolerance, and measure with --verify "
+             "[W-tolerance]",
+             error, share_of_size(sim, o->farthest) < share(sim, o->farthest) ? "size" : "range",
+             sim->columns[o->farthest].name, tolerance(sim));
+}
+
+static void print_known(const struct sim *sim, FILE *to)
+{
+    const struct trust *o = &sim->trust;
+    fprintf(to, "estimated error: %.1g of the range of '%s', summed over the steps", o->worst,
+            sim->columns[o->column].name);
+    if (o->still >= 0)
+        fprintf(to, ", without '%s', which changes by no more than its error", sim->columns[o->still].name);
+    if (o->growth * (sim->x.t - sim->scene->start) > TRUST_GROWN)
+        fprintf(to, ", but small differences grow all the way, at %.2g /s and more, and errors with them: ", o->growth);
+    else
+        fputs(isnan(o->growth) ? "; whether small differences grow was not looked at: " : "; ", to);
+    fputs("`fmdsub run --verify` measures it\n", to);
+}
+
+void print_trust(const struct sim *sim, FILE *to)
+{
+    const struct trust *o = &sim->trust;
+    if (sim->status != OK && sim->status != E_VERDICT) return;
+    if (o->why)
+        fprintf(to, "estimated error: not known: %s; `fmdsub run --verify` measures it\n", o->why);
+    else if (o->column < 0 && o->still >= 0)
+        fprintf(to, "estimated error: not known: '%s' changes by no more than that\n", sim->columns[o->still].name);
+    else if (o->column < 0)
+        fputs("estimated error: not known: no column of the motion is written\n", to);
+    else if (!o->known)
+        fprintf(to,
+                "estimated error: not known, above half the range of '%s': the "
+                "steps do not resolve what moves there; take "
+                "%s\n",
+                sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
+    else
+        print_known(sim, to);
+}
