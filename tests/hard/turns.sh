@@ -113,6 +113,28 @@ for deck in fro driven loop; do
     done
 done
 
+# Five steps of several radians each, records between their ends: the angle is followed to these, too.
+cat >"$work/between.yaml" <<'END'
+fmdsub: 1
+bodies:
+  yoke: {mass: 1, inertia: [0.1, 0.1, 0.2], at: [0, 0, 0]}
+  wheel: {mass: 1, inertia: [0.1, 0.1, 0.2], at: [0, 0, 0]}
+constraints:
+  post: {revolute: [ground, yoke], at: [0, 0, 0], axis: [1, 0, 0]}
+  shaft: {revolute: [yoke, wheel], at: [0, 0, 0], axis: [0, 0, 1]}
+measures: {turn: {angle: [yoke, wheel], axis: [0, 0, 1]}}
+initial: {shaft.angle_rate: 3, post.angle_rate: 0.3}
+integrate: {scheme: dopri5, tolerance: 1.0e-4, until: 10}
+output: {every: 0.25, columns: [shaft.angle, turn]}
+END
+"$FMDSUB" run "$work/between.yaml" >"$work/out" 2>"$work/err"
+steps=$(sed -n 's/^done at.*: \([0-9]*\) major.*/\1/p' "$work/err")
+awk -F, -v steps="$steps" 'NR > 1 { d = $2 - $3; d = d < 0 ? -d : d; if (d > worst) worst = d }
+    END { printf "%.2g rad apart, turned by %.4g in %d steps", worst, $2, steps
+          exit !(worst < 1e-9 && $2 > 29 && NR == 42 && steps > 0 && steps < 20) }' "$work/out" >"$work/line"
+if [ $? = 0 ]; then ok "records between steps: posture and joint $(cat "$work/line")"
+else not_ok "records between steps" "posture and joint $(cat "$work/line")" "$work/out" "$work/err"; fi
+
 # A ball turns by five radians in a major step: its quaternion does not tell, its rates do.
 cat >"$work/top.yaml" <<'END'
 fmdsub: 1

@@ -188,17 +188,17 @@ guarded() {
 
 # sanitized FILE LINE: what notices it there, in $killer.  Texts of the sanitizer are no report of ours.
 sanitized() {
-    case $1 in src/reduce/* | src/base/arena.c | src/base/limits.c) return ;; esac
+    case $1 in src/base/arena.c | src/base/limits.c) return ;; esac
     [ -f "$work/limits.o" ] || for part in arena limits; do $CC $FLAGS -g -w -fsanitize=address -c -o "$work/$part.o" src/base/$part.c || return; done
     $CC $FLAGS -g -w -fsanitize=address -c -o "$work/o/same.o" "$1" && $CC $FLAGS -g -w -fsanitize=address -c -o "$work/m.o" "$work/m.c" || return
-    join "$1" "$work/o/same.o" fmdsub "$work/arena.o" "$work/limits.o" && mv "$work/mutant.so" "$work/same.so" || return
-    join "$1" "$work/m.o" fmdsub "$work/arena.o" "$work/limits.o" || return
-    put "$work/mutant.so" fmdsub
-    for item in $({ tests_of "$1" "$2" 1; tests_of "$1" "$2" 2; } | grep '^t-\|^decks-\|^bad$'); do
+    join "$1" "$work/o/same.o" $library "$work/arena.o" "$work/limits.o" && mv "$work/mutant.so" "$work/same.so" || return
+    join "$1" "$work/m.o" $library "$work/arena.o" "$work/limits.o" || return
+    put "$work/mutant.so" $library
+    for item in $({ tests_of "$1" "$2" 1; tests_of "$1" "$2" 2; } | grep '^t-\|^decks-\|^bad$\|^reduce$\|^plot$\|^diff$'); do
         guarded "$item" && continue
-        put "$work/same.so" fmdsub
+        put "$work/same.so" $library
         guarded "$item" && { killer=$item,sanitized; break; }
-        put "$work/mutant.so" fmdsub
+        put "$work/mutant.so" $library
     done
 }
 

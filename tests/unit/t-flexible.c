@@ -205,23 +205,31 @@ static void test_feedback(void **state)
 }
 
 /* Mass and inertia of a beam as it is drawn, about its centre, body axes: m (h^2 + w^2)/12 and m (L^2 + h^2)/12 of a box,
- * and a disk's own at its centre. */
+ * and a disk's own at its centre; the same whether its inertia turns with it or keeps the axes of the frame. */
 static void test_weight(void **state)
 {
-    struct opened o;
     (void)state;
-    open_deck(&o,
-              "space: 3d\nbodies:\n  arm:\n"
-              "    beam: {from: [0, 0, 0], to: [2, 0, 0], elements: 4}\n"
-              "    section: {rectangle: [0.2, 0.1]}\n    material: {E: 2.0e+11, nu: 0.3, density: 1000}\n    modes: 2\n"
-              "    masses: {disk: {station: 0.5, mass: 4, inertia: [1, 2, 3]}}\n"
-              "constraints: {clamp: {fixed: [ground, arm], at: [0, 0, 0]}}\n"
-              "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n");
-    const struct scene_body *arm = &o.scene->body[o.scene->nbody - 1];
-    const double m = 40, yy = 0.01, zz = 0.04, is[6] = {yy + zz, 4 + yy, 4 + zz, 0, 0, 0}, disk[6] = {1, 2, 3, 0, 0, 0};
-    near(arm->mass, m + 4, 1e-12 * m);
-    for (int i = 0; i < 6; i++) near(arm->inertia[i], m / 12 * is[i] + disk[i], 1e-9 * m);
-    arena_close(o.life);
+    for (int stiffening = 0; stiffening < 2; stiffening++) {
+        struct opened o;
+        char text[800];
+        snprintf(
+            text, sizeof text,
+            "space: 3d\nbodies:\n  arm:\n"
+            "    beam: {from: [0, 0, 0], to: [2, 0, 0], elements: 4}\n"
+            "    section: {rectangle: [0.2, 0.1]}\n    material: {E: 2.0e+11, nu: 0.3, density: 1000}\n    modes: 2\n"
+            "    masses: {disk: {station: 0.5, mass: 4, inertia: [2, 3, 4, 0.1, 0.2, 0.3]}}\n"
+            "    stiffening: %s\n"
+            "constraints: {clamp: {fixed: [ground, arm], at: [0, 0, 0]}}\n"
+            "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n",
+            stiffening ? "true" : "false");
+        open_deck(&o, text);
+        const struct scene_body *arm = &o.scene->body[o.scene->nbody - 1];
+        const double m = 40, yy = 0.01, zz = 0.04, is[6] = {yy + zz, 4 + yy, 4 + zz, 0, 0, 0},
+                     disk[6] = {2, 3, 4, 0.1, 0.2, 0.3};
+        near(arm->mass, m + 4, 1e-12 * m);
+        for (int i = 0; i < 6; i++) near(arm->inertia[i], m / 12 * is[i] + disk[i], 1e-9 * m);
+        arena_close(o.life);
+    }
 }
 
 int main(void)

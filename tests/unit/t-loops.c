@@ -197,6 +197,53 @@ static void forced_choice(void **state)
     shut(&o);
 }
 
+/* A plate on two rods: one of its three coordinates is independent, the one that the deck names; of two rods all but in
+ * line both still hold, as drawn they miss by nothing. */
+static void plate_on_rods(char *text, size_t size, double apart, const char *also)
+{
+    snprintf(text, size,
+             "fmdsub: 1\n"
+             "bodies:\n"
+             "  plate: {mass: 1, inertia: 1, at: [1, 0.3], points: {p: [0, 0], q: [0.2, %.17g]}}\n"
+             "constraints:\n"
+             "  float: {free: [ground, plate], at: [1, 0.3]}\n"
+             "  first: {distance: [ground, plate.p]}\n"
+             "  second: {distance: [ground, plate.q]}\n"
+             "%s" PLAN "1}\n",
+             .06 + apart, also);
+}
+
+static void chosen_of_three(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"x", "y", "angle"};
+    for (int i = 0; i < 3; i++) {
+        struct opened o;
+        char text[3000], also[100], coordinate_name[40];
+        snprintf(also, sizeof also, "partition: {independent: [float.%s]}\n", name[i]);
+        plate_on_rods(text, sizeof text, .8, also);
+        open_text(&o, text);
+        assert_int_equal(o.status, OK);
+        assert_int_equal(o.sim.stepper.ode->n, 1);
+        snprintf(coordinate_name, sizeof coordinate_name, "float.%s", name[i]);
+        assert_true(independent(&o, coordinate_name));
+        shut(&o);
+    }
+}
+
+static void nearly_in_line(void **state)
+{
+    (void)state;
+    struct opened o;
+    char text[3000];
+    plate_on_rods(text, sizeof text, 1e-3, "");
+    open_text(&o, text);
+    assert_int_equal(o.status, OK);
+    assert_int_equal(condense_started(system_loops(o.sim.system))->redundant, 0);
+    assert_int_equal(o.sim.stepper.ode->n, 1);
+    shut(&o);
+}
+
 static void bifurcation(void **state)
 {
     (void)state;
@@ -429,6 +476,8 @@ int main(void)
         cmocka_unit_test(what_joints_become),
         cmocka_unit_test(starts),
         cmocka_unit_test(forced_choice),
+        cmocka_unit_test(chosen_of_three),
+        cmocka_unit_test(nearly_in_line),
         cmocka_unit_test(bifurcation),
         cmocka_unit_test(third_crank),
         cmocka_unit_test(massless_coupler),

@@ -1,0 +1,89 @@
+/* t-radau.c -- what Radau IIA says that a step is off by, of an oscillator against the same formula in complex numbers */
+#include <complex.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "engine/collocation.h"
+#include "engine/missed.h"
+#include "unit/oscillators.h"
+
+#include <cmocka.h>
+
+/* A x = b by elimination; x in b. */
+static void solve(double complex A[COLLOCATION_STAGES][COLLOCATION_STAGES], double complex *b, int n)
+{
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < n; i++) {
+            if (i == k) continue;
+            const double complex by = A[i][k] / A[k][k];
+            for (int j = k; j < n; j++) A[i][j] -= by * A[k][j];
+            b[i] -= by * b[k];
+        }
+    for (int k = 0; k < n; k++) b[k] /= A[k][k];
+}
+
+/* Of z' = mu z, z = v + i w q and mu = i w, which is q'' = -w^2 q: the stages solve (I - h mu A) Z = z0, and the error
+ * is (1 - h mu lambda) e = h mu (lambda z0 + sum d_i Z_i) (Hairer & Wanner II, IV.8, (8.19)). */
+static double complex error_of(int stages, double w, double h, double complex z0)
+{
+    struct collocation o;
+    double complex A[COLLOCATION_STAGES][COLLOCATION_STAGES], Z[COLLOCATION_STAGES];
+    const double complex hm = h * w * I;
+    collocation_radau(&o, stages);
+    for (int i = 0; i < stages; i++) {
+        for (int j = 0; j < stages; j++) A[i][j] = (i == j) - hm * o.A[i][j];
+        Z[i] = z0;
+    }
+    solve(A, Z, stages);
+    double complex sum = o.mode[0].re * z0;
+    for (int i = 0; i < stages; i++) sum += o.d[i] * Z[i];
+    return hm * sum / (1 - hm * o.mode[0].re);
+}
+
+/* Three masses on springs of their own, one step: the errors of their places stand to those of their velocities as they
+ * must, and all of them as those of the first. */
+static void test_error(void **state)
+{
+    enum { N = 3 };
+    static const double w[N] = {6, 4, 3}, q[N] = {.2, -.1, .3}, v[N] = {.4, .5, .1}, h = .1;
+    static const char *const scheme[] = {"radau5", "radau9"};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct linear s;
+        struct run r;
+        struct missed missed;
+        struct step_options options = step_defaults;
+        options.tolerance = 1e-1;
+        linear_open(&s, N, 0);
+        for (int i = 0; i < N; i++) {
+            s.M[0][i + i * N] = 2;
+            s.K[0][i + i * N] = 2 * w[i] * w[i];
+        }
+        assert_int_equal(run_open(&r, scheme[k], &s.ode, &options, q, v), OK);
+        missed_open(&missed, N, r.life);
+        r.stepper.missed = &missed;
+        r.stepper.guess.h = h;
+        r.stepper.guess.ratio = 1;
+        assert_int_equal(run_steps(&r, h, 1, 1), OK);
+        assert_int_equal(missed.steps, 1);
+        const double by = missed.velocity[0] / fabs(creal(error_of(3 + 2 * k, w[0], h, v[0] + I * w[0] * q[0])));
+        assert_true(by > 0 && by <= 1); /* what is gone on from is better than what was estimated */
+        for (int i = 0; i < N; i++) {
+            const double complex e = error_of(3 + 2 * k, w[i], h, v[i] + I * w[i] * q[i]);
+            assert_true(fabs(missed.velocity[i] / fabs(creal(e)) / by - 1) < 1e-6);
+            if (k == 1)
+                assert_true(fabs(missed.position[i] / fabs(cimag(e) / w[i]) / by - 1) < 1e-6); /* radau5 adds drift */
+        }
+        run_close(&r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
