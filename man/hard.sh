@@ -18,14 +18,15 @@ where the run ends and the figure is within its limit,
 where it stopped, or ended with a status and a reason,
 .Li silent
 where a wrong number came without a word.
+Schemes stand side by side where they apply.
 Where the limit says
 .Li told
 the case must be told, where it says
 .Li or-told
 it may.
 Scheme
-.Li own
-is the deck's.
+.Li deck
+stands where a deck is refused while it is read or put together, before any scheme begins, and so by none in particular.
 The cases are in
 .Pa tests/gallery ;
 .Li make hard-table

@@ -1,6 +1,6 @@
 # C03: a ball thrown without spin slides and then rolls at 5/7 of its speed; small ones, too.
 for size in 1 1.0e-2 1.0e-4 1.0e-6; do
-    row midpoint 1e-6 'END { printf "%.2g", abs($2 - 5 / 7) }' --set parameters.s=$size <<'DECK'
+    touching 1e-6 'END { printf "%.2g", abs($2 - 5 / 7) }' --set parameters.s=$size <<'DECK'
 fmdsub: 1
 parameters: {s: 1, m: 4000*s^3, I: 0.4*4000*s^5}
 gravity: [0, -9.81]

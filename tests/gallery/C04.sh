@@ -9,7 +9,7 @@ awk 'BEGIN { k = 100; V = 0.2; s = 0.4 * 9.81; d = 0.3 * 9.81; w = sqrt(k)
         printf "%.12g\n", x } }' >belt
 for case in "4.0e-3 8e-5" "2.0e-3 2e-5" "1.0e-3 5e-6"; do
     set -- $case
-    row midpoint $2 'BEGIN { while ((getline x <"belt") > 0) want[n++] = x } NR > 1 { i = int($1 * 100 + 0.5); see($2 - want[i]); m++ } END { printf "%.2g", (m > 100 ? worst : 9) }' --set integrate.step=$1 <<'DECK'
+    touching $2 'BEGIN { while ((getline x <"belt") > 0) want[n++] = x } NR > 1 { i = int($1 * 100 + 0.5); see($2 - want[i]); m++ } END { printf "%.2g", (m > 100 ? worst : 9) }' --set integrate.step=$1 <<'DECK'
 fmdsub: 1
 gravity: [0, -9.81]
 bodies: {b: {mass: 1, inertia: 0.1, at: [0, 0]}}

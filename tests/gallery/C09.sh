@@ -1,5 +1,5 @@
 # C09: one ball hits two that touch: both impacts at once give (-1/3, 2/3, 2/3); springs between give the linear chain's.
-row midpoint 1e-9 'END { printf "%.2g", abs($2 + 1 / 3) + abs($3 - 2 / 3) + abs($4 - 2 / 3) }' <<'DECK'
+touching 1e-9 'END { printf "%.2g", abs($2 + 1 / 3) + abs($3 - 2 / 3) + abs($4 - 2 / 3) }' <<'DECK'
 fmdsub: 1
 bodies: {a: {mass: 1, inertia: 1, at: [-1, 0]}, b: {mass: 1, inertia: 1, at: [0.2, 0]}, c: {mass: 1, inertia: 1, at: [0.4, 0]}}
 constraints: {fa: {prismatic: [ground, a], axis: [1, 0]}, fb: {prismatic: [ground, b], axis: [1, 0]}, fc: {prismatic: [ground, c], axis: [1, 0]}}

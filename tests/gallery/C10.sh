@@ -2,7 +2,7 @@
 for case in "1 0.7826" "2 0.7948"; do
     set -- $case
     for step in 1.0e-3 1.0e-4; do
-        row midpoint 2e-4 'END { e = 9.81 * 0.5 * sin(1.1); printf "%.2g", abs(($2 + 9.81 * $3) / (4.5 + e) - '$2') }' --set contacts.c.friction=$1 --set integrate.step=$step <<'DECK'
+        touching 2e-4 'END { e = 9.81 * 0.5 * sin(1.1); printf "%.2g", abs(($2 + 9.81 * $3) / (4.5 + e) - '$2') }' --set contacts.c.friction=$1 --set integrate.step=$step <<'DECK'
 fmdsub: 1
 gravity: [0, -9.81]
 parameters: {th: 1.1}

@@ -1,5 +1,5 @@
 # C12: a pendulum that leans on a peg: what is closed stays so to round-off, for 100 s.
-row midpoint 1e-13 'NR > 1 { see($2) } END { printf "%.2g", worst }' <<'DECK'
+touching 1e-13 'NR > 1 { see($2) } END { printf "%.2g", worst }' <<'DECK'
 fmdsub: 1
 gravity: [0, -9.81]
 bodies: {rod: {mass: 1, inertia: 1/12, at: [0.5, 0], points: {tip: [0.5, 0]}}}

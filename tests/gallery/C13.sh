@@ -1,5 +1,5 @@
 # C13: a body driven into a floor: nothing gives way, and that is told where they meet, at 0.5 s.
-row midpoint told "stopped at t = 0\.\(5\|499\).*'c'" <<'DECK'
+touching told "stopped at t = 0\.\(5\|499\).*'c'" <<'DECK'
 fmdsub: 1
 bodies: {p: {mass: 1, inertia: 1, at: [0, 1]}}
 constraints: {sl: {prismatic: [ground, p], axis: [0, 1]}}

@@ -1,6 +1,6 @@
 # C14: stacks of two to eight boxes on a floor, with friction: they stand for 1 s.
 for boxes in 2 4 8; do
-    row midpoint 1e-6 'NR > 1 { see($2 - 0.1 * (2 * '$boxes' - 1)); see($3) } END { printf "%.2g", worst }' --set parameters.N=$boxes <<'DECK'
+    touching 1e-6 'NR > 1 { see($2 - 0.1 * (2 * '$boxes' - 1)); see($3) } END { printf "%.2g", worst }' --set parameters.N=$boxes <<'DECK'
 fmdsub: 1
 parameters: {N: 2}
 gravity: [0, -9.81]

@@ -12,7 +12,7 @@ integrate: {step: 2.0e-4, until: 1}
 output: {every: 1, columns: [ball.vx]}
 DECK
 done
-row midpoint 1e-12 'END { printf "%.2g", abs($2) + abs($3 + 0.12) }' <<'DECK'
+touching 1e-12 'END { printf "%.2g", abs($2) + abs($3 + 0.12) }' <<'DECK'
 fmdsub: 1
 bodies:
   a: {mass: 1, inertia: [0.004, 0.004, 0.004], at: [0, 0, 0]}

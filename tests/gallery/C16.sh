@@ -19,7 +19,7 @@ integrate: {step: 5.0e-4, until: 0.5}
 output: {every: 0.025, columns: [shaft.angle, follower.y]}
 DECK
 done
-row midpoint 1e-6 'END { printf "%.2g", abs($2 + 0.01109009509) }' <<'DECK'
+touching 1e-6 'END { printf "%.2g", abs($2 + 0.01109009509) }' <<'DECK'
 fmdsub: 1
 gravity: [0, -9.81]
 bodies: {disc: {mass: 1, inertia: 0.005, at: ["0.9*sin(0.05)", "1 - 0.9*cos(0.05)"]}}

@@ -1,5 +1,6 @@
 # H02: a slider-crank that stands in its dead centre with the slider's speed given: no crank's speed belongs to it.
-row midpoint told 'rail' <<'DECK'
+for scheme in $schemes; do
+    row $scheme told 'rail' <<'DECK'
 fmdsub: 1
 bodies:
   crank: {mass: 1, inertia: 0.01, at: [0.075, 0]}
@@ -13,3 +14,4 @@ constraints:
 initial: {rail.displacement_rate: 1}
 integrate: {step: 1.0e-3, until: 1}
 DECK
+done

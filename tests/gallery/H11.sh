@@ -1,6 +1,6 @@
 # H11: a pendulum of 0.1 g on one of 10 t, and the other way round: the energy over 10 s.
 for masses in 1.0e-4:1.0e+4 1.0e+4:1.0e-4; do
-    for scheme in subcycle midpoint newmark generalized-alpha miao; do
+    for scheme in $schemes; do
         row $scheme 1e-6 'NR > 1 { see($2); if ($3 > k) k = $3 } END { printf "%.2g", worst / k }' <<DECK
 fmdsub: 1
 gravity: [0, -9.81]

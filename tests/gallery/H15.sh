@@ -1,5 +1,5 @@
 # H15: a free body near the turn about its middle axis, which it leaves and comes back to: the energy.
-for scheme in subcycle midpoint newmark generalized-alpha miao; do
+for scheme in $schemes; do
     limit=1e-9
     case $scheme in newmark|generalized-alpha|miao) limit=1e-5 ;; esac # of second order: it does not keep the energy
     row $scheme $limit 'NR > 1 { see($2 / $3) } END { printf "%.2g", worst }' <<'DECK'

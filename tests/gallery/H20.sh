@@ -1,5 +1,5 @@
 # H20: a pendulum from 2 rad, 1e5 steps: the error of its energy over that of the first 10 s.
-for scheme in subcycle midpoint newmark generalized-alpha miao; do
+for scheme in $schemes; do
     row $scheme 1.05 'NR > 1 { r = abs($2); if ($1 <= 10) { if (r > a) a = r } else see(r) } END { printf "%.4g", (a > 1e-9 ? worst / a : 1) }' <<'DECK'
 fmdsub: 1
 gravity: [0, -9.81]

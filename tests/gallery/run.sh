@@ -23,19 +23,29 @@ line() {
     case $verdict,$2 in right,*|told,*told) ;; *) echo "not as it should be: status $3" && head -n 3 err ;; esac >&2
 }
 
-# row SCHEME LIMIT AWK [ARGUMENT...]: runs the deck on stdin under SCHEME (`own`: the deck's).  AWK prints the figure from the
-# records, fields by comma, with abs(x), and the worst that see(x) saw; where LIMIT is `told`, it is the pattern.
+# Side by side, where they apply.
+schemes='subcycle midpoint newmark generalized-alpha miao'
+
+# row SCHEME LIMIT AWK [ARGUMENT...]: runs the deck on stdin under SCHEME (`deck`: it is refused while it is read or put together, by
+# whatever scheme).  AWK prints the figure from the records, fields by comma, with abs(x), and the worst that see(x) saw; where
+# LIMIT is `told`, it is the pattern.
 words='function abs(x) { return x < 0 ? -x : x } function see(x) { x = abs(x); if (!(x <= worst)) worst = x }'
 row() {
     scheme=$1 limit=$2 figure=$3 begun=$(date +%s%N)
     shift 3
     cat >deck.yaml
     given="integrate.scheme=$scheme"
-    [ "$scheme" = own ] && given="title=as it is"
-    "$FMDSUB" run -q --set "$given" "$@" deck.yaml >out 2>err
+    [ "$scheme" = deck ] && given="title=as it is"
+    "$FMDSUB" run -q "$@" --set "$given" deck.yaml >out 2>err # the scheme last: of all that is set
     status=$?
     [ "$limit" = told ] || figure=$(awk -F, "$words $figure" out)
     line "$scheme" "$limit" $status "$figure"
+}
+
+# touching LIMIT AWK [ARGUMENT...]: by each scheme that takes rigid contacts.
+touching() {
+    cat >touching.yaml
+    for scheme in midpoint subcycle; do row $scheme "$@" <touching.yaml; done
 }
 
 # fall STEP UNTIL: a ball that falls, for several cases.
