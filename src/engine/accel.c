@@ -30,6 +30,7 @@ static enum status dense(struct accel *c, double *a, double *w, const struct ins
     for (int i = 0; i < o->n; i++) a[i] = -a[i];
     dense_cholesky_solve(c->M, a, o->n, o->n);
     if (!w || !o->breaks || !o->breaks->jump) return OK;
+    if (o->breaks->power && o->breaks->power(o, w, a)) return OK;
     struct instant there = *x; /* drives: their forces, and so their power, depend on a */
     there.a = a;
     c->effort->slow++;

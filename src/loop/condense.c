@@ -232,6 +232,7 @@ static void build_matrices(struct condense *o, struct arena *life)
     o->M_side = TAKE_MATRIX(life, double, n, n);
     o->M_solve = TAKE_MATRIX(life, double, n, n);
     o->Ty = TAKE(life, double, 2 * n);
+    o->driven = TAKE(life, double, n);
 }
 
 static double next_kink(const struct ode2 *ode, double t)
@@ -278,7 +279,8 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
     o->breaks = (struct ode2_breaks){.next = next_kink,
                                      .sides = has_sides,
                                      .jump = m->ndrive ? condense_jump : NULL,
-                                     .corner = m->ndrive ? condense_corner : NULL};
+                                     .corner = m->ndrive ? condense_corner : NULL,
+                                     .power = m->ndrive ? condense_power_of : NULL};
     o->ode = (struct ode2){.nq = m->nq,
                            .ops = &ops,
                            .move = &condense_move,

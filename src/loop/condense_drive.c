@@ -50,6 +50,32 @@ void condense_power(const struct condense *o, double *w, const double *lambda)
         }
 }
 
+/* With V the velocities that drives alone give the tree, V_d = C_qd^-1 c', their power -lambda c' is V' r of the tree, which
+ * changes by (T' M V)' a. */
+void condense_driven_mass(struct condense *o)
+{
+    const int nt = o->rows.n;
+    double *V = o->Tx, *y = o->rt;
+    if (o->model->ndrive == 0) return;
+    memset(V, 0, sizeof *V * (size_t)nt);
+    solve_follow(&o->solve, V, o->rows.loops->cw);
+    if (o->few) {
+        condense_momentum(o, y, V, o->still, ALL);
+    } else {
+        memset(y, 0, sizeof *y * (size_t)nt);
+        dense_gemv(y, 1, o->M, V, nt, nt, nt);
+    }
+    solve_reduce(&o->solve, o->driven, o->lambda, y);
+}
+
+int condense_power_of(const struct ode2 *ode, double *w, const double *a)
+{
+    const struct condense *o = ode->self;
+    if (o->sided) return 0;
+    for (int i = 0; i < ode->n; i++) w[POWER_DRIVE] += o->driven[i] * a[i];
+    return 1;
+}
+
 double condense_fastest(const struct ode2 *ode, double t)
 {
     const struct condense *o = ode->self;

@@ -120,6 +120,7 @@ static enum status mass_by_momentum(struct condense *o, double *M, const double 
         if (!isfinite(M[(n + 1) * (size_t)i])) return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
     }
     symmetric(M, o->ode.n);
+    if (cls == ALL) condense_driven_mass(o);
     return OK;
 }
 
@@ -165,6 +166,7 @@ static enum status mass_there(struct condense *o, double *M, const double *q, do
     TRY(solve_G(&o->solve, q, t, why));
     if (o->few) return mass_by_momentum(o, M, q, t, cls, why);
     TRY(condense_own_rows(o, tree->ops->mass(tree, o->M, q, t, cls, why), why));
+    if (cls == ALL) condense_driven_mass(o); /* before M is taken to pieces */
     congruence(o, M, o->M);
     symmetric(M, o->ode.n);
     return OK;
@@ -177,7 +179,8 @@ enum status condense_mass(const struct ode2 *ode, double *M, const double *q, do
     const int nn = ode->n * ode->n;
     if (isnan(q[0])) return condense_lost(o, t, why);
     TRY(mass_there(o, M, q, t, cls, why));
-    if (!condense_sides(o, o->side, q, t)) return OK;
+    o->sided = condense_sides(o, o->side, q, t);
+    if (!o->sided) return OK;
     memset(M, 0, sizeof *M * (size_t)nn);
     for (int k = 0; k < SIDES; k++) {
         TRY(mass_there(o, o->M_side, o->side[k], t, cls, why));

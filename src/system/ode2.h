@@ -127,6 +127,9 @@ struct ode2_breaks {
                         struct trouble *why);
     /* Right before the first of these corners; infinity: there is none.  With jump(). */
     double (*corner)(const struct ode2 *o, double ta, double tb);
+    /* Right after resid(ALL) with w, without accelerations, and mass(ALL) there: w as it is with accelerations a [n].  0: that
+     * has to be asked of resid().  With jump(). */
+    int (*power)(const struct ode2 *o, double *w, const double *a);
 };
 
 /* What touches, see engine/touch.h: resid() and accel() know nothing of it. */

@@ -12,11 +12,13 @@
  * and the work is what the kinetic energy gains. */
 #include "unit/absolute.h"
 
+#include "engine/accel.h"
+
 /* --- the comparison ---------------------------------------------------------------------------------- */
 
 struct figures {
-    int done, closed, still, refused, met[4];
-    double worst, force, balance, rate;
+    int done, closed, still, refused, once, met[4];
+    double worst, force, balance, rate, power;
     unsigned seed;
 };
 
@@ -72,6 +74,23 @@ static double unbalanced(const struct mechanism *o, const struct system *s, cons
     return worst / most;
 }
 
+/* What explicit schemes are told of the drives' power, which depends on the accelerations: as a rule by one evaluation. */
+static void compare_power(struct figures *g, struct system *s, const double *q, const double *v, double t,
+                          double expected)
+{
+    const struct ode2 *ode = system_ode2(s);
+    struct arena *arena = arena_open();
+    struct effort effort = {0};
+    struct accel accel;
+    struct trouble why;
+    double w[POWER_CHANNELS], *a = TAKE(arena, double, ode->n);
+    accel_open(&accel, ode, &effort, arena);
+    assert_int_equal(accel_solve(&accel, a, w, q, v, t, &why), OK);
+    g->power = fmax(g->power, fabs(w[POWER_DRIVE] - expected) / fmax(1, fabs(expected)));
+    g->once += effort.slow == 1;
+    arena_close(arena);
+}
+
 static void compare(struct figures *g, const struct mechanism *o, struct system *s, const double *q, const double *v,
                     double t, bool unique, unsigned seed)
 {
@@ -79,7 +98,7 @@ static void compare(struct figures *g, const struct mechanism *o, struct system 
     struct place p[MOST_BODIES];
     struct trouble why;
     struct pose pose;
-    double x[MOST], C1[MOST_ROWS], C2[MOST_ROWS], worst = 0, most = 10, speed = 1, force, power;
+    double x[MOST], C1[MOST_ROWS], C2[MOST_ROWS], worst = 0, most = 10, speed = 1, force, power, all = 0;
     assert_int_equal(system_evaluate(s, q, v, t, EVALUATE_ALL, &why), OK);
     stand(p, s, m->nbody);
     int rows = rates(C1, C2, o, p, t), lambda = 6 * (m->nbody - 1) + rows - m->ndrive;
@@ -101,7 +120,9 @@ static void compare(struct figures *g, const struct mechanism *o, struct system 
         g->force = fmax(g->force, fabs(force + x[lambda + k]) / fmax(most, fabs(force)));
         double rate = o->c[m->nloop - m->ndrive + k][1] + 2 * t * o->c[m->nloop - m->ndrive + k][2];
         assert_true(fabs(power - force * rate) <= 1e-12 * fmax(1, fabs(force)));
+        all += power;
     }
+    if (unique && system_ode2(s)->n > 0) compare_power(g, s, q, v, t, all);
     g->balance = fmax(g->balance, unbalanced(o, s, p, x, rows - m->ndrive));
 }
 
@@ -142,15 +163,18 @@ static void mechanisms(int space)
     for (unsigned seed = 1; g.done < 300 && seed < 2000; seed++) try_one(&g, space, seed);
     print_message("space %d: %d mechanisms, %d closed, %d without a freedom, %d refused; drives of coordinates %d, "
                   "distances %d, displacements %d, angles %d; accelerations differ %.2g (seed %u), drive forces %.2g, "
-                  "balance %.2g, rates %.2g\n",
+                  "balance %.2g, rates %.2g, powers %.2g, at once in %d\n",
                   space, g.done, g.closed, g.still, g.refused, g.met[MEASURE_COORDINATE], g.met[MEASURE_DISTANCE],
-                  g.met[MEASURE_DISPLACEMENT], g.met[MEASURE_ANGLE], g.worst, g.seed, g.force, g.balance, g.rate);
+                  g.met[MEASURE_DISPLACEMENT], g.met[MEASURE_ANGLE], g.worst, g.seed, g.force, g.balance, g.rate,
+                  g.power, g.once);
     assert_int_equal(g.done, 300);
     assert_true(g.closed > 50);
     assert_true(g.worst < 1e-8);
     assert_true(g.force < 1e-8);
     assert_true(g.balance < 1e-8);
     assert_true(g.rate < 1e-9);
+    assert_true(g.power < 1e-8);
+    assert_true(g.once > 100);
 }
 
 /* --- corners ------------------------------------------------------------------------------------------ */
