@@ -9,16 +9,19 @@
 enum { LEAST = 8 }; /* contacts that are worth a group */
 
 struct seen {
-    double x[3], R[9]; /* the first body, from the second */
+    double x[3], R[9]; /* the first body, from the second; over a plane its height and the normal, from the first */
 };
 
 struct group {
-    int a, b; /* bodies */
+    int a, b;             /* bodies */
+    const double *normal; /* of the plane of b; NULL: it is none */
     int n, nnear;
-    int *member; /* [n] the near ones first */
+    int *member, *near; /* [n] contacts, [nnear] those of them that were near; ascending */
     double rho;
     struct seen at; /* where they were parted: */
     double far;     /* the others are farther than that; below 0: they were not */
+    double margin;  /* over the reach, of that */
+    int vain;       /* gaps since then that were above the reach */
 };
 
 struct near {
@@ -27,7 +30,8 @@ struct near {
     const struct sweep_ops *ops;
     int ngroup, nalone;
     struct group *group;
-    int *alone; /* contacts of no group */
+    int *alone;  /* contacts of no group */
+    double *gap; /* [contacts] work */
 };
 
 static bool is_distance(const struct model_contact *c)
@@ -37,7 +41,9 @@ static bool is_distance(const struct model_contact *c)
 
 static bool belongs(const struct model_contact *c, const struct model_contact *to)
 {
-    return is_distance(c) && is_distance(to) && c->a.body == to->a.body && c->b.body == to->b.body;
+    if (!is_distance(c) || !is_distance(to) || c->a.body != to->a.body || c->b.body != to->b.body) return false;
+    const bool plane = c->pair == PAIR_PLANE;
+    return plane == (to->pair == PAIR_PLANE) && (!plane || memcmp(c->normal, to->normal, sizeof c->normal) == 0);
 }
 
 /* How many there are of i's kind; is it the first? */
@@ -55,8 +61,11 @@ static int alike(bool *first, const struct model *m, int i)
 
 static void open_group(struct group *o, const struct model *m, int i, int n, struct arena *life)
 {
-    *o = (struct group){.a = m->contact[i].a.body, .b = m->contact[i].b.body, .far = -1};
+    const struct model_contact *first = &m->contact[i];
+    *o = (struct group){.a = first->a.body, .b = first->b.body, .far = -1};
+    if (first->pair == PAIR_PLANE) o->normal = first->normal;
     o->member = TAKE(life, int, n);
+    o->near = TAKE(life, int, n);
     for (int k = i; k < m->ncontact; k++) {
         const struct model_contact *c = &m->contact[k];
         if (!belongs(c, &m->contact[i])) continue;
@@ -72,6 +81,7 @@ struct near *near_build(const struct contacts *c, const struct model *m, const s
     *o = (struct near){.contacts = c, .model = m, .ops = ops};
     o->group = TAKE(life, struct group, m->ncontact / LEAST + 1);
     o->alone = TAKE(life, int, m->ncontact);
+    o->gap = TAKE(life, double, m->ncontact);
     for (int i = 0; i < m->ncontact; i++) {
         bool first;
         const int n = alike(&first, m, i);
@@ -86,53 +96,64 @@ struct near *near_build(const struct contacts *c, const struct model *m, const s
 static void see(struct seen *o, const struct near *near, const struct sweep *s, const struct group *g)
 {
     struct pose a, b;
-    double d[3];
+    double d[3], n[3];
     near->ops->pose(s, &a, g->a);
     near->ops->pose(s, &b, g->b);
     v3_diff(d, a.r, b.r);
-    m3_tmul(o->x, b.R, d);
-    m3_tmulm(o->R, b.R, a.R);
-}
-
-static double moved(const struct group *g, const struct seen *now)
-{
-    double d[3], turn = 0;
-    v3_diff(d, now->x, g->at.x);
-    for (int i = 0; i < 9; i++) turn += (now->R[i] - g->at.R[i]) * (now->R[i] - g->at.R[i]);
-    return v3_norm(d) + sqrt(turn) * g->rho;
-}
-
-/* All gaps g of it are known: those to the front that are below a distance that lasts for some steps. */
-static void part(struct group *o, const struct seen *now, const double *g, double reach)
-{
-    static const double LASTS = 8, SLACK = .01; /* times the reach, and of the size */
-    o->at = *now;
-    o->far = LASTS * reach + SLACK * o->rho;
-    o->nnear = 0;
-    for (int k = 0; k < o->n; k++) {
-        const int i = o->member[k];
-        if (g[i] > o->far) continue;
-        o->member[k] = o->member[o->nnear];
-        o->member[o->nnear++] = i;
+    if (g->normal) {
+        m3_mul(n, b.R, g->normal);
+        o->x[0] = v3_dot(n, d);
+        m3_tmul(o->R, a.R, n);
+    } else {
+        m3_tmul(o->x, b.R, d);
+        m3_tmulm(o->R, b.R, a.R);
     }
 }
 
-static void gaps_of(const struct near *o, struct group *g, const struct sweep *s, double *gap, double reach,
+/* By how much, at the most, gaps have changed. */
+static double moved(const struct group *g, const struct seen *now)
+{
+    const int nx = g->normal ? 1 : 3, nR = 3 * nx;
+    double apart = 0, turn = 0;
+    for (int i = 0; i < nx; i++) apart += (now->x[i] - g->at.x[i]) * (now->x[i] - g->at.x[i]);
+    for (int i = 0; i < nR; i++) turn += (now->R[i] - g->at.R[i]) * (now->R[i] - g->at.R[i]);
+    return sqrt(apart) + sqrt(turn) * g->rho;
+}
+
+/* All gaps of it are known: near are those below a distance that lasts for as long as what is asked for in vain until then
+ * costs no more than to part them again. */
+static void part(struct group *o, const struct seen *now, const double *gap, double reach)
+{
+    static const double LEAST_MARGIN = .01; /* of the size */
+    o->margin = o->vain > o->n ? o->margin / 2 : fmax(2 * o->margin, LEAST_MARGIN * o->rho);
+    o->vain = 0;
+    o->at = *now;
+    o->far = reach + o->margin;
+    o->nnear = 0;
+    for (int k = 0; k < o->n; k++)
+        if (gap[k] <= o->far) o->near[o->nnear++] = o->member[k];
+}
+
+static void gaps_of(struct near *o, struct group *g, const struct sweep *s, struct nearby *to, double reach,
                     const double *q)
 {
     struct seen now;
     see(&now, o, s, g);
-    const bool all = !(moved(g, &now) + reach < g->far);
-    const int n = all ? g->n : g->nnear;
-    for (int k = 0; k < n; k++) gap[g->member[k]] = contacts_gap(o->contacts, s, g->member[k], q);
-    if (all && isfinite(reach)) part(g, &now, gap, reach);
-    for (int k = 0; k < n; k++)
-        if (gap[g->member[k]] > reach) gap[g->member[k]] = INFINITY;
+    const bool all = g->vain > g->n || !(moved(g, &now) + reach < g->far);
+    const int n = all ? g->n : g->nnear, *list = all ? g->member : g->near;
+    for (int k = 0; k < n; k++) {
+        o->gap[k] = contacts_gap(o->contacts, s, list[k], q);
+        if (o->gap[k] <= reach)
+            nearby_add(to, list[k], o->gap[k]);
+        else
+            g->vain++;
+    }
+    if (all && isfinite(reach)) part(g, &now, o->gap, reach);
 }
 
-void near_gaps(struct near *o, const struct sweep *s, double *g, double reach, const double *q)
+void near_gaps(struct near *o, const struct sweep *s, struct nearby *g, double reach, const double *q)
 {
-    for (int i = 0; o->ngroup > 0 && i < o->model->ncontact; i++) g[i] = INFINITY;
-    for (int k = 0; k < o->nalone; k++) g[o->alone[k]] = contacts_gap(o->contacts, s, o->alone[k], q);
+    nearby_clear(g);
+    for (int k = 0; k < o->nalone; k++) nearby_add(g, o->alone[k], contacts_gap(o->contacts, s, o->alone[k], q));
     for (int k = 0; k < o->ngroup; k++) gaps_of(o, &o->group[k], s, g, reach, q);
 }

@@ -5,18 +5,20 @@
  *
  *     |x - x0| + |R - R0| rho,   x the place and R the turn of the one seen from the other (Frobenius' norm),
  *                                rho the farthest of its points from its centre,
+ *     over a plane |n . (x - x0)| + |(R - R0)' n| rho,
  *
  * no other gap can be below the reach, as each is a distance.  What is told does not depend on when they were found last. */
 #ifndef FMDSUB_CONTACT_NEAR_H
 #define FMDSUB_CONTACT_NEAR_H
 
+#include "base/nearby.h"
 #include "contact/contact.h"
 
 struct near;
 
 struct near *near_build(const struct contacts *c, const struct model *m, const struct sweep_ops *ops,
                         struct arena *life);
-/* Where the sweep's bodies are placed at q: gaps g [contacts]; of groups, INFINITY for one above the reach. */
-void near_gaps(struct near *o, const struct sweep *s, double *g, double reach, const double *q);
+/* Where the sweep's bodies are placed at q: gaps g; of groups, none above the reach. */
+void near_gaps(struct near *o, const struct sweep *s, struct nearby *g, double reach, const double *q);
 
 #endif

@@ -20,6 +20,10 @@ static void open_saved(struct touch_saved *o, const struct ode2 *ode, struct are
     const int m = ode->contact->m;
     single_open(&o->at, ode, life);
     o->closed = TAKE(life, int, m);
+    o->which = TAKE(life, int, m);
+    o->pushed = TAKE(life, int, m);
+    o->other = TAKE(life, int, m);
+    o->is_other = TAKE(life, int, m);
     o->state = TAKE(life, int, m);
     o->impacts = TAKE(life, long, m);
     o->impulse = TAKE(life, double, m);
@@ -41,10 +45,11 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     struct touch *o = TAKE(life, struct touch, 1);
     const struct ode2 *ode = s->ode;
     const int m = ode->contact->m, rows = ode->contact->nrow, n = ode->n;
-    int **whole[] = {&o->first, &o->on, &o->closed, &o->state, &o->contact, &o->turns, &o->forced};
+    int **whole[] = {&o->first, &o->closed, &o->which, &o->pushed, &o->state, &o->contact, &o->turns, &o->forced};
     double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l};
     double **of_n[] = {&o->v1, &o->vm, &o->a, &o->dx, &o->r, &o->y, &o->vf, &o->weight};
-    double **of_m[] = {&o->size, &o->g, &o->g0, &o->g1, &o->impulse};
+    double **of_m[] = {&o->size, &o->e, &o->impulse};
+    struct nearby *gaps[] = {&o->g, &o->g0, &o->g1};
     o->ode = ode;
     o->c = ode->contact;
     o->stepper = s;
@@ -52,6 +57,8 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     for (size_t i = 0; i < sizeof of_rows / sizeof *of_rows; i++) *of_rows[i] = TAKE(life, double, rows);
     for (size_t i = 0; i < sizeof of_n / sizeof *of_n; i++) *of_n[i] = TAKE(life, double, n);
     for (size_t i = 0; i < sizeof of_m / sizeof *of_m; i++) *of_m[i] = TAKE(life, double, m);
+    for (int i = 0; i < 3; i++) nearby_open(gaps[i], m, life);
+    for (int i = 0; i <= TOUCH_PARTS; i++) nearby_open(&o->among[i], m, life);
     o->impacts = TAKE(life, long, m);
     o->way = TAKE(life, double, 2 * m);
     o->heads = TAKE(life, double, 2 * m);
@@ -64,6 +71,8 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     o->cone = TAKE(life, struct cone, m);
     o->q = TAKE(life, double, ode->nq);
     o->q1 = TAKE(life, double, ode->nq);
+    o->seen.q = TAKE(life, double, ode->nq);
+    o->seen.reach = NAN;
     o->X = TAKE_MATRIX(life, double, n, rows);
     o->W = TAKE_MATRIX(life, double, rows, rows);
     open_rows(&o->middle, rows, n, life);
@@ -72,7 +81,6 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     matrix_open(&o->J, ode, &s->effort, life);
     matrix_open(&o->M, ode, &s->effort, life);
     path_open(&o->path, ode, life);
-    o->among = TAKE_MATRIX(life, double, TOUCH_PARTS + 1, m);
     open_saved(&o->start, ode, life);
     open_saved(&o->part, ode, life);
     for (int i = 1; i < m; i++) o->first[i] = o->first[i - 1] + 1 + o->c->of[i - 1].across;
@@ -82,31 +90,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     return o;
 }
 
-/* ---- the contacts that are looked at ---- */
-
-void touch_choose(struct touch *o, double *p)
-{
-    o->n = o->rows = 0;
-    for (int i = 0; i < o->c->m; i++) {
-        if (!o->on[i]) continue;
-        const int across = o->c->of[i].across;
-        o->contact[o->n] = i;
-        o->cone[o->n++] = (struct cone){.row = o->rows, .across = across};
-        for (int j = 0; j <= across; j++) o->l[o->rows++] = p[o->first[i] + j];
-    }
-}
-
-void touch_choose_closed(struct touch *o)
-{
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->closed[i];
-    touch_choose(o, o->p);
-}
-
-void touch_spread(const struct touch *o, double *p)
-{
-    zero(p, o->c->nrow);
-    for (int k = 0; k < o->n; k++) copy(p + o->first[o->contact[k]], o->l + o->cone[k].row, 1 + o->cone[k].across);
-}
+/* ---- rates of those that are looked at, what pushes there ---- */
 
 void touch_note(struct touch *o, struct touch_event e)
 {
@@ -123,7 +107,7 @@ void touch_rates(const struct touch *o, double *u, const struct touch_rows *R, c
 
 enum status touch_look(struct touch *o, double *u, struct touch_rows *R, const struct state *x, struct trouble *why)
 {
-    TRY(o->c->rows(o->c, R->G, R->b, o->on, x->q, x->t, why));
+    TRY(o->c->rows(o->c, R->G, R->b, o->contact, o->n, x->q, x->t, why));
     touch_rates(o, u, R, x->v);
     return OK;
 }
@@ -163,8 +147,9 @@ static void mend(struct touch *o, int count)
 {
     static const double SOON = .3, LEAST = .02, MOST = 10;
     double to = 0, all = 0, now = 0, last = 0;
-    for (int i = 0; i < o->c->m; i++) {
-        if (!o->on[i] || !o->c->of[i].joint) continue;
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        if (!o->c->of[i].joint) continue;
         const double d = o->off[i] - o->was[i];
         to += o->was[i] * d;
         all += d * d;
@@ -182,7 +167,7 @@ enum status touch_press(struct touch *o, const struct instant *x, double h, int 
     if (!o->c->bound) return OK;
     touch_spread(o, o->f);
     for (int i = 0; i < o->c->nrow; i++) o->f[i] /= h;
-    TRY(o->c->bound(o->c, o->off, o->on, x, o->f, why));
+    TRY(o->c->bound(o->c, o->off, o->contact, o->n, x, o->f, why));
     for (int k = 0; k < o->n; k++) {
         const int i = o->contact[k];
         if (count == 0) o->N[i] = o->off[i];
@@ -240,8 +225,12 @@ static enum status close_drawn(struct touch *o, const struct state *x, double h,
 {
     touch_grow(o, x->v);
     for (int i = 0; i < o->ode->n; i++) o->top = larger(o->top, h * fabs(x->a[i]));
-    for (int i = 0; i < o->c->m; i++) o->on[i] = o->g[i] <= TOUCH_DRAWN * o->size[i];
-    touch_choose(o, o->p);
+    int n = 0;
+    for (int k = 0; k < o->g.n; k++) {
+        const int i = o->g.which[k];
+        if (o->g.gap[i] <= TOUCH_DRAWN * o->size[i]) o->contact[n++] = i;
+    }
+    touch_choose(o, n);
     if (o->n == 0) return OK;
     TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) {
@@ -250,6 +239,7 @@ static enum status close_drawn(struct touch *o, const struct state *x, double h,
         o->closed[i] = fabs(o->u[c->row]) <= TOUCH_AT_REST * o->top;
         if (o->closed[i]) touch_set_slip(o, i, o->u, c);
     }
+    touch_keep_closed(o);
     return OK;
 }
 
@@ -259,10 +249,10 @@ enum status touch_begin(struct touch *o, int *deepest, double *overlap, const st
     *overlap = 0;
     *deepest = -1;
     o->usual = h;
-    TRY(o->c->gap(o->c, o->g, INFINITY, x->q, x->t, why));
+    TRY(touch_gaps(o, x, INFINITY, why));
     for (int i = 0; i < o->c->m; i++) {
-        const double share = o->g[i] / o->size[i];
-        if (share < -TOUCH_DRAWN && (*deepest < 0 || o->g[i] < *overlap)) *overlap = o->g[*deepest = i];
+        const double g = o->g.gap[i];
+        if (g < -TOUCH_DRAWN * o->size[i] && (*deepest < 0 || g < *overlap)) *overlap = o->g.gap[*deepest = i];
     }
     return *deepest < 0 ? close_drawn(o, x, h, why) : OK;
 }
@@ -312,6 +302,12 @@ void touch_recall(struct touch *o, struct recall *r)
     recall_within(r, "touch");
     recall_one(r, "begun", o->begun);
     recall_list(r, "closed", o->closed, o->c->m);
+    o->nclosed = 0;
+    o->npushed = o->c->m;
+    for (int i = 0; i < o->c->m; i++) {
+        touch_change(o, o->pushed[i] = i);
+        if (o->closed[i]) o->which[o->nclosed++] = i;
+    }
     recall_list(r, "state", o->state, o->c->m);
     recall_list(r, "way", o->way, 2 * o->c->m);
     recall_list(r, "p", o->p, o->c->nrow);

@@ -57,7 +57,7 @@ static void correct_normals(struct touch *o, double h)
     if (!(size > DBL_MIN)) return;
     for (int k = 0; k < o->n; k++) {
         const int i = o->contact[k], row = o->cone[k].row;
-        const double change = o->g1[i] - o->g0[i] - h * o->middle.b[row];
+        const double change = o->g1.gap[i] - o->g0.gap[i] - h * o->middle.b[row];
         correct_row(o, o->middle.G + row * n, change, size, ROUGH * o->size[i]);
     }
 }
@@ -65,9 +65,9 @@ static void correct_normals(struct touch *o, double h)
 static enum status rows_there(struct touch *o, const struct instant *x, double h, struct trouble *why)
 {
     const struct ode2_contact *c = o->c;
-    TRY(c->gap(o->c, o->g1, o->reach, o->q1, x->tb, why));
-    TRY(c->rows(o->c, o->middle.G, o->middle.b, o->on, o->q, x->t, why));
-    TRY(c->rows(o->c, o->end.G, o->end.b, o->on, o->q1, x->tb, why));
+    TRY(c->gap(o->c, &o->g1, o->reach, o->q1, x->tb, why));
+    TRY(c->rows(o->c, o->middle.G, o->middle.b, o->contact, o->n, o->q, x->t, why));
+    TRY(c->rows(o->c, o->end.G, o->end.b, o->contact, o->n, o->q1, x->tb, why));
     correct_normals(o, h);
     return OK;
 }
@@ -82,7 +82,7 @@ static bool is_tolerant(const struct touch *o)
  * would take any speed. With steps by tolerance, which may be of any length, it stays. */
 static double left_open(const struct touch *o, int i, double h)
 {
-    const double most = 2 * TOUCH_CLOSED * o->size[i], left = larger(-most, smaller(most, o->g0[i]));
+    const double most = 2 * TOUCH_CLOSED * o->size[i], left = larger(-most, smaller(most, o->g0.gap[i]));
     const double soon = SOON * o->usual;
     if (is_tolerant(o)) return left;
     return h < soon ? (1 - h / soon) * left : 0;
@@ -139,7 +139,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     touch_rates(o, o->u, &o->end, o->vf);
     for (int k = 0; k < o->n; k++) {
         const int row = o->cone[k].row;
-        o->u[row] += 2 / h * (o->g1[o->contact[k]] - left_open(o, o->contact[k], h)) -
+        o->u[row] += 2 / h * (o->g1.gap[o->contact[k]] - left_open(o, o->contact[k], h)) -
                      dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
     }
     turn_ways(o, h);
@@ -210,7 +210,7 @@ static bool has_mended(const struct touch *o)
 {
     for (int k = 0; k < o->n && !is_tolerant(o); k++) {
         const int i = o->contact[k];
-        if (fabs(o->g0[i]) > 1e-2 * TOUCH_CLOSED * o->size[i]) return true;
+        if (fabs(o->g0.gap[i]) > 1e-2 * TOUCH_CLOSED * o->size[i]) return true;
     }
     return false;
 }
@@ -246,9 +246,13 @@ static enum status settle(struct touch *o, double h, double t1, struct trouble *
     const struct state there = {t1, o->q1, o->v1, o->a};
     double most = 0, rough = NOISE * touch_noise(o, h);
     const bool mended = o->took == 0 || has_mended(o);
-    touch_spread(o, o->p);
-    for (int k = 0; k < o->n; k++) o->on[o->contact[k]] = o->l[o->cone[k].row] > 0 || o->c->of[o->contact[k]].joint;
-    touch_choose(o, o->p);
+    touch_keep(o);
+    int n = 0;
+    for (int k = 0; k < o->n; k++) {
+        const int i = o->contact[k];
+        if (o->l[o->cone[k].row] > 0 || o->c->of[i].joint) o->contact[n++] = i;
+    }
+    touch_choose(o, n);
     TRY(touch_look(o, o->u, &o->end, &there, why));
     for (int k = 0; k < o->n; k++) {
         struct cone *c = &o->cone[k];
@@ -293,7 +297,7 @@ enum status touch_held(struct touch *o, struct state *x, double h, double t1, st
         o->cone[k].preload = h * of->preload;
         if (o->forced[o->contact[k]]) force(o, &o->cone[k], o->contact[k]);
     }
-    TRY(o->c->gap(o->c, o->g0, o->reach, x->q, x->t, why));
+    TRY(o->c->gap(o->c, &o->g0, o->reach, x->q, x->t, why));
     copy(o->v1, x->v, ode->n);
     for (int i = 0; i < ode->n && !o->stepper->fresh; i++) o->v1[i] += h * x->a[i];
     TRY(iterate(o, &at, x, h, t1, why));

@@ -48,7 +48,7 @@ static bool strike(struct touch *o, double *loss, double e)
     for (int i = 0; i < o->rows; i++) o->u1[i] = o->u[i];
     for (int k = 0; k < o->n; k++) {
         const int row = o->cone[k].row;
-        o->u1[row] += e * o->g1[k] * smaller(o->u[row], 0);
+        o->u1[row] += e * o->e[k] * smaller(o->u[row], 0);
     }
     zero(o->l, o->rows);
     if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, 0, &o->work)) return false;
@@ -102,14 +102,14 @@ static void note_all(struct touch *o, const struct state *x, double h, double lo
         if (!o->closed[i]) o->state[i] = TOUCH_OPEN;
         for (int j = 0; j <= c->across; j++) o->p[o->first[i] + j] = 0;
     }
+    touch_keep_closed(o);
 }
 
 enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why)
 {
     struct stepper *s = o->stepper;
     double loss = 0, e = 1;
-    for (int i = 0; i < o->c->m; i++) o->on[i] |= o->closed[i];
-    touch_choose(o, o->p);
+    touch_choose(o, touch_merge(o, o->n, o->which, o->nclosed));
     TRY(touch_look(o, o->u, &o->end, x, why));
     TRY(touch_mass(o, x, why));
     TRY(accel_solve(s->accel, o->a, NULL, x->q, x->v, x->t, why));
@@ -119,7 +119,7 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
     if (most > SLOWED * o->hardest) last = 0;
     for (int k = 0; k < o->n; k++) {
         const struct ode2_touch *of = &o->c->of[o->contact[k]];
-        o->g1[k] = restitution(o, k, x, h, last);
+        o->e[k] = restitution(o, k, x, h, last);
         o->cone[k].mu = of->sliding;
         o->top = larger(o->top, fabs(o->u[o->cone[k].row]));
     }

@@ -116,10 +116,12 @@ void touch_back(struct touch *o, struct state *x)
 
 static enum status all_far(struct touch *o, bool *far, const struct state *x, double reach, struct trouble *why)
 {
-    TRY(o->c->gap(o->c, o->g, reach * o->longest, x->q, x->t, why));
+    TRY(touch_gaps(o, x, reach * o->longest, why));
     *far = true;
-    for (int i = 0; i < o->c->m && *far; i++)
-        *far = !o->closed[i] && !o->c->of[i].joint && o->g[i] > reach * larger(1, o->size[i]);
+    for (int k = 0; k < o->g.n && *far; k++) {
+        const int i = o->g.which[k];
+        *far = !o->closed[i] && !o->c->of[i].joint && o->g.gap[i] > reach * larger(1, o->size[i]);
+    }
     return OK;
 }
 

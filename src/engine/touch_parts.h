@@ -29,6 +29,8 @@ struct touch_saved {
     double top, took;                                /* as in struct touch, from here on */
     int begun, nevent, lost_events;
     long all;
+    int nclosed, *which, npushed, *pushed;
+    int nother, *other, *is_other; /* [m] contacts that may not be as they are here, else they are: looked at since */
     int *closed, *state;
     long *impacts;
     double *impulse, *p, *way;
@@ -38,16 +40,19 @@ struct touch {
     const struct ode2 *ode;
     const struct ode2_contact *c;
     struct stepper *stepper;
-    double *size;    /* [m] usual gaps, those of the start */
-    double longest;  /* the longest of them, or 1 */
-    double reach;    /* gaps above it are not looked at in the step under way */
-    int *first;      /* [m] the first of a contact's rows among all */
-    int *on;         /* [m] is it looked at now? */
-    int *closed;     /* [m] */
-    int *state;      /* [m] enum touching */
-    double *way;     /* [2 m] unit vectors across along which they slide, or slid last */
-    double *p;       /* [rows] impulses of the last step, */
-    double took;     /* that long */
+    double *size;   /* [m] usual gaps, those of the start */
+    double longest; /* the longest of them, or 1 */
+    double reach;   /* gaps above it are not looked at in the step under way */
+    int *first;     /* [m] the first of a contact's rows among all */
+    int *closed;    /* [m] */
+    int nclosed;    /* of these, */
+    int *which;     /* [m] ascending */
+    int *state;     /* [m] enum touching */
+    double *way;    /* [2 m] unit vectors across along which they slide, or slid last */
+    double *p;      /* [rows] impulses of the last step, */
+    double took;    /* that long; */
+    int npushed;    /* of these contacts, [m], all others' are 0 */
+    int *pushed;
     double *impulse; /* [m] since the start */
     long *impacts;   /* [m] */
     long all;        /* impacts */
@@ -66,33 +71,49 @@ struct touch {
     int *forced;       /* [m] is it held, does it slide its way, whatever that takes? */
     double *held;      /* [all rows] forces there */
     double *heads;     /* [2 m] the ways along which they go, if they do */
-    struct cone *cone; /* [m] those that are on */
+    struct cone *cone; /* [m] those that are looked at */
     int n, rows;       /* of these; their rows */
     struct cone_work work;
-    int *contact;    /* [m] their numbers */
+    int *contact;    /* [m] their numbers, ascending */
     struct matrix J; /* of the step */
     double hfactor;  /* for which it was made; 0: none */
     struct matrix M; /* of impacts */
     struct touch_rows middle, end;
-    double *X, *W;                         /* [n x rows], [rows x rows] */
-    double *u, *u1, *l;                    /* [rows] */
-    double *g, *g0, *g1;                   /* [m] */
+    double *X, *W;           /* [n x rows], [rows x rows] */
+    double *u, *u1, *l;      /* [rows] */
+    struct nearby g, g0, g1; /* gaps: as touch_gaps() has seen them, */
+    struct {
+        double *q, t, reach;               /* NAN: it has not */
+    } seen;                                /* there; */
+    double *e;                             /* [m] restitutions, in an impact */
     double *N, *f;                         /* [m] pressing forces of joints, [all rows] forces */
     double *off, *was;                     /* [m] by how much they are beside those of the motion; of the last time */
     double share;                          /* of that, by which they are mended */
     double *v1, *vm, *a, *dx, *r, *y, *vf; /* [n] */
     double *q, *q1;                        /* [nq] */
     struct path path;                      /* within a step */
-    double *among;                         /* [parts of it, m] gaps on the way */
+    struct nearby among[TOUCH_PARTS + 1];  /* gaps on the way */
     double *weight;                        /* [n] of displacements, for Gonzalez' correction */
     struct touch_saved start, part;        /* before a step, before a part of it */
 };
 
-/* touch.c: those with on[i] become cone[0..n); their impulses are l. */
-void touch_choose(struct touch *o, double *p);
+/* touch_chosen.c: gaps g at x of all within a reach. */
+enum status touch_gaps(struct touch *o, const struct state *x, double reach, struct trouble *why);
+/* contact[0..n) become cone[0..n); their impulses are l.  No others change what is saved of them. */
+void touch_choose(struct touch *o, int n);
 void touch_choose_closed(struct touch *o);
+/* contact[0..n), ascending, and list [nlist], likewise, in one: how many. */
+int touch_merge(struct touch *o, int n, const int *list, int nlist);
+/* Of those that are looked at, and there are no others, the ones with closed[i] are closed. */
+void touch_keep_closed(struct touch *o);
+/* Contact i may not be as it was saved. */
+void touch_change(struct touch *o, int i);
+/* p := their l, of others 0 */
+void touch_keep(struct touch *o);
 /* p [all rows] := their l, of others 0 */
 void touch_spread(const struct touch *o, double *p);
+
+/* touch.c */
 void touch_note(struct touch *o, struct touch_event e);
 /* u [rows] := G v + b */
 void touch_rates(const struct touch *o, double *u, const struct touch_rows *R, const double *v);
@@ -120,7 +141,7 @@ void touch_strike(struct touch *o, const double *q, double *v, double t);
 /* o->reach for a step h. */
 void touch_reach(struct touch *o, double h);
 void touch_save(struct touch_saved *o, const struct touch *t, const struct state *x);
-void touch_restore(const struct touch_saved *o, struct touch *t, struct state *x);
+void touch_restore(struct touch_saved *o, struct touch *t, struct state *x);
 /* What touches at the start of the run and comes nearer. */
 enum status touch_at_start(struct touch *o, struct state *x, double h, struct trouble *why);
 /* From x->t towards t1, and no further than *most, to where the first gap is 0 or friction changes; *again: from where it

@@ -10,7 +10,7 @@
 enum { GOLDEN = 32 };
 static const double BELOW = 1e-9; /* of a usual gap: what is no round-off */
 
-static enum status gaps_at(struct touch *o, double *g, double x, struct trouble *why)
+static enum status gaps_at(struct touch *o, struct nearby *g, double x, struct trouble *why)
 {
     path_place(&o->path, o->q1, x);
     return o->c->gap(o->c, g, o->reach, o->q1, path_time(&o->path, x), why);
@@ -31,24 +31,27 @@ static enum status paces(struct touch *o, double *u, const struct state *from, c
     return OK;
 }
 
-/* Leaves on[] to those that may have been closed; is there any? */
-static enum status may_have_closed(struct touch *o, bool *any, const struct state *from, const struct state *to,
-                                   double h, struct trouble *why)
+/* Leaves contact[0..n) to those that may have been closed. */
+static enum status may_have_closed(struct touch *o, const struct state *from, const struct state *to, double h,
+                                   struct trouble *why)
 {
     static const double FASTER = 2; /* than at the ends, as where ways bend */
-    *any = false;
-    for (int i = 0; i < o->c->m; i++) {
+    const int all = touch_merge(o, touch_merge(o, 0, o->g.which, o->g.n), o->g0.which, o->g0.n);
+    int n = 0;
+    for (int k = 0; k < all; k++) {
+        const int i = o->contact[k];
         const double far = 4 * h * o->top * larger(1, o->size[i]);
-        o->on[i] = !o->closed[i] && !o->c->of[i].joint && smaller(o->g0[i], o->g[i]) < far;
+        if (!o->closed[i] && !o->c->of[i].joint && smaller(o->g0.gap[i], o->g.gap[i]) < far) o->contact[n++] = i;
     }
-    touch_choose(o, o->p);
+    touch_choose(o, n);
     if (o->n == 0) return OK;
     TRY(paces(o, o->u, from, to, why));
+    n = 0;
     for (int k = 0; k < o->n; k++) {
         const int i = o->contact[k];
-        o->on[i] = FASTER * h * o->u[o->cone[k].row] > o->g0[i] + o->g[i];
-        *any |= o->on[i];
+        if (FASTER * h * o->u[o->cone[k].row] > o->g0.gap[i] + o->g.gap[i]) o->contact[n++] = i;
     }
+    o->n = n;
     return OK;
 }
 
@@ -57,10 +60,10 @@ static enum status least(struct touch *o, double *x, double *g, int i, double a,
 {
     static const double PART = .61803398874989485;
     double c = b - PART * (b - a), d = a + PART * (b - a), gc, gd;
-    TRY(gaps_at(o, o->g1, c, why));
-    gc = o->g1[i];
-    TRY(gaps_at(o, o->g1, d, why));
-    gd = o->g1[i];
+    TRY(gaps_at(o, &o->g1, c, why));
+    gc = o->g1.gap[i];
+    TRY(gaps_at(o, &o->g1, d, why));
+    gd = o->g1.gap[i];
     for (int k = 0; k < GOLDEN && !(smaller(gc, gd) < -BELOW * o->size[i]); k++) {
         const bool left = gc < gd;
         if (left) {
@@ -70,8 +73,8 @@ static enum status least(struct touch *o, double *x, double *g, int i, double a,
             a = c, c = d, gc = gd;
             d = a + PART * (b - a);
         }
-        TRY(gaps_at(o, o->g1, left ? c : d, why));
-        *(left ? &gc : &gd) = o->g1[i];
+        TRY(gaps_at(o, &o->g1, left ? c : d, why));
+        *(left ? &gc : &gd) = o->g1.gap[i];
     }
     *x = gc < gd ? c : d;
     *g = smaller(gc, gd);
@@ -82,12 +85,12 @@ static enum status least(struct touch *o, double *x, double *g, int i, double a,
 static enum status look_for(struct touch *o, double *first, int i, struct trouble *why)
 {
     static const double PART = 1. / TOUCH_PARTS;
-    const int m = o->c->m;
     for (int k = 0; k <= TOUCH_PARTS && (k - 1) * PART < *first; k++) {
-        const double *g = o->among + k * m + i, far = -BELOW * o->size[i];
+        const struct nearby *g = o->among + k;
+        const double far = -BELOW * o->size[i];
         const bool begins = k == 0, ends = k == TOUCH_PARTS;
-        double x = k * PART, at = *g;
-        if (isfinite(at) && (begins || at <= g[-m]) && (ends || at <= g[m]) && !(at < far))
+        double x = k * PART, at = g->gap[i];
+        if (isfinite(at) && (begins || at <= g[-1].gap[i]) && (ends || at <= g[1].gap[i]) && !(at < far))
             TRY(least(o, &x, &at, i, begins ? 0 : x - PART, ends ? 1 : x + PART, why));
         if (at < far && x > 0 && x < *first) *first = x;
     }
@@ -98,16 +101,14 @@ enum status touch_passed(struct touch *o, double *met, const struct state *x, do
 {
     const struct touch_saved *at = &o->part;
     const struct state from = {at->t, at->at.q, at->at.v, at->at.a};
-    bool any;
     double first = 1;
-    TRY(may_have_closed(o, &any, &from, x, h, why));
-    if (!any) return OK;
+    TRY(may_have_closed(o, &from, x, h, why));
+    if (o->n == 0) return OK;
     path_between(&o->path, &from, x);
-    copy(o->among, o->g0, o->c->m);
-    copy(o->among + TOUCH_PARTS * o->c->m, o->g, o->c->m);
-    for (int k = 1; k < TOUCH_PARTS; k++) TRY(gaps_at(o, o->among + k * o->c->m, (double)k / TOUCH_PARTS, why));
-    for (int i = 0; i < o->c->m; i++)
-        if (o->on[i]) TRY(look_for(o, &first, i, why));
+    nearby_copy(&o->among[0], &o->g0);
+    nearby_copy(&o->among[TOUCH_PARTS], &o->g);
+    for (int k = 1; k < TOUCH_PARTS; k++) TRY(gaps_at(o, &o->among[k], (double)k / TOUCH_PARTS, why));
+    for (int k = 0; k < o->n; k++) TRY(look_for(o, &first, o->contact[k], why));
     if (first < 1) *met = first * h;
     return OK;
 }

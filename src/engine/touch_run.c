@@ -11,10 +11,43 @@ enum { MOST_IMPACTS = 50, MOST_CUTS = 12, NO_END = 20000, TRIALS = 60 };
 static const double DEEP = 1e-6;  /* of a usual gap: where one has gone through the other */
 static const double SHORT = 1e-4; /* of a step: no shorter part is looked at for what may be passed in it */
 
+/* What is held of contacts, now or where it was saved. */
+struct held {
+    int *closed, *state;
+    long *impacts;
+    double *impulse, *p, *way;
+};
+
+static struct held now(const struct touch *t)
+{
+    return (struct held){t->closed, t->state, t->impacts, t->impulse, t->p, t->way};
+}
+
+static struct held then(const struct touch_saved *o)
+{
+    return (struct held){o->closed, o->state, o->impacts, o->impulse, o->p, o->way};
+}
+
+/* Of those that may differ, and then do not. */
+static void bring(const struct held *to, const struct held *from, struct touch_saved *o, const struct touch *t)
+{
+    for (int k = 0; k < o->nother; k++) {
+        const int i = o->other[k], row = t->first[i];
+        to->closed[i] = from->closed[i];
+        to->state[i] = from->state[i];
+        to->impacts[i] = from->impacts[i];
+        to->impulse[i] = from->impulse[i];
+        copy(to->way + 2 * i, from->way + 2 * i, 2);
+        copy(to->p + row, from->p + row, 1 + t->c->of[i].across);
+        o->is_other[i] = 0;
+    }
+    o->nother = 0;
+}
+
 void touch_save(struct touch_saved *o, const struct touch *t, const struct state *x)
 {
     const struct stepper *s = t->stepper;
-    const size_t m = (size_t)t->c->m;
+    const struct held from = now(t), to = then(o);
     o->t = x->t;
     single_save(&o->at, t->ode, x);
     copy(o->work, s->work, POWER_CHANNELS);
@@ -27,18 +60,16 @@ void touch_save(struct touch_saved *o, const struct touch *t, const struct state
     o->nevent = t->nevent;
     o->lost_events = t->lost_events;
     o->all = t->all;
-    memcpy(o->closed, t->closed, m * sizeof *o->closed);
-    memcpy(o->state, t->state, m * sizeof *o->state);
-    memcpy(o->impacts, t->impacts, m * sizeof *o->impacts);
-    copy(o->impulse, t->impulse, t->c->m);
-    copy(o->p, t->p, t->c->nrow);
-    copy(o->way, t->way, 2 * t->c->m);
+    memcpy(o->which, t->which, (size_t)(o->nclosed = t->nclosed) * sizeof *o->which);
+    memcpy(o->pushed, t->pushed, (size_t)(o->npushed = t->npushed) * sizeof *o->pushed);
+    bring(&to, &from, o, t);
 }
 
-void touch_restore(const struct touch_saved *o, struct touch *t, struct state *x)
+void touch_restore(struct touch_saved *o, struct touch *t, struct state *x)
 {
     struct stepper *s = t->stepper;
-    const size_t m = (size_t)t->c->m;
+    const struct held from = then(o), to = now(t);
+    for (int k = 0; k < o->nother; k++) touch_change(t, o->other[k]);
     single_restore(&o->at, t->ode, x, o->t);
     copy(s->work, o->work, POWER_CHANNELS);
     s->lost = o->lost;
@@ -51,21 +82,17 @@ void touch_restore(const struct touch_saved *o, struct touch *t, struct state *x
     t->nevent = o->nevent;
     t->lost_events = o->lost_events;
     t->all = o->all;
-    memcpy(t->closed, o->closed, m * sizeof *o->closed);
-    memcpy(t->state, o->state, m * sizeof *o->state);
-    memcpy(t->impacts, o->impacts, m * sizeof *o->impacts);
-    copy(t->impulse, o->impulse, t->c->m);
-    copy(t->p, o->p, t->c->nrow);
-    copy(t->way, o->way, 2 * t->c->m);
+    memcpy(t->which, o->which, (size_t)(t->nclosed = o->nclosed) * sizeof *o->which);
+    memcpy(t->pushed, o->pushed, (size_t)(t->npushed = o->npushed) * sizeof *o->pushed);
+    bring(&to, &from, o, t);
 }
 
 static enum status attempt(struct touch *o, struct state *x, double h, double t1, struct trouble *why)
 {
     struct stepper *s = o->stepper;
-    bool any = false;
-    for (int i = 0; i < o->c->m; i++) any = any || o->closed[i];
-    if (any) return touch_held(o, x, h, t1, why);
-    zero(o->p, o->c->nrow);
+    if (o->nclosed > 0) return touch_held(o, x, h, t1, why);
+    o->n = 0;
+    touch_keep(o);
     o->took = h;
     return s->kind->step(s, x, h, 1, t1, why);
 }
@@ -79,16 +106,20 @@ void touch_reach(struct touch *o, double h)
 /* How deep it is, in usual gaps, behind a start with gap g0: what an impact beside it has left inside there may come out. */
 static double depth(const struct touch *o, int i, double g0)
 {
-    return (g0 < -2 * TOUCH_CLOSED * o->size[i] ? o->g[i] - g0 : o->g[i]) / o->size[i];
+    const double g = o->g.gap[i];
+    return (g0 < -2 * TOUCH_CLOSED * o->size[i] ? g - g0 : g) / o->size[i];
 }
 
 /* The deepest of the open ones behind a start with gaps g0. */
-static enum status deepest(struct touch *o, double *g, const double *g0, const struct state *x, struct trouble *why)
+static enum status deepest(struct touch *o, double *g, const struct nearby *g0, const struct state *x,
+                           struct trouble *why)
 {
     *g = INFINITY;
-    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
-    for (int i = 0; i < o->c->m; i++)
-        if (!o->closed[i]) *g = smaller(*g, depth(o, i, g0[i]));
+    TRY(touch_gaps(o, x, o->reach, why));
+    for (int k = 0; k < o->g.n; k++) {
+        const int i = o->g.which[k];
+        if (!o->closed[i]) *g = smaller(*g, depth(o, i, g0->gap[i]));
+    }
     return OK;
 }
 
@@ -102,7 +133,7 @@ static enum status locate(struct touch *o, struct state *x, double h, double dee
         const double part = bracket_next(&b);
         touch_restore(&o->part, o, x);
         TRY(attempt(o, x, part, t0 + part, why));
-        TRY(deepest(o, &g, o->g0, x, why));
+        TRY(deepest(o, &g, &o->g0, x, why));
         bracket_take(&b, part, g);
     }
     return OK;
@@ -111,7 +142,7 @@ static enum status locate(struct touch *o, struct state *x, double h, double dee
 /* Contacts that were closed in the part of the step that was taken. */
 static enum status renew(struct touch *o, const struct state *x, struct trouble *why)
 {
-    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
+    TRY(touch_gaps(o, x, o->reach, why));
     touch_choose_closed(o);
     if (o->n == 0) return OK;
     TRY(touch_look(o, o->u, &o->end, x, why));
@@ -119,7 +150,7 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
         const struct cone *c = &o->cone[k];
         const int i = o->contact[k], was = o->state[i];
         o->impulse[i] += o->l[c->row];
-        if (!(o->l[c->row] > 0) && (o->u[c->row] > TOUCH_CLOSED * o->top || o->g[i] > TOUCH_CLOSED * o->size[i])) {
+        if (!(o->l[c->row] > 0) && (o->u[c->row] > TOUCH_CLOSED * o->top || o->g.gap[i] > TOUCH_CLOSED * o->size[i])) {
             o->closed[i] = 0;
             o->state[i] = TOUCH_OPEN;
             touch_note(o, (struct touch_event){.what = TOUCH_OPENS, .contact = i, .t = x->t});
@@ -135,6 +166,7 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
                                             .contact = i,
                                             .t = x->t});
     }
+    touch_keep_closed(o);
     return OK;
 }
 
@@ -142,8 +174,12 @@ static enum status renew(struct touch *o, const struct state *x, struct trouble 
 static enum status strike(struct touch *o, struct state *x, double h, double near, int *count, struct trouble *why)
 {
     bool any = false;
-    for (int i = 0; i < o->c->m; i++) o->on[i] = !o->closed[i] && o->g[i] <= near * o->size[i];
-    touch_choose(o, o->p);
+    int n = 0;
+    for (int k = 0; k < o->g.n; k++) {
+        const int i = o->g.which[k];
+        if (!o->closed[i] && o->g.gap[i] <= near * o->size[i]) o->contact[n++] = i;
+    }
+    touch_choose(o, n);
     if (o->n == 0) return OK;
     TRY(touch_look(o, o->u, &o->end, x, why));
     for (int k = 0; k < o->n; k++) any |= o->u[o->cone[k].row] < 0;
@@ -155,8 +191,10 @@ static enum status strike(struct touch *o, struct state *x, double h, double nea
 /* What pushes into what cannot give way, as a drive does, ends the run. */
 static enum status none_is_deep(const struct touch *o, double t, struct trouble *why)
 {
-    for (int i = 0; i < o->c->m; i++)
-        if (o->g[i] < -DEEP * o->size[i]) return trouble_set(why, TROUBLE_CONTACT, i, INFINITY, t);
+    for (int k = 0; k < o->g.n; k++) {
+        const int i = o->g.which[k];
+        if (o->g.gap[i] < -DEEP * o->size[i]) return trouble_set(why, TROUBLE_CONTACT, i, INFINITY, t);
+    }
     return OK;
 }
 
@@ -190,11 +228,11 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
     if (fabs(left - h) <= 1e-9 * h) left = h;
     double met = left;
     touch_reach(o, left);
-    TRY(deepest(o, &g0, o->g, x, why));
-    copy(o->g0, o->g, o->c->m);
+    TRY(deepest(o, &g0, &o->g, x, why));
+    nearby_copy(&o->g0, &o->g);
     touch_save(&o->part, o, x);
     TRY(attempt(o, x, left, end, why));
-    TRY(deepest(o, &g1, o->g0, x, why));
+    TRY(deepest(o, &g1, &o->g0, x, why));
     touch_grow(o, x->v);
     if (g1 >= -TOUCH_CLOSED && left > SHORT * h) TRY(touch_passed(o, &met, x, left, why));
     if (met < left) {
@@ -239,7 +277,7 @@ enum status touch_at_start(struct touch *o, struct state *x, double h, struct tr
     int impacts = 0;
     o->begun = 1;
     touch_reach(o, h);
-    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
+    TRY(touch_gaps(o, x, o->reach, why));
     return strike(o, x, h, TOUCH_DRAWN, &impacts, why);
 }
 
@@ -260,6 +298,6 @@ enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, 
 enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why)
 {
     touch_reach(o, 0);
-    TRY(o->c->gap(o->c, o->g, o->reach, x->q, x->t, why));
+    TRY(touch_gaps(o, x, o->reach, why));
     return none_is_deep(o, x->t, why);
 }

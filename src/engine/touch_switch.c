@@ -65,7 +65,10 @@ static void head(struct touch *o, int i, const struct cone *c, bool sticks)
 static int sticking(const struct touch *o)
 {
     int n = 0;
-    for (int i = 0; i < o->c->m; i++) n += o->closed[i] && o->c->of[i].across > 0 && o->state[i] == TOUCH_STICKS;
+    for (int k = 0; k < o->nclosed; k++) {
+        const int i = o->which[k];
+        n += o->c->of[i].across > 0 && o->state[i] == TOUCH_STICKS;
+    }
     return n;
 }
 
@@ -125,7 +128,7 @@ enum status touch_switches(struct touch *o, enum touch_switch *which, const stru
 {
     bool any = false;
     *which = SWITCH_NONE;
-    for (int i = 0; i < o->c->m; i++) any |= o->closed[i] && o->c->of[i].across > 0;
+    for (int k = 0; k < o->nclosed; k++) any |= o->c->of[o->which[k]].across > 0;
     if (!any) return OK;
     touch_choose_closed(o);
     TRY(touch_look(o, o->u, &o->end, x, why));
@@ -154,7 +157,12 @@ enum status touch_switches(struct touch *o, enum touch_switch *which, const stru
 
 static void force_those(struct touch *o, enum touch_switch which)
 {
-    for (int i = 0; i < o->c->m; i++) o->forced[i] = o->closed[i] && o->turns[i] == (int)which;
+    for (int k = 0; k < o->nclosed; k++) o->forced[o->which[k]] = o->turns[o->which[k]] == (int)which;
+}
+
+static void force_none(struct touch *o)
+{
+    for (int k = 0; k < o->nclosed; k++) o->forced[o->which[k]] = 0;
 }
 
 static enum status far_from_stop(struct touch *o, double *far, const struct state *x, struct trouble *why)
@@ -172,7 +180,7 @@ static enum status far_from_stop(struct touch *o, double *far, const struct stat
 static enum status lets_go(struct touch *o, bool *goes, const struct state *x, struct trouble *why)
 {
     double still = 0, a[2];
-    for (int i = 0; i < o->c->m; i++) o->forced[i] = 0;
+    force_none(o);
     const enum status status = within_bounds(o, &still, x, why);
     force_those(o, SWITCH_GOES);
     *goes = o->jammed;
@@ -192,7 +200,8 @@ static enum status far_from(struct touch *o, double *far, enum touch_switch whic
     TRY(touch_forces(o, o->held, x, why));
     *far = -1;
     if (o->jammed) return OK;
-    for (int i = 0; i < o->c->m; i++) {
+    for (int k = 0; k < o->nclosed; k++) {
+        const int i = o->which[k];
         if (!o->forced[i]) continue;
         sum -= beyond(o, &most, i, o->held);
         all += most;
@@ -233,7 +242,8 @@ static bool was_held(struct touch *o)
     double sum = 0, all = 0, most;
     if (sticking(o) > 1) return true;
     for (int i = 0; i < o->c->nrow; i++) o->held[i] = o->p[i] / o->took;
-    for (int i = 0; i < o->c->m; i++) {
+    for (int k = 0; k < o->nclosed; k++) {
+        const int i = o->which[k];
         if (!o->forced[i]) continue;
         sum += beyond(o, &most, i, o->held);
         all += most;
@@ -281,7 +291,7 @@ static enum status cut(struct touch *o, const struct touch_try *part, struct sta
         } else if (there) {
             TRY(turn(o, which, x, why));
         } else { /* it is not so, or in the next step */
-            for (int i = 0; i < o->c->m; i++) o->forced[i] = 0;
+            force_none(o);
             part->again(o, x);
             TRY(part->take(o, x, h, o->part.t + h, why));
         }
@@ -295,6 +305,6 @@ enum status touch_cut(struct touch *o, const struct touch_try *part, struct stat
     *again = false;
     force_those(o, which);
     const enum status status = cut(o, part, x, h, which, again, why);
-    for (int i = 0; i < o->c->m; i++) o->forced[i] = 0;
+    force_none(o);
     return status;
 }

@@ -18,6 +18,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/nearby.h"
 #include "base/rate.h"
 #include "base/status.h"
 
@@ -145,16 +146,16 @@ struct ode2_contact {
     int m, nrow;                 /* contacts; 1 + across of them, summed */
     const struct ode2_touch *of; /* [m] */
     void *self;                  /* the owner's */
-    /* Gaps g [m] at q, t: open above 0; of any above the reach, INFINITY will do: of whom does not depend on calls before. */
-    enum status (*gap)(const struct ode2_contact *o, double *g, double reach, const double *q, double t,
+    /* Gaps at q, t: open above 0; of any above the reach, not to be near will do: of whom does not depend on calls before. */
+    enum status (*gap)(const struct ode2_contact *o, struct nearby *g, double reach, const double *q, double t,
                        struct trouble *why);
-    /* Of contacts with on[i], one behind the other, each with 1 + across rows: G [rows x n], row after row, the gradient
-     * of the gap, then directions across; b [rows]: rates that come not from v but from what is driven. */
-    enum status (*rows)(const struct ode2_contact *o, double *G, double *b, const int *on, const double *q, double t,
-                        struct trouble *why);
-    /* N [m], of joints with on[i]: the forces that press there at x, with x->a, while f [nrow] pushes along all rows.
+    /* Of the contacts which[0..k), one behind the other, each with 1 + across rows: G [rows x n], row after row, the
+     * gradient of the gap, then directions across; b [rows]: rates that come not from v but from what is driven. */
+    enum status (*rows)(const struct ode2_contact *o, double *G, double *b, const int *which, int k, const double *q,
+                        double t, struct trouble *why);
+    /* N [m], of joints among which[0..k): the forces that press there at x, with x->a, while f [nrow] pushes along all rows.
      * NULL: there are none. */
-    enum status (*bound)(const struct ode2_contact *o, double *N, const int *on, const struct instant *x,
+    enum status (*bound)(const struct ode2_contact *o, double *N, const int *which, int k, const struct instant *x,
                          const double *f, struct trouble *why);
 };
 

@@ -12,14 +12,14 @@
 #include "system/parts.h"
 #include "tree/sizes.h"
 
-static enum status gap(const struct ode2_contact *c, double *g, double reach, const double *q, double t,
+static enum status gap(const struct ode2_contact *c, struct nearby *g, double reach, const double *q, double t,
                        struct trouble *why)
 {
     struct system *s = c->self;
     s->ops->place(s->view, q, ALL);
     near_gaps(s->near, s->view, g, reach, q);
     double sum = 0;
-    for (int i = 0; i < c->m; i++) sum += g[i];
+    for (int k = 0; k < g->n; k++) sum += g->gap[g->which[k]];
     return sum > -INFINITY ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, sum, t);
 }
 
@@ -48,15 +48,15 @@ static void clear_driven(double *G, int n, const double *y, int nt)
     if (most <= ROUND_OFF * all) memset(G, 0, (size_t)n * sizeof *G);
 }
 
-static enum status rows(const struct ode2_contact *c, double *G, double *b, const int *on, const double *q, double t,
-                        struct trouble *why)
+static enum status rows(const struct ode2_contact *c, double *G, double *b, const int *which, int nwhich,
+                        const double *q, double t, struct trouble *why)
 {
     struct system *s = c->self;
     const size_t n = (size_t)s->model->n, door = (size_t)system_ode2(s)->n;
     s->ops->move(s->view, q, s->still, ALL);
     TRY(driven(s, q, t, why));
-    for (int i = 0; i < c->m; i++) {
-        if (!on[i]) continue;
+    for (int l = 0; l < nwhich; l++) {
+        const int i = which[l];
         contacts_rows(s->contacts, s->view, s->row, i);
         for (int k = 0; k <= c->of[i].across; k++, G += door, b++) {
             const double *y = s->row + (size_t)k * n;
@@ -98,13 +98,13 @@ static double pressed(const struct system *s, const struct model_contact *c)
     return v3_norm(one) + v3_norm(two);
 }
 
-static enum status bound(const struct ode2_contact *c, double *N, const int *on, const struct instant *x,
+static enum status bound(const struct ode2_contact *c, double *N, const int *which, int nwhich, const struct instant *x,
                          const double *f, struct trouble *why)
 {
     struct system *s = c->self;
     TRY(system_joint_forces(s, x, f, why));
-    for (int i = 0; i < c->m; i++)
-        if (on[i] && c->of[i].joint) N[i] = pressed(s, &s->model->contact[i]);
+    for (int k = 0; k < nwhich; k++)
+        if (c->of[which[k]].joint) N[which[k]] = pressed(s, &s->model->contact[which[k]]);
     return OK;
 }
 

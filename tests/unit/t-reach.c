@@ -66,10 +66,13 @@ static void test_reach(void **state)
         struct ode2 *ode = o.sim.stepper.ode;
         const struct ode2_contact *c = ode->contact;
         struct trouble why;
-        double g[POINTS], exact[POINTS], dx[16];
+        struct nearby g, exact;
+        double dx[16];
         double q[16];
         int within = 0, beyond = 0;
         assert_int_equal(c->m, POINTS);
+        nearby_open(&g, POINTS, o.life);
+        nearby_open(&exact, POINTS, o.life);
         assert_true(ode->nq <= 16);
         for (int step = 0; step < 6000; step++) { /* to and fro in small moves, now and then a large one */
             const double reach = step % 7 ? .05 : .4, at = step + 300 * (step / 500);
@@ -78,14 +81,18 @@ static void test_reach(void **state)
                 ode->move->point(ode, q, o.sim.x.q, dx, 1, 0);
             else
                 for (int i = 0; i < ode->n; i++) q[i] = o.sim.x.q[i] + dx[i];
-            assert_int_equal(c->gap(c, g, reach, q, 0, &why), OK);
-            assert_int_equal(c->gap(c, exact, INFINITY, q, 0, &why), OK);
-            for (int i = 0; i < POINTS; i++) {
-                assert_true(isfinite(exact[i]));
-                assert_true(exact[i] <= reach ? g[i] == exact[i] : g[i] == INFINITY);
-                within += exact[i] <= reach;
-                beyond += exact[i] > reach;
+            assert_int_equal(c->gap(c, &g, reach, q, 0, &why), OK);
+            assert_int_equal(c->gap(c, &exact, INFINITY, q, 0, &why), OK);
+            assert_int_equal(exact.n, POINTS);
+            for (int i = 0, seen = 0; i < POINTS; i++) {
+                const bool is = exact.gap[i] <= reach;
+                assert_true(isfinite(exact.gap[i]));
+                assert_true(is ? g.gap[i] == exact.gap[i] : g.gap[i] == INFINITY);
+                if (is) assert_int_equal(g.which[seen++], i);
+                within += is;
+                beyond += !is;
             }
+            assert_true(g.n <= POINTS && (g.n == 0 || g.gap[g.which[g.n - 1]] <= reach));
         }
         if (within < 50 || beyond < 50) fail_msg("%d within, %d beyond", within, beyond);
         arena_close(o.life);
