@@ -63,6 +63,9 @@ const char *diag_nearest(const char *word, const char *const *words, int n);
 /* "did you mean 'x'?" if a word of words[0..n) is near; else the words themselves, where they are few. */
 void diag_suggest(struct diags *d, const char *word, const char *const *words, int n);
 
+/* "known here: a, b, c": the words themselves. */
+void diag_words(struct diags *d, const char *const *words, int n);
+
 /* Was the last message kept, and are so many more words to compare not too many? */
 bool diag_may_suggest(struct diags *d, int n);
 

@@ -335,10 +335,21 @@ static bool misspelt(const struct key *key, const struct key *keys, const struct
     return false;
 }
 
+/* Tells what the map that should be here would hold. */
+static int no_map(const struct key *keys, const struct node *n, const char *const *also, const char *what,
+                  struct reader *rd)
+{
+    const char *words[WORDS];
+    const bool told = n->reported;
+    read_map(n, what, rd);
+    if (!told && n->type == NODE_LIST) diag_words(rd->diags, words, list_words(words, keys, also));
+    return 1;
+}
+
 int read_keys(void *out, const struct key *keys, const struct node *map, const char *const *also, const char *what,
               struct reader *rd)
 {
-    if (read_map(map, what, rd)) return 1;
+    if (map->type != NODE_MAP) return no_map(keys, map, also, what, rd);
     int errors = map->reported + refuse_unknown(keys, map, also, what, rd);
     for (const struct key *k = keys; k->name; k++)
         if (!errors || !(k->flags & KEY_REQUIRED) || node_find(map, k->name) ||

@@ -110,10 +110,17 @@ static const char *absent(const char *word)
     return NULL;
 }
 
-void diag_suggest(struct diags *d, const char *word, const char *const *words, int n)
+void diag_words(struct diags *d, const char *const *words, int n)
 {
     char text[TEXT];
     size_t len = 0;
+    for (int i = 0; i < n && len < TEXT / 2; i++)
+        len += (size_t)snprintf(text + len, TEXT - len, "%s%s", i ? ", " : "", diag_clip(d, words[i]));
+    if (n > 0) diag_hint(d, "known here: %s%s", text, len < TEXT / 2 ? "" : ", ...");
+}
+
+void diag_suggest(struct diags *d, const char *word, const char *const *words, int n)
+{
     if (!diag_may_suggest(d, n)) return;
     const char *near = diag_nearest(word, words, n);
     if (!near && absent(word)) {
@@ -125,7 +132,5 @@ void diag_suggest(struct diags *d, const char *word, const char *const *words, i
         diag_hint(d, "did you mean '%s'?", near);
         return;
     }
-    for (int i = 0; i < n && len < TEXT / 2; i++)
-        len += (size_t)snprintf(text + len, TEXT - len, "%s%s", i ? ", " : "", diag_clip(d, words[i]));
-    if (n > 0) diag_hint(d, "known here: %s%s", text, len < TEXT / 2 ? "" : ", ...");
+    diag_words(d, words, n);
 }
