@@ -30,10 +30,11 @@ const struct key keys_deck[] = {
     PARAM_NODE(struct deck_keys, surfaces, "surfaces", "{name: surface}", 0, "planes, points, spheres that may touch"),
     PARAM_NODE(struct deck_keys, contacts, "contacts", "{name: contact}", 0, "which of them touch, with what friction"),
     PARAM_NODE(struct deck_keys, drives, "drives", "{name: drive}", 0, "coordinates and measures that move as told"),
-    PARAM_NODE(struct deck_keys, initial, "initial",
-               "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file, time: keep}", 0,
-               "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
-               "nearest stable equilibrium; assemble: to the nearest state that fits"),
+    PARAM_NODE(
+        struct deck_keys, initial, "initial",
+        "{coordinate: number, static: true, assemble: true}, static, assemble or {from: file, time: keep}", 0,
+        "positions and rates at t = 0; every coordinate is 0 in the drawn position; static: from there to the "
+        "nearest stable equilibrium, what nothing holds or pushes as drawn; assemble: to the nearest state that fits"),
     PARAM_NODE(struct deck_keys, partition, "partition", "{fast: [...]} or auto", 0,
                "coordinates that take the minor step"),
     PARAM_NODE(struct deck_keys, integrate, "integrate", "map", KEY_REQUIRED, "scheme, step, ratio, end"),

@@ -274,6 +274,7 @@ enum status sim_run(struct sim *sim, struct sink *sink, struct report *report)
     progress_open(&progress, sim->options.progress == PROGRESS_ALWAYS ? sim->options.log : NULL, wall, sim->x.t);
     print_plan(sim);
     sim_print_assembly(sim, sim->options.log);
+    sim_print_neutral(sim, sim->options.log);
     TRY(write_head(sim, sink, report));
     enum status status = steps_take(sim, sink, &progress, report);
     if (status == OK) status = verdict(sim, report);

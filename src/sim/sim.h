@@ -61,6 +61,12 @@ struct formula {
     double *x; /* [n] their values */
 };
 
+enum { NEUTRAL_NAMES = 3 };
+struct neutral {
+    int n;                 /* motions that a static start does not hold */
+    int at[NEUTRAL_NAMES]; /* a coordinate of each of the first */
+};
+
 struct sim {
     const struct scene *scene;
     const struct model *model;
@@ -73,6 +79,7 @@ struct sim {
     bool flat;                    /* it does, and steps are taken there */
     struct lateral lateral;       /* does it still stand there? */
     struct idle idle;             /* turns that move no mass */
+    struct neutral neutral;
     struct stepper stepper;
     struct state x;
     bool filled_in;      /* the tolerance is not the deck's */
@@ -211,6 +218,8 @@ struct closures {
 void sim_closures(struct closures *o, const struct sim *sim, struct arena *life);
 /* What `initial: {assemble: true}` has changed, in words; nothing without it. */
 void sim_print_assembly(const struct sim *sim, FILE *to);
+/* What `initial: static` has left where it was, in words; nothing where all is held. */
+void sim_print_neutral(const struct sim *sim, FILE *to);
 
 /* K [n x n] := K without what it says of turns that move no mass, where the run stands (idle_clear()). */
 void sim_clear_idle(const struct sim *sim, double *K);
