@@ -50,14 +50,14 @@ enum { GAP = 64 };
 enum { GAP = 0 };
 #endif
 
-/* Nothing is allocated to say so. */
+/* Nothing is allocated to say so.  wanted: bytes; 0: not known. */
 static _Noreturn void out_of_memory(double wanted)
 {
     char words[200];
     struct rlimit limit = {.rlim_cur = RLIM_INFINITY};
     (void)getrlimit(RLIMIT_AS, &limit);
-    int n = snprintf(words, sizeof words, "%s: out of memory: %.3g MB more were needed", program_invocation_short_name,
-                     wanted / 1e6);
+    int n = snprintf(words, sizeof words, "%s: out of memory", program_invocation_short_name);
+    if (wanted > 0) n += snprintf(words + n, sizeof words - (size_t)n, ": %.3g MB more were needed", wanted / 1e6);
     if (limit.rlim_cur != RLIM_INFINITY)
         n += snprintf(words + n, sizeof words - (size_t)n,
                       ", and the limit is %.3g MB in all (--max-memory, ulimit -v)", (double)limit.rlim_cur / 1e6);
@@ -65,6 +65,11 @@ static _Noreturn void out_of_memory(double wanted)
     ssize_t sent = write(STDERR_FILENO, words, (size_t)n);
     (void)sent;
     _exit(E_LIMIT);
+}
+
+void memory_ended(void)
+{
+    out_of_memory(0);
 }
 
 /* What was asked for, which was of so many bytes. */

@@ -47,6 +47,9 @@ __attribute__((format(printf, 2, 3)))
 char *
 arena_print(struct arena *arena, const char *format, ...);
 
+/* A library could not allocate: says so and ends. */
+_Noreturn void memory_ended(void);
+
 /* Memory for foreign code that is not told of failing (hooks of cJSON, buffers), free() gives it back; and a stream that
  * takes none but itself, NULL with errno as of fopen(). */
 void *memory_or_end(size_t bytes);

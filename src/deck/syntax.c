@@ -114,7 +114,7 @@ static void wrong_character(const struct syntax *b, struct span at)
 /* What libyaml stopped at. */
 void syntax_report(const struct syntax *b, const yaml_parser_t *p)
 {
-    if (p->error == YAML_MEMORY_ERROR) arena_take(b->arena, SIZE_MAX, 2); /* says so and ends */
+    if (p->error == YAML_MEMORY_ERROR) memory_ended();
     struct span at = syntax_span(b, p->problem_mark, p->problem_mark);
     const char *problem = p->problem ? p->problem : "not YAML";
     if (!strcmp(problem, "found character that cannot start any token")) {

@@ -326,7 +326,7 @@ struct node *tree_parse(struct pool *pool, struct diags *diags, int file, size_t
     const struct source *s = diags_source(diags, file);
     struct builder b = {.pool = pool, .diags = diags, .file = file};
     b.syntax = (struct syntax){diags, pool->arena, s, file, source_mark(s, from).col - 1};
-    if (!yaml_parser_initialize(&b.parser)) arena_take(pool->arena, SIZE_MAX, 2); /* out of memory: says so and ends */
+    if (!yaml_parser_initialize(&b.parser)) memory_ended();
     yaml_parser_set_encoding(&b.parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&b.parser, (const unsigned char *)s->text + from, s->len - from);
     struct node *root = document(&b);
