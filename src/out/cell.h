@@ -2,7 +2,6 @@
 #ifndef FMDSUB_OUT_CELL_H
 #define FMDSUB_OUT_CELL_H
 
-#include <math.h>
 #include <string.h>
 
 #include "out/number.h"
@@ -10,8 +9,9 @@
 /* x, or `none` when it is not finite; returns the end.  At most NUMBER_MOST bytes. */
 static inline char *cell_put(char *to, double x, const char *none)
 {
-    if (isfinite(x)) return to + number_write(to, x);
-    size_t length = strlen(none);
+    const int n = number_write(to, x);
+    if (n) return to + n;
+    const size_t length = strlen(none);
     memcpy(to, none, length);
     return to + length;
 }

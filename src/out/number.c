@@ -6,8 +6,9 @@
  * and at most ten multiples of 10^k in R, and at most one of 10^(k+1): if there is one of the latter
  * it is the answer, else the nearer of the two multiples of 10^k around x that lie in R.
  *
- * The products 4c 2^(q-2) 10^-k need only be known up to "below, at, above" a multiple of 1/4:
- * rounding them to odd keeps that, and 128 bits of 10^-k are enough for every double (proved there).
+ * The products 4c 2^(q-2) 10^-k need only be known up to "below, at, above" a whole number, and 128 bits of 10^-k are
+ * enough for that with every double (proved there): the largest whole number up to a product, or less than it, is all that
+ * is asked, of its ends as they belong to R or do not, of the middle as its half goes to the even side.
  * The constants 1262611/2^22 = log10 2, 524031/2^22 = -log10 3/4 and
  * 1741647/2^19 = log2 10 give exact floors over the range of q and k used here.
  */
@@ -26,86 +27,73 @@
 __extension__ typedef unsigned __int128 wide;
 
 struct decimal {
-    uint64_t digits; /* below 10^17 */
+    uint64_t digits; /* 10^15 to 10^17 */
     int exponent;    /* x = digits 10^exponent */
 };
 
-/* g c 2^-128 rounded to odd: the last bit is set when anything was cut off.  g is less than one unit
- * above the true power: an exact product leaves 0 or 1 in the low word, any other more. */
-INTO static inline uint64_t times(const uint64_t g[2], uint64_t c)
+/* g c 2^-64, the last bits cut off.  g is less than one unit above the true power: an exact product leaves 0 or 1 in the
+ * low word, any other more. */
+INTO static inline wide times(const uint64_t g[2], uint64_t c)
 {
-    wide low = (wide)g[1] * c;
-    wide high = (wide)g[0] * c + (uint64_t)(low >> 64);
-    return (uint64_t)(high >> 64) | ((uint64_t)high > 1);
+    const wide low = (wide)g[1] * c;
+    return (wide)g[0] * c + (uint64_t)(low >> 64);
 }
 
-/* c 2^q, c > 0; narrow: the neighbour below is half as far away as the one above. */
-INTO static inline struct decimal shortest(uint64_t c, int q, bool narrow)
+/* The largest whole number up to such a product 2^-64; `less`: that is less than it. */
+INTO static inline uint64_t whole(wide product, uint64_t less)
 {
-    int k = (q * 1262611 - (narrow ? 524031 : 0)) >> 22;
-    int h = q + ((-k * 1741647) >> 19) + 1;
+    return (uint64_t)(product >> 64) - ((uint64_t)product < 2 * less);
+}
+
+static const uint64_t E8 = 100000000, E16 = 10000000000000000;
+
+/* c 2^q, c > 0; narrow: the neighbour below is half as far away as the one above, and the nearest multiple of 10^k need
+ * not lie in R, where that is the lower one.  Of up to 17 digits. */
+INTO static inline struct decimal shortest(uint64_t c, long q, bool narrow)
+{
+    const long k = (q * 1262611 - (narrow ? 524031 : 0)) >> 22;
+    const int h = (int)(q + ((-k * 1741647) >> 19) + 1);
     const uint64_t *g = pow10_table[-k - POW10_FIRST];
-    uint64_t open = c & 1;
-    uint64_t lower = times(g, (4 * c - 2 + narrow) << h) + open;
-    uint64_t v = times(g, 4 * c << h); /* 4 x 10^-k */
-    uint64_t upper = times(g, (4 * c + 2) << h) - open;
+    const uint64_t odd = c & 1, at = 4 * c << h, half = UINT64_C(2) << h;
+    const wide v = times(g, at); /* 4 x 10^-k */
+    const uint64_t outside = whole(times(g, at - (half >> narrow)), !odd);
+    const uint64_t inside = whole(times(g, at + half), odd);
 
-    uint64_t s = v / 4, tens = s / 10;
-    bool below = lower <= 40 * tens, above = 40 * tens + 40 <= upper;
-    if (below != above) return (struct decimal){tens + above, k + 1};
-    below = lower <= 4 * s;
-    above = 4 * s + 4 <= upper;
-    if (below != above) return (struct decimal){s + above, k};
-    uint64_t middle = 4 * s + 2;
-    return (struct decimal){s + (v > middle || (v == middle && (s & 1))), k};
+    const uint64_t s = (uint64_t)(v >> 66), tens = s / 10;
+    const bool below = outside < 40 * tens, above = 40 * tens + 40 <= inside;
+    if (below | above) return (struct decimal){10 * (tens + above), (int)k};
+    if (narrow && outside >= 4 * s) return (struct decimal){s + 1, (int)k};
+    return (struct decimal){(whole(v, ~s & 1) + 2) / 4, (int)k};
 }
 
-INTO static inline struct decimal decimal(double x)
+/* A power of two, or below the normal numbers, where digits are missing. */
+APART struct decimal shortest_of_few(uint64_t fraction, int e)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
-    int e = (int)(bits >> 52 & 0x7ff);
-    if (e == 0) return shortest(fraction, -1074, false);
-    uint64_t c = fraction | UINT64_C(1) << 52;
-    int q = e - 1075;
-    if (q <= 0 && q > -53 && (c & ((UINT64_C(1) << -q) - 1)) == 0) return (struct decimal){c >> -q, 0};
-    return shortest(c, q, fraction == 0 && e > 1);
-}
-
-#define TENS(n) n, 10 * (n), 100 * (n), 1000 * (n)
-static const uint64_t tens[] = {TENS(UINT64_C(1)),           TENS(UINT64_C(10000)),
-                                TENS(UINT64_C(100000000)),   TENS(UINT64_C(1000000000000)),
-                                UINT64_C(10000000000000000), UINT64_C(100000000000000000)};
-
-/* How many digits 0 < u < 10^17 has: 1233/2^12 is a little less than log10 2. */
-static int length_of(uint64_t u)
-{
-    const int n = (64 - __builtin_clzll(u)) * 1233 >> 12;
-    return n + (u >= tens[n]);
+    if (e > 1) return shortest(UINT64_C(1) << 52, e - 1075, true);
+    struct decimal o = shortest(e ? UINT64_C(1) << 52 : fraction, -1074, false);
+    for (; o.digits < E16 / 10; o.exponent--) o.digits *= 10;
+    return o;
 }
 
 /* The eight digits of u < 10^8, the first in the lowest byte: halves, quarters and eighths side by side in one word.  The
- * quotients are exact for what is below 10^4 and below 100. */
+ * quotients, u / 10^4 for one, are exact for what is below 10^8, 10^4 and 100; (u << m) - ((z << m) - 1) (u / z) is u / z with
+ * u % z m bits above. */
 INTO static inline uint64_t eight_digits(uint64_t u)
 {
-    const uint64_t high = u / 10000, four = high | (u - 10000 * high) << 32;
+    const uint64_t four = (u << 32) - ((UINT64_C(10000) << 32) - 1) * (u * 109951163 >> 40);
     const uint64_t hundreds = (four * 10486 >> 20) & UINT64_C(0x0000007f0000007f);
-    const uint64_t two = hundreds | (four - 100 * hundreds) << 16;
+    const uint64_t two = (four << 16) - ((100 << 16) - 1) * hundreds;
     const uint64_t ten = (two * 103 >> 10) & UINT64_C(0x000f000f000f000f);
-    return ten | (two - 10 * ten) << 8;
+    return (two << 8) - ((10 << 8) - 1) * ten;
 }
 
-static void put_eight(char *to, uint64_t digits)
+/* The number of the last byte that is not 0, from 0, in the order of eight_digits(). */
+INTO static inline int last_byte(uint64_t digits)
 {
-    uint64_t text = digits + UINT64_C(0x3030303030303030);
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    text = __builtin_bswap64(text);
-#endif
-    memcpy(to, &text, sizeof text);
+    return (63 ^ __builtin_clzll(digits)) >> 3;
 }
 
-/* 17 digits d[0].d[1]... times 10^e of a number, the last zeros among them; n without these. */
+/* d[0].d[1]...d[16] times 10^e of a number, as text; n without the last zeros. */
 struct digits {
     uint64_t middle, last; /* eight each */
     char first;
@@ -114,23 +102,25 @@ struct digits {
 
 INTO static inline struct digits digits_of(struct decimal x)
 {
-    const int n = length_of(x.digits);
-    const uint64_t u = x.digits * tens[17 - n], first = u / tens[16], rest = u - first * tens[16];
-    const uint64_t middle = rest / tens[8];
-    struct digits o = {eight_digits(middle), eight_digits(rest - middle * tens[8]), (char)('0' + first), 1,
-                       n - 1 + x.exponent};
-    if (o.last)
-        o.n = 17 - __builtin_clzll(o.last) / 8;
-    else if (o.middle)
-        o.n = 9 - __builtin_clzll(o.middle) / 8;
-    return o;
+    static const uint64_t ZEROS = UINT64_C(0x3030303030303030);
+    const bool longest = x.digits >= E16;
+    const uint64_t u = longest ? x.digits : 10 * x.digits, nine = u / E8,
+                   first = nine * 1441151881 >> 57; /* nine / E8 */
+    const uint64_t middle = eight_digits(nine - first * E8), last = eight_digits(u - nine * E8);
+    int n = 1;
+    if (last)
+        n = 10 + last_byte(last);
+    else if (middle)
+        n = 2 + last_byte(middle);
+    return (struct digits){middle + ZEROS, last + ZEROS, (char)('0' + first), n, x.exponent + 15 + longest};
 }
 
-static void put_17(char *to, const struct digits *d)
+INTO static inline void put_eight(char *to, uint64_t text)
 {
-    to[0] = d->first;
-    put_eight(to + 1, d->middle);
-    put_eight(to + 9, d->last);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    text = __builtin_bswap64(text);
+#endif
+    memcpy(to, &text, sizeof text);
 }
 
 static char *put(char *to, const char *from, int n)
@@ -177,37 +167,33 @@ static int significant(const char *d, int n)
     return n;
 }
 
-/* Sign and zero, the same for both forms: returns where the digits go, NULL when x is zero. */
-static char *put_sign(char *to, int *length, double x)
-{
-    assert(isfinite(x));
-    *length = 0;
-    if (signbit(x)) to[(*length)++] = '-';
-    if (x != 0) return to + *length;
-    to[(*length)++] = '0';
-    return NULL;
-}
-
-/* As put_decimal(), all 17 digits at once where they belong; up to 24 bytes are written, whatever the length. */
-static char *put_shortest(char *to, const struct digits *d)
+/* As put_decimal(), all 17 digits at once where they belong, those about the point twice; up to 26 bytes are written, whatever
+ * the length. */
+INTO static inline char *put_shortest(char *to, const struct digits *d)
 {
     const int n = d->n, e = d->e;
-    if (e >= 0 && e < 17) {
-        put_17(to + 1, d);
-        for (int i = 0; i <= e; i++) to[i] = to[i + 1];
-        if (n <= e + 1) return to + e + 1;
-        to[e + 1] = '.';
-        return to + n + 1;
-    }
     if (e < 0 && e >= -5) {
-        memcpy(to, "0.00000", 7);
-        put_17(to + 1 - e, d);
-        return to + 1 - e + n;
+        memcpy(to, "0.000000", 8);
+        to += 1 - e;
+        to[0] = d->first;
+        put_eight(to + 1, d->middle);
+        put_eight(to + 9, d->last);
+        return to + n;
     }
-    put_17(to + 1, d);
-    to[0] = to[1];
-    to[1] = '.';
-    to += n > 1 ? n + 1 : 1;
+    const bool plain = e >= 0 && e < 17;
+    const int point = plain ? e : 0; /* behind that digit */
+    to[0] = d->first;
+    put_eight(to + 1, d->middle);
+    if (point < 8) {
+        put_eight(to + point + 2, d->middle >> 8 * point);
+        put_eight(to + 10, d->last);
+    } else {
+        put_eight(to + 9, d->last);
+        put_eight(to + point + 2, d->last >> 8 * (point & 7));
+    }
+    to[point + 1] = '.';
+    to += n > point + 1 ? n + 1 : point + 1;
+    if (plain) return to;
     *to++ = 'e';
     *to++ = e < 0 ? '-' : '+';
     return put_exponent(to, e < 0 ? -e : e);
@@ -215,10 +201,23 @@ static char *put_shortest(char *to, const struct digits *d)
 
 int number_write(char *to, double x)
 {
-    int length;
-    char *place = put_sign(to, &length, x);
-    if (!place) return length;
-    const struct digits d = digits_of(decimal(fabs(x)));
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    const uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
+    const int e = (int)(bits >> 52 & 0x7ff);
+    char *place = to + (bits >> 63);
+    if (e == 0x7ff) return 0;
+    *to = '-';
+    struct decimal o;
+    if (fraction != 0 && e != 0) {
+        o = shortest(fraction | UINT64_C(1) << 52, e - 1075, false);
+    } else if (fraction != 0 || e != 0) {
+        o = shortest_of_few(fraction, e);
+    } else {
+        *place = '0';
+        return (int)(place + 1 - to);
+    }
+    const struct digits d = digits_of(o);
     return (int)(put_shortest(place, &d) - to);
 }
 
@@ -226,11 +225,11 @@ int number_write(char *to, double x)
  * the decimal point of a locale does not matter. */
 int number_round(char *to, double x, int digits)
 {
+    assert(isfinite(x));
     assert(digits >= 1 && digits <= 17);
-    int length;
-    char *place = put_sign(to, &length, x);
-    if (!place) return length;
-    char text[64], d[17];
+    if (x == 0) return number_write(to, x);
+    char text[64], d[17], *place = to;
+    if (x < 0) *place++ = '-';
     snprintf(text, sizeof text, "%.*e", digits - 1, fabs(x));
     int n = 0, e = 0;
     const char *c = text;

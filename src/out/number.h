@@ -10,13 +10,13 @@
 #ifndef FMDSUB_OUT_NUMBER_H
 #define FMDSUB_OUT_NUMBER_H
 
-enum { NUMBER_MOST = 25 }; /* bytes that a number may take */
+enum { NUMBER_MOST = 27 }; /* bytes that a number may take while it is written */
 
-/* Writes x, which must be finite, without a 0 after it; returns its length.  -0 keeps its sign.  All of NUMBER_MOST bytes
- * may be written. */
+/* Writes x, without a 0 after it; returns its length, 0 where x is not finite and has no text.  -0 keeps its sign.  All of
+ * NUMBER_MOST bytes may be written. */
 int number_write(char *to, double x);
 
-/* The same form for people: rounded to `digits` (1..17) significant digits, last zeros dropped. */
+/* The same form of a finite number for people: rounded to `digits` (1..17) significant digits, last zeros dropped. */
 int number_round(char *to, double x, int digits);
 
 #endif

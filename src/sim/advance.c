@@ -22,11 +22,10 @@ static const double SPOILT = 1e-3; /* of what the balance may be off by, in one 
 enum { CALM = 64 };                /* major steps behind which the guard tries larger parts */
 
 /* Is there a watch that reads what the look at the energies leaves: bodies where the step has ended? */
-static bool looks_always(const struct sim *sim)
+static bool looks_at_once(const struct sim *sim)
 {
     const bool watched = sim->watched || sim->nspin || sim->ntilt || sim->npass || sim->idle.n || sim->negative;
-    const bool written = sim->needs & NEED_ENERGY && sim->every == 1;
-    return watched || written || (sim->nrotation && sim->model->nloop) || sim->stepper.kind->adaptive ||
+    return watched || (sim->nrotation && sim->model->nloop) || sim->stepper.kind->adaptive ||
            effect_wish(&sim->scene->effects, EFFECT_LEDGER) == WISH_ON;
 }
 
@@ -50,7 +49,8 @@ void advance_open(struct sim *sim, struct arena *life)
                    guard_acts(sim);
     if (!sim->stepper.kind->adaptive) sim->passing = passing_open(sim->stepper.ode, life);
     sim->undone = sim->watched || sim->passing;
-    sim->looks_always = looks_always(sim);
+    sim->looks_at_once = looks_at_once(sim);
+    sim->looks_always = sim->looks_at_once || (sim->needs & NEED_ENERGY && sim->every == 1);
     sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;
 }
 
@@ -69,7 +69,7 @@ static enum status book(struct sim *sim)
     ledger_swing(&sim->ledger, s->swing);
     ledger_add(&sim->ledger, s->work, s->lost, s->left);
     if (s->touch) ledger_strike(&sim->ledger, s->struck);
-    return sim->looks_always ? look_at_energies(sim) : OK;
+    return sim->looks_at_once ? look_at_energies(sim) : OK;
 }
 
 static enum status note(struct sim *sim, double h, int ratio)

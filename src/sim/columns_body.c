@@ -4,26 +4,33 @@
 
 /* ---- bodies ---- */
 
-static struct pose pose_of(const struct sim *sim, const struct origin *o)
+static struct pose standing(const struct sim *sim, const struct origin *o)
 {
     struct pose p;
-    system_centre(sim->system, &p, o->index);
+    system_centre_stands(sim->system, &p, o->index);
+    return p;
+}
+
+static struct pose moving(const struct sim *sim, const struct origin *o)
+{
+    struct pose p;
+    system_centre_moves(sim->system, &p, o->index);
     return p;
 }
 
 static double place(const struct sim *sim, const struct origin *o)
 {
-    return pose_of(sim, o).r[o->k];
+    return standing(sim, o).r[o->k];
 }
 
 static double angle(const struct sim *sim, const struct origin *o)
 {
-    return pose_of(sim, o).angle;
+    return standing(sim, o).angle;
 }
 
 static double quaternion(const struct sim *sim, const struct origin *o)
 {
-    const struct pose p = pose_of(sim, o);
+    const struct pose p = standing(sim, o);
     double q[4];
     quat_of_matrix(q, p.R);
     return q[o->k];
@@ -31,7 +38,7 @@ static double quaternion(const struct sim *sim, const struct origin *o)
 
 static double tait_bryan(const struct sim *sim, const struct origin *o)
 {
-    const struct pose p = pose_of(sim, o);
+    const struct pose p = standing(sim, o);
     double angles[3];
     tait_bryan_of_matrix(angles, p.R);
     return angles[o->k];
@@ -39,7 +46,7 @@ static double tait_bryan(const struct sim *sim, const struct origin *o)
 
 static double euler(const struct sim *sim, const struct origin *o)
 {
-    const struct pose p = pose_of(sim, o);
+    const struct pose p = standing(sim, o);
     double angles[3];
     euler_of_matrix(angles, p.R);
     return angles[o->k];
@@ -47,22 +54,22 @@ static double euler(const struct sim *sim, const struct origin *o)
 
 static double velocity(const struct sim *sim, const struct origin *o)
 {
-    return pose_of(sim, o).v[o->k];
+    return moving(sim, o).v[o->k];
 }
 
 static double angular_velocity(const struct sim *sim, const struct origin *o)
 {
-    return pose_of(sim, o).w[o->k];
+    return moving(sim, o).w[o->k];
 }
 
 static double acceleration(const struct sim *sim, const struct origin *o)
 {
-    return pose_of(sim, o).a[o->k];
+    return moving(sim, o).a[o->k];
 }
 
 static double angular_acceleration(const struct sim *sim, const struct origin *o)
 {
-    return pose_of(sim, o).al[o->k];
+    return moving(sim, o).al[o->k];
 }
 
 const struct column_kind columns_body[] = {

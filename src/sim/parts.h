@@ -18,14 +18,14 @@ void warn_of_unread(const struct sim *sim, struct diags *diags);
 /* advance.c: one major step to `to`, halved where it must be; after the stepper is open */
 void advance_open(struct sim *sim, struct arena *life);
 enum status advance(struct sim *sim, double h, int ratio, double to);
-/* Energies at the state, and the balance by them.  Where no watch looks at each step: are they to be looked at at the end
- * of major step k, of which a record is due? */
+/* Energies at the state, and the balance by them.  Where they are not looked at at once: are they to be at the end of major
+ * step k, of which a record is due? */
 enum status look_at_energies(struct sim *sim);
 static inline bool look_is_due(const struct sim *sim, long k, bool record)
 {
     enum { LOOK_EVERY = 8 };
-    return !sim->looks_always && ((sim->before + k) % LOOK_EVERY == 0 || k == sim->majors || sim->watch.met ||
-                                  (record && sim->needs & NEED_ENERGY));
+    return !sim->looks_at_once && ((sim->before + k) % LOOK_EVERY == 0 || k == sim->majors || sim->watch.met ||
+                                   (record && sim->needs & NEED_ENERGY));
 }
 /* One of the steps that are the scheme's own, at most to `to`. */
 enum status advance_naturally(struct sim *sim, double to);
@@ -159,6 +159,10 @@ enum status flatten_open(struct sim *sim, struct diags *diags, struct arena *lif
  * written */
 enum status record_evaluate(struct sim *sim, unsigned needs);
 double record_value(const struct sim *sim, const struct origin *o);
+/* Does a record look at the bodies, where the steps are?  Then the energies may be had with it. */
+bool record_looks(const struct sim *sim);
+/* The row where record_evaluate() has been with what it needs; both. */
+void record_read(struct sim *sim);
 enum status record_fill(struct sim *sim);
 
 /* trust.c: how far the run is off, noted with each record; at the end */

@@ -18,11 +18,21 @@ enum status record_evaluate(struct sim *sim, unsigned needs)
     return system_evaluate(sim->system, sim->x.q, sim->x.v, sim->x.t, what, &sim->trouble);
 }
 
+bool record_looks(const struct sim *sim)
+{
+    return sim->needs & EVALUATE_ALL && !system_is_flat(sim->system);
+}
+
+void record_read(struct sim *sim)
+{
+    for (int i = 0; i < sim->chosen.n; i++)
+        sim->row[i] = record_value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
+}
+
 enum status record_fill(struct sim *sim)
 {
     TRY(record_evaluate(sim, sim->needs));
-    for (int i = 0; i < sim->chosen.n; i++)
-        sim->row[i] = record_value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
+    record_read(sim);
     return OK;
 }
 

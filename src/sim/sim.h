@@ -88,6 +88,7 @@ struct sim {
     struct single *look; /* records between the ends of such steps */
     bool noting;         /* there are watches of the step */
     bool onto_records;   /* of a scheme that chooses its steps: it steps onto records, as it cannot look back */
+    bool looks_at_once;  /* energies are looked at as each step is booked: watches read what that leaves */
     bool looks_always;   /* energies are looked at after every step */
     bool undone;         /* steps may be: */
     bool watched;        /* what their forces do is looked at, */

@@ -10,17 +10,23 @@
 
 enum { CHECK_EVERY = 64 };
 
-static enum status write_row(struct sim *sim, struct sink *sink, struct report *report)
+/* The record that stands in sim->row. */
+static enum status put_row(struct sim *sim, struct sink *sink, struct report *report)
 {
-    if (!sink) return OK;
-    enum status status = record_fill(sim);
-    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
     sim->rows++;
     sim->recorded = sim->x.t;
     trust_note(sim);
     neglects_note(sim);
     lateral_note(sim);
     return sink->ops->row(sink, sim->row, report);
+}
+
+static enum status write_row(struct sim *sim, struct sink *sink, struct report *report)
+{
+    if (!sink) return OK;
+    enum status status = record_fill(sim);
+    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+    return put_row(sim, sink, report);
 }
 
 /* When major step k (from 1) ends: the double nearest to i h, i the whole number of minor steps since t = 0, or since the
@@ -65,6 +71,29 @@ static enum status check_energies(struct sim *sim, struct report *report)
     return OK;
 }
 
+/* The same by the evaluation for a record, which is due there. */
+static enum status check_energies_by_record(struct sim *sim, struct report *report)
+{
+    struct energies e;
+    enum status status = record_evaluate(sim, sim->needs | EVALUATE_ENERGY);
+    if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+    system_energies(sim->system, &e);
+    ledger_look(&sim->ledger, sim->x.t, e.kinetic, e.elastic, e.gravity);
+    return OK;
+}
+
+/* What is due at the end of major step k: a look at the energies, a record. */
+static enum status look_and_write(struct sim *sim, long k, bool due, struct sink *sink, struct report *report)
+{
+    const bool looks = look_is_due(sim, k, due), shared = looks && due && sink && record_looks(sim);
+    if (looks) TRY((shared ? check_energies_by_record : check_energies)(sim, report));
+    if (looks || sim->looks_at_once) TRY(guard_look(sim, sink, report));
+    if (!due) return OK;
+    if (!shared) return write_row(sim, sink, report);
+    record_read(sim);
+    return put_row(sim, sink, report);
+}
+
 /* Who sends a signal knows of it; a limit has to be reported. */
 static enum status stopped(const struct sim *sim, struct report *report)
 {
@@ -82,7 +111,7 @@ static bool is_given_up(enum status status)
 /* Then the run ends where it stands, with a record, if it has none there. */
 static enum status end_here(struct sim *sim, struct sink *sink, struct report *report)
 {
-    if (!sim->looks_always) TRY(check_energies(sim, report));
+    if (!sim->looks_at_once) TRY(check_energies(sim, report));
     if (sim->recorded != sim->x.t) TRY(write_row(sim, sink, report));
     return stopped(sim, report);
 }
@@ -118,10 +147,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (sim->npass) TRY(passes_check(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
-        const bool looks = look_is_due(sim, k, due);
-        if (looks) TRY(check_energies(sim, report));
-        if (looks || sim->looks_always) TRY(guard_look(sim, sink, report));
-        if (due) TRY(write_row(sim, sink, report));
+        TRY(look_and_write(sim, k, due, sink, report));
         if (due || k % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
         if (sim->saves.stream) TRY(save(sim, k, 0, 0, report));
         if (sim->watch.met) return OK;

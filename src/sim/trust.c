@@ -74,11 +74,14 @@ void trust_note(struct sim *sim)
     struct trust *o = &sim->trust;
     if (!o->asked) return;
     o->worked = fmax(o->worked, works(&sim->ledger));
+    if (o->seen == 0) {
+        copy(o->low, sim->row, sim->chosen.n);
+        copy(o->high, sim->row, sim->chosen.n);
+    }
     for (int i = 0; i < sim->chosen.n; i++) {
         const double x = sim->row[i];
-        if (o->seen == 0) o->low[i] = o->high[i] = x;
-        if (x < o->low[i]) o->low[i] = x;
-        if (x > o->high[i]) o->high[i] = x;
+        o->low[i] = x < o->low[i] ? x : o->low[i];
+        o->high[i] = x > o->high[i] ? x : o->high[i];
     }
     if (++o->seen % o->every != 0) return;
     if (o->n == TRUST_PLACES - 1) thin(o);

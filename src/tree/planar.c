@@ -187,7 +187,10 @@ TWICE void at_once(struct sweep *s, const double *q, const double *v, const doub
             swing(x, p, l, q[l->iq[0]], v[l->iv[0]], a[l->iv[0]], o->bears[i]);
             continue;
         }
-        place(x, p, l, q);
+        if (l->type == TURN)
+            place_hinge(x, p, l, q[l->iq[0]]);
+        else
+            place(x, p, l, q);
         move_on(x, p, l, v);
         if (!a) continue;
         accelerate_part(x, p, l, v, a);

@@ -158,7 +158,7 @@ static void random_bits_read_back(void **state)
 {
     (void)state;
     uint64_t seed = 1;
-    for (int i = 0; i < 1000000; i++) {
+    for (int i = 0; i < 10000000; i++) {
         double x = of_bits(next_random(&seed));
         if (isfinite(x)) reads_back(x);
     }
@@ -250,6 +250,31 @@ static void forms(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) assert_string_equal(written(rows[i].x), rows[i].text);
 }
 
+/* Each place of the point, with all 17 digits, with fewer than stand before it, and with a sign. */
+static void points(void **state)
+{
+    (void)state;
+    static const char *const digits[] = {"12345678901234567", "5", "12", "123456789"};
+    for (size_t i = 0; i < sizeof digits / sizeof *digits; i++)
+        for (int e = -8; e < 20; e++) {
+            char text[40];
+            snprintf(text, sizeof text, "-%.1s.%se%d", digits[i], digits[i] + 1, e);
+            const double x = strtod(text, NULL);
+            checked(x);
+            const char *point = strchr(written(x), '.');
+            if (e >= 0 && e + 1 < (int)strlen(digits[i]) && e < 16) assert_true(point && point - written(x) == e + 2);
+        }
+}
+
+static void not_finite_has_no_text(void **state)
+{
+    (void)state;
+    char text[NUMBER_MOST];
+    assert_int_equal(number_write(text, NAN), 0);
+    assert_int_equal(number_write(text, INFINITY), 0);
+    assert_int_equal(number_write(text, -INFINITY), 0);
+}
+
 static const char *rounded(double x, int digits)
 {
     static char text[NUMBER_MOST + 1];
@@ -288,6 +313,8 @@ int main(void)
         cmocka_unit_test(powers_and_neighbours),
         cmocka_unit_test(denormals),
         cmocka_unit_test(forms),
+        cmocka_unit_test(points),
+        cmocka_unit_test(not_finite_has_no_text),
         cmocka_unit_test(rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
