@@ -79,11 +79,12 @@ static bool is_tolerant(const struct touch *o)
 }
 
 /* What an impact was found beside its place is mended soon behind it, but not in a part of next to no length: that
- * would take any speed. With steps by tolerance, which may be of any length, it stays. */
+ * would take any speed. So what lies deeper, as one impact leaves it beside another, takes a usual step. With steps by tolerance,
+ * which may be of any length, it stays. */
 static double left_open(const struct touch *o, int i, double h)
 {
-    const double most = 2 * TOUCH_CLOSED * o->size[i], left = larger(-most, smaller(most, o->g0.gap[i]));
-    const double soon = SOON * o->usual;
+    const double most = 2 * TOUCH_CLOSED * o->size[i], left = smaller(most, o->g0.gap[i]);
+    const double soon = (left < -most ? 1 : SOON) * o->usual;
     if (is_tolerant(o)) return left;
     return h < soon ? (1 - h / soon) * left : 0;
 }

@@ -98,7 +98,8 @@ static void note_all(struct touch *o, const struct state *x, double h, double lo
         }
         if (o->closed[i] != was)
             touch_note(o, (struct touch_event){.what = was ? TOUCH_OPENS : TOUCH_CLOSES, .contact = i, .t = x->t});
-        if (o->closed[i] != was || !o->closed[i]) touch_set_slip(o, i, o->u1, c);
+        if (o->closed[i] != was || !touch_sticks(o, o->u, c) || !touch_sticks(o, o->u1, c))
+            touch_set_slip(o, i, o->u1, c);
         if (!o->closed[i]) o->state[i] = TOUCH_OPEN;
         for (int j = 0; j <= c->across; j++) o->p[o->first[i] + j] = 0;
     }

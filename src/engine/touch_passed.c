@@ -31,7 +31,7 @@ static enum status paces(struct touch *o, double *u, const struct state *from, c
     return OK;
 }
 
-/* Leaves contact[0..n) to those that may have been closed. */
+/* Leaves contact[0..n) to those that may have been closed; what is inside already, as an impact has left it, is not. */
 static enum status may_have_closed(struct touch *o, const struct state *from, const struct state *to, double h,
                                    struct trouble *why)
 {
@@ -49,7 +49,8 @@ static enum status may_have_closed(struct touch *o, const struct state *from, co
     n = 0;
     for (int k = 0; k < o->n; k++) {
         const int i = o->contact[k];
-        if (FASTER * h * o->u[o->cone[k].row] > o->g0.gap[i] + o->g.gap[i]) o->contact[n++] = i;
+        if (o->g0.gap[i] >= -BELOW * o->size[i] && FASTER * h * o->u[o->cone[k].row] > o->g0.gap[i] + o->g.gap[i])
+            o->contact[n++] = i;
     }
     o->n = n;
     return OK;

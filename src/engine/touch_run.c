@@ -127,7 +127,7 @@ static enum status deepest(struct touch *o, double *g, const struct nearby *g0, 
 static enum status locate(struct touch *o, struct state *x, double h, double deep, double g0, struct trouble *why)
 {
     const double t0 = o->part.t;
-    struct bracket b = {0, h, isfinite(g0) ? larger(g0, 0) : 1, deep, 0};
+    struct bracket b = {.hi = h, .flo = isfinite(g0) ? larger(g0, 0) : 1, .fhi = deep};
     double g = deep;
     for (int k = 0; k < TRIALS && fabs(g) > TOUCH_CLOSED && b.hi - b.lo > 4 * DBL_EPSILON * (fabs(t0) + h); k++) {
         const double part = bracket_next(&b);

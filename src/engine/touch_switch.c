@@ -261,7 +261,7 @@ static enum status seek(struct touch *o, const struct touch_try *part, struct st
     TRY(part->take(o, x, h, t0 + h, why));
     TRY(far_from(o, &far, which, x, why));
     *there = far <= 0;
-    struct bracket b = {0, h, at0, far, 0};
+    struct bracket b = {.hi = h, .flo = at0, .fhi = far};
     for (int k = 0; k < TRIALS && *there && fabs(far) > FOUND && b.hi - b.lo > 1e-9 * h; k++) {
         const double s = bracket_next(&b);
         part->again(o, x);

@@ -239,3 +239,33 @@ for peg in arc arc-cam; do
         done
     done
 done
+
+# A block that slides one way is hit back by a disc: it slides the other way at once, and sticks once only, at its end.  With
+# v = 2 - mu g t and the disc at 2 m/s they meet 0.8 m apart at t1; then (1 + e) 2/3 of their speed is its change.
+cat >"$work/hit.yaml" <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  b: {mass: 1, inertia: 0.01, at: [0, 0.1], points: {l: [-0.1, -0.1], r: [0.1, -0.1]}}
+  d: {mass: 2, inertia: 0.01, at: [1, 0.1]}
+constraints:
+  f: {planar: [ground, b], at: [0, 0.1]}
+  s: {prismatic: [ground, d], at: [1, 0.1], axis: [1, 0]}
+surfaces:
+  floor: {plane: ground, at: [0, 0], normal: [0, 1]}
+  feet: {points: [b.l, b.r]}
+  face: {plane: b, at: [0.1, 0.1], normal: [1, 0]}
+  disc: {sphere: d, radius: 0.1}
+contacts:
+  g: {between: [feet, floor], friction: 0.3}
+  k: {between: [disc, face], restitution: 0.6}
+initial: {f.x_rate: 2, s.displacement_rate: -2}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 1}
+output: {every: 0.5, columns: [b.x]}
+END
+"$FMDSUB" run -q -f ndjson "$work/hit.yaml" >"$work/out"
+want=$(awk 'BEGIN { a = .3 * 9.81; t = (4 - sqrt(16 - 2 * a * .8)) / a; v = 2 - a * t; u = v - 1.6 * 2 / 3 * (v + 2)
+    printf "%.9f 2 %.9f", t - u / a, 2 * t - a * t * t / 2 - u * u / (2 * a) }')
+expect "a sliding block is hit back: when its two feet stick, how often, where" "$want" \
+    "$(awk -F'[:,]' '/"sticks"/ { n++; t = $4 } /"slips"/ { n += 100 } END { printf "%.9f %d", t, n }' "$work/out") $(
+        "$FMDSUB" run -q "$work/hit.yaml" | tail -n 1 | awk -F, '{ printf "%.9f", $2 }')"
