@@ -31,6 +31,10 @@ refuse 2 "one object by --format json" check -f json --expanded "$deck"
 refuse 2 "needs the name of a file" run -o '' "$deck"
 [ ! -e .part ] && [ -s err ] && ok "-o '': nothing is written" || not_ok "-o '': nothing is written" ".part is there"
 refuse 2 "needs the name of a file" run --stats= "$deck"
+refuse 2 "--final-state needs the name of a file" run --final-state= "$deck"
+refuse 2 "--resume needs the name of a file" run --resume= "$deck"
+refuse 2 "--report needs the name of a file" study --report= "$deck"
+refuse 2 "--progress takes one of auto|always|never, not 'often'" run --progress often "$deck"
 
 # A name of a column is taken letter by letter, whatever YAML would make of it.
 for name in "it's" 'pin\angle' 'pin"' '[x' '${x}' '#'; do

@@ -17,3 +17,23 @@ done
 "$FMDSUB" modes decks/chain.yaml >"$work/out" 2>"$work/err"
 most=$(grep -o '[0-9]*%' "$work/out" | tr -d % | sort -n | tail -n 1)
 [ "${most:-999}" -le 100 ] && ok "modes: shares of a chain" || not_ok "modes: shares of a chain" "up to ${most:-?} %" "$work/out"
+
+# A force that pushes along: a negative damping, -c/(2 m omega), told to grow; a brake's is its own, above 1, too.
+cat >"$work/car.yaml" <<'END'
+fmdsub: 1
+parameters: {c: -0.8}
+bodies: {car: {mass: 2, at: [0, 0]}}
+constraints: {rail: {prismatic: [ground, car], axis: [1, 0]}}
+forces: {spring: {spring: rail, stiffness: 200}, pushes: {force: rail, value: -c*rail.displacement_rate}}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.1}
+END
+damped() { # C WORDS
+    "$FMDSUB" modes --set parameters.c="$1" "$work/car.yaml" >"$work/out" 2>"$work/err"
+    expect "modes: a damper of $1 Ns/m" "0 yes $2" \
+        "$? $(awk -F, -v c="$1" 'NR == 2 { d = $4 - c / 40; e = $3 - 10; print (d * d < 1e-20 && e * e < 1e-20) ? "yes" : $0 }' "$work/out") $(grep -c 'negative damping is growing vibration' "$work/err")" "$work/out" "$work/err"
+}
+damped -0.8 1
+damped 0.8 0
+damped 400 0
+"$FMDSUB" modes -q "$work/car.yaml" >"$work/out" 2>"$work/err"
+expect "modes -q: a table and no words" "0 2 0" "$? $(wc -l <"$work/out") $(wc -c <"$work/err")" "$work/out" "$work/err"

@@ -37,6 +37,19 @@ refuse 6 "bad.csv:2: more fields" plot --script bad.csv
 printf 't,a\n' >bad.csv
 refuse 6 "no records" plot --script bad.csv
 
+# Too many of them: nothing is drawn in part.
+wide() { awk -v n="$1" 'BEGIN { printf "t"; for (i = 1; i <= n; i++) printf ",c%d", i; for (r = 0; r < 2; r++) { printf "\n%d", r; for (i = 1; i <= n; i++) printf ",%d", i }; print "" }'; }
+wide 16 >wide.csv
+plot --script wide.csv >script
+expect "plot: 16 panels" "0 16" "$? $(grep -c '^plot ' script)" err
+wide 17 >wide.csv
+refuse 2 "more than 16 panels: name the columns with --columns" plot --script wide.csv
+wide 64 >wide.csv
+plot --script -c 'c*' wide.csv >script
+expect "plot: 64 columns in one panel" "0 1 64" "$? $(grep -c '^plot ' script) $(grep -c 'using 1:' script)" err
+wide 65 >wide.csv
+refuse 2 "more than 64 columns in one panel" plot --script -c 'c*' wide.csv
+
 # One range for all panels, whichever file ends where; what is no number is a gap, a column without any is left out, by name.
 printf 't,arm.angle,arm.x\n0,1,nan\n1,1e400,\n3,2,nan\n' >holes.csv
 plot --script two.csv holes.csv >script
