@@ -283,20 +283,21 @@ const struct diag_help diag_helps[] = {
      "that is "
      "stepped in a plane: what bends there would buckle out of it, which no symmetric computation shows by itself."},
     {"W-resolve",
-     "A fast coordinate vibrates, and the minor steps of sub-cycling are too long for it: omega h above 2, with more "
-     "than "
-     "a millionth of the energy of motion. Its energy is kept, so that the balance is, but nothing of its phase is "
-     "right, and its mean is where the vibration is symmetric only. Take a step of omega h = 0.3, `scheme: auto` with "
-     "a tolerance, or "
-     "'rho_infinity' below 1, which takes the vibration out."},
+     "A fast coordinate vibrates, and the minor steps of sub-cycling are too long for it: omega h above 2, with "
+     "more than a millionth of the energy of motion. Its energy is kept, so that the balance is, but nothing of its "
+     "phase is right, and its mean is where the vibration is symmetric only. Take a step of omega h = 0.3, `scheme: "
+     "auto` with a tolerance, or 'rho_infinity' below 1, which takes the vibration out."},
+    {"W-damped",
+     "A scheme that damps, by rho_infinity below 1 or where the guard acts, has taken away motion that the step "
+     "does not resolve: within few steps, and more than energy.delta of the energy that is there. The balance is "
+     "kept, but what that motion would have done to all else is missing, and no estimate of the error knows of it. "
+     "Take a smaller step; where that motion is of no interest, begin without it."},
     {"W-tolerance",
      "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
-     "parts from "
-     "others near it, makes more of it. Of speeds, forces and energies the error is taken over their size where they "
-     "change by "
-     "less than that. The estimate is meant to be right within a factor of thirty: --verify makes a "
-     "second run at a tenth of the tolerance and prints what differs. Take a tolerance smaller by about as much as the "
-     "error is larger."},
+     "parts from others near it, makes more of it. Of speeds, forces and energies the error is taken over their "
+     "size where they change by less than that. The estimate is meant to be right within a factor of thirty: "
+     "--verify makes a second run at a tenth of the tolerance and prints what differs. Take a tolerance smaller by "
+     "about as much as the error is larger."},
     {"W-branch",
      "Where the bars of a parallelogram lie in one line it can go on as one or fold: branches meet. The rates "
      "of 'initial' have said which way, and the run starts a little along it. Drawn a little to one side, "
@@ -353,17 +354,15 @@ const struct diag_help diag_helps[] = {
     {"bending",
      "The end of a flexible body has moved by more than its length, where its equations mean nothing. See `fmdsub "
      "explain W-bending` and `fmdsub explain W-stiffening`."},
-    {"balance", "The energy at the end of a step is not what was there before plus the work done, by more than "
-                "energy.delta of the "
-                "largest work: the numbers of this run are wrong. Take a smaller step or ratio 1; the schemes midpoint "
-                "and subcycle keep "
-                "the balance best. Forces that jump, and stiff parts that the step does not resolve, break it; "
-                "rho_infinity below 1 damps "
-                "those, but not what a start does against dampers and springs that the step does not resolve: there it "
-                "swings over, and puts in energy that nothing has."},
+    {"balance",
+     "The energy at the end of a step is not what was there before plus the work done, by more than energy.delta of "
+     "the largest work: the numbers of this run are wrong. Take a smaller step or ratio 1; the schemes midpoint and "
+     "subcycle keep the balance best. Forces that jump, and stiff parts that the step does not resolve, break it; "
+     "rho_infinity below 1 damps those, but not what a start does against dampers and springs that the step does "
+     "not resolve: there it swings over, and puts in energy that nothing has."},
     {"no-equilibrium",
-     "'static' looks for the nearest stable equilibrium and found none: a part that nothing holds, or forces "
-     "that have no balance near the drawn posture. Hold the part, or start nearer by 'initial:'."},
+     "'static' looks for the nearest stable equilibrium and found none: a part that nothing holds, or forces that "
+     "have no balance near the drawn posture. Hold the part, or start nearer by 'initial:'."},
     {"drive-jump",
      "A drive's value jumps, which no force can follow. Let it move there in some time: a ramp, or a table."},
     {"memory", "The run needs more memory than --max-memory, or the machine, has. Only matrices of all freedoms are "

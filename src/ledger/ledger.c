@@ -35,8 +35,16 @@ static double least_norm(const struct ledger *o)
                   round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 
+/* What is resolved loses less in a step by damping of any use; what is not, a part of itself. */
+static bool is_burst(const struct ledger *o, double lost)
+{
+    static const double SUDDEN = 1e-4;
+    return fabs(lost) > SUDDEN * larger(o->kinetic + fabs(o->elastic), o->kinetic0 + fabs(o->elastic0));
+}
+
 void ledger_add(struct ledger *o, const double *work, double lost, double left)
 {
+    if (lost != 0 && is_burst(o, lost)) o->burst += lost;
     for (int i = 0; i < LEDGER_CHANNELS; i++) o->work[i] += work[i];
     o->lost += lost;
     o->gained = larger(o->gained, -o->lost);
@@ -100,6 +108,7 @@ void ledger_recall(struct ledger *o, struct recall *r)
     recall_one(r, "gravity", o->gravity);
     recall_list(r, "work", o->work, LEDGER_CHANNELS);
     recall_one(r, "lost", o->lost);
+    recall_one(r, "burst", o->burst);
     recall_one(r, "gained", o->gained);
     recall_one(r, "left", o->left);
     recall_one(r, "residual", o->residual);

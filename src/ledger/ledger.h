@@ -24,12 +24,13 @@ struct ledger {
     double kinetic, elastic, gravity;    /* now [J] */
     double work[LEDGER_CHANNELS];        /* done on the system so far [J] */
     double lost;                         /* taken by the scheme's own damping so far [J] */
-    double gained;                       /* the most that it has put in at any time, on the whole [J] */
-    double struck;                       /* taken by impacts so far [J] */
-    double left;                         /* sum of what Newton left over, a size [J] */
-    double residual;                     /* W_kin + W_int - W_ext now [J] */
-    double norm;                         /* ||W|| [J] */
-    double worst, t_worst;               /* largest |residual| so far and when */
+    double burst;          /* of that, in steps that took a ten thousandth of what there was, and more [J] */
+    double gained;         /* the most that it has put in at any time, on the whole [J] */
+    double struck;         /* taken by impacts so far [J] */
+    double left;           /* sum of what Newton left over, a size [J] */
+    double residual;       /* W_kin + W_int - W_ext now [J] */
+    double norm;           /* ||W|| [J] */
+    double worst, t_worst; /* largest |residual| so far and when */
 };
 
 void ledger_open(struct ledger *o, double delta, double least, double kinetic, double elastic, double gravity);

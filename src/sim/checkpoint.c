@@ -76,6 +76,9 @@ static void run_recall(struct sim *sim, long *bytes, struct recall *r)
     recall_one(r, "balance_told", sim->guard.told);
     recall_one(r, "balance_t", sim->guard.t);
     recall_one(r, "balance_broken", sim->guard.broken);
+    recall_one(r, "balance_taking", sim->guard.taking);
+    recall_one(r, "balance_taken", sim->guard.taken);
+    recall_one(r, "balance_t_taken", sim->guard.t_taken);
     recall_one(r, "balance_there", sim->guard.there);
     recall_one(r, "balance_looks", sim->guard.looks);
     recall_one(r, "balance_next", sim->guard.next);

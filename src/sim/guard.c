@@ -160,6 +160,57 @@ void guard_part(struct sim *sim, int depth)
     sim->guard.depth = depth;
 }
 
+/* The most energy that has been there. */
+static double energy_there(struct sim *sim)
+{
+    const struct ledger *l = &sim->ledger;
+    const double energy = l->kinetic + fabs(l->elastic) + fabs(l->gravity - l->gravity0);
+    sim->guard.there = larger(sim->guard.there, larger(energy, larger(l->least, l->kinetic0 + fabs(l->elastic0))));
+    return sim->guard.there;
+}
+
+/* Does it count by what there will be, too?  What starts from rest has next to nothing for a while. */
+static bool lasts(const struct sim *sim)
+{
+    const struct ledger *l = &sim->ledger;
+    const double from = sim->scene->start, t = sim->x.t;
+    return 2 * (l->kinetic0 + fabs(l->elastic0)) > sim->guard.there || t - from >= 2 * (sim->guard.t_taken - from) ||
+           t >= sim->plan.until;
+}
+
+/* A scheme that damps takes motion that the step does not resolve away, within few steps, and keeps the balance: what that
+ * would have done to all else is missing. */
+static bool taken_away(double *share, int *at, double *omega_h, struct sim *sim)
+{
+    enum { MANY = 500 };
+    static const double RESOLVED = 1;
+    const struct ledger *l = &sim->ledger;
+    if (sim->guard.taken || sim->stepper.kind->adaptive || sim->stepper.ode->n > MANY) return false;
+    const bool much = l->burst > l->delta * energy_there(sim);
+    if (much && !sim->guard.taking) sim->guard.t_taken = sim->x.t;
+    sim->guard.taking = much;
+    if (!much || !lasts(sim)) return false;
+    struct arena *scratch = arena_open();
+    *at = least_resolved(omega_h, sim, scratch);
+    arena_close(scratch);
+    *share = l->burst / sim->guard.there;
+    return *at >= 0 && *omega_h > RESOLVED;
+}
+
+static enum status tell_taken(struct sim *sim, double share, int at, double omega_h, struct sink *sink,
+                              struct report *report)
+{
+    char text[300];
+    snprintf(
+        text, sizeof text,
+        "the scheme's own damping has taken %.3g of the energy that is there, for the first time: the step does not "
+        "resolve '%.80s' (omega h = %.3g), and what it would do is missing [W-damped]",
+        share, sim_coordinate_name(sim, at), omega_h);
+    sim_warn(sim, "t = %.6g s: %s", sim->guard.t_taken, text);
+    sim->guard.taken = true;
+    return sink_event(sink, sim->x.t, "balance", text, report);
+}
+
 /* ||W|| grows with all that passes through: beside a motor and a brake that have turned over megajoules nobody sees that a stiff
  * part makes what it likes.  Is the balance off by more than its share of the energies that have been there, beside motion that
  * the step does not resolve, or by a tenth of what moves so?  Looked at ever more seldom. */
@@ -168,9 +219,7 @@ static bool hidden(double *share, int *at, double *omega_h, struct sim *sim)
     enum { MANY = 500, OFTEN = 32 };
     static const double EXCITED = 1e-4, STRONGLY = 1e-2, TENTH = .1;
     const struct ledger *l = &sim->ledger;
-    const double energy = l->kinetic + fabs(l->elastic) + fabs(l->gravity - l->gravity0), off = fabs(l->residual);
-    sim->guard.there = larger(sim->guard.there, larger(energy, larger(l->least, l->kinetic0 + fabs(l->elastic0))));
-    const double there = sim->guard.there;
+    const double there = energy_there(sim), off = fabs(l->residual);
     if (!(off > TENTH * STRONGLY * there) || sim->stepper.kind->adaptive || sim->stepper.ode->n > MANY) return false;
     if (sim->guard.looks++ < sim->guard.next) return false;
     sim->guard.next = sim->guard.looks < OFTEN ? 0 : 2 * sim->guard.looks;
@@ -206,7 +255,9 @@ enum status guard_look(struct sim *sim, struct sink *sink, struct report *report
     if (guard_acts(sim) && share > l->delta / 2) (void)guard_damp(sim);
     double part = 0, omega_h = 0;
     int at = -1;
-    if (sim->guard.told || sim->stepper.effort.majors < SOON) return OK;
+    if (sim->stepper.effort.majors < SOON) return OK;
+    if (l->burst > 0 && taken_away(&part, &at, &omega_h, sim)) TRY(tell_taken(sim, part, at, omega_h, sink, report));
+    if (sim->guard.told) return OK;
     if (!(share > l->delta))
         return hidden(&part, &at, &omega_h, sim) ? tell_hidden(sim, part, at, omega_h, sink, report) : OK;
     sim->guard.told = true;

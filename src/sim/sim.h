@@ -159,7 +159,10 @@ struct sim {
     } * jump; /* [njump] */
     struct {
         bool told, acted;
-        bool broken;      /* beside energies that are there, and motion that the step does not resolve */
+        bool broken; /* beside energies that are there, and motion that the step does not resolve */
+        bool taking,
+            taken;        /* the scheme has damped away much, and that of motion that the step does not resolve, from */
+        double t_taken;   /* [s] on */
         double t, there;  /* the most energy that has been there [J] */
         long looks, next; /* at what moves there; that with which the next one is due */
         int depth,

@@ -248,6 +248,7 @@ static const char *reason(const struct sim *sim)
     if (sim->stepper.ode->n == 0) return NULL;
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
+    if (sim->guard.taken) return "the scheme has damped away what the steps do not resolve";
     if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
     if (sim->stepper.touch && touch_pushed(sim->stepper.touch))
         return touch_rubs(sim->stepper.touch) ? "friction acts in joints" : "bodies push or rub each other";

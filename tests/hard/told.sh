@@ -135,4 +135,5 @@ resolve "omega h = 3" "1 1 pin42.angle 6" --set integrate.step=5e-3 --set integr
 resolve "of order 4" "1 1 pin42.angle 6" --set integrate.step=1e-2 --set integrate.ratio=5 --set integrate.order=4
 resolve "resolved" "0 0  6"
 resolve "at rest" "0 0  6" --set integrate.step=5e-3 --set integrate.ratio=2 --set parameters.pluck=0
-resolve "taken out" "0 0  6" --set integrate.step=5e-3 --set integrate.ratio=2 --set integrate.rho_infinity=0.5
+resolve "taken out, which is told" "1 0  6" --set integrate.step=5e-3 --set integrate.ratio=2 --set integrate.rho_infinity=0.5
+expect "W-damped: of a vibration that is taken out" 1 "$(grep -c "^warning: .* does not resolve 'pin42.angle' .*W-damped" "$work/err")" "$work/err"
