@@ -51,6 +51,8 @@ struct reduction {
 void elements_slopes_reduced(struct elements *e, struct sweep *s, double *K, double *C, const struct instant *x,
                              enum rate cls, const struct reduction *to);
 
+/* Are there none that could have slopes? */
+bool elements_are_none(const struct elements *e);
 /* Is all that slopes() gives on the diagonals, whatever the state?  Then they are cheap: d += cc C + ck K. */
 bool elements_are_diagonal(const struct elements *e);
 void elements_diagonal(struct elements *e, double *d, double cc, double ck, const struct instant *x);

@@ -69,6 +69,11 @@ void elements_slopes_reduced(struct elements *e, struct sweep *s, double *K, dou
     e->to = NULL;
 }
 
+bool elements_are_none(const struct elements *e)
+{
+    return e->nplain[ALL] == 0 && e->nother[ALL] == 0;
+}
+
 bool elements_are_diagonal(const struct elements *e)
 {
     for (int i = 0; i < e->nother[ALL]; i++)

@@ -75,6 +75,45 @@ static void symmetric(double *M, int n)
         for (int i = 0; i < j; i++) M[i + j * n] = M[j + i * n] = (M[i + j * n] + M[j + i * n]) / 2;
 }
 
+/* w [n] := x_i + G' x_d / 2, x [nt]. */
+static void half_through_T(const struct condense *o, double *restrict w, const double *restrict x)
+{
+    for (int i = 0; i < o->ode.n; i++) w[i] = x[o->split.ind[i]];
+    for (int k = 0; k < o->split.npart; k++) {
+        const struct part *p = &o->split.part[k];
+        const double *g = solve_G_of(&o->solve, k);
+        for (int j = 0; j < p->ni; j++, g += p->nr) {
+            double sum = 0;
+            for (int r = 0; r < p->nr; r++) sum += g[r] * x[p->dep[r]];
+            w[o->split.slot[p->ind[j]]] += sum / 2;
+        }
+    }
+}
+
+/* Y [n x n] := T' X T of a symmetric X [nt x nt]: a half and its transpose,
+ *
+ *     X_ii/2 + (X_id + G' X_dd/2) G */
+static void symmetric_congruence(struct condense *o, double *Y, const double *X)
+{
+    const size_t nt = (size_t)o->rows.n, n = (size_t)o->ode.n;
+    const int *ind = o->split.ind, *slot = o->split.slot;
+    for (size_t j = 0; j < n; j++) {
+        const double *x = X + nt * (size_t)ind[j];
+        for (size_t i = 0; i < n; i++) Y[i + n * j] = x[ind[i]] / 2;
+    }
+    for (int k = 0; k < o->split.npart; k++) {
+        const struct part *p = &o->split.part[k];
+        for (int r = 0; r < p->nr; r++) {
+            const double *g = solve_G_of(&o->solve, k) + r;
+            half_through_T(o, o->Ty, X + nt * (size_t)p->dep[r]);
+            for (int j = 0; j < p->ni; j++, g += p->nr)
+                if (*g != 0) add_times(Y + n * (size_t)slot[p->ind[j]], *g, o->Ty, n);
+        }
+    }
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i <= j; i++) Y[i + n * j] = Y[j + n * i] = Y[i + n * j] + Y[j + n * i];
+}
+
 /* --- few independents: column by column ------------------------------------------------------------- */
 
 void condense_still(struct condense *o, double *still, const double *q, unsigned cls)
@@ -157,6 +196,15 @@ static enum status slopes_by_rows(struct condense *o, double *K, double *C, cons
     return OK;
 }
 
+/* Where nothing but flexible bodies has slopes, and their coordinates are independent: these have no part in G. */
+static void slopes_of_bodies(const struct condense *o, double *K, double *C, enum rate cls)
+{
+    const size_t nn = (size_t)o->ode.n * (size_t)o->ode.n;
+    if (K) memset(K, 0, sizeof *K * nn);
+    if (C) memset(C, 0, sizeof *C * nn);
+    elastic_slopes(&o->tree->elastic, K, C, o->ode.n, o->split.slot, cls);
+}
+
 /* --- either way --------------------------------------------------------------------------------- */
 
 static enum status mass_there(struct condense *o, double *M, const double *q, double t, unsigned cls,
@@ -166,9 +214,8 @@ static enum status mass_there(struct condense *o, double *M, const double *q, do
     TRY(solve_G(&o->solve, q, t, why));
     if (o->few) return mass_by_momentum(o, M, q, t, cls, why);
     TRY(condense_own_rows(o, tree->ops->mass(tree, o->M, q, t, cls, why), why));
-    if (cls == ALL) condense_driven_mass(o); /* before M is taken to pieces */
-    congruence(o, M, o->M);
-    symmetric(M, o->ode.n);
+    if (cls == ALL) condense_driven_mass(o);
+    symmetric_congruence(o, M, o->M);
     return OK;
 }
 
@@ -196,6 +243,10 @@ enum status condense_slopes(const struct ode2 *ode, double *K, double *C, const 
     struct condense *o = ode->self;
     const struct ode2 *tree = &o->tree->ode;
     if (isnan(x->q[0])) return condense_lost(o, x->t, why);
+    if (elements_are_none(o->tree->elements) && elastic_has_slots(&o->tree->elastic, o->split.slot)) {
+        slopes_of_bodies(o, K, C, (enum rate)cls);
+        return OK;
+    }
     condense_time(o, x->t, x->ta, x->tb);
     TRY(solve_G(&o->solve, x->q, x->t, why));
     split_spread(&o->split, o->vt, x->v);

@@ -76,21 +76,31 @@ double elastic_lost(const struct elastic *o, const double *v, enum rate cls)
     return lost;
 }
 
-static void add(double *A, size_t n, const double *part, const struct model_body *b)
+static void add(double *A, int n, const double *part, int band, const struct model_body *b, const int *slot)
 {
     if (!A || !part) return;
-    for (int j = 0; j < b->nmode; j++)
-        for (int i = 0; i < b->nmode; i++) A[(size_t)b->mode_v[i] + n * (size_t)b->mode_v[j]] += part[i + b->nmode * j];
+    for (int j = 0; j < b->nmode; j++) {
+        const int from = j > band ? j - band : 0, to = j + band < b->nmode ? j + band : b->nmode - 1;
+        double *column = A + (size_t)n * (size_t)(slot ? slot[b->mode_v[j]] : b->mode_v[j]);
+        for (int i = from; i <= to; i++) column[slot ? slot[b->mode_v[i]] : b->mode_v[i]] += part[i + b->nmode * j];
+    }
 }
 
-void elastic_slopes(const struct elastic *o, double *K, double *C, int n, enum rate cls)
+void elastic_slopes(const struct elastic *o, double *K, double *C, int n, const int *slot, enum rate cls)
 {
-    for (int i = 0; i < o->n; i++) {
-        const struct model_body *b = o->body[i].model;
-        if (!in_class(b, cls)) continue;
-        add(K, (size_t)n, b->flex->K, b);
-        add(C, (size_t)n, b->flex->D, b);
+    for (const struct elastic_body *e = o->body; e < o->body + o->n; e++) {
+        if (!in_class(e->model, cls)) continue;
+        add(K, n, e->model->flex->K, e->band_K, e->model, slot);
+        add(C, n, e->model->flex->D, e->band_D, e->model, slot);
     }
+}
+
+bool elastic_has_slots(const struct elastic *o, const int *slot)
+{
+    for (int i = 0; i < o->n; i++)
+        for (int k = 0; k < o->body[i].model->nmode; k++)
+            if (slot[o->body[i].model->mode_v[k]] < 0) return false;
+    return true;
 }
 
 static void gather(struct elastic_body *o, const double *q, const double *v, const double *a)

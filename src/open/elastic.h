@@ -31,8 +31,11 @@ void elastic_build(struct elastic *o, const struct model *m, struct arena *life)
 double elastic_stored(const struct elastic *o, const double *q);
 /* Sum of v'D v of a class [W]: what damping takes. */
 double elastic_lost(const struct elastic *o, const double *v, enum rate cls);
-/* K and C [n x n] += those of a class; either may be NULL. */
-void elastic_slopes(const struct elastic *o, double *K, double *C, int n, enum rate cls);
+/* K and C [n x n] += those of a class; either may be NULL.  slot [of the model's velocities]: their places, NULL: as in the
+ * model. */
+void elastic_slopes(const struct elastic *o, double *K, double *C, int n, const int *slot, enum rate cls);
+/* Has every coordinate of every flexible body a place? */
+bool elastic_has_slots(const struct elastic *o, const int *slot);
 bool elastic_in_class(const struct elastic_body *o, enum rate cls);
 /* K and C [n x n] += what the inertia of one body takes more, by its coordinates and their rates, while its frame moves
  * as accelerate() has left it in the sweep: unsymmetric.  slot [of the model's velocities]: their places in K; x with a. */

@@ -149,7 +149,7 @@ static enum status slopes(const struct ode2 *o, double *K, double *C, const stru
         s->ops->move(s->sweep, there ? NULL : x->q, x->v, cls);
     }
     elements_slopes(s->elements, s->sweep, K, C, x, (enum rate)cls);
-    elastic_slopes(&s->elastic, K, C, o->n, (enum rate)cls);
+    elastic_slopes(&s->elastic, K, C, o->n, NULL, (enum rate)cls);
     if ((!K || all_finite(K, o->n * o->n, 1)) && (!C || all_finite(C, o->n * o->n, 1))) return OK;
     return x->v ? not_finite(s, NULL, x, (enum rate)cls, why) : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, x->t);
 }

@@ -74,6 +74,7 @@ void planar_flex_own(struct flexible *b)
 void planar_flex_couple(const struct node_body *o, const double *I, const double *arm)
 {
     const struct flexible *b = o->of;
+    if (I[0] == 0 && I[3] == 0) return; /* nothing with mass hangs there */
     for (int k = 0; k < b->n; k++) {
         double u[3], f[3], *U = b->U + 3 * k;
         planar_node_body_unit(u, o, k);
