@@ -8,18 +8,24 @@
 
 /* ---- the equations --------------------------------------------------------------------------------------------- */
 
+/* From the last iterate, where q stands. */
+static void correct(struct implicit *m, double share, int may)
+{
+    m->open = motion_again(m->ode, m->q, m->q0, m->dx, share, m->x.t, may | (m->open ? OPEN_BEFORE : 0));
+}
+
 void implicit_place(struct implicit *m, const double *z)
 {
     const struct instant *x = &m->x;
+    const double share = m->scheme->middle ? .5 : 1;
     m->scheme->rates(m, z);
-    if (m->scheme->middle) {
-        motion_point(m->ode, m->q, m->q0, m->dx, .5, x->t);
-        if (x->qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, x->tb);
-    } else if (m->newton.count > 0) { /* q is that of the last iterate */
-        motion_again(m->ode, m->q, m->q0, m->dx, 1, x->t);
+    if (m->newton.count > 0) {
+        correct(m, share, OPEN_AFTER);
     } else {
-        motion_point(m->ode, m->q, m->q0, m->dx, 1, x->t);
+        motion_point(m->ode, m->q, m->q0, m->dx, share, x->t);
+        m->open = false;
     }
+    if (m->scheme->middle && x->qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, x->tb);
     m->x.a = z;
 }
 
@@ -197,11 +203,12 @@ static enum status book(struct implicit *m, struct stepper *s, struct trouble *w
 
 static enum status move_to_end(struct implicit *m, struct trouble *why)
 {
+    m->scheme->rates(m, m->z);
     if (!m->scheme->middle) {
-        implicit_place(m, m->z);
+        correct(m, 1, 0);
+        m->x.a = m->z;
         return OK;
     }
-    m->scheme->rates(m, m->z);
     motion_point(m->ode, m->q1, m->q0, m->dx, 1, m->x.tb);
     return m->ode->settle ? m->ode->settle(m->ode, m->q1, m->v1, &m->x, why) : OK;
 }

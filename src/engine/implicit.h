@@ -41,6 +41,7 @@ struct implicit {
     double *v, *dx;             /* [n] velocity there, displacement of the step: by rates() */
     double *v1;                 /* [n] velocity at the end, by rates() of a middle scheme; else v itself */
     double *q, *q1;             /* [nq] positions there and at the end; q1 is q itself where that is the end */
+    bool open;                  /* loops are open in q, by what the next iterate closes */
     double w0[POWER_CHANNELS], w[POWER_CHANNELS]; /* power at the start (end schemes), at the last residual */
 
     /* the iteration */

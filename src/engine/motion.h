@@ -18,14 +18,13 @@ static inline void motion_point(const struct ode2 *o, double *q1, const double *
         for (int i = 0; i < o->n; i++) q1[i] = q0[i] + s * dx[i];
 }
 
-/* The same, to round-off, where q1 holds it for another dx. */
-static inline void motion_again(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
-                                double t)
+/* The same, to round-off, where q1 holds it for another dx; open, and what is returned: as again() has it. */
+static inline bool motion_again(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
+                                double t, int open)
 {
-    if (o->move && o->move->again)
-        o->move->again(o, q1, q0, dx, s, t);
-    else
-        motion_point(o, q1, q0, dx, s, t);
+    if (o->move && o->move->again) return o->move->again(o, q1, q0, dx, s, t, open);
+    motion_point(o, q1, q0, dx, s, t);
+    return false;
 }
 
 /* The same, where q1 holds a posture nearby. */

@@ -150,7 +150,7 @@ static void place(const struct stepper *s, struct radau *x, const struct adaptiv
         if (first)
             motion_point(o, x->q[i], m->q, x->u[i], 1, ti);
         else
-            motion_again(o, x->q[i], m->q, x->u[i], 1, ti);
+            motion_again(o, x->q[i], m->q, x->u[i], 1, ti, 0);
     }
 }
 

@@ -67,10 +67,12 @@ int closing_close(struct closing *o, double *q1, struct miss *miss, const struct
 
 /* q1 = q0 (+) s dx [n], as ode2_move has it, with drives as they are; 0: it cannot be closed.  q1 may be q0. */
 int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s);
-/* The same from q1, a closed posture of another dx, if that takes so many corrections at most: closing_again.c.  driven: and of
- * another time. */
-int closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
-                  bool driven);
+/* The same from q1, a closed posture of another dx, if that takes so many corrections at most: closing_again.c.  open: it is
+ * nearly closed, or closed for drives of another time.  A way up to `ajar`, in scales, is left as open as its square; less near
+ * a dead point. */
+enum way_end { WAY_LOST, WAY_CLOSED, WAY_AJAR };
+enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
+                           bool open, double ajar);
 
 /* Between its files: q1 of a way; dx of the dependents -= C_qd^-1 C, by how much, in scales. */
 void closing_put(const struct closing *o, double *q1, const struct way *way);

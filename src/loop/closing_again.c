@@ -1,13 +1,13 @@
 /* closing_again.c -- from one closed posture to another nearby.
  *
  * The iterates of a step differ by their corrections.  From one of them, where C_q is factored, dependents go along the
- * tangent there by the change d of the independents, and by what is then missed,
+ * tangent there by the change d of the independents, and by what is missed there, if it is not closed, and then,
  *
- *     dx_d := dx_d - C_qd^-1 C_qi d,   then dx_d := dx_d - C_qd^-1 C(q) again and again,
+ *     dx_d := dx_d - C_qd^-1 (C(q) + C_qi d),   then dx_d := dx_d - C_qd^-1 C(q) again and again,
  *
- * with the same factor; where drives have gone on since, C(q) of there goes with C_qi d.  C_qd changes by something like
- * d, so that the first correction s is half of d squared and the later ones shrink at the rate 2 s/d.  For the last
- * iterates nothing is missed.
+ * with the same factor.  C_qd changes by something like d, so that the first correction s is half of d squared and the
+ * later ones shrink at the rate 2 s/d.  For the last iterates nothing is missed.  The others need not be looked at: what
+ * one of them leaves open by d squared, the next one closes.
  */
 #include <math.h>
 
@@ -23,7 +23,7 @@ static inline double farther(double far, double x, double per)
 
 /* dx of the dependents along the tangent at the posture that `last` leads to, which becomes the change from there; how
  * far that is, in scales. */
-static double go_along(struct closing *o, double *dx, double *last, bool driven)
+static double go_along(struct closing *o, double *dx, double *last, bool open)
 {
     const double *per = o->rows->per;
     double far = UNSEEN; /* at least: the rate of less would be that of round-off */
@@ -32,10 +32,10 @@ static double go_along(struct closing *o, double *dx, double *last, bool driven)
         last[k] = dx[k] - last[k];
         far = farther(far, last[k], per[k]);
     }
-    if (driven) rows_values(o->C, o->rows);
+    if (open) rows_values(o->C, o->rows);
     for (int i = 0; i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
-        for (int r = 0; r < p->nr; r++) o->x[r] = driven ? -o->C[p->row[r]] : 0;
+        for (int r = 0; r < p->nr; r++) o->x[r] = open ? -o->C[p->row[r]] : 0;
         factor_take(&o->solve->block[i].C_qd, o->x, last);
         factor_solve(&o->solve->block[i].C_qd, o->x);
         for (int r = 0; r < p->nr; r++) {
@@ -70,6 +70,13 @@ static int step_on(struct closing *o, double *q1, const struct way *way, double 
     return 0;
 }
 
+/* What is missed comes into forces by its part of the cube of the pivots' ratio: of the way, the root of that. */
+static double worth(const struct closing *o)
+{
+    const double ratio = solve_ratio(o->solve);
+    return ratio * sqrt(ratio);
+}
+
 /* Where rotations are dependent in part, C_q is not that of their Cayley vectors. */
 static bool any_follows(const struct closing *o)
 {
@@ -78,18 +85,17 @@ static bool any_follows(const struct closing *o)
     return false;
 }
 
-int closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
-                  bool driven)
+enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
+                           bool open, double ajar)
 {
-    if (isnan(q1[0]) || q1 == q0 || any_follows(o) || solve_factor(o->solve, q1, 0, NULL) != OK) return 0;
+    if (isnan(q1[0]) || q1 == q0 || any_follows(o) || solve_factor(o->solve, q1, 0, NULL) != OK) return WAY_LOST;
     moves_diff(&o->rows->tree->moves, o->last, q1, q0);
     split_spread(o->split, o->full, dx);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
-    const double far = go_along(o, o->dx, o->last, driven);
+    const double far = go_along(o, o->dx, o->last, open);
     const struct way way = {q0, o->full, s, o->dx};
-    if (!driven && far <= UNSEEN) {
-        closing_put(o, q1, &way);
-        return 1;
-    }
-    return step_on(o, q1, &way, far, corrections);
+    const bool closed = far <= UNSEEN;
+    if (!closed && !(far <= ajar * worth(o))) return step_on(o, q1, &way, far, corrections) ? WAY_CLOSED : WAY_LOST;
+    closing_put(o, q1, &way);
+    return closed ? WAY_CLOSED : WAY_AJAR;
 }

@@ -19,20 +19,30 @@ static void point(const struct ode2 *ode, double *q1, const double *q0, const do
 
 enum { LATE = 3, EARLY = 6 }; /* corrections of a way from a late iterate, from another posture */
 
-static void again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+static bool nearby(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t,
+                   int corrections, bool open, double ajar)
 {
     struct condense *o = ode->self;
-    if (!o->rows.constant) loops_when(o->rows.loops, t, 0);
-    if (o->rows.constant || !closing_again(&o->closing, q1, q0, dx, s, LATE, false))
-        condense_point(o, q1, q0, dx, s, t, 0);
+    enum way_end end = WAY_LOST;
+    if (!o->rows.constant) {
+        loops_when(o->rows.loops, t, 0);
+        end = closing_again(&o->closing, q1, q0, dx, s, corrections, open, ajar);
+    }
+    if (end == WAY_LOST) condense_point(o, q1, q0, dx, s, t, 0);
+    return end == WAY_AJAR;
+}
+
+/* Left open by some 1e-12: where stiff forces hold dependents, accelerations are off by 4e-6 of the last correction. */
+static bool again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t, int open)
+{
+    static const double SMALL = 1e-6;
+    return nearby(ode, q1, q0, dx, s, t, LATE, open & OPEN_BEFORE, open & OPEN_AFTER ? SMALL : 0);
 }
 
 static void onward(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
-    struct condense *o = ode->self;
-    if (!o->rows.constant) loops_when(o->rows.loops, t, 0);
-    if (o->rows.constant || !closing_again(&o->closing, q1, q0, dx, s, EARLY, o->model->ndrive > 0))
-        condense_point(o, q1, q0, dx, s, t, 0);
+    const struct condense *o = ode->self;
+    nearby(ode, q1, q0, dx, s, t, EARLY, o->model->ndrive > 0, 0);
 }
 
 enum status condense_lost(const struct condense *o, double t, struct trouble *why)

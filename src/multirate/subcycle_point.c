@@ -88,7 +88,7 @@ static void in_one_go(struct subcycle *c)
 {
     displacement(c, c->ratio);
     if (c->ended)
-        motion_again(c->ode, c->qn, c->q0, c->dq, 1, c->t1);
+        motion_again(c->ode, c->qn, c->q0, c->dq, 1, c->t1, 0);
     else
         motion_point(c->ode, c->qn, c->q0, c->dq, 1, c->t1);
     c->ended = true;

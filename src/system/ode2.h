@@ -68,6 +68,10 @@ struct ode2_ops {
                            struct trouble *why);
 };
 
+/* An iterate that is itself to be corrected need not close loops: they were left open in q1, and may be after again(), by
+ * the square of a small way. */
+enum ode2_open { OPEN_BEFORE = 1, OPEN_AFTER = 2 };
+
 /* Positions moved by quasi-displacements.  NULL: q1 = q0 + s dx, nq = n. */
 struct ode2_move {
     /* q1 = q0 (+) s dx: the point at fraction s of the path that ends at q0 (+) dx.  For rotations
@@ -81,8 +85,9 @@ struct ode2_move {
     void (*rate)(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
                  const double *v, double t);
     /* Optional.  point() to round-off, where q1 holds what this or point() has given for the same q0, s, t and another
-     * dx: found from there, with less work where they are near each other. */
-    void (*again)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
+     * dx: found from there, with less work where they are near each other.  open: what of enum ode2_open holds.  Are loops
+     * left open? */
+    bool (*again)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t, int open);
     /* Optional.  The same where q1 holds any posture nearby, of any time; the less work the nearer, and less where
      * resid() has just been there. */
     void (*onward)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);

@@ -309,7 +309,7 @@ static void ways_from_another(void **state)
             for (int pass = 0; pass < 2; pass++) { /* again() from point(), then from again() */
                 for (int i = 0; i < o.n; i++) dx[i] += change * tree_roll(&d, -reach, reach);
                 o.ode->move->point(o.ode, want, o.q, dx, s, 0);
-                o.ode->move->again(o.ode, q, o.q, dx, s, 0);
+                o.ode->move->again(o.ode, q, o.q, dx, s, 0, 0);
                 assert_true(isnan(want[0]) == isnan(q[0]));
                 if (isnan(q[0])) break; /* out of reach */
                 reached++;
@@ -318,6 +318,42 @@ static void ways_from_another(void **state)
             }
         }
         assert_true(reached > 100);
+        arena_close(o.life);
+    }
+}
+
+/* Iterates that come nearer and nearer: one on the way is left open by the square of a small way, the last one is closed. */
+static void ways_left_open(void **state)
+{
+    (void)state;
+    static const char *const decks[] = {plane, bending};
+    for (int deck = 0; deck < 2; deck++) {
+        struct opened o;
+        open_text(&o, decks[deck]);
+        struct condense *c = system_loops(o.sim.system);
+        int left_open = 0;
+        for (unsigned seed = 1; seed <= 60; seed++) {
+            static const double size[] = {3e-6, 3e-7, 3e-8, 1e-10};
+            struct tree_dice d = {seed};
+            const double s = seed % 3 ? 1 : .5, reach = deck == 0 ? .1 : .02;
+            double dx[MOST], q[MOST], want[MOST];
+            bool open = false;
+            memcpy(o.q, o.sim.x.q, sizeof *o.q * (size_t)o.ode->nq);
+            if (deck == 0) scatter(&o, seed);
+            for (int i = 0; i < o.n; i++) dx[i] = tree_roll(&d, -reach, reach);
+            o.ode->move->point(o.ode, q, o.q, dx, s, 0);
+            for (int k = 0; k < 4 && !isnan(q[0]); k++) {
+                const int before = open ? OPEN_BEFORE : 0;
+                for (int i = 0; i < o.n; i++) dx[i] += size[k] * tree_roll(&d, -1, 1);
+                open = o.ode->move->again(o.ode, q, o.q, dx, s, 0, before | (k < 3 ? OPEN_AFTER : 0));
+                assert_true(condense_worst(c, q, 0) < (open ? 4e-12 : 1e-14));
+                left_open += open;
+            }
+            o.ode->move->point(o.ode, want, o.q, dx, s, 0);
+            assert_false(open);
+            if (!isnan(q[0])) near_all(q, want, o.ode->nq, 2e-13);
+        }
+        assert_true(left_open > 10);
         arena_close(o.life);
     }
 }
@@ -433,6 +469,7 @@ int main(void)
         cmocka_unit_test(rates),
         cmocka_unit_test(ways),
         cmocka_unit_test(ways_from_another),
+        cmocka_unit_test(ways_left_open),
         cmocka_unit_test(a_look_in_vain),
         cmocka_unit_test(out_of_reach),
         cmocka_unit_test(velocities_out_of_reach),
