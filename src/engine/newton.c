@@ -35,6 +35,7 @@ static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm
 static const double UNSEEN = .01;     /* of pairs: of what they may leave, after one iteration */
 static const double LIGHT = 1e3;      /* tolerances that a coordinate may be left by where the norm of energy decides */
 static const double FAR = 1e4;        /* times the energy that is known: too far to look at it anew */
+static const double SLIGHT = 10;      /* and where energy decides beside its own tolerance */
 static const double HEARSAY = 3e-4;   /* contraction that is believed at most before a step has shown it */
 static const double SLUGGISH = .3;    /* contraction that asks for a new matrix */
 static const double PRICE = 2;        /* of one, in evaluations, where its owner does not know */
@@ -52,6 +53,7 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
     nt->per = TAKE(life, double, n);
     nt->dz = TAKE(life, double, n);
     nt->r = TAKE(life, double, n);
+    nt->energies = TAKE(life, double, n);
     remainder_open(&nt->remainder, n, life);
     nt->steps = 1;
     newton_forget(nt);
@@ -184,7 +186,7 @@ void newton_refreshed(struct newton *nt)
     contraction_renewed(&nt->norms[nt->way]);
 }
 
-/* v . M v at x as v . (r(a = v) - r(a = 0)). */
+/* v . M v at x as v . (r(a = v) - r(a = 0)); the last residual stays. */
 static double kinetic(struct newton *nt, const struct instant *x)
 {
     const struct ode2 *o = nt->ode;
@@ -193,10 +195,10 @@ static double kinetic(struct newton *nt, const struct instant *x)
     without.a = NULL;
     with.va = with.vb = without.va = without.vb = NULL; /* a is no longer theirs */
     double sum = 0;
-    if (o->ops->resid(o, nt->r, NULL, NULL, &with, ALL, NULL) != OK) return 0;
-    sum += dot(nt->r, x->v, o->n);
-    if (o->ops->resid(o, nt->r, NULL, NULL, &without, ALL, NULL) != OK) return 0;
-    return sum - dot(nt->r, x->v, o->n);
+    if (o->ops->resid(o, nt->energies, NULL, NULL, &with, ALL, NULL) != OK) return 0;
+    sum += dot(nt->energies, x->v, o->n);
+    if (o->ops->resid(o, nt->energies, NULL, NULL, &without, ALL, NULL) != OK) return 0;
+    return sum - dot(nt->energies, x->v, o->n);
 }
 
 void newton_energy(struct newton *nt, const struct instant *x)
@@ -257,6 +259,16 @@ static int little_energy(struct newton *nt, double square)
     return nt->remain * nt->light <= LIGHT * nt->tol && booked;
 }
 
+/* The same of one step by the tolerance that follows from its error: a coordinate that has little of the energy may be left
+ * by some tolerances, a hundredth of what the step misses it by. */
+static int slight(const struct newton *nt, double err, double square)
+{
+    const double left = nt->remain * err;
+    if (nt->tolerance > 0 || nt->energy <= 0 || nt->count < 2) return 0;
+    if (nt->powered && err > POWERED * nt->tol) return 0;
+    return left <= SLIGHT * nt->tol && nt->remain * nt->remain * fabs(square) <= nt->tol * nt->tol * nt->energy;
+}
+
 enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x)
 {
     int first = nt->count++ == 0;
@@ -267,7 +279,7 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     const double theta = contraction_after(&nt->contraction[nt->way], first ? 1 : err / nt->last, HEARSAY);
     const double rate = first ? 1 : rate_of(nt, err, square), tol = first ? AT_ONCE * nt->tol : nt->tol;
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
-    const int balanced = nt->pairs && little_energy(nt, square);
+    const int balanced = nt->pairs ? little_energy(nt, square) : slight(nt, err, square);
     int done = err == 0 || balanced || (nt->remain * err <= tol && (!nt->powered || err <= POWERED * nt->tol));
     if (err == 0) nt->remain = 0;
     if (first) {

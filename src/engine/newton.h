@@ -7,7 +7,8 @@
  *
  * Corrections are measured as velocities against the running maximum of |v_i| and |H a_i| of each
  * coordinate.  A coordinate at rest has no such scale; there the energy of the correction,
- * dz . J dz = dz . r, against twice the kinetic energy decides.  A major step of sub-cycling is judged by that energy
+ * dz . J dz = dz . r, against twice the kinetic energy decides.  Where that is below the tolerance, too, a coordinate may be
+ * left by ten of its own, unless the deck names one: the energy that a step gains or loses has the same bound.  A major step of sub-cycling is judged by that energy
  * throughout: it may leave what its minor steps would leave together, so that the drift of a run stays bounded. */
 #ifndef FMDSUB_ENGINE_NEWTON_H
 #define FMDSUB_ENGINE_NEWTON_H
@@ -29,6 +30,7 @@ struct newton {
     int limit;
     double *scale, *per;                         /* [n] running maximum of velocity, 1 / scale with its floor */
     double *dz, *r;                              /* [n] last correction and residual */
+    double *energies;                            /* [n] work */
     double top;                                  /* largest scale */
     double energy;                               /* running maximum of v . M v */
     int age, life;                               /* steps since energy was looked at; after which it is due again */

@@ -7,6 +7,7 @@
 
 #include "engine/contraction.h"
 #include "engine/fit.h"
+#include "engine/newton.h"
 #include "engine/renewal.h"
 #include "unit/oscillators.h"
 
@@ -221,12 +222,81 @@ static void test_vibration(void **state)
     }
 }
 
+/* ---- when it may stop --------------------------------------------------------------------------- */
+
+static void open_one(struct newton *nt, struct linear *s, struct effort *effort, const struct step_options *options,
+                     struct arena *life)
+{
+    linear_open(s, 1, 0);
+    s->M[0][0] = 2;
+    s->K[0][0] = 5;
+    newton_open(nt, &s->ode, effort, options, life);
+}
+
+/* The energy of the motion is looked at between a residual and its use. */
+static void test_energy_keeps_the_residual(void **state)
+{
+    (void)state;
+    struct linear s;
+    struct effort effort = {0};
+    struct newton nt;
+    struct arena *life = arena_open();
+    const double q = .3, v = 4, a = 0;
+    const struct instant x = {.q = &q, .v = &v, .a = &a};
+    open_one(&nt, &s, &effort, &step_defaults, life);
+    nt.r[0] = 1e-9;
+    newton_energy(&nt, &x);
+    assert_float_equal(nt.energy, 32, 1e-12); /* v M v */
+    assert_float_equal(nt.r[0], 1e-9, 0);
+    arena_close(life);
+}
+
+/* Corrections of 1e-4 and 1e-6, so that 1e-8 are left: some tolerances.  With little of the energy that is enough, not where
+ * the deck names the tolerance, nor for more of them. */
+static enum verdict second(double tolerance, double tolerances_left, double share_of_energy)
+{
+    struct linear s;
+    struct effort effort = {0};
+    struct newton nt;
+    struct arena *life = arena_open();
+    struct step_options options = step_defaults;
+    const double one = 1;
+    const struct instant x = {.q = &one, .v = &one, .a = &one};
+    options.newton_tolerance = tolerance;
+    open_one(&nt, &s, &effort, &options, life);
+    newton_scale(&nt, &one, &one, 1);
+    newton_energy(&nt, &x);
+    newton_begin(&nt, -1);
+    nt.tol = 1e-8 / tolerances_left;
+    const double left = share_of_energy * nt.tol, energy = left * left * nt.energy;
+    assert_int_equal(newton_judge(&nt, 1e-4, 1, 1e8 * energy, &x), CONTINUE);
+    enum verdict said = newton_judge(&nt, 1e-6, 1, 1e4 * energy, &x);
+    arena_close(life);
+    return said;
+}
+
+static void test_little_energy_is_left(void **state)
+{
+    (void)state;
+    assert_int_equal(second(0, .02, 10), CONVERGED);
+    assert_int_equal(second(0, .5, 10), CONTINUE);
+    assert_int_equal(second(0, .5, .05), CONVERGED);
+    assert_int_equal(second(1e-8, .5, .05), CONTINUE);
+    assert_int_equal(second(0, 3, .05), CONTINUE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fit),       cmocka_unit_test(test_to_and_fro), cmocka_unit_test(test_doubt),
-        cmocka_unit_test(test_hearsay),   cmocka_unit_test(test_renewal),    cmocka_unit_test(test_need),
+        cmocka_unit_test(test_fit),
+        cmocka_unit_test(test_to_and_fro),
+        cmocka_unit_test(test_doubt),
+        cmocka_unit_test(test_hearsay),
+        cmocka_unit_test(test_renewal),
+        cmocka_unit_test(test_need),
         cmocka_unit_test(test_vibration),
+        cmocka_unit_test(test_energy_keeps_the_residual),
+        cmocka_unit_test(test_little_energy_is_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
