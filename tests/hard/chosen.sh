@@ -25,6 +25,7 @@ tip 30
 swing 27
 crank 21
 askew 40
+rest 40
 robot 15
 float 40
 ball 40

@@ -161,7 +161,8 @@ compile() {
 # put FROM LIBRARY: under the programs; by its name, for what runs may still have the old one.
 put() { cp "$1" "$live/next.so" && mv "$live/next.so" "$live/lib$2.so"; }
 
-# join FILE OBJECT LIBRARY [OTHER...]: the library with OBJECT for FILE, as $work/mutant.so; others take the place of theirs, too.
+# join FILE OBJECT LIBRARY [OTHER...]: the library with OBJECT for FILE, as $work/mutant.so; OTHERs take the place of the rest of
+# its folder and of the arena, too.
 join() {
     joined=$3
     case $joined in reduce) of=$reducing extra=$FORTRAN ;; *) of=$objects extra= ;; esac
@@ -169,7 +170,7 @@ join() {
     echo "$of" | grep -vxF "${object%.c}.o" >"$work/objects"
     shift
     if [ $# -gt 2 ]; then
-        grep -v '/obj/base/\(arena\|limits\)\.o$' "$work/objects" >"$work/others"
+        grep -v "^${object%/*}/\|/obj/base/\(arena\|limits\)\.o\$" "$work/objects" >"$work/others"
         mv "$work/others" "$work/objects"
     fi
     with=$1
@@ -186,13 +187,24 @@ guarded() {
     )
 }
 
-# sanitized FILE LINE: what notices it there, in $killer.  Texts of the sanitizer are no report of ours.
+# watched FILE...: compiled for the sanitizer, once; their objects.
+watched() {
+    for file; do
+        object=$work/watched/$(echo "$file" | tr / -).o
+        [ -f "$object" ] || $CC $FLAGS -g -w -fsanitize=address -c -o "$object" "$file" || return
+        echo "$object"
+    done
+}
+
+# sanitized FILE LINE: what notices it there, in $killer: with its folder compiled for the sanitizer, which may write for it.
+# Texts of the sanitizer are no report of ours.
 sanitized() {
     case $1 in src/base/arena.c | src/base/limits.c) return ;; esac
-    [ -f "$work/limits.o" ] || for part in arena limits; do $CC $FLAGS -g -w -fsanitize=address -c -o "$work/$part.o" src/base/$part.c || return; done
-    $CC $FLAGS -g -w -fsanitize=address -c -o "$work/o/same.o" "$1" && $CC $FLAGS -g -w -fsanitize=address -c -o "$work/m.o" "$work/m.c" || return
-    join "$1" "$work/o/same.o" $library "$work/arena.o" "$work/limits.o" && mv "$work/mutant.so" "$work/same.so" || return
-    join "$1" "$work/m.o" $library "$work/arena.o" "$work/limits.o" || return
+    mkdir -p "$work/watched"
+    own=$(watched "$1") && $CC $FLAGS -g -w -fsanitize=address -c -o "$work/m.o" "$work/m.c" || return
+    others=$(watched $(ls "$(dirname "$1")"/*.c src/base/arena.c src/base/limits.c | sort -u | grep -vxF "$1")) || return
+    join "$1" "$own" $library $others && mv "$work/mutant.so" "$work/same.so" || return
+    join "$1" "$work/m.o" $library $others || return
     put "$work/mutant.so" $library
     for item in $({ tests_of "$1" "$2" 1; tests_of "$1" "$2" 2; } | grep '^t-\|^decks-\|^bad$\|^reduce$\|^plot$\|^diff$'); do
         guarded "$item" && continue
