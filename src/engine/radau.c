@@ -10,8 +10,7 @@
  *     (M + h lambda C + h^2 lambda^2 K) (T^-1 da) = -T^-1 r
  *
  * (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8, for systems of second order), and u_i follows
- * v_i through rate(): of rotations, where rate() reads u, again and again until it stands.  What v and u gain in the last
- * iteration is what may be left.  The error is that of IV.8, (8.19): with lambda the real eigenvalue
+ * v_i through rate(): of rotations, where rate() reads u, again and again until it stands.  The error, (8.19), by the real lambda:
  *
  *     g_u = h (lambda v0 + sum d_i u'_i),   g_v = h (lambda a0 + sum d_i a_i)
  *     (M + h lambda C + h^2 lambda^2 K) e_v = M g_v - h lambda K g_u,    e_u = g_u + h lambda e_v
@@ -27,12 +26,12 @@
 #include "engine/motion.h"
 #include "engine/stage_matrix.h"
 
-enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10, MOST_PASSES = 20 };
+enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10, MOST_PASSES = 20, SELDOM = 16 };
 static const double KEPT = 1.2;     /* a step that may grow by less keeps h and its matrices */
 static const double WORN = .02;     /* contraction from which the next step takes another matrix */
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
 static const double LOST = 1000;    /* round-off of an iterate, of usual sizes */
-static const double SLOWLY = 3;     /* times what iterations leave by the contraction seen: that of what fades first */
+static const double SLOWLY = 3;     /* times what was left: other steps may leave more */
 static const double SLUGGISH = .99; /* contraction that leads nowhere */
 
 struct radau {
@@ -51,15 +50,15 @@ struct radau {
     double *e, *gu, *gv; /* [n] */
     double theta;        /* contraction, last seen */
     double fnewt; /* what the iteration may leave, in scales of the tolerance: of the step's share, for it adds up */
-    double rest;  /* of the last iteration's change: what is left behind it */
+    double faded; /* of the last iteration's change: what was left behind it when one more looked */
+    long trials;  /* so far: one of SELDOM looks */
     int count;    /* iterations of the last trial */
 };
 
-/* The order of the estimate is that of the stages. */
 static void open(struct stepper *s, struct adaptive *m, struct arena *life)
 {
     const struct ode2 *o = s->ode;
-    const int stages = m->scheme->order - 1;
+    const int stages = m->scheme->order - 1; /* which is the order of the estimate */
     struct radau *x = TAKE(life, struct radau, 1);
     collocation_radau(&x->table, stages);
     for (int i = 0; i < stages; i++) {
@@ -73,6 +72,7 @@ static void open(struct stepper *s, struct adaptive *m, struct arena *life)
     stage_matrix_open(&x->matrix, &x->table, o, &s->effort, life);
     m->tolerance = .1 * pow(s->options.tolerance, (stages + 1) / (2. * stages));
     x->stale = true;
+    x->faded = WORN;
     m->own = x;
     m->ahead = x->a[stages - 1];
 }
@@ -80,18 +80,16 @@ static void open(struct stepper *s, struct adaptive *m, struct arena *life)
 static void forget(struct adaptive *m)
 {
     struct radau *x = m->own;
-    x->h_before = x->longer = 0;
-    x->matrix.h = 0;
+    x->h_before = x->longer = x->matrix.h = 0;
     x->stale = true;
     x->here = false;
 }
 
 /* M, C and K of the start of the step. */
-static enum status linearize(struct stepper *s, struct adaptive *m, double t, struct trouble *why)
+static enum status linearize(const struct adaptive *m, double t, struct trouble *why)
 {
     struct radau *x = m->own;
     const struct instant there = {.t = t, .q = m->q, .v = m->v, .a = m->a, .ta = t, .tb = t};
-    (void)s;
     TRY(stage_matrix_form(&x->matrix, &there, why));
     x->stale = false;
     x->here = true;
@@ -144,20 +142,13 @@ static double size(const struct stepper *s, const struct radau *x, double *const
 /* Places of the stages for their velocities. */
 static void place(const struct stepper *s, struct radau *x, const struct adaptive *m, double t, double h, bool first)
 {
-    const struct ode2 *o = s->ode;
     for (int i = 0; i < x->table.s; i++) {
         const double ti = t + x->table.c[i] * h;
         if (first)
-            motion_point(o, x->q[i], m->q, x->u[i], 1, ti);
+            motion_point(s->ode, x->q[i], m->q, x->u[i], 1, ti);
         else
-            motion_again(o, x->q[i], m->q, x->u[i], 1, ti, 0);
+            motion_again(s->ode, x->q[i], m->q, x->u[i], 1, ti, 0);
     }
-}
-
-static void rates(const struct stepper *s, struct radau *x, const struct adaptive *m, double t, double h)
-{
-    for (int i = 0; i < x->table.s; i++)
-        motion_rate(s->ode, x->du[i], x->q[i], m->q, x->u[i], x->v[i], t + x->table.c[i] * h);
 }
 
 /* Displacements for the velocities, each pass from the rates at those of the one before.  Places are those before all of
@@ -167,7 +158,8 @@ static void follow(const struct stepper *s, struct radau *x, const struct adapti
     const int n = s->ode->n, stages = x->table.s;
     for (int i = 0; i < stages; i++) zero(x->gain[i], n);
     for (int pass = 0; pass < MOST_PASSES; pass++) {
-        rates(s, x, m, t, h);
+        for (int i = 0; i < stages; i++)
+            motion_rate(s->ode, x->du[i], x->q[i], m->q, x->u[i], x->v[i], t + x->table.c[i] * h);
         collocate(x->last, x, NULL, x->du, h, n);
         for (int i = 0; i < stages; i++)
             for (int k = 0; k < n; k++) {
@@ -192,11 +184,13 @@ static enum status residuals(struct stepper *s, struct radau *x, double t, doubl
     return OK;
 }
 
-/* All stages from what foresee() has given. */
+/* All stages from what foresee() has given.  The contraction of the first changes is that of what fades soon, stiff and slow
+ * parts may do so far slower: of some trials one more iteration shows what the last one has left. */
 static enum status iterate(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
     struct radau *x = m->own;
     const int n = s->ode->n;
+    bool once_more = false;
     double last = 0;
     x->fnewt =
         larger(LOST * DBL_EPSILON / m->tolerance, smaller(REST, sqrt(m->tolerance)) * adaptive_share(m, fabs(h)));
@@ -204,7 +198,7 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
     collocate(x->u, x, NULL, x->v, h, n);
     place(s, x, m, t, h, true);
     follow(s, x, m, t, h);
-    for (x->count = 1; x->count <= MOST_ITERATIONS; x->count++) {
+    for (x->count = 1; x->count <= MOST_ITERATIONS + once_more; x->count++) {
         place(s, x, m, t, h, false);
         TRY(residuals(s, x, t, h, why));
         stage_matrix_solve(&x->matrix, x->r);
@@ -215,11 +209,18 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
         follow(s, x, m, t, h);
         const double now = size(s, x, x->r, x->gain, h), rounding = 1e-2 * x->fnewt;
         if (!isfinite(now)) break;
+        if (once_more) {
+            x->faded = larger(now / last, x->faded / 2);
+            x->count--;
+            return OK;
+        }
         if (x->count > 1) x->theta = now / last;
         if (x->count > 1 && x->theta >= SLUGGISH && now > rounding) break;
         const double theta = x->count > 1 ? smaller(x->theta, SLUGGISH) : smaller(larger(x->theta, .1), .9);
-        x->rest = theta / (1 - theta);
-        if (now <= rounding || x->rest * now <= x->fnewt) return OK;
+        if (now <= rounding || larger(theta / (1 - theta), smaller(x->faded, .5)) * now <= x->fnewt) {
+            once_more = ++x->trials % SELDOM == 0 && now > LOST * DBL_EPSILON / m->tolerance;
+            if (!once_more) return OK;
+        }
         last = now;
     }
     return trouble_set(why, TROUBLE_DIVERGED, -1, last, t + h);
@@ -270,7 +271,7 @@ static enum status stages(struct stepper *s, struct adaptive *m, double t, doubl
 {
     struct radau *x = m->own;
     for (int round = 0;; round++) {
-        if (x->stale) TRY(linearize(s, m, t, why));
+        if (x->stale) TRY(linearize(m, t, why));
         if (x->matrix.h != h) TRY(stage_matrix_factor(&x->matrix, h, t, why));
         foresee(x, m, h, s->ode->n);
         const enum status status = iterate(s, m, t, h, why);
@@ -318,16 +319,17 @@ static void off(const struct stepper *s, const struct adaptive *m, double *posit
     }
 }
 
-/* The last iteration's change of the end, times what those to come would add up to. */
+/* Of the last iteration's change of the end, what is left behind it. */
 static void left(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
 {
     const struct radau *x = m->own;
     const int last = x->table.s - 1;
+    const double rest = SLOWLY * x->faded;
     for (int k = 0; k < s->ode->n; k++) {
         double change = 0;
         for (int j = 0; j <= last; j++) change += h * x->table.A[last][j] * x->r[j][k];
-        velocity[k] = fabs(velocity[k]) + SLOWLY * x->rest * fabs(change);
-        position[k] = fabs(position[k]) + SLOWLY * x->rest * fabs(x->gain[last][k]);
+        velocity[k] = fabs(velocity[k]) + rest * fabs(change);
+        position[k] = fabs(position[k]) + rest * fabs(x->gain[last][k]);
     }
 }
 
@@ -358,15 +360,16 @@ static double grow(const struct adaptive *m, double err)
 static enum status recall(struct stepper *s, struct adaptive *m, struct recall *r)
 {
     struct radau *x = m->own;
-    const size_t n = (size_t)s->ode->n;
     for (int i = 0; i < x->table.s; i++) {
         char name[24];
         snprintf(name, sizeof name, "before%d", i);
-        recall_list(r, name, x->before[i], n);
+        recall_list(r, name, x->before[i], (size_t)s->ode->n);
     }
     recall_one(r, "h_before", x->h_before);
     recall_one(r, "longer", x->longer);
     recall_one(r, "theta", x->theta);
+    recall_one(r, "faded", x->faded);
+    recall_one(r, "trials", x->trials);
     recall_one(r, "stale", x->stale);
     if (x->stale) return OK;
     return stage_matrix_recall(&x->matrix, r);
@@ -376,7 +379,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
     .stages = 2, .open = open, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,     \
     .recall = recall, .off = off, .left = left
 static const struct adaptive_scheme radau5 = {.order = 4, .sharper = .48, .drifts = 1, RADAU},
-                                    radau9 = {.order = 6, .sharper = .35, RADAU};
+                                    radau9 = {.order = 6, .sharper = .45, RADAU};
 
 const struct stepper_kind step_radau5 = {
     .name = "radau5",
