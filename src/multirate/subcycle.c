@@ -215,7 +215,7 @@ static void forget(struct subcycle *c)
     forecast_forget(&c->forecast, &c->dec, c->a0, c->v0, c->u0, c->H);
     c->last.h = 0;
     c->coarse.rest = 0;
-    c->coarse.missed = 0;
+    c->coarse.missed = c->coarse.whole = 0;
     c->last_local = -1;
 }
 

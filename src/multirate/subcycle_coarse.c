@@ -14,19 +14,22 @@
 
 enum { LEAST = 5, REST = 64 }; /* LEAST: minor steps that it is worth for */
 static const double FADE = .8;
+static const double OLD = .5; /* what was learned of whole sweeps counts half: meanwhile they are not taken */
 
 void subcycle_coarse_open(struct subcycle *c, struct arena *life)
 {
     c->coarse.left = TAKE_MATRIX(life, double, c->ns, COARSE_POINTS);
 }
 
+/* A step that begins with a coarse sweep and needs a third is dearer than two whole ones; but these, too, may need a third. */
 void subcycle_coarse_plan(struct subcycle *c)
 {
     struct coarse *o = &c->coarse;
     const struct newton *nt = &c->newton;
-    if (nt->way && nt->count > 1) o->missed = FADE * o->missed + (1 - FADE) * (nt->count > 2);
+    double *learned = nt->way ? &o->missed : &o->whole;
+    if (nt->count > 1) *learned = FADE * *learned + (1 - FADE) * (nt->count > 2);
     if (o->rest > 0) o->rest--;
-    const double bearable = (double)(c->ratio - COARSE_POINTS) / (c->ratio + COARSE_POINTS);
+    const double bearable = OLD * o->whole + (double)(c->ratio - COARSE_POINTS) / (c->ratio + COARSE_POINTS);
     if (o->missed > bearable) {
         o->rest = REST;
         o->missed = bearable * FADE;
@@ -137,5 +140,6 @@ void subcycle_coarse_recall(struct subcycle *c, struct recall *r)
     recall_within(r, "coarse");
     recall_one(r, "rest", c->coarse.rest);
     recall_one(r, "missed", c->coarse.missed);
+    recall_one(r, "whole", c->coarse.whole);
     recall_without(r);
 }

@@ -72,6 +72,7 @@ struct coarse {
     bool varied;   /* slopes of a minor step have changed in this major step */
     int rest;      /* steps in which none will be tried */
     double missed; /* share of the steps in which one has not been enough, older ones fading */
+    double whole;  /* and of those without one in which two whole ones have not been */
     double *rows;  /* [ml x ratio] slow rows of the fast bodies in all minor steps, as the last whole sweep left them */
     double *left;  /* [ns x COARSE_POINTS] what is left in the fast rows: of powers of f_k */
 };
