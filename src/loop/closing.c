@@ -213,12 +213,23 @@ static int go_straight(struct closing *o, double *q1, struct miss *miss, const s
     return 1;
 }
 
+/* Where the motion of all that is driven is known. */
+static int go_on(struct closing *o, double *q1, struct miss *miss, const double *q0, double s)
+{
+    moves_point(&o->rows->tree->moves, q1, q0, o->full, s);
+    const int lost = solve_known(o->solve, q1);
+    if (lost < 0) return 1;
+    *miss = (struct miss){o->rows->loops->row[o->solve->known[lost].row].loop, INFINITY};
+    return 0;
+}
+
 int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s)
 {
     split_spread(o->split, o->full, dx);
+    if (o->rows->constant) miss->by = 0;
+    if (o->solve->nknown) return go_on(o, q1, miss, q0, s);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
     if (o->rows->constant) {
-        miss->by = 0;
         return go_straight(o, q1, miss, &(struct way){q0, o->full, s, o->dx});
     }
     if (!closing_tangent(o, q0)) return 0;

@@ -106,7 +106,7 @@ static bool go_beside(struct condense *o, double *const side[SIDES], const doubl
 int condense_sides(struct condense *o, double *const side[SIDES], const double *q, double t)
 {
     static const double ASIDE = 3e-2, LEAST = 1e-3; /* rad, or of the mechanism's length */
-    if (!nearly_singular(o)) return 0;
+    if (o->solve.nknown || !nearly_singular(o)) return 0;
     const double here = solve_ratio(&o->solve);
     for (double aside = ASIDE; aside > LEAST; aside /= 4)
         if (go_beside(o, side, q, t, aside, here)) return 1;

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "loop/loops_parts.h"
+
 /* --- C_qd and G --------------------------------------------------------------------------------- */
 
 static bool same(struct made a, struct made b)
@@ -92,10 +94,27 @@ double solve_gain(struct solve *o, int i)
 
 /* --- motion ------------------------------------------------------------------------------------- */
 
+/* Rates or accelerations `drive` [rows] of known coordinates. */
+static void know(const struct solve *o, double *xt, const double *drive)
+{
+    for (int k = 0; k < o->nknown; k++) xt[o->known[k].at] = drive[o->known[k].row] / o->known[k].scale;
+}
+
+int solve_known(const struct solve *o, double *q1)
+{
+    for (int k = 0; k < o->nknown; k++) {
+        const double x = o->rows->loops->c[o->known[k].row] / o->known[k].scale;
+        if (!isfinite(x)) return k;
+        q1[o->known[k].iq] = x;
+    }
+    return -1;
+}
+
 void solve_follow(const struct solve *o, double *xt, const double *drive)
 {
     assert(at_hand(o));
-    for (int i = 0; i < o->split->npart; i++) {
+    know(o, xt, drive);
+    for (int i = 0; !o->nknown && i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
         memset(o->x, 0, sizeof *o->x * (size_t)p->nr);
         for (int k = 0; k < p->nlead; k++) o->x[p->lead[k]] = drive[p->row[p->lead[k]]];
@@ -132,7 +151,10 @@ enum status solve_motion(struct solve *o, double *vt, double *at, const double *
         memset(at, 0, sizeof *at * (size_t)o->rows->n);
     open_move(o->rows->tree, q, vt);
     if (!o->rows->constant) tree->ops->accelerate(tree->sweep, vt, at, ALL);
-    accelerate(o, at);
+    if (o->nknown)
+        know(o, at, o->rows->loops->c2);
+    else
+        accelerate(o, at);
     return OK;
 }
 
@@ -151,7 +173,8 @@ static void multipliers(const struct solve *o, double *lambda, double *x, int i,
 void solve_multipliers(const struct solve *o, double *lambda, const double *rt)
 {
     assert(at_hand(o));
-    for (int i = 0; i < o->split->npart; i++) multipliers(o, lambda, o->x, i, rt);
+    for (const struct known *k = o->known; k < o->known + o->nknown; k++) lambda[k->row] = -rt[k->at] / k->scale;
+    for (int i = 0; !o->nknown && i < o->split->npart; i++) multipliers(o, lambda, o->x, i, rt);
 }
 
 void solve_reduce(const struct solve *o, double *r, double *lambda, const double *rt)
@@ -159,7 +182,8 @@ void solve_reduce(const struct solve *o, double *r, double *lambda, const double
     const int n = o->split->n, *ind = o->split->ind;
     assert(at_hand(o));
     for (int i = 0; i < n; i++) r[i] = 0;
-    for (int i = 0; i < o->split->npart; i++) {
+    if (o->nknown) solve_multipliers(o, lambda, rt);
+    for (int i = 0; !o->nknown && i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
         const double *F = o->block[i].C_qd.F;
         multipliers(o, lambda, o->x, i, rt);
@@ -174,6 +198,21 @@ void solve_reduce(const struct solve *o, double *r, double *lambda, const double
 
 /* --- building ----------------------------------------------------------------------------------- */
 
+static void find_known(struct solve *o, struct arena *life)
+{
+    const struct loops *l = o->rows->loops;
+    if (!o->rows->constant || l->nrow != l->model->ndrive) return;
+    for (int i = 0; i < o->rows->ncomponent; i++)
+        if (o->rows->component[i].nrow != 1 || o->rows->component[i].nk != 1) return;
+    o->known = TAKE(life, struct known, l->nrow);
+    for (int i = 0; i < o->rows->ncomponent; i++) {
+        const struct component *c = &o->rows->component[i];
+        const int row = c->row[0], loop = l->row[row].loop;
+        const struct model_measure *m = &l->model->measure[l->model->loop[loop].measure];
+        o->known[o->nknown++] = (struct known){row, c->k[0], m->iq, loops_scale(l, loop)};
+    }
+}
+
 void solve_build(struct solve *o, struct rows *rows, const struct split *split, struct arena *life)
 {
     *o = (struct solve){.rows = rows, .split = split, .life = life};
@@ -181,6 +220,7 @@ void solve_build(struct solve *o, struct rows *rows, const struct split *split, 
     o->at = TAKE(life, double, rows->tree->model->nq);
     o->x = TAKE(life, double, rows->loops->nrow);
     o->second = TAKE(life, double, rows->loops->nrow);
+    find_known(o, life);
     for (int i = 0; i < split->npart; i++) {
         const struct component *c = &rows->component[i];
         factor_build(&o->block[i].C_qd, &split->part[i], c->F, life);

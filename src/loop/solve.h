@@ -19,6 +19,12 @@ struct block {
     struct store store;
 };
 
+/* The drive of a coordinate that no other row reads: its motion is known.  scale: C_q, the only number of its row. */
+struct known {
+    int row, at, iq; /* places in C, v, q */
+    double scale;
+};
+
 /* What a cache was made of; posture 0: of none. */
 struct made {
     long posture, split;
@@ -28,6 +34,8 @@ struct solve {
     struct rows *rows;
     const struct split *split;
     struct block *block; /* of each component */
+    int nknown;          /* of all rows, or 0: then there is nothing to solve */
+    struct known *known; /* [nknown] */
     struct made factored, G;
     double *at;     /* [nq] where C_qd is factored, if that is of a posture */
     double *x;      /* [of a component's rows] */
@@ -38,6 +46,9 @@ struct solve {
 void solve_build(struct solve *o, struct rows *rows, const struct split *split, struct arena *life);
 /* Room for the split of component i as it is now. */
 void solve_fit(struct solve *o, int i);
+
+/* The known coordinates of q1 where drives are; -1, or the number of one that is not finite. */
+int solve_known(const struct solve *o, double *q1);
 
 /* The tree at q, C_qd factored there; G as well.  E_NUMERIC: singular or not finite. */
 enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why);
