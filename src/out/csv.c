@@ -4,7 +4,7 @@
  * 'e': nothing ever needs a quote. */
 #include <string.h>
 
-#include "out/cell.h"
+#include "out/number.h"
 #include "out/sink.h"
 
 struct csv {
@@ -57,11 +57,7 @@ static enum status csv_meta(struct sink *sink, const struct run_meta *meta, stru
 static enum status csv_row(struct sink *sink, const double *x, struct report *report)
 {
     struct csv *csv = sink->self;
-    char *to = stream_begin(csv->stream, (size_t)csv->n * (NUMBER_MOST + 1));
-    for (int i = 0; i < csv->n; i++) {
-        to = cell_put(to, x[i], "");
-        *to++ = ',';
-    }
+    char *to = number_list(stream_begin(csv->stream, (size_t)csv->n * (NUMBER_MOST + 1)), x, csv->n);
     to[-1] = '\n';
     return stream_end(csv->stream, to, report);
 }

@@ -199,14 +199,15 @@ INTO static inline char *put_shortest(char *to, const struct digits *d)
     return put_exponent(to, e < 0 ? -e : e);
 }
 
-int number_write(char *to, double x)
+/* The end; of what is not finite, where it begins. */
+INTO static inline char *put_number(char *to, double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     const uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
     const int e = (int)(bits >> 52 & 0x7ff);
     char *place = to + (bits >> 63);
-    if (e == 0x7ff) return 0;
+    if (e == 0x7ff) return to;
     *to = '-';
     struct decimal o;
     if (fraction != 0 && e != 0) {
@@ -215,10 +216,24 @@ int number_write(char *to, double x)
         o = shortest_of_few(fraction, e);
     } else {
         *place = '0';
-        return (int)(place + 1 - to);
+        return place + 1;
     }
     const struct digits d = digits_of(o);
-    return (int)(put_shortest(place, &d) - to);
+    return put_shortest(place, &d);
+}
+
+int number_write(char *to, double x)
+{
+    return (int)(put_number(to, x) - to);
+}
+
+char *number_list(char *to, const double *x, int n)
+{
+    for (int i = 0; i < n; i++) {
+        to = put_number(to, x[i]);
+        *to++ = ',';
+    }
+    return to;
 }
 
 /* printf rounds correctly from the exact value; only its digits and its exponent are taken, so that

@@ -16,6 +16,10 @@ enum { NUMBER_MOST = 27 }; /* bytes that a number may take while it is written *
  * NUMBER_MOST bytes may be written. */
 int number_write(char *to, double x);
 
+/* So x [n], a comma behind each, nothing for one that is not finite; returns the end.  No more than n (NUMBER_MOST + 1)
+ * bytes. */
+char *number_list(char *to, const double *x, int n);
+
 /* The same form of a finite number for people: rounded to `digits` (1..17) significant digits, last zeros dropped. */
 int number_round(char *to, double x, int digits);
 

@@ -25,8 +25,10 @@ bool record_looks(const struct sim *sim)
 
 void record_read(struct sim *sim)
 {
-    for (int i = 0; i < sim->chosen.n; i++)
-        sim->row[i] = record_value(sim, &sim->catalogue.origin[sim->chosen.index[i]]);
+    const struct origin *all = sim->catalogue.origin;
+    const int n = sim->chosen.n, *index = sim->chosen.index;
+    double *row = sim->row;
+    for (int i = 0; i < n; i++) row[i] = record_value(sim, &all[index[i]]);
 }
 
 enum status record_fill(struct sim *sim)

@@ -38,25 +38,29 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
     v3_cross_add(xa, b.w, turned);
 }
 
-/* Of the centre of mass: of a flexible body it is not where its frame is. */
-static bool centre_of_bent(const struct system *s, struct pose *o, int body)
+/* Of the centre of mass of a flexible body, which is not where its frame is. */
+static void centre_of_bent(const struct system *s, struct pose *o, int body)
 {
-    if (!s->model->body[body].flex) return false;
     s->ops->pose(s->view, o, body);
     elastic_centre(o, &s->tree.elastic, body, s->q, s->v, s->a);
-    return true;
 }
 
 void system_centre_stands(const struct system *s, struct pose *o, int body)
 {
     s = system_seen(s);
-    if (!centre_of_bent(s, o, body)) s->ops->stand(s->view, o, body);
+    if (s->model->body[body].flex)
+        centre_of_bent(s, o, body);
+    else
+        s->ops->stand(s->view, o, body);
 }
 
 void system_centre_moves(const struct system *s, struct pose *o, int body)
 {
     s = system_seen(s);
-    if (!centre_of_bent(s, o, body)) s->ops->stir(s->view, o, body);
+    if (s->model->body[body].flex)
+        centre_of_bent(s, o, body);
+    else
+        s->ops->stir(s->view, o, body);
 }
 
 void system_displacement(const struct system *s, double *d, const struct model_point *p)
