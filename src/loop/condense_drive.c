@@ -17,7 +17,10 @@
 void condense_time(struct condense *o, double t, double ta, double tb)
 {
     if (o->model->ndrive == 0) return;
-    loops_when(o->rows.loops, t, 0);
+    if (ta == tb)
+        loops_when(o->rows.loops, t, 0);
+    else
+        loops_where(o->rows.loops, t, 0);
     loops_over(o->rows.loops, ta, tb);
 }
 

@@ -7,7 +7,7 @@
 void condense_point(struct condense *o, double *q1, const double *q0, const double *dx, double s, double t,
                     double beside)
 {
-    loops_when(o->rows.loops, t, beside);
+    loops_where(o->rows.loops, t, beside);
     if (closing_point(&o->closing, q1, &o->lost, q0, dx, s)) return;
     for (int i = 0; i < o->model->nq; i++) q1[i] = NAN;
 }

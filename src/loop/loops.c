@@ -84,7 +84,8 @@ static const double *motion_of(struct loops *o, int l, double t)
 
 static void set_drives(struct loops *o, double t, double share, double beside)
 {
-    o->t = t;
+    o->t = o->from = o->to = t;
+    o->there = share == 1 && beside == 0;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         const double *x = motion_of(o, l, t), unit = loops_scale(o, l);
         int row = o->first[l];
@@ -97,15 +98,19 @@ static void set_drives(struct loops *o, double t, double share, double beside)
 
 void loops_when(struct loops *o, double t, double beside)
 {
-    if (o->as_it_is && o->t == t && beside == 0) return;
+    if (o->there && o->t == t && o->from == t && o->to == t && beside == 0) return;
     set_drives(o, t, 1, beside);
-    o->as_it_is = beside == 0;
+}
+
+void loops_where(struct loops *o, double t, double beside)
+{
+    if (o->there && o->t == t && beside == 0) return;
+    set_drives(o, t, 1, beside);
 }
 
 void loops_partly(struct loops *o, double t, double share)
 {
     set_drives(o, t, share, 0);
-    o->as_it_is = false;
 }
 
 /* Is the mean rate so far from that of the ends because there is a corner between? */
@@ -117,8 +122,8 @@ static bool has_corner(const struct signal *c, const double *a, const double *b,
 
 void loops_over(struct loops *o, double ta, double tb)
 {
-    if (ta == tb) return;
-    o->as_it_is = false;
+    if (ta == tb || (o->from == ta && o->to == tb)) return;
+    o->from = ta, o->to = tb;
     for (int l = model_first_drive(o->model); l < o->model->nloop; l++) {
         double a[3], unit = loops_scale(o, l) / (tb - ta);
         int row = o->first[l];

@@ -64,7 +64,8 @@ struct loops {
     struct row grad;     /* of a driven measure; its work */
     struct action *act;  /* [nloop] of drives: the measure where the bodies stand */
     double t;            /* time that drives are set for */
-    bool as_it_is;       /* as they are then: not by means, beside it or in part */
+    bool there;          /* they are where they are then: not beside it or in part */
+    double from, to;     /* [s] their rates are means over that; both t: they are what they are then */
     double *c, *c1, *c2; /* [nrow] of drives: where they are, their rate and acceleration; else 0 */
     double *cw;          /* [nrow] the rate that their force works with */
     struct moved *moved; /* [ndrive x MOVED] drives at the times last asked for */
@@ -76,6 +77,8 @@ struct loops *loops_build(const struct model *m, const struct sweep_ops *ops, st
 /* Drives as they are at t, and `beside`; then over [ta, tb], if that is longer than nothing, by their mean rate and
  * acceleration. */
 void loops_when(struct loops *o, double t, double beside);
+/* The same, but rates may be left as means: for who asks for places alone. */
+void loops_where(struct loops *o, double t, double beside);
 void loops_over(struct loops *o, double ta, double tb);
 /* The fraction `share` of the way from where they are drawn to where they are at t. */
 void loops_partly(struct loops *o, double t, double share);
