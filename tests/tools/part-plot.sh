@@ -69,6 +69,45 @@ refuse 2 "pick takes one error, not '1e-2,1e-3'" study --pick 1e-2,1e-3 "$ROOT/d
 expect "study --script: status, lines, a picture by work" "0 2 1 0" "$? $(grep -c '^.line[0-9] << END' script) $(grep -c '^plot ' script) $(test -e x.svg; echo $((! $?)))" err script
 expect "study --script: rows" 0 "$(test "$(wc -l <rows.csv)" -gt 5; echo $?)" rows.csv
 
+# Words of that script letter by letter, its numbers masked.  Its lines are the rows by growing work; the front those that none
+# is both cheaper and more accurate than, by falling error; the range whole decades around all of them.
+sed '/^[0-9]/d; s/x [0-9.]* a digit/x D a digit/; s/first [0-9][0-9.e-]*/first E/g; s/^set yrange .*/set yrange/' script >shape
+same "study --script: words" "$ROOT/tests/refdata/study.gnuplot" shape
+awk '
+    function wrong(what) { print what; bad = 1 }
+    FNR == 1 { file++ }
+    file == 1 && /^scheme/ { split($0, name, ","); for (i in name) at[name[i]] = i; next }
+    file == 1 { split($0, x, ","); n++; e[n] = x[at["error"]]; w[n] = x[at["work"]]; of[n] = x[at["scheme"]]; least = n == 1 || x[at["uncertain"]] < least ? x[at["uncertain"]] : least; next }
+    /<< END/ { kind = substr($1, 2); last = ""; next }
+    /^END/ { kind = ""; next }
+    kind ~ /^line/ {
+        for (i = 1; i <= n; i++) if (w[i] == $1 && e[i] == $3) { drawn[i]++; if (of[i] != scheme[kind] && scheme[kind]) wrong(kind " is of two schemes"); scheme[kind] = of[i] }
+        if (last != "" && $1 < last) wrong(kind " goes back from " last " to " $1)
+        last = $1
+    }
+    kind ~ /^front/ {
+        fronts++
+        for (i = 1; i <= n; i++) if (w[i] < $1 && e[i] <= $3) wrong("the front at " $1 ": " w[i] " is better")
+        if (last != "" && $3 > last) wrong("the front goes back")
+        last = $3
+    }
+    /^set yrange/ { gsub(/\[|\]|:/, " "); low = $3; high = $4 }
+    END {
+        for (i = 1; i <= n; i++) {
+            if (drawn[i] != 1) wrong("row " i " is drawn " drawn[i] + 0 " times")
+            best = 1
+            for (k = 1; k <= n; k++) if (e[k] <= e[i] && w[k] < w[i]) best = 0
+            bests += best
+            smallest = i == 1 || e[i] < smallest ? e[i] : smallest
+            largest = e[i] > largest ? e[i] : largest
+        }
+        if (least > 0 && least / 2 < smallest) smallest = least / 2
+        if (fronts != bests) wrong("the front has " fronts + 0 " rows of " bests)
+        if (!(low <= smallest && low > smallest / 10 && high >= largest && high < 10 * largest)) wrong("range " low " to " high " for " smallest " to " largest)
+        exit bad || n < 6
+    }' rows.csv script >wrong
+expect "study --script: lines, front, range" 0 $? wrong rows.csv
+
 # Without gnuplot: the package is named, at once; scripts are printed all the same.
 bare() { PATH=$work/none "$FMDSUB" "$@"; }
 bare plot two.csv >out 2>err
