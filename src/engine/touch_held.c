@@ -62,13 +62,21 @@ static void correct_normals(struct touch *o, double h)
     }
 }
 
+/* Is a part of a step so short that round-off of gaps over it would be speeds?  Then rates at its end are held, not gaps, as
+ * in an impact: what comes nearer along them loses its energy. */
+static bool is_short(const struct touch *o, double h)
+{
+    static const double SPEED = 1e-8; /* of the largest velocity */
+    return touch_noise(o, h) > SPEED * o->top;
+}
+
 static enum status rows_there(struct touch *o, const struct instant *x, double h, struct trouble *why)
 {
     const struct ode2_contact *c = o->c;
     TRY(c->gap(o->c, &o->g1, o->reach, o->q1, x->tb, why));
     TRY(c->rows(o->c, o->middle.G, o->middle.b, o->contact, o->n, o->q, x->t, why));
     TRY(c->rows(o->c, o->end.G, o->end.b, o->contact, o->n, o->q1, x->tb, why));
-    correct_normals(o, h);
+    if (!is_short(o, h)) correct_normals(o, h);
     return OK;
 }
 
@@ -94,6 +102,12 @@ double touch_noise(const struct touch *o, double h)
     double size = 0;
     for (int k = 0; k < o->n; k++) size = larger(size, larger(1, o->cone[k].mu) * o->size[o->contact[k]]);
     return DBL_EPSILON * size / h;
+}
+
+/* Of rates. */
+static double roughness(const struct touch *o, double h)
+{
+    return is_short(o, h) ? 0 : NOISE * touch_noise(o, h);
 }
 
 /* Across two directions the way turns: of what slides well friction goes by the way in the middle of the step, that at its end is
@@ -138,14 +152,14 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     for (int i = 0; i < n; i++) o->vf[i] = o->v1[i] - h * o->y[i];
     if (count == 0) touch_grow(o, o->vf); /* without contacts: so of what nothing has moved yet, too */
     touch_rates(o, o->u, &o->end, o->vf);
-    for (int k = 0; k < o->n; k++) {
+    for (int k = 0; k < o->n && !is_short(o, h); k++) {
         const int row = o->cone[k].row;
         o->u[row] += 2 / h * (o->g1.gap[o->contact[k]] - left_open(o, o->contact[k], h)) -
                      dot(o->end.G + row * n, o->v1, n) - o->end.b[row];
     }
     turn_ways(o, h);
     const double size = larger(o->top, DBL_MIN);
-    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, NOISE * touch_noise(o, h), &o->work))
+    if (!cone_solve(o->l, o->W, o->u, o->cone, o->n, o->rows, size, roughness(o, h), &o->work))
         return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->tb);
     touch_kick(o, o->vf, o->l);
     *err = 0;
@@ -175,7 +189,7 @@ static bool pressed(const struct touch *o)
 static enum status iterate(struct touch *o, struct instant *at, const struct state *x, double h, double t1,
                            struct trouble *why)
 {
-    const double rough = NOISE * touch_noise(o, h);
+    const double rough = roughness(o, h);
     double err = INFINITY, least = INFINITY;
     for (int k = 0, since = 0; k < LIMIT; k++) {
         *at = place(o, x, h, t1);
@@ -201,6 +215,7 @@ static enum status book(struct touch *o, struct instant *at, double h, struct tr
     touch_rates(o, o->u, &o->middle, o->vm);
     for (int k = 0; k < o->n; k++)
         for (int j = 1; j <= o->cone[k].across; j++) rub += o->l[o->cone[k].row + j] * o->u[o->cone[k].row + j];
+    for (int k = 0; k < o->n && is_short(o, h); k++) s->struck -= o->l[o->cone[k].row] * o->u[o->cone[k].row];
     s->work[POWER_FRICTION] += rub;
     s->work[POWER_DRIVE] -= dot(o->l, o->middle.b, o->rows);
     return OK;
@@ -245,7 +260,7 @@ static void book_rubbing(struct touch *o)
 static enum status settle(struct touch *o, double h, double t1, struct trouble *why)
 {
     const struct state there = {t1, o->q1, o->v1, o->a};
-    double most = 0, rough = NOISE * touch_noise(o, h);
+    double most = 0, rough = roughness(o, h);
     const bool mended = o->took == 0 || has_mended(o);
     touch_keep(o);
     int n = 0;
