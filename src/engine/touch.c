@@ -46,7 +46,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     const struct ode2 *ode = s->ode;
     const int m = ode->contact->m, rows = ode->contact->nrow, n = ode->n;
     int **whole[] = {&o->first, &o->closed, &o->which, &o->pushed, &o->state, &o->contact, &o->turns, &o->forced};
-    double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l};
+    double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l, &o->last};
     double **of_n[] = {&o->v1, &o->vm, &o->a, &o->dx, &o->r, &o->y, &o->vf, &o->weight};
     double **of_m[] = {&o->size, &o->e, &o->impulse};
     struct nearby *gaps[] = {&o->g, &o->g0, &o->g1};

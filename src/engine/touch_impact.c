@@ -2,8 +2,9 @@
  *
  *     M (v1 - v0) = G' p,   0 <= u_n1 + e min(u_n0, 0), p_n >= 0, one of them 0
  *
- * and the cone of friction on the rates across behind the impact.  The loss is -p.(u0 + u1)/2.  With friction and several
- * contacts Newton's restitution can gain energy (Kane & Levinson, Dynamics (1985)): then e is halved until it does not. */
+ * and the cone of friction on the rates across behind the impact, of joints by what they bear of p.  The loss is
+ * -p.(u0 + u1)/2.  With friction and several contacts Newton's restitution can gain energy (Kane & Levinson, Dynamics (1985)):
+ * then e is halved until it does not. */
 #include <float.h>
 #include <math.h>
 
@@ -12,7 +13,8 @@
 #include "engine/motion.h"
 #include "engine/touch_parts.h"
 
-enum { HALVINGS = 20 };
+enum { HALVINGS = 20, PASSES = 60 };
+static const double ENOUGH = 1e-9; /* of the impulses: where joints that rub have come to rest with what presses them */
 static const double SLOWED = 1e-3; /* of the hardest impact in this step: where bouncing comes to its end */
 
 /* How its gap is pulled to: by all but contacts, or as it was on the way here, where closed ones carry the other body. */
@@ -42,22 +44,48 @@ static double restitution(const struct touch *o, int k, const struct state *x, d
     return an < 0 && -un <= TOUCH_AT_REST * 1e-3 * o->top ? 0 : e;
 }
 
-/* p and the loss [J] with e times the restitutions y. */
-static bool strike(struct touch *o, double *loss, double e)
+/* l that brings u1 to where they are to be.  Joints that rub are pressed by the impact, by their own friction, too: by the
+ * forces of a motion that does it all in next to no time, beside which no others count. */
+static enum status find(struct touch *o, bool *found, const struct state *x, struct trouble *why)
+{
+    static const double BRIEF = 1e-9, ROUND_OFF = 1e-14; /* of a usual step, of the impulses */
+    const double h = BRIEF * o->usual;
+    double moved = INFINITY;
+    zero(o->l, o->rows);
+    for (int k = 0; k < PASSES && moved > ROUND_OFF; k++) {
+        const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .a = o->y, .ta = x->t, .tb = x->t};
+        double most = DBL_MIN;
+        zero(o->y, o->ode->n);
+        touch_kick(o, o->y, o->l);
+        for (int i = 0; i < o->ode->n; i++) o->y[i] /= h;
+        copy(o->last, o->l, o->rows);
+        if (k > 0) TRY(touch_press(o, &at, h, k - 1, why));
+        *found = cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, 0, &o->work);
+        if (!*found || !o->c->bound) return OK;
+        for (int i = 0; i < o->rows; i++) most = larger(most, fabs(o->l[i]));
+        moved = 0;
+        for (int i = 0; i < o->rows; i++) moved = larger(moved, fabs(o->l[i] - o->last[i]) / most);
+    }
+    *found = moved <= ENOUGH;
+    return OK;
+}
+
+/* l and the loss [J] with e times the restitutions. */
+static enum status strike(struct touch *o, double *loss, double e, const struct state *x, struct trouble *why)
 {
     for (int i = 0; i < o->rows; i++) o->u1[i] = o->u[i];
     for (int k = 0; k < o->n; k++) {
         const int row = o->cone[k].row;
         o->u1[row] += e * o->e[k] * smaller(o->u[row], 0);
     }
-    zero(o->l, o->rows);
-    if (!cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, 0, &o->work)) return false;
+    bool found;
+    TRY(find(o, &found, x, why));
     for (int i = 0; i < o->rows; i++) {
         o->u1[i] = o->u[i];
         for (int j = 0; j < o->rows; j++) o->u1[i] += o->W[i + j * o->rows] * o->l[j];
     }
     *loss = touch_taken(o);
-    return true;
+    return found ? OK : trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
 }
 
 /* Those that leave so slowly that it is next to rest are to stay: points of one body that rattle would throw each
@@ -125,11 +153,10 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
         o->top = larger(o->top, fabs(o->u[o->cone[k].row]));
     }
     for (int i = 0; i <= HALVINGS; i++, e = i < HALVINGS ? e / 2 : 0) {
-        if (!strike(o, &loss, e)) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
+        TRY(strike(o, &loss, e, x, why));
         if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
     }
-    if (hold_slow(o, x) && !strike(o, &loss, e))
-        return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
+    if (hold_slow(o, x)) TRY(strike(o, &loss, e, x, why));
     for (int k = 0; k < o->n; k++) /* nothing gives way: it is driven */
         if (!(o->u1[o->cone[k].row] >= -SLOWED * o->hardest - TOUCH_AT_REST * o->top))
             return trouble_set(why, TROUBLE_CONTACT, o->contact[k], INFINITY, x->t);

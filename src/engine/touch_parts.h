@@ -81,6 +81,7 @@ struct touch {
     struct touch_rows middle, end;
     double *X, *W;           /* [n x rows], [rows x rows] */
     double *u, *u1, *l;      /* [rows] */
+    double *last;            /* [rows] l of the pass before */
     struct nearby g, g0, g1; /* gaps: as touch_gaps() has seen them, */
     struct {
         double *q, t, reach;               /* NAN: it has not */
