@@ -183,7 +183,7 @@ static bool lasts(const struct sim *sim)
 static bool taken_away(double *share, int *at, double *omega_h, struct sim *sim)
 {
     enum { MANY = 500 };
-    static const double RESOLVED = 1;
+    static const double RESOLVED = .5;
     const struct ledger *l = &sim->ledger;
     if (sim->guard.taken || sim->stepper.kind->adaptive || sim->stepper.ode->n > MANY) return false;
     const bool much = l->burst > l->delta * energy_there(sim);

@@ -11,7 +11,8 @@
 #include "engine/touch.h"
 #include "sim/parts.h"
 
-static const double SMALL = 1e-6; /* of usual sizes: what the state is moved by */
+static const double SMALL = 1e-6;   /* of usual sizes: what the state is moved by */
+static const double EXCITED = 3e-3; /* of the energy of motion, not resolved: it moves all else by about a percent */
 enum { DRAWS = 2 };
 
 void trust_open(struct sim *sim, struct arena *life)
@@ -248,6 +249,8 @@ static const char *reason(const struct sim *sim)
     if (sim->stepper.ode->n == 0) return NULL;
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
+    if (sim->stepper.unresolved.energy > EXCITED * sim->stepper.unresolved.motion)
+        return "the minor steps do not resolve what vibrates in them";
     if (sim->guard.taken) return "the scheme has damped away what the steps do not resolve";
     if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
     if (sim->stepper.touch && touch_pushed(sim->stepper.touch))

@@ -103,6 +103,29 @@ initial: {A.angle_rate: 1.0e-7, B.angle_rate: 1.0e-7}
 integrate: {scheme: midpoint, step: 1.0e-2, until: 1}
 output: {every: {steps: 1}, columns: [B.angle]}
 DECK
+# A loop with a beam in it, whose modes are fast; the crank's swing outlasts them.
+cat >flexloop.yaml <<'DECK'
+fmdsub: 1
+bodies:
+  a: {mass: 1, inertia: 0.1, at: [0, 0.5]}
+  arm:
+    beam: {from: [0, 1], to: [2, 1.4], elements: 6}
+    section: {rectangle: [0.02, 0.01]}
+    material: steel
+    modes: 1
+    damping: {beta: 3.0e-3}
+  c: {mass: 1, inertia: 0.1, at: [2, 0.75]}
+constraints:
+  A: {revolute: [ground, a], at: [0, 0]}
+  B: {revolute: [a, arm], at: [0, 1]}
+  C: {revolute: [arm, c], at: [2, 1.4]}
+  D: {revolute: [ground, c], at: [2, 0]}
+forces: {s: {spring: A.angle, stiffness: 500}, d: {damper: A.angle, damping: 0.2}}
+partition: {fast: [arm]}
+initial: {A.angle_rate: 1.0e-7}
+integrate: {scheme: midpoint, step: 1.0e-2, until: 1}
+output: {every: {steps: 1}, columns: [A.angle]}
+DECK
 for scheme in midpoint newmark generalized-alpha hht subcycle; do
     leaves osc 2 pair $scheme 0.3 1 40
     leaves osc 2 pair $scheme 0.3 1 13 -s integrate.rho_infinity=0.7
@@ -124,6 +147,10 @@ for scheme in subcycle miao daniel neal-belytschko; do
     leaves space 2 pair $scheme 2.0e-3 5 260
 done
 leaves beam 3 pair rk4 9.2e-3 1 10
+for scheme in midpoint newmark hht; do leaves flexloop 2 pair $scheme 0.02 1 400; done
+for scheme in subcycle miao; do leaves flexloop 2 pair $scheme 4.0e-3 5 400; done
+leaves flexloop 2 pair subcycle 2.0e-3 10 400
+leaves flexloop 2 pair subcycle 4.0e-3 5 400 -s integrate.rho_infinity=0.5
 
 "$FMDSUB" stability pair.yaml >out 2>err
 rc=$?
