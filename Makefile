@@ -19,6 +19,7 @@ CFLAGS   ?=
 LDFLAGS  ?=
 ## PREFIX        where install puts things (/usr/local); DESTDIR goes before it
 PREFIX   ?= /usr/local
+## SUNDIALS      folder of SUNDIALS, where the compiler does not find it; none: scheme bdf is left out
 ## U             names of the unit tests to run: make unit U=newton, make unit U="newton newmark"
 ## D             decks to run, those whose names contain one of the words: make decks D=chain
 ## V             V=1 shows commands and names every test
@@ -26,8 +27,8 @@ PREFIX   ?= /usr/local
 # The same bits everywhere: no contraction to fused multiply-add, never fast-math.
 EXACT     = -ffp-contract=off -fno-math-errno
 COVERAGE  = $(if $(findstring coverage,$(CFLAGS)),-DCOVERAGE)
-ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(COVERAGE) $(CFLAGS)
-LDLIBS    = -lyaml -lcjson -lm
+ALL_CFLAGS = -std=c11 -D_GNU_SOURCE -Isrc $(OPT) -g $(WARN) $(EXACT) -MMD -MP $(COVERAGE) $(WITH_CVODE) $(CFLAGS)
+LDLIBS    = $(if $(WITH_CVODE),$(CVODE)) -lyaml -lcjson -lm
 
 SOURCES  := $(sort $(filter-out src/reduce/%,$(wildcard src/*/*.c)))
 # fmdsub-reduce, where LAPACK and ARPACK are found.
@@ -37,12 +38,16 @@ REDUCED  := $(REDUCES:src/%.c=$(BUILD)/obj/%.o)
 REDUCER  := $(BUILD)/fmdsub-reduce
 HAVE     := $(shell echo 'int main(void) { return 0; }' | $(CC) -x c - $(FORTRAN) -o /dev/null 2>/dev/null && echo yes)
 FOUND    := $(if $(HAVE),$(REDUCER))
+# The scheme bdf, where CVODE of SUNDIALS 6 is found.
+comma    := ,
+CVODE    := $(SUNDIALS:%=-L%/lib) $(SUNDIALS:%=-Wl$(comma)-rpath$(comma)%/lib) -lsundials_cvode
+WITH_CVODE := $(if $(filter none,$(SUNDIALS)),,$(shell echo 'int main(void) { int six[SUNDIALS_VERSION_MAJOR == 6 ? 1 : -1]; return CVode(0, 0, 0, 0, sizeof six); }' | \
+                $(CC) $(SUNDIALS:%=-isystem %/include) -include cvode/cvode.h -x c - $(CVODE) -o /dev/null 2>/dev/null && echo -DCVODE $(SUNDIALS:%=-isystem %/include)))
 OBJECTS  := $(SOURCES:src/%.c=$(BUILD)/obj/%.o)
 LIBRARY   = $(BUILD)/libfmdsub.a
 PROGRAM   = $(BUILD)/fmdsub
 UNITS    := $(patsubst tests/unit/t-%.c,%,$(sort $(wildcard tests/unit/t-*.c)))
 ifdef U
-comma    := ,
 near      = $(shell printf '%s\n' $(UNITS) | grep -e '$(1)' -e "^$$(echo '$(1)' | cut -c 1-2)")
 UNITS    := $(foreach u,$(patsubst t-%,%,$(subst $(comma), ,$(U))),$(or $(filter $(u),$(UNITS)),$(error no unit test '$(u)'; near it: $(call near,$(u)))))
 endif
@@ -76,6 +81,13 @@ $(BUILD)/obj/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(call say,CC)
 	$(Q)$(CC) $(ALL_CFLAGS) -c -o $@ $<
+
+# Compiled anew where CVODE has come or gone.
+$(BUILD)/obj/engine/bdf.o $(BUILD)/obj/engine/bdf_cvode.o $(BUILD)/obj/multirate/schemes.o: $(BUILD)/with$(firstword $(WITH_CVODE))
+$(BUILD)/with $(BUILD)/with-DCVODE:
+	@mkdir -p $(@D)
+	@rm -f $(BUILD)/with $(BUILD)/with-DCVODE
+	@touch $@
 
 $(LIBRARY): $(filter-out $(BUILD)/obj/cli/main.o,$(OBJECTS))
 	@mkdir -p $(@D)

@@ -32,6 +32,10 @@ static enum status read_schemes(struct choices *o, const struct request *request
     if (o->nscheme > MOST_CHOICES) return fail(report, E_USAGE, "--schemes: more than %d", MOST_CHOICES);
     for (int i = 0; i < o->nscheme; i++) {
         o->scheme[i] = stepper_find(words[i]);
+        const struct stepper_kind *absent = stepper_find_absent(words[i]);
+        if (absent)
+            return fail(report, E_USAGE, "--schemes: %s is not in this build, which had not found %s", absent->name,
+                        absent->needs);
         if (!o->scheme[i]) return fail(report, E_USAGE, "--schemes: no scheme '%.40s'", words[i]);
     }
     return OK;

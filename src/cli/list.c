@@ -39,12 +39,22 @@ static void print_sections(const char *path, struct arena *life)
     }
 }
 
+static void print_scheme(const struct stepper_kind *k)
+{
+    printf("%-17s order %d%s%s  %s", k->name, k->order, k->two_rates ? ", two rates" : "",
+           k->adaptive ? ", own steps" : "", k->brief);
+}
+
 static void print_schemes(void)
 {
-    for (int i = 0; stepper_kinds[i]; i++)
-        printf("%-17s order %d%s%s  %s\n", stepper_kinds[i]->name, stepper_kinds[i]->order,
-               stepper_kinds[i]->two_rates ? ", two rates" : "", stepper_kinds[i]->adaptive ? ", own steps" : "",
-               stepper_kinds[i]->brief);
+    for (int i = 0; stepper_kinds[i]; i++) {
+        print_scheme(stepper_kinds[i]);
+        putchar('\n');
+    }
+    for (int i = 0; stepper_absent[i]; i++) {
+        print_scheme(stepper_absent[i]);
+        printf(" (not in this build: %s was missing)\n", stepper_absent[i]->needs);
+    }
 }
 
 static void print_effects(void)
@@ -63,18 +73,23 @@ static enum status put_table(const struct table *table, const struct request *re
     return table_print(table, table_form_of(request->format, false), stdout, report);
 }
 
+static void scheme_row(struct table *table, const struct stepper_kind *k, bool absent)
+{
+    table_text(table, k->name);
+    table_number(table, k->order);
+    table_text(table, k->two_rates ? "yes" : "no");
+    table_text(table, k->adaptive ? "yes" : "no");
+    table_text(table, k->brief);
+    table_text(table, absent ? k->needs : "");
+}
+
 static enum status schemes_table(const struct request *request, struct arena *life, struct report *report)
 {
-    static const struct table_column columns[] = {
-        {"scheme", NULL, 0}, {"order", NULL, 6}, {"two_rates", NULL, 0}, {"own_steps", NULL, 0}, {"brief", NULL, 0}};
-    struct table *table = table_open(columns, 5, life);
-    for (int i = 0; stepper_kinds[i]; i++) {
-        table_text(table, stepper_kinds[i]->name);
-        table_number(table, stepper_kinds[i]->order);
-        table_text(table, stepper_kinds[i]->two_rates ? "yes" : "no");
-        table_text(table, stepper_kinds[i]->adaptive ? "yes" : "no");
-        table_text(table, stepper_kinds[i]->brief);
-    }
+    static const struct table_column columns[] = {{"scheme", NULL, 0},    {"order", NULL, 6}, {"two_rates", NULL, 0},
+                                                  {"own_steps", NULL, 0}, {"brief", NULL, 0}, {"missing", NULL, 0}};
+    struct table *table = table_open(columns, 6, life);
+    for (int i = 0; stepper_kinds[i]; i++) scheme_row(table, stepper_kinds[i], false);
+    for (int i = 0; stepper_absent[i]; i++) scheme_row(table, stepper_absent[i], true);
     return put_table(table, request, report);
 }
 

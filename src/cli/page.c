@@ -204,18 +204,23 @@ static void print_functions(FILE *to)
     fputs(".El\n", to);
 }
 
+static void print_scheme(FILE *to, const struct stepper_kind *k)
+{
+    fprintf(to, ".It Ic %s\n", k->name);
+    put_all(to, "", k->brief, ".\n");
+    fprintf(to, "Order %d%s%s.\n", k->order, k->two_rates ? ", two rates" : "",
+            k->adaptive   ? ", steps of its own"
+            : k->tolerant ? ", steps of its own where there is a tolerance"
+                          : "");
+    if (k->needs) fprintf(to, "Only in builds with %s.\n", k->needs);
+}
+
+/* Of this build or not: the manual is the same everywhere. */
 static void print_schemes(FILE *to)
 {
     fputs(".Bl -tag -width subcycle\n", to);
-    for (int i = 0; stepper_kinds[i]; i++) {
-        const struct stepper_kind *k = stepper_kinds[i];
-        fprintf(to, ".It Ic %s\n", k->name);
-        put_all(to, "", k->brief, ".\n");
-        fprintf(to, "Order %d%s%s.\n", k->order, k->two_rates ? ", two rates" : "",
-                k->adaptive   ? ", steps of its own"
-                : k->tolerant ? ", steps of its own where there is a tolerance"
-                              : "");
-    }
+    for (int i = 0; stepper_kinds[i]; i++) print_scheme(to, stepper_kinds[i]);
+    for (int i = 0; stepper_absent[i]; i++) print_scheme(to, stepper_absent[i]);
     fputs(".El\n", to);
 }
 

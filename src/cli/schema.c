@@ -177,6 +177,7 @@ static void put_schemes(cJSON *integrate)
     cJSON *scheme = cJSON_GetObjectItem(cJSON_GetObjectItem(integrate, "properties"), "scheme");
     cJSON *list = cJSON_AddArrayToObject(scheme, "enum");
     for (int i = 0; stepper_kinds[i]; i++) cJSON_AddItemToArray(list, cJSON_CreateString(stepper_kinds[i]->name));
+    for (int i = 0; stepper_absent[i]; i++) cJSON_AddItemToArray(list, cJSON_CreateString(stepper_absent[i]->name));
     cJSON_AddItemToArray(list, cJSON_CreateString("auto"));
 }
 

@@ -109,6 +109,9 @@ const struct diag_help diag_helps[] = {
     {"E-unknown-joint", "`fmdsub list joints` shows the kinds of joints."},
     {"E-unknown-measure", "A measure is a distance, a displacement along an axis, or an angle."},
     {"E-unknown-force", "`fmdsub list forces` shows the kinds of forces."},
+    {"E-absent-scheme",
+     "The scheme needs a library that was not there when this program was built: install the package that "
+     "is named and build anew, or take another scheme; `fmdsub list schemes` shows them."},
     {"E-unknown-scheme", "`fmdsub list schemes` shows the integration schemes."},
     {"E-two-kinds", "Two keys say what the thing is, or give the same quantity. Keep one of them."},
     {"E-which-coordinate",

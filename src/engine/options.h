@@ -16,6 +16,7 @@ struct step_options {
     double beta, gamma;  /* (2-5), (2-6) */
     int iteration;       /* enum iteration; fixed-point is (2-9) as printed */
     int order;           /* of schemes that can be composed: 2 or 4 */
+    int most_order;      /* of those of an order of its own: 1 to 5 */
     int symmetric;       /* W at the average of both ends, second pass */
     int stage;           /* it is one of those of a step of order 4: set by engine/composed.c alone */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */

@@ -55,6 +55,10 @@ struct stepper_kind {
     bool yardstick;                    /* to compare with: nobody is advised to take it */
     bool cut;                          /* its steps may be cut at impacts and where friction sets in: rigid contacts */
     bool keeps;                        /* the momenta of what flies freely: settle() of ode2.h */
+    /* Debian package of a library that a build may be without, NULL: none.  The scheme runs where it is asked for by name
+     * alone, so that what is chosen is the same everywhere. */
+    const char *needs;
+    bool starts_anew; /* a run that goes on from a state that was kept does so without the past */
     int order;
     int adaptive; /* chooses its own steps inside H */
     bool full;    /* its matrices are full ones of all coordinates: for hundreds of these */

@@ -27,6 +27,13 @@ static double energy_at(const struct stepper *s, double t)
     return s->ode->kinetic(s->ode, m->q, m->works.u, t);
 }
 
+double works_scale(struct stepper *s, double t)
+{
+    struct works *o = &adaptive_of(s)->works;
+    o->energy = larger(o->energy, energy_at(s, t));
+    return o->energy + o->turned;
+}
+
 static double share(const struct adaptive *m, double most, double by)
 {
     const double scale = m->tolerance * (m->works.energy + m->works.turned + by);

@@ -14,5 +14,7 @@
 void works_open(struct works *o, int n, struct arena *life);
 /* A step has been taken; works of H before and after it. */
 void works_taken(struct works *o, const double *before, const double *after);
+/* E + sum |work| at the state, at t [J]. */
+double works_scale(struct stepper *s, double t);
 
 #endif

@@ -124,6 +124,7 @@ enum status memory_take(struct sim *sim, struct arena *life, struct report *repo
         span[i] = (struct recalled){memory->item[i]->key, memory->item[i]->text ? memory->item[i]->text : ""};
     recall_back(&r, span, memory->count);
     TRY(memory_recall(sim, &r));
+    if (sim->stepper.kind->starts_anew) sim->forgets = "the scheme begins again at order 1";
     if (!*r.wrong) return OK;
     return fail(report, E_MODEL,
                 "no start: what the integrator carried does not fit this run ('%s' in the state's 'memory'); without "

@@ -86,6 +86,13 @@ static enum status find_scheme(struct sim *sim, struct diags *diags)
         return check_options(sim, kind, diags);
     }
     const struct node *at = node_find(p->node, "scheme");
+    kind = stepper_find_absent(p->scheme);
+    if (kind) {
+        diag_error(diags, at, AT_VALUE, "E-absent-scheme", "scheme %s is not in this build, which had not found %s",
+                   kind->name, kind->needs);
+        diag_hint(diags, "install that package (Debian) and build anew, or take radau9");
+        return E_DECK;
+    }
     diag_error(diags, at, AT_VALUE, "E-unknown-scheme", "unknown scheme '%.60s'", p->scheme);
     const char *nearest = text_nearest(p->scheme, names, n);
     if (nearest)

@@ -34,7 +34,7 @@ static bool makes_sense(const struct stepper_kind *kind, const struct subject *s
 {
     if (subject->scene->ncontact && !takes_contacts(kind)) return false;
     if (kind == stepper_find(subject->scene->integrate.scheme)) return !too_full(kind, subject);
-    return !too_full(kind, subject) && !damps(kind) && (!kind->two_rates || two_rates(subject));
+    return !too_full(kind, subject) && !kind->needs && !damps(kind) && (!kind->two_rates || two_rates(subject));
 }
 
 static struct chain *begin(struct grid *o, bool ladder, struct arena *life)

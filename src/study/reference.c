@@ -137,7 +137,7 @@ static enum status run_trials(struct trials *o, const struct subject *subject, d
     *o = (struct trials){.subject = subject};
     for (int i = 0; stepper_kinds[i] && o->n < MOST_TRIALS; i++) {
         const struct stepper_kind *kind = stepper_kinds[i];
-        if (kind->order >= HIGH && kind->adaptive && !too_full(kind, subject))
+        if (kind->order >= HIGH && kind->adaptive && !kind->needs && !too_full(kind, subject))
             o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1, 0}, INFINITY, 0};
     }
     o->most = fmin(TRIALS * most / o->n, MOST_TRIAL);

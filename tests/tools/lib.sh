@@ -20,6 +20,9 @@ ok() { echo "ok $1"; }
 skip() { echo "skip $1: $2"; }
 known() { echo "known $1: $2"; }
 
+# Is a scheme in this build?
+has_scheme() { "$FMDSUB" list schemes | grep "^$1 " | grep -qv 'not in this build'; }
+
 # not_ok NAME REASON [FILE...]: the files are shown, indented.
 not_ok() {
     echo "not ok $1"

@@ -441,6 +441,7 @@ static inline double carrier_energy(const struct carrier *s, const double *q, co
 enum { RUN_MOST = 16 };
 
 static const struct step_options step_defaults = {.order = 2,
+                                                  .most_order = 5,
                                                   .beta = .25,
                                                   .gamma = .5,
                                                   .iteration = ITERATION_NEWTON,

@@ -31,6 +31,7 @@ static void test_keys(void **state)
     for (const struct key *k = block.keys; k->name; k++) {
         int readers = 0;
         for (int i = 0; stepper_kinds[i]; i++) readers += key_find(stepper_kinds[i]->keys, k->name) != NULL;
+        for (int i = 0; stepper_absent[i]; i++) readers += key_find(stepper_absent[i]->keys, k->name) != NULL;
         assert_true(readers > 0 && (k == block.keys || k->offset > k[-1].offset));
         assert_true(key_find(all, k->name) && key_find(all, k->name) - all >= 4);
     }
