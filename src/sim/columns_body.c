@@ -4,72 +4,76 @@
 
 /* ---- bodies ---- */
 
-static struct pose standing(const struct sim *sim, const struct origin *o)
+static const struct pose *standing(struct pose *p, const struct sim *sim, const struct origin *o)
 {
-    struct pose p;
-    system_centre_stands(sim->system, &p, o->index);
+    system_centre_stands(sim->system, p, o->index);
     return p;
 }
 
-static struct pose moving(const struct sim *sim, const struct origin *o)
+static const struct pose *moving(struct pose *p, const struct sim *sim, const struct origin *o)
 {
-    struct pose p;
-    system_centre_moves(sim->system, &p, o->index);
+    system_centre_moves(sim->system, p, o->index);
     return p;
 }
 
 static double place(const struct sim *sim, const struct origin *o)
 {
-    return standing(sim, o).r[o->k];
+    struct pose p;
+    return standing(&p, sim, o)->r[o->k];
 }
 
 static double angle(const struct sim *sim, const struct origin *o)
 {
-    return standing(sim, o).angle;
+    struct pose p;
+    return standing(&p, sim, o)->angle;
 }
 
 static double quaternion(const struct sim *sim, const struct origin *o)
 {
-    const struct pose p = standing(sim, o);
+    struct pose p;
     double q[4];
-    quat_of_matrix(q, p.R);
+    quat_of_matrix(q, standing(&p, sim, o)->R);
     return q[o->k];
 }
 
 static double tait_bryan(const struct sim *sim, const struct origin *o)
 {
-    const struct pose p = standing(sim, o);
+    struct pose p;
     double angles[3];
-    tait_bryan_of_matrix(angles, p.R);
+    tait_bryan_of_matrix(angles, standing(&p, sim, o)->R);
     return angles[o->k];
 }
 
 static double euler(const struct sim *sim, const struct origin *o)
 {
-    const struct pose p = standing(sim, o);
+    struct pose p;
     double angles[3];
-    euler_of_matrix(angles, p.R);
+    euler_of_matrix(angles, standing(&p, sim, o)->R);
     return angles[o->k];
 }
 
 static double velocity(const struct sim *sim, const struct origin *o)
 {
-    return moving(sim, o).v[o->k];
+    struct pose p;
+    return moving(&p, sim, o)->v[o->k];
 }
 
 static double angular_velocity(const struct sim *sim, const struct origin *o)
 {
-    return moving(sim, o).w[o->k];
+    struct pose p;
+    return moving(&p, sim, o)->w[o->k];
 }
 
 static double acceleration(const struct sim *sim, const struct origin *o)
 {
-    return moving(sim, o).a[o->k];
+    struct pose p;
+    return moving(&p, sim, o)->a[o->k];
 }
 
 static double angular_acceleration(const struct sim *sim, const struct origin *o)
 {
-    return moving(sim, o).al[o->k];
+    struct pose p;
+    return moving(&p, sim, o)->al[o->k];
 }
 
 const struct column_kind columns_body[] = {
