@@ -93,9 +93,12 @@ static struct step_options options_for(const struct sim *sim, const struct stepp
     return o;
 }
 
+/* Once: a scheme of two rates may be another one at the ratio 1. */
 static void add_rows(struct stability *o, const struct grid *g, const struct stepper_kind *kind, int ratio)
 {
     const struct step_options options = options_for(o->sim, kind);
+    for (const struct stability_row *r = o->row; r < o->row + o->nrow; r++)
+        if (r->kind == kind && r->ratio == ratio) return;
     for (int i = 0; i < g->nstep; i++) {
         struct stability_row *r = &o->row[o->nrow++];
         *r = (struct stability_row){.kind = kind, .step = g->step[i], .ratio = ratio, .most = ""};

@@ -160,6 +160,18 @@ expect "stability: a sentence" 1 "$(grep -c '^miao 10:1 grows at .* of the fast 
 "$FMDSUB" stability -q -f json --schemes midpoint --steps 0.1 pair.yaml >out 2>err
 expect "stability: M, K and the columns' rows" "0 1 1 2" "$? $(grep -c '"M":\[\[0.5,0.5\],\[0.5,1.5\]\]' out) $(grep -c '"K":\[\[\(200\|199.999999\)' out) $(grep -o '"name":"[a-z]*.displacement","unit":"m"' out | wc -l)" out err
 
+# Its rows are those of the table, number by number; where nothing can be known there is null.
+"$FMDSUB" stability -q -f csv --steps 0.01,0.1 pair.yaml >table 2>err
+"$FMDSUB" stability -q -f json --steps 0.01,0.1 pair.yaml >out 2>>err
+sed 's/.*"rows"://' out | tr '{' '\n' | sed -n '/^"scheme"/ { s/"[a-z]*"://g; s/[]"}[]//g; s/null//g; s/,*$//; p; }' >rows
+{ head -n 1 table; cat rows; } >whole
+same "stability: rows of the object and of the table" table whole
+expect "stability: which coordinates, at which time" '{"t":0,"coordinates":[{"name":"slot.displacement","fast":true},{"name":"rail.displacement","fast":false}]' \
+    "$(sed 's/,"M".*//' out)" out
+
+"$FMDSUB" stability -q -f csv --schemes midpoint,subcycle --ratios 1,5 --steps 0.01 pair.yaml >out 2>err
+expect "stability: midpoint, which is subcycle at ratio 1, once" "midpoint,1 subcycle,5" "$(sed 1d out | cut -d , -f 1,2 | tr '\n' ' ' | sed 's/ $//')" out err
+
 # The motion's own growth is no fault of a scheme's.
 "$FMDSUB" stability --schemes midpoint,newmark,subcycle --at 0.01 --steps 0.001,0.01,1 "$ROOT/decks/heavy-top.yaml" >out 2>err
 expect "stability: a motion that grows itself" "0 0 8 1" "$? $(grep -c unstable out) $(grep -c coarse out) $(grep -c '^the motion itself grows here' err)" out err
