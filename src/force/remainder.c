@@ -12,7 +12,7 @@
  *
  *     F = E v / (h N),   n = E l^2 w / (h N),   N = v.v + l^2 w.w,
  *
- * l^2 being the squares of the lever arms and of the distance: momenta are kept, and it is the same in every frame and
+ * l^2 being the squares of the lever arms of bodies and of the distance: momenta are kept, and it is the same in every frame and
  * from either body.  Where the bodies do not move against each other, nothing is missing. */
 #include <float.h>
 #include <math.h>
@@ -31,15 +31,15 @@ static void give_to_rotations(double *r, const struct part_of *p, double E, cons
     for (int i = 0; i < p->nturn; i++) r[p->turn[i]] -= E / (h * vv) * x->v[p->turn[i]];
 }
 
-/* Velocity at c of a frame that moves with the body. */
-static double velocity_at(double *v, const struct pose *b, const double *c, const double *at)
+/* Velocity at c of a frame that moves with the body; its lever arm's square, of the ground 0: it has no place of its own. */
+static double velocity_at(double *v, const struct pose *b, bool ground, const double *c, const double *at)
 {
     double arm[3], lever[3];
     v3_diff(arm, c, b->r);
     v3_cross(v, b->w, arm);
     v3_add(v, b->v);
     v3_diff(lever, at, b->r);
-    return v3_dot(lever, lever);
+    return ground ? 0 : v3_dot(lever, lever);
 }
 
 static void give_to_pair(const struct elements *e, struct sweep *s, const struct part_of *p, double E, double h,
@@ -52,7 +52,7 @@ static void give_to_pair(const struct elements *e, struct sweep *s, const struct
     v3_sum(c, at_a, at_b);
     v3_scale(c, .5, c);
     v3_diff(d, at_b, at_a);
-    ll = v3_dot(d, d) + velocity_at(va, &a, c, at_a) + velocity_at(v, &b, c, at_b);
+    ll = v3_dot(d, d) + velocity_at(va, &a, p->a == 0, c, at_a) + velocity_at(v, &b, p->b == 0, c, at_b);
     v3_take(v, va);
     v3_diff(w, b.w, a.w);
     const double N = v3_dot(v, v) + ll * v3_dot(w, w);

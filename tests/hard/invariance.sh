@@ -33,3 +33,27 @@ variant "shifted by 1000 m" 1 1e-9 -v x=1000 -v y=-300
 variant "shifted by 1e6 m" 1 1e-6 -v x=1000000 -v y=-300000
 variant "in millimetres" 1000 1e-10 -v scale=1000
 variant "all of it" 1000 1e-9 -v reversed=1 -v renamed=1 -v turn=-2.1 -v x=50 -v y=70 -v scale=1000
+
+# What a spring between the ground and a body misses of its energy is given to both the same way wherever the scene stands.
+cat >"$work/apart.yaml" <<'END'
+fmdsub: 1
+parameters: {X: 0}
+gravity: [0, 0, -9.81]
+bodies:
+  hub: {mass: 2, inertia: [0.1, 0.08, 0.13], at: [X, 0.2, 0], points: {p: [0.1, -0.2, 0.3]}}
+  arm: {mass: 5, inertia: [0.6, 0.5, 0.7], at: [X + 0.4, 0.3, 0.1]}
+constraints:
+  float: {free: [ground, hub], at: [X, 0, 0]}
+  loose: {free: [hub, arm], at: [X + 0.2, 0.2, 0]}
+forces:
+  inner: {bushing: [hub, arm], at: [X + 0.2, 0.1, 0], axis: [0.3, -0.5, 0.4], stiffness: [800, 800, 1600], rotation: [80, 80, 0]}
+  outer: {bushing: [ground, hub], at: [X, 0.3, 0.2], axis: [0, 0.6, -0.3], stiffness: [180, 180, 110], rotation: [18, 18, 0]}
+initial: {float.omega: {value: [0.5, -1.5, 1], frame: body}, loose.omega: {value: [1.1, 1.9, -1], frame: body}}
+integrate: {scheme: midpoint, step: 5.0e-3, until: 0.5, newton_tolerance: 1.0e-12}
+output: {every: 0.05, columns: [hub.vx, hub.vy, hub.vz, arm.vx, arm.vy, arm.vz, energy.kinetic]}
+END
+for scheme in midpoint subcycle; do
+    for X in 0 7 500; do "$FMDSUB" run -q --set integrate.scheme=$scheme --set parameters.X=$X "$work/apart.yaml" 2>"$work/err" | tail -n 1 >"$work/at$X"; done
+    near "a scene 7 m from the origin, $scheme" "$(cat "$work/at0")" "$(cat "$work/at7")" 1e-9
+    near "a scene 500 m from the origin, $scheme" "$(cat "$work/at0")" "$(cat "$work/at500")" 1e-7
+done
