@@ -35,7 +35,7 @@ enum status advance_back(struct sim *sim);
 /* pulses.c: what comes and goes all at once: times at which a scheme that chooses its steps stops; warnings of loads that
  * do so within one fixed step */
 void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life);
-void warn_of_pulses(const struct sim *sim, struct diags *diags);
+void warn_of_pulses(struct sim *sim, struct diags *diags);
 
 /* loops.c: warnings about the start; the event of a new partition */
 void warn_of_loops(const struct sim *sim, struct diags *diags);

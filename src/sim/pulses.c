@@ -125,20 +125,21 @@ static bool find_stray(struct within *o, const struct signal *s, const struct si
     return l.whole > 0 && strays_in_a_step(o, &l, 0, (long)steps);
 }
 
-static void warn_of_stray(const struct sim *sim, const struct signal *s, const char *name, const struct node *n,
+static bool warn_of_stray(const struct sim *sim, const struct signal *s, const char *name, const struct node *n,
                           double h, struct diags *diags)
 {
     struct within o;
-    if (!find_stray(&o, s, sim, h)) return;
+    if (!find_stray(&o, s, sim, h)) return false;
     diag_warn(
         diags, n, AT_VALUE, "W-pulse",
         "'%.60s' is %.4g at t = %.9g s, but %.4g and %.4g at the ends of its step, %.9g and %.9g s: what is between "
         "may be missed",
         name, at(s, o.first), o.first, at(s, o.begin), at(s, o.end), o.begin, o.end);
     diag_hint(diags, "a step must be a part of the time in which it comes and goes");
+    return true;
 }
 
-void warn_of_pulses(const struct sim *sim, struct diags *diags)
+void warn_of_pulses(struct sim *sim, struct diags *diags)
 {
     const struct model *m = sim->model;
     bool fast = false; /* else all takes major steps */
@@ -151,8 +152,9 @@ void warn_of_pulses(const struct sim *sim, struct diags *diags)
         const double h = sim->plan.step * (fast && m->force[i].cls == FAST ? 1 : sim->plan.ratio);
         for (int k = 0; k < 3 && !found; k++) found = find_pulse(&o, &m->force[i].value[k], sim, h);
         for (int k = 0; k < 3 && !found; k++)
-            warn_of_stray(sim, &m->force[i].value[k], m->force[i].name, value ? value : n, h, diags);
+            sim->pulses |= warn_of_stray(sim, &m->force[i].value[k], m->force[i].name, value ? value : n, h, diags);
         if (!found) continue;
+        sim->pulses = true;
         diag_warn(diags, value ? value : n, AT_VALUE, "W-pulse",
                   "'%.60s' changes at t = %.9g s and at %.9g s, within one step of %.6g s, which may miss what is "
                   "between",

@@ -116,6 +116,7 @@ struct sim {
     const char *forgets; /* why what is in the state besides coordinates is left there; NULL: it is not */
     long rows;
     double recorded; /* [s] the last of these */
+    bool pulses;     /* loads come and go within a step */
     struct trust trust;
     struct neglects neglects;
     double min_h; /* smallest minor step taken */

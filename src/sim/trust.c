@@ -249,6 +249,7 @@ static const char *reason(const struct sim *sim)
     if (sim->stepper.ode->n == 0) return NULL;
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
+    if (sim->pulses) return "a load comes and goes within a step";
     if (sim->stepper.unresolved.energy > EXCITED * sim->stepper.unresolved.motion)
         return "the minor steps do not resolve what vibrates in them";
     if (sim->guard.taken) return "the scheme has damped away what the steps do not resolve";

@@ -94,6 +94,9 @@ integrate: {scheme: midpoint, step: 1.0e-2, until: 3}
 output: {every: 0.1, columns: [p.angle, q.angle]}
 DECK
 
+# Shaken by a load that turns round within a step.
+sed 's/^initial: .*/initial: {p.angle: -1.5, q.angle: 0.2}/; s/^forces: .*/forces: {k: {spring: s, stiffness: k}, f: {force: s, value: "k*e*0.3*sin(700*t)"}}/' chain.yaml >shaken.yaml
+
 excited() { # DECK SCHEME STEP RATIO RHO SETTING...
     deck=$1 how="$2 $3 $4:1 rho $5"
     set_by="--set integrate.scheme=$2 --set integrate.step=$3 --set integrate.ratio=$4 --set integrate.rho_infinity=$5"
@@ -107,7 +110,7 @@ excited() { # DECK SCHEME STEP RATIO RHO SETTING...
     else not_ok "excited: $deck, $how, $*" "wrong by $off of a range, exit $rc, said: $said" err; fi
 }
 
-for deck in chain bush beam motor twist; do
+for deck in chain bush beam motor twist shaken; do
     for at in 1.0e+5:0.01 1.0e+7:0.001; do
         set -- --set parameters.e=${at#*:}
         [ $deck = beam ] || set -- "$@" --set parameters.k=${at%:*}
