@@ -20,4 +20,6 @@ output: {every: 0.02, columns: [p.angle, q.angle]}
 END
     "$FMDSUB" run -q "$work/deck.yaml" >"$work/out" 2>"$work/err"
     ended "guard: act, $how" 0 $? "$work/out" "$work/err"
+    "$FMDSUB" run -q --every-steps 1 --columns step.sweeps "$work/deck.yaml" >"$work/out" 2>"$work/err"
+    expect "guard: act, $how: every step tells its iterations" 0 "$(awk -F, 'NR > 2 && !($2 > 0) { n++ } END { print n + (NR < 100) }' "$work/out")" "$work/err"
 done

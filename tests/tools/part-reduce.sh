@@ -250,6 +250,10 @@ printf '%s\n0,0,0,0,1,2,3,set1\n' $h >bad4.csv
 printf '%s\n1,0,a,0,1,2,3,set1\n' $h >bad5.csv
 printf '%s\n1,0,0,0,0,2,3,set1\n' $h >bad6.csv
 printf '%s\n' $h >bad7.csv
+printf 'x,y,z\n1,0,0\n' >bad8.csv
+printf 'node,x,y,z more\n1,0,0,0\n' >bad9.csv
+printf 'node,y,z\n1,0,0\n' >bad10.csv
+printf 'node,x,z\n1,0,0\n' >bad11.csv
 printf '%s\n1,0,0,0,1,2,3,set1\n2,1,0,0,4,5,6,set2\n' $h >good.csv
 printf '%s\n6 6 1\n1 1 1.0\n' "$m" | tee M.mtx >K.mtx
 echo words >k1.mtx
