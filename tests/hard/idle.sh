@@ -85,6 +85,21 @@ pendulum "" "[0.6, 0.48, 5]" >"$work/deck"
 go "a rate along the turn" 0 <"$work/deck"
 told "a rate along the turn" "its rate at the start, 3.79.* rad/s, is dropped"
 
+# What the arm that carries it gives it is not a rate of the deck's own.
+go "a point mass on an arm that turns" 0 <<'END'
+fmdsub: 1
+gravity: [0, 0, -9.81]
+bodies:
+  arm: {mass: 1, inertia: [0.1, 0.1, 0.1], at: [0.5, 0, 0]}
+  m: {mass: 3, at: [1.3, 0, -0.6]}
+constraints:
+  post: {revolute: [ground, arm], at: [0, 0, 0], axis: [0, 0, 1]}
+  ball: {spherical: [arm, m], at: [1, 0, 0]}
+initial: {post.angle_rate: 4}
+integrate: {scheme: midpoint, step: 1.0e-3, until: 0.1}
+END
+expect "a point mass on an arm that turns: held still, and nothing is dropped" "1 0" "$(grep -c 'held still' "$work/err") $(grep -c 'is dropped' "$work/err")" "$work/err"
+
 go "point masses in space, loose" 0 <<'END'
 fmdsub: 1
 gravity: [0, 0, -9.81]
