@@ -8,6 +8,19 @@ while read -r name most; do
     [ -z "${WRITE:-}" ] || cp "$work/$name.kept" tests/chosen/
     awk -v apart=1e-9 -f tests/tools/alike.awk tests/chosen/$name.kept "$work/$name.kept" >"$work/differs" && [ -s "$work/$name.kept" ] &&
         ok "modes: auto, $name: as it was" || not_ok "modes: auto, $name: as it was" "differs" "$work/differs" "$work/err"
+    # The object has the same modes.
+    sed -n 's/^  *\([0-9][0-9.e+-]* Hz .*\)/\1/p' "$work/$name.kept" | sed 's/  */ /g' >"$work/words"
+    "$FMDSUB" check --no-trial -f json "$work/$name.yaml" 2>"$work/err" | tr -d '\t' | awk '
+        /^"hertz":/ { hertz = substr($0, 9) + 0; share = ""; next }
+        /^"(kind|of|by)":/ { split($0, word, "\""); of[word[2]] = word[4] }
+        /^"kept":/ { kept = /true/ }
+        /^"share":/ { share = substr($0, 9) + 0 }
+        /^}/ && hertz {
+            printf "%.4g Hz %s %s, ", hertz, of["kind"], kept ? "kept" : "left out"
+            print share == "" ? "nothing asks for it" : sprintf("share %.2g of %s by %s", share, of["of"], of["by"])
+            hertz = 0
+        }' >"$work/object"
+    same "modes: auto, $name: words and object" "$work/words" "$work/object"
     "$FMDSUB" run -q "$work/$name.yaml" >"$work/few" 2>"$work/err"
     sed "s/MODES/$most/" tests/chosen/$name.yaml >"$work/all.yaml"
     "$FMDSUB" run -q "$work/all.yaml" >"$work/all" 2>>"$work/err"
