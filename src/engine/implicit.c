@@ -19,12 +19,10 @@ void implicit_place(struct implicit *m, const double *z)
     const struct instant *x = &m->x;
     const double share = m->scheme->middle ? .5 : 1;
     m->scheme->rates(m, z);
-    if (m->newton.count > 0) {
+    if (m->newton.count > 0)
         correct(m, share, OPEN_AFTER);
-    } else {
-        motion_point(m->ode, m->q, m->q0, m->dx, share, x->t);
-        m->open = false;
-    }
+    else
+        m->open = motion_first(m->ode, m->q, m->q0, m->dx, share, x->t);
     if (m->scheme->middle && x->qb) motion_point(m->ode, m->q1, m->q0, m->dx, 1, x->tb);
     m->x.a = z;
 }

@@ -18,6 +18,15 @@ static inline void motion_point(const struct ode2 *o, double *q1, const double *
         for (int i = 0; i < o->n; i++) q1[i] = q0[i] + s * dx[i];
 }
 
+/* The same for an iterate that is itself to be corrected, by motion_again().  Are loops left open? */
+static inline bool motion_first(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
+                                double t)
+{
+    if (o->move && o->move->first) return o->move->first(o, q1, q0, dx, s, t);
+    motion_point(o, q1, q0, dx, s, t);
+    return false;
+}
+
 /* The same, to round-off, where q1 holds it for another dx; open, and what is returned: as again() has it. */
 static inline bool motion_again(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
                                 double t, int open)

@@ -75,6 +75,39 @@ int closing_tangent_about(struct closing *o, const double *q)
     return 1;
 }
 
+void closing_bend(struct closing *o, const double *v, const double *a)
+{
+    static const double NEAR = 1e-9; /* a first correction that is also the last */
+    const size_t bytes = sizeof *v * (size_t)o->rows->n;
+    o->bends = o->first > NEAR;
+    if (!o->bends) return;
+    memcpy(o->along, v, bytes);
+    memcpy(o->bend, a, bytes);
+    solve_follow(o->solve, o->bend, o->rows->loops->c2);
+    for (int i = 0; i < o->rows->n; i++) o->bend[i] = a[i] - o->bend[i];
+}
+
+/* dx of the dependents off the tangent, h^2/2 of their bend, where the way goes along the velocities: dx = h v, or so. */
+static void follow_bend(const struct closing *o, double *dx)
+{
+    static const double PARALLEL = .98; /* square of the cosine */
+    const double *per = o->rows->per, *v = o->along;
+    double xx = 0, xv = 0, vv = 0;
+    if (!o->bends) return;
+    for (int i = 0; i < o->rows->n; i++) {
+        const double x = dx[i] * per[i], y = v[i] * per[i];
+        xx += x * x;
+        xv += x * y;
+        vv += y * y;
+    }
+    if (!(xv * xv > PARALLEL * xx * vv)) return;
+    const double h = xv / vv;
+    for (int i = 0; i < o->split->npart; i++) {
+        const struct part *p = &o->split->part[i];
+        for (int r = 0; r < p->nr; r++) dx[p->dep[r]] += h * h / 2 * o->bend[p->dep[r]];
+    }
+}
+
 void closing_recall(struct closing *o, struct recall *r)
 {
     const int nq = o->rows->tree->model->nq;
@@ -82,6 +115,9 @@ void closing_recall(struct closing *o, struct recall *r)
     recall_one(r, "about", o->about.number);
     recall_list(r, "base", o->about.q, nq);
     recall_list(r, "at", o->at, nq);
+    recall_one(r, "bends", o->bends);
+    recall_list(r, "along", o->along, o->rows->n);
+    recall_list(r, "bend", o->bend, o->rows->n);
     recall_without(r);
     if (r->back) o->made.posture = 0;
 }
@@ -170,7 +206,13 @@ static double note(struct miss *miss, const struct rows *rows, const double *C)
     return most;
 }
 
-int closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way)
+double closing_worth(const struct closing *o)
+{
+    const double ratio = solve_ratio(o->solve);
+    return ratio * sqrt(ratio);
+}
+
+enum way_end closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way, double ajar)
 {
     static const double CLOSED = 1e-9;     /* a Newton correction below this leaves its square */
     static const double NOTHING = 1e-15;   /* and one that is round-off */
@@ -181,14 +223,20 @@ int closing_close(struct closing *o, double *q1, struct miss *miss, const struct
     for (int i = 0; i < MOST_ITERATIONS; i++) {
         closing_put(o, q1, way);
         const double size = correct(o, o->C, way->dx, q1);
+        if (i == 0) o->first = size;
+        const bool whole = o->solve->factored.posture; /* C_q is that of no Cayley vectors */
+        if (size > CLOSED && size <= ajar && whole && size <= ajar * closing_worth(o)) {
+            closing_put(o, q1, way);
+            return WAY_AJAR;
+        }
         const double left = size <= CLOSED ? 0 : note(miss, o->rows, o->C);
-        if (!isfinite(size) || (i >= 2 && size > FAR)) return 0;
-        if (size <= NOTHING) return 1;
+        if (!isfinite(size) || (i >= 2 && size > FAR)) return WAY_LOST;
+        if (size <= NOTHING) return WAY_CLOSED;
         if (size > CLOSED && left > ROUND_OFF) continue;
         closing_put(o, q1, way);
-        return 1;
+        return WAY_CLOSED;
     }
-    return 0;
+    return WAY_LOST;
 }
 
 /* Where C_q is the same everywhere: all that is missed at the base goes in one correction. */
@@ -223,18 +271,19 @@ static int go_on(struct closing *o, double *q1, struct miss *miss, const double 
     return 0;
 }
 
-int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s)
+enum way_end closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx,
+                           double s, double ajar)
 {
     split_spread(o->split, o->full, dx);
     if (o->rows->constant) miss->by = 0;
-    if (o->solve->nknown) return go_on(o, q1, miss, q0, s);
+    if (o->solve->nknown) return go_on(o, q1, miss, q0, s) ? WAY_CLOSED : WAY_LOST;
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
-    if (o->rows->constant) {
-        return go_straight(o, q1, miss, &(struct way){q0, o->full, s, o->dx});
-    }
-    if (!closing_tangent(o, q0)) return 0;
+    if (o->rows->constant)
+        return go_straight(o, q1, miss, &(struct way){q0, o->full, s, o->dx}) ? WAY_CLOSED : WAY_LOST;
+    if (!closing_tangent(o, q0)) return WAY_LOST;
     closing_predict(o, o->dx);
-    return closing_close(o, q1, miss, &(struct way){o->base.q, o->full, s, o->dx});
+    follow_bend(o, o->dx);
+    return closing_close(o, q1, miss, &(struct way){o->base.q, o->full, s, o->dx}, ajar);
 }
 
 /* --- building ----------------------------------------------------------------------------------- */
@@ -267,6 +316,8 @@ void closing_build(struct closing *o, struct solve *solve, struct arena *life)
     o->C = TAKE(life, double, rows->loops->nrow);
     o->x = TAKE(life, double, most);
     o->y = TAKE(life, double, most);
+    o->along = TAKE(life, double, rows->n);
+    o->bend = TAKE(life, double, rows->n);
     o->full = TAKE(life, double, rows->n);
     o->dx = TAKE(life, double, rows->n);
     o->last = TAKE(life, double, rows->n);

@@ -6,7 +6,10 @@
  *     dx_d := dx_d - C_qd^-1 C
  *
  * where the columns of a rotation with dependents are those along its Cayley vector: convergence is quadratic.  The
- * tangent is good for as long as the base and the split have the same number. */
+ * tangent is good for as long as the base and the split have the same number.
+ *
+ * A way along the velocities of the last residual bends off the tangent by h^2/2 of what the dependents' accelerations are
+ * without those of the independents and drives, h from dx = h v: what is missed from there is of third order. */
 #ifndef FMDSUB_LOOP_CLOSING_H
 #define FMDSUB_LOOP_CLOSING_H
 
@@ -39,12 +42,17 @@ struct closing {
     struct solve *solve;
     struct tangent *tangent; /* of each component */
     struct posture base;
-    struct made made;         /* what the tangent is of: base and split */
-    struct posture about;     /* a base whose tangent is that `at` a posture beside it; 0: there is none */
-    double *at;               /* [nq] */
-    bool plain;               /* all drives, if any, are of coordinates */
-    double *C;                /* [rows] */
-    double *x, *y;            /* [of a component's rows or coordinates] */
+    struct made made;     /* what the tangent is of: base and split */
+    struct posture about; /* a base whose tangent is that `at` a posture beside it; 0: there is none */
+    double *at;           /* [nq] */
+    double *along,
+        *bend;     /* [of the tree] velocities of a step, and how dependents bend off the tangent on it: what their
+                               * accelerations are beyond G a_i and the drives' */
+    bool bends;    /* are they known? */
+    double first;  /* the first correction of the last way that was closed from a tangent */
+    bool plain;    /* all drives, if any, are of coordinates */
+    double *C;     /* [rows] */
+    double *x, *y; /* [of a component's rows or coordinates] */
     double *full, *dx, *last; /* [of the tree] */
     struct arena *life;
 };
@@ -57,20 +65,27 @@ void closing_fit(struct closing *o, int i);
 int closing_tangent(struct closing *o, const double *q);
 /* The same for a step from q, with what is factored already, where that is right beside q: from now on the tangent at q. */
 int closing_tangent_about(struct closing *o, const double *q);
+/* Where C_q is factored the tree moves with v, a: the next way along v begins on a curve, not on its tangent, if that was not
+ * near enough. */
+void closing_bend(struct closing *o, const double *v, const double *a);
 void closing_recall(struct closing *o, struct recall *r);
 /* split_gain() of component i there. */
 double closing_gain(const struct closing *o, int i);
 /* dx of the dependents along it. */
 void closing_predict(const struct closing *o, double *dx);
-/* Closes a way to q1 by its dependents; 0: it cannot be, and *miss says why. */
-int closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way);
+/* What is missed comes into forces by its part of the cube of the pivots' ratio: of a way, the root of that. */
+double closing_worth(const struct closing *o);
+/* Closes a way to q1 by its dependents; WAY_LOST: it cannot be, and *miss says why.  After a correction up to `ajar`, in
+ * scales, it is left as open as its square; less near a dead point. */
+enum way_end { WAY_LOST, WAY_CLOSED, WAY_AJAR };
+enum way_end closing_close(struct closing *o, double *q1, struct miss *miss, const struct way *way, double ajar);
 
-/* q1 = q0 (+) s dx [n], as ode2_move has it, with drives as they are; 0: it cannot be closed.  q1 may be q0. */
-int closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx, double s);
+/* q1 = q0 (+) s dx [n], as ode2_move has it, with drives as they are; WAY_LOST: it cannot be closed.  q1 may be q0. */
+enum way_end closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx,
+                           double s, double ajar);
 /* The same from q1, a closed posture of another dx, if that takes so many corrections at most: closing_again.c.  open: it is
  * nearly closed, or closed for drives of another time.  A way up to `ajar`, in scales, is left as open as its square; less near
  * a dead point. */
-enum way_end { WAY_LOST, WAY_CLOSED, WAY_AJAR };
 enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
                            bool open, double ajar);
 

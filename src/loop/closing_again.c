@@ -70,13 +70,6 @@ static int step_on(struct closing *o, double *q1, const struct way *way, double 
     return 0;
 }
 
-/* What is missed comes into forces by its part of the cube of the pivots' ratio: of the way, the root of that. */
-static double worth(const struct closing *o)
-{
-    const double ratio = solve_ratio(o->solve);
-    return ratio * sqrt(ratio);
-}
-
 /* Where rotations are dependent in part, C_q is not that of their Cayley vectors. */
 static bool any_follows(const struct closing *o)
 {
@@ -95,7 +88,8 @@ enum way_end closing_again(struct closing *o, double *q1, const double *q0, cons
     const double far = go_along(o, o->dx, o->last, open);
     const struct way way = {q0, o->full, s, o->dx};
     const bool closed = far <= UNSEEN;
-    if (!closed && !(far <= ajar * worth(o))) return step_on(o, q1, &way, far, corrections) ? WAY_CLOSED : WAY_LOST;
+    if (!closed && !(far <= ajar * closing_worth(o)))
+        return step_on(o, q1, &way, far, corrections) ? WAY_CLOSED : WAY_LOST;
     closing_put(o, q1, &way);
     return closed ? WAY_CLOSED : WAY_AJAR;
 }

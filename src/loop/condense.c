@@ -64,6 +64,7 @@ static enum status resid_there(struct condense *o, double *r, double *w, double 
     whole.jump = condense_jumps(o);
     TRY(condense_driven(o, false, x->t, why));
     TRY(solve_motion(&o->solve, o->vt, o->at, x->q, x->v, x->a, x->t, why));
+    o->moving = o->solve.factored.posture;
     TRY(check_redundant_rows(o, x->q, x->t, why));
     whole.v = o->vt;
     whole.a = o->at;

@@ -31,7 +31,7 @@ static int go_off(struct condense *o, double *q1, unsigned trial)
     for (int i = 0; i < o->ode.n; i++)
         o->dx[ind[i]] = WAY * o->rows.size[ind[i]] * scatter(trial * 1000u + (unsigned)i);
     closing_predict(&o->closing, o->dx);
-    return closing_close(&o->closing, q1, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = o->dx});
+    return closing_close(&o->closing, q1, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = o->dx}, 0);
 }
 
 /* Do redundant rows still hold a small way off?  Where C_q has lost rank at this very posture only, the way along a

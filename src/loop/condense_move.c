@@ -8,7 +8,7 @@ void condense_point(struct condense *o, double *q1, const double *q0, const doub
                     double beside)
 {
     loops_where(o->rows.loops, t, beside);
-    if (closing_point(&o->closing, q1, &o->lost, q0, dx, s)) return;
+    if (closing_point(&o->closing, q1, &o->lost, q0, dx, s, 0)) return;
     for (int i = 0; i < o->model->nq; i++) q1[i] = NAN;
 }
 
@@ -32,10 +32,21 @@ static bool nearby(const struct ode2 *ode, double *q1, const double *q0, const d
     return end == WAY_AJAR;
 }
 
-/* Left open by some 1e-12: where stiff forces hold dependents, accelerations are off by 4e-6 of the last correction. */
+/* Way that an iterate may be left open by: some 1e-12 then.  Where stiff forces hold dependents, accelerations are off by
+ * 4e-6 of the last correction. */
+static const double SMALL = 1e-6;
+
+static bool first(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+{
+    struct condense *o = ode->self;
+    loops_where(o->rows.loops, t, 0);
+    const enum way_end end = closing_point(&o->closing, q1, &o->lost, q0, dx, s, SMALL);
+    for (int i = 0; end == WAY_LOST && i < o->model->nq; i++) q1[i] = NAN;
+    return end == WAY_AJAR;
+}
+
 static bool again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t, int open)
 {
-    static const double SMALL = 1e-6;
     return nearby(ode, q1, q0, dx, s, t, LATE, open & OPEN_BEFORE, open & OPEN_AFTER ? SMALL : 0);
 }
 
@@ -77,4 +88,5 @@ static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const
     for (int i = 0; i < ode->n; i++) dxrate[i] = status == OK ? o->at[o->split.ind[i]] : NAN;
 }
 
-const struct ode2_move condense_move = {.point = point, .again = again, .onward = onward, .diff = diff, .rate = rate};
+const struct ode2_move condense_move = {
+    .point = point, .first = first, .again = again, .onward = onward, .diff = diff, .rate = rate};

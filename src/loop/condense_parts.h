@@ -41,6 +41,7 @@ struct condense {
     struct miss lost; /* the last way that could not be closed: point() can only say that there was one */
     bool few;         /* independents, against the tree: M^ and slopes without its own matrices */
     long charts;
+    long moving; /* posture at which vt and at are those of the last residual; 0: of none */
     long judged; /* split that has been looked at: where C_q is the same everywhere, once is enough */
     struct nearest nearest;
     /* workspace */

@@ -114,6 +114,8 @@ int condense_rechart(struct ode2 *ode, double *q, double *v, double t)
     struct ode2 *tree = &o->tree->ode;
     const bool known = o->rows.constant && o->judged == o->split.number;
     const bool led = known || closing_tangent_about(&o->closing, q); /* first of all: it takes what the step has left */
+    if (led && !o->rows.constant && o->moving && o->moving == rows_number(&o->rows))
+        closing_bend(&o->closing, o->vt, o->at);
     if (tree->chart && condense_rates(o, o->vt, NULL, q, v, NULL, t, NULL) == OK)
         tree->chart->rechart(tree, q, o->vt, t); /* its coordinates stay */
     if (known || !led) return 0;

@@ -110,7 +110,7 @@ double condense_redundant_miss(int *worst, const struct split *split, const doub
 /* o->q := o->q (+) dx, its dependents closed; 0: it cannot be. */
 static int step_to(struct condense *o, double *dx)
 {
-    if (!closing_close(&o->closing, o->qtry, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = dx})) return 0;
+    if (!closing_close(&o->closing, o->qtry, &o->lost, &(struct way){.base = o->q, .s = 1, .dx = dx}, 0)) return 0;
     memcpy(o->q, o->qtry, sizeof *o->q * (size_t)o->model->nq);
     return 1;
 }

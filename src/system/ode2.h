@@ -84,6 +84,8 @@ struct ode2_move {
      * order): for rotations dx' = (I + [dx]x/2 + dx dx'/4) v.  NaN where the loops cannot follow v. */
     void (*rate)(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
                  const double *v, double t);
+    /* Optional.  point() for an iterate that is itself to be corrected, by again().  Are loops left open? */
+    bool (*first)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
     /* Optional.  point() to round-off, where q1 holds what this or point() has given for the same q0, s, t and another
      * dx: found from there, with less work where they are near each other.  open: what of enum ode2_open holds.  Are loops
      * left open? */
