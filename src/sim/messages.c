@@ -208,6 +208,15 @@ static void print_guard(const struct sim *sim, FILE *to)
     fputc('\n', to);
 }
 
+/* What sub-cycling has not saved. */
+static void print_plain(const struct sim *sim, FILE *to)
+{
+    const struct effort *e = &sim->stepper.effort;
+    if (sim->stepper.plainly == 0 || e->minors == e->majors) return;
+    fprintf(to, "near contacts all coordinates took the minor step: in %ld of the %ld major steps\n",
+            sim->stepper.plainly, e->majors);
+}
+
 void print_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.log;
@@ -226,6 +235,7 @@ void print_end(const struct sim *sim, double wall)
             wall);
     if (isfinite(sim->plan.foretold))
         fprintf(to, "auto: %s, foretold %.2g evaluations\n", sim->stepper.kind->name, sim->plan.foretold);
+    print_plain(sim, to);
     print_nearest(sim, to);
     print_guard(sim, to);
     print_balance(l, to);

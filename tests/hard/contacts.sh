@@ -269,3 +269,27 @@ want=$(awk 'BEGIN { a = .3 * 9.81; t = (4 - sqrt(16 - 2 * a * .8)) / a; v = 2 - 
 expect "a sliding block is hit back: when its two feet stick, how often, where" "$want" \
     "$(awk -F'[:,]' '/"sticks"/ { n++; t = $4 } /"slips"/ { n += 100 } END { printf "%.9f %d", t, n }' "$work/out") $(
         "$FMDSUB" run -q "$work/hit.yaml" | tail -n 1 | awk -F, '{ printf "%.9f", $2 }')"
+
+# Sub-cycling saves nothing in major steps near contacts, and says in how many: what hangs above the floor never, what lies on it always.
+for at in 1 0; do
+    cat >"$work/near.yaml" <<END
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  a: {mass: 1, inertia: 0.1, at: [0, $at]}
+  b: {mass: 1, inertia: 0.1, at: [5, 0]}
+constraints:
+  s: {prismatic: [ground, a], at: [0, $at], axis: [0, 1]}
+  t: {revolute: [ground, b], at: [5, 0]}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, foot: {point: a}}
+contacts: {c: {between: [foot, floor]}}
+forces: {k: {spring: t, stiffness: 1.0e+4}}
+initial: {t.angle: 0.01}
+partition: {fast: [t]}
+integrate: {scheme: subcycle, step: 1.0e-3, ratio: 10, until: 0.1}
+output: {every: 0.1, columns: [a.y]}
+END
+    "$FMDSUB" run "$work/near.yaml" >"$work/out" 2>"$work/err"
+    expect "near contacts all takes the minor step: at $at m" "$([ $at = 1 ] && echo 0 || echo "in 10 of the 10")" \
+        "$(grep -o 'in 10 of the 10' "$work/err" || grep -c 'took the minor step:' "$work/err")" "$work/err"
+done
