@@ -84,6 +84,11 @@ void *memory_or_end(size_t bytes)
     return had(malloc(bytes), bytes);
 }
 
+void *there_or_end(void *object)
+{
+    return had(object, 0);
+}
+
 FILE *file_or_end(const char *path, const char *mode)
 {
     FILE *file = fopen(path, mode);

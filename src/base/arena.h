@@ -53,6 +53,8 @@ _Noreturn void memory_ended(void);
 /* Memory for foreign code that is not told of failing (hooks of cJSON, buffers), free() gives it back; and a stream that
  * takes none but itself, NULL with errno as of fopen(). */
 void *memory_or_end(size_t bytes);
+/* What foreign code has had from the system itself; NULL: it has had none. */
+void *there_or_end(void *object);
 FILE *file_or_end(const char *path, const char *mode);
 /* To read, with a buffer; NULL: it cannot be opened. */
 FILE *file_to_read(const char *path);

@@ -46,7 +46,7 @@ static void open(struct stepper *s, struct adaptive *m, struct arena *life)
     stage_matrix_open(&x->matrix, &euler, o, &s->effort, life);
     m->tolerance *= PART;
     m->ahead = x->a1;
-    if (o->n > 0 && !bdf_open(x, life)) x->had = E_LIMIT;
+    if (o->n > 0) bdf_open(x, life);
 }
 
 static void forget(struct adaptive *m)
@@ -143,8 +143,6 @@ static enum status attempt(struct stepper *s, struct adaptive *m, double *err, d
     struct bdf *x = m->own;
     const int n = x->n;
     double end = t + h, *rate = bdf_values(x->scratch);
-    if (x->had != OK) (void)trouble_set(why, TROUBLE_MEMORY, -1, 0, t);
-    TRY(x->had);
     copy(m->q1, m->q, s->ode->nq); /* the scales look at the end, which is not known yet */
     copy(m->v1, m->v, n);
     m->h = INFINITY; /* the next step is as long as CVODE will */

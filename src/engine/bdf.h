@@ -32,7 +32,6 @@ struct bdf {
     long iterations, tests, solves; /* as CVODE has counted them last */
     enum status status;             /* of what CVODE has called last */
     struct trouble why;             /* if that is not OK */
-    enum status had;                /* is all memory there? */
 };
 
 static inline double *bdf_values(N_Vector y)
@@ -40,8 +39,8 @@ static inline double *bdf_values(N_Vector y)
     return N_VGetArrayPointer(y);
 }
 
-/* CVODE for x of stepper, motion, n, channels, with its vectors inside; `life` gives it back.  false: no memory. */
-bool bdf_open(struct bdf *x, struct arena *life);
+/* CVODE for x of stepper, motion, n, channels, with its vectors inside; `life` gives it back. */
+void bdf_open(struct bdf *x, struct arena *life);
 
 /* y' at t, y; x->q, u and t are of there. */
 enum status bdf_evaluate(struct bdf *x, double t, const double *y, double *rate);

@@ -131,6 +131,12 @@ static void release(void *self)
     if (x->context) SUNContext_Free(&x->context);
 }
 
+/* N_VClone() does not look whether there was memory. */
+static N_Vector clone(N_Vector y)
+{
+    return there_or_end(N_VClone_Serial(y));
+}
+
 /* Are all of CVODE's objects there? */
 static bool open_all(struct bdf *x)
 {
@@ -142,6 +148,7 @@ static bool open_all(struct bdf *x)
     x->solver = SUNLinSolNewEmpty(x->context);
     x->cvode = CVodeCreate(CV_BDF, x->context);
     if (!x->y || !x->scratch || !x->shell || !x->solver || !x->cvode) return false;
+    x->y->ops->nvclone = clone;
     x->shell->ops->getid = custom;
     x->solver->ops->gettype = direct;
     x->solver->ops->solve = solve;
@@ -153,10 +160,10 @@ static bool open_all(struct bdf *x)
            CVodeSetLinSysFn(x->cvode, set_up) == 0 && CVodeSetMaxOrd(x->cvode, x->stepper->options.most_order) == 0;
 }
 
-bool bdf_open(struct bdf *x, struct arena *life)
+void bdf_open(struct bdf *x, struct arena *life)
 {
     arena_defer(life, release, x);
-    return open_all(x);
+    (void)there_or_end(open_all(x) ? x : NULL);
 }
 
 /* ---- called ---------------------------------------------------------------------------------------------------- */
