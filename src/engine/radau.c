@@ -26,7 +26,7 @@
 #include "engine/motion.h"
 #include "engine/stage_matrix.h"
 
-enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10, MOST_PASSES = 20, SELDOM = 16 };
+enum { STAGES = COLLOCATION_STAGES, MOST_ITERATIONS = 10, MOST_PASSES = 20, SELDOM = 24 };
 static const double KEPT = 1.2;     /* a step that may grow by less keeps h and its matrices */
 static const double WORN = .02;     /* contraction from which the next step takes another matrix */
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
@@ -217,7 +217,7 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
         if (x->count > 1) x->theta = now / last;
         if (x->count > 1 && x->theta >= SLUGGISH && now > rounding) break;
         const double theta = x->count > 1 ? smaller(x->theta, SLUGGISH) : smaller(larger(x->theta, .1), .9);
-        if (now <= rounding || larger(theta / (1 - theta), smaller(x->faded, .5)) * now <= x->fnewt) {
+        if (now <= rounding || larger(theta / (1 - theta), smaller(x->faded, .05)) * now <= x->fnewt) {
             once_more = ++x->trials % SELDOM == 0 && now > LOST * DBL_EPSILON / m->tolerance;
             if (!once_more) return OK;
         }
@@ -378,7 +378,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
 #define RADAU                                                                                                          \
     .stages = 2, .open = open, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,     \
     .recall = recall, .off = off, .left = left
-static const struct adaptive_scheme radau5 = {.order = 4, .sharper = .48, .drifts = 1, RADAU},
+static const struct adaptive_scheme radau5 = {.order = 4, .sharper = .5, .drifts = 1, RADAU},
                                     radau9 = {.order = 6, .sharper = .45, RADAU};
 
 const struct stepper_kind step_radau5 = {

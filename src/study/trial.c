@@ -71,7 +71,14 @@ static bool complete(const struct outcome *o)
     return o->rows > 1 && !o->over;
 }
 
-/* An explicit scheme where it is quick, or quicker than an implicit one; with rigid contacts the one that takes them. */
+/* [s] that counts stand for of a run which was cut, had it gone on to the end as it did; INFINITY: it has not begun. */
+static double whole_of(const struct outcome *o, const struct trial *t)
+{
+    return o->rows > 1 ? o->seconds * (t->until - t->start) / t->every / (o->rows - 1) : INFINITY;
+}
+
+/* An explicit scheme where it is quick, or quicker than an implicit one, which has so long as that is foretold to take; with
+ * rigid contacts the one that takes them. */
 static enum status find_own(struct outcome *o, struct trial *t)
 {
     const bool small = !too_full(stepper_find("radau9"), &t->subject);
@@ -84,14 +91,17 @@ static enum status find_own(struct outcome *o, struct trial *t)
     *o = (struct outcome){0};
     if (!small || least <= quick) TRY(attempt_own(o, t, explicit, LOOSE, small ? fmin(quick, .2 * most) : most));
     if (complete(o) || !small) return OK;
-    TRY(attempt_own(&other, t, "radau9", LOOSE, most));
+    static const double AMPLE = 1.2; /* later parts may take more */
+    const double whole = AMPLE * whole_of(o, t);
+    TRY(attempt_own(&other, t, "radau9", LOOSE, fmin(most, whole)));
     if (other.rows > o->rows) {
         t->own.scheme = "radau9";
         *o = other;
     }
-    if (!complete(&other) || other.seconds < fmax(2 * quick, least)) return OK;
-    TRY(attempt_own(&other, t, explicit, LOOSE, fmin(other.seconds, .5 * most)));
-    if (!complete(&other)) return OK;
+    if (!complete(&other) && whole >= most) return OK;
+    if (complete(&other) && (isfinite(whole) || other.seconds < fmax(2 * quick, least))) return OK;
+    TRY(attempt_own(&other, t, explicit, LOOSE, complete(o) ? fmin(o->seconds, .5 * most) : most));
+    if (!complete(&other) && (complete(o) || other.rows <= o->rows)) return OK;
     t->own.scheme = explicit;
     *o = other;
     return OK;

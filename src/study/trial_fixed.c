@@ -183,7 +183,7 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
         status = attempt(&next, t, kind);
         if (status == OK && coarser_will_do(t)) {
             struct next coarser = next;
-            coarser.m = t->base * ceil(next.m / 2 / t->base);
+            coarser.m = t->base * floor(next.m / 2 / t->base);
             status = attempt(&coarser, t, kind);
         }
         if (told(t, kind->order)) break;

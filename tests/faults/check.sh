@@ -74,6 +74,11 @@ expect "check: advice in words" "3 1" "$(grep -c '^  1e-0[246]: .* at step .* at
 "$FMDSUB" check --no-trial -f json decks/chain.yaml >"$work/object" 2>"$work/err"
 expect "check: no trial" "0 1" "$(grep -c '"advice"' "$work/object") $(grep -c '"suggested_step"' "$work/object")" "$work/object"
 
+# An implicit scheme is not tried for longer than the explicit one is foretold to take: of the dearest advice no more than 2 percent.
+"$FMDSUB" check -f json decks/bearing.yaml >"$work/json" 2>"$work/err"
+expect "check: trials of a bearing" fine "$(awk '{ gsub(/[",]/, "") } $1 == "evaluations:" && $2 > most { most = $2 } $1 == "trial_evaluations:" { tried = $2 }
+    END { print(tried > 100 && tried <= .02 * most ? "fine" : tried " of " most) }' "$work/json")" "$work/err"
+
 # Warnings are counted once, though trial runs meet them again.
 "$FMDSUB" check --strict decks/double-pendulum.yaml >"$work/words" 2>"$work/err"
 ended "check: trial runs add no warnings" 0 $? "$work/words" "$work/err"
