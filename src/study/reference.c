@@ -50,6 +50,15 @@ static double share(const struct reference *o, int c, double difference)
     return difference == 0 ? 0 : difference / fmax(size, o->least[c]);
 }
 
+/* Coordinates part: by more than the second run's tolerance of what is usual, too, where a short part of the run has hardly
+ * moved them. */
+static bool part(const struct reference *o, int c, double difference, double parted,
+                 const struct outcome_column *column)
+{
+    const double within = o->second.tolerance > 0 ? o->second.tolerance * column->usual : 0;
+    return column->rate >= 0 && difference > within && share(o, c, difference) > parted;
+}
+
 /* The last common time before coordinates part. */
 static void find_horizon(struct reference *o, const struct outcome *second, double parted,
                          const struct subject *subject)
@@ -60,7 +69,7 @@ static void find_horizon(struct reference *o, const struct outcome *second, doub
     while (outcome_next(r, &o->run, second)) {
         const double *a = outcome_row(&o->run, r[0]), *b = outcome_row(second, r[1]);
         for (int c = 0; c < o->run.n && o->whole; c++)
-            if (subject->column[c].rate >= 0 && share(o, c, fabs(a[c] - b[c])) > parted) o->whole = false;
+            o->whole = !part(o, c, fabs(a[c] - b[c]), parted, &subject->column[c]);
         if (!o->whole) break;
         last = a[0];
     }

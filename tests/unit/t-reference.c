@@ -118,6 +118,14 @@ static void test_parting(void **state)
     assert_true(!o.whole && o.horizon == 1);
     assert_true(o.range[QUICK] == 2 && o.range[LAZY] == 1 && o.uncertain[QUICK] == 0 && o.uncertain[LAZY] == 0);
     assert_true(o.uncertain[FORCE] == .5 && o.left_out == 0 && o.left_out_name == NULL && o.apart == 0);
+    /* by no more than the second run's tolerance of what is usual they do not */
+    c[LAZY].usual = 1;
+    o.second.tolerance = .0202;
+    reference_between(&o, &b, .01, 1, &subject, life);
+    assert_true(!o.whole && o.horizon == 1.5);
+    o.second.tolerance = .02;
+    reference_between(&o, &b, .01, 1, &subject, life);
+    assert_true(o.horizon == 1);
     arena_close(life);
 }
 
