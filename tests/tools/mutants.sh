@@ -10,8 +10,8 @@
 # It meets the tests of `make test` that run its line (the counters of COUNTED, see reached.sh, say which), no others could
 # notice it: the unit test of its file first and those of its folder; then the part of its folder (see part_of) and the rest,
 # quickest first, until BUDGET (90) seconds of a processor are spent; the first that fails ends it.  What nothing notices
-# meets those that `make asan` runs once more with the mutated file and the arena compiled for the address sanitizer: an index
-# one too far is seen there.  What takes ten times as long as ever is killed, too.  A test of the program that notices has to
+# meets those that `make asan` runs, reduce, plot and diff once more with its folder and the arena compiled for the address
+# sanitizer: an index one too far is seen there.  What takes ten times as long as ever is killed, too.  A test of the program that notices has to
 # pass without the mutant, then and there, or it counts for nothing: others may be at work on the machine.  At least 85 percent
 # have to be noticed.  Survivors are printed as they are.
 . tests/tools/lib.sh
