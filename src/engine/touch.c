@@ -283,6 +283,11 @@ long touch_impacts(const struct touch *o)
     return o->all;
 }
 
+long touch_lowered(const struct touch *o)
+{
+    return o->lowered;
+}
+
 bool touch_pushed(const struct touch *o)
 {
     for (int i = 0; i < o->c->m; i++)
@@ -316,6 +321,7 @@ void touch_recall(struct touch *o, struct recall *r)
     recall_list(r, "impulse", o->impulse, o->c->m);
     recall_list(r, "impacts", o->impacts, o->c->m);
     recall_one(r, "all", o->all);
+    recall_one(r, "lowered", o->lowered);
     recall_one(r, "top", o->top);
     recall_one(r, "usual", o->usual);
     recall_list(r, "size", o->size, o->c->m);

@@ -85,6 +85,8 @@ enum status touch_forces(struct touch *o, double *f, const struct state *x, stru
 int touch_events(const struct touch *o, const struct touch_event **list);
 void touch_clear(struct touch *o);
 long touch_impacts(const struct touch *o);
+/* Those whose restitution was lowered, since with friction it would have gained energy. */
+long touch_lowered(const struct touch *o);
 /* Has any contact pushed since the start? */
 bool touch_pushed(const struct touch *o);
 /* Has friction of joints, and nothing else? */

@@ -4,7 +4,7 @@
  *
  * and the cone of friction on the rates across behind the impact, of joints by what they bear of p.  The loss is
  * -p.(u0 + u1)/2.  With friction and several contacts Newton's restitution can gain energy (Kane & Levinson, Dynamics (1985)):
- * then e is halved until it does not. */
+ * then the largest share of e that gains none is taken. */
 #include <float.h>
 #include <math.h>
 
@@ -13,7 +13,7 @@
 #include "engine/motion.h"
 #include "engine/touch_parts.h"
 
-enum { HALVINGS = 20, PASSES = 60 };
+enum { HALVINGS = 40, PASSES = 60 };
 static const double ENOUGH = 1e-9; /* of the impulses: where joints that rub have come to rest with what presses them */
 static const double SLOWED = 1e-3; /* of the hardest impact in this step: where bouncing comes to its end */
 
@@ -88,6 +88,24 @@ static enum status strike(struct touch *o, double *loss, double e, const struct 
     return found ? OK : trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
 }
 
+static bool gains(const struct touch *o, double loss)
+{
+    return loss < -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]));
+}
+
+/* The largest share of the restitutions that gains no energy, where the whole does; none, e = 0, never gains. */
+static enum status lower(struct touch *o, double *e, const struct state *x, struct trouble *why)
+{
+    double low = 0, high = *e, loss;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = (low + high) / 2;
+        TRY(strike(o, &loss, middle, x, why));
+        *(gains(o, loss) ? &high : &low) = middle;
+    }
+    *e = low;
+    return OK;
+}
+
 /* Those that leave so slowly that it is next to rest are to stay: points of one body that rattle would throw each
  * other off for ever. Nothing has pushed them, so they do not rub. Are there any? */
 static bool hold_slow(struct touch *o, const struct state *x)
@@ -152,9 +170,11 @@ enum status touch_impact(struct touch *o, struct state *x, double h, int last, s
         o->cone[k].mu = of->sliding;
         o->top = larger(o->top, fabs(o->u[o->cone[k].row]));
     }
-    for (int i = 0; i <= HALVINGS; i++, e = i < HALVINGS ? e / 2 : 0) {
+    TRY(strike(o, &loss, e, x, why));
+    if (gains(o, loss)) {
+        TRY(lower(o, &e, x, why));
         TRY(strike(o, &loss, e, x, why));
-        if (loss >= -1e-12 * larger(fabs(loss), o->top * fabs(o->l[0]))) break;
+        o->lowered++;
     }
     if (hold_slow(o, x)) TRY(strike(o, &loss, e, x, why));
     for (int k = 0; k < o->n; k++) /* nothing gives way: it is driven */

@@ -28,7 +28,7 @@ struct touch_saved {
     double work[POWER_CHANNELS], lost, left, struck; /* of the stepper */
     double top, took;                                /* as in struct touch, from here on */
     int begun, nevent, lost_events;
-    long all;
+    long all, lowered;
     int nclosed, *which, npushed, *pushed;
     int nother, *other, *is_other; /* [m] contacts that may not be as they are here, else they are: looked at since */
     int *closed, *state;
@@ -56,6 +56,7 @@ struct touch {
     double *impulse; /* [m] since the start */
     long *impacts;   /* [m] */
     long all;        /* impacts */
+    long lowered;    /* of these, such whose restitution with friction would have gained energy */
     double top;      /* largest velocity met, of any coordinate */
     double usual;    /* step [s] */
     bool jammed;     /* touch_forces() has found none */

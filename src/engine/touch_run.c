@@ -60,6 +60,7 @@ void touch_save(struct touch_saved *o, const struct touch *t, const struct state
     o->nevent = t->nevent;
     o->lost_events = t->lost_events;
     o->all = t->all;
+    o->lowered = t->lowered;
     memcpy(o->which, t->which, (size_t)(o->nclosed = t->nclosed) * sizeof *o->which);
     memcpy(o->pushed, t->pushed, (size_t)(o->npushed = t->npushed) * sizeof *o->pushed);
     bring(&to, &from, o, t);
@@ -82,6 +83,7 @@ void touch_restore(struct touch_saved *o, struct touch *t, struct state *x)
     t->nevent = o->nevent;
     t->lost_events = o->lost_events;
     t->all = o->all;
+    t->lowered = o->lowered;
     memcpy(t->which, o->which, (size_t)(t->nclosed = o->nclosed) * sizeof *o->which);
     memcpy(t->pushed, o->pushed, (size_t)(t->npushed = o->npushed) * sizeof *o->pushed);
     bring(&to, &from, o, t);

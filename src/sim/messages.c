@@ -5,6 +5,7 @@
 
 #include "base/stop.h"
 #include "base/text.h"
+#include "engine/touch.h"
 #include "sim/parts.h"
 
 int sim_settings(const struct sim *sim, struct pair *facts, int most)
@@ -217,6 +218,14 @@ static void print_plain(const struct sim *sim, FILE *to)
             sim->stepper.plainly, e->majors);
 }
 
+static void print_lowered(const struct sim *sim, FILE *to)
+{
+    const struct touch *touch = sim->stepper.touch;
+    if (!touch || touch_lowered(touch) == 0) return;
+    fprintf(to, "restitution lowered in %ld of the %ld impacts: with friction the whole would have gained energy\n",
+            touch_lowered(touch), touch_impacts(touch));
+}
+
 void print_end(const struct sim *sim, double wall)
 {
     FILE *to = sim->options.log;
@@ -236,6 +245,7 @@ void print_end(const struct sim *sim, double wall)
     if (isfinite(sim->plan.foretold))
         fprintf(to, "auto: %s, foretold %.2g evaluations\n", sim->stepper.kind->name, sim->plan.foretold);
     print_plain(sim, to);
+    print_lowered(sim, to);
     print_nearest(sim, to);
     print_guard(sim, to);
     print_balance(l, to);

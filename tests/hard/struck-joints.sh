@@ -74,3 +74,29 @@ rod 0 0.9 1
 rod -3 0.55 1
 rod -3 0.3 0.3
 rod -8 0.9 0.3
+
+# Of restitution 1 and a pin that rubs Newton's law would gain energy: the most that gains none is taken, and told.  So next to no
+# friction changes next to nothing.  Two arms, the elbow's stop struck at w: rates of the elbow after it over those before.
+stop() {
+    cat >"$work/stop.yaml" <<END
+fmdsub: 1
+bodies:
+  a: {mass: 1.2, inertia: 0.1, at: [0.5, 0]}
+  b: {mass: 0.7, inertia: 0.04, at: [1.4, 0]}
+constraints:
+  sh: {revolute: [ground, a], at: [0, 0], friction: {coefficient: $1, radius: 0.1}}
+  el: {revolute: [a, b], at: [1, 0], range: {upper: 1.0, hold: {restitution: 1}}}
+initial: {sh.angle: 1.69, el.angle: 0.469, sh.angle_rate: -0.953, el.angle_rate: 2.868}
+integrate: {scheme: midpoint, step: 1.0e-4, until: 0.3}
+output: {every: 1.0e-4, columns: [el.angle_rate, energy.impact]}
+END
+    "$FMDSUB" run "$work/stop.yaml" 2>"$work/err" |
+        awk -F, 'NR > 2 && p > 0 && $2 < 0 && !turned { turned = 1; kept = -$2 / p } NR > 1 { p = $2; lost = $3 }
+                 END { print (kept > .999 ? "whole" : kept > .9 ? "most" : kept), (lost >= -1e-9 && lost < 1e-2 ? "none gained" : lost) }'
+}
+
+expect "an elbow's stop, restitution 1, next to no friction in the shoulder" "whole none gained" "$(stop 1e-9)" "$work/err"
+expect "that is told" 1 "$(grep -c '^restitution lowered in 1 of the 1 impacts' "$work/err")" "$work/err"
+expect "the same, friction 1" "most none gained" "$(stop 1)" "$work/err"
+expect "the same, no friction" "whole none gained" "$(stop 0)" "$work/err"
+expect "there nothing is told" 0 "$(grep -c '^restitution lowered' "$work/err")" "$work/err"
