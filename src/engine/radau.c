@@ -379,7 +379,7 @@ static enum status recall(struct stepper *s, struct adaptive *m, struct recall *
     .stages = 2, .open = open, .forget = forget, .attempt = attempt, .take = take, .shrink = shrink, .grow = grow,     \
     .recall = recall, .off = off, .left = left
 static const struct adaptive_scheme radau5 = {.order = 4, .sharper = .5, .drifts = 1, RADAU},
-                                    radau9 = {.order = 6, .sharper = .45, RADAU};
+                                    radau9 = {.order = 6, .sharper = .45, .drifts = .04, RADAU};
 
 const struct stepper_kind step_radau5 = {
     .name = "radau5",

@@ -12,6 +12,10 @@ grep -q "^estimated error: not known, above half the range of 'wrist.fx': the st
 "$FMDSUB" run -s integrate.scheme=miao "$decks"/bar-slider.yaml >out 2>err
 tail -n 1 err | grep -q 'not known: its scheme does not tell' && ok "a scheme that does not tell" || not_ok "a scheme that does not tell" "it says" err
 
+"$FMDSUB" run -s integrate.scheme=rk4 -s integrate.step=0.02 "$decks"/slider-crank.yaml >out 2>err
+grep -q '^estimated error: not known: the energy balance is broken; ' err && ok "a broken balance" ||
+    not_ok "a broken balance" "it says" err
+
 # Where small differences grow all the way: a double pendulum, an orbit, a chain of 16 links; not a pendulum, a four-bar of one
 # freedom, a governor, the same chain hanging.
 cat >hanging.yaml <<'END'
