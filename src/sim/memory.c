@@ -91,6 +91,7 @@ enum status memory_recall(struct sim *sim, struct recall *r)
     extremes_recall(sim, r);
     ledger_recall(&sim->ledger, r);
     if (sim->stepper.touch) recall_one(r, "struck", sim->ledger.struck);
+    if (sim->stepper.touch && sim->model->ndrive > 0) recall_one(r, "cornered", sim->corner.met);
     if (guard_acts(sim)) guard_recall(sim, r);
     system_recall(sim->system, r);
     return stepper_recall(&sim->stepper, r);

@@ -148,6 +148,10 @@ void warn_of_misfits(struct sim *sim);
 void jumps_open(struct sim *sim, struct arena *life);
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);
 
+/* corners.c: drives whose rate jumps beside friction or closed contacts, in the step from a time; first where steps begin */
+void corners_begin(struct sim *sim);
+void corners_note(struct sim *sim, double from);
+
 /* formulas.c: the deck's signals, and then its expressions of columns, join the catalogue */
 enum status signals_open(struct sim *sim, struct diags *diags, struct arena *life);
 enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *life);

@@ -159,6 +159,11 @@ struct sim {
         bool reported;
     } * jump; /* [njump] */
     struct {
+        bool borne; /* at the last look joints rubbed or contacts were closed */
+        bool met;   /* the rate of a drive has jumped meanwhile, */
+        bool told;  /* which this run, not one that it goes on from, has said */
+    } corner;
+    struct {
         bool told, acted;
         bool broken; /* beside energies that are there, and motion that the step does not resolve */
         bool taking,

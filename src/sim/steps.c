@@ -137,11 +137,12 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
     for (long k = sim->place.step + 1; k <= sim->majors; k++) {
         const bool loops = sim->model->nloop > 0;
         const long charts = loops ? system_charts(sim->system) : 0;
-        const double to = end_of(sim, k);
+        const double t0 = sim->x.t, to = end_of(sim, k);
         if (sim->njump) TRY(jumps_check(sim, to, sink, report));
         enum status status = major(sim, k, to);
         if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+        corners_note(sim, t0);
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (loops && system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
@@ -226,6 +227,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
                 continue;
             }
         }
+        corners_note(sim, t0);
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
         if (sim->npass) TRY(passes_check(sim, sink, report));
@@ -249,5 +251,6 @@ enum status steps_take(struct sim *sim, struct sink *sink, struct progress *prog
         TRY(write_row(sim, sink, report));
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
     }
+    corners_begin(sim);
     return (sim->stepper.natural ? step_naturally : step_on)(sim, sink, progress, report);
 }

@@ -250,6 +250,7 @@ static const char *reason(const struct sim *sim)
     if (ledger_broken(&sim->ledger)) return "the energy balance is broken";
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
+    if (sim->corner.met) return "the rate of a drive jumps";
     if (sim->pulses) return "a load comes and goes within a step";
     if (sim->stepper.unresolved.energy > EXCITED * sim->stepper.unresolved.motion)
         return "the minor steps do not resolve what vibrates in them";
