@@ -14,17 +14,6 @@ static const double LITTLE = 1e-3; /* of its size: what changes by less all but 
 
 /* ---- columns --------------------------------------------------------------------------------------------------- */
 
-static double largest_of_unit(const struct sim *sim, int i)
-{
-    const struct trust *o = &sim->trust;
-    double most = 0;
-    for (int k = 0; k < sim->chosen.n; k++) {
-        const char *a = sim->columns[i].unit, *b = sim->columns[k].unit;
-        if (a == b || (a && b && strcmp(a, b) == 0)) most = fmax(most, fmax(fabs(o->low[k]), fabs(o->high[k])));
-    }
-    return most;
-}
-
 static double range(const struct sim *sim, int i)
 {
     return sim->trust.high[i] - sim->trust.low[i];
@@ -35,11 +24,42 @@ static double size(const struct sim *sim, int i)
     return fmax(fabs(sim->trust.low[i]), fabs(sim->trust.high[i]));
 }
 
-/* The error over the range, or where it has none over its size; what is lost beside the largest of its unit does not count. */
+static bool is_in(const struct sim *sim, int i, const char *unit)
+{
+    const char *own = sim->columns[i].unit;
+    return own == unit || (own && unit && strcmp(own, unit) == 0);
+}
+
+static double largest_in(const struct sim *sim, const char *unit)
+{
+    double most = 0;
+    for (int k = 0; k < sim->chosen.n; k++)
+        if (is_in(sim, k, unit)) most = fmax(most, size(sim, k));
+    return most;
+}
+
+static double largest_of_unit(const struct sim *sim, int i)
+{
+    return largest_in(sim, sim->columns[i].unit);
+}
+
+/* What round-off is beside: the largest of its unit, and a usual change of a coordinate; of energies what the balance is
+ * measured against; of forces and moments that, and each other over the mechanism's length. */
+static double scale(const struct sim *sim, int i)
+{
+    const double length = system_length(sim->system), energy = sim->ledger.norm;
+    const double most = fmax(largest_of_unit(sim, i), sim_column_usual(sim, i));
+    if (is_in(sim, i, "J")) return fmax(most, energy);
+    if (is_in(sim, i, "N m")) return fmax(most, fmax(energy, length * largest_in(sim, "N")));
+    if (is_in(sim, i, "N") && length > 0) return fmax(most, fmax(energy, largest_in(sim, "N m")) / length);
+    return most;
+}
+
+/* The error over the range, or where it has none over its size; what is lost beside such a scale does not count. */
 static double share(const struct sim *sim, int i)
 {
     static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
-    const double least = LOST * largest_of_unit(sim, i), whole = size(sim, i), over = range(sim, i);
+    const double least = LOST * scale(sim, i), whole = size(sim, i), over = range(sim, i);
     return sim->trust.off[i] > 0 ? AMPLE * sim->trust.off[i] / fmax(over > RESTS * whole ? over : whole, least) : 0;
 }
 
