@@ -1,11 +1,12 @@
 /* kinematic.c -- see kinematic.h.  The drives' power over each part comes from inverse dynamics at its middle, with
- * their mean rates and accelerations. */
+ * their mean rates and accelerations, and from what rubs there. */
 #include "engine/kinematic.h"
 
 #include <math.h>
 
 #include "engine/motion.h"
 #include "engine/single.h"
+#include "engine/touch.h"
 
 static enum status part(struct stepper *s, struct state *x, double *work, double t1, struct trouble *why)
 {
@@ -18,6 +19,10 @@ static enum status part(struct stepper *s, struct state *x, double *work, double
     s->effort.slow++;
     s->effort.fast++;
     TRY(o->ops->resid(o, r, w, NULL, &mid, ALL, why));
+    if (s->touch) {
+        const struct state middle = {mid.t, x->q, x->v, x->a};
+        TRY(touch_driven_power(s->touch, w, &middle, why));
+    }
     for (int c = 0; c < POWER_CHANNELS; c++) work[c] += h * w[c];
     motion_point(o, x->q, x->q, nothing, 1, t1);
     x->t = t1;

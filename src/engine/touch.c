@@ -254,7 +254,9 @@ enum status touch_begin(struct touch *o, int *deepest, double *overlap, const st
         const double g = o->g.gap[i];
         if (g < -TOUCH_DRAWN * o->size[i] && (*deepest < 0 || g < *overlap)) *overlap = o->g.gap[*deepest = i];
     }
-    return *deepest < 0 ? close_drawn(o, x, h, why) : OK;
+    if (*deepest >= 0) return OK;
+    TRY(close_drawn(o, x, h, why));
+    return o->ode->n == 0 ? touch_driven_at(o, x, why) : OK;
 }
 
 /* ---- for records ---- */

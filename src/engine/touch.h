@@ -76,8 +76,11 @@ double touch_noise(const struct touch *o, double h);
 /* x->a := accelerations at x, with the forces of closed contacts. */
 enum status touch_accelerations(struct touch *o, struct state *x, struct trouble *why);
 
-/* Where drives move everything: nothing may be pushed into anything. */
+/* Where drives move everything (n = 0): nothing may be pushed into anything; what rubs is shown as it is at x.
+ * w [POWER_CHANNELS] += the powers [W] of what rubs at x and of the drives against it.  E_NUMERIC: there are no such
+ * forces, as of a mechanism that its friction wedges. */
 enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why);
+enum status touch_driven_power(struct touch *o, double *w, const struct state *x, struct trouble *why);
 const struct touch_state *touch_state(const struct touch *o, int contact);
 /* Forces [rows] of closed contacts at x itself, for accelerations there. */
 enum status touch_forces(struct touch *o, double *f, const struct state *x, struct trouble *why);

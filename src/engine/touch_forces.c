@@ -124,3 +124,34 @@ enum status touch_accelerations(struct touch *o, struct state *x, struct trouble
     touch_kick(o, x->a, o->l);
     return OK;
 }
+
+/* ---- where drives move everything: rates are what drives make of them, b ---- */
+
+static void grow_by_rates(struct touch *o)
+{
+    for (int i = 0; i < o->rows; i++) o->top = larger(o->top, fabs(o->u[i]));
+}
+
+enum status touch_driven_at(struct touch *o, const struct state *x, struct trouble *why)
+{
+    touch_choose_closed(o);
+    if (o->n == 0) return OK;
+    TRY(touch_look(o, o->u, &o->end, x, why));
+    grow_by_rates(o);
+    for (int k = 0; k < o->n; k++) touch_set_slip(o, o->contact[k], o->u, &o->cone[k]);
+    TRY(touch_forces(o, o->held, x, why));
+    if (o->jammed || !touch_pressed_so(o)) return trouble_set(why, TROUBLE_CONTACT, o->contact[0], INFINITY, x->t);
+    touch_keep(o);
+    o->took = 1;
+    return OK;
+}
+
+enum status touch_driven_power(struct touch *o, double *w, const struct state *x, struct trouble *why)
+{
+    TRY(touch_driven_at(o, x, why));
+    for (int k = 0; k < o->n; k++)
+        for (int j = 1, i = o->cone[k].row + 1; j <= o->cone[k].across; j++, i++)
+            w[POWER_FRICTION] += o->l[i] * o->end.b[i];
+    w[POWER_DRIVE] -= dot(o->l, o->end.b, o->rows);
+    return OK;
+}

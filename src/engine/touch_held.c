@@ -171,9 +171,7 @@ static enum status correct(struct touch *o, double *err, struct instant *x, doub
     return isfinite(*err) ? OK : trouble_set(why, TROUBLE_CONTACT, o->contact[0], *err, x->tb);
 }
 
-/* Do joints that rub press as their friction makes them?  Where they do not, as of a mechanism that is wedged by forces
- * without bounds, there is no such motion. */
-static bool pressed(const struct touch *o)
+bool touch_pressed_so(const struct touch *o)
 {
     static const double OFF = 1e-3;
     double most = 0, off = 0;
@@ -198,7 +196,7 @@ static enum status iterate(struct touch *o, struct instant *at, const struct sta
         since = err < .9 * least ? 0 : since + 1;
         least = smaller(least, err);
         const bool still = err <= EXACT * size || (err <= ENOUGH * size + rough && since > 1);
-        if (still && pressed(o)) return OK;
+        if (still && touch_pressed_so(o)) return OK;
     }
     return trouble_set(why, TROUBLE_CONTACT, o->contact[0], err, t1);
 }

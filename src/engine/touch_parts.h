@@ -154,12 +154,18 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
  * within `back` stays. */
 enum status touch_at_end(struct touch *o, struct state *x, double back, int *impacts, struct trouble *why);
 
+/* touch_forces.c: n = 0, what slides and sticks at x, and its forces, kept as impulses of 1 s. */
+enum status touch_driven_at(struct touch *o, const struct state *x, struct trouble *why);
+
 /* touch_passed.c: has a gap that is open at both ends of the step h from o->part to x, where gaps are g0 and g, been closed
  * in between?  Then *met is how far into the step; else it stays. */
 enum status touch_passed(struct touch *o, double *met, const struct state *x, double h, struct trouble *why);
 
 /* touch_held.c: one step h of x with the closed contacts held, or x as it was. */
 enum status touch_held(struct touch *o, struct state *x, double h, double t1, struct trouble *why);
+/* Do joints that rub press as their friction makes them?  Where they do not, as of a mechanism that is wedged by forces
+ * without bounds, there is no such motion. */
+bool touch_pressed_so(const struct touch *o);
 /* touch_impact.c: of all contacts that are looked at or closed. */
 enum status touch_impact(struct touch *o, struct state *x, double h, int last, struct trouble *why);
 

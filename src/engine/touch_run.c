@@ -301,5 +301,6 @@ enum status touch_driven(struct touch *o, const struct state *x, struct trouble 
 {
     touch_reach(o, 0);
     TRY(touch_gaps(o, x, o->reach, why));
-    return none_is_deep(o, x->t, why);
+    TRY(none_is_deep(o, x->t, why));
+    return touch_driven_at(o, x, why);
 }

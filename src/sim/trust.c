@@ -246,7 +246,8 @@ static const char *reason(const struct sim *sim)
     const struct missed *missed = sim->stepper.missed;
     const bool tells = sim->stepper.kind->adaptive || sim->stepper.kind->late;
     const bool asked = sim->stepper.kind->adaptive || missed->steps > 0; /* two rates composed to order 4 are not */
-    if (sim->stepper.ode->n == 0) return NULL;
+    if (sim->stepper.ode->n == 0)
+        return sim->needs & NEED_WORKS ? "drives move all, and works are sums whose errors are not known" : NULL;
     if (ledger_broken(&sim->ledger)) return "the energy balance is broken";
     if (!tells) return "its scheme does not tell what its steps leave";
     if (has_jumped(sim)) return "a drive jumps";
