@@ -18,6 +18,9 @@ plot --script -o picture.svg two.csv >script
 expect "plot --script: a panel for each column of a file without units" 3 "$(grep -c '^plot ' script)" script
 plot --script -o picture.svg "$ROOT/decks/pendulum.yaml" >script
 expect "plot --script: a panel for each unit of a deck" "$(awk '/^set ylabel/ { n++ } END { print n }' script)" "$(grep -c '^plot ' script)" script
+plot --script -o picture.svg -c 'pin.*' "$ROOT/decks/pendulum.yaml" >script
+expect "plot --script: columns of a pattern, by units" "[N] pin.angle [rad] pin.angle_accel [rad/s2] pin.angle_rate [rad/s] pin.mz [N m] " \
+    "$(sed -n "s/^set ylabel '\(.*\)' noenhanced/\1/p" script | LC_ALL=C sort | tr '\n' ' ')" script
 plot --script -o picture.svg -c pin.angle "$ROOT/decks/pendulum.yaml" >script
 expect "a deck is run with 500 records" 501 "$(awk '/^END/ { exit } /^[0-9]/ { n++ } END { print n }' script)" err
 plot --script -o picture.svg -c pin.angle --every 1 "$ROOT/decks/pendulum.yaml" >script
