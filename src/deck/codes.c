@@ -373,7 +373,8 @@ const struct diag_help diag_helps[] = {
      "not resolve: there it swings over, and puts in energy that nothing has."},
     {"no-equilibrium",
      "'static' looks for the nearest stable equilibrium and found none: a part that nothing holds, or forces that "
-     "have no balance near the drawn posture. Hold the part, or start nearer by 'initial:'."},
+     "have no balance near the drawn posture. Where it ends in one that is unstable, as a pendulum upside down, it "
+     "names what falls away. Hold the part, or start nearer by 'initial:'."},
     {"drive-jump",
      "A drive's value jumps, which no force can follow. Let it move there in some time: a ramp, or a table."},
     {"memory", "The run needs more memory than --max-memory, or the machine, has. Only matrices of all freedoms are "

@@ -179,7 +179,10 @@ enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *wh
     s.mu = 1;
     system_count_turns(sim->system, s.q, s.t);
     TRY(rest_resid(&s, s.r, s.q, why));
-    TRY(search(&s, sim, why));
+    const enum status status = search(&s, sim, why);
+    const int falls = status != OK && !stop && why->code == TROUBLE_DIVERGED ? rest_falls(&s) : -1;
+    if (falls >= 0) why->kind = REST_FALLS, why->index = falls;
+    if (status != OK) return status;
     memset(sim->x.v, 0, sizeof *sim->x.v * (size_t)s.n);
     take(sim, &s);
     if (rest_goes_back(&s) && search(&s, sim, &not_so) == OK && s.neutral > 0) take(sim, &s);

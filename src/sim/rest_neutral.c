@@ -124,6 +124,29 @@ bool rest_settles_neutral(struct rest *s)
     return stable && largest(s->dx, n) <= REST_TINY;
 }
 
+int rest_falls(struct rest *s)
+{
+    static const double NEAR = 1e-9; /* [m], [rad] */
+    const int n = s->n;
+    int most = 0;
+    if (n == 0 || n > MOST || eigen_graded(s->lambda, s->Z, s->K, s->M, n, s->work) >= 0) return -1;
+    int falls = 0;
+    double top = LEAST;
+    for (int k = 0; k < n; k++) {
+        if (s->lambda[k] < s->lambda[falls]) falls = k;
+        top = fmax(top, fabs(s->lambda[k]));
+    }
+    if (!(s->lambda[falls] < -WEAK * top)) return -1;
+    for (int k = 0; k < n; k++) {
+        const double *z = s->Z + (long)k * n, push = fabs(dot(z, s->r, n)) * largest(z, n);
+        if (push > fmax(STILL, NEAR * fabs(s->lambda[k]))) return -1;
+    }
+    const double *z = s->Z + (long)falls * n;
+    for (int i = 0; i < n; i++)
+        if (fabs(z[i]) > fabs(z[most])) most = i;
+    return most;
+}
+
 void rest_hold_neutral(const struct rest *s, double *J)
 {
     const int n = s->n;

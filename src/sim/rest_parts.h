@@ -30,6 +30,9 @@ void rest_neutral_open(struct rest *s, struct arena *scratch);
 bool rest_suspects(const struct rest *s, bool held);
 /* Is it an equilibrium but for neutral motions, stable in all else, and Newton's step, to q1, next to nothing?  N. */
 bool rest_settles_neutral(struct rest *s);
+/* Where the search has ended without: the coordinate that moves most as an equilibrium there is left, the one that falls fastest;
+ * -1: it is none, or not known to be unstable. */
+int rest_falls(struct rest *s);
 /* J [n x n] += what holds neutral motions; dx [n] without them. */
 void rest_hold_neutral(const struct rest *s, double *J);
 void rest_leave_neutral(const struct rest *s, double *dx);

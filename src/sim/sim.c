@@ -37,6 +37,11 @@ static enum status start_at_rest(struct sim *sim, struct report *report)
             "no start: no static equilibrium was found: on the way '%s' bends by %g times its length; look at its "
             "loads, or at how fast it is turned [no-equilibrium]",
             sim->model->body[why.index].name, why.value);
+    if (why.code == TROUBLE_DIVERGED && why.kind == REST_FALLS)
+        return fail(report, E_MODEL,
+                    "no start: the static equilibrium near the initial position is unstable: '%s' falls away; start "
+                    "beside it, on the side to which it is to fall [no-equilibrium]",
+                    sim_coordinate_name(sim, why.index));
     return fail(
         report, E_MODEL,
         "no start: no stable static equilibrium was found near the initial position in %d steps (last move %.3g m "
