@@ -102,8 +102,7 @@ const struct diag_help diag_helps[] = {
     {"E-unknown-point", "A point is a vector (fixed on the ground), a body (its centre of mass), or body.name from the "
                         "body's points:."},
     {"E-unknown-coordinate",
-     "A coordinate is joint.name, such as hub.angle or guide.displacement; `fmdsub list columns "
-     "DECK` shows them all."},
+     "A coordinate is joint.name, such as hub.angle or guide.displacement; `fmdsub list columns DECK` shows them all."},
     {"E-unknown-column",
      "`fmdsub list columns DECK` shows every column of a deck; '*' and '?' match as in file names."},
     {"E-unknown-joint", "`fmdsub list joints` shows the kinds of joints."},
@@ -131,9 +130,8 @@ const struct diag_help diag_helps[] = {
      "The finite elements of the beam do not go with what is asked of them: take fewer modes or more elements, "
      "and look at its section and material."},
     {"E-inertia", "The tensor belongs to no body. Moments about any three axes at right angles are positive and none "
-                  "exceeds the sum of the other two; check units, and whether the tensor is about the centre of mass. "
-                  "With 'inertia_check: false' the body takes it as "
-                  "it is."},
+                  "exceeds the sum of the other two; check units, and whether the tensor is about the centre of "
+                  "mass. With 'inertia_check: false' the body takes it as it is."},
     {"E-direction", "A direction must have a length, and two axes must not be parallel."},
     {"E-axes",
      "The two axes of a universal joint stand at right angles, and so do x and z of an orientation. Oblique "
@@ -165,9 +163,8 @@ const struct diag_help diag_helps[] = {
      "A disc touches a curve at one place. Where a hollow is narrower than the disc it would touch at two. Take a "
      "smaller disc, or a curve with wider hollows."},
     {"E-contact-flexible",
-     "Rigid contacts are of rigid bodies; planes, balls and curves always are. A point of a flexible body touches by a "
-     "compliant "
-     "contact: give it a 'stiffness'. Or fix a small rigid body at the place, and let that touch."},
+     "Rigid contacts are of rigid bodies; planes, balls and curves always are. A point of a flexible body touches by "
+     "a compliant contact: give it a 'stiffness'. Or fix a small rigid body at the place, and let that touch."},
     {"E-points", "A surface of 'points' has one point or more, each of another place: a body rests on a place once. "
                  "Name points of the body, or delete the second of the two."},
     {"E-contact-linear",
@@ -184,9 +181,8 @@ const struct diag_help diag_helps[] = {
     {"E-friction-reaction",
      "Friction in a joint is its coefficient times the joint's force. Where a loop is held more often than it needs, "
      "as a four-bar of four parallel hinges in space, dynamics do not tell how its joints share their forces. Free "
-     "what "
-     "holds it twice, as by a spherical or cylindrical joint, or give the friction itself: friction: {torque: 0.1}, "
-     "or in a slide {force: 1}."},
+     "what holds it twice, as by a spherical or cylindrical joint, or give the friction itself: friction: {torque: "
+     "0.1}, or in a slide {force: 1}."},
     {"E-overlap", "A rigid contact starts inside of what it may not pass. Move the bodies apart in the drawing, or by "
                   "'initial'."},
     {"E-scheme-contact",
@@ -194,9 +190,8 @@ const struct diag_help diag_helps[] = {
      "contact with a 'stiffness' is compliant, which every scheme takes; a joint's stop likewise, range: {hold: "
      "{stiffness: 1.0e+6}}."},
     {"E-damping", "rho_infinity below 1 takes out what the step does not resolve: midpoint and generalized-alpha from "
-                  "0 to 1, hht from "
-                  "0.5, newmark from 0 to 1 at the price of order 1, subcycle in what is fast. The others have no such "
-                  "damping; midpoint keeps all energy of linear systems at any step."},
+                  "0 to 1, hht from 0.5, newmark from 0 to 1 at the price of order 1, subcycle in what is fast. The "
+                  "others have no such damping; midpoint keeps all energy of linear systems at any step."},
     {"E-stop-driven", "A drive prescribes a coordinate that stops hold within a range. Let a spring between them give "
                       "way: drive another joint, and put a spring along this one."},
     {"E-kind",
@@ -210,8 +205,7 @@ const struct diag_help diag_helps[] = {
     {"E-state",
      "A file of --final-state holds every coordinate and every rate of the deck that left it, and goes with that "
      "deck, as it was written. 'deck: any' beside 'from' takes coordinates and rates of another deck's, or of one "
-     "that was edited and has lost its 'check', 'deck' and 'memory'. A run that keeps its time ends later than "
-     "that."},
+     "that was edited and has lost its 'check', 'deck' and 'memory'. A run that keeps its time ends later than that."},
     {"E-states",
      "'static' finds a posture in which all stands still, but not what integrals and filters are there. Run the deck "
      "until it has come to rest, and go on from that: --final-state rest.json, initial: {from: rest.json}."},
@@ -237,31 +231,27 @@ const struct diag_help diag_helps[] = {
      "The key belongs to other schemes and changes nothing here. Take it out, or choose one of those. Keys of "
      "a deck whose scheme --set has changed are passed over without a word."},
     {"W-expression-stop",
-     "A force that is 0 up to some place and pushes back beyond it is a stop: unilateral: x, with its "
-     "stiffness, has its energy in the balance and keeps it at any step, which as an expression only "
-     "small steps do; range: {hold: rigid} of a joint has no stiffness to choose. A hint: nothing is "
-     "wrong, and --strict does not mind."},
+     "A force that is 0 up to some place and pushes back beyond it is a stop: unilateral: x, with its stiffness, has "
+     "its energy in the balance and keeps it at any step, which as an expression only small steps do; range: {hold: "
+     "rigid} of a joint has no stiffness to choose. A hint: nothing is wrong, and --strict does not mind."},
     {"W-unused", "What the deck gives changes nothing. Take it out, or look for the name that it should have had."},
     {"W-partition", "Where no coordinate is fast, everything takes the major step, ratio times step. Name the fast "
                     "coordinates in partition:, or take ratio 1. Where all are fast, as in one loop with a fast "
                     "coordinate, everything takes the minor step, and a ratio saves nothing."},
     {"W-pulse",
-     "A load changes twice within one fixed step: on and off again, say. The step asks for it at a few times, or takes "
-     "its "
-     "mean, and what comes and goes between is missed or counted for a whole step. Take a step by which both times are "
-     "ends of steps, or give a 'tolerance': a scheme that chooses its steps steps onto the times at which an "
-     "expression of t or a table is known to change. A smooth pulse, or a vibration of less than three steps, is told "
-     "the "
-     "same way: steps must be parts of it; a tolerance may step over a narrow one, too, where nothing else is going "
-     "on."},
+     "A load changes twice within one fixed step: on and off again, say. The step asks for it at a few times, or "
+     "takes its mean, and what comes and goes between is missed or counted for a whole step. Take a step by which "
+     "both times are ends of steps, or give a 'tolerance': a scheme that chooses its steps steps onto the times at "
+     "which an expression of t or a table is known to change. A smooth pulse, or a vibration of less than three "
+     "steps, is told the same way: steps must be parts of it; a tolerance may step over a narrow one, too, where "
+     "nothing else is going on."},
     {"W-corner",
      "The rate of a drive jumps while joints rub or rigid contacts are closed. Such a corner strikes all that the "
-     "drive moves; friction, which would take up to its coefficient of what joints and contacts bear of the blow, does "
-     "not take that part, or one that goes by the step, and the impulses that contacts count are not what they bear. "
-     "No smaller step mends it. Round the corner: let the rate go from one value to the other in a short time, as "
-     "smooth(t, a, b) does, or by a piece of t^2 in an if(); 1.0e-4 s is short enough for most. Steps have to be "
-     "shorter than that, or chosen by "
-     "a 'tolerance'."},
+     "drive moves; friction, which would take up to its coefficient of what joints and contacts bear of the blow, "
+     "does not take that part, or one that goes by the step, and the impulses that contacts count are not what they "
+     "bear. No smaller step mends it. Round the corner: let the rate go from one value to the other in a short time, "
+     "as smooth(t, a, b) does, or by a piece of t^2 in an if(); 1.0e-4 s is short enough for most. Steps have to be "
+     "shorter than that, or chosen by a 'tolerance'."},
     {"W-time",
      "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
      "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},
@@ -272,27 +262,23 @@ const struct diag_help diag_helps[] = {
     {"W-drive", "The drive's rate changes within the slow coordinates' step. What it moves takes the small step now; a "
                 "smaller ratio would let it be slow."},
     {"W-damping", "Of a beam in segments 'ratio' and 'alpha' are of the motion of each segment against its own frame, "
-                  "and damp the slow "
-                  "modes of the whole beam by next to nothing. 'beta' is the material's and does not depend on the "
-                  "number of segments: "
-                  "beta = 2*z/omega gives the mode of omega rad/s the damping ratio z; `fmdsub modes` shows both."},
+                  "and damp the slow modes of the whole beam by next to nothing. 'beta' is the material's and does "
+                  "not depend on the number of segments: beta = 2*z/omega gives the mode of omega rad/s the damping "
+                  "ratio z; `fmdsub modes` shows both."},
     {"W-bending",
      "A flexible body has one frame, in which it may bend by about a fifth of its length. Farther bending is "
      "followed by several: give the beam 'segments', or more of them. A beam with 'stiffening: false' bends too far as "
      "soon as it turns or carries loads along its axis: take that out first."},
     {"W-bushing",
-     "A bushing with different stiffnesses about its axes tilted by more than 0.5 rad. Large rotations are measured as "
-     "swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
-     "meant to "
-     "turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
+     "A bushing with different stiffnesses about its axes tilted by more than 0.5 rad. Large rotations are measured "
+     "as swing and twist, see fmdsub-deck(5): exact about one axis, but a convention where two meet. If the joint is "
+     "meant to turn far, give it a joint of its own, or stiffnesses that are the same all round its axis."},
     {"W-effect",
      "The deck has turned an effect off, and what it would have done was watched: it is more than the tolerance of "
-     "'effects' "
-     "allows, which is a tenth of the run's own at most. Of a column the number is what a second run with the effect "
-     "found; of how a body bends a share by records, right within a factor of about three. Turn the effect on, or "
-     "give a tolerance that fits. Of a scene "
-     "that is "
-     "stepped in a plane: what bends there would buckle out of it, which no symmetric computation shows by itself."},
+     "'effects' allows, which is a tenth of the run's own at most. Of a column the number is what a second run with "
+     "the effect found; of how a body bends a share by records, right within a factor of about three. Turn the "
+     "effect on, or give a tolerance that fits. Of a scene that is stepped in a plane: what bends there would buckle "
+     "out of it, which no symmetric computation shows by itself."},
     {"W-resolve",
      "A fast coordinate vibrates, and the minor steps of sub-cycling are too long for it: omega h above 2, with "
      "more than a millionth of the energy of motion. Its energy is kept, so that the balance is, but nothing of its "
@@ -337,18 +323,15 @@ const struct diag_help diag_helps[] = {
     /* stops and verdicts */
     {"no-convergence",
      "The iteration of a step did not converge, though the step was halved ten times. Where the motion is stiff, a "
-     "smaller step or ratio helps. Where all steps fail, something jumps: sign(), a comparison in if(), a table with a "
-     "step. Let it pass from one value to the other over a small way (tanh(rate/0.01) for sign(rate)), or look whether "
-     "the "
-     "mechanism comes to a dead point there (`fmdsub explain dead-point`)."},
+     "smaller step or ratio helps. Where all steps fail, something jumps: sign(), a comparison in if(), a table with "
+     "a step. Let it pass from one value to the other over a small way (tanh(rate/0.01) for sign(rate)), or look "
+     "whether the mechanism comes to a dead point there (`fmdsub explain dead-point`)."},
     {"dead-point",
      "In this posture the loops leave more than one way open, or none: a linkage stretched out, a parallelogram that "
-     "lies "
-     "flat, or a mechanism that is locked. At the start: draw it in another posture, or set a coordinate by 'initial:' "
-     "a "
-     "little to the side on which it is to go on. In a run: try a smaller step, or drive a coordinate that still moves "
-     "there. "
-     "A mechanism without any way is locked: take a joint that holds too much, see `fmdsub explain W-redundant`."},
+     "lies flat, or a mechanism that is locked. At the start: draw it in another posture, or set a coordinate by "
+     "'initial:' a little to the side on which it is to go on. In a run: try a smaller step, or drive a coordinate "
+     "that still moves there. A mechanism without any way is locked: take a joint that holds too much, see `fmdsub "
+     "explain W-redundant`."},
     {"locked", "No small motion closes the loops: see `fmdsub explain dead-point`."},
     {"no-mass",
      "A coordinate moves no mass, so that a force along it has no acceleration to answer with. Give the bodies that it "
@@ -358,10 +341,8 @@ const struct diag_help diag_helps[] = {
      "just holds the balance. Give the body mass, or try another step."},
     {"not-finite",
      "A force, a drive, the condition that ends the run or a state is no number (a division by 0, the root of a "
-     "negative number, an overflow). Look at "
-     "the expression that is named, and guard it: if(x > 0, sqrt(x), 0). If the motion grew before, the step is too "
-     "large or "
-     "the model is unstable."},
+     "negative number, an overflow). Look at the expression that is named, and guard it: if(x > 0, sqrt(x), 0). If "
+     "the motion grew before, the step is too large or the model is unstable."},
     {"bending",
      "The end of a flexible body has moved by more than its length, where its equations mean nothing. See `fmdsub "
      "explain W-bending` and `fmdsub explain W-stiffening`."},
@@ -382,11 +363,10 @@ const struct diag_help diag_helps[] = {
                "between bodies that are not joined to each other, and freedoms without mass, ask for them."},
     {"friction",
      "Surfaces that touch have Coulomb's friction, which sticks exactly: contacts: {foot: {between: [toe, floor], "
-     "friction: 0.3}}. So have revolute and prismatic joints, by their own force: pin: {revolute: [a, b], at: [0, 0], "
-     "friction: {coefficient: 0.3, radius: 0.02}}, slide: {prismatic: [a, b], axis: [1, 0], friction: 0.2}; a seal's "
-     "is a torque or a force. Viscous friction is a damper. Under a scheme other than midpoint dry friction can be "
-     "written as a "
-     "force of the rate that passes smoothly through 0: {force: slide, value: "
+     "friction: 0.3}}. So have revolute and prismatic joints, by their own force: pin: {revolute: [a, b], at: [0, "
+     "0], friction: {coefficient: 0.3, radius: 0.02}}, slide: {prismatic: [a, b], axis: [1, 0], friction: 0.2}; a "
+     "seal's is a torque or a force. Viscous friction is a damper. Under a scheme other than midpoint dry friction "
+     "can be written as a force of the rate that passes smoothly through 0: {force: slide, value: "
      "\"-10*tanh(slide.displacement_rate/0.001)\"}; sign() in its place jumps, and stops the run. It creeps instead "
      "of sticking, at a rate that the 0.001 sets."},
     {"contact",
