@@ -11,6 +11,11 @@ static int least(int a, int b)
     return a < b ? a : b;
 }
 
+bool text_same(const char *a, const char *b)
+{
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
 int text_distance(const char *a, const char *b)
 {
     int la = (int)strnlen(a, LONGEST + 1), lb = (int)strnlen(b, LONGEST + 1);

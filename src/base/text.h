@@ -10,6 +10,9 @@
  * bytes) count as far apart. */
 int text_distance(const char *a, const char *b);
 
+/* The same text, or neither is there (NULL). */
+bool text_same(const char *a, const char *b);
+
 /* The word of words[0..n) nearest to word, or NULL if none is within 1 + length/4 edits, which leave half of it. */
 const char *text_nearest(const char *word, const char *const *words, int n);
 

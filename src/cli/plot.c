@@ -50,11 +50,6 @@ static const char *unit_of(const struct plot *o, const char *name)
     return NULL;
 }
 
-static bool same_unit(const char *a, const char *b)
-{
-    return a == b || (a && b && strcmp(a, b) == 0);
-}
-
 static bool is_drawn(const struct plot *o, int pattern, const char *name)
 {
     for (int p = 0; p < o->npanel; p++)
@@ -92,7 +87,7 @@ static enum status put_column(struct plot *o, int pattern, const char *name, boo
     struct panel *panel = NULL;
     if (is_drawn(o, pattern, name) || !can_draw(o, name)) return OK;
     for (int p = 0; p < o->npanel && !(alone && !unit); p++)
-        if (o->panel[p].pattern == pattern && same_unit(o->panel[p].unit, unit)) panel = &o->panel[p];
+        if (o->panel[p].pattern == pattern && text_same(o->panel[p].unit, unit)) panel = &o->panel[p];
     if (!panel) {
         if (o->npanel == MOST_PANELS)
             return fail(report, E_USAGE, "more than %d panels: name the columns with --columns", MOST_PANELS);

@@ -8,8 +8,9 @@
  * Corrections are measured as velocities against the running maximum of |v_i| and |H a_i| of each
  * coordinate.  A coordinate at rest has no such scale; there the energy of the correction,
  * dz . J dz = dz . r, against twice the kinetic energy decides.  Where that is below the tolerance, too, a coordinate may be
- * left by ten of its own, unless the deck names one: the energy that a step gains or loses has the same bound.  A major step of sub-cycling is judged by that energy
- * throughout: it may leave what its minor steps would leave together, so that the drift of a run stays bounded. */
+ * left by ten of its own, unless the deck names one: the energy that a step gains or loses has the same bound.  A major step
+ * of sub-cycling is judged by that energy throughout: it may leave what its minor steps would leave together, so that the
+ * drift of a run stays bounded. */
 #ifndef FMDSUB_ENGINE_NEWTON_H
 #define FMDSUB_ENGINE_NEWTON_H
 

@@ -55,11 +55,13 @@ static enum status find(struct touch *o, bool *found, const struct state *x, str
     for (int k = 0; k < PASSES && moved > ROUND_OFF; k++) {
         const struct instant at = {.t = x->t, .q = x->q, .v = x->v, .a = o->y, .ta = x->t, .tb = x->t};
         double most = DBL_MIN;
-        zero(o->y, o->ode->n);
-        touch_kick(o, o->y, o->l);
-        for (int i = 0; i < o->ode->n; i++) o->y[i] /= h;
         copy(o->last, o->l, o->rows);
-        if (k > 0) TRY(touch_press(o, &at, h, k - 1, why));
+        if (k > 0) {
+            zero(o->y, o->ode->n);
+            touch_kick(o, o->y, o->l);
+            for (int i = 0; i < o->ode->n; i++) o->y[i] /= h;
+            TRY(touch_press(o, &at, h, k - 1, why));
+        }
         *found = cone_solve(o->l, o->W, o->u1, o->cone, o->n, o->rows, o->top, 0, &o->work);
         if (!*found || !o->c->bound) return OK;
         for (int i = 0; i < o->rows; i++) most = larger(most, fabs(o->l[i]));

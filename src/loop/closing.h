@@ -45,9 +45,8 @@ struct closing {
     struct made made;     /* what the tangent is of: base and split */
     struct posture about; /* a base whose tangent is that `at` a posture beside it; 0: there is none */
     double *at;           /* [nq] */
-    double *along,
-        *bend;     /* [of the tree] velocities of a step, and how dependents bend off the tangent on it: what their
-                               * accelerations are beyond G a_i and the drives' */
+    double *along;        /* [of the tree] velocities of a step, and */
+    double *bend;  /* how dependents bend off the tangent on it: their accelerations beyond G a_i and the drives' */
     bool bends;    /* are they known? */
     double first;  /* the first correction of the last way that was closed from a tangent */
     bool plain;    /* all drives, if any, are of coordinates */

@@ -55,11 +55,12 @@ void condense_power(const struct condense *o, double *w, const double *lambda)
 
 /* With V the velocities that drives alone give the tree, V_d = C_qd^-1 c', their power -lambda c' is V' r of the tree, which
  * changes by (T' M V)' a. */
-void condense_driven_mass(struct condense *o)
+int condense_power_of(const struct ode2 *ode, double *w, const double *a)
 {
+    struct condense *o = ode->self;
     const int nt = o->rows.n;
     double *V = o->Tx, *y = o->rt;
-    if (o->model->ndrive == 0) return;
+    if (o->sided) return 0;
     memset(V, 0, sizeof *V * (size_t)nt);
     solve_follow(&o->solve, V, o->rows.loops->cw);
     if (o->few) {
@@ -69,12 +70,6 @@ void condense_driven_mass(struct condense *o)
         dense_gemv(y, 1, o->M, V, nt, nt, nt);
     }
     solve_reduce(&o->solve, o->driven, o->lambda, y);
-}
-
-int condense_power_of(const struct ode2 *ode, double *w, const double *a)
-{
-    const struct condense *o = ode->self;
-    if (o->sided) return 0;
     for (int i = 0; i < ode->n; i++) w[POWER_DRIVE] += o->driven[i] * a[i];
     return 1;
 }

@@ -4,12 +4,19 @@
 
 #include "loop/condense_parts.h"
 
+static enum way_end go(struct condense *o, double *q1, const double *q0, const double *dx, double s, double t,
+                       double beside, double ajar)
+{
+    loops_where(o->rows.loops, t, beside);
+    const enum way_end end = closing_point(&o->closing, q1, &o->lost, q0, dx, s, ajar);
+    for (int i = 0; end == WAY_LOST && i < o->model->nq; i++) q1[i] = NAN;
+    return end;
+}
+
 void condense_point(struct condense *o, double *q1, const double *q0, const double *dx, double s, double t,
                     double beside)
 {
-    loops_where(o->rows.loops, t, beside);
-    if (closing_point(&o->closing, q1, &o->lost, q0, dx, s, 0)) return;
-    for (int i = 0; i < o->model->nq; i++) q1[i] = NAN;
+    go(o, q1, q0, dx, s, t, beside, 0);
 }
 
 static void point(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
@@ -38,11 +45,7 @@ static const double SMALL = 1e-6;
 
 static bool first(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
 {
-    struct condense *o = ode->self;
-    loops_where(o->rows.loops, t, 0);
-    const enum way_end end = closing_point(&o->closing, q1, &o->lost, q0, dx, s, SMALL);
-    for (int i = 0; end == WAY_LOST && i < o->model->nq; i++) q1[i] = NAN;
-    return end == WAY_AJAR;
+    return go(ode->self, q1, q0, dx, s, t, 0, SMALL) == WAY_AJAR;
 }
 
 static bool again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t, int open)

@@ -54,7 +54,7 @@ struct condense {
     double *qtry, *side[SIDES]; /* [nq] */
     double *M;                  /* [nt x nt]; few: NULL */
     double *M_side, *M_solve;   /* [n x n] */
-    double *driven;             /* [n] where M^ has been found last, of the drives: condense_drive.c */
+    double *driven;             /* [n] work of power() */
     bool sided;                 /* M^ has been found last from postures beside */
     double *Ty;                 /* [2][n] */
 };
@@ -69,8 +69,6 @@ int condense_jumps(const struct condense *o);
 enum status condense_driven(const struct condense *o, bool accelerations, double t, struct trouble *why);
 /* w += power of the drives, with multipliers lambda [rows] */
 void condense_power(const struct condense *o, double *w, const double *lambda);
-/* Where the tree's M, or what holds it at rest, has just been found for M^: what drives have of it. */
-void condense_driven_mass(struct condense *o);
 /* power() of ode2_breaks. */
 int condense_power_of(const struct ode2 *ode, double *w, const double *a);
 /* driven() of ode2. */

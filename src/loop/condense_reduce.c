@@ -159,7 +159,6 @@ static enum status mass_by_momentum(struct condense *o, double *M, const double 
         if (!isfinite(M[(n + 1) * (size_t)i])) return trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
     }
     symmetric(M, o->ode.n);
-    if (cls == ALL) condense_driven_mass(o);
     return OK;
 }
 
@@ -214,7 +213,6 @@ static enum status mass_there(struct condense *o, double *M, const double *q, do
     TRY(solve_G(&o->solve, q, t, why));
     if (o->few) return mass_by_momentum(o, M, q, t, cls, why);
     TRY(condense_own_rows(o, tree->ops->mass(tree, o->M, q, t, cls, why), why));
-    if (cls == ALL) condense_driven_mass(o);
     symmetric_congruence(o, M, o->M);
     return OK;
 }

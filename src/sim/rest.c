@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/stop.h"
+#include "engine/motion.h"
 #include "la/dense.h"
 #include "sim/rest_parts.h"
 
@@ -89,13 +90,6 @@ static bool factor(struct rest *s)
         s->mu = 4 * s->mu + 1e-6;
     }
     return false;
-}
-
-static double dot(const double *a, const double *b, int n)
-{
-    double sum = 0;
-    for (int i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
 }
 
 /* Is it stable here, and Newton's step, to q1, next to nothing?  Asked before a step is taken: at round-off no step

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine/motion.h"
 #include "la/dense.h"
 #include "la/eigen.h"
 #include "sim/rest_parts.h"
@@ -38,13 +39,6 @@ bool rest_suspects(const struct rest *s, bool held)
         most = fmax(most, lambda);
     }
     return !held || least < NOTHING * fmax(most, LEAST);
-}
-
-static double dot(const double *a, const double *b, int n)
-{
-    double sum = 0;
-    for (int i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
 }
 
 static double largest(const double *x, int n)

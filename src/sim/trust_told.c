@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "engine/options.h"
 #include "engine/stepper.h"
 #include "sim/parts.h"
@@ -26,8 +27,7 @@ static double size(const struct sim *sim, int i)
 
 static bool is_in(const struct sim *sim, int i, const char *unit)
 {
-    const char *own = sim->columns[i].unit;
-    return own == unit || (own && unit && strcmp(own, unit) == 0);
+    return text_same(sim->columns[i].unit, unit);
 }
 
 static double largest_in(const struct sim *sim, const char *unit)
@@ -140,14 +140,12 @@ void warn_of_trust(struct sim *sim)
     if (!(tolerance(sim) > 0) || o->why || o->farthest < 0 || !(o->beyond > FAR * tolerance(sim))) return;
     char error[24] = "more than half";
     if (o->beyond < UNKNOWN) snprintf(error, sizeof error, "%.2g", o->beyond);
-    sim_warn(sim,
-             "the estimated error, %s of the %s of '%.60s', is far above the "
-             "tolerance of %g: what the steps miss "
-             "adds up "
-             "or grows; take a smaller tolerance, and measure with --verify "
-             "[W-tolerance]",
-             error, share_of_size(sim, o->farthest) < share(sim, o->farthest) ? "size" : "range",
-             sim->columns[o->farthest].name, tolerance(sim));
+    sim_warn(
+        sim,
+        "the estimated error, %s of the %s of '%.60s', is far above the tolerance of %g: what the steps miss adds up "
+        "or grows; take a smaller tolerance, and measure with --verify [W-tolerance]",
+        error, share_of_size(sim, o->farthest) < share(sim, o->farthest) ? "size" : "range",
+        sim->columns[o->farthest].name, tolerance(sim));
 }
 
 static void print_known(const struct sim *sim, FILE *to)
@@ -176,9 +174,8 @@ void print_trust(const struct sim *sim, FILE *to)
         fputs("estimated error: not known: no column of the motion is written\n", to);
     else if (!o->known)
         fprintf(to,
-                "estimated error: not known, above half the range of '%s': the "
-                "steps do not resolve what moves there; take "
-                "%s\n",
+                "estimated error: not known, above half the range of '%s': the steps do not resolve what moves there; "
+                "take %s\n",
                 sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
     else
         print_known(sim, to);

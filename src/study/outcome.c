@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/stop.h"
+#include "base/text.h"
 #include "multirate/schemes.h"
 
 /* Rows as they come, and whether to go on. */
@@ -140,7 +141,7 @@ static const double *keep_rest(const struct sim *sim, struct arena *life)
 
 bool same_unit(const struct outcome_column *a, const struct outcome_column *b)
 {
-    return a->unit == b->unit || (a->unit && b->unit && strcmp(a->unit, b->unit) == 0);
+    return text_same(a->unit, b->unit);
 }
 
 struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life)
