@@ -40,6 +40,15 @@ static void weigh(struct touch *o)
     }
 }
 
+static void open_gaps(struct touch *o, struct arena *life)
+{
+    struct nearby *gaps[] = {&o->g, &o->g0, &o->g1};
+    for (int i = 0; i < 3; i++) nearby_open(gaps[i], o->c->m, life);
+    for (int i = 0; i <= TOUCH_PARTS; i++) nearby_open(&o->among[i], o->c->m, life);
+    o->seen.q = TAKE(life, double, o->ode->nq);
+    o->seen.reach = NAN;
+}
+
 struct touch *touch_open(struct stepper *s, struct arena *life)
 {
     struct touch *o = TAKE(life, struct touch, 1);
@@ -49,7 +58,6 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     double **of_rows[] = {&o->p, &o->u, &o->u1, &o->l, &o->last};
     double **of_n[] = {&o->v1, &o->vm, &o->a, &o->dx, &o->r, &o->y, &o->vf, &o->weight};
     double **of_m[] = {&o->size, &o->e, &o->impulse};
-    struct nearby *gaps[] = {&o->g, &o->g0, &o->g1};
     o->ode = ode;
     o->c = ode->contact;
     o->stepper = s;
@@ -57,8 +65,7 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     for (size_t i = 0; i < sizeof of_rows / sizeof *of_rows; i++) *of_rows[i] = TAKE(life, double, rows);
     for (size_t i = 0; i < sizeof of_n / sizeof *of_n; i++) *of_n[i] = TAKE(life, double, n);
     for (size_t i = 0; i < sizeof of_m / sizeof *of_m; i++) *of_m[i] = TAKE(life, double, m);
-    for (int i = 0; i < 3; i++) nearby_open(gaps[i], m, life);
-    for (int i = 0; i <= TOUCH_PARTS; i++) nearby_open(&o->among[i], m, life);
+    open_gaps(o, life);
     o->impacts = TAKE(life, long, m);
     o->way = TAKE(life, double, 2 * m);
     o->heads = TAKE(life, double, 2 * m);
@@ -71,8 +78,6 @@ struct touch *touch_open(struct stepper *s, struct arena *life)
     o->cone = TAKE(life, struct cone, m);
     o->q = TAKE(life, double, ode->nq);
     o->q1 = TAKE(life, double, ode->nq);
-    o->seen.q = TAKE(life, double, ode->nq);
-    o->seen.reach = NAN;
     o->X = TAKE_MATRIX(life, double, n, rows);
     o->W = TAKE_MATRIX(life, double, rows, rows);
     open_rows(&o->middle, rows, n, life);
