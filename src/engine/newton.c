@@ -252,7 +252,7 @@ static int little_energy(struct newton *nt, double square)
     if (nt->energy <= 0) return 0;
     const int first = nt->count == 1;
     const double norm = sqrt(fabs(square) / nt->energy), tol = nt->tol * (nt->tolerance > 0 ? 1 : nt->steps);
-    const double theta = contraction_after(&nt->norms[nt->way], first ? 1 : norm / nt->norm, 0);
+    const double theta = larger(nt->leaves, contraction_after(&nt->norms[nt->way], first ? 1 : norm / nt->norm, 0));
     nt->norm = norm;
     if (!(theta < 1) || !(theta / (1 - theta) * norm <= (first ? UNSEEN : 1) * tol)) return 0;
     const int booked = nt->light <= POWERED * nt->tol || nt->light * nt->flow <= tol * nt->energy;

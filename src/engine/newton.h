@@ -51,6 +51,7 @@ struct newton {
     /* of the iteration under way */
     double tol, first, last, last2, remain; /* remain: what is left of the last residual, as a factor */
     double first_square, square;            /* energy of the first and of the last correction */
+    double leaves;                          /* of pairs: of its own error, at least, an iteration like the last */
     double norm;                            /* of pairs: of the last correction, against that of the motion */
     double light;                           /* of pairs: the largest one against scales not far below the largest */
     int count;                              /* iterations done */

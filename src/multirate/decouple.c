@@ -7,7 +7,9 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-enum { SMALL = 12, FORMED = 12 }; /* coordinates up to which dense is no slower than any structure, M_f is formed */
+/* Coordinates up to which dense is no slower than any structure; M_f is formed: of those that fast bodies know, and of all,
+ * for it comes with zeros. */
+enum { SMALL = 12, FORMED = 12, WITH_ZEROS = 64 };
 
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
@@ -25,7 +27,7 @@ void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *ef
     p->Z = TAKE_MATRIX(life, double, ns, ns);
     p->row = TAKE(life, double, ns);
     p->none = TAKE(life, double, n);
-    if (direct && n <= FORMED) p->Mf = TAKE_MATRIX(life, double, n, n);
+    if (direct && ns + p->ml <= FORMED && n <= WITH_ZEROS) p->Mf = TAKE_MATRIX(life, double, n, n);
     p->z = TAKE(life, double, n);
     p->r = TAKE(life, double, n);
     p->a = TAKE(life, double, n);

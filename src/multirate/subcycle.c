@@ -53,6 +53,8 @@
 
 static const double AT_REST = 1e-3; /* of the largest scale: less is rest where the norm of energy decides */
 
+static const double LEAVES = .2; /* at least, of the error: a coarse sweep that comes third */
+
 enum { LEAST_CAPACITY = 64, PASSES = 2, SWEEPS = 16 };
 
 static void reserve(struct subcycle *c, int ratio, struct arena *life)
@@ -141,6 +143,7 @@ static enum status sweep(struct subcycle *c, enum verdict *verdict, struct troub
     TRY(subcycle_slow_bodies(c, why));
     TRY(c->coarse.on ? subcycle_coarse_rows(c, why) : subcycle_fast_rows(c, why));
     subcycle_slow_rows(c);
+    c->newton.leaves = c->coarse.on && c->newton.count > 1 ? LEAVES : 0;
     *verdict = judge(c);
     return OK;
 }
@@ -152,8 +155,7 @@ static enum status solve(struct subcycle *c, struct trouble *why)
         enum verdict verdict;
         TRY(sweep(c, &verdict, why));
         const struct newton *nt = &c->newton;
-        c->coarse.on = verdict == CONTINUE && nt->way && nt->count == 1 && !nt->powered && !c->coarse.varied &&
-                       !c->resp.couples && !c->ode->bends;
+        c->coarse.on = verdict == CONTINUE && !nt->powered && !c->coarse.varied && subcycle_coarse_next(c);
         if (verdict == CONVERGED) return OK;
         if (verdict == REFRESH) TRY(subcycle_refresh(c, why));
         if (verdict == FAILED)

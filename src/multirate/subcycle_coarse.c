@@ -12,13 +12,19 @@
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
-enum { LEAST = 5, REST = 64 }; /* LEAST: minor steps that it is worth for */
+/* LEAST, THIRD: minor steps that a second, a third sweep like that is worth for. */
+enum { LEAST = 5, THIRD = 8, REST = 64 };
 static const double FADE = .8;
 static const double OLD = .5; /* what was learned of whole sweeps counts half: meanwhile they are not taken */
 
 void subcycle_coarse_open(struct subcycle *c, struct arena *life)
 {
     c->coarse.left = TAKE_MATRIX(life, double, c->ns, COARSE_POINTS);
+}
+
+static bool able(const struct subcycle *c, int least)
+{
+    return c->ratio >= least && !c->resp.couples && !c->ode->bends;
 }
 
 /* A step that begins with a coarse sweep and needs a third is dearer than two whole ones; but these, too, may need a third. */
@@ -36,12 +42,20 @@ void subcycle_coarse_plan(struct subcycle *c)
     }
     o->on = false;
     o->varied = false;
-    c->newton.next = o->rest == 0 && c->ratio >= LEAST && !c->resp.couples && !c->ode->bends;
+    c->newton.next = o->rest == 0 && able(c, LEAST);
+}
+
+/* After one whole sweep, or after two where the second was not to be one: what is left then is small, and of that it leaves
+ * a tenth. */
+bool subcycle_coarse_next(const struct subcycle *c)
+{
+    return c->newton.way ? c->newton.count == 1 && able(c, LEAST) : c->newton.count == 2 && able(c, THIRD);
 }
 
 void subcycle_coarse_keep(struct subcycle *c, int k)
 {
     const int ml = c->dec.ml;
+    if (k < c->ratio - JUMP_TERMS && !able(c, c->newton.way ? LEAST : THIRD)) return;
     double *rows = c->coarse.rows + (long)k * ml, per = -1 / c->h;
     copy(rows, c->r + c->ns, ml);
     if (c->dec.reach) dense_gemv(rows, per, c->dec.MsW, c->es, ml, c->ns, ml);

@@ -126,7 +126,7 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
         if (c->guessed) forecast_force(f, &c->resp, d, c->xn, c->vs, c->w, c->local ? NULL : c->rest, k);
         subcycle_book(c, c->h, power);
         minor_sums(c, d);
-        if (c->newton.way || k >= c->ratio - JUMP_TERMS) subcycle_coarse_keep(c, k);
+        subcycle_coarse_keep(c, k);
         subcycle_velocity(c, d);
         next_point(c, x.tb);
         x.qa = c->q;

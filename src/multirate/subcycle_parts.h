@@ -189,7 +189,9 @@ void subcycle_minor_time(const struct subcycle *c, struct instant *x, int k);
 void subcycle_coarse_open(struct subcycle *c, struct arena *life);
 /* Before a step: whether one will be tried after its first sweep. */
 void subcycle_coarse_plan(struct subcycle *c);
-/* The slow rows of minor step k are kept as they are after its correction c->es. */
+/* Will the next sweep of the step under way be one, if nothing in it forbids that? */
+bool subcycle_coarse_next(const struct subcycle *c);
+/* The slow rows of minor step k are kept, where somebody will ask for them, as they are after its correction c->es. */
 void subcycle_coarse_keep(struct subcycle *c, int k);
 /* As subcycle_fast_rows(), from a few minor steps: how their rows have changed since the last whole sweep is
  * interpolated; what they leave of the fast rows is c, g. */
