@@ -17,7 +17,6 @@ enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100, LEAST = 100
 static const double SHARE = .02;                                                    /* of the run's evaluations */
 static const double USUAL = 1e-4;
 static const double SAFE = .03;  /* of a tolerance that stands for a step: errors of high order are less foreseeable */
-enum { LONG = 300 };             /* evaluations of dopri5 from which on order 8 pays at any tolerance: auto.sh */
 static const double A_STEP = 12; /* evaluations of order 8 */
 static const double FINER = .8;  /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
 static const double WORTH = .9;  /* of the work of what is taken without trials: less than that, or it is that */
@@ -46,20 +45,22 @@ static void look(void *self, const struct sim *sim)
 
 /* ---- the race ---- */
 
+/* What it is foretold to take, as that is weighed against the others; INFINITY: it is not taken. */
+static double weighed(const struct choice *o, const struct racer *r)
+{
+    const struct stepper_kind *kind = r->setting.kind;
+    const double work = racer_foretold(r);
+    if (r == o->racer[0]) return r->out ? INFINITY : WORTH * work;
+    if (kind->full) return FINER * work;
+    /* the most to lose by what comes later */
+    return kind->order == 2 && !kind->two_rates && work < LEAST / SHARE ? INFINITY : work;
+}
+
 static const struct racer *leader(const struct choice *o)
 {
     const struct racer *best = o->racer[0];
-    double least = WORTH * racer_foretold(best);
-    if (best->out) least = INFINITY;
-    for (int i = 1; i < o->n; i++) {
-        const struct stepper_kind *kind = o->racer[i]->setting.kind;
-        const double work = (kind->full ? FINER : 1) * racer_foretold(o->racer[i]);
-        const bool low =
-            kind->order == 2 && !kind->two_rates && work < LEAST / SHARE; /* the most to lose by what comes later */
-        if (low || !(work < least)) continue;
-        least = work;
-        best = o->racer[i];
-    }
+    for (int i = 1; i < o->n; i++)
+        if (weighed(o, o->racer[i]) < weighed(o, best)) best = o->racer[i];
     return best;
 }
 
@@ -164,8 +165,8 @@ static const struct racer *second(const struct choice *o, const struct racer *be
     const struct racer *next = NULL;
     for (int i = 0; i < o->n; i++) {
         const struct racer *r = o->racer[i];
-        if (r == best || r->setting.kind == best->setting.kind || !isfinite(racer_foretold(r))) continue;
-        if (!next || racer_foretold(r) < racer_foretold(next)) next = r;
+        if (r == best || r->setting.kind == best->setting.kind || !isfinite(weighed(o, r))) continue;
+        if (!next || weighed(o, r) < weighed(o, next)) next = r;
     }
     return next;
 }
@@ -207,6 +208,13 @@ static const char *cheaper(const struct choice *o, double work)
                 : "";
 }
 
+/* What has decided, where the least work has not. */
+static const char *although(const struct choice *o, const struct racer *best)
+{
+    return best == o->racer[0] ? ": a tenth less or nothing, by forecasts like these"
+                               : ": its errors are about a tenth of the others', worth a fifth of the work";
+}
+
 static void take_best(struct choice *o)
 {
     const struct racer *best = leader(o), *next = second(o, best);
@@ -216,21 +224,21 @@ static void take_best(struct choice *o)
     const char *over = next ? arena_print(o->life, ", the next %s %.2g", words_of(next, o->life), racer_foretold(next))
                        : o->n > 1 ? ", the others are far behind"
                                   : ", nothing else was worth a trial";
+    const bool least = !next || work <= racer_foretold(next);
     o->scene->integrate.foretold = work;
     take(o, best,
-         arena_print(o->life,
-                     "%s%s takes the least work, foretold %.2g evaluations%s%s; "
-                     "trial runs of %.2g",
-                     words_of(best, o->life), fast, work, over, cheaper(o, work), spent(o)));
+         arena_print(o->life, "%s%s %s, foretold %.2g evaluations%s%s%s; trial runs of %.2g", words_of(best, o->life),
+                     fast, least ? "takes the least work" : "is taken", work, over, least ? "" : although(o, best),
+                     cheaper(o, work), spent(o)));
 }
 
 static void take_usual(struct choice *o, const char *why)
 {
     const struct racer *r = o->racer[0];
-    o->scene->integrate.foretold = o->foretold;
+    o->scene->integrate.foretold = o->usual;
     take(o, r,
-         arena_print(o->life, "%s, foretold %.2g evaluations: %s%s", words_of(r, o->life), o->foretold, why,
-                     cheaper(o, o->foretold)));
+         arena_print(o->life, "%s, foretold %.2g evaluations: %s%s", words_of(r, o->life), o->usual, why,
+                     cheaper(o, o->usual)));
 }
 
 /* ---- all of it ---- */
@@ -287,8 +295,10 @@ static void take_higher_order(struct choice *o)
     o->eye->least = implicit ? 0 : o->eye->least;
     o->foretold = racer_hope(o->eye);
     auto_add(o, implicit ? "radau9" : "dop853", o->tolerance, NAN, 1, NULL);
-    if (!o->racer[0]->out && (implicit || !ends_on_records(o, o->racer[0]))) return;
+    o->usual = implicit ? o->foretold : auto_higher_order(o, o->foretold);
+    if (!o->racer[0]->out && (implicit || (o->usual < o->foretold && !ends_on_records(o, o->racer[0])))) return;
     o->racer[0] = o->eye;
+    o->usual = o->foretold;
     o->looked = 0;
 }
 
@@ -301,7 +311,7 @@ static void take_explicit(struct choice *o)
         !o->quiet && work < HALF_OF_IT * o->foretold ? auto_add(o, "dop853", o->tolerance, NAN, 1, NULL) : NULL;
     if (!r) return;
     o->racer[0] = r;
-    o->foretold = work;
+    o->foretold = o->usual = work;
 }
 
 /* What is fast is looked for a little longer. */
@@ -317,8 +327,8 @@ static void look_on(struct choice *o)
 static void choose(struct choice *o)
 {
     open_usual(o);
-    o->foretold = racer_hope(o->racer[0]);
-    if (o->any_scheme && !isfinite(o->step) && o->foretold >= LONG) take_higher_order(o);
+    o->foretold = o->usual = racer_hope(o->racer[0]);
+    if (o->any_scheme && !isfinite(o->step)) take_higher_order(o);
     o->budget = SHARE * o->foretold;
     if (o->budget < LEAST && o->any_scheme && isfinite(o->step)) take_explicit(o);
     if (o->budget < LEAST) {

@@ -2,8 +2,8 @@
  * open is stepped by.
  *
  * A run by dopri5 at the tolerance looks at the motion for LOOK evaluations.
- * From LONG foretold ones on order 8 takes its place, if the records that it
- * ends steps on are no more work, and radau9 where what is stiff does not move.  Where 2 percent of what the run is foretold to take is
+ * Where order 8 is foretold less work it takes its place, if the records that it
+ * ends steps on are no more, and radau9 where what is stiff does not move.  Where 2 percent of what the run is foretold to take is
  * less than LEAST evaluations nothing more is tried.  Else that is what is
  * spent on trials, of what the best is foretold to take: the schemes that make
  * sense, with the deck's fast coordinates or those that quick.h finds, all at

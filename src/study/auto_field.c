@@ -7,6 +7,7 @@
 #include "study/auto_parts.h"
 #include "study/fourth.h"
 #include "study/reference.h"
+#include "system/system.h"
 
 static const char OF_TWO_RATES[] = "subcycle";
 static const double LOOSE = 3e-3; /* a tolerance to which the midpoint rule may be the least */
@@ -44,6 +45,26 @@ bool auto_bounded(const struct racer *r, double stiff)
     const struct bound *o = bound_of(r->setting.kind);
     const double share = (r->sim.x.t - r->t_last) / (r->sim.plan.until - r->scene.start);
     return o && share * stiff > o->radians;
+}
+
+/* The shorter the steps of order 5 are beside the motion, the more order 8 gains: as the fifth root of how many there are, beyond
+ * where both are even.  A motion that changes its pace, as a mechanism of one freedom does near its dead centres, has steps
+ * that change with it, which order 8 follows less well, but at a tight tolerance; what has corners it does not follow at all.
+ * Measured on 180 scenes (shipped, of other programs, drawn at random) at 1e-3, 1e-4 and 1e-6: of those above 100 evaluations 17
+ * in 20 go by this within 1.05 of the better one. */
+static double even_work(const struct choice *o)
+{
+    enum { EVEN = 150, UNEVEN = 2500 }; /* evaluations of dopri5 */
+    static const double AT = 1e-4;
+    const struct sim *sim = &o->eye->sim;
+    if (system_may_bend(sim->system)) return INFINITY;
+    if (o->eye->price.rows == 0 || sim->stepper.ode->n > 1) return EVEN;
+    return fmax(EVEN, UNEVEN * fmin(1, cbrt(o->tolerance / AT)));
+}
+
+double auto_higher_order(const struct choice *o, double work)
+{
+    return work * pow(even_work(o) / work, .2);
 }
 
 /* A first step, so that little goes into finding it. */

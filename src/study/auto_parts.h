@@ -17,6 +17,7 @@ struct choice {
     double tolerance; /* that all aim at */
     double step;      /* the deck's, where it rules; NAN: it does not */
     double budget, foretold;
+    double usual;      /* foretold of what is taken without trials, in place of dopri5 */
     struct racer *eye; /* that looks at the motion */
     double eye_hopes;  /* the work that it would take, to the tolerance given or the usual one */
     double looked;     /* its work, where it does not race */
@@ -38,6 +39,8 @@ const struct node *auto_named(const struct scene *scene, const char *key);
 double auto_least(const struct stepper_kind *kind, double stiff);
 /* Are its steps as long as that quickest motion lets them be, whatever else moves? */
 bool auto_bounded(const struct racer *r, double stiff);
+/* What order 8 takes in a run of which dopri5 takes so much work, going by what most runs take; more than that: it does not pay. */
+double auto_higher_order(const struct choice *o, double work);
 /* One more, by a tolerance or a step; NAN: not by that.  cut: what is fast; NULL: what is in the deck.  NULL: it cannot be
  * opened, or there are too many. */
 struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,

@@ -76,7 +76,7 @@ void price_find(struct price *o, const struct sim *sim)
 {
     const struct swept x = sweep_of(sim);
     const struct prices *p = x.spatial ? &SPATIAL : &PLANAR;
-    const double r = x.rows;
+    const double r = o->rows = x.rows;
     o->evaluation =
         ANY + p->body * x.bodies + p->row * r + ROWS * r * r + p->mode * x.modes + p->pair * x.modes * x.modes;
     o->full = FULL * x.n * x.n * x.n;
@@ -87,6 +87,7 @@ void price_count(struct price *o, const struct sim *sim)
 {
     const struct swept x = sweep_of(sim);
     const struct counted *c = x.spatial ? &COUNTED_SPATIAL : &COUNTED_PLANAR;
+    o->rows = x.rows;
     o->evaluation = c->any + c->body * x.bodies + c->row * x.rows + c->mode * x.modes + c->pair * x.modes * x.modes +
                     c->bent * x.rows * x.modes;
     o->full = COUNTED.full * x.n * x.n * x.n;

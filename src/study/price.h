@@ -10,6 +10,7 @@
 struct price {
     double evaluation;       /* of all bodies [s] */
     double full, structured; /* a matrix of all coordinates for all stages, one that knows the structure [s] */
+    double rows;             /* equations that close loops */
     double fast;             /* an evaluation of the fast part, as a share of all */
     double balance;          /* of the momenta of what floats, as a share of an evaluation */
     double look;             /* at the energies after a major step [s] */

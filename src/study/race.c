@@ -79,6 +79,7 @@ void racer_go(struct racer *o, double most, void (*seen)(void *self, const struc
         o->out = stepper_step(&sim->stepper, &sim->x, p->step, p->ratio, end_of_step(o), &sim->trouble) != OK;
         if (o->out) return;
         note(o);
+        o->a_step = o->a_step > 0 ? fmin(o->a_step, o->work - o->work_last) : o->work - o->work_last;
         o->steps++;
         if (seen) seen(self, sim);
     }
@@ -116,10 +117,20 @@ double racer_foretold(const struct racer *o)
     return fmax(o->least, going_on(o, o->t_mark, o->work_mark, last_step(o)));
 }
 
+/* Going on by steps as long as it will try next: a third more for those that fail, and for what makes them shorter later. */
+static double by_next_step(const struct racer *o)
+{
+    static const double MORE = 1.35;
+    const double next = o->sim.stepper.kind->adaptive ? adaptive_of(&o->sim.stepper)->h : 0;
+    if (o->out || !(next > 0) || !(o->a_step > 0)) return INFINITY;
+    return o->work + MORE * o->a_step * (o->sim.plan.until - o->sim.x.t) / next;
+}
+
 double racer_hope(const struct racer *o)
 {
     if (is_there(o)) return o->work;
-    return fmax(o->least, fmin(racer_foretold(o), going_on(o, o->t_last, o->work_last, last_step(o))));
+    const double last = going_on(o, o->t_last, o->work_last, last_step(o));
+    return fmax(o->least, fmin(racer_foretold(o), fmin(last, by_next_step(o))));
 }
 
 bool racer_grows(const struct racer *o)

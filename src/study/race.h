@@ -20,6 +20,7 @@ struct racer {
     double work;              /* so far */
     double t_mark, work_mark; /* where the last round of it began */
     long steps;               /* since then */
+    double a_step;            /* work of its cheapest step; 0: there was none */
     double t_last, work_last; /* where its last step began */
     double h_before;          /* the step before that; 0: there was none */
     bool out;                 /* it does not open, has stopped, or is beaten */
@@ -34,7 +35,7 @@ void racer_open(struct racer *o, const struct setting *setting, const struct sce
 void racer_go(struct racer *o, double most, void (*seen)(void *self, const struct sim *sim), void *self);
 /* What the whole run is going to take, in evaluations. */
 double racer_foretold(const struct racer *o);
-/* The same by its last step, if that is less: steps may still grow. */
+/* The same by its last step, or the one that it will try next, if that is less: steps may still grow. */
 double racer_hope(const struct racer *o);
 /* Do its steps still grow, or are they too few to tell? */
 bool racer_grows(const struct racer *o);

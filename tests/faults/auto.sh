@@ -75,6 +75,22 @@ done
 # A run that is too short for trials, but not for order 8.
 expect "auto: a longer run" "dop853 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/geared-pendulum.yaml >/dev/null; taken "$work/err")" "$work/err"
 
+# Order 8 does not follow steps that change with the pace of a mechanism of one freedom (four-bar 933 evaluations by dopri5, 1102
+# by dop853), or end at corners of a table (suspension 3099, 4617); two freedoms in loops are no matter (governor 1239, 1022).
+for deck in four-bar suspension governor; do
+    order=dopri5
+    [ $deck = governor ] && order=dop853
+    expect "auto: order 8 or not, $deck" "$order to tolerance 0.0001, short" \
+        "$(work --set integrate.scheme=auto decks/$deck.yaml >/dev/null; taken "$work/err")" "$work/err"
+done
+
+# The words say what has decided.
+timeout 60 "$FMDSUB" run --set integrate.scheme=auto --set integrate.tolerance=1.0e-5 decks/light-hub.yaml \
+    >/dev/null 2>"$work/err"
+sed -n 's/^auto: .* \(takes the least work\|is taken\), foretold \([0-9.e+-]*\) evaluations, the next [^:;]* \([0-9.e+-]*\)\([:;]\).*/\1,\2,\3,\4/p' \
+    "$work/err" >"$work/words"
+expect "auto: what has decided" fine "$(awk -F , '{ least = $2 <= $3; print (least ? $1 == "takes the least work" && $4 == ";" : $1 == "is taken" && $4 == ":") ? "fine" : $0 }' "$work/words")" "$work/err"
+
 # What keeps dopri5's steps at their bound is no matter of accuracy.
 expect "auto: a run whose steps are bound by what is stiff" "radau9 to tolerance 0.0001, short" "$(work --set integrate.scheme=auto decks/effect-stiffening.yaml >/dev/null; taken "$work/err")" "$work/err"
 
