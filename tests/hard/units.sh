@@ -34,8 +34,8 @@ for scheme in midpoint newmark hht rk4 subcycle,ratio=4 midpoint,tolerance=1e-4;
     try drive "scheme=$scheme" 4096 1.0/4096 64 1e-9 0.01
 done
 for scheme in midpoint newmark; do
-    try space "scheme=$scheme" 1.0/1024 4096 1.0/64 1e-9 0.01
-    try space "scheme=$scheme" 4096 1.0/4096 64 1e-9 0.01
+    try spatial "scheme=$scheme" 1.0/1024 4096 1.0/64 1e-9 0.01
+    try spatial "scheme=$scheme" 4096 1.0/4096 64 1e-9 0.01
 done
 
 # A first step by tolerance knows what a second is.
