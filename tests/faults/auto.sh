@@ -46,6 +46,10 @@ for cap in '' 10; do
     esac
 done
 
+# One rate at that step has no ratio to tell.
+"$FMDSUB" run -o "$work/first" --set integrate.scheme=auto decks/four-bar.yaml 2>"$work/err"
+expect "auto: a step, one rate" "midpoint h = 0.001 s, short" "$(taken "$work/err")" "$work/err"
+
 # A scheme by name keeps it: only the partition is open.
 timeout 60 "$FMDSUB" run -o "$work/first" --set partition=auto decks/satellite-instrument.yaml 2>"$work/err"
 expect "partition: auto, under a scheme by name" "subcycle h = 0.0002 s, H = 100 h, 2 of 105 freedoms fast (slide gimbal)" \

@@ -39,6 +39,13 @@ sed 's/until: 40/until: 16/' pair.yaml >middle.yaml
 agrees "miao 20:1" middle.yaml miao 0.004 20
 agrees "rk4 beyond its limit" short.yaml rk4 0.2 1
 
+# Two rates are looked at by 2, 5, 10 and 20, and at the deck's own ratio, each once.
+for own in '1 2 5 10 20' '2 2 5 10 20' '7 2 5 7 10 20' '10 2 5 10 20' '30 2 5 10 20 30'; do
+    "$FMDSUB" stability -q -f csv -s integrate.ratio="${own%% *}" pair.yaml >out 2>err
+    expect "stability: ratios where the deck has ${own%% *}" "${own#* }" \
+        "$(awk -F, '$1 == "subcycle" { print $2 }' out | sort -nu | tr '\n' ' ' | sed 's/ $//')" out err
+done
+
 # Every scheme, on an oscillator, a beam, a loop and in space: what a step leaves of what moves longest, beside the ratio of
 # the last records, of a real root with `one`.
 leaves() { # DECK COLUMN one|pair SCHEME STEP RATIO MAJORS [SETTING...]

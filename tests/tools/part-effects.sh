@@ -140,6 +140,14 @@ awk -F, 'NR == FNR { for (i = 1; i <= NF; i++) on[FNR, i] = $i; next }
           printf "%.4g\n", worst }' "$work/on.csv" "$work/off.csv" >"$work/hand"
 sed -n 's/.*"effect":"stiffening"[^}]*"change_if_turned":\([0-9.e-]*\).*/\1/p' "$work/flat" | awk '{ printf "%.4g\n", $1 }' >"$work/said"
 same "explain says what stiffening changes" "$work/hand" "$work/said"
+# What it costs is what explain says of the deck with it turned, per second of the run.
+for case in ledger,true stiffening,false rotary,false shear,true; do
+    effect=${case%,*}
+    for deck in "" "-s effects.$effect=${case#*,}"; do "$FMDSUB" explain --format json $deck decks/rotor.yaml 2>"$work/err" | tr -d '\n\t '; echo; done >"$work/flat"
+    sed 's/.*"instructions_per_step":\([0-9.e+]*\).*"effect":"'$effect'"[^}]*"cost_if_turned":\([0-9.e-]*\).*/\1 \2/' "$work/flat" |
+        awk 'NR == 1 { was = $1; said = $2 } NR == 2 { cost = $1 / was - 1; d = cost - said; printf "%g %g\n", said, cost; exit !(said != 0 && d * d < 1e-18) }' >"$work/hand"
+    expect "explain: what turning $effect costs" 0 $? "$work/hand" "$work/err"
+done
 # What the deck turns off is watched by run; a body's own key is turned, too, and the number tells.
 "$FMDSUB" explain decks/flexible-crank.yaml >"$work/told" 2>"$work/err"
 expect "explain: off by a body's key, watched" 1 "$(grep -c '^rotary *watched by the deck' "$work/told")" "$work/told"
