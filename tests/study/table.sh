@@ -26,3 +26,10 @@ expect "--absolute: the unit" 1 "$(grep -c '"worst":"pin.fx".*"unit":"N"' "$work
 simple -o "$work/file.csv" >"$work/out"
 expect "-o FILE: nothing else" "0 0 rows" "$? $(wc -c <"$work/out") $([ -s "$work/file.csv" ] && echo rows)" "$work/out"
 same "-o FILE" "$work/golden.csv" "$work/file.csv"
+
+# Errors of what is fast and of what is slow are those of their columns alone.
+for column in guide.displacement hub.angle; do
+    "$FMDSUB" study -q --repeats 0 --until 0.5 --schemes newmark --steps 0.001 -s "output.columns=[$column]" decks/bar-slider.yaml 2>"$work/err" |
+        awk -F, 'NR == 2 { print $5, $7, $8 }'
+done >"$work/parts"
+expect "errors of what is fast and slow" "fine" "$(awk 'NR == 1 { fast = $1; both = $2 " " $3 } NR == 2 { print (fast > 0 && $1 > 0 && both == fast " " $1 && both == $2 " " $3) ? "fine" : "not" }' "$work/parts")" "$work/parts" "$work/err"
