@@ -205,7 +205,7 @@ static int finish(double *lambda, double *X, const struct subspace *o, const str
 {
     for (int j = 0; j < count; j++) {
         double mu = -o->now[j], *x = X + (long)j * o->n;
-        if (!(mu > 0) || !(mu < DBL_MAX)) return -1;
+        if (!(mu > 0) || !isfinite(mu)) return -1;
         lambda[j] = 1 / mu;
         memcpy(x, o->W + (long)j * o->n, (size_t)o->n * sizeof *x);
         band_upper_solve(L, x);

@@ -136,7 +136,7 @@ static void note_stout(struct draft *o, const struct flex_section *s, bool spati
     for (int i = 0; i < 2; i++) {
         const double r = I[i] / (s->A * o->length * o->length), sheared = o->beam.E / (kappa[i] * o->beam.G) * r;
         if (isfinite(r)) o->stout[0] = fmax(o->stout[0], r);
-        if (kappa[i] > 0 && isfinite(sheared)) o->stout[1] = fmax(o->stout[1], sheared);
+        if (isfinite(sheared)) o->stout[1] = fmax(o->stout[1], sheared);
     }
 }
 

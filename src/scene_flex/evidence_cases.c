@@ -86,7 +86,7 @@ static void add_gravity(struct evidence *e)
     add_gravity_along(e, g);
     for (int i = 0; i < e->nmotion; i++) {
         double axis[3], across[3];
-        if (!e->motion[i].turns || v3_norm(g) == 0) continue;
+        if (!e->motion[i].turns) continue;
         m3_mul(axis, e->body->R, e->motion[i].axis);
         v3_cross(across, axis, g);
         add_gravity_along(e, across);

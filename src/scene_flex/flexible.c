@@ -310,23 +310,19 @@ static int make(struct builder *b, int index, const int *away)
     return 0;
 }
 
-int make_flexible(struct builder *b)
+void make_flexible(struct builder *b)
 {
-    const struct node *failed = NULL; /* one segment is enough */
-    int errors = 0;
-    if (diags_errors(b->diags)) return 0; /* half a deck would make other bodies */
+    const struct node *failed = NULL;   /* one segment is enough */
+    if (diags_errors(b->diags)) return; /* half a deck would make other bodies */
     const int *away = joints_away(b);
     for (int i = 1; i < b->scene->nbody; i++) {
         struct collecting c = {.b = b, .body = i};
         if (b->draft[i] && b->scene->body[i].node != failed) {
-            if (!make(b, i, away)) continue;
-            failed = b->scene->body[i].node;
-            errors++;
+            if (make(b, i, away)) failed = b->scene->body[i].node;
         } else if (b->scene->body[i].flex) {
             collect(&c);
             pick_coordinates(b, i);
             weigh(&b->scene->body[i]);
         }
     }
-    return errors;
 }

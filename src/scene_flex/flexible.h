@@ -106,6 +106,6 @@ enum { MOST_CANDIDATES = 40 };
 const struct flex_chosen *choose_modes(bool *keep, struct builder *b, int body, const struct flex_body *all);
 
 /* flexible.c: nodes at all places in use, then the reduced bodies */
-int make_flexible(struct builder *b);
+void make_flexible(struct builder *b);
 
 #endif

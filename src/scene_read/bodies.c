@@ -227,11 +227,11 @@ static int read_body(struct builder *b, int index, const struct node *n)
     return read_rigid(b, body, n);
 }
 
-static int read_ground(struct builder *b, const struct node *n)
+static void read_ground(struct builder *b, const struct node *n)
 {
     struct ground_keys k = {0};
-    if (read_keys(&k, keys_ground, n, NULL, "the ground", &b->reader)) return 1;
-    return read_points(b, 0, k.points, "points of the ground");
+    if (read_keys(&k, keys_ground, n, NULL, "the ground", &b->reader)) return;
+    read_points(b, 0, k.points, "points of the ground");
 }
 
 static int count_points(const struct scene *scene, const struct node *bodies)
@@ -246,7 +246,7 @@ static int count_points(const struct scene *scene, const struct node *bodies)
 }
 
 /* Segments may have taken the name of another body. */
-static int refuse_same_names(struct builder *b)
+static void refuse_same_names(struct builder *b)
 {
     const struct scene *scene = b->scene;
     for (int i = 1; i < scene->nbody; i++)
@@ -255,12 +255,11 @@ static int refuse_same_names(struct builder *b)
             const struct node *at = scene->body[i].whole ? scene->body[i].node : scene->body[k].node;
             diag_error(b->diags, at, AT_KEY, "E-duplicate-name", "a segment of '%s' has the name of body '%s'", at->key,
                        scene->body[i].name);
-            return 1;
+            return;
         }
-    return 0;
 }
 
-int read_bodies(struct builder *b, const struct node *n)
+void read_bodies(struct builder *b, const struct node *n)
 {
     struct scene *scene = b->scene;
     const int most = n->count + 1 + (n->type == NODE_MAP ? more_segments(b, n) : 0);
@@ -269,8 +268,7 @@ int read_bodies(struct builder *b, const struct node *n)
     scene->body[0].name = "ground";
     memcpy(scene->body[0].R, identity, sizeof identity);
     scene->nbody = 1;
-    if (read_map(n, "'bodies'", &b->reader)) return 1;
-    int errors = 0;
+    if (read_map(n, "'bodies'", &b->reader)) return;
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         const struct node *item = n->item[i];
         if (strcmp(item->key, "ground") == 0) continue;
@@ -278,27 +276,22 @@ int read_bodies(struct builder *b, const struct node *n)
         body->name = item->key;
         body->node = item;
         memcpy(body->R, identity, sizeof identity);
-        if (wrong_name(b, item, "body")) {
+        if (wrong_name(b, item, "body"))
             diag_hint(b->diags,
                       "names are letters, digits and '_', a letter first; energy, momentum and step are taken");
-            errors++;
-        }
         scene->nbody++; /* kept, right or wrong: joints may name it */
-        errors += read_body(b, scene->nbody - 1, item);
+        read_body(b, scene->nbody - 1, item);
     }
     const struct node *ground = node_find(n, "ground");
     scene->point = TAKE(b->life, struct scene_point, count_points(scene, n));
-    if (ground) errors += read_ground(b, ground);
+    if (ground) read_ground(b, ground);
     for (int i = 1; i < scene->nbody; i++) {
         if (scene->body[i].node->type != NODE_MAP || is_both(scene->body[i].node)) continue;
         const struct node *points = node_find(scene->body[i].node, "points");
         if (scene->body[i].flex) name_nodes(b, i, points);
-        errors += read_points(b, i, points, "'points'");
+        read_points(b, i, points, "'points'");
     }
-    if (most > n->count + 1) errors += refuse_same_names(b);
-    if (scene->nbody == 1 && !n->reported) {
+    if (most > n->count + 1) refuse_same_names(b);
+    if (scene->nbody == 1 && !n->reported)
         diag_error(b->diags, n, AT_KEY, "E-no-bodies", "no bodies: nothing to simulate");
-        errors++;
-    }
-    return errors;
 }

@@ -18,16 +18,14 @@ static int read_often(struct builder *b, struct checkpoint *o, const struct node
     return 1;
 }
 
-int read_checkpoint(struct builder *b, const struct node *n)
+void read_checkpoint(struct builder *b, const struct node *n)
 {
     struct checkpoint *o = &b->scene->checkpoint;
     struct checkpoint_keys k = {0};
-    if (!n) return 0;
-    if (read_keys(&k, keys_checkpoint, n, NULL, "'checkpoint'", &b->reader)) return 1;
-    if (read_often(b, o, k.every)) return 1;
+    if (!n || read_keys(&k, keys_checkpoint, n, NULL, "'checkpoint'", &b->reader)) return;
+    if (read_often(b, o, k.every)) return;
     o->file = k.file;
-    if (*k.file && !strchr(k.file, '/') && k.file[0] != '.') return 0;
+    if (*k.file && !strchr(k.file, '/') && k.file[0] != '.') return;
     diag_error(b->diags, node_find(n, "file"), AT_VALUE, "E-checkpoint",
                "'file' is a plain name, of a file in the folder where the run is started");
-    return 1;
 }

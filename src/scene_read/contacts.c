@@ -260,34 +260,34 @@ static int refuse_bent_spots(struct builder *b, const struct surface *o)
     return errors;
 }
 
-static int read_contact(struct builder *b, const struct surface *all, int n, const struct node *node)
+static void read_contact(struct builder *b, const struct surface *all, int n, const struct node *node)
 {
     char what[100];
     double slip;
     struct contact_keys k = {0};
     snprintf(what, sizeof what, "contact '%.60s'", node->key);
-    if (read_map(node, what, &b->reader) || read_keys(&k, keys_contact, node, NULL, what, &b->reader)) return 1;
+    if (read_map(node, what, &b->reader) || read_keys(&k, keys_contact, node, NULL, what, &b->reader)) return;
     if (k.between->type != NODE_LIST || k.between->count != 2) {
         diag_error(b->diags, k.between, AT_VALUE, "E-type", "%s: expected two surfaces, [first, second]", what);
-        return 1;
+        return;
     }
     const struct surface *first = find_surface(b, all, n, k.between, 0),
                          *second = find_surface(b, all, n, k.between, 1);
-    if (!first || !second) return 1;
+    if (!first || !second) return;
     struct scene_contact o = {.name = node->key, .node = node, .pair = pair_of(&first, &second), .measure = -1};
     if (o.pair == CONTACT_PAIRS) {
         diag_error(b->diags, k.between, AT_VALUE, "E-pair", "%s: %s and %s do not make a contact", what,
                    shapes[first->shape].word, shapes[second->shape].word);
         diag_hint(b->diags, "known pairs: point or sphere and plane, hole, profile or cam, sphere and sphere or point");
-        return 1;
+        return;
     }
     for (int i = 0; i < first->n; i++)
         if (first->at[i].body == second->at->body) {
             diag_error(b->diags, k.between, AT_VALUE, "E-same-body", "%s: both surfaces are on '%.60s'", what,
                        b->scene->body[second->at->body].name);
-            return 1;
+            return;
         }
-    if (refuse_hollow(b, first, second, what)) return 1;
+    if (refuse_hollow(b, first, second, what)) return;
     o.outline = second->outline;
     o.law.restitution = k.restitution;
     o.law.speed = k.speed;
@@ -298,12 +298,11 @@ static int read_contact(struct builder *b, const struct surface *all, int n, con
     if (k.speed != 0 && o.pair != PAIR_PLANE) {
         diag_error(b->diags, node_find(node, "speed"), AT_KEY, "E-pair", "%s: 'speed' is that of a plane, a belt",
                    what);
-        return 1;
+        return;
     }
-    if (read_friction(b, &o.law, &slip, k.friction, what) || check_compliant(b, &k, node, what)) return 1;
-    if (!(k.push.k > 0) && refuse_bent_spots(b, first) + refuse_bent_spots(b, second)) return 1;
+    if (read_friction(b, &o.law, &slip, k.friction, what) || check_compliant(b, &k, node, what)) return;
+    if (!(k.push.k > 0) && refuse_bent_spots(b, first) + refuse_bent_spots(b, second)) return;
     add(b, &o, first, second, &k, slip);
-    return 0;
 }
 
 static int count_spots(const struct surface *all, int n)
@@ -342,23 +341,19 @@ static void keep_surfaces(struct builder *b, const struct surface *all, int n)
     b->scene->nsurface = (int)(o - b->scene->surface);
 }
 
-int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts)
+void read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts)
 {
-    int errors = 0, n = 0;
-    if (surfaces && read_map(surfaces, "'surfaces'", &b->reader)) return 1;
-    if (contacts && read_map(contacts, "'contacts'", &b->reader)) return 1;
+    int n = 0;
+    if (surfaces && read_map(surfaces, "'surfaces'", &b->reader)) return;
+    if (contacts && read_map(contacts, "'contacts'", &b->reader)) return;
     struct surface *all = TAKE(b->life, struct surface, surfaces ? surfaces->count : 0);
     for (int i = 0; surfaces && i < surfaces->count && !diags_full(b->diags); i++)
-        if (read_surface(b, &all[n], surfaces->item[i]))
-            errors++;
-        else
-            n++;
+        if (!read_surface(b, &all[n], surfaces->item[i])) n++;
     keep_surfaces(b, all, n);
-    if (errors || !contacts) return errors;
+    if (!contacts || (surfaces && n < surfaces->count)) return;
     make_room(b, contacts->count * count_spots(all, n));
     for (int i = 0; i < contacts->count && !diags_full(b->diags); i++) {
         const struct node *c = contacts->item[i];
-        errors += wrong_name(b, c, "contact") || read_contact(b, all, n, c);
+        if (!wrong_name(b, c, "contact")) read_contact(b, all, n, c);
     }
-    return errors;
 }

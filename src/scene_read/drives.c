@@ -38,21 +38,15 @@ static int read_drive(struct builder *b, struct scene_drive *o, const struct nod
     return errors;
 }
 
-int read_drives(struct builder *b, const struct node *n)
+void read_drives(struct builder *b, const struct node *n)
 {
-    int errors = 0;
-    if (!n) return 0;
-    if (read_map(n, "'drives'", &b->reader)) return 1;
+    if (!n || read_map(n, "'drives'", &b->reader)) return;
     struct scene *scene = b->scene;
     scene->drive = TAKE(b->life, struct scene_drive, n->count);
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_drive d;
-        if (wrong_name(b, n->item[i], "drive") || read_drive(b, &d, n->item[i]))
-            errors++;
-        else
-            scene->drive[scene->ndrive++] = d;
+        if (!wrong_name(b, n->item[i], "drive") && !read_drive(b, &d, n->item[i])) scene->drive[scene->ndrive++] = d;
     }
-    return errors;
 }
 
 /* Does `initial:` place the coordinate?  What it says must fit the drive. */

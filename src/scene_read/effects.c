@@ -13,13 +13,12 @@ static void take_share(struct builder *b)
     *tolerance = fmin(*tolerance > 0 ? *tolerance : EFFECTS_TOLERANCE, SHARE * x);
 }
 
-int read_effects(struct builder *b, const struct node *n)
+void read_effects(struct builder *b, const struct node *n)
 {
     struct effect_wishes *o = &b->scene->effects;
     b->scene->effects_node = n;
-    if (n && read_keys(o, keys_effects, n, NULL, "'effects'", &b->reader)) return 1;
+    if (n && read_keys(o, keys_effects, n, NULL, "'effects'", &b->reader)) return;
     take_share(b);
     for (int i = 0; i < EFFECTS; i++)
         if (b->unheard & effect_bit((enum effect_id)i) && o->wish[i] == WISH_OFF) o->wish[i] = WISH_AUTO;
-    return 0;
 }

@@ -345,20 +345,14 @@ static const struct scene_force *add(struct scene *scene, struct scene_force f)
     return &scene->force[scene->nforce++];
 }
 
-int read_forces(struct builder *b, const struct node *n)
+void read_forces(struct builder *b, const struct node *n)
 {
-    int errors = 0;
     struct scene *scene = b->scene;
     scene->force = TAKE(b->life, struct scene_force, (n ? n->count : 0) + 2 * scene->njoint);
     make_stops(b);
-    if (!n) return 0;
-    if (read_map(n, "'forces'", &b->reader)) return 1;
+    if (!n || read_map(n, "'forces'", &b->reader)) return;
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_force f = {0};
-        if (wrong_name(b, n->item[i], "force") || read_force(b, &f, n->item[i]))
-            errors++;
-        else
-            tip_on_force(b, add(scene, f));
+        if (!wrong_name(b, n->item[i], "force") && !read_force(b, &f, n->item[i])) tip_on_force(b, add(scene, f));
     }
-    return errors;
 }

@@ -88,12 +88,11 @@ static int read_start(struct builder *b, struct scene_initial *o, const struct n
     return 1;
 }
 
-static int read_options(struct builder *b, bool *wish, const struct node *n)
+static void read_options(struct builder *b, bool *wish, const struct node *n)
 {
     int yes = 0;
-    if (read_bool(&yes, n, &b->reader)) return 1;
+    if (read_bool(&yes, n, &b->reader)) return;
     *wish = yes;
-    return 0;
 }
 
 /* Nothing but how it goes on stands beside `from`. */
@@ -135,22 +134,22 @@ static void warn_of_clock(struct builder *b, const struct node *initial, const s
 }
 
 /* The file that a run left by --final-state; its names are looked up when there are columns. */
-static int read_from(struct builder *b, const struct node *initial, const struct node *n)
+static void read_from(struct builder *b, const struct node *initial, const struct node *n)
 {
     struct state_keys k = {0};
-    if (read_going_on(b, initial)) return 1;
+    if (read_going_on(b, initial)) return;
     const struct node *root = deck_yaml(n, b->reader.deck);
     if (root && !node_find(root, "fmdsub_state")) {
         diag_error(b->diags, n, AT_VALUE, "E-state", "this file is no final state: it has no 'fmdsub_state'");
-        return 1;
+        return;
     }
-    if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return 1;
-    if (read_map(k.state, "'state'", &b->reader)) return 1;
-    if (k.angles && read_map(k.angles, "'angles'", &b->reader)) return 1;
-    if (k.memory && read_map(k.memory, "'memory'", &b->reader)) return 1;
+    if (!root || read_keys(&k, keys_state, root, NULL, "the state", &b->reader)) return;
+    if (read_map(k.state, "'state'", &b->reader)) return;
+    if (k.angles && read_map(k.angles, "'angles'", &b->reader)) return;
+    if (k.memory && read_map(k.memory, "'memory'", &b->reader)) return;
     if (b->scene->keeps && !node_find(root, "t")) {
         diag_error(b->diags, node_find(initial, "time"), AT_VALUE, "E-state", "the state has no 't' to go on from");
-        return 1;
+        return;
     }
     if (b->scene->keeps) b->scene->start = k.t;
     warn_of_clock(b, initial, n, k.t);
@@ -159,7 +158,6 @@ static int read_from(struct builder *b, const struct node *initial, const struct
     b->scene->length = k.length;
     b->scene->from = k.state;
     b->scene->angles = k.angles;
-    return 0;
 }
 
 /* `initial: static`, `initial: assemble`: the wish alone. */
@@ -171,24 +169,22 @@ static bool is_option(struct scene *scene, const struct node *n)
     return false;
 }
 
-int read_initial(struct builder *b, const struct node *n)
+void read_initial(struct builder *b, const struct node *n)
 {
-    int errors = 0;
-    if (!n || is_option(b->scene, n)) return 0;
-    if (read_map(n, "'initial'", &b->reader)) return 1;
-    if (node_find(n, "from")) return read_from(b, n, node_find(n, "from"));
+    if (!n || is_option(b->scene, n) || read_map(n, "'initial'", &b->reader)) return;
+    if (node_find(n, "from")) {
+        read_from(b, n, node_find(n, "from"));
+        return;
+    }
     struct scene *scene = b->scene;
     scene->initial = TAKE(b->life, struct scene_initial, n->count);
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct scene_initial start = {0};
         if (strcmp(n->item[i]->key, "static") == 0)
-            errors += read_options(b, &scene->at_rest, n->item[i]);
+            read_options(b, &scene->at_rest, n->item[i]);
         else if (strcmp(n->item[i]->key, "assemble") == 0)
-            errors += read_options(b, &scene->assemble, n->item[i]);
-        else if (read_start(b, &start, n->item[i]))
-            errors++;
-        else
+            read_options(b, &scene->assemble, n->item[i]);
+        else if (!read_start(b, &start, n->item[i]))
             scene->initial[scene->ninitial++] = start;
     }
-    return errors;
 }

@@ -186,23 +186,20 @@ static int read_joint(struct builder *b, struct scene_joint *j, const struct nod
     return joint_axes(b, j, &k, what);
 }
 
-int read_joints(struct builder *b, const struct node *n)
+void read_joints(struct builder *b, const struct node *n)
 {
-    int errors = 0, count = n ? n->count : 0;
+    const int count = n ? n->count : 0;
     struct scene *scene = b->scene;
-    if (n && read_map(n, "'constraints'", &b->reader)) return 1;
+    if (n && read_map(n, "'constraints'", &b->reader)) return;
     scene->joint = TAKE(b->life, struct scene_joint, count + scene->nbody);
     for (int i = 0; i < count && !diags_full(b->diags); i++) {
         struct scene_joint joint = {0};
         if (wrong_name(b, n->item[i], "joint")) {
             diag_hint(b->diags, "names are letters, digits and '_', a letter first; ground, energy and step are taken");
-            errors++;
-        } else if (read_joint(b, &joint, n->item[i])) {
-            errors++;
-        } else {
+        } else if (!read_joint(b, &joint, n->item[i])) {
             scene->joint[scene->njoint++] = joint;
         }
     }
     join_segments(b);
-    return errors + read_ties(b);
+    read_ties(b);
 }

@@ -67,7 +67,7 @@ static int refuse_zero_distance(struct builder *b, const struct scene_measure *m
     return 1;
 }
 
-static int read_measure(struct builder *b, const struct node *n)
+static void read_measure(struct builder *b, const struct node *n)
 {
     static const struct {
         const char *word;
@@ -79,30 +79,29 @@ static int read_measure(struct builder *b, const struct node *n)
     static const char *const words[] = {"distance", "displacement", "angle"};
     char what[100];
     snprintf(what, sizeof what, "measure '%.60s'", n->key);
-    if (read_map(n, what, &b->reader)) return 1;
+    if (read_map(n, what, &b->reader)) return;
     int kind = -1;
     for (int i = 0; i < 3; i++)
         if (node_find(n, kinds[i].word)) kind = i;
     if (kind < 0) {
-        if (not_there(b, n, "measures", "measure")) return 1;
+        if (not_there(b, n, "measures", "measure")) return;
         unknown_name(b, n->count ? n->item[0] : n, AT_KEY, "E-unknown-measure", "kind of measure",
                      n->count ? n->item[0]->key : "", words, 3);
-        return 1;
+        return;
     }
     struct measure_keys k = {0};
     struct scene_measure m = {.name = n->key, .node = n, .type = kinds[kind].type};
-    if (read_keys(&k, kinds[kind].keys, n, NULL, what, &b->reader)) return 1;
+    if (read_keys(&k, kinds[kind].keys, n, NULL, what, &b->reader)) return;
     m.angular = m.type == MEASURE_ANGLE;
     if (m.angular ? find_two_bodies(b, &m.a.body, &m.b.body, k.points, what) : two_points(b, &m, k.points, what))
-        return 1;
+        return;
     if (b->scene->space == 3 && m.angular && !k.axis) {
         diag_error(b->diags, n, AT_KEY, "E-missing-key", "%s: an angle in 3-D needs an 'axis'", what);
-        return 1;
+        return;
     }
-    if (m.type != MEASURE_DISTANCE && measure_axis(b, &m, k.axis, what)) return 1;
-    if (refuse_zero_distance(b, &m, k.points, what)) return 1;
+    if (m.type != MEASURE_DISTANCE && measure_axis(b, &m, k.axis, what)) return;
+    if (refuse_zero_distance(b, &m, k.points, what)) return;
     measure_add(b, &m);
-    return 0;
 }
 
 static bool is_body(const struct scene *scene, const char *name)
@@ -136,14 +135,11 @@ int wrong_value_name(struct builder *b, const struct node *n, const char *what)
     return 1;
 }
 
-int read_measures(struct builder *b, const struct node *n)
+void read_measures(struct builder *b, const struct node *n)
 {
-    int errors = 0;
-    if (!n) return 0;
-    if (read_map(n, "'measures'", &b->reader)) return 1;
+    if (!n || read_map(n, "'measures'", &b->reader)) return;
     for (int i = 0; i < n->count && !diags_full(b->diags); i++)
-        errors += wrong_value_name(b, n->item[i], "measure") || read_measure(b, n->item[i]);
-    return errors;
+        if (!wrong_value_name(b, n->item[i], "measure")) read_measure(b, n->item[i]);
 }
 
 /* Is the k-th position part of a quaternion?  The others have the rate of their own number. */

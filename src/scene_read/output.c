@@ -5,19 +5,18 @@
 #include "expr/expr.h"
 #include "scene_read/parts.h"
 
-static int read_every(struct builder *b, struct output *o, const struct node *n)
+static void read_every(struct builder *b, struct output *o, const struct node *n)
 {
     o->every_node = n;
     if (n->type == NODE_MAP) {
         struct every_keys k = {0};
-        if (read_keys(&k, keys_every, n, NULL, "'every'", &b->reader)) return 1;
+        if (read_keys(&k, keys_every, n, NULL, "'every'", &b->reader)) return;
         o->every_steps = k.steps;
-        return 0;
+        return;
     }
-    if (read_number(&o->every, n, NULL, &b->reader)) return 1;
-    if (o->every > 0) return 0;
+    if (read_number(&o->every, n, NULL, &b->reader)) return;
+    if (o->every > 0) return;
     diag_error(b->diags, n, AT_VALUE, "E-range", "'every' must be positive");
-    return 1;
 }
 
 /* Names are those of columns, which are known when there is a model: until then any is. */
@@ -72,32 +71,30 @@ static int read_column(struct builder *b, struct output_column *list, int *count
     return errors;
 }
 
-static int read_columns(struct builder *b, struct output *o, const struct node *n)
+static void read_columns(struct builder *b, struct output *o, const struct node *n)
 {
-    int errors = 0, most = 0;
+    int most = 0;
     if (read_list(n, "'columns'", &b->reader)) {
         if (n->type == NODE_MAP) diag_hint(b->diags, "write [name, pattern, {name: expression}]");
-        return 1;
+        return;
     }
     if (n->count == 0) {
         diag_error(b->diags, n, AT_VALUE, "E-count", "'columns' is empty");
         diag_hint(b->diags, "without it all coordinates and rates are written; t is in every record");
-        return 1;
+        return;
     }
     for (int i = 0; i < n->count; i++) most += n->item[i]->type == NODE_MAP ? n->item[i]->count : 1;
     struct output_column *list = TAKE(b->life, struct output_column, most);
-    for (int i = 0; i < n->count && !diags_full(b->diags); i++) errors += read_column(b, list, &o->ncolumn, n->item[i]);
+    for (int i = 0; i < n->count && !diags_full(b->diags); i++) read_column(b, list, &o->ncolumn, n->item[i]);
     o->column = list;
-    return errors;
 }
 
-int read_output(struct builder *b, const struct node *n)
+void read_output(struct builder *b, const struct node *n)
 {
     struct output *o = &b->scene->output;
-    *o = (struct output){.node = n};
-    if (!n) return 0;
     struct output_keys k = {0};
-    if (read_keys(&k, keys_output, n, NULL, "'output'", &b->reader)) return 1;
-    int errors = k.every ? read_every(b, o, k.every) : 0;
-    return k.columns ? errors + read_columns(b, o, k.columns) : errors;
+    *o = (struct output){.node = n};
+    if (!n || read_keys(&k, keys_output, n, NULL, "'output'", &b->reader)) return;
+    if (k.every) read_every(b, o, k.every);
+    if (k.columns) read_columns(b, o, k.columns);
 }

@@ -117,16 +117,16 @@ extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], k
     keys_spot[], keys_spots[], keys_sphere[], keys_hole[], keys_profile[], keys_cam[], keys_contact[], keys_friction[],
     keys_pin_friction[], keys_slide_friction[], keys_first_order[];
 
-/* the parts, in the order they are read; each returns the number of errors it reported */
-int read_space(struct builder *b, const struct deck_keys *k);
+/* the parts, in the order they are read; what is wrong is told to the diags of the builder */
+void read_space(struct builder *b, const struct deck_keys *k);
 /* states.c: quantities of first order join bodies, constraints, signals, forces and initial, before all of these */
-int make_states(struct builder *b, struct deck_keys *k);
-int read_bodies(struct builder *b, const struct node *n);
-int read_joints(struct builder *b, const struct node *n);
-int read_measures(struct builder *b, const struct node *n);
+void make_states(struct builder *b, struct deck_keys *k);
+void read_bodies(struct builder *b, const struct node *n);
+void read_joints(struct builder *b, const struct node *n);
+void read_measures(struct builder *b, const struct node *n);
 /* ties.c: the two points of a rod; when all joints are known, what gears and racks tie */
 int read_rod(struct builder *b, struct scene_joint *j, const struct node *points, const char *what);
-int read_ties(struct builder *b);
+void read_ties(struct builder *b);
 /* measures.c: a plain coordinate by name, "hub.angle", or by that of its joint if it has one only; 0, or 1 and an error
  */
 int find_coordinate(struct builder *b, struct scene_measure *m, const struct node *n, const char *what);
@@ -138,7 +138,7 @@ int read_rubbing(struct builder *b, struct scene_joint *j, const struct node *n,
 void make_rubbing(struct builder *b);
 int check_coefficients(struct builder *b, struct contact_law *law, double kinetic, double holding, const struct node *n,
                        const char *what);
-int check_stops(struct builder *b);
+void check_stops(struct builder *b);
 /* contacts.c: behind the forces, whose stops are contacts, too */
 /* compliant.c: what one that gives way is made of; keys of the other kind of contact are refused */
 /* Restitution of one with a stiffness, if it has any. */
@@ -148,13 +148,13 @@ void add_compliant(struct builder *b, const struct scene_contact *c, const struc
 /* Refuses the key of n, if it is given, for the reason `why`. */
 int refuse_beside(struct builder *b, const struct node *n, const char *key, const char *what, const char *why,
                   const char *hint);
-int read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts);
+void read_contacts(struct builder *b, const struct node *surfaces, const struct node *contacts);
 /* tips.c: is the force one that the program has a word for? */
 void tip_on_force(struct builder *b, const struct scene_force *f);
-int read_forces(struct builder *b, const struct node *n);
+void read_forces(struct builder *b, const struct node *n);
 /* signals.c: tables by name; signals, behind the measures */
-int read_tables(struct builder *b, const struct node *n);
-int read_signals(struct builder *b, const struct node *n);
+void read_tables(struct builder *b, const struct node *n);
+void read_signals(struct builder *b, const struct node *n);
 /* The signal of this name, if it is a table; NULL: it is none. */
 const struct signal *find_table_signal(const struct builder *b, const char *name);
 /* forces.c: is it an expression of time and the motion? */
@@ -164,19 +164,19 @@ int one_table(struct builder *b, const struct node *n);
 int read_time_table(struct builder *b, struct signal *o, const struct node *n);
 /* measures.c: may a measure or signal be called so?  1: told why not. */
 int wrong_value_name(struct builder *b, const struct node *n, const char *what);
-int read_drives(struct builder *b, const struct node *n);
+void read_drives(struct builder *b, const struct node *n);
 /* When the start is known: drives that begin elsewhere than drawn, and nothing says so. */
 void warn_of_drives(struct builder *b);
 /* An expression or table of time alone. */
 int read_time_signal(struct builder *b, struct signal *o, const struct node *n, const char *what);
 int read_condition(struct builder *b, struct scene_condition *o, const struct node *n);
-int read_initial(struct builder *b, const struct node *n);
-int read_partition(struct builder *b, const struct node *n);
-int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
-int read_output(struct builder *b, const struct node *n);
-int read_checkpoint(struct builder *b, const struct node *n);
+void read_initial(struct builder *b, const struct node *n);
+void read_partition(struct builder *b, const struct node *n);
+void read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes);
+void read_output(struct builder *b, const struct node *n);
+void read_checkpoint(struct builder *b, const struct node *n);
 /* effects.c: before the bodies, which it has a say in */
-int read_effects(struct builder *b, const struct node *n);
+void read_effects(struct builder *b, const struct node *n);
 /* Is it the name of an expression among the output's columns?  No force or condition reads these. */
 bool is_output_formula(const struct deck *deck, const char *name);
 

@@ -40,7 +40,7 @@ static const struct node *deciding_vector(const struct node *bodies)
     return NULL;
 }
 
-int read_space(struct builder *b, const struct deck_keys *k)
+void read_space(struct builder *b, const struct deck_keys *k)
 {
     const struct node *root = b->scene->deck->root;
     const struct node *vector = deciding_vector(k->bodies);
@@ -52,15 +52,13 @@ int read_space(struct builder *b, const struct deck_keys *k)
         b->space_from = node_find(root, "space");
     }
     b->reader.space = b->scene->space;
-    return 0;
 }
 
-static int read_energy(struct builder *b, const struct node *n)
+static void read_energy(struct builder *b, const struct node *n)
 {
     struct energy_keys k = {0.01};
-    if (n && read_keys(&k, keys_energy, n, NULL, "'energy'", &b->reader)) return 1;
+    if (n && read_keys(&k, keys_energy, n, NULL, "'energy'", &b->reader)) return;
     b->scene->delta = k.delta;
-    return 0;
 }
 
 enum status scene_read(struct scene **out, struct deck *deck, const struct key_block *schemes, unsigned unheard,

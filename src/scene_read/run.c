@@ -98,38 +98,31 @@ static int read_band(struct builder *b, struct scene_choice *list, int *count, c
     return 1;
 }
 
-static int read_choices(struct builder *b, struct scene_choice **list, int *count, const struct node *n,
-                        const char *what)
+static void read_choices(struct builder *b, struct scene_choice **list, int *count, const struct node *n,
+                         const char *what)
 {
-    int errors = 0, most = n->count;
-    if (read_list(n, what, &b->reader)) return 1;
+    int most = n->count;
+    if (read_list(n, what, &b->reader)) return;
     for (int i = 0; i < n->count; i++) /* a map names a body's modes */
         for (int k = 1; n->item[i]->type == NODE_MAP && k < b->scene->nbody; k++) most += b->scene->body[k].nmode;
     *list = TAKE(b->life, struct scene_choice, most);
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         if (n->item[i]->type == NODE_MAP)
-            errors += read_band(b, *list, count, n->item[i]);
-        else if (read_choice(b, &(*list)[*count], n->item[i]))
-            errors++;
-        else
+            read_band(b, *list, count, n->item[i]);
+        else if (!read_choice(b, &(*list)[*count], n->item[i]))
             ++*count;
     }
-    return errors;
 }
 
-int read_partition(struct builder *b, const struct node *n)
+void read_partition(struct builder *b, const struct node *n)
 {
     struct partition_keys k = {0};
-    int errors = 0;
-    if (!n) return 0;
+    if (!n) return;
     b->scene->fast_auto = n->type == NODE_SCALAR && strcmp(n->text, "auto") == 0;
-    if (b->scene->fast_auto) return 0;
-    if (read_keys(&k, keys_partition, n, NULL, "'partition'", &b->reader)) return 1;
+    if (b->scene->fast_auto || read_keys(&k, keys_partition, n, NULL, "'partition'", &b->reader)) return;
     struct scene *scene = b->scene;
-    if (k.fast) errors += read_choices(b, &scene->fast, &scene->nfast, k.fast, "'fast'");
-    if (k.independent)
-        errors += read_choices(b, &scene->independent, &scene->nindependent, k.independent, "'independent'");
-    return errors;
+    if (k.fast) read_choices(b, &scene->fast, &scene->nfast, k.fast, "'fast'");
+    if (k.independent) read_choices(b, &scene->independent, &scene->nindependent, k.independent, "'independent'");
 }
 
 /* ---- integrate ---- */
@@ -189,15 +182,9 @@ static int read_stepping(struct builder *b, struct integrate *o, const struct ke
     return errors;
 }
 
-int read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes)
+void read_integrate(struct builder *b, const struct node *n, const struct key_block *schemes)
 {
     struct integrate *o = &b->scene->integrate;
     *o = (struct integrate){.node = n, .foretold = NAN};
-    if (read_stepping(b, o, schemes)) {
-        o->until = 0;
-        return 1;
-    }
-    int errors = read_until(b, o) || check_span(b, o) || check_steps(b, o, n);
-    if (errors) o->until = 0;
-    return errors;
+    if (read_stepping(b, o, schemes) || read_until(b, o) || check_span(b, o) || check_steps(b, o, n)) o->until = 0;
 }

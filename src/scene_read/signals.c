@@ -7,18 +7,14 @@
 #include "expr/expr.h"
 #include "scene_read/parts.h"
 
-int read_tables(struct builder *b, const struct node *n)
+void read_tables(struct builder *b, const struct node *n)
 {
-    int errors = 0;
-    if (!n) return 0;
-    if (read_map(n, "'tables'", &b->reader)) return 1;
+    if (!n || read_map(n, "'tables'", &b->reader)) return;
     for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
         struct points any;
         if (read_named_table(&any, n->item[i], &b->reader) == 0) continue;
         n->item[i]->reported = true;
-        errors++;
     }
-    return errors;
 }
 
 const struct signal *find_table_signal(const struct builder *b, const char *name)
@@ -46,7 +42,7 @@ static bool mentions(const struct node *n, const char *name)
 }
 
 /* Signals that wait for nothing but each other are left when all others are taken away, again and again. */
-static int refuse_circles(struct builder *b, const struct node *n)
+static void refuse_circles(struct builder *b, const struct node *n)
 {
     bool *settled = TAKE(b->life, bool, n->count);
     int left = n->count, before, errors = 0;
@@ -68,7 +64,6 @@ static int refuse_circles(struct builder *b, const struct node *n)
             diag_note(b->diags, n->item[i], AT_VALUE, "this one, too");
         n->item[i]->reported = true;
     }
-    return errors;
 }
 
 /* ---- the section ---- */
@@ -100,22 +95,16 @@ static int read_one(struct builder *b, struct scene_signal *o, struct node *n)
     return errors;
 }
 
-int read_signals(struct builder *b, const struct node *n)
+void read_signals(struct builder *b, const struct node *n)
 {
     struct scene *scene = b->scene;
-    int errors = 0;
-    if (!n) return 0;
-    if (read_map(n, "'signals'", &b->reader)) return 1;
+    if (!n || read_map(n, "'signals'", &b->reader)) return;
     scene->signal = TAKE(b->life, struct scene_signal, n->count);
-    errors += refuse_circles(b, n);
+    refuse_circles(b, n);
     for (int tables = 1; tables >= 0; tables--) /* tables first: others read them */
         for (int i = 0; i < n->count && !diags_full(b->diags); i++) {
             struct scene_signal signal;
             if (n->item[i]->reported || (tables && n->item[i]->type != NODE_MAP)) continue;
-            if (read_one(b, &signal, n->item[i]))
-                errors++;
-            else if (!tables)
-                scene->signal[scene->nsignal++] = signal;
+            if (!read_one(b, &signal, n->item[i]) && !tables) scene->signal[scene->nsignal++] = signal;
         }
-    return errors;
 }

@@ -109,52 +109,48 @@ static void add_start(struct builder *b, struct deck_keys *k, double start, cons
         n);
 }
 
-static int make_state(struct builder *b, struct deck_keys *k, const struct node *n)
+static void make_state(struct builder *b, struct deck_keys *k, const struct node *n)
 {
     struct first_order_keys keys = {.rate = n};
     struct node *bodies = section(b, &k->bodies, "bodies", n), *joints = section(b, &k->constraints, "constraints", n);
     struct node *signals = section(b, &k->signals, "signals", n), *forces = section(b, &k->forces, "forces", n);
-    if (!bodies || !joints || !signals || !forces) return 0;
+    if (!bodies || !joints || !signals || !forces) return;
     if (!text_is_name(n->key)) {
         diag_error(b->diags, n, AT_KEY, "E-name", "'%.60s' cannot name a state", n->key);
-        return 1;
+        return;
     }
     const char *what = arena_print(b->life, "state '%s'", n->key);
-    if (n->type == NODE_MAP && read_keys(&keys, keys_first_order, n, NULL, what, &b->reader)) return 1;
+    if (n->type == NODE_MAP && read_keys(&keys, keys_first_order, n, NULL, what, &b->reader)) return;
     if (taken(b, bodies, called(b, n, "wheel"), n) || taken(b, joints, called(b, n, "axle"), n) ||
         taken(b, signals, n->key, n) || taken(b, signals, called(b, n, "rate"), n) ||
         taken(b, forces, called(b, n, "torque"), n))
-        return 1;
+        return;
     add_wheel(b, bodies, joints, n);
     add_signals(b, signals, keys.rate, n);
     add_torque(b, forces, n);
     add_start(b, k, keys.start, n);
-    return 0;
 }
 
 /* A posture at rest has no rates, and no way of its own to tell what a state is there. */
-static int refuse_static(struct builder *b, const struct node *states, const struct node *initial)
+static void refuse_static(struct builder *b, const struct node *states, const struct node *initial)
 {
     const struct node *wish = initial && initial->type == NODE_MAP ? node_find(initial, "static") : initial;
     const bool asked =
         wish && wish->type == NODE_SCALAR && strcmp(wish->text, wish == initial ? "static" : "true") == 0;
-    if (!asked) return 0;
+    if (!asked) return;
     diag_error(b->diags, wish, AT_VALUE, "E-states", "'static' and 'states' do not go together");
     diag_note(b->diags, states, AT_KEY, "states here");
-    return 1;
 }
 
-int make_states(struct builder *b, struct deck_keys *k)
+void make_states(struct builder *b, struct deck_keys *k)
 {
     struct node *root = b->reader.deck->root;
     const struct node *states = k->states;
-    int errors = 0, kept = 0;
-    if (!states) return 0;
-    if (read_map(states, "'states'", &b->reader)) return 1;
-    errors += refuse_static(b, states, k->initial);
-    for (int i = 0; i < states->count && !diags_full(b->diags); i++) errors += make_state(b, k, states->item[i]);
+    int kept = 0;
+    if (!states || read_map(states, "'states'", &b->reader)) return;
+    refuse_static(b, states, k->initial);
+    for (int i = 0; i < states->count && !diags_full(b->diags); i++) make_state(b, k, states->item[i]);
     for (int i = 0; i < root->count; i++)
         if (root->item[i] != states) root->item[kept++] = root->item[i];
     root->count = kept;
-    return errors;
 }

@@ -102,10 +102,9 @@ void make_stops(struct builder *b)
 }
 
 /* A drive moves its coordinate whatever stops it. */
-int check_stops(struct builder *b)
+void check_stops(struct builder *b)
 {
     const struct scene *scene = b->scene;
-    int errors = 0;
     for (int i = 0; i < scene->ndrive; i++) {
         const struct scene_measure *m = &scene->measure[scene->drive[i].measure];
         const struct scene_joint *j = m->type == MEASURE_COORDINATE ? &scene->joint[m->joint] : NULL;
@@ -115,7 +114,5 @@ int check_stops(struct builder *b)
                    j->name);
         diag_hint(b->diags, "a spring between the drive and the coordinate gives way: drive another joint, or delete "
                             "'hold'");
-        errors++;
     }
-    return errors;
 }

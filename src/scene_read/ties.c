@@ -70,12 +70,10 @@ static int tie_coordinates(struct builder *b, struct scene_joint *j)
     return 0;
 }
 
-int read_ties(struct builder *b)
+void read_ties(struct builder *b)
 {
-    int errors = 0;
     for (int i = 0; i < b->scene->njoint; i++) {
         struct scene_joint *j = &b->scene->joint[i];
-        if (j->kind->tie == TIE_COORDINATES) errors += tie_coordinates(b, j);
+        if (j->kind->tie == TIE_COORDINATES) tie_coordinates(b, j);
     }
-    return errors;
 }
