@@ -44,47 +44,6 @@ struct adaptive *adaptive_of(const struct stepper *s)
     return s->self;
 }
 
-/* Size of position i.  A position that is moved by quasi-displacements has none of its own: what it
- * has travelled, at most its usual size. */
-static double size(const struct stepper *s, const double *q, int i)
-{
-    const struct adaptive *m = s->self;
-    return s->ode->move ? fmin(ode2_usual(s->ode, i), fabs(m->span[i])) : fabs(q[i]);
-}
-
-double adaptive_scale_q(const struct stepper *s, int i)
-{
-    const struct adaptive *m = s->self;
-    return m->tolerance * ode2_usual(s->ode, i) + m->tolerance * fmax(size(s, m->q, i), size(s, m->q1, i));
-}
-
-static double standing(const struct stepper *s, int i, bool plain)
-{
-    static const double SLOWEST = 1e-3; /* [1/s] */
-    const struct adaptive *m = s->self;
-    return ode2_usual(s->ode, i) * fmax((plain ? .1 : .01) * m->pace, SLOWEST);
-}
-
-double adaptive_standing(const struct stepper *s, int i)
-{
-    const struct adaptive *m = s->self;
-    return standing(s, i, m->scheme->plain);
-}
-
-double adaptive_scale_plain(const struct stepper *s, int i, double top)
-{
-    const struct adaptive *m = s->self;
-    return m->tolerance * standing(s, i, true) + m->tolerance * top;
-}
-
-/* What all but stands is not judged by its round-off. */
-double adaptive_scale_v(const struct stepper *s, int i)
-{
-    const struct adaptive *m = s->self;
-    const double own = m->scheme->plain ? m->top[i] : fmax(fabs(m->v[i]), fabs(m->v1[i]));
-    return m->tolerance * adaptive_standing(s, i) + m->tolerance * own;
-}
-
 static void note_pace(struct stepper *s, double t)
 {
     struct adaptive *m = s->self;
@@ -113,7 +72,7 @@ static enum status first_step(struct stepper *s, double t, double most, struct t
     TRY(rk_stage(k, &euler, 0, m->q, m->v, t, 0, why));
     for (int i = 0; i < n; i++) {
         double sq = adaptive_scale_q(s, i), sv = adaptive_scale_v(s, i);
-        d0 += pow(size(s, m->q, i) / sq, 2) + pow(m->v[i] / sv, 2);
+        d0 += pow(adaptive_size(s, m->q, i) / sq, 2) + pow(m->v[i] / sv, 2);
         d1 += pow(m->v[i] / sq, 2) + pow(k->dv[0][i] / sv, 2);
     }
     d0 = sqrt(d0 / (2 * n));
@@ -218,14 +177,6 @@ static enum status give_up(long rejected, double t, struct trouble *why)
     return E_LIMIT;
 }
 
-double adaptive_share(const struct adaptive *m, double h)
-{
-    static const double ROUND_OFF = 1e-13; /* times the tolerance: what it leaves of an error */
-    static const double LEAST = 1e-2;      /* of the root: ten thousand steps */
-    const double x = h / (m->elapsed + 10 * h), part = m->scheme->plain ? x : larger(LEAST, sqrt(x));
-    return smaller(1, larger(part, ROUND_OFF / m->tolerance));
-}
-
 /* Steps that shrink to nothing may do so before what cannot be passed, as a dead point: a longer one then tells, and for
  * all that begin again with this step. */
 static enum status too_small(struct stepper *s, double t, double h, double left, struct trouble *why)
@@ -248,7 +199,9 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
     enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
     static const double NEAR = .9;
     struct adaptive *m = s->self;
-    const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), left = fabs(end - *t), way = end > *t ? 1 : -1;
+    const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), way = end > *t ? 1 : -1;
+    double left = fabs(end - *t);
+    int shy = 0;
     for (;;) {
         double h = m->h, err = 0;
         const bool last = h >= left * (1 - 1e-10), near = m->scheme->plain && !last && h > NEAR * left,
@@ -270,6 +223,14 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             continue;
         }
         if (status == OK && (err <= 1 || jump)) {
+            const double records = adaptive_records(s, *t, m->came);
+            if (records > 1) { /* a shorter step, or to the first of them */
+                m->h = came * m->scheme->shrink(m, records);
+                if (shy++ || m->h < s->due - *t) m->h = left = (end = s->due) - *t;
+                s->effort.rejected++;
+                continue;
+            }
+            err = larger(err, records);
             note_missed(s, m, whole, m->came);
             take(s, m, *t, m->came);
             const double grow = m->scheme->grow(m, err);
@@ -305,7 +266,8 @@ static enum status begin(struct stepper *s, const struct state *x, double to, st
     copy(m->v, x->v, s->ode->n);
     zero(m->work, POWER_CHANNELS);
     m->rejected = 0;
-    m->works.asked = false;
+    if (!(s->natural && m->known && m->works.until == s->due)) m->works.asked = false;
+    m->works.until = s->due;
     if (s->fresh) {
         zero(m->span, s->ode->n);
         note_pace(s, x->t);
@@ -382,6 +344,8 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
     recall_one(r, "error", m->old);
     recall_one(r, "turned", m->works.turned);
     recall_one(r, "energy", m->works.energy);
+    recall_one(r, "asked", m->works.asked);
+    recall_one(r, "asked_until", m->works.until);
     recall_one(r, "elapsed", m->elapsed);
     recall_one(r, "known", m->known);
     if (m->known) {

@@ -27,7 +27,8 @@
 struct works {
     double turned;       /* sum of |work| of all steps and channels so far [J] */
     double energy;       /* largest kinetic energy known, and what all but stands has [J] */
-    bool asked;          /* has it been asked for in this H? */
+    bool asked;          /* has it been asked for in this H, or since the last record? */
+    double until;        /* the next one, then */
     double tried, error; /* step and error of the last trial from here; 0: there was none */
     int slow;            /* trials from here whose errors did not fall with the square of the step */
     double *u;           /* [n] */
@@ -48,6 +49,7 @@ struct adaptive {
     double *span;         /* [n] displacement since the start, where positions have a move of their own */
     double elapsed;       /* time gone by since the run's start [s] */
     bool known;           /* a, and the slopes at the state, are those of the last step's end */
+    bool ready;           /* between() has what it asks for of the last trial */
     double h, old;        /* next step; error of the last one */
     double came;          /* how far the trial has come: its step, or less, to where something touches */
     long rejected;        /* steps given up in this H */
@@ -77,6 +79,9 @@ struct adaptive_scheme {
      * the part x of it. */
     void (*between)(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
     double between_from; /* the least tolerance that this will do for */
+    /* Optional, where between() needs it.  Of the trial from t to t + h, before it is taken: all that between() asks for, and
+     * what it is off by in scales of the tolerance.  Not OK: it cannot be had. */
+    enum status (*ready)(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why);
     /* Required.  What the estimate says that the trial is off by [n], of any sign. */
     void (*off)(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
     /* Optional.  Adds what iterations have left in the trial [n], which no order makes smaller. */
@@ -96,6 +101,9 @@ struct adaptive *adaptive_of(const struct stepper *s);
 void adaptive_open(struct stepper *s, struct arena *life);
 enum status adaptive_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
 
+/* Size of position i.  A position that is moved by quasi-displacements has none of its own: what it has travelled, at most its
+ * usual size. */
+double adaptive_size(const struct stepper *s, const double *q, int i);
 /* tol (Y_i + |y_i|) of position and of velocity i. */
 double adaptive_scale_q(const struct stepper *s, int i);
 double adaptive_scale_v(const struct stepper *s, int i);
@@ -114,6 +122,9 @@ bool adaptive_interpolates(const struct stepper *s);
 void adaptive_between(const struct stepper *s, double *q, double *v, double t);
 /* The same of any adaptive scheme, good enough to look for something: by cubics where it has no better. */
 void adaptive_look(const struct stepper *s, double *q, double *v, double t);
+/* What records that are due inside the trial from t to t + h would be off by, in scales of the tolerance: where it may not be taken
+ * for it, more than 1; 0: none is due.  m->ready follows. */
+double adaptive_records(struct stepper *s, double t, double h);
 /* For between(): u by Hermite's cubic through positions and rates at both ends; dx, rate [n]: scratch. */
 void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x);
 /* For take(): m->span goes on from q to q1; dx [n]: scratch. */

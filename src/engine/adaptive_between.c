@@ -1,4 +1,6 @@
 /* adaptive_between.c -- states inside the last step of a scheme that chooses its steps; see adaptive.h */
+#include <math.h>
+
 #include "engine/adaptive.h"
 #include "engine/motion.h"
 
@@ -6,6 +8,17 @@ bool adaptive_interpolates(const struct stepper *s)
 {
     const struct adaptive_scheme *o = s->kind->formulas;
     return s->kind->adaptive && !s->touch && o->between && s->options.tolerance >= o->between_from;
+}
+
+double adaptive_records(struct stepper *s, double t, double h)
+{
+    struct adaptive *m = s->self;
+    struct trouble why = {0};
+    double err = 0;
+    m->ready = false;
+    if (!m->scheme->ready || !(s->due > t && s->due < t + h)) return 0;
+    m->ready = m->scheme->ready(s, m, &err, t, h, &why) == OK && err <= 1;
+    return m->ready || err > 1 ? err : INFINITY;
 }
 
 void adaptive_between(const struct stepper *s, double *q, double *v, double t)
@@ -27,7 +40,7 @@ void adaptive_look(const struct stepper *s, double *q, double *v, double t)
 {
     const struct adaptive *m = s->self;
     const double x = (t - m->t0) / (m->t1 - m->t0);
-    if (m->scheme->between) {
+    if (m->scheme->between && (m->ready || !m->scheme->ready)) {
         adaptive_between(s, q, v, t);
         return;
     }

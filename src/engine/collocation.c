@@ -13,6 +13,10 @@ static const double points3[] = {0.15505102572168219018, 0.64494897427831780982,
 static const double points5[] = {0.05710419611451768219, 0.27684301363812382768, 0.58359043236891682006,
                                  0.86024013565621944785, 1};
 
+/* Gauss's three points and weights in (0, 1): exact up to degree 5. */
+static const double gauss[] = {.11270166537925831148, .5, .88729833462074168852},
+                    weight[] = {5. / 18, 8. / 18, 5. / 18};
+
 void collocation_through(const struct collocation *o, double *w, double x)
 {
     for (int j = 0; j < o->s; j++) {
@@ -22,14 +26,39 @@ void collocation_through(const struct collocation *o, double *w, double x)
     }
 }
 
-/* A_ij, the j-th polynomial of Lagrange integrated from 0 to c_i: by Gauss's three points, exact up to degree 5. */
+void collocation_along(const struct collocation *o, double *w, double x)
+{
+    for (int j = 0; j <= o->s; j++) w[j] = 0;
+    for (int k = 0; k < 3; k++) {
+        const double z = x * gauss[k];
+        double p[COLLOCATION_STAGES], zero[COLLOCATION_STAGES], first = 1;
+        collocation_through(o, p, z);
+        collocation_through(o, zero, 0);
+        for (int j = 0; j < o->s; j++) first *= 1 - z / o->c[j];
+        w[0] += x * weight[k] * first;
+        for (int j = 0; j < o->s; j++) w[j + 1] += x * weight[k] * (p[j] - first * zero[j]);
+    }
+}
+
+/* The largest |w_0| on the way. */
+static double largest_first(const struct collocation *o)
+{
+    enum { PARTS = 100 };
+    double w[COLLOCATION_STAGES + 1], most = 0;
+    for (int i = 1; i < PARTS; i++) {
+        collocation_along(o, w, (double)i / PARTS);
+        if (fabs(w[0]) > most) most = fabs(w[0]);
+    }
+    return most;
+}
+
+/* A_ij, the j-th polynomial of Lagrange integrated from 0 to c_i: by Gauss's points. */
 static void integrate(struct collocation *o)
 {
-    const double x[] = {.5 - sqrt(.15), .5, .5 + sqrt(.15)}, weight[] = {5. / 18, 8. / 18, 5. / 18};
     for (int i = 0; i < o->s; i++)
         for (int k = 0; k < 3; k++) {
             double w[COLLOCATION_STAGES];
-            collocation_through(o, w, o->c[i] * x[k]);
+            collocation_through(o, w, o->c[i] * gauss[k]);
             for (int j = 0; j < o->s; j++) o->A[i][j] += o->c[i] * weight[k] * w[j];
         }
     memcpy(o->b, o->A[o->s - 1], sizeof o->b);
@@ -104,4 +133,5 @@ void collocation_radau(struct collocation *o, int s)
     }
     collocation_through(o, o->d, 0);
     for (int i = 0; i < s; i++) o->d[i] *= -o->mode[0].re;
+    o->bulge = largest_first(o);
 }

@@ -20,10 +20,10 @@ void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life)
         m->tolerance = smaller(1, p->part * pow(s->options.tolerance, p->power - 1)) * s->options.tolerance;
 }
 
-/* Mean square of h sum e_j k_j in scales. */
-static double mean_square(const struct stepper *s, const struct adaptive *m, const double *e, double h)
+/* Mean square of h sum e_j k_j in scales, of so many slopes. */
+static double mean_square(const struct stepper *s, const struct adaptive *m, const double *e, int stages, double h)
 {
-    const int n = s->ode->n, stages = m->rk.stages;
+    const int n = s->ode->n;
     double sum = 0;
     for (int i = 0; i < n; i++) {
         double eq = 0, ev = 0;
@@ -42,7 +42,7 @@ static double mean_square(const struct stepper *s, const struct adaptive *m, con
 static void sum_works(double *x, const struct adaptive *m, const double *e, double h)
 {
     double sum[POWER_CHANNELS] = {0}; /* nothing else is in it: a half of the instructions */
-    for (int j = 0; j < m->rk.stages; j++) {
+    for (int j = 0; j < pair_of(m)->table.stages; j++) {
         const double *w = m->rk.w[j], by = h * e[j];
         for (int c = 0; c < POWER_CHANNELS; c++) sum[c] += by * w[c];
     }
@@ -66,9 +66,10 @@ static double error_of_works(struct stepper *s, const struct adaptive *m, double
 static double error(const struct stepper *s, const struct adaptive *m, double h)
 {
     const struct embedded_pair *p = pair_of(m);
-    const double square = mean_square(s, m, p->e, h);
+    const int stages = p->table.stages;
+    const double square = mean_square(s, m, p->e, stages, h);
     if (!p->e2 || square == 0) return sqrt(square);
-    return square / sqrt(square + .01 * mean_square(s, m, p->e2, h));
+    return square / sqrt(square + .01 * mean_square(s, m, p->e2, stages, h));
 }
 
 enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
@@ -101,13 +102,26 @@ void embedded_take(struct stepper *s, struct adaptive *m, double h)
 static double dense(const struct embedded_pair *p, double *const *k, double k0, int i, double h, double x)
 {
     const int stages = p->table.stages;
-    double change = p->table.b[0] * k0, bend = p->d[0] * k0;
-    for (int j = 1; j < stages; j++) {
-        change += p->table.b[j] * k[j][i];
-        bend += p->d[j] * k[j][i];
+    const double y = 1 - x;
+    double change = p->table.b[0] * k0, bent = 0;
+    for (int j = 1; j < stages; j++) change += p->table.b[j] * k[j][i];
+    for (int r = p->bends - 1; r >= 0; r--) {
+        double bend = p->d[r][0] * k0;
+        for (int j = 1; j < p->scheme.stages; j++) bend += p->d[r][j] * k[j][i];
+        bent = (r % 2 ? x : y) * (bend + bent);
     }
-    const double y = 1 - x, lead = k0 - change;
-    return h * x * (change + y * (lead + x * (change - k[stages - 1][i] - lead + y * bend)));
+    const double lead = k0 - change;
+    return h * x * (change + y * (lead + x * (change - k[stages - 1][i] - lead + bent)));
+}
+
+enum status embedded_ready(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
+{
+    const struct embedded_pair *p = pair_of(m);
+    for (int i = p->table.stages; i < p->scheme.stages; i++) TRY(rk_stage(&m->rk, &p->table, i, m->q, m->v, t, h, why));
+    static const double MOST = .0084; /* the largest x^4 y^3 */
+    const double bend = MOST * sqrt(mean_square(s, m, p->d[p->bends - 1], p->scheme.stages, h));
+    *err = bend * pow(bend * s->options.tolerance, 1. / 7);
+    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
 }
 
 void embedded_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
@@ -123,7 +137,7 @@ void embedded_off(const struct stepper *s, const struct adaptive *m, double *pos
 {
     const struct embedded_pair *p = pair_of(m);
     static const double LESS = 3; /* the estimate, made sharper, than what is found; measured, see `make trust` */
-    const double all = p->e2 ? sqrt(mean_square(s, m, p->e, h)) : 0;
+    const double all = p->e2 ? sqrt(mean_square(s, m, p->e, p->table.stages, h)) : 0;
     const double by = LESS * h * (all > 0 ? error(s, m, h) / all : 1);
     for (int i = 0; i < s->ode->n; i++) {
         double du = 0, dv = 0;

@@ -11,12 +11,15 @@ struct embedded_pair {
     /* e: weights less those of the embedded method.  e2, where it is not NULL, of a second one of lower order: the error
      * then is the first one's times |e| / sqrt(|e|^2 + |e2|^2 / 100), of an order higher than e alone would be. */
     const double *e, *e2;
-    /* With d, where it is not NULL, in the part x of the step
+    /* In the part x of the step, with E_i = h sum d_ij k_j of `bends` rows d_i, by turns behind y and behind x,
      *
-     *     y0 + x (D + y (B + x (D - h k_last - B + y h sum d_j k_j))),   D = y1 - y0,  B = h k_0 - D,  y = 1 - x
+     *     y0 + x (D + y (B + x (D - h k_last - B + y (E_0 + x (E_1 + y (E_2 + ...)))))),   D = y1 - y0,  B = h k_0 - D,  y = 1 - x
      *
-     * of order 4 (Shampine 1986; Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.6). */
-    const double *d;
+     * (Shampine 1986; Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.6).  The slopes k_j are those of
+     * all stages of the scheme: the ones behind the step's own have rows in its table, too, and are found where there are
+     * records in the step. */
+    int bends;
+    const double (*d)[RK_STAGES];
     /* h := h clip(0.9 err^-here err_old^before, least, most); err^-fail after a step that failed. */
     double here, before, fail, least, most;
     /* Errors of steps are held against part tol^power, where that is less than the tolerance and part is not 0: what steps
@@ -32,6 +35,7 @@ void embedded_open(struct stepper *s, struct adaptive *m, struct arena *life);
 enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,
                              struct trouble *why);
 void embedded_take(struct stepper *s, struct adaptive *m, double h);
+enum status embedded_ready(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why);
 void embedded_between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x);
 void embedded_off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h);
 double embedded_shrink(const struct adaptive *m, double err);

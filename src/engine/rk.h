@@ -12,7 +12,7 @@
 #include "base/arena.h"
 #include "engine/accel.h"
 
-enum { RK_STAGES = 13 };
+enum { RK_STAGES = 16 };
 
 struct rk_table {
     int stages;

@@ -136,8 +136,9 @@ struct stepper {
     int last_sweeps;              /* sweeps (iterations) of the last step */
     int fresh;                    /* no history: predictors and factors must not be used */
     struct guess guess;
-    bool natural;          /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
-    int unstarted;         /* accelerations were not found in a new chart: the next step asks for them again */
+    bool natural;  /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
+    double due;    /* then: when the next record is due; steps over it are such as adaptive_between() can look into */
+    int unstarted; /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;   /* solves (2-4) for a */
     struct missed *missed; /* what steps have missed so far; NULL: nobody asks */
     struct touch *touch;   /* rigid contacts; NULL: there are none */

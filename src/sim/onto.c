@@ -3,6 +3,7 @@
  * The step is looked at in parts by interpolation, the first in which it happens is halved, and the step goes back to be taken
  * again, onto that time.  A shorter step is interpolated the better: where it happens elsewhere by that one it goes back once
  * more. */
+#include <float.h>
 #include <math.h>
 
 #include "engine/adaptive.h"
@@ -28,7 +29,8 @@ static bool happens(struct sim *sim, double t)
 double onto_event(struct sim *sim)
 {
     enum { PARTS = 16, HALVINGS = 40, MOST_BACK = 8 };
-    static const double AT_END = 1e-9; /* of the step */
+    static const double AT_END = 1e-9, /* of the step */
+        ROUND_OFF = 64;                /* no step ends sooner behind its start */
     const double from = sim->kept_t, end = sim->x.t, h = end - from;
     double before = from, t = from;
     bool is = false;
@@ -46,7 +48,8 @@ double onto_event(struct sim *sim)
         else
             before = middle;
     }
-    if (!(t > from && t < end - AT_END * h)) return INFINITY;
+    t = fmax(t, from + ROUND_OFF * DBL_EPSILON * fmax(fabs(from), fabs(end)));
+    if (!(t < end - AT_END * h)) return INFINITY;
     sim->went_back++;
     return t;
 }

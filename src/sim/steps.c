@@ -215,6 +215,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const struct ledger before = sim->ledger;
         if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
         const double to = sim->njump ? seen : sim->onto_records ? end_of(sim, k) : until;
+        sim->stepper.due = end_of(sim, k);
         const enum status status = advance_naturally(sim, fmin(to, onto));
         if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);

@@ -16,10 +16,9 @@
 enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100, LEAST = 100 }; /* evaluations */
 static const double SHARE = .02;                                                    /* of the run's evaluations */
 static const double USUAL = 1e-4;
-static const double SAFE = .03;  /* of a tolerance that stands for a step: errors of high order are less foreseeable */
-static const double A_STEP = 12; /* evaluations of order 8 */
-static const double FINER = .8;  /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
-static const double WORTH = .9;  /* of the work of what is taken without trials: less than that, or it is that */
+static const double SAFE = .03; /* of a tolerance that stands for a step: errors of high order are less foreseeable */
+static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
+static const double WORTH = .9; /* of the work of what is taken without trials: less than that, or it is that */
 enum {
     ROUNDS = 8,
     QUOTA = 30, /* evaluations of a first round */
@@ -276,14 +275,6 @@ static void open_usual(struct choice *o)
     racer_go(r, r->work + HALF, NULL, NULL);
 }
 
-/* Order 8 ends a step on every record, dopri5 looks back: is that more work than all of dopri5's? */
-static bool ends_on_records(const struct choice *o, const struct racer *r)
-{
-    const struct sim *sim = &r->sim;
-    const double every = sim->plan.step * (double)sim->every, span = sim->plan.until - o->scene->start;
-    return sim->onto_records && !o->eye->sim.onto_records && o->foretold < A_STEP * span / every;
-}
-
 /* In place of dopri5: order 8; what is stiff and does not move asks an explicit scheme for steps that the motion does not.
  * What moves and yet keeps steps at their bound is left to the race, if there is one. */
 static void take_higher_order(struct choice *o)
@@ -296,7 +287,7 @@ static void take_higher_order(struct choice *o)
     o->foretold = racer_hope(o->eye);
     auto_add(o, implicit ? "radau9" : "dop853", o->tolerance, NAN, 1, NULL);
     o->usual = implicit ? o->foretold : auto_higher_order(o, o->foretold);
-    if (!o->racer[0]->out && (implicit || (o->usual < o->foretold && !ends_on_records(o, o->racer[0])))) return;
+    if (!o->racer[0]->out && (implicit || o->usual < o->foretold)) return;
     o->racer[0] = o->eye;
     o->usual = o->foretold;
     o->looked = 0;
