@@ -44,4 +44,5 @@ float 40
 ball 40
 payload 40
 rssr 30
+sprung 40
 END

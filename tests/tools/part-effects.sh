@@ -90,6 +90,7 @@ expect "a strip that buckles sideways runs" 0 $? "$work/err"
 t=$(sed -n 's/.*does not stand there behind t = \([0-9.]*\) s.*W-effect.*/\1/p' "$work/err")
 awk -v t="${t:-0}" 'BEGIN { exit !(t > 8.9 && t < 9.5) }'
 expect "it is told from its buckling load on" 0 $? "$work/err"
+expect "and of which body" 1 "$(grep -c "'$(sed -n '/^bodies:/{n;s/^ *\([a-z]*\):.*/\1/p;}' tests/effects/lateral.yaml)'.*W-effect" "$work/err")" "$work/err"
 "$FMDSUB" run --strict -q tests/effects/lateral.yaml >"$work/out" 2>"$work/err"
 expect "and ends with 1 by --strict" 1 $? "$work/err"
 "$FMDSUB" run --strict -q --until 8.8 tests/effects/lateral.yaml >"$work/out" 2>"$work/err"
