@@ -88,29 +88,22 @@ static double rounded(double x)
     return strtod(text, NULL);
 }
 
-/* Errors are taken to fall a little less than the tolerance; none that is wider than the error itself is to be trusted. */
+/* Errors are taken to fall a little less than the tolerance; one near the error itself is not to be trusted, for forces of
+ * what vibrates are off by several tolerances. */
 static void advise_tolerance(struct advice *o, const struct trial *t, double error)
 {
-    static const double LEAST = 1e-12, MOST = 1e-3;
+    static const double LEAST = 1e-12, MOST = 1e-3, NEAR = .2;
     const struct tried *f = &t->own;
     const bool contacts = t->scene.ncontact > 0; /* order 2, and forces as means over a step, of order 1 */
     const double dear = contacts ? 1. / 2 : 1. / 9, less = contacts ? .5 : .8;
     const double aim = AIM * error, loose = fmax(ahead(f, 0), 1e-12);
     double x = aim >= loose ? f->at[0] * pow(aim / loose, less) : f->at[1] * pow(aim / ahead(f, 1), 1 / less);
     if (x < LEAST) return;
-    x = rounded(fmin(x, fmin(error, MOST)));
-    *add(o) = (struct advised){.error = error,
-                               .scheme = f->scheme,
-                               .ratio = 1,
-                               .step = NAN,
-                               .tolerance = x,
-                               .work = f->work[0] / f->share * pow(f->at[0] / x, dear)};
-}
-
-/* From a part of the run in which nothing is missed nothing follows for the rest. */
-static bool advises_steps(const struct tried *f)
-{
-    return f->n > 0 && f->error[1] < UNRESOLVED && (f->n == 2 || f->share > .99);
+    x = rounded(fmin(x, fmin(NEAR * error, MOST)));
+    const double seen = log(f->work[1] / f->work[0]) / log(f->at[0] / f->fine); /* between the two runs */
+    const double work = x >= f->fine ? f->work[0] * pow(f->at[0] / x, seen) : f->work[1] * pow(f->fine / x, dear);
+    *add(o) = (struct advised){
+        .error = error, .scheme = f->scheme, .ratio = 1, .step = NAN, .tolerance = x, .work = work / f->share};
 }
 
 enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report)
@@ -122,7 +115,7 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
     if (status == OK && !t.why) {
         o->until = t.reference.horizon;
         o->parted = !t.reference.whole;
-        const bool steps = advises_steps(&t.fixed);
+        const bool steps = trial_tells(&t.fixed) && t.fixed.error[1] < UNRESOLVED;
         o->no_steps = t.no_steps;
         o->corner = t.corner;
         o->steps_until = steps ? t.tried_until : NAN;

@@ -14,6 +14,7 @@ struct keeper {
     const struct sim *sim;
     const struct price *price;
     double most; /* [s] */
+    const struct outcome_watch *watch;
     struct arena *life;
 };
 
@@ -28,9 +29,9 @@ static enum status keep_meta(struct sink *sink, const struct run_meta *meta, str
 static enum status look(struct keeper *k)
 {
     const struct stepper *s = &k->sim->stepper;
-    if (price_seconds(k->price, s->kind, &s->effort) <= k->most) return OK;
-    k->to->over = true;
-    return E_LIMIT;
+    k->to->seconds = price_seconds(k->price, s->kind, &s->effort);
+    k->to->over = !(k->to->seconds <= k->most);
+    return k->to->over ? E_LIMIT : OK;
 }
 
 void outcome_keep(struct outcome *o, const double *x, struct arena *life)
@@ -44,7 +45,9 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     struct keeper *k = sink->self;
     (void)report;
     outcome_keep(k->to, x, k->life);
-    return look(k);
+    TRY(look(k));
+    k->to->over = k->watch && k->watch->enough(k->watch->self, k->to);
+    return k->to->over ? E_LIMIT : OK;
 }
 
 static enum status keep_tick(struct sink *sink, double now, struct report *report)
@@ -104,13 +107,20 @@ enum status outcome_check(const struct setting *setting, const struct subject *s
 enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
                         struct arena *life, struct report *report)
 {
+    return outcome_watched(o, setting, most, NULL, subject, life, report);
+}
+
+enum status outcome_watched(struct outcome *o, const struct setting *setting, double most,
+                            const struct outcome_watch *watch, const struct subject *subject, struct arena *life,
+                            struct report *report)
+{
+    *o = (struct outcome){0};
     struct sim_options options;
     struct step_options how;
     struct sim sim;
     const struct integrate plan = outcome_plan(&how, setting, subject);
-    struct keeper keeper = {o, &sim, &subject->price, most, life};
+    struct keeper keeper = {o, &sim, &subject->price, most, watch, life};
     struct sink sink = {&memory_ops, &keeper};
-    *o = (struct outcome){0};
     TRY(sim_open(&sim, subject->scene, &plan, quiet(&options, subject), subject->diags, life, report));
     o->status = sim_run(&sim, &sink, &o->report);
     o->effort = sim.stepper.effort;

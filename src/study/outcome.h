@@ -69,6 +69,15 @@ enum status outcome_check(const struct setting *setting, const struct subject *s
 enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
                         struct arena *life, struct report *report);
 
+/* The same, until `enough` of it is there, too: asked after every row, when o->seconds stand for the counts so far. */
+struct outcome_watch {
+    bool (*enough)(const void *self, const struct outcome *o);
+    const void *self;
+};
+enum status outcome_watched(struct outcome *o, const struct setting *setting, double most,
+                            const struct outcome_watch *watch, const struct subject *subject, struct arena *life,
+                            struct report *report);
+
 /* A row x [n] more. */
 void outcome_keep(struct outcome *o, const double *x, struct arena *life);
 

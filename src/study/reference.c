@@ -18,13 +18,13 @@ static const double RESTS = 1e-8;     /* of its size: the range of a column that
 static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less, */
 enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
 
-static void find_ranges(struct reference *o)
+static void find_ranges(struct reference *o, const struct outcome *run, double end)
 {
     for (int c = 0; c < o->run.n; c++) {
         double low = INFINITY, high = -INFINITY;
-        for (int r = 0; r < o->run.rows && outcome_row(&o->run, r)[0] <= o->horizon; r++) {
-            low = fmin(low, outcome_row(&o->run, r)[c]);
-            high = fmax(high, outcome_row(&o->run, r)[c]);
+        for (int r = 0; r < run->rows && outcome_row(run, r)[0] <= end; r++) {
+            low = fmin(low, outcome_row(run, r)[c]);
+            high = fmax(high, outcome_row(run, r)[c]);
         }
         o->range[c] = high - low;
         o->largest[c] = fmax(fabs(low), fabs(high));
@@ -59,21 +59,26 @@ static bool part(const struct reference *o, int c, double difference, double par
     return column->rate >= 0 && difference > within && share(o, c, difference) > parted;
 }
 
+static bool rows_part(const struct reference *o, const double *a, const double *b, double parted,
+                      const struct subject *subject)
+{
+    for (int c = 0; c < o->run.n; c++)
+        if (part(o, c, fabs(a[c] - b[c]), parted, &subject->column[c])) return true;
+    return false;
+}
+
 /* The last common time before coordinates part. */
 static void find_horizon(struct reference *o, const struct outcome *second, double parted,
                          const struct subject *subject)
 {
     int r[2] = {-1, -1};
-    double last = 0;
     o->whole = true;
-    while (outcome_next(r, &o->run, second)) {
+    o->horizon = 0;
+    while (o->whole && outcome_next(r, &o->run, second)) {
         const double *a = outcome_row(&o->run, r[0]), *b = outcome_row(second, r[1]);
-        for (int c = 0; c < o->run.n && o->whole; c++)
-            o->whole = !part(o, c, fabs(a[c] - b[c]), parted, &subject->column[c]);
-        if (!o->whole) break;
-        last = a[0];
+        o->whole = !rows_part(o, a, b, parted, subject);
+        if (o->whole) o->horizon = a[0];
     }
-    o->horizon = last;
 }
 
 static void find_uncertainty(struct reference *o, const struct outcome *second, double uncertain,
@@ -288,15 +293,17 @@ static enum status run_both(struct reference *o, struct outcome *second, const s
     return OK;
 }
 
-/* A column that says nothing beside others of its unit. */
-static bool is_noise(const struct reference *o, int c, const struct subject *subject)
+/* A column that says nothing beside others of its unit is not compared. */
+static void leave_noise_out(const struct reference *o, struct subject *subject)
 {
     static const double NOISE = 1e-11;
-    const char *unit = subject->column[c].unit;
-    double most = 0;
-    for (int i = 0; unit && i < o->run.n; i++)
-        if (subject->column[i].unit && strcmp(subject->column[i].unit, unit) == 0) most = fmax(most, o->largest[i]);
-    return o->largest[c] < NOISE * most;
+    for (int c = 0; c < o->run.n; c++) {
+        struct outcome_column *column = subject->column;
+        double most = 0;
+        for (int i = 0; column[c].unit && i < o->run.n; i++)
+            if (same_unit(&column[c], &column[i])) most = fmax(most, o->largest[i]);
+        column[c].compared &= o->largest[c] >= NOISE * most;
+    }
 }
 
 static void take_ranges(struct reference *o, const struct subject *subject, struct arena *life)
@@ -305,14 +312,26 @@ static void take_ranges(struct reference *o, const struct subject *subject, stru
     o->least = TAKE(life, double, o->run.n);
     o->range = TAKE(life, double, o->run.n);
     o->largest = TAKE(life, double, o->run.n);
-    find_ranges(o);
+    find_ranges(o, &o->run, o->horizon);
     find_least(o, subject);
+}
+
+void reference_alone(struct reference *o, const struct outcome *run, const struct subject *subject, struct arena *life)
+{
+    *o = (struct reference){.run = *run, .horizon = outcome_row(run, run->rows - 1)[0]};
+    take_ranges(o, subject, life);
+}
+
+bool reference_left(const struct reference *o, const struct outcome *run, double parted, const struct subject *subject)
+{
+    const int row = run->rows - 1;
+    return row < o->run.rows && rows_part(o, outcome_row(&o->run, row), outcome_row(run, row), parted, subject);
 }
 
 void reference_up_to(struct reference *o, double end)
 {
     o->horizon = end;
-    find_ranges(o);
+    find_ranges(o, &o->run, o->horizon);
 }
 
 void reference_between(struct reference *o, const struct outcome *second, double parted, double uncertain,
@@ -320,10 +339,11 @@ void reference_between(struct reference *o, const struct outcome *second, double
 {
     o->horizon = outcome_row(&o->run, o->run.rows - 1)[0];
     take_ranges(o, subject, life);
+    if (second->rows > o->run.rows) find_ranges(o, second, INFINITY); /* they part, and o->run was ended there */
     find_horizon(o, second, parted, subject);
-    find_ranges(o);
+    find_ranges(o, &o->run, o->horizon);
     find_uncertainty(o, second, uncertain, subject);
-    for (int c = 0; c < o->run.n; c++) subject->column[c].compared &= !is_noise(o, c, subject);
+    leave_noise_out(o, subject);
 }
 
 enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
@@ -343,8 +363,9 @@ enum status reference_make(struct reference *o, struct subject *subject, double 
         return fail(report, E_NUMERIC,
                     "%s and %s part after t = %g s: nothing to compare with (chaos, or a motion that no step resolves)",
                     o->first.kind->name, o->second.kind->name, o->horizon);
-    find_ranges(o);
+    find_ranges(o, &o->run, o->horizon);
     find_uncertainty(o, &second, UNCERTAIN, subject);
+    leave_noise_out(o, subject);
     if (o->horizon < subject->until) subject->until = o->horizon;
     return OK;
 }

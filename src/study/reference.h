@@ -3,7 +3,8 @@
  * Two runs by different schemes of high order: those two of all that short trials foretell to be the cheapest at a
  * tolerance of 1e-11.  Where the coordinates of both part by more than a thousandth of their range the motion cannot be
  * foretold any longer (chaos, or a scene that neither resolves): the horizon ends there.  What they differ by up to it is
- * the uncertainty of each column; a column in which that is above a hundredth of its range is not compared.
+ * the uncertainty of each column; a column in which that is above a hundredth of its range is not compared, nor one that is
+ * round-off beside the other columns of its unit.
  *
  * With rigid contacts, which only midpoint takes, it is that by two tolerances, 1e-8 and 1e-7 where the budget allows.
  *
@@ -43,9 +44,13 @@ struct reference {
 enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
                            struct report *report);
 
+/* One run by itself, for reference_left(). */
+void reference_alone(struct reference *o, const struct outcome *run, const struct subject *subject, struct arena *life);
+/* Has the last row of another one parted from it by more than `parted` of a range? */
+bool reference_left(const struct reference *o, const struct outcome *run, double parted, const struct subject *subject);
+
 /* The same from two runs that are there, o->run being one of them: they have parted where coordinates differ by more than
- * `parted` of their range, and columns that differ by more than `uncertain` are not compared, nor what is round-off
- * beside the other columns of its unit. */
+ * `parted` of their range, and columns that differ by more than `uncertain` are not compared. */
 void reference_between(struct reference *o, const struct outcome *second, double parted, double uncertain,
                        struct subject *subject, struct arena *life);
 

@@ -48,10 +48,10 @@ static double opening_of(const struct scene *scene)
 }
 
 enum status trial_attempt(struct outcome *o, struct trial *t, const struct setting *setting, double most,
-                          struct arena *life)
+                          const struct outcome_watch *watch, struct arena *life)
 {
     *o = (struct outcome){0};
-    const enum status status = outcome_run(o, setting, most, &t->subject, life, t->report);
+    const enum status status = outcome_watched(o, setting, most, watch, &t->subject, life, t->report);
     t->used += o->seconds + t->opening;
     t->work += o->work;
     if (stop) return status;
@@ -60,10 +60,11 @@ enum status trial_attempt(struct outcome *o, struct trial *t, const struct setti
     return OK;
 }
 
-static enum status attempt_own(struct outcome *o, struct trial *t, const char *scheme, double tolerance, double most)
+static enum status attempt_own(struct outcome *o, struct trial *t, const char *scheme, double tolerance, double most,
+                               const struct outcome_watch *watch)
 {
     const struct setting setting = {stepper_find(scheme), tolerance, NAN, 1, 0};
-    return trial_attempt(o, t, &setting, most, t->life);
+    return trial_attempt(o, t, &setting, most, watch, t->life);
 }
 
 static bool complete(const struct outcome *o)
@@ -71,36 +72,61 @@ static bool complete(const struct outcome *o)
     return o->rows > 1 && !o->over;
 }
 
+static double records_of(const struct trial *t)
+{
+    return (t->until - t->start) / t->every;
+}
+
 /* [s] that counts stand for of a run which was cut, had it gone on to the end as it did; INFINITY: it has not begun. */
 static double whole_of(const struct outcome *o, const struct trial *t)
 {
-    return o->rows > 1 ? o->seconds * (t->until - t->start) / t->every / (o->rows - 1) : INFINITY;
+    return o->rows > 1 ? o->seconds * records_of(t) / (o->rows - 1) : INFINITY;
 }
 
-/* An explicit scheme where it is quick, or quicker than an implicit one, which has so long as that is foretold to take; with
- * rigid contacts the one that takes them. */
+static const double AMPLE = 1.2; /* later parts may take more */
+
+/* A run that is to be quick, and one that is to take no more than another: a tenth of it tells. */
+struct hope {
+    const struct trial *trial;
+    double most; /* [s] of the whole run */
+};
+
+static bool is_hopeless(const void *self, const struct outcome *o)
+{
+    const struct hope *hope = self;
+    return o->rows - 1 >= .1 * records_of(hope->trial) && whole_of(o, hope->trial) > hope->most;
+}
+
+/* An explicit scheme where it is quick, or quicker than an implicit one, which goes on as long as it is foretold to take about
+ * as much; with rigid contacts the one that takes them. */
 static enum status find_own(struct outcome *o, struct trial *t)
 {
+    static const double ABOUT = 3;
     const bool small = !too_full(stepper_find("radau9"), &t->subject);
     const char *explicit = small ? "dop853" : "dopri5";
     const double most = SHARE * t->most, quick = QUICK * t->subject.price.evaluation;
     const double least = A_RADIAN * t->stiff * t->subject.price.evaluation;
+    struct hope hope = {t, AMPLE * quick};
+    const struct outcome_watch watch = {is_hopeless, &hope};
     struct outcome other;
     t->own = (struct tried){.scheme = t->scene.ncontact ? "midpoint" : explicit, .ratio = 1};
-    if (t->scene.ncontact) return attempt_own(o, t, t->own.scheme, LOOSE, most);
+    if (t->scene.ncontact) return attempt_own(o, t, t->own.scheme, LOOSE, most, NULL);
     *o = (struct outcome){0};
-    if (!small || least <= quick) TRY(attempt_own(o, t, explicit, LOOSE, small ? fmin(quick, .2 * most) : most));
+    if (!small)
+        TRY(attempt_own(o, t, explicit, LOOSE, most, NULL));
+    else if (least <= quick)
+        TRY(attempt_own(o, t, explicit, LOOSE, fmin(AMPLE * quick, .2 * most), &watch));
     if (complete(o) || !small) return OK;
-    static const double AMPLE = 1.2; /* later parts may take more */
-    const double whole = AMPLE * whole_of(o, t);
-    TRY(attempt_own(&other, t, "radau9", LOOSE, fmin(most, whole)));
+    const double whole = whole_of(o, t), far = fmin(1, most / whole) * records_of(t);
+    hope.most = ABOUT * whole;
+    TRY(attempt_own(&other, t, "radau9", LOOSE, most, &watch));
     if (other.rows > o->rows) {
         t->own.scheme = "radau9";
         *o = other;
     }
-    if (!complete(&other) && whole >= most) return OK;
+    if (!complete(&other) && AMPLE * whole >= most && other.rows > far) return OK;
     if (complete(&other) && (isfinite(whole) || other.seconds < fmax(2 * quick, least))) return OK;
-    TRY(attempt_own(&other, t, explicit, LOOSE, complete(o) ? fmin(o->seconds, .5 * most) : most));
+    TRY(attempt_own(&other, t, explicit, LOOSE, complete(o) ? fmin(o->seconds, .5 * most) : most, NULL));
     if (!complete(&other) && (complete(o) || other.rows <= o->rows)) return OK;
     t->own.scheme = explicit;
     *o = other;
@@ -110,15 +136,22 @@ static enum status find_own(struct outcome *o, struct trial *t)
 /* The tightest tolerance that may be paid for; the loose one where none may, and where drives alone move all. */
 static double tight_for(const struct trial *t, const struct outcome *loose)
 {
+    enum { CHOICES = 2 };
     static const struct {
         double tolerance, price; /* of the loose run's */
-    } choices[2][3] = {{{1e-6, 2.5}, {1e-5, 1.9}, {1e-4, 1.4}}, {{1e-6, 32}, {1e-5, 10}, {1e-4, 3.2}}};
+    } choices[2][CHOICES] = {{{1e-5, 1.9}, {1e-4, 1.4}}, {{1e-5, 10}, {1e-4, 3.2}}};
     const bool second_order = t->scene.ncontact > 0;
-    for (int i = 0; i < 3 && t->n > 0; i++) {
+    for (int i = 0; i < CHOICES && t->n > 0; i++) {
         if (choices[second_order][i].price * loose->seconds < 1.2 * SHARE * t->most)
             return choices[second_order][i].tolerance;
     }
     return LOOSE;
+}
+
+/* [s] from the start to the last row. */
+static double came(const struct outcome *o, const struct trial *t)
+{
+    return outcome_row(o, o->rows - 1)[0] - t->start;
 }
 
 /* What the loose run has missed.  Where records or corners, and not its tolerance, have kept its steps short, it is as good
@@ -127,16 +160,39 @@ static void note_own(struct trial *t, double coarse, double fine, const struct o
 {
     struct errors e;
     struct tried *own = &t->own;
-    const double more = (double)t->reference.run.effort.minors / (double)loose->effort.minors;
+    const struct outcome *tight = &t->reference.run;
+    const double rates[2] = {(double)loose->effort.minors / came(loose, t),
+                             (double)tight->effort.minors / came(tight, t)};
+    const double looked = t->reference.horizon - t->start, more = rates[1] / rates[0];
     reference_compare(&e, &t->reference, &t->subject, loose);
     own->at[0] = coarse;
     own->at[1] = fmax(fine, fmin(coarse, fine * pow(more, stepper_find(own->scheme)->order)));
+    own->fine = fine;
     own->error[0] = isnan(e.worst) ? 0 : e.worst;
     own->error[1] = fmax(own->error[0], fine);
-    own->work[0] = own->work[1] = loose->work;
+    own->work[0] = loose->work * looked / came(loose, t);
+    own->work[1] = tight->work * looked / came(tight, t);
     own->n = 1;
-    own->share = (t->reference.horizon - t->start) / (t->until - t->start);
-    t->steps = loose->effort.minors;
+    own->share = looked / (t->until - t->start);
+    t->steps = rates[0] * (t->until - t->start);
+}
+
+/* Has the second run left the first, so that nothing that it does from now on is of use? */
+static bool has_parted(const void *self, const struct outcome *o)
+{
+    const struct trial *t = self;
+    return reference_left(&t->reference, o, PARTED, &t->subject);
+}
+
+/* The second run, as far as the first has come and they do not part. */
+static enum status attempt_second(struct outcome *o, struct trial *t, const struct outcome *first, double tolerance)
+{
+    const struct outcome_watch watch = {has_parted, t};
+    reference_alone(&t->reference, first, &t->subject, t->life);
+    t->subject.until = t->reference.horizon;
+    const enum status status = attempt_own(o, t, t->own.scheme, tolerance, 1.2 * SHARE * t->most, &watch);
+    t->subject.until = t->until;
+    return status;
 }
 
 /* Two runs, of which the tighter one is the reference. */
@@ -149,7 +205,7 @@ static enum status find_reference(struct trial *t)
         return OK;
     }
     const double fine = tight_for(t, &loose), other = fine == LOOSE ? 10 * LOOSE : fine;
-    TRY(attempt_own(&tight, t, t->own.scheme, other, 1.2 * SHARE * t->most));
+    TRY(attempt_second(&tight, t, &loose, other));
     if (tight.rows < 2) {
         t->why = "no two trial runs of it get on";
         return OK;

@@ -16,6 +16,7 @@ struct tried {
     int n;                           /* settings that were seen: 0, 1 or 2 */
     double at[2], error[2], work[2]; /* coarse, fine: major steps to an interval of records; of a
                                       * tolerance the one given, and the one it was as good as */
+    double fine;                     /* of a tolerance: the tight one, which work[1] is of */
     double share;                    /* of the run that errors and work are of */
     int nlevel;                      /* of fixed steps: all settings that were tried in the same part of the run */
     struct level {
@@ -38,7 +39,7 @@ struct trial {
     double base;            /* major steps to an interval are a multiple of this: a whole number */
     bool unseen;            /* there may be corners that are not known */
     struct reference reference;
-    long steps;              /* of its own that the loose run took */
+    double steps;            /* of its own that the loose run takes to the end */
     struct tried own, fixed; /* a scheme that chooses its steps; one of fixed steps, the deck's if it is that */
     struct arena *life;
     struct report *report;
@@ -55,12 +56,16 @@ double trial_handy(double x);
 enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diags, struct arena *life,
                       struct report *report);
 
-/* A run within `most` seconds; one that cannot be made, and one that stops, has no rows. */
+/* A run within `most` seconds and until watch (or NULL) has enough; one that cannot be made, and one that stops, has no
+ * rows. */
 enum status trial_attempt(struct outcome *o, struct trial *t, const struct setting *setting, double most,
-                          struct arena *life);
+                          const struct outcome_watch *watch, struct arena *life);
 
 /* trial_fixed.c: steps are halved until what is missed falls as it should; where that takes too long, over a shorter part
  * of the run, if no corner is beyond it.  All corners are ends of steps. */
 enum status trial_fixed(struct trial *t);
+
+/* Do these errors tell those of the whole run?  From a part of it in which nothing is missed nothing follows for the rest. */
+bool trial_tells(const struct tried *f);
 
 #endif

@@ -12,11 +12,14 @@ static const struct stepper_kind *fixed_kind(const struct scene *scene)
     return kind && !kind->adaptive && !kind->yardstick ? kind : stepper_find("midpoint");
 }
 
-/* Major steps to the run: a hundred, or so many times two that there are some to a step of the scheme of high order; fewer
- * resolve nothing. */
+/* Major steps to the run: a hundred, or so many times two that there are some to a step of the scheme of high order, of two
+ * rates minor ones, where records have not kept that one's short. */
 static double first_steps(const struct trial *t)
 {
-    const double wanted = 4 * (double)t->steps / t->own.share;
+    static const double BOUND = 2.5, TO_A_STEP[] = {2, 8};
+    const bool bound = t->steps < BOUND * (t->until - t->start) / t->every || stepper_find(t->own.scheme)->order == 2;
+    if (t->n == 0) return LEAST_STEPS; /* drives alone move all */
+    const double wanted = bound ? TO_A_STEP[0] * t->steps : TO_A_STEP[1] * t->steps / t->fixed.ratio;
     return LEAST_STEPS * exp2(fmax(0, floor(log2(wanted / LEAST_STEPS))));
 }
 
@@ -35,7 +38,8 @@ static struct next first_run(const struct trial *t)
 {
     const double per = t->every / (t->until - t->start);
     struct next next = {.end = t->reference.horizon};
-    next.m = t->base * fmax(1, ceil(first_steps(t) * per / t->base - 1e-9));
+    const double least = ceil(first_steps(t) * per / t->base - 1e-9);
+    next.m = t->base * (least == 3 ? 4 : least); /* about half of it is a setting, too */
     next.seconds = price_of(&next, t);
     return next;
 }
@@ -107,7 +111,7 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     const struct setting setting = {kind, NAN, t->every / next->m / t->fixed.ratio, t->fixed.ratio, 0};
     reference_up_to(&t->reference, next->end);
     t->subject.until = next->end;
-    const enum status status = trial_attempt(&run, t, &setting, t->most - t->used, life);
+    const enum status status = trial_attempt(&run, t, &setting, t->most - t->used, NULL, life);
     reference_compare(&e, &t->reference, &t->subject, &run);
     arena_close(life);
     t->fixed.share = (next->end - t->start) / (t->until - t->start);
@@ -123,15 +127,23 @@ static bool told_enough(const struct trial *t)
     return t->fixed.n == 2 && t->fixed.error[1] <= KNOWN;
 }
 
+/* What the reference itself may be off by, from what the loose run has missed: no error below is seen. */
+static double unknown(const struct trial *t)
+{
+    static const double SURE = 3;
+    return SURE * t->own.error[0] * t->own.fine / t->own.at[0];
+}
+
 /* Is what the last runs have missed told well enough to go on from? */
 static bool told(const struct trial *t, int order)
 {
     static const double SMALL = 1e-3;
     const struct tried *f = &t->fixed;
-    if (t->unseen && f->error[1] >= LITTLE) return false; /* nothing is known to go on by */
-    if (f->error[1] < LITTLE && f->share == t->own.share) return true;
+    const double little = fmax(LITTLE, unknown(t));
+    if (t->unseen) return f->n == 2 && f->error[1] < little; /* else nothing is known to go on by */
+    if (f->error[1] < little && f->share == t->own.share) return true;
     return told_enough(t) &&
-           (f->error[0] / f->error[1] >= pow(f->at[1] / f->at[0], order - .6) || f->error[1] <= SMALL);
+           (f->error[0] / f->error[1] >= pow(f->at[1] / f->at[0], .65 * order) || f->error[1] <= SMALL);
 }
 
 static void give_up(struct trial *t, const char *why, double corner)
@@ -193,9 +205,12 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
     t->tried_until = next.end;
     if (t->scene.ncontact && t->fixed.n < 2)
         give_up(t, "it takes too long to try them to the end, and impacts are rare", NAN);
-    if (t->fixed.n == 0 && t->corners.n)
-        give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
     return status;
+}
+
+bool trial_tells(const struct tried *f)
+{
+    return f->n == 2 || (f->n == 1 && f->share > .99);
 }
 
 enum status trial_fixed(struct trial *t)
@@ -207,8 +222,10 @@ enum status trial_fixed(struct trial *t)
     t->fixed = (struct tried){.scheme = kind->name, .ratio = kind->two_rates ? t->scene.integrate.ratio : 1};
     if (!meets_corners(t)) return OK;
     const enum status status = halve_steps(t, kind);
-    if (!t->no_steps && t->corners.n && !(t->fixed.error[1] < UNRESOLVED))
+    if (!t->no_steps && t->corners.n && t->fixed.n > 0 && !(t->fixed.error[1] < UNRESOLVED))
         give_up(t, "those that there was time to try resolve nothing", NAN);
+    if (!t->no_steps && t->corners.n && !trial_tells(&t->fixed))
+        give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
     if (!t->no_steps && !is_like_the_rest(t, whole))
         give_up(t, "they were tried in a part of the run that is not like the rest", NAN);
     reference_up_to(&t->reference, horizon);

@@ -97,7 +97,7 @@ expect "explain: a drive that locks" "1 0" "$(grep -c '^it does not run to its e
 deck=decks/bounce-and-roll.yaml
 "$FMDSUB" check "$deck" >"$work/words" 2>"$work/err"
 ended "check: rigid contacts" 0 $? "$work/words" "$work/err"
-expect "check: rigid contacts, advice on steps and tolerances" "3 2" \
+expect "check: rigid contacts, advice on steps and tolerances" "3 3" \
     "$(grep -c '^  1e-0[246]: midpoint at step' "$work/words") $(grep -c 'midpoint at tolerance' "$work/words")" "$work/words"
 step=$(sed -n 's/^  1e-04: midpoint at step \([^ ]*\) .*/\1/p' "$work/words")
 "$FMDSUB" study --repeats 1 --schemes midpoint --steps "$step" "$deck" >"$work/rows" 2>"$work/err"

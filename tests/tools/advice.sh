@@ -22,27 +22,43 @@ entries() {
          /]/ { on = 0 }'
 }
 
+# Rows of a study of these entries, and what it says, behind those before.
+followed() { # ENTRIES DECK
+    schemes=$(cut -d' ' -f2 "$1" | awk '!seen[$0]++' | paste -sd, -)
+    steps=$(awk '$3 != "-" { print $3 }' "$1" | awk '!seen[$0]++' | paste -sd, -)
+    ratio=$(awk '$3 != "-" { print $4; exit }' "$1")
+    tolerances=$(awk '$5 != "-" { print $5 }' "$1" | awk '!seen[$0]++' | paste -sd, -)
+    (ulimit -t "$LONGEST"; exec "$BUILD/fmdsub" study --repeats 1 --budget none --schemes "$schemes" ${steps:+--steps $steps} ${tolerances:+--tolerances $tolerances} \
+        ${ratio:+--ratios $ratio} "$2") >>"$work/table" 2>>"$work/parted"
+}
+
 printf '%-22s %-6s %-18s %-12s %-9s %s\n' deck error scheme setting found 'found/promised'
 for deck in "$@"; do
     name=$(basename "$deck" .yaml)
     "$BUILD/fmdsub" check -f json "$deck" >"$work/check" 2>"$work/err" || { echo "$name: check fails"; cat "$work/err"; continue; }
     entries <"$work/check" >"$work/entries"
-    schemes=$(cut -d' ' -f2 "$work/entries" | awk '!seen[$0]++' | paste -sd, -)
-    steps=$(awk '$3 != "-" { print $3 }' "$work/entries" | awk '!seen[$0]++' | paste -sd, -)
-    ratio=$(awk '$3 != "-" { print $4; exit }' "$work/entries")
-    tolerances=$(awk '$5 != "-" { print $5 }' "$work/entries" | awk '!seen[$0]++' | paste -sd, -)
-    (ulimit -t "$LONGEST"; exec "$BUILD/fmdsub" study --repeats 1 --budget none --schemes "$schemes" ${steps:+--steps $steps} ${tolerances:+--tolerances $tolerances} \
-        ${ratio:+--ratios $ratio} "$deck") >"$work/table" 2>"$work/err"
-    rc=$?
+    all=$work/entries rc=0
+    : >"$work/table"
+    : >"$work/parted"
+    awk '$3 != "-"' "$all" >"$work/steps"
+    awk '$5 != "-"' "$all" >"$work/tolerances"
+    # A scheme by both steps and tolerances has a study for each, for a study of steps leaves the tolerances of theirs out.
+    [ -n "$(awk 'NR == FNR { one[$2] = 1; next } $2 in one' "$work/steps" "$work/tolerances")" ] || cat "$all" >"$work/steps"
+    for part in "$work/steps" "$work/tolerances"; do
+        [ -s "$part" ] || continue
+        followed "$part" "$deck" || rc=1
+        cmp -s "$part" "$all" && break
+    done
     awk -v deck="$name" -v rc=$rc '
         FILENAME == ARGV[1] { if (/part after/) chaos = 1; next }
-        FILENAME == ARGV[2] { split($0, c, ","); found[c[1], c[2] == "" ? c[3] + 0 : c[2] + 0] = c[5]; next }
+        FILENAME == ARGV[2] { split($0, c, ","); found[c[1], c[2] == "" ? "step" : "tolerance", c[2] == "" ? c[3] + 0 : c[2] + 0] = c[5]; next }
         { setting = $3 == "-" ? $5 : $3
-          run = ($2, setting + 0) in found
-          e = run ? found[$2, setting + 0] : 0
+          key = $3 == "-" ? "tolerance" : "step"
+          run = ($2, key, setting + 0) in found
+          e = run ? found[$2, key, setting + 0] : 0
           note = rc || !run ? "no reference" : chaos ? "chaos" : ""
           printf "%-22s %-6s %-18s %-12s %-9.2g %.2g %s\n", deck, $1, $2 ($4 > 1 ? " " $4 ":1" : ""), setting, e, e / $1, note; n++ }
-        END { if (!n) printf "%-22s no advice\n", deck }' "$work/err" "$work/table" "$work/entries"
+        END { if (!n) printf "%-22s no advice\n", deck }' "$work/parted" "$work/table" "$work/entries"
 done | tee "$work/all"
 awk '/no reference|chaos|no advice/ { other++; next }
      $NF + 0 > 0 { n++; if ($NF > 5) bad++; if ($NF > most) most = $NF; if (!least || $NF < least) least = $NF }
