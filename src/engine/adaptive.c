@@ -10,6 +10,7 @@
 #include "engine/edge.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
+#include "engine/tangent.h"
 #include "engine/touch.h"
 #include "engine/works.h"
 
@@ -158,7 +159,9 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
 {
     struct adaptive *m = s->self;
     struct ode2 *o = s->ode;
+    const double v = s->tangent ? m->v[0] : 0, a = s->tangent ? m->a[0] : 0;
     if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
+    if (s->tangent) tangent_rechart(s, &(struct state){t, m->q, m->v, m->a}, v, a);
     if (s->missed) missed_rechart(s->missed);
     zero(m->span, o->n);
     forget(m);

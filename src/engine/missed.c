@@ -31,6 +31,7 @@ void missed_add(struct missed *o, const double *position, const double *velocity
         o->position[i] += times * fabs(position[i]);
         o->velocity[i] += times * fabs(velocity[i]);
     }
+    if (o->n == 1) o->signed_position += times * position[0], o->signed_velocity += times * velocity[0];
     o->told = o->steps;
     o->next = o->steps + pause(o);
     o->seen = 0;
@@ -109,6 +110,8 @@ void missed_recall(struct missed *o, struct recall *r)
     recall_list(r, "velocity", o->velocity, o->n);
     recall_list(r, "way", o->way, o->n);
     recall_list(r, "extent", o->extent, o->n);
+    recall_one(r, "signed_position", o->signed_position);
+    recall_one(r, "signed_velocity", o->signed_velocity);
     recall_one(r, "steps", o->steps);
     recall_one(r, "told", o->told);
     recall_one(r, "next", o->next);

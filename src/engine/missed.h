@@ -23,14 +23,15 @@ enum { MISSED_ORDER = 4 }; /* the highest of a scheme of fixed steps */
 
 struct missed {
     int n;
-    double *position, *velocity; /* [n] sums */
-    long steps;                  /* looked for so far */
-    long told;                   /* of these, for which the sums stand */
-    long next;                   /* the step with which the next burst begins */
-    int seen;                    /* velocities in it */
-    double h;                    /* their distance */
-    double *v[MISSED_ORDER + 2]; /* [n] these; then their differences */
-    double *way, *extent;        /* [n] displacement so far, and its largest, in usual sizes */
+    double *position, *velocity;             /* [n] sums */
+    double signed_position, signed_velocity; /* of one freedom, the same with their signs */
+    long steps;                              /* looked for so far */
+    long told;                               /* of these, for which the sums stand */
+    long next;                               /* the step with which the next burst begins */
+    int seen;                                /* velocities in it */
+    double h;                                /* their distance */
+    double *v[MISSED_ORDER + 2];             /* [n] these; then their differences */
+    double *way, *extent;                    /* [n] displacement so far, and its largest, in usual sizes */
 };
 
 void missed_open(struct missed *o, int n, struct arena *life);

@@ -10,6 +10,7 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
+#include "engine/tangent.h"
 #include "engine/touch.h"
 
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
@@ -67,7 +68,9 @@ void effort_hand_on(struct effort *to, struct effort *from)
 static void begin_anew(struct stepper *s, struct state *x)
 {
     struct trouble why;
+    const double v = s->tangent ? x->v[0] : 0, a = s->tangent ? x->a[0] : 0;
     if (!s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) return;
+    if (s->tangent) tangent_rechart(s, x, v, a);
     if (s->missed) missed_rechart(s->missed);
     s->unstarted = stepper_start(s, x, &why) != OK;
 }
@@ -235,6 +238,7 @@ enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio
         s->effort.majors++;
     else
         s->effort.rejected++;
+    if (status == OK && s->tangent) tangent_step(s, x);
     if (status == OK && !s->natural && s->ode->chart && s->ode->chart->rechart) begin_anew(s, x);
     return status;
 }
@@ -254,6 +258,7 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "unstarted", s->unstarted);
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->missed) missed_recall(s->missed, r);
+    if (s->tangent) tangent_recall(s->tangent, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
     if (s->damped) {
         recall_one(r, "damps", s->damps);

@@ -105,6 +105,7 @@ struct stepper_kind {
 
 struct accel;
 struct missed;
+struct tangent;
 struct touch;
 
 /* The first step of a scheme that chooses its own. */
@@ -139,9 +140,10 @@ struct stepper {
     bool natural;  /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
     double due;    /* then: when the next record is due; steps over it are such as adaptive_between() can look into */
     int unstarted; /* accelerations were not found in a new chart: the next step asks for them again */
-    struct accel *accel;   /* solves (2-4) for a */
-    struct missed *missed; /* what steps have missed so far; NULL: nobody asks */
-    struct touch *touch;   /* rigid contacts; NULL: there are none */
+    struct accel *accel;     /* solves (2-4) for a */
+    struct missed *missed;   /* what steps have missed so far; NULL: nobody asks */
+    struct tangent *tangent; /* of one freedom: how its errors go on; NULL: nobody asks */
+    struct touch *touch;     /* rigid contacts; NULL: there are none */
     struct stepper
         *plain;     /* of two rates with rigid contacts: what takes its minor steps, of all coordinates, where one of
                             * them is closed or near; NULL: nothing does */

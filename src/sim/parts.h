@@ -177,10 +177,14 @@ void lateral_open(struct sim *sim, struct arena *life);
 void lateral_note(struct sim *sim);
 void lateral_recall(struct sim *sim, struct recall *r);
 void warn_of_lateral(struct sim *sim);
+/* Of one freedom, after stepper_open(): errors are followed from look to look (engine/tangent.h). */
+void trust_follow(struct sim *sim, struct arena *life);
 void trust_open(struct sim *sim, struct arena *life);
 struct recall;
 void trust_recall(struct sim *sim, struct recall *r);
 void trust_note(struct sim *sim);
+/* With each step. */
+void trust_step(struct sim *sim);
 void trust_find(struct sim *sim);
 /* trust_told.c: the worst column, of what was found at the places; three facts; words. */
 void trust_judge(struct sim *sim);

@@ -142,6 +142,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         enum status status = major(sim, k, to);
         if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);
+        trust_step(sim);
         corners_note(sim, t0);
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (loops && system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));
@@ -228,6 +229,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
                 continue;
             }
         }
+        trust_step(sim);
         corners_note(sim, t0);
         if (sim->stepper.touch) TRY(contacts_events(sim, sink, report));
         if (system_charts(sim->system) != charts) TRY(write_partition(sim, sink, report));

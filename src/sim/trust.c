@@ -8,12 +8,31 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
+#include "engine/tangent.h"
 #include "engine/touch.h"
 #include "sim/parts.h"
 
-static const double SMALL = 1e-6;   /* of usual sizes: what the state is moved by */
-static const double EXCITED = 3e-3; /* of the energy of motion, not resolved: it moves all else by about a percent */
-enum { DRAWS = 2 };
+static const double SMALL = 1e-6;    /* of usual sizes: what the state is moved by */
+static const double EXCITED = 3e-3;  /* of the energy of motion, not resolved: it moves all else by about a percent */
+static const double PEAKS = 1.4;     /* times what was followed: a few places miss where columns answer most */
+enum { DRAWS = 2, FEW_STEPS = 600 }; /* FEW_STEPS: of these none is spent on looks */
+
+static bool is_of_time(const struct scene *scene)
+{
+    bool reads = scene->ndrive > 0;
+    for (int i = 0; i < scene->nforce; i++)
+        for (int k = 0; k < 3; k++) reads |= signal_reads_time(&scene->force[i].value[k]);
+    return reads;
+}
+
+void trust_follow(struct sim *sim, struct arena *life)
+{
+    struct stepper *s = &sim->stepper;
+    const double steps = sim->majors * (double)sim->plan.ratio;
+    if (!s->kind->adaptive && steps < FEW_STEPS) return;
+    if (s->ode->n != 1 || s->touch || sim->options.counting || is_of_time(sim->scene)) return;
+    if (s->kind->late || s->kind->adaptive) tangent_open(s, life);
+}
 
 void trust_open(struct sim *sim, struct arena *life)
 {
@@ -48,6 +67,17 @@ static void thin(struct trust *o)
     o->every *= 2;
 }
 
+/* What has been followed is known better than sums are, and where it was not seen closely, it is at least that. */
+static void follow(const struct sim *sim, struct trust_place *p)
+{
+    const struct tangent *tangent = sim->stepper.tangent;
+    const bool better = tangent_resolves(tangent, p->t - sim->scene->start);
+    if (!tangent->known) return;
+    const double position = PEAKS * tangent->position, velocity = PEAKS * tangent->velocity;
+    p->position[0] = better ? position : fmax(p->position[0], position);
+    p->velocity[0] = better ? velocity : fmax(p->velocity[0], velocity);
+}
+
 static void keep(struct sim *sim)
 {
     struct trust *o = &sim->trust;
@@ -60,6 +90,7 @@ static void keep(struct sim *sim)
     copy(p->v, sim->x.v, ode->n);
     copy(p->position, missed->position, ode->n);
     copy(p->velocity, missed->velocity, ode->n);
+    if (sim->stepper.tangent) follow(sim, p);
 }
 
 static double works(const struct ledger *l)
@@ -67,6 +98,23 @@ static double works(const struct ledger *l)
     double sum = 0;
     for (int c = 0; c < LEDGER_CHANNELS; c++) sum += fabs(l->work[c]);
     return sum;
+}
+
+/* Of schemes that choose their steps the balance has been looked at. */
+static void look_at_tangent(struct sim *sim)
+{
+    struct ledger there = sim->ledger;
+    if (!sim->looks_at_once) {
+        struct energies e;
+        if (system_energy_at(sim->system, &e, sim->x.q, sim->x.v, sim->x.t, &sim->trouble) != OK) return;
+        ledger_look(&there, sim->x.t, e.kinetic, e.elastic, e.gravity);
+    }
+    tangent_look(&sim->stepper, &sim->x, there.residual - there.lost, works(&there) > 0);
+}
+
+void trust_step(struct sim *sim)
+{
+    if (sim->stepper.tangent && tangent_due(&sim->stepper, &sim->x)) look_at_tangent(sim);
 }
 
 /* The last place is left for the end of the run. */

@@ -3,7 +3,10 @@
  * engine/missed.h sums what steps leave in coordinates and rates.  At a few records the state is moved by a small part of
  * that, each coordinate this way or that, and each column tells what it makes of it: its root mean square over some draws,
  * over the column's range in the run.  Of energies no more than what the others are moved by, and what the run's balance and works
- * leave open: the sum is kept by the motion, not by what is drawn. */
+ * leave open: the sum is kept by the motion, not by what is drawn.
+ *
+ * Of one freedom, where nothing touches and nothing depends on the time by itself, errors are followed as the motion takes them
+ * along (engine/tangent.h), and that is taken instead of sums. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 

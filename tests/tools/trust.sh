@@ -10,7 +10,8 @@
 # as slow, a stiff beam to 1e-7 of its range, rk4 where what it leaves turns back, order 4 told 62 times too much,
 # radau where records bound the step, and where errors grow on their own.  From audit-ball-chain on decks that
 # no factor of the estimate was chosen by.  random:N is the mechanism drawn from that seed (tests/random); what iterations
-# leave is most of the error there.
+# leave is most of the error there.  upright, light-crank and yoke have one freedom, whose errors are followed
+# (engine/tangent.h).
 cat >"$work/list" <<'LIST'
 andrews           decks/andrews.yaml            dop853
 axle              decks/axle.yaml               dop853
@@ -153,6 +154,39 @@ boom              tests/tolerance/boom.yaml     dop853  integrate.scheme=radau9 
 boom              tests/tolerance/boom.yaml     dop853  integrate.scheme=radau9 integrate.tolerance=1e-9
 boom              tests/tolerance/boom.yaml     dop853  integrate.scheme=midpoint integrate.tolerance=1e-3
 boom              tests/tolerance/boom.yaml     dop853  integrate.scheme=dopri5 integrate.tolerance=1e-7
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=newmark integrate.step=1e-3
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=midpoint integrate.step=1e-3
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=generalized-alpha integrate.step=1e-3
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=rk4 integrate.step=2e-3
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=subcycle integrate.tolerance=1e-5
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+upright           tests/trust/upright.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=newmark integrate.step=1e-3
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=midpoint integrate.step=1e-3
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=generalized-alpha integrate.step=1e-3
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=rk4 integrate.step=2e-3
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=subcycle integrate.tolerance=1e-5
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+light-crank       tests/trust/light-crank.yaml  dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=newmark integrate.step=1e-3
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=midpoint integrate.step=1e-3
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=generalized-alpha integrate.step=1e-3
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=rk4 integrate.step=2e-3
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=subcycle integrate.tolerance=1e-5
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+yoke              tests/trust/yoke.yaml         dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau5 integrate.tolerance=1e-5
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau9 integrate.tolerance=1e-5
 LIST

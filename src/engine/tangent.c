@@ -1,0 +1,234 @@
+/* tangent.c -- see tangent.h */
+#include "engine/tangent.h"
+
+#include <math.h>
+
+#include "base/scalar.h"
+#include "engine/accel.h"
+#include "engine/missed.h"
+#include "engine/motion.h"
+
+/* Usual sizes from look to look, or that by its frequency: of fixed steps, where looks are dear; of steps that a scheme chooses. */
+static const double FAR = .8, NEAR = .4;
+static const double COARSE = 3;      /* times as far where looks run short; more is too far */
+static const double PART = .1;       /* of the time, in which it may be */
+enum { AT_ONCE = 20 };               /* looks, */
+enum { STEPS = 200, OWN_STEPS = 4 }; /* and one more in so many steps; in so many of those that a scheme chooses */
+
+void tangent_open(struct stepper *s, struct arena *life)
+{
+    struct tangent *o = s->tangent = TAKE(life, struct tangent, 1);
+    o->q = TAKE(life, double, s->ode->nq);
+    o->u = TAKE(life, double, 1);
+    o->b = TAKE(life, double, 1);
+    o->apart = s->kind->adaptive ? NEAR : FAR;
+    o->usual = ode2_usual(s->ode, 0);
+}
+
+static double frequency(const struct tangent *o)
+{
+    return sqrt(fabs(o->A));
+}
+
+/* ---- from step to step ----------------------------------------------------------------------------------------- */
+
+/* tau of the difference (x, y) where the velocity is v and the acceleration a, by the frequency w. */
+static double along(double x, double y, double v, double a, double w)
+{
+    const double norm = a * a + w * w * v * v;
+    return norm > 0 ? (w * w * v * x + a * y) / norm : 0;
+}
+
+/* In a step h to the velocity v. */
+void tangent_told(struct stepper *s, double h, double v)
+{
+    struct tangent *o = s->tangent;
+    const struct missed *m = s->missed;
+    const double dq = m->signed_position - o->seen_position, dv = m->signed_velocity - o->seen_velocity;
+    const double mean = (v + o->v_step) / 2, a = (v - o->v_step) / h;
+    if (o->known && h > 0 && s->kind->two_rates)
+        o->late += along(fabs(dq), fabs(dv), fabs(mean), fabs(a), frequency(o));
+    else if (o->known && h > 0)
+        o->late += along(dq, dv, mean, a, frequency(o));
+    o->seen_position = m->signed_position;
+    o->seen_velocity = m->signed_velocity;
+    o->told = m->told;
+}
+
+/* How far it is since the last look, over what is far enough. */
+static double gone(const struct tangent *o, double t)
+{
+    return larger(o->way / o->usual, frequency(o) * (t - o->t)) / o->apart;
+}
+
+/* Looks that are left: the fewer, the farther apart. */
+bool tangent_affords(const struct stepper *s, const struct state *x)
+{
+    const struct tangent *o = s->tangent;
+    const long steps = s->missed->steps / (s->kind->adaptive ? OWN_STEPS : STEPS), left = AT_ONCE + steps - o->looks;
+    const double spare = smaller(1, (double)left / AT_ONCE);
+    return !o->known || (left > 0 && gone(o, x->t) >= COARSE - (COARSE - 1) * spare);
+}
+
+bool tangent_resolves(const struct tangent *o, double t)
+{
+    return o->known && o->coarse <= PART * t;
+}
+
+/* ---- looks ----------------------------------------------------------------------------------------------------- */
+
+struct look {
+    double t, v, a, M, A, D, excess;
+};
+
+static enum status accelerate(struct stepper *s, double *a, const struct state *x, double dq, double dv)
+{
+    struct tangent *o = s->tangent;
+    struct trouble why;
+    o->u[0] = dq;
+    motion_point(s->ode, o->q, x->q, o->u, 1, x->t);
+    o->u[0] = x->v[0] + dv;
+    TRY(accel_solve(s->accel, o->b, NULL, o->q, o->u, x->t, &why));
+    *a = o->b[0];
+    return OK;
+}
+
+static enum status mass(struct stepper *s, double *M, const double *q, double t)
+{
+    struct trouble why;
+    TRY(s->ode->ops->mass(s->ode, s->tangent->b, q, t, ALL, &why));
+    *M = s->tangent->b[0];
+    return OK;
+}
+
+/* D, after A, which has left q a little further on. */
+static enum status damping(struct stepper *s, struct look *l, const struct state *x, double dq)
+{
+    const double dv = dq * fmax(1, fabs(x->v[0]) / ode2_usual(s->ode, 0));
+    double M, a;
+    TRY(mass(s, &M, s->tangent->q, x->t));
+    TRY(accelerate(s, &a, x, 0, dv));
+    l->D = (a - l->a) / dv + (M - l->M) / dq * l->v / l->M;
+    return OK;
+}
+
+static enum status look(struct stepper *s, struct look *l, const struct state *x, double excess, bool works)
+{
+    static const double SMALL = 1e-7;
+    const double dq = SMALL * ode2_usual(s->ode, 0);
+    double a;
+    *l = (struct look){.t = x->t, .v = x->v[0], .excess = excess};
+    TRY(mass(s, &l->M, x->q, x->t));
+    TRY(accelerate(s, &l->a, x, 0, 0));
+    TRY(accelerate(s, &a, x, dq, 0));
+    l->A = (a - l->a) / dq;
+    return works ? damping(s, l, x, dq) : OK;
+}
+
+/* (x, y) := exp(h [0 1; A B]) (x, y) */
+static void flow(double *x, double *y, double A, double B, double h)
+{
+    const double half = B / 2, square = half * half + A, w = sqrt(fabs(square));
+    const double c = square > 0 ? cosh(w * h) : cos(w * h);
+    const double s = w == 0 ? h : (square > 0 ? sinh(w * h) : sin(w * h)) / w;
+    const double e = exp(half * h), x0 = *x, y0 = *y;
+    *x = e * (c * x0 + s * (y0 - half * x0));
+    *y = e * (c * y0 + s * (A * x0 + half * y0));
+}
+
+/* To the look l: of one chart. */
+static void go_on(struct tangent *o, const struct look *l)
+{
+    const double w = frequency(o), norm = o->a * o->a + w * w * o->v * o->v, norm1 = l->a * l->a + w * w * l->v * l->v;
+    const double h = l->t - o->t, excess = l->excess - o->excess;
+    if (!(norm > 0) || !(norm1 > 0)) return;
+    double P = o->M * (o->v * o->v_off - o->a * o->q_off), tau = along(o->q_off, o->v_off, o->v, o->a, w);
+    double x = -o->a / norm, y = w * w * o->v / norm;
+    const double undamped = -log(l->M / o->M) / h; /* da/dv, where D is 0 */
+    flow(&x, &y, (o->A + l->A) / 2, undamped + (o->D + l->D) / 2, h);
+    tau += (P + excess / 2) / o->M * along(x, y, l->v, l->a, w) + o->late;
+    P = P * exp(h * (o->D + l->D) / 2) + excess;
+    o->q_off = tau * l->v - P / l->M * l->a / norm1;
+    o->v_off = tau * l->a + P / l->M * w * w * l->v / norm1;
+    o->position = larger(o->position, fabs(o->q_off));
+    o->velocity = larger(o->velocity, fabs(o->v_off));
+}
+
+static void begin(struct tangent *o, const struct look *l)
+{
+    o->known = true;
+    o->t = l->t;
+    o->v = l->v;
+    o->a = l->a;
+    o->M = l->M;
+    o->A = l->A;
+    o->D = l->D;
+    o->excess = l->excess;
+    o->way = o->late = 0;
+    o->far = o->apart * o->usual;
+    o->next = frequency(o) > 0 ? l->t + o->apart / frequency(o) : INFINITY;
+}
+
+void tangent_look(struct stepper *s, const struct state *x, double excess, bool works)
+{
+    struct tangent *o = s->tangent;
+    const struct effort effort = s->effort;
+    struct look l;
+    const bool known = look(s, &l, x, excess, works) == OK;
+    s->effort = effort;
+    if (!known) return;
+    o->looks++;
+    if (gone(o, x->t) > 1.5 * COARSE) o->coarse += x->t - o->t;
+    if (o->known && x->t > o->t) go_on(o, &l);
+    begin(o, &l);
+}
+
+/* v = f' v_old of a new coordinate f(q_old): differences go with f', and those of velocities with f'' v_old besides. */
+void tangent_rechart(struct stepper *s, const struct state *x, double v, double a)
+{
+    struct tangent *o = s->tangent;
+    const struct effort effort = s->effort;
+    struct look l;
+    const bool known = o->known && v != 0 && look(s, &l, x, o->excess, true) == OK;
+    s->effort = effort;
+    o->known = known;
+    if (!known) return;
+    const double by = x->v[0] / v, bend = (l.a - by * a) / v;
+    const struct look old = {x->t, v, a, l.M * by * by, o->A, o->D, o->excess};
+    if (x->t > o->t) go_on(o, &old);
+    begin(o, &l);
+    o->v_off = by * o->v_off + bend * o->q_off;
+    o->q_off *= by;
+    o->position *= fabs(by);
+    o->velocity *= fabs(by);
+    o->v_step = l.v;
+}
+
+void tangent_recall(struct tangent *o, struct recall *r)
+{
+    recall_within(r, "tangent");
+    recall_one(r, "known", o->known);
+    recall_one(r, "t", o->t);
+    recall_one(r, "v", o->v);
+    recall_one(r, "a", o->a);
+    recall_one(r, "M", o->M);
+    recall_one(r, "A", o->A);
+    recall_one(r, "D", o->D);
+    recall_one(r, "excess", o->excess);
+    recall_one(r, "q_off", o->q_off);
+    recall_one(r, "v_off", o->v_off);
+    recall_one(r, "position", o->position);
+    recall_one(r, "velocity", o->velocity);
+    recall_one(r, "way", o->way);
+    recall_one(r, "late", o->late);
+    recall_one(r, "t_step", o->t_step);
+    recall_one(r, "v_step", o->v_step);
+    recall_one(r, "far", o->far);
+    recall_one(r, "next", o->next);
+    recall_one(r, "told", o->told);
+    recall_one(r, "seen_position", o->seen_position);
+    recall_one(r, "seen_velocity", o->seen_velocity);
+    recall_one(r, "coarse", o->coarse);
+    recall_one(r, "looks", o->looks);
+    recall_without(r);
+}
