@@ -28,15 +28,16 @@ __extension__ typedef unsigned __int128 wide;
 
 struct decimal {
     uint64_t digits; /* 10^15 to 10^17 */
-    int exponent;    /* x = digits 10^exponent */
+    long exponent;   /* x = digits 10^exponent */
 };
 
 /* g c 2^-64, the last bits cut off.  g is less than one unit above the true power: an exact product leaves 0 or 1 in the
  * low word, any other more. */
 INTO static inline wide times(const uint64_t g[2], uint64_t c)
 {
-    const wide low = (wide)g[1] * c;
-    return (wide)g[0] * c + (uint64_t)(low >> 64);
+    const wide high = (wide)g[0] * c;
+    const uint64_t carried = (uint64_t)((wide)g[1] * c >> 64), low = (uint64_t)high + carried;
+    return (wide)((uint64_t)(high >> 64) + (low < carried)) << 64 | low;
 }
 
 /* The largest whole number up to such a product 2^-64; `less`: that is less than it. */
@@ -47,13 +48,27 @@ INTO static inline uint64_t whole(wide product, uint64_t less)
 
 static const uint64_t E8 = 100000000, E16 = 10000000000000000;
 
-/* c 2^q, c > 0; narrow: the neighbour below is half as far away as the one above, and the nearest multiple of 10^k need
- * not lie in R, where that is the lower one.  Of up to 17 digits. */
-INTO static inline struct decimal shortest(uint64_t c, long q, bool narrow)
+/* c 2^q = 4 c 10^k (2^h g 2^-128) / 4: where its 4 c 10^-k stands in the table. */
+struct place {
+    const uint64_t *g;
+    long k;
+    int h;
+};
+
+INTO static inline struct place place_of(long q, bool narrow)
 {
     const long k = (q * 1262611 - (narrow ? 524031 : 0)) >> 22;
-    const int h = (int)(q + ((-k * 1741647) >> 19) + 1);
-    const uint64_t *g = pow10_table[-k - POW10_FIRST];
+    return (struct place){pow10_table[-POW10_FIRST] - 2 * k, k, (int)(q + ((-k * 1741647) >> 19) + 1)};
+}
+
+/* c 2^q, c > 0; narrow: the neighbour below is half as far away as the one above, and the nearest multiple of 10^k need
+ * not lie in R, where that is the lower one.  Of up to 17 digits. */
+APART struct decimal shortest(uint64_t c, long q, bool narrow)
+{
+    const struct place p = place_of(q, narrow);
+    const uint64_t *g = p.g;
+    const long k = p.k;
+    const int h = p.h;
     const uint64_t odd = c & 1, at = 4 * c << h, half = UINT64_C(2) << h;
     const wide v = times(g, at); /* 4 x 10^-k */
     const uint64_t outside = whole(times(g, at - (half >> narrow)), !odd);
@@ -61,13 +76,30 @@ INTO static inline struct decimal shortest(uint64_t c, long q, bool narrow)
 
     const uint64_t s = (uint64_t)(v >> 66), tens = s / 10;
     const bool below = outside < 40 * tens, above = 40 * tens + 40 <= inside;
-    if (below | above) return (struct decimal){10 * (tens + above), (int)k};
-    if (narrow && outside >= 4 * s) return (struct decimal){s + 1, (int)k};
-    return (struct decimal){(whole(v, ~s & 1) + 2) / 4, (int)k};
+    if (below | above) return (struct decimal){10 * (tens + above), k};
+    if (narrow && outside >= 4 * s) return (struct decimal){s + 1, k};
+    return (struct decimal){(whole(v, ~s & 1) + 2) / 4, k};
+}
+
+/* The same where nothing is near a tie, by one product: of x 10^-k its last digit, with 59 bits behind it, against half of what
+ * is between x and its neighbours.  Both are less than one unit too small: what is two away from a tie is beyond it. */
+INTO static inline struct decimal quickly_shortest(uint64_t c, long q)
+{
+    static const uint64_t ONE = UINT64_C(1) << 59;
+    const struct place p = place_of(q, false);
+    const wide v = times(p.g, c << p.h);
+    const uint64_t s = (uint64_t)(v >> 64), tens = s / 10, last = (uint64_t)(v >> 5) - 10 * ONE * tens;
+    const uint64_t half = p.g[0] >> (6 - p.h), down = last - half + 2, up = last + half + 2 - 10 * ONE;
+    if (down <= 4 || up <= 4) return shortest(c, q, false);
+    if ((int64_t)down < 0) return (struct decimal){10 * tens, p.k};
+    if ((int64_t)up >= 0) return (struct decimal){10 * tens + 10, p.k};
+    const uint64_t part = (last & (ONE - 1)) + 2 - ONE / 2;
+    if (part <= 4) return shortest(c, q, false);
+    return (struct decimal){s + 1 - (part >> 63), p.k};
 }
 
 /* A power of two, or below the normal numbers, where digits are missing. */
-APART struct decimal shortest_of_few(uint64_t fraction, int e)
+APART struct decimal shortest_of_few(uint64_t fraction, long e)
 {
     if (e > 1) return shortest(UINT64_C(1) << 52, e - 1075, true);
     struct decimal o = shortest(e ? UINT64_C(1) << 52 : fraction, -1074, false);
@@ -97,22 +129,21 @@ INTO static inline int last_byte(uint64_t digits)
 struct digits {
     uint64_t middle, last; /* eight each */
     char first;
-    int n, e;
+    long n, e;
 };
 
 INTO static inline struct digits digits_of(struct decimal x)
 {
     static const uint64_t ZEROS = UINT64_C(0x3030303030303030);
-    const bool longest = x.digits >= E16;
-    const uint64_t u = longest ? x.digits : 10 * x.digits, nine = u / E8,
-                   first = nine * 1441151881 >> 57; /* nine / E8 */
-    const uint64_t middle = eight_digits(nine - first * E8), last = eight_digits(u - nine * E8);
-    int n = 1;
+    if (x.digits < E16) x = (struct decimal){10 * x.digits, x.exponent - 1};
+    const uint64_t nine = x.digits / E8, first = nine * 1441151881 >> 57; /* nine / E8 */
+    const uint64_t middle = eight_digits(nine - first * E8), last = eight_digits(x.digits - nine * E8);
+    long n = 1;
     if (last)
         n = 10 + last_byte(last);
     else if (middle)
         n = 2 + last_byte(middle);
-    return (struct digits){middle + ZEROS, last + ZEROS, (char)('0' + first), n, x.exponent + 15 + longest};
+    return (struct digits){middle + ZEROS, last + ZEROS, (char)('0' + first), n, x.exponent + 16};
 }
 
 INTO static inline void put_eight(char *to, uint64_t text)
@@ -135,7 +166,7 @@ static char *put_zeros(char *to, int n)
     return to + n;
 }
 
-static char *put_exponent(char *to, int e)
+static char *put_exponent(char *to, long e)
 {
     if (e >= 100) *to++ = (char)('0' + e / 100);
     if (e >= 10) *to++ = (char)('0' + e / 10 % 10);
@@ -171,7 +202,7 @@ static int significant(const char *d, int n)
  * the length. */
 INTO static inline char *put_shortest(char *to, const struct digits *d)
 {
-    const int n = d->n, e = d->e;
+    const long n = d->n, e = d->e;
     if (e < 0 && e >= -5) {
         memcpy(to, "0.000000", 8);
         to += 1 - e;
@@ -181,7 +212,7 @@ INTO static inline char *put_shortest(char *to, const struct digits *d)
         return to + n;
     }
     const bool plain = e >= 0 && e < 17;
-    const int point = plain ? e : 0; /* behind that digit */
+    const long point = plain ? e : 0; /* behind that digit */
     to[0] = d->first;
     put_eight(to + 1, d->middle);
     if (point < 8) {
@@ -199,26 +230,33 @@ INTO static inline char *put_shortest(char *to, const struct digits *d)
     return put_exponent(to, e < 0 ? -e : e);
 }
 
+enum { NOT_FINITE = 0x7ff };
+
+/* As put_number(), of what is not often met, its digits from `place` on: 0, powers of two, what is below the normal numbers or
+ * not finite. */
+APART char *put_unusual(char *to, char *place, uint64_t fraction, long e)
+{
+    if (e == NOT_FINITE) return to;
+    if (e != 0 || fraction != 0) {
+        const struct digits d = digits_of(shortest_of_few(fraction, e));
+        return put_shortest(place, &d);
+    }
+    *place = '0';
+    return place + 1;
+}
+
 /* The end; of what is not finite, where it begins. */
 INTO static inline char *put_number(char *to, double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     const uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
-    const int e = (int)(bits >> 52 & 0x7ff);
+    const long e = (long)(bits >> 52 & 0x7ff);
+    const bool normal = (unsigned long)e - 1 < NOT_FINITE - 1;
     char *place = to + (bits >> 63);
-    if (e == 0x7ff) return to;
     *to = '-';
-    struct decimal o;
-    if (fraction != 0 && e != 0) {
-        o = shortest(fraction | UINT64_C(1) << 52, e - 1075, false);
-    } else if (fraction != 0 || e != 0) {
-        o = shortest_of_few(fraction, e);
-    } else {
-        *place = '0';
-        return place + 1;
-    }
-    const struct digits d = digits_of(o);
+    if (!normal || fraction == 0) return put_unusual(to, place, fraction, e);
+    const struct digits d = digits_of(quickly_shortest(fraction | UINT64_C(1) << 52, e - 1075));
     return put_shortest(place, &d);
 }
 

@@ -32,7 +32,8 @@ static double quaternion(const struct sim *sim, const struct origin *o)
 {
     struct pose p;
     double q[4];
-    quat_of_matrix(q, standing(&p, sim, o)->R);
+    system_pose(sim->system, &p, o->index);
+    quat_of_matrix(q, p.R);
     return q[o->k];
 }
 
@@ -40,7 +41,8 @@ static double tait_bryan(const struct sim *sim, const struct origin *o)
 {
     struct pose p;
     double angles[3];
-    tait_bryan_of_matrix(angles, standing(&p, sim, o)->R);
+    system_pose(sim->system, &p, o->index);
+    tait_bryan_of_matrix(angles, p.R);
     return angles[o->k];
 }
 
@@ -48,7 +50,8 @@ static double euler(const struct sim *sim, const struct origin *o)
 {
     struct pose p;
     double angles[3];
-    euler_of_matrix(angles, standing(&p, sim, o)->R);
+    system_pose(sim->system, &p, o->index);
+    euler_of_matrix(angles, p.R);
     return angles[o->k];
 }
 

@@ -135,7 +135,7 @@ void lateral_note(struct sim *sim)
     struct lateral *o = &sim->lateral;
     const double dt = fabs(sim->x.t - o->last);
     int at = 0;
-    if (o->n == 0 || !isnan(o->t) || dt < SPARSE * fabs(sim->last_h)) return;
+    if (!isnan(o->t) || dt < SPARSE * fabs(sim->last_h)) return;
     o->last = sim->x.t;
     if (record_evaluate(sim, EVALUATE_ACCELERATION) != OK) return;
     follow(sim);

@@ -237,6 +237,8 @@ struct progress {
     double start, shown; /* on the clock [s] */
     double from;         /* of the run [s] */
     bool wrote;
+    double read;      /* the clock, last */
+    int skipped, due; /* since, and then it is read again */
 };
 void progress_open(struct progress *p, FILE *to, double now, double t);
 void progress_show(struct progress *p, double now, double t, double until);

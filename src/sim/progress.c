@@ -6,7 +6,7 @@ static const double often = 0.25; /* [s] */
 
 void progress_open(struct progress *p, FILE *to, double now, double t)
 {
-    *p = (struct progress){to, now, now, t, false};
+    *p = (struct progress){.to = to, .start = now, .shown = now, .from = t, .read = now};
 }
 
 void progress_show(struct progress *p, double now, double t, double until)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/recall.h"
+#include "base/scalar.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
@@ -122,7 +123,7 @@ void trust_note(struct sim *sim)
 {
     struct trust *o = &sim->trust;
     if (!o->asked) return;
-    o->worked = fmax(o->worked, works(&sim->ledger));
+    o->worked = larger(o->worked, works(&sim->ledger));
     if (o->seen == 0) {
         copy(o->low, sim->row, sim->chosen.n);
         copy(o->high, sim->row, sim->chosen.n);

@@ -1,5 +1,6 @@
 /* answers.c -- what the output asks of a system where system_evaluate() has last looked at it; of one that steps in a plane
  * the one in space answers, but for angles of joints that close loops, which the plane knows with their turns. */
+#include "base/inline.h"
 #include "la/rot.h"
 #include "la/vec3.h"
 #include "system/parts.h"
@@ -39,7 +40,7 @@ void system_point(const struct system *s, double *x, double *xv, double *xa, con
 }
 
 /* Of the centre of mass of a flexible body, which is not where its frame is. */
-static void centre_of_bent(const struct system *s, struct pose *o, int body)
+APART void centre_of_bent(const struct system *s, struct pose *o, int body)
 {
     s->ops->pose(s->view, o, body);
     elastic_centre(o, &s->tree.elastic, body, s->q, s->v, s->a);
@@ -51,7 +52,7 @@ void system_centre_stands(const struct system *s, struct pose *o, int body)
     if (s->model->body[body].flex)
         centre_of_bent(s, o, body);
     else
-        s->ops->stand(s->view, o, body);
+        s->ops->at(s->view, o, body);
 }
 
 void system_centre_moves(const struct system *s, struct pose *o, int body)

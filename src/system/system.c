@@ -207,9 +207,10 @@ enum status system_evaluate_itself(struct system *s, const double *q, const doub
 enum status system_evaluate(struct system *s, const double *q, const double *v, double t, unsigned what,
                             struct trouble *why)
 {
-    if (s->contacts) elements_press(s->tree.elements, s->contacts, s->press);
+    if (!s->contacts) return evaluate(s, q, v, t, what, why);
+    elements_press(s->tree.elements, s->contacts, s->press);
     const enum status status = evaluate(s, q, v, t, what, why);
-    if (s->contacts) elements_press(s->tree.elements, NULL, NULL);
+    elements_press(s->tree.elements, NULL, NULL);
     return status;
 }
 

@@ -53,7 +53,7 @@ double system_length(const struct system *s);               /* of the mechanism 
 const double *system_accelerations(const struct system *s); /* [n of the model] */
 void system_pose(const struct system *s, struct pose *o, int body);
 void system_point(const struct system *s, double *x, double *xv, double *xa, const struct model_point *p);
-/* The same of a body's centre of mass, the pose itself of a rigid one: where it stands, how it moves; see stand(), stir() of
+/* The same of a body's centre of mass, the pose itself of a rigid one: where it stands, how it moves; see at(), stir() of
  * tree/sweep.h. */
 void system_centre_stands(const struct system *s, struct pose *o, int body);
 void system_centre_moves(const struct system *s, struct pose *o, int body);

@@ -96,6 +96,7 @@ void planar_forward(struct sweep *s, const double *q, const double *v, const dou
 void planar_backward(struct sweep *s, double *r, unsigned cls);
 void planar_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
 void planar_pose(const struct sweep *s, struct pose *o, int body);
+void planar_at(const struct sweep *s, struct pose *o, int body);
 void planar_stand(const struct sweep *s, struct pose *o, int body);
 void planar_stir(const struct sweep *s, struct pose *o, int body);
 void planar_push(struct sweep *s, int body, const double *x, const double *f);

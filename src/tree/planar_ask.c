@@ -24,6 +24,13 @@ void planar_point(const struct sweep *s, double *x, double *xv, int body, const 
     x[2] = xv[2] = 0;
 }
 
+void planar_at(const struct sweep *s, struct pose *o, int body)
+{
+    const struct part *b = &s->part[body];
+    o->angle = b->phi;
+    for (int i = 0; i < 2; i++) o->r[i] = b->r[i];
+}
+
 void planar_stand(const struct sweep *s, struct pose *o, int body)
 {
     const struct part *b = &s->part[body];
@@ -32,8 +39,7 @@ void planar_stand(const struct sweep *s, struct pose *o, int body)
     o->R[0] = o->R[4] = z[0];
     o->R[1] = z[1];
     o->R[3] = -z[1];
-    o->angle = b->phi;
-    for (int i = 0; i < 2; i++) o->r[i] = b->r[i];
+    planar_at(s, o, body);
 }
 
 void planar_stir(const struct sweep *s, struct pose *o, int body)

@@ -179,6 +179,7 @@ static inline double spatial_node_body_row(const struct node_body *o, int j, con
 /* See sweep.h. */
 void spatial_point(const struct sweep *s, double *x, double *xv, int body, const double *p);
 void spatial_pose(const struct sweep *s, struct pose *o, int body);
+void spatial_at(const struct sweep *s, struct pose *o, int body);
 void spatial_stand(const struct sweep *s, struct pose *o, int body);
 void spatial_stir(const struct sweep *s, struct pose *o, int body);
 void spatial_push(struct sweep *s, int body, const double *x, const double *f);

@@ -21,11 +21,16 @@ void spatial_point(const struct sweep *s, double *x, double *xv, int body, const
     v3_cross_add(xv, b->w, d);
 }
 
+void spatial_at(const struct sweep *s, struct pose *o, int body)
+{
+    v3_copy(o->r, s->part[body].r);
+}
+
 void spatial_stand(const struct sweep *s, struct pose *o, int body)
 {
     const struct part *b = &s->part[body];
     m3_mulmt(o->R, b->R, s->link[body].turned);
-    v3_copy(o->r, b->r);
+    spatial_at(s, o, body);
 }
 
 void spatial_stir(const struct sweep *s, struct pose *o, int body)

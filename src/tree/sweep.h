@@ -65,7 +65,9 @@ struct sweep_ops {
     /* World position x and velocity xv [3] of the point p (body axes, from the centre). */
     void (*point)(const struct sweep *s, double *x, double *xv, int body, const double *p);
     void (*pose)(const struct sweep *s, struct pose *o, int body);
-    /* r, R and angle of it; then the rest.  In the plane what is 0 there, and R[8], which is 1, are as they have been. */
+    /* r of it, in the plane its angle, too; with R; then the rest.  In the plane what is 0 there, and R[8], which is 1, are as
+     * they have been. */
+    void (*at)(const struct sweep *s, struct pose *o, int body);
     void (*stand)(const struct sweep *s, struct pose *o, int body);
     void (*stir)(const struct sweep *s, struct pose *o, int body);
     /* Applied force f at world point x, or torque n, both world axes [3]. */
