@@ -137,3 +137,22 @@ resolve "resolved" "0 0  6"
 resolve "at rest" "0 0  6" --set integrate.step=5e-3 --set integrate.ratio=2 --set parameters.pluck=0
 resolve "taken out, which is told" "1 0  6" --set integrate.step=5e-3 --set integrate.ratio=2 --set integrate.rho_infinity=0.5
 expect "W-damped: of a vibration that is taken out" 1 "$(grep -c "^warning: .* does not resolve 'pin42.angle' .*W-damped" "$work/err")" "$work/err"
+
+# Where no step is found because a force jumps, that is said, and between what, whatever it reads.
+for reads in gap_rate post.displacement_rate; do
+    cat >"$work/deck.yaml" <<DECK
+fmdsub: 1
+bodies: {cart: {mass: 1, at: [1, 0]}, ball: {mass: 0.5, at: [1, 1]}}
+constraints: {rail: {prismatic: [ground, cart], axis: [1, 0]}, post: {prismatic: [cart, ball], axis: [0, 1]}}
+measures: {gap: {distance: [[0, 0], ball]}}
+forces:
+  rub: {force: gap, value: -800*sign($reads)}
+  pull: {spring: rail, stiffness: 500, rest: 0.3}
+  lift: {spring: post, stiffness: 300, rest: 0.2}
+initial: {post.displacement_rate: 3}
+integrate: {scheme: midpoint, step: 1.0e-2, until: 2}
+output: {every: 0.1, columns: [gap]}
+DECK
+    "$FMDSUB" run -q "$work/deck.yaml" >"$work/out" 2>"$work/err"
+    expect "a force that jumps with $reads" "5 1" "$? $(grep -Ec "force 'rub' jumps near here, between (-800 and 800|800 and -800):" "$work/err")" "$work/err"
+done
