@@ -54,7 +54,7 @@ bool auto_bounded(const struct racer *r, double stiff)
  * in 20 go by this within 1.05 of the better one. */
 static double even_work(const struct choice *o)
 {
-    enum { EVEN = 150, UNEVEN = 2500 }; /* evaluations of dopri5 */
+    enum { EVEN = 150, UNEVEN = 2000 }; /* evaluations of dopri5 */
     static const double AT = 1e-4;
     const struct sim *sim = &o->eye->sim;
     if (system_may_bend(sim->system)) return INFINITY;
