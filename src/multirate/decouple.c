@@ -209,6 +209,30 @@ void decouple_out(const struct decouple *p, double *out, const double *y, const 
     if (rows < m) copy(slow + rows, y + rows, m - rows);
 }
 
+void decouple_both(const struct decouple *p, double *restrict v, double *restrict a, const double *restrict y,
+                   const double *restrict b, int m)
+{
+    const int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    const double *restrict W = p->W, v0 = v[0], a0 = a[0];
+    double *restrict vl = v + ns, *restrict al = a + ns;
+    for (int i = 0; i < rows; i++) {
+        vl[i] = y[i] - W[i] * v0;
+        al[i] = b[i] - W[i] * a0;
+    }
+    for (int j = 1; j < ns; j++) {
+        const double vj = v[j], aj = a[j];
+        W += p->nl;
+        for (int i = 0; i < rows; i++) {
+            vl[i] -= W[i] * vj;
+            al[i] -= W[i] * aj;
+        }
+    }
+    for (int i = rows; i < m; i++) {
+        vl[i] = y[i];
+        al[i] = b[i];
+    }
+}
+
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m)
 {
     int ns = p->ns, rows = p->reach < m ? p->reach : m;

@@ -26,6 +26,23 @@
 
 #include "base/arena.h"
 #include "engine/stepper.h"
+#include "la/dense.h"
+
+/* y [rows] += s A x, A [rows x cols]: dense_gemv() where most often both are a few, by rows, to the same bits. */
+static inline void gemv_few(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
+                            int cols, int ld)
+{
+    enum { FEW = 6 };
+    if (rows > FEW) {
+        dense_gemv(y, s, A, x, rows, cols, ld);
+        return;
+    }
+    for (int i = 0; i < rows; i++) {
+        double sum = y[i];
+        for (int j = 0; j < cols; j++) sum += A[i + (long)j * ld] * (s * x[j]);
+        y[i] = sum;
+    }
+}
 
 struct decouple {
     const struct ode2 *ode;
@@ -58,6 +75,8 @@ void decouple_dense(struct decouple *p);
 void decouple_recoil(const struct decouple *p, double *y, double s, const double *x);
 /* out [ns + m] = P (y, x), the first m slow coordinates; x = out is allowed. */
 void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m);
+/* v and a [ns + m] := P (y, v) and P (b, a), where they have their fast rows. */
+void decouple_both(const struct decouple *p, double *v, double *a, const double *y, const double *b, int m);
 /* rs [ns] := the fast rows of P' r, where r has its first m slow rows. */
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m);
 /* K [n x n] := P' K P, where K has its first m slow rows and columns. */

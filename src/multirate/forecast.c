@@ -138,8 +138,8 @@ void forecast_minor(struct forecast *f, const struct response *p, double *d, con
     if (k == 0) leap_ahead(f, jump);
     driving_at(f, p, w, k);
     for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
-    dense_gemv(d, -p->h, m->K, x, ns, ns, p->n);
-    dense_gemv(d, -1, m->V, v, ns, ns, ns);
+    gemv_few(d, -p->h, m->K, x, ns, ns, p->n);
+    gemv_few(d, -1, m->V, v, ns, ns, ns);
     minor_solve(m, d);
 }
 
@@ -152,10 +152,10 @@ static void force_of(struct forecast *f, const struct response *p, const double 
     double per = 1 / p->h;
     driving_at(f, p, w, k);
     copy(f->g, f->c, ns);
-    dense_gemv(f->g, 1, m->K, x, ns, ns, p->n);
-    dense_gemv(f->g, per, m->V, v, ns, ns, ns);
-    dense_gemv(f->g, per, m->S, d, ns, ns, ns);
-    dense_gemv(f->g, per, p->Mss, d, ns, ns, ns);
+    gemv_few(f->g, 1, m->K, x, ns, ns, p->n);
+    gemv_few(f->g, per, m->V, v, ns, ns, ns);
+    gemv_few(f->g, per, m->S, d, ns, ns, ns);
+    gemv_few(f->g, per, p->Mss, d, ns, ns, ns);
 }
 
 /* At the first minor step phi jumps, and its differences go on. */

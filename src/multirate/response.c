@@ -70,9 +70,12 @@ void minor_solve(const struct minor *m, double *x)
         solve_dense(m->J, m->swap, m->form, x, ns);
         return;
     }
-    for (int i = 0; i < ns; i++) b[i] = x[i], x[i] = 0;
-    for (int j = 0; j < ns; j++)
-        for (int i = 0; i < ns; i++) x[i] += m->spare[i + j * ns] * b[j];
+    for (int i = 0; i < ns; i++) b[i] = x[i];
+    for (int i = 0; i < ns; i++) {
+        double sum = 0;
+        for (int j = 0; j < ns; j++) sum += m->spare[i + j * ns] * b[j];
+        x[i] = sum;
+    }
 }
 
 /* ---- what is frozen */
@@ -308,11 +311,11 @@ void response_run(const struct response *p, double *d, const double *c, const do
         double power = 1;
         for (int j = 0; j < (more ? more->terms : 0); j++, power *= f)
             for (int i = 0; i < ns; i++) s[i] -= power * more->x[i + j * ns];
-        dense_gemv(s, -h, m->K, x, ns, ns, n);
-        dense_gemv(s, -1, m->V, v, ns, ns, ns);
+        gemv_few(s, -h, m->K, x, ns, ns, n);
+        gemv_few(s, -1, m->V, v, ns, ns, ns);
         minor_solve(m, s);
         for (int i = 0; i < ns; i++) x[i] += h * (v[i] + s[i] / 2);
-        dense_gemv(x, h / 2, p->A, s, ns, ns, ns);
+        if (p->damps) dense_gemv(x, h / 2, p->A, s, ns, ns, ns);
         for (int i = 0; i < ns; i++) {
             v[i] += s[i];
             d[i] = add ? d[i] + s[i] : s[i];

@@ -57,6 +57,7 @@ struct response {
     double *WFW;         /* [ns x ns] */
     double *Gk;          /* [nl x nl] G - M_LL */
     double *d;           /* [n] its diagonal; infinite in S */
+    int damps;           /* A and D are not zero */
     int slow_slopes;     /* F is not zero */
     int stiff;           /* G is not M_LL */
     int diagonal;        /* G - M_LL is */

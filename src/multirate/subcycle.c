@@ -96,6 +96,7 @@ static void open(struct stepper *s, struct arena *life)
     c->newton.pairs = 1;
     decouple_open(&c->dec, o, &s->effort, life);
     response_open(&c->resp, &c->dec, life);
+    c->resp.damps = c->alpha > 0;
     minor_open(&c->here, &c->resp, life);
     forecast_open(&c->forecast, &c->dec, life);
     c->near = o->move ? c->nl : c->dec.ml;
@@ -113,11 +114,12 @@ static enum verdict judge(struct subcycle *c)
 {
     double err = 0, small = 0, sum = 0, light = 0;
     const double most = 1 / larger(AT_REST * c->newton.top, DBL_MIN);
-    zero(c->sum, c->ns);
     for (int i = 0; i < c->nl; i++) c->sum[c->ns + i] = fabs(c->Du[i]);
-    for (int k = 0; k < c->ratio; k++) {
-        const double *d = c->d + (long)k * c->ns, *before = c->dbefore + (long)k * c->ns;
-        for (int i = 0; i < c->ns; i++) c->sum[i] += fabs(d[i] - before[i]);
+    for (int i = 0; i < c->ns; i++) {
+        const double *d = c->d + i, *before = c->dbefore + i;
+        double all = 0;
+        for (int k = 0; k < c->ratio; k++, d += c->ns, before += c->ns) all += fabs(*d - *before);
+        c->sum[i] = all;
     }
     for (int i = 0; i < c->n; i++) {
         double e = c->sum[i] * c->newton.per[i];

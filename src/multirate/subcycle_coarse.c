@@ -58,7 +58,7 @@ void subcycle_coarse_keep(struct subcycle *c, int k)
     if (k < c->ratio - JUMP_TERMS && !able(c, c->newton.way ? LEAST : THIRD)) return;
     double *rows = c->coarse.rows + (long)k * ml, per = -1 / c->h;
     copy(rows, c->r + c->ns, ml);
-    if (c->dec.reach) dense_gemv(rows, per, c->dec.MsW, c->es, ml, c->ns, ml);
+    if (c->dec.reach) gemv_few(rows, per, c->dec.MsW, c->es, ml, c->ns, ml);
     if (c->resp.drives) dense_gemv(rows, per, c->resp.Q, c->es, ml, c->ns, ml);
 }
 

@@ -16,19 +16,20 @@ enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *pow
 {
     int ns = c->ns;
     double per = 1 / c->h;
-    subcycle_velocity(c, d);
+    subcycle_fast_velocity(c, d);
+    for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
+    decouple_both(&c->dec, c->v, c->a, c->w, c->pull, c->near);
     if (c->ode->move) copy(c->qmid, c->q, c->ode->nq);
     subcycle_onward(c, c->qmid, c->q, .5, x->t);
     if (x->qb) subcycle_point(c, c->qend, c->q, 1, x->tb);
-    for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
-    decouple_out(&c->dec, c->a, c->pull, c->a, c->near);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
     decouple_fast(&c->dec, c->es, c->r, c->dec.ml);
-    for (int i = 0; i < ns; i++) c->es[i] = c->h * c->es[i] + c->cs[i];
-    if (c->dec.reach)
-        for (int j = 0; j < ns; j++)
-            for (int i = 0; i < ns; i++) c->es[i] += c->dec.WMW[i + j * ns] * (d[j] - c->dmean[j]);
+    for (int i = 0; i < ns; i++) {
+        double sum = c->h * c->es[i] + c->cs[i];
+        for (int j = 0; j < ns && c->dec.reach; j++) sum += c->dec.WMW[i + j * ns] * (d[j] - c->dmean[j]);
+        c->es[i] = sum;
+    }
     if (c->alpha > 0) dense_gemv(c->es, c->h * c->h / 2, c->resp.D, c->v, ns, ns, ns);
     return OK;
 }
@@ -69,12 +70,16 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
 
 static void minor_sums(struct subcycle *c, const double *d)
 {
-    for (int i = 0; i < c->dec.ml; i++) c->R[i] += c->h * c->r[c->ns + i];
-    for (int i = 0; i < c->ns; i++) {
-        c->dsum[i] -= d[i] + c->es[i]; /* as it was when the rows were taken */
-        c->esum[i] += c->es[i];
-        c->push += c->rest[i] * c->v[i];
+    const int ns = c->ns, ml = c->dec.ml;
+    const double *restrict r = c->r + ns, *restrict e = c->es, h = c->h;
+    double *restrict R = c->R, *restrict dsum = c->dsum, *restrict esum = c->esum, push = c->push;
+    for (int i = 0; i < ml; i++) R[i] += h * r[i];
+    for (int i = 0; i < ns; i++) {
+        dsum[i] -= d[i] + e[i]; /* as it was when the rows were taken */
+        esum[i] += e[i];
+        push += c->rest[i] * c->v[i];
     }
+    c->push = push;
 }
 
 void subcycle_rewind(struct subcycle *c)

@@ -251,6 +251,7 @@ void subcycle_coupling_recall(struct subcycle *c, struct recall *r);
 /* Work by channel of the power w over `time`. */
 static inline void subcycle_book(struct subcycle *c, double time, const double *w)
 {
+    if (!(w[POWER_EXTERNAL] != 0 || w[POWER_DRIVE] != 0 || w[POWER_DAMPER] != 0 || w[POWER_FRICTION] != 0)) return;
     for (int i = 0; i < POWER_CHANNELS; i++) {
         c->work[i] += time * w[i];
         c->newton.powered |= w[i] != 0;

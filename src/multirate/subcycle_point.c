@@ -27,7 +27,8 @@ void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, 
         for (int i = 0; i < m; i++) c->dq[i] = c->h * c->v[i];
         c->ode->move->point(c->ode, x1, x0, c->dq, s, t);
     } else {
-        for (int i = 0; i < m; i++) x1[i] = x0[i] + s * c->h * c->v[i];
+        const double *restrict v = c->v, step = s * c->h;
+        for (int i = 0; i < m; i++) x1[i] = x0[i] + step * v[i];
     }
 }
 
@@ -43,9 +44,11 @@ void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s,
 
 void subcycle_advance(struct subcycle *c, const double *d)
 {
+    const double *restrict v = c->v, h = c->h;
+    double *restrict x = c->xn, *restrict vs = c->vs;
     for (int i = 0; i < c->ns; i++) {
-        c->xn[i] += c->h * c->v[i];
-        c->vs[i] += d[i];
+        x[i] += h * v[i];
+        vs[i] += d[i];
     }
 }
 
@@ -94,9 +97,9 @@ static void in_one_go(struct subcycle *c)
     c->ended = true;
 }
 
-void subcycle_compose(struct subcycle *c)
+/* All minor steps of the fast coordinates; v stands in the last one. */
+static void fast_steps(struct subcycle *c)
 {
-    for (int i = 0; i < c->nl; i++) c->w[i] = c->u0[i] + c->du[i] / 2;
     copy(c->vs, c->v0, c->ns);
     zero(c->xn, c->ns);
     zero(c->dsum, c->ns);
@@ -106,6 +109,33 @@ void subcycle_compose(struct subcycle *c)
         subcycle_advance(c, d);
         for (int i = 0; i < c->ns; i++) c->dsum[i] += d[i];
     }
+}
+
+/* The same where nothing is damped: each coordinate goes by itself. */
+static void plain_steps(struct subcycle *c)
+{
+    const int ns = c->ns, n = c->ratio;
+    const double h = c->h;
+    for (int i = 0; i < ns; i++) {
+        const double *d = c->d + i;
+        double vs = c->v0[i], x = 0, sum = 0, v = 0;
+        for (int k = 0; k < n; k++, d += ns) {
+            v = vs + *d / 2;
+            x += h * v;
+            vs += *d;
+            sum += *d;
+        }
+        c->v[i] = v, c->vs[i] = vs, c->xn[i] = x, c->dsum[i] = sum;
+    }
+}
+
+void subcycle_compose(struct subcycle *c)
+{
+    for (int i = 0; i < c->nl; i++) c->w[i] = c->u0[i] + c->du[i] / 2;
+    if (c->alpha > 0)
+        fast_steps(c);
+    else
+        plain_steps(c);
     const bool straight = !c->ode->move || c->ode->straight;
     if (straight) in_one_go(c);
     if (!straight || isnan(c->qn[0])) by_steps(c);

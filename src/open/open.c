@@ -110,7 +110,7 @@ INTO static inline enum status residual(struct open_tree *o, double *r, double *
     elements_load(o->elements, o->sweep, r, w, dk, NULL, x, cls);
     if (w && o->elastic.n) w[POWER_DAMPER] -= elastic_lost(&o->elastic, x->v, cls);
     o->ops->backward(o->sweep, r, cls);
-    return all_finite(r, n, 1) ? OK : not_finite(o, r, x, cls, why);
+    return all_finite(r, cls == FAST && o->ode.near > 0 ? o->ode.near : n, 1) ? OK : not_finite(o, r, x, cls, why);
 }
 
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,

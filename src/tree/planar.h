@@ -23,6 +23,7 @@ struct link {
     int parent;
     enum planar_type type;
     int iq[3], iv[3], nv;
+    int limb; /* the body on the ground that carries it */
     double turn;
     double a[2], b[2]; /* the joint's point from the parent's, the child's centre; drawn axes [m] */
     double e[2][2];    /* directions of the displacements, drawn axes */
@@ -55,6 +56,7 @@ struct sweep {
     const struct model *model;
     struct rosters rosters;
     int nbody, n;
+    int limbs;             /* bodies on the ground */
     struct link *link;     /* [nbody] */
     struct part *part;     /* [nbody] */
     double (*bias)[3];     /* [nbody] work of solve(): moment and force, then twist */

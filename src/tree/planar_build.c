@@ -67,6 +67,8 @@ static struct sweep *build(const struct model *m, enum purpose purpose, const bo
     for (int i = 1; i < m->nbody; i++) {
         const struct model_joint *j = &m->joint[m->body[i].joint];
         build_link(&s->link[i], &s->link[j->parent], j, model_kind(m, j->type), &m->body[i]);
+        s->link[i].limb = j->parent ? s->link[j->parent].limb : i;
+        s->limbs += !j->parent;
     }
     routes_build(&s->routes, m, life);
     planar_flex_build(s, life);

@@ -114,7 +114,8 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
     return s->bend ? factor(s, F, cm, d, true) : factor(s, F, cm, d, false);
 }
 
-TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
+/* limb: the only one with right sides that are not zero; 0: not known. */
+TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible, int limb)
 {
     double(*arm)[2] = arms(F);
     const struct pivot *pivot = pivots(s, F) + s->n;
@@ -124,6 +125,7 @@ TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
         const struct link *l = &s->link[i];
         double *here = p[i], *up = p[l->parent];
         pivot -= l->nv;
+        if (limb && l->limb != limb) continue;
         if (flexible) planar_flex_forces(s, modes(s, F), here, x, i);
         for (int k = 0; k < l->nv; k++) {
             const struct pivot *o = &pivot[k];
@@ -138,6 +140,10 @@ TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
     p[0][0] = p[0][1] = p[0][2] = 0; /* from here on twists */
     for (int i = 1; i < s->nbody; i++) {
         const struct link *l = &s->link[i];
+        if (limb && l->limb != limb) {
+            pivot += l->nv;
+            continue;
+        }
         const double *up = p[l->parent];
         double V[3] = {up[0], up[1] - arm[i][1] * up[0], up[2] + arm[i][0] * up[0]};
         for (int k = l->nv - 1; k >= 0; k--) {
@@ -151,10 +157,29 @@ TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible)
     }
 }
 
+/* The limb where all that is not zero in x stands; 0: there are several, or but one at all. */
+static int only_limb(const struct sweep *s, const double *x)
+{
+    int limb = 0;
+    if (s->limbs == 1) return 0;
+    for (int i = 1; i < s->nbody; i++) {
+        const struct link *l = &s->link[i];
+        for (int k = 0; k < l->nv; k++) {
+            if (x[l->iv[k]] == 0 || l->limb == limb) continue;
+            if (limb) return 0;
+            limb = l->limb;
+        }
+    }
+    return limb;
+}
+
 void planar_solve(const struct sweep *s, const void *F, double *x)
 {
+    const int limb = s->bend ? 0 : only_limb(s, x);
     if (s->bend)
-        solve(s, F, x, true);
+        solve(s, F, x, true, 0);
+    else if (limb)
+        solve(s, F, x, false, limb);
     else
-        solve(s, F, x, false);
+        solve(s, F, x, false, 0);
 }
