@@ -25,8 +25,8 @@ advised "no step beside a tolerance" tolerance 'no fixed step: the deck has a to
 # where none are advised), or 100 evaluations; what is above stands here by name, and by how many times.
 above='airscrew-driven 2.08 airscrew-steady 8.57 axle 6.78 bar-slider 1.76 double-four-bar 1.72 driven-slider-crank 12.8
     effect-friction 8.34 effect-stiffening 4.43 flexible-robot 1.13 free-fall 9.68 gear-train 3.12 heavy-top-slow 1.28
-    parallelogram 2.89 roll-up 1.1 rotating-blade 3.81 rotor 1.56 satellite-instrument 2.94 screw-actuator 1.29 soft-
-    pendulum 2.84 spin-up 1.19 spin-up-segments 2.23 spin-up-simo 1.95 spin-up-slow 1.91 spring-pendulum 1.9
+    parallelogram 2.89 roll-up 1.1 rotating-blade 3.81 rotor 1.56 satellite-instrument 2.94 screw-actuator 1.29
+    soft-pendulum 2.84 spin-up 1.19 spin-up-segments 2.23 spin-up-simo 1.95 spin-up-slow 1.91 spring-pendulum 1.9
     suspension 2.4 whip 1.2'
 share() { # DECK
     "$FMDSUB" check -q -f json "$1" 2>"$work/err" | awk -v name="$(basename "$1" .yaml)" -v above="$(echo $above)" '{ gsub(/[",]/, "") }
