@@ -79,7 +79,8 @@ static double local_error(const struct signal *c, double H, double from, double 
     return travel > 0 ? worst / travel : 0;
 }
 
-/* A drive that the major steps do not resolve makes its component fast. */
+/* A drive that the major steps do not resolve makes its component fast: from the clock's start, so that a run that goes
+ * on chooses as the whole one does. */
 static void mark_quick_drives(const struct making *o, bool *fast)
 {
     static const double RESOLVED = 1e-3;
@@ -88,7 +89,7 @@ static void mark_quick_drives(const struct making *o, bool *fast)
     if (p->ratio <= 1 || !(p->step > 0)) return;
     for (int i = 0; i < m->ndrive; i++) {
         const struct model_loop *l = &o->loop[model_first_drive(m) + i];
-        const double error = local_error(l->drive, p->step * p->ratio, o->scene->start, p->until);
+        const double error = local_error(l->drive, p->step * p->ratio, fmin(0, o->scene->start), p->until);
         if (fast[l->component] || error <= RESOLVED) continue;
         fast[l->component] = true;
         diag_warn(

@@ -24,6 +24,7 @@ uint64_t memory_of_steps(const struct sim *sim)
 {
     static const char *const partition[] = {"partition", NULL};
     const struct integrate *p = &sim->plan;
+    const struct model *m = sim->model;
     const struct stepper_kind *kind = sim->stepper.kind;
     const bool natural = sim->stepper.natural;
     const double steps[] = {VERSION, natural ? sim->guess.h : p->step, natural ? sim->guess.ratio : p->ratio};
@@ -34,6 +35,7 @@ uint64_t memory_of_steps(const struct sim *sim)
         const double x = key_value(k, p->options);
         hash = hash_bytes(hash, &x, sizeof x);
     }
+    for (int i = 0; i < m->ncoordinate; i++) hash = hash_bytes(hash, &m->coordinate[i].fast, sizeof(bool));
     return hash;
 }
 
