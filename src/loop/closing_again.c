@@ -88,7 +88,7 @@ enum way_end closing_again(struct closing *o, double *q1, const double *q0, cons
     const double far = go_along(o, o->dx, o->last, open);
     const struct way way = {q0, o->full, s, o->dx};
     const bool closed = far <= UNSEEN;
-    if (!closed && !(far <= ajar * closing_worth(o)))
+    if (!closed && !(ajar > 0 && far <= ajar * closing_worth(o)))
         return step_on(o, q1, &way, far, corrections) ? WAY_CLOSED : WAY_LOST;
     closing_put(o, q1, &way);
     return closed ? WAY_CLOSED : WAY_AJAR;

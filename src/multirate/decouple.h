@@ -28,19 +28,32 @@
 #include "engine/stepper.h"
 #include "la/dense.h"
 
-/* y [rows] += s A x, A [rows x cols]: dense_gemv() where most often both are a few, by rows, to the same bits. */
+enum { FEW = 6 };
+
+/* y [rows] += s A x, A [rows x cols]: dense_gemv() where most often both are a few, to the same bits. */
 static inline void gemv_few(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
                             int cols, int ld)
 {
-    enum { FEW = 6 };
     if (rows > FEW) {
         dense_gemv(y, s, A, x, rows, cols, ld);
-        return;
-    }
-    for (int i = 0; i < rows; i++) {
-        double sum = y[i];
-        for (int j = 0; j < cols; j++) sum += A[i + (long)j * ld] * (s * x[j]);
-        y[i] = sum;
+    } else if (cols == 1) {
+        const double a = s * x[0];
+        for (int i = 0; i < rows; i++) y[i] += A[i] * a;
+    } else if (cols == 2 && rows == 2) {
+        const double *restrict B = A + ld, a = s * x[0], b = s * x[1];
+        y[0] = y[0] + A[0] * a + B[0] * b;
+        y[1] = y[1] + A[1] * a + B[1] * b;
+    } else if (cols == 3 && rows == 3) {
+        const double *restrict B = A + ld, *restrict C = B + ld, a = s * x[0], b = s * x[1], c = s * x[2];
+        y[0] = y[0] + A[0] * a + B[0] * b + C[0] * c;
+        y[1] = y[1] + A[1] * a + B[1] * b + C[1] * c;
+        y[2] = y[2] + A[2] * a + B[2] * b + C[2] * c;
+    } else {
+        for (int i = 0; i < rows; i++) {
+            double sum = y[i];
+            for (int j = 0; j < cols; j++) sum += A[i + (long)j * ld] * (s * x[j]);
+            y[i] = sum;
+        }
     }
 }
 

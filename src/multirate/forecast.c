@@ -94,8 +94,8 @@ static void driving_at(struct forecast *f, const struct response *p, const doubl
     zero(f->c, ns);
     if (!p->drives) return;
     for (int i = 0; i < ml; i++) f->dy[i] = (k + .5) * p->h * w[i];
-    dense_gemv(f->c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
-    dense_gemv(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
+    gemv_few(f->c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
+    gemv_few(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
 }
 
 static const double PROVED = .25, FADE = .8; /* of squares: a leap that is foreseen halves what is left */

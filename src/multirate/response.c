@@ -34,8 +34,7 @@ static void times_B(double *Y, double s, const double *X, const double *A, int r
     dense_gemm(Y, s, X, A, rows, ns, ns, rows, ld, ns);
 }
 
-enum { FEW = 6 }; /* so many fast coordinates or less: J is inverted */
-
+/* J; inverted where fast coordinates are few. */
 int minor_mass(struct minor *m)
 {
     int ns = m->ns;
@@ -70,12 +69,8 @@ void minor_solve(const struct minor *m, double *x)
         solve_dense(m->J, m->swap, m->form, x, ns);
         return;
     }
-    for (int i = 0; i < ns; i++) b[i] = x[i];
-    for (int i = 0; i < ns; i++) {
-        double sum = 0;
-        for (int j = 0; j < ns; j++) sum += m->spare[i + j * ns] * b[j];
-        x[i] = sum;
-    }
+    for (int i = 0; i < ns; i++) b[i] = x[i], x[i] = 0;
+    gemv_few(x, 1, m->spare, b, ns, ns, ns);
 }
 
 /* ---- what is frozen */

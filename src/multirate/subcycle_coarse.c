@@ -59,7 +59,7 @@ void subcycle_coarse_keep(struct subcycle *c, int k)
     double *rows = c->coarse.rows + (long)k * ml, per = -1 / c->h;
     copy(rows, c->r + c->ns, ml);
     if (c->dec.reach) gemv_few(rows, per, c->dec.MsW, c->es, ml, c->ns, ml);
-    if (c->resp.drives) dense_gemv(rows, per, c->resp.Q, c->es, ml, c->ns, ml);
+    if (c->resp.drives) gemv_few(rows, per, c->resp.Q, c->es, ml, c->ns, ml);
 }
 
 /* at: minor steps; weight: of the sum over all, exact for polynomials; power: coefficients of that which is 1 at this

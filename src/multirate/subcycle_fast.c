@@ -26,10 +26,10 @@ enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *pow
     c->effort->fast++;
     decouple_fast(&c->dec, c->es, c->r, c->dec.ml);
     for (int i = 0; i < ns; i++) {
-        double sum = c->h * c->es[i] + c->cs[i];
-        for (int j = 0; j < ns && c->dec.reach; j++) sum += c->dec.WMW[i + j * ns] * (d[j] - c->dmean[j]);
-        c->es[i] = sum;
+        c->es[i] = c->h * c->es[i] + c->cs[i];
+        c->s1[i] = d[i] - c->dmean[i];
     }
+    if (c->dec.reach) gemv_few(c->es, 1, c->dec.WMW, c->s1, ns, ns, ns);
     if (c->alpha > 0) dense_gemv(c->es, c->h * c->h / 2, c->resp.D, c->v, ns, ns, ns);
     return OK;
 }
@@ -132,9 +132,13 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
         subcycle_book(c, c->h, power);
         minor_sums(c, d);
         subcycle_coarse_keep(c, k);
-        subcycle_velocity(c, d);
-        next_point(c, x.tb);
-        x.qa = c->q;
+        if (k + 1 < c->ratio) {
+            subcycle_velocity(c, d);
+            next_point(c, x.tb);
+            x.qa = c->q;
+        } else { /* nobody asks where the last one ends: that is composed when all unknowns are corrected */
+            subcycle_fast_velocity(c, d);
+        }
         subcycle_advance(c, d);
     }
     c->guessed = 0;
