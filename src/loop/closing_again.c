@@ -21,15 +21,26 @@ static inline double farther(double far, double x, double per)
     return way > far ? way : far;
 }
 
-/* dx of the dependents along the tangent at the posture that `last` leads to, which becomes the change from there; how
- * far that is, in scales. */
-static double go_along(struct closing *o, double *dx, double *last, bool open)
+/* o->last: of the independents the way from q1 to where s full leads from q0, of the dependents that from q0 to q1.  Vectors of
+ * rotations do not subtract: what is left of them is taken from one posture to the other. */
+static void look_back(struct closing *o, const double *q1, const double *q0, double s)
+{
+    const struct moves *moves = &o->rows->tree->moves;
+    moves_diff(moves, o->last, q1, q0);
+    for (int i = 0; i < o->split->n; i++) {
+        const int k = o->split->ind[i];
+        o->last[k] = s * o->full[k] - o->last[k];
+    }
+    moves_left(moves, o->last, q1, q0, o->full, s);
+}
+
+/* dx of the dependents along the tangent at the posture that `last` tells of; how far that is, in scales. */
+static double go_along(struct closing *o, double *dx, const double *last, bool open)
 {
     const double *per = o->rows->per;
     double far = UNSEEN; /* at least: the rate of less would be that of round-off */
     for (int i = 0; i < o->split->n; i++) {
         const int k = o->split->ind[i];
-        last[k] = dx[k] - last[k];
         far = farther(far, last[k], per[k]);
     }
     if (open) rows_values(o->C, o->rows);
@@ -82,9 +93,9 @@ enum way_end closing_again(struct closing *o, double *q1, const double *q0, cons
                            bool open, double ajar)
 {
     if (isnan(q1[0]) || q1 == q0 || any_follows(o) || solve_factor(o->solve, q1, 0, NULL) != OK) return WAY_LOST;
-    moves_diff(&o->rows->tree->moves, o->last, q1, q0);
     split_spread(o->split, o->full, dx);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
+    look_back(o, q1, q0, s);
     const double far = go_along(o, o->dx, o->last, open);
     const struct way way = {q0, o->full, s, o->dx};
     const bool closed = far <= UNSEEN;

@@ -86,6 +86,20 @@ void moves_diff(const struct moves *m, double *dx, const double *q1, const doubl
     }
 }
 
+void moves_left(const struct moves *m, double *dx, const double *q1, const double *q0, const double *dx0, double s)
+{
+    for (int i = 0; i < m->nturn; i++) {
+        const struct turn *t = &m->turn[i];
+        double a[4], b[4], phi[3];
+        quat_in(a, q1, t);
+        quat_in(b, q0, t);
+        rates_in(phi, dx0, t);
+        quat_move(b, b, phi, s);
+        quat_diff(phi, b, a);
+        rates_out(dx, phi, t);
+    }
+}
+
 void moves_rate(const struct moves *m, double *dxrate, const double *dx, const double *v)
 {
     for (int i = 0; i < m->nplain; i++) dxrate[m->iv[i]] = v[m->iv[i]];

@@ -26,6 +26,8 @@ void moves_build(struct moves *o, const struct model *m, struct arena *life);
 /* As in struct ode2_move. */
 void moves_point(const struct moves *m, double *q1, const double *q0, const double *dx, double s);
 void moves_diff(const struct moves *m, double *dx, const double *q1, const double *q0);
+/* Into dx, of the rotations alone: what is left from q1 to q0 (+) s dx0. */
+void moves_left(const struct moves *m, double *dx, const double *q1, const double *q0, const double *dx0, double s);
 void moves_rate(const struct moves *m, double *dxrate, const double *dx, const double *v);
 
 #endif

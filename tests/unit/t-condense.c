@@ -76,6 +76,22 @@ static const char room[] = "fmdsub: 1\n"
                            "initial: {shaft.angle_rate: 3}\n"
                            "integrate: {scheme: newmark, step: 1.0e-3, until: 1}\n";
 
+/* The ball is independent. */
+static const char hung[] =
+    "fmdsub: 1\n"
+    "gravity: [0, 0, -9.81]\n"
+    "bodies:\n"
+    "  arm: {mass: 1, inertia: [0.1, 0.1, 0.1], at: [0.5, 0, 0]}\n"
+    "  bob: {mass: 2, inertia: [0.3, 0.2, 0.2], at: [1.2, 0, 0], points: {p: [0.1, 0.05, 0.02]}}\n"
+    "  link: {mass: 1, inertia: [0.1, 0.2, 0.15], at: [1.4, 0.1, 1]}\n"
+    "constraints:\n"
+    "  shaft: {revolute: [ground, arm], at: [0, 0, 0], axis: [0, 1, 0]}\n"
+    "  ball: {spherical: [arm, bob], at: [1, 0, 0]}\n"
+    "  guide: {prismatic: [ground, link], at: [1.4, 0.1, 1], axis: [0, 0, 1]}\n"
+    "  rod: {distance: [bob.p, link]}\n"
+    "initial: {shaft.angle_rate: 3}\n"
+    "integrate: {scheme: midpoint, step: 1.0e-3, until: 1}\n";
+
 static const char bending[] = "fmdsub: 1\n"
                               "gravity: [0, -9.81]\n"
                               "bodies:\n"
@@ -290,8 +306,8 @@ static void ways(void **state)
 static void ways_from_another(void **state)
 {
     (void)state;
-    static const char *const decks[] = {plane, room, bending};
-    for (int deck = 0; deck < 3; deck++) {
+    static const char *const decks[] = {plane, room, hung, bending};
+    for (int deck = 0; deck < 4; deck++) {
         struct opened o;
         open_text(&o, decks[deck]);
         struct condense *c = system_loops(o.sim.system);
@@ -301,9 +317,9 @@ static void ways_from_another(void **state)
             struct tree_dice d = {seed};
             const double s = seed % 3 ? 1 : .5, change = size[seed % 8];
             double dx[MOST], q[MOST], want[MOST];
-            const double reach = deck < 2 ? .1 : .02;
+            const double reach = deck < 3 ? .1 : .02;
             memcpy(o.q, o.sim.x.q, sizeof *o.q * (size_t)o.ode->nq);
-            if (deck < 2) scatter(&o, seed);
+            if (deck < 3) scatter(&o, seed);
             for (int i = 0; i < o.n; i++) dx[i] = tree_roll(&d, -reach, reach);
             o.ode->move->point(o.ode, q, o.q, dx, s, 0);
             for (int pass = 0; pass < 2; pass++) { /* again() from point(), then from again() */

@@ -64,6 +64,11 @@ static void test_point_and_diff(void **state)
             double q[4];
             quat_move(q, s.m->q0 + j->iq[plain], s.dx + j->iv[plain], .3);
             assert_true(worst(q, q2 + j->iq[plain], 4) == 0);
+            moves_left(&s.moves, back, q2, s.m->q0, s.dx, .8); /* what is left of a way leads there */
+            double there[4];
+            quat_move(there, s.m->q0 + j->iq[plain], s.dx + j->iv[plain], .8);
+            quat_move(q, q, back + j->iv[plain], 1);
+            assert_true(worst(q, there, 4) < 1e-14);
         }
         arena_close(s.arena);
     }
