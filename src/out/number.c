@@ -58,7 +58,7 @@ struct place {
 INTO static inline struct place place_of(long q, bool narrow)
 {
     const long k = (q * 1262611 - (narrow ? 524031 : 0)) >> 22;
-    return (struct place){pow10_table[-POW10_FIRST] - 2 * k, k, (int)(q + ((-k * 1741647) >> 19) + 1)};
+    return (struct place){pow10_table[-k - POW10_FIRST], k, (int)(q + ((-k * 1741647) >> 19) + 1)};
 }
 
 /* c 2^q, c > 0; narrow: the neighbour below is half as far away as the one above, and the nearest multiple of 10^k need

@@ -250,6 +250,22 @@ static void forms(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) assert_string_equal(written(rows[i].x), rows[i].text);
 }
 
+/* Ties, and all that a search by continued fractions over every exponent finds within two units of the quick product's 59
+ * bits of a tie where the product alone goes wrong: the end of the interval that reads back stands at a shorter decimal, or
+ * the number in the middle of two decimals.  The last five are ties. */
+static void near_ties(void **state)
+{
+    (void)state;
+    static const double rows[] = {
+        0x1.090684f5fe998p-650, 0x1.8823a57adbef9p-497, 0x1.8823a57adbef8p-497, 0x1.acc46749dccfep-870,
+        0x1.1009fd836acf5p-793, 0x1.3f8a3d7a3b923p-716, 0x1.3e07d2c0cb1e9p-654, 0x1.1b96458445d07p-345,
+        0x1.88f6a1b543ad8p-182, 0x1.eb344a229498ep-179, 0x1.e735b3003e352p+455, 0x1.2efc987c579bbp+778,
+        0x1.8739d11afbffdp+891, 0x1.0000000000002p+54,  0x1.0000000000001p+54,  0x1.0000000000029p+56,
+        0x1.0000000000001p+50,  0x1.0000000000003p+50,
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) checked(rows[i]);
+}
+
 /* Each place of the point, with all 17 digits, with fewer than stand before it, and with a sign. */
 static void points(void **state)
 {
@@ -313,6 +329,7 @@ int main(void)
         cmocka_unit_test(powers_and_neighbours),
         cmocka_unit_test(denormals),
         cmocka_unit_test(forms),
+        cmocka_unit_test(near_ties),
         cmocka_unit_test(points),
         cmocka_unit_test(not_finite_has_no_text),
         cmocka_unit_test(rounding),
