@@ -34,15 +34,27 @@ int text_distance(const char *a, const char *b)
     return d[la][lb];
 }
 
+static bool is_component(char c)
+{
+    return c >= 'x' && c <= 'z';
+}
+
+bool text_components(const char *a, const char *b)
+{
+    const size_t n = strlen(a);
+    return n > 1 && strlen(b) == n && strncmp(a, b, n - 1) == 0 && is_component(a[n - 1]) && is_component(b[n - 1]);
+}
+
 const char *text_nearest(const char *word, const char *const *words, int n)
 {
     const char *nearest = NULL;
-    int best = 2 + (int)strlen(word) / 4;
+    int best = 2 * (2 + (int)strlen(word) / 4);
     for (int i = 0; i < n; i++) {
-        int distance = strcasecmp(word, words[i]) ? text_distance(word, words[i]) : 0;
+        const int distance = strcasecmp(word, words[i]) ? text_distance(word, words[i]) : 0;
+        const int apart = 2 * distance - text_components(word, words[i]);
         if (distance > 1 && 2 * distance > (int)strlen(words[i])) continue; /* more of it is wrong than right */
-        if (distance < best) {
-            best = distance;
+        if (apart < best) {
+            best = apart;
             nearest = words[i];
         }
     }

@@ -13,7 +13,11 @@ int text_distance(const char *a, const char *b);
 /* The same text, or neither is there (NULL). */
 bool text_same(const char *a, const char *b);
 
-/* The word of words[0..n) nearest to word, or NULL if none is within 1 + length/4 edits, which leave half of it. */
+/* Two components of one quantity: "bob.wx", "bob.wz". */
+bool text_components(const char *a, const char *b);
+
+/* The word of words[0..n) nearest to word, or NULL if none is within 1 + length/4 edits, which leave half of it; another
+ * component of the same quantity comes before all else that is one edit away. */
 const char *text_nearest(const char *word, const char *const *words, int n);
 
 /* Does name match pattern, in which '*' stands for any run of characters and '?' for one? */

@@ -26,16 +26,17 @@ static const char *near_pattern(const char *pattern, const struct column *all, i
 {
     size_t head = strcspn(pattern, "*?");
     const char *nearest = NULL;
-    int best = 2 + (int)head / 4;
+    int best = 2 * (2 + (int)head / 4);
     for (int i = 0; i < n; i++) {
         size_t length = strlen(all[i].name);
         for (size_t cut = head > 1 ? head - 1 : 1; cut <= head + 1 && cut <= length; cut++) {
             const char *word = arena_print(life, "%.*s", (int)cut, all[i].name);
-            int distance = text_distance(word, arena_copy(life, pattern, head));
+            const char *wanted = arena_copy(life, pattern, head);
+            const int distance = text_distance(word, wanted), apart = 2 * distance - text_components(word, wanted);
             if (distance > 1 && 2 * distance >= (int)head) continue; /* as much of it is wrong as right */
             const char *whole = arena_print(life, "%s%s", word, pattern + head);
-            if (distance >= best || !text_match(whole, all[i].name)) continue;
-            best = distance;
+            if (apart >= best || !text_match(whole, all[i].name)) continue;
+            best = apart;
             nearest = whole;
         }
     }

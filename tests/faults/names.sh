@@ -68,3 +68,7 @@ expect "\$(M) of no parameter: status" 2 $? err
 expect "columns far off: nothing suggested" "2 0" "$? $(grep -c 'did you mean' "$work/err")" "$work/err"
 "$FMDSUB" run --columns 'enrgy.*' "$ROOT/decks/pendulum.yaml" >"$work/out" 2>"$work/err"
 expect "columns nearly right: the word" 1 "$(grep -c "did you mean 'energy\.\*'" "$work/err")" "$work/err"
+for near in ball.wx:ball.wz 'ball.wy*:ball.wz*' ball.vz:ball.vx ball.xx:ball.x; do # another component before one with a letter less
+    "$FMDSUB" run --columns "${near%:*}" "$ROOT/decks/pendulum.yaml" >"$work/out" 2>"$work/err"
+    expect "columns nearly right: ${near%:*}" 1 "$(grep -cF "did you mean '${near#*:}'" "$work/err")" "$work/err"
+done
