@@ -5,6 +5,7 @@
 
 #include "engine/motion.h"
 #include "la/dense.h"
+#include "la/wide.h"
 
 enum { MOST = 64 }; /* coordinates: above, a factor costs a third of an inverse, and may have zeros that cost nothing */
 
@@ -82,12 +83,17 @@ enum status inverse_form(struct inverse *o, double h, double cc, double ck, cons
     return OK;
 }
 
+WIDE static void fade(double *restrict B, const double *restrict F, const double *restrict S, double along, int nn)
+{
+    for (int k = 0; k < nn; k++) B[k] += FADES * (F[k] - B[k]) + along * S[k];
+}
+
 void inverse_go(struct inverse *o, double t)
 {
     const int nn = o->J.ode->n * o->J.ode->n;
     const double s = t - o->at, along = o->moves ? s + FADES * (o->at - o->t) : 0;
     if (!o->serves || s == 0) return;
-    for (int k = 0; k < nn; k++) o->B[k] += FADES * (o->F[k] - o->B[k]) + along * o->S[k];
+    fade(o->B, o->F, o->S, along, nn);
     o->at = t;
 }
 
@@ -103,17 +109,22 @@ void inverse_solve(struct inverse *o, double *x)
     dense_gemv(x, 1, o->B, o->x, n, n, n);
 }
 
+/* B [n x n] += d s'/sy */
+WIDE static void add_outer(double *restrict B, const double *restrict d, const double *restrict s, double sy, int n)
+{
+    for (int j = 0; j < n; j++) {
+        const double f = s[j] / sy;
+        for (int i = 0; i < n; i++) B[i + (long)n * j] += f * d[i];
+    }
+}
+
 bool inverse_learn(struct inverse *o, double *d, const double *s, const double *r0, const double *r)
 {
     const int n = o->J.ode->n;
     if (!o->serves) return false;
     const double before = dot(s, r0, n), after = dot(s, r, n), sy = before - after;
     if (!(fabs(after) < POOR * fabs(before))) return false;
-    for (int j = 0; j < n; j++) {
-        const double f = s[j] / sy;
-        double *b = o->B + j * n;
-        for (int i = 0; i < n; i++) b[i] += f * d[i];
-    }
+    add_outer(o->B, d, s, sy, n);
     for (int i = 0; i < n; i++) d[i] *= 1 + after / sy;
     return true;
 }

@@ -14,7 +14,8 @@
 
 #include "la/wide.h"
 
-enum { NARROW = 12 }; /* below, the call through the loader's table costs more than it gives */
+/* Below, the call through the loader's table costs more than it gives: factors; products. */
+enum { NARROW = 12, SHORT = 8 };
 
 /* c [n] -= A f,  the m columns of A in order; f(k) = f[k * step]. */
 INTO static inline void subtract_columns(double *restrict c, const double *restrict A, const double *restrict f, int n,
@@ -182,14 +183,27 @@ void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld
     for (int k = 0; k < m; k++) dense_lu_solve(LU, swap, X + (long)k * ldx, n, ld);
 }
 
+INTO static inline void add_four(double *restrict y, const double *restrict A, double f, double g, double h, double k,
+                                 int rows, int ld)
+{
+    const double *restrict B = A + ld, *restrict C = B + ld, *restrict D = C + ld;
+    for (int i = 0; i < rows; i++) y[i] = (((y[i] + A[i] * f) + B[i] * g) + C[i] * h) + D[i] * k;
+}
+
+/* Column by column, four in one pass where all of them count: sums are in the same order. */
 INTO static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
                              int cols, int ld)
 {
-    for (int j = 0; j < cols; j++) {
-        const double *c = A + (long)j * ld;
-        double f = s * x[j];
+    int j = 0;
+    for (; j + 3 < cols; j += 4, A += 4 * (long)ld) {
+        const double f = s * x[j], g = s * x[j + 1], h = s * x[j + 2], k = s * x[j + 3];
+        if (f == 0 || g == 0 || h == 0 || k == 0) break;
+        add_four(y, A, f, g, h, k, rows, ld);
+    }
+    for (; j < cols; j++, A += ld) {
+        const double f = s * x[j];
         if (f == 0) continue;
-        for (int i = 0; i < rows; i++) y[i] += c[i] * f;
+        for (int i = 0; i < rows; i++) y[i] += A[i] * f;
     }
 }
 
@@ -200,7 +214,7 @@ WIDE static void gemv_wide(double *y, double s, const double *A, const double *x
 
 void dense_gemv(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
 {
-    if (rows <= NARROW)
+    if (rows < SHORT)
         gemv(y, s, A, x, rows, cols, ld);
     else
         gemv_wide(y, s, A, x, rows, cols, ld);
