@@ -226,7 +226,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             continue;
         }
         if (status == OK && (err <= 1 || jump)) {
-            const double records = adaptive_records(s, *t, m->came);
+            const double at = last && came == h ? end : *t + m->came, records = adaptive_records(s, *t, m->came, at);
             if (records > 1) { /* a shorter step, or to the first of them */
                 m->h = came * m->scheme->shrink(m, records);
                 if (shy++ || m->h < s->due - *t) m->h = left = (end = s->due) - *t;
@@ -239,7 +239,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             const double grow = m->scheme->grow(m, err);
             if ((!cut && came == h) || grow < 1) m->h = came * grow;
             m->old = fmax(err, 1e-4);
-            *t = last && came == h ? end : *t + m->came;
+            *t = at;
             return OK;
         }
         m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);

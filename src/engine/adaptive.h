@@ -117,14 +117,16 @@ double adaptive_works(struct stepper *s, const double *e, const double *work, do
 /* Of the tolerance, what a step h may take. */
 double adaptive_share(const struct adaptive *m, double h);
 
-/* Can records be had between the ends of its own steps?  q [nq] and v [n] at t in the last one. */
+/* Can records be had between the ends of its own steps? */
 bool adaptive_interpolates(const struct stepper *s);
-void adaptive_between(const struct stepper *s, double *q, double *v, double t);
+/* q [nq] and v [n] at t in the last step, or round-off beside it: at its ends those there.  false: nothing was made ready inside
+ * it, as no record was due there when it was tried. */
+bool adaptive_between(const struct stepper *s, double *q, double *v, double t);
 /* The same of any adaptive scheme, good enough to look for something: by cubics where it has no better. */
 void adaptive_look(const struct stepper *s, double *q, double *v, double t);
-/* What records that are due inside the trial from t to t + h would be off by, in scales of the tolerance: where it may not be taken
- * for it, more than 1; 0: none is due.  m->ready follows. */
-double adaptive_records(struct stepper *s, double t, double h);
+/* What records that are due inside the trial from t by h, to `end`, would be off by, in scales of the tolerance: where it may not be
+ * taken for it, more than 1; 0: none is due.  m->ready follows. */
+double adaptive_records(struct stepper *s, double t, double h, double end);
 /* For between(): u by Hermite's cubic through positions and rates at both ends; dx, rate [n]: scratch. */
 void adaptive_cubic(const struct stepper *s, const struct adaptive *m, double *u, double *dx, double *rate, double x);
 /* For take(): m->span goes on from q to q1; dx [n]: scratch. */

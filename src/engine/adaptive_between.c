@@ -10,22 +10,30 @@ bool adaptive_interpolates(const struct stepper *s)
     return s->kind->adaptive && !s->touch && o->between && s->options.tolerance >= o->between_from;
 }
 
-double adaptive_records(struct stepper *s, double t, double h)
+double adaptive_records(struct stepper *s, double t, double h, double end)
 {
     struct adaptive *m = s->self;
     struct trouble why = {0};
     double err = 0;
     m->ready = false;
-    if (!m->scheme->ready || !(s->due > t && s->due < t + h)) return 0;
+    if (!m->scheme->ready || !(s->due > t && s->due < end)) return 0;
     m->ready = m->scheme->ready(s, m, &err, t, h, &why) == OK && err <= 1;
     return m->ready || err > 1 ? err : INFINITY;
 }
 
-void adaptive_between(const struct stepper *s, double *q, double *v, double t)
+bool adaptive_between(const struct stepper *s, double *q, double *v, double t)
 {
     const struct adaptive *m = s->self;
+    const bool ends = t >= m->t1;
+    if (ends || t <= motion_behind(m->t0, m->t1)) {
+        copy(q, ends ? m->q : m->q0, s->ode->nq);
+        copy(v, ends ? m->v : m->v0, s->ode->n);
+        return true;
+    }
+    if (m->scheme->ready && !m->ready) return false;
     m->scheme->between(s, m, m->u, v, (t - m->t0) / (m->t1 - m->t0));
     motion_point(s->ode, q, m->q0, m->u, 1, t);
+    return true;
 }
 
 /* Velocities by Hermite's cubic, too. */
@@ -40,10 +48,7 @@ void adaptive_look(const struct stepper *s, double *q, double *v, double t)
 {
     const struct adaptive *m = s->self;
     const double x = (t - m->t0) / (m->t1 - m->t0);
-    if (m->scheme->between && (m->ready || !m->scheme->ready)) {
-        adaptive_between(s, q, v, t);
-        return;
-    }
+    if (m->scheme->between && adaptive_between(s, q, v, t)) return;
     adaptive_cubic(s, m, m->u, m->dx, v, x);
     velocities_between(s, m, v, x);
     motion_point(s->ode, q, m->q0, m->u, 1, t);

@@ -138,7 +138,7 @@ struct stepper {
     int fresh;                    /* no history: predictors and factors must not be used */
     struct guess guess;
     bool natural;  /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
-    double due;    /* then: when the next record is due; steps over it are such as adaptive_between() can look into */
+    double due;    /* then: the first record due behind motion_behind() its start: adaptive_between() is to have it */
     int unstarted; /* accelerations were not found in a new chart: the next step asks for them again */
     struct accel *accel;     /* solves (2-4) for a */
     struct missed *missed;   /* what steps have missed so far; NULL: nobody asks */

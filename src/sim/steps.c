@@ -5,6 +5,7 @@
 #include "base/clock.h"
 #include "base/stop.h"
 #include "engine/adaptive.h"
+#include "engine/motion.h"
 #include "engine/single.h"
 #include "sim/parts.h"
 
@@ -180,7 +181,8 @@ static enum status write_between(struct sim *sim, double t, double t0, const str
     const struct state end = sim->x;
     const struct ledger after = sim->ledger;
     struct energies e;
-    adaptive_between(&sim->stepper, sim->look->q, sim->look->v, t);
+    if (!adaptive_between(&sim->stepper, sim->look->q, sim->look->v, t))
+        return fail(report, E_BUG, "the record at t = %.12g s cannot be had inside a step from %.12g s", t, t0);
     sim->x = (struct state){t, sim->look->q, sim->look->v, sim->look->a};
     enum status status = system_energy_at(sim->system, &e, sim->x.q, sim->x.v, t, &sim->trouble);
     if (status == OK) {
@@ -192,6 +194,15 @@ static enum status write_between(struct sim *sim, double t, double t0, const str
     sim->x = end;
     sim->ledger = after;
     return status;
+}
+
+/* When the next record is due, number k or one behind it: a step that begins on a record, but for round-off, may begin behind it,
+ * and is asked for those that are inside it. */
+static double due_inside(const struct sim *sim, long k)
+{
+    const double behind = motion_behind(sim->x.t, sim->plan.until);
+    while (k < sim->majors && end_of(sim, k) <= behind) k = next_due(sim, k);
+    return end_of(sim, k);
 }
 
 /* The records that are due in the step from t0, or at its end; *k is the next one. */
@@ -222,7 +233,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const struct ledger before = sim->ledger;
         if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
         const double to = sim->njump ? seen : sim->onto_records ? end_of(sim, k) : until;
-        sim->stepper.due = end_of(sim, k);
+        sim->stepper.due = due_inside(sim, k);
         const enum status status = advance_naturally(sim, fmin(to, onto));
         if (is_given_up(status)) return end_here(sim, sink, report);
         if (status != OK) return describe_trouble(sim, &sim->trouble, status, report);

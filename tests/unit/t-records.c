@@ -150,7 +150,7 @@ static double inside(const char *scheme, double tolerance, double h)
     for (int k = 1; k < PARTS_OF_STEP; k++) {
         double q[8], v[8];
         assert_int_equal(run_steps(&fine, h / PARTS_OF_STEP / 400, 400, 1), OK);
-        adaptive_between(&r.stepper, q, v, fine.x.t);
+        assert_true(adaptive_between(&r.stepper, q, v, fine.x.t));
         for (int i = 0; i < body.ode.nq; i++) worst = fmax(worst, fabs(q[i] - fine.q[i]));
         for (int i = 0; i < body.ode.n; i++) worst = fmax(worst, fabs(v[i] - fine.v[i]));
     }
@@ -202,7 +202,7 @@ static void test_held(void **state)
                     for (int part = 1; adaptive_of(&r.stepper)->ready && part < 10; part++) {
                         const double at = t + part * (r.x.t - t) / 10;
                         double q[2], v[2];
-                        adaptive_between(&r.stepper, q, v, at);
+                        assert_true(adaptive_between(&r.stepper, q, v, at));
                         within = fmax(within, fabs(v[0] / 3 + sin(3 * at)) + fabs(v[1] / 3 + 2. / 3 * sin(20 * at)));
                     }
                 }
