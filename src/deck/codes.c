@@ -246,12 +246,12 @@ const struct diag_help diag_helps[] = {
      "steps, is told the same way: steps must be parts of it; a tolerance may step over a narrow one, too, where "
      "nothing else is going on."},
     {"W-corner",
-     "The rate of a drive jumps while joints rub or rigid contacts are closed. Such a corner strikes all that the "
-     "drive moves; friction, which would take up to its coefficient of what joints and contacts bear of the blow, "
-     "does not take that part, or one that goes by the step, and the impulses that contacts count are not what they "
-     "bear. No smaller step mends it. Round the corner: let the rate go from one value to the other in a short time, "
-     "as smooth(t, a, b) does, or by a piece of t^2 in an if(); 1.0e-4 s is short enough for most. Steps have to be "
-     "shorter than that, or chosen by a 'tolerance'."},
+     "The rate of a drive jumps while joints rub or rigid contacts are closed on what it moves, or what hangs on that "
+     "by joints and closed contacts. Such a corner strikes all of these; friction, which would take up to its "
+     "coefficient of what joints and contacts bear of the blow, does not take that part, or one that goes by the step,"
+     " and the impulses that contacts count are not what they bear. No smaller step mends it. Round the corner: let "
+     "the rate go from one value to the other in a short time, as smooth(t, a, b) does, or by a piece of t^2 in an "
+     "if(); 1.0e-4 s is short enough for most. Steps have to be shorter than that, or chosen by a 'tolerance'."},
     {"W-time",
      "Drives and forces that are functions of time begin anew from the state of an earlier run. Beside 'from', "
      "'time: keep' lets the clock go on ('until' then is later than the state), 'time: zero' starts it anew."},

@@ -149,6 +149,7 @@ void jumps_open(struct sim *sim, struct arena *life);
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);
 
 /* corners.c: drives whose rate jumps beside friction or closed contacts, in the step from a time; first where steps begin */
+void corners_open(struct sim *sim, struct arena *life);
 void corners_begin(struct sim *sim);
 void corners_note(struct sim *sim, double from);
 

@@ -151,6 +151,7 @@ enum status sim_open(struct sim *sim, const struct scene *scene, const struct in
     passes_open(sim, life);
     inertias_open(sim, life);
     jumps_open(sim, life);
+    corners_open(sim, life);
     pulses_stop_at(sim, m, life);
     sim->system = system_build(m, life);
     idle_open(sim, life);

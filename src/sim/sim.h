@@ -159,9 +159,10 @@ struct sim {
         bool reported;
     } * jump; /* [njump] */
     struct {
-        bool borne; /* at the last look joints rubbed or contacts were closed */
-        bool met;   /* the rate of a drive has jumped meanwhile, */
-        bool told;  /* which this run, not one that it goes on from, has said */
+        bool *borne; /* [ncontact] at the last look it rubbed or was closed */
+        int *above;  /* [nbody] bodies that hand impulses on to each other, as trees */
+        bool met;    /* the rate of a drive has jumped meanwhile, */
+        bool told;   /* which this run, not one that it goes on from, has said */
     } corner;
     struct {
         bool told, acted;

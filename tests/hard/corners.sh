@@ -49,6 +49,26 @@ carried "$CORNER" '{prismatic: [s, b], axis: [1, 0]}' "$SLIDES"
 told "without friction" "0 0 3.0000"
 told "without friction, at fixed steps" "0 0 3.0000" $FIXED
 
+# What the blow does not reach: a slide that rubs on the ground beside it.  A spring hands on no impulse; a joint does.
+beside() {
+    carried "$CORNER" '{prismatic: [s, b], axis: [1, 0]}' "$SLIDES"
+    sed -i "s/^bodies: {/&d: {mass: 1, inertia: 0.1, at: [5, 0]}, /; s/^constraints:/&\n  beside: {prismatic: [ground, d], axis: [1, 0], friction: 0.3}\n  ${1:-}/" "$work/deck.yaml"
+    [ -z "${2:-}" ] || echo "$2" >>"$work/deck.yaml"
+}
+beside
+told "what rubs is beside it" "0 0 3.0000"
+told "what rubs is beside it, at fixed steps" "0 0 3.0000" $FIXED
+beside "" "forces: {f: {spring: [s, d], stiffness: 0.001}}"
+told "what rubs hangs on a spring" "0 0 3.0000"
+beside "rod: {distance: [s, d]}"
+told "what rubs hangs on a rod" "1 1 t = 0.5 s drive 'lift' 3.0000"
+
+# Two corners within a step cancel in its rates: of a table, and of an expression.
+carried '{table: [[0, 0], [0.5003, 0.5003], [0.5006, 0.5009], [1, 1.0003]]}' "$SLIDE" "$SLIDES"
+told "two corners of a table in one step" "1 1 t = 0.5003 s drive 'lift' 3.0000" $FIXED
+carried '"t + if(t < 0.5003, 0, if(t < 0.5006, t - 0.5003, 0.0003))"' "$SLIDE" "$SLIDES"
+told "two corners of an expression in one step" "1 1 t = 0.5003 s drive 'lift' 3.0000" $FIXED
+
 # on DRIVE [HEIGHT]: the block lies on the carriage, or its foot is above it.
 on() {
     carried "$1" '{planar: [ground, b]}' "surfaces: {top: {plane: s, at: [0, 0], normal: [0, 1]}, p: {point: b.foot}}
