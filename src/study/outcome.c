@@ -29,8 +29,10 @@ static enum status keep_meta(struct sink *sink, const struct run_meta *meta, str
 static enum status look(struct keeper *k)
 {
     const struct stepper *s = &k->sim->stepper;
+    const struct outcome_watch *w = k->watch;
     k->to->seconds = price_seconds(k->price, s->kind, &s->effort);
-    k->to->over = !(k->to->seconds <= k->most);
+    k->to->reached = k->sim->x.t;
+    k->to->over = !(k->to->seconds <= k->most) || (w && w->hopeless && w->hopeless(w->self, k->to));
     return k->to->over ? E_LIMIT : OK;
 }
 
@@ -46,7 +48,7 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     (void)report;
     outcome_keep(k->to, x, k->life);
     TRY(look(k));
-    k->to->over = k->watch && k->watch->enough(k->watch->self, k->to);
+    k->to->over = k->watch && k->watch->enough && k->watch->enough(k->watch->self, k->to);
     return k->to->over ? E_LIMIT : OK;
 }
 
@@ -123,6 +125,7 @@ enum status outcome_watched(struct outcome *o, const struct setting *setting, do
     struct sink sink = {&memory_ops, &keeper};
     TRY(sim_open(&sim, subject->scene, &plan, quiet(&options, subject), subject->diags, life, report));
     o->status = sim_run(&sim, &sink, &o->report);
+    o->reached = sim.x.t;
     o->effort = sim.stepper.effort;
     o->energy_share = ledger_share(&sim.ledger);
     o->cpu = sim.cpu;

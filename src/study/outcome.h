@@ -28,6 +28,7 @@ struct outcome {
     int n, rows, capacity;
     double *x; /* [rows x n] by row, t first */
     struct effort effort;
+    double reached; /* [s] of the motion */
     double seconds; /* that its counts stand for */
     double work;    /* the same in evaluations of all bodies */
     double cpu;     /* [s] */
@@ -69,9 +70,11 @@ enum status outcome_check(const struct setting *setting, const struct subject *s
 enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
                         struct arena *life, struct report *report);
 
-/* The same, until `enough` of it is there, too: asked after every row, when o->seconds stand for the counts so far. */
+/* The same, until `enough` of it is there, too, or it is `hopeless`: asked after every row, the latter every so many steps,
+ * too, when o->seconds stand for the counts so far; NULL: not asked. */
 struct outcome_watch {
     bool (*enough)(const void *self, const struct outcome *o);
+    bool (*hopeless)(const void *self, const struct outcome *o);
     const void *self;
 };
 enum status outcome_watched(struct outcome *o, const struct setting *setting, double most,

@@ -5,18 +5,15 @@
 #include <string.h>
 
 #include "base/crew.h"
-#include "multirate/schemes.h"
+#include "study/reference_parts.h"
 
 static const double PARTED = 1e-3;    /* of the range: coordinates that have parted */
 static const double UNCERTAIN = 1e-2; /* of the range: a column that neither run knows */
 static const double LEAST = .1;       /* of the run that must be left */
-static const double TRIAL = 1e-6;     /* tolerance of the trials */
-static const double TRIALS = .2;      /* of what the reference may cost goes to these */
-static const double MOST_TRIAL = 10;  /* [s] without a budget */
 static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
 static const double RESTS = 1e-8;     /* of its size: the range of a column that does not move */
 static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less, */
-enum { HIGH = 5 };                    /* order of a scheme that may be a reference */
+enum { ATTEMPTS = 3 };                /* at runs that come to their end */
 
 static void find_ranges(struct reference *o, const struct outcome *run, double end)
 {
@@ -100,161 +97,34 @@ static void find_uncertainty(struct reference *o, const struct outcome *second, 
     }
 }
 
-/* ---- trials: which two, at which tolerance, how far ---- */
-
-struct trial {
-    struct setting setting;
-    double rate; /* predicted cost per second of the motion at TRIAL; INFINITY: it does not run */
-    double cost; /* [s] of the trial */
-};
-
-struct trials {
-    int n;
-    struct trial trial[MOST_TRIALS];
-    double most; /* [s] each */
-    const struct subject *subject;
-};
-
-bool too_full(const struct stepper_kind *kind, const struct subject *subject)
-{
-    return kind->full && subject->n > MOST_DENSE;
-}
-
-/* One trial, and how far it has come at which price. */
-static enum status try_one(void *self, int i, int to, struct report *report)
-{
-    const struct trials *o = self;
-    struct outcome run;
-    struct arena *life = arena_open();
-    double told[2] = {INFINITY, 0};
-    const enum status status = outcome_run(&run, &o->trial[i].setting, o->most, o->subject, life, report);
-    if (status == OK) told[1] = run.seconds;
-    if (status == OK && run.rows > 1)
-        told[0] = run.seconds / (outcome_row(&run, run.rows - 1)[0] - outcome_row(&run, 0)[0]);
-    arena_close(life);
-    return status == OK ? crew_tell(to, told, sizeof told) : status;
-}
-
-static enum status hear_trial(void *self, int i, const void *bytes, size_t n, struct report *report)
-{
-    struct trial *trial = &((struct trials *)self)->trial[i];
-    const double *told = bytes;
-    (void)n, (void)report;
-    trial->rate = told[0];
-    trial->cost = told[1];
-    return OK;
-}
-
-static enum status run_trials(struct trials *o, const struct subject *subject, double most, struct arena *life,
-                              struct report *report)
-{
-    *o = (struct trials){.subject = subject};
-    for (int i = 0; stepper_kinds[i] && o->n < MOST_TRIALS; i++) {
-        const struct stepper_kind *kind = stepper_kinds[i];
-        if (kind->order >= HIGH && kind->adaptive && !kind->needs && !too_full(kind, subject))
-            o->trial[o->n++] = (struct trial){{kind, TRIAL, NAN, 1, 0}, INFINITY, 0};
-    }
-    o->most = fmin(TRIALS * most / o->n, MOST_TRIAL);
-    const struct crew crew = {.n = o->n, .self = o, .work = try_one, .hear = hear_trial};
-    return crew_run(&crew, life, report);
-}
-
-/* Predicted cost of the whole run at a tolerance: the local error goes by the order. */
-static double foretold(const struct trial *o, double tolerance, double span)
-{
-    return span * o->rate * pow(TRIAL / tolerance, 1. / (o->setting.kind->order + 1));
-}
-
-/* The cheapest at a tolerance, but for one; NULL: none. */
-static const struct trial *cheapest(const struct trials *o, double tolerance, const struct trial *but)
-{
-    const struct trial *best = NULL;
-    for (int i = 0; i < o->n; i++) {
-        const struct trial *t = &o->trial[i];
-        if (t == but || !isfinite(t->rate)) continue;
-        if (!best || foretold(t, tolerance, 1) < foretold(best, tolerance, 1)) best = t;
-    }
-    return best;
-}
-
-/* The end is brought forward to a record. */
-static void bring_forward(struct reference *o, struct subject *subject, double share)
-{
-    const double start = subject->scene->start, records = (subject->until - start) / subject->every;
-    const double left = fmax(1, floor(share * records));
-    if (!(left < records)) return;
-    subject->until = start + left * subject->every;
-    o->cut = true;
-}
-
-/* Rigid contacts are midpoint's alone, at two tolerances: errors between impacts, by which its steps go, are of order 2, and
- * so the second is off by about what the two differ by, the first by a tenth of that. */
-static enum status choose_with_contacts(struct reference *o, struct subject *subject, double most, struct arena *life,
-                                        struct report *report)
-{
-    static const double COARSE = 1e-4, pairs[][2] = {{1e-8, 1e-7}, {1e-7, 1e-6}, {1e-6, 1e-5}};
-    enum { PAIRS = sizeof pairs / sizeof *pairs };
-    struct outcome run;
-    const struct stepper_kind *kind = stepper_find("midpoint");
-    const struct setting trial = {kind, COARSE, NAN, 1, 0};
-    TRY(outcome_run(&run, &trial, fmin(TRIALS * most, MOST_TRIAL), subject, life, report));
-    o->spent += run.seconds;
-    if (run.rows < 2) return fail(report, E_NUMERIC, "no reference: midpoint does not take this deck on");
-    const double span = subject->until - subject->scene->start, allowed = (1 - TRIALS) * most;
-    const double gone = outcome_row(&run, run.rows - 1)[0] - subject->scene->start;
-    for (int i = 0; i < PAIRS; i++) {
-        const double seconds = run.seconds * span / gone * (sqrt(COARSE / pairs[i][0]) + sqrt(COARSE / pairs[i][1]));
-        o->first = (struct setting){kind, pairs[i][0], NAN, 1, 0};
-        o->second = (struct setting){kind, pairs[i][1], NAN, 1, 0};
-        if (seconds <= allowed) break;
-        if (i + 1 == PAIRS) bring_forward(o, subject, allowed / seconds);
-    }
-    return OK;
-}
-
-static enum status choose(struct reference *o, struct subject *subject, double most, struct arena *life,
-                          struct report *report)
-{
-    if (subject->scene->ncontact) return choose_with_contacts(o, subject, most, life, report);
-    static const double pairs[][2] = {{1e-11, 1e-11}, {1e-11, 1e-10}, {1e-11, 1e-9}, {1e-10, 1e-8}};
-    enum { PAIRS = sizeof pairs / sizeof *pairs };
-    struct trials trials;
-    TRY(run_trials(&trials, subject, most, life, report));
-    for (int i = 0; i < trials.n; i++) {
-        o->spent += trials.trial[i].cost;
-        o->trial[o->ntrial++] = (struct trialled){trials.trial[i].setting.kind, trials.trial[i].rate};
-    }
-    const double span = subject->until - subject->scene->start, allowed = (1 - TRIALS) * most;
-    for (int i = 0; i < PAIRS; i++) {
-        const struct trial *a = cheapest(&trials, pairs[i][0], NULL), *b = cheapest(&trials, pairs[i][1], a);
-        if (!a || !b) return fail(report, E_NUMERIC, "no reference: no two schemes of high order take this deck on");
-        const double seconds = foretold(a, pairs[i][0], span) + foretold(b, pairs[i][1], span);
-        o->first = a->setting;
-        o->second = b->setting;
-        o->first.tolerance = pairs[i][0];
-        o->second.tolerance = pairs[i][1];
-        if (seconds <= allowed) break;
-        if (i + 1 == PAIRS) bring_forward(o, subject, allowed / seconds);
-    }
-    return OK;
-}
-
 /* ---- the two runs ---- */
 
 struct both {
     struct outcome run[2];
     struct setting setting[2];
     double most;
+    bool last;
     const struct subject *subject;
     struct arena *life;
 };
+
+/* Going on as so far it would not come half of the way. */
+static bool is_hopeless(const void *self, const struct outcome *run)
+{
+    static const double SEEN = .1; /* of what it may take: now it shows */
+    const struct both *o = self;
+    const double start = o->subject->scene->start, way = o->subject->until - start;
+    return run->seconds > SEEN * o->most && (run->reached - start) / run->seconds < .5 * way / o->most;
+}
 
 static enum status run_one(void *self, int i, int to, struct report *report)
 {
     const struct both *o = self;
     struct outcome run;
     struct arena *life = arena_open();
-    enum status status = outcome_run(&run, &o->setting[i], o->most, o->subject, life, report);
+    const struct outcome_watch watch = {.hopeless = is_hopeless, .self = o};
+    enum status status =
+        outcome_watched(&run, &o->setting[i], o->most, o->last ? NULL : &watch, o->subject, life, report);
     if (status == OK && !run.over && run.status != OK && run.status != E_VERDICT)
         status = fail(report, run.status, "no reference by %s: %.900s", o->setting[i].kind->name, run.report.text);
     if (status == OK) status = crew_tell(to, &run, sizeof run);
@@ -280,9 +150,9 @@ static enum status hear_one(void *self, int i, const void *bytes, size_t n, stru
 }
 
 static enum status run_both(struct reference *o, struct outcome *second, const struct subject *subject, double most,
-                            struct arena *life, struct report *report)
+                            bool last, struct arena *life, struct report *report)
 {
-    struct both both = {.setting = {o->first, o->second}, .most = EACH * most, .subject = subject, .life = life};
+    struct both both = {{{0}}, {o->first, o->second}, most, last, subject, life};
     const struct crew crew = {.n = 2, .self = &both, .work = run_one, .hear = hear_one};
     TRY(crew_run(&crew, life, report));
     o->run = both.run[0];
@@ -291,6 +161,31 @@ static enum status run_both(struct reference *o, struct outcome *second, const s
     o->spent += both.run[0].seconds + both.run[1].seconds;
     *second = both.run[1];
     return OK;
+}
+
+static double common_end(const struct reference *o, const struct outcome *second)
+{
+    return fmin(outcome_row(&o->run, o->run.rows - 1)[0], outcome_row(second, second->rows - 1)[0]);
+}
+
+/* Runs that cost much more than their trials have foretold (motions that only a small tolerance resolves) are left, and two
+ * chosen anew by what they cost, and from what is left. */
+static enum status run_until_enough(struct reference *o, struct outcome *second, struct candidates *among,
+                                    struct subject *subject, double most, struct arena *life, struct report *report)
+{
+    const double start = subject->scene->start;
+    for (int i = 1;; i++) {
+        const bool last = i == ATTEMPTS || among->n == 0;
+        TRY(reference_choose(o, among, subject, most, life, report));
+        const double left = i == 1 ? most : most - (o->spent - among->spent);
+        TRY(run_both(o, second, subject, EACH * fmax(left, .5 * most), last, life, report));
+        candidates_learn(among, &o->first, &o->run);
+        candidates_learn(among, &o->second, second);
+        const double way = fmin(o->run.reached, second->reached) - start;
+        if (last || !(o->run.over || second->over) ||
+            (way >= .5 * (subject->until - start) && common_end(o, second) > start))
+            return OK;
+    }
 }
 
 /* A column that says nothing beside others of its unit is not compared. */
@@ -350,11 +245,16 @@ enum status reference_make(struct reference *o, struct subject *subject, double 
                            struct report *report)
 {
     struct outcome second;
+    struct candidates among;
     *o = (struct reference){0};
-    TRY(choose(o, subject, most, life, report));
-    TRY(run_both(o, &second, subject, most, life, report));
-    const double start = subject->scene->start;
-    const double end = fmin(outcome_row(&o->run, o->run.rows - 1)[0], outcome_row(&second, second.rows - 1)[0]);
+    TRY(reference_candidates(&among, o, subject, most, life, report));
+    TRY(run_until_enough(o, &second, &among, subject, most, life, report));
+    const double start = subject->scene->start, end = common_end(o, &second);
+    if (!(end > start))
+        return fail(report, E_LIMIT,
+                    "no reference: the budget takes %s and %s not even to the first record: raise --budget, or write "
+                    "records more often",
+                    o->first.kind->name, o->second.kind->name);
     if (o->run.over || second.over) o->cut = true;
     o->horizon = end;
     take_ranges(o, subject, life);

@@ -9,7 +9,8 @@
  * With rigid contacts, which only midpoint takes, it is that by two tolerances, 1e-8 and 1e-7 where the budget allows.
  *
  * Where the budget does not allow as much the second is content with a larger tolerance, then both, then the end of the
- * run is brought forward. */
+ * run is brought forward.  Runs that turn out to be much dearer than foretold are left, and two chosen anew by what they
+ * have cost. */
 #ifndef FMDSUB_STUDY_REFERENCE_H
 #define FMDSUB_STUDY_REFERENCE_H
 
@@ -40,7 +41,7 @@ struct reference {
 
 /* At a predicted cost of about `most` seconds; INFINITY: none.  subject->until becomes the end that is compared, and
  * columns that are known to neither are not compared any more.  E_NUMERIC: no such run comes to its end, or the horizon
- * is less than a tenth of it. */
+ * is less than a tenth of it; E_LIMIT: `most` does not take it to a record behind the start. */
 enum status reference_make(struct reference *o, struct subject *subject, double most, struct arena *life,
                            struct report *report);
 

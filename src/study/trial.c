@@ -107,7 +107,7 @@ static enum status find_own(struct outcome *o, struct trial *t)
     const double most = SHARE * t->most, quick = QUICK * t->subject.price.evaluation;
     const double least = A_RADIAN * t->stiff * t->subject.price.evaluation;
     struct hope hope = {t, AMPLE * quick};
-    const struct outcome_watch watch = {is_hopeless, &hope};
+    const struct outcome_watch watch = {.enough = is_hopeless, .self = &hope};
     struct outcome other;
     t->own = (struct tried){.scheme = t->scene.ncontact ? "midpoint" : explicit, .ratio = 1};
     if (t->scene.ncontact) return attempt_own(o, t, t->own.scheme, LOOSE, most, NULL);
@@ -187,7 +187,7 @@ static bool has_parted(const void *self, const struct outcome *o)
 /* The second run, as far as the first has come and they do not part. */
 static enum status attempt_second(struct outcome *o, struct trial *t, const struct outcome *first, double tolerance)
 {
-    const struct outcome_watch watch = {has_parted, t};
+    const struct outcome_watch watch = {.enough = has_parted, .self = t};
     reference_alone(&t->reference, first, &t->subject, t->life);
     t->subject.until = t->reference.horizon;
     const enum status status = attempt_own(o, t, t->own.scheme, tolerance, 1.2 * SHARE * t->most, &watch);

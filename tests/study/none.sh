@@ -27,5 +27,9 @@ expect "every run stops, -o: status" 5 $? err
 expect "one of two runs stops: status, rows" "0 1 1" "$? $(grep -c "^midpoint,,0.5,.*,[ou][kn][a-z]*," out) $(grep -c '^rk4,,0.5,.*,stopped,' out)" out err
 
 # Nothing but the heading: no setting was worth a run.
-"$FMDSUB" study -q --repeats 0 --schemes rk4 --budget 0.02 flexible-crank.yaml >out 2>err
+"$FMDSUB" study -q --repeats 0 --schemes rk4 --steps 1.0e-6 --budget 0.1 stiff-leaf-chain.yaml >out 2>err
 expect "nothing within the budget: status, rows, words" "7 1 1" "$? $(wc -l <out) $(grep -c 'no setting was run: ' err)" out err
+
+# Not even that: the reference does not reach a record behind the start.
+"$FMDSUB" study -q --repeats 0 --schemes rk4 --budget 0.02 flexible-crank.yaml >out 2>err
+expect "no record within the budget: status, rows, words" "7 0 1" "$? $(wc -l <out) $(grep -c '^fmdsub: no reference: the budget .*--budget' err)" out err

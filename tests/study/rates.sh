@@ -32,6 +32,9 @@ timeout 120 "$FMDSUB" study --repeats 0 --budget 20 --schemes subcycle,radau9 de
 awk -F, '$16 == "ok" && $5 <= 1e-4 { if ($1 == "radau9" && (!one || $9 < one)) one = $9; if ($19 == 4 && (!two || $9 < two)) two = $9 }
     END { print two, one; exit !(two > 0 && one >= 2.5 * two) }' "$work/rows" >"$work/line"
 expect "order 4 at 1e-4: two fifths of the work of one rate" 0 $? "$work/line" "$work/err"
-expect "order 4 at 1e-4: told" 1 "$(grep -Ec '^error below 1e-04: subcycle of order 4 at step .*, ratio 20 .*radau9, which takes 3\.[0-3] times' "$work/err")" "$work/err"
+expect "order 4 at 1e-4: told" 1 "$(grep -Ec '^error below 1e-04: subcycle of order 4 at step .*, ratio 20 .*radau9, which takes 2\.[7-9] times' "$work/err")" "$work/err"
+# Trials at 1e-6 do not resolve the carriage on its bearing and promise both runs of the reference to 1e-11 within the budget:
+# those are left, and two that get to records are found by what they have cost.
+expect "runs dearer than foretold: the reference reaches records" 1 "$(grep -c '^the budget takes it to t = 0\.[2-9]* s of 2: ' "$work/err")" "$work/err"
 timeout 120 "$FMDSUB" study -q --repeats 0 --budget 20 --schemes subcycle,radau9 --pick 1e-4 decks/satellite-instrument.yaml >"$work/picked" 2>"$work/err"
 expect "order 4: picked" "2 ratio: 20 order: 4" "$(grep -c 'scheme: subcycle\|step: 0.00125' "$work/picked") $(grep -o 'ratio: .*\|order: .*' "$work/picked" | tr '\n' ' ' | sed 's/ $//')" "$work/picked" "$work/err"
