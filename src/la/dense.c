@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "la/wide.h"
@@ -183,28 +184,33 @@ void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld
     for (int k = 0; k < m; k++) dense_lu_solve(LU, swap, X + (long)k * ldx, n, ld);
 }
 
-INTO static inline void add_four(double *restrict y, const double *restrict A, double f, double g, double h, double k,
-                                 int rows, int ld)
+/* y += s A x in one pass over one to four columns, their sums in order; false: a factor is 0, and nothing is done. */
+INTO static inline bool add_columns(double *restrict y, double s, const double *restrict A, const double *restrict x,
+                                    int columns, int rows, int ld)
 {
-    const double *restrict B = A + ld, *restrict C = B + ld, *restrict D = C + ld;
-    for (int i = 0; i < rows; i++) y[i] = (((y[i] + A[i] * f) + B[i] * g) + C[i] * h) + D[i] * k;
+    const long to = ld;
+    const double f = s * x[0], g = columns > 1 ? s * x[1] : 1, h = columns > 2 ? s * x[2] : 1;
+    const double k = columns > 3 ? s * x[3] : 1;
+    if (f == 0 || g == 0 || h == 0 || k == 0) return false;
+    for (int i = 0; i < rows; i++) {
+        double sum = y[i] + A[i] * f;
+        if (columns > 1) sum += A[i + to] * g;
+        if (columns > 2) sum += A[i + 2 * to] * h;
+        if (columns > 3) sum += A[i + 3 * to] * k;
+        y[i] = sum;
+    }
+    return true;
 }
 
-/* Column by column, four in one pass where all of them count: sums are in the same order. */
+/* Column by column, several in one pass where all of them count. */
 INTO static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
                              int cols, int ld)
 {
     int j = 0;
-    for (; j + 3 < cols; j += 4, A += 4 * (long)ld) {
-        const double f = s * x[j], g = s * x[j + 1], h = s * x[j + 2], k = s * x[j + 3];
-        if (f == 0 || g == 0 || h == 0 || k == 0) break;
-        add_four(y, A, f, g, h, k, rows, ld);
-    }
-    for (; j < cols; j++, A += ld) {
-        const double f = s * x[j];
-        if (f == 0) continue;
-        for (int i = 0; i < rows; i++) y[i] += A[i] * f;
-    }
+    for (; j + 4 <= cols && add_columns(y, s, A, x + j, 4, rows, ld); j += 4) A += 4 * (long)ld;
+    if (cols - j == 3 && add_columns(y, s, A, x + j, 3, rows, ld)) return;
+    if (cols - j == 2 && add_columns(y, s, A, x + j, 2, rows, ld)) return;
+    for (; j < cols; j++, A += ld) add_columns(y, s, A, x + j, 1, rows, ld);
 }
 
 WIDE static void gemv_wide(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
