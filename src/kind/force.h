@@ -212,6 +212,9 @@ bool signal_leap(const struct signal *s, double *before, double *behind, const d
 /* Steps that choose themselves are to stop in (from, to) where an expression of time alone becomes quick all at once: for
  * signal_next(). */
 void signal_stop_at_sudden(struct signal *s, double from, double to, struct arena *life);
+/* And within each piece between two such stops or known corners: a step over all of it, which asks for the motion at its ends
+ * and in its middle alone, may see nothing of it. */
+void signal_stop_within(struct signal *s, double from, double to, struct arena *life);
 /* The first point of a table, known corner or such stop after time t; infinity: none. */
 double signal_next(const struct signal *s, double t);
 

@@ -301,6 +301,27 @@ double signal_next(const struct signal *s, double t)
     return t < s->t[0] ? s->t[0] : s->t[ascending_piece(s->t, s->n, t) + 1];
 }
 
+void signal_stop_within(struct signal *s, double from, double to, struct arena *life)
+{
+    enum { MOST = 4000 };
+    static const double PART = .382; /* the middle of a smooth step has no curvature, either */
+    double at[MOST + 1], x[3];
+    int n = 0;
+    if (!s->expr) return;
+    for (double a = signal_next(s, from), b; a < to && n < MOST; a = b) {
+        b = signal_next(s, a);
+        if (a == above(s->stop, s->nstop, nextafter(a, from))) at[n++] = a;
+        const double inside = a + PART * (b - a);
+        if (!(b < INFINITY)) continue;
+        signal_motion(s, x, inside);
+        if (x[2] != 0) at[n++] = inside;
+    }
+    double *stop = TAKE(life, double, n);
+    memcpy(stop, at, (size_t)n * sizeof *at);
+    s->stop = stop;
+    s->nstop = n;
+}
+
 bool signal_may_have_poles(const struct signal *s)
 {
     return s->expr && expr_may_have_poles(s->expr);

@@ -180,6 +180,7 @@ void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life)
         struct signal *drive = TAKE(life, struct signal, 1);
         *drive = *loop[l].drive;
         signal_stop_at_sudden(drive, from, to, life);
+        if (sim->stepper.kind->order <= 2) signal_stop_within(drive, from, to, life);
         loop[l].drive = drive;
     }
     m->force = force;

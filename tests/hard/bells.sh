@@ -33,3 +33,21 @@ case_of "where cosh overflows" "500/cosh((t - 3.151917)/1.0e-3)^2"
 case_of "on a wave" "3*sin(5*t) + 500/(1 + ((t - 1.23)/1.0e-3)^2)"
 case_of "once in a period" "500*exp(-((mod(t, 0.7) - 0.3)/1.0e-3)^2)"
 case_of "up, and down again" "smooth(t, 1.2, 1.201)*1000 - 1000*smooth(t, 1.202, 1.203)"
+
+# A drive that steps smoothly: the ends of that step, and its middle, show no acceleration to schemes that ask there alone.
+cat >"$work/smooth.yaml" <<END
+fmdsub: 1
+bodies: {s: {mass: 2, inertia: 0.1, at: [0, 0]}, b: {mass: 1, inertia: 0.05, at: [0, 0]}}
+constraints: {g: {prismatic: [ground, s], axis: [0, 1]}, j: {prismatic: [s, b], axis: [0, 1]}}
+forces: {k: {spring: j, stiffness: 100}}
+drives: {lift: {drive: g, value: "smooth(t, 0.3, 0.5)"}}
+integrate: {until: 1}
+output: {every: 0.5, columns: [j.displacement]}
+END
+for scheme in midpoint newmark generalized-alpha hht; do
+    "$FMDSUB" run -q -s "integrate={scheme: $scheme, tolerance: 1.0e-4, until: 1}" "$work/smooth.yaml" >"$work/out" 2>"$work/err"
+    expect "a drive's smooth step, $scheme" -0.893 "$(tail -n 1 "$work/out" | awk -F, '{ printf "%.3f", $2 }')" "$work/err"
+done
+sed 's/axis: \[0, 1\]}}/axis: [1, 0], friction: 0.3}}/; s/^forces.*/initial: {j.displacement_rate: 30}/; s/j\.disp.*\]/b.vx]/' "$work/smooth.yaml" >"$work/rubs.yaml"
+"$FMDSUB" run -q "$work/rubs.yaml" >"$work/out" 2>"$work/err"
+expect "a drive's smooth step, and what rubs" 24.375 "$(tail -n 1 "$work/out" | awk -F, '{ printf "%.3f", $2 }')" "$work/err"
