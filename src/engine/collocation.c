@@ -26,30 +26,42 @@ void collocation_through(const struct collocation *o, double *w, double x)
     }
 }
 
+void collocation_slope(const struct collocation *o, double *w, double x)
+{
+    double p[COLLOCATION_STAGES], zero[COLLOCATION_STAGES];
+    collocation_through(o, p, x);
+    collocation_through(o, zero, 0);
+    w[0] = 1;
+    for (int j = 0; j < o->s; j++) w[0] *= 1 - x / o->c[j];
+    for (int j = 0; j < o->s; j++) w[j + 1] = p[j] - w[0] * zero[j];
+}
+
 void collocation_along(const struct collocation *o, double *w, double x)
 {
     for (int j = 0; j <= o->s; j++) w[j] = 0;
     for (int k = 0; k < 3; k++) {
-        const double z = x * gauss[k];
-        double p[COLLOCATION_STAGES], zero[COLLOCATION_STAGES], first = 1;
-        collocation_through(o, p, z);
-        collocation_through(o, zero, 0);
-        for (int j = 0; j < o->s; j++) first *= 1 - z / o->c[j];
-        w[0] += x * weight[k] * first;
-        for (int j = 0; j < o->s; j++) w[j + 1] += x * weight[k] * (p[j] - first * zero[j]);
+        double p[COLLOCATION_STAGES + 1];
+        collocation_slope(o, p, x * gauss[k]);
+        for (int j = 0; j <= o->s; j++) w[j] += x * weight[k] * p[j];
     }
 }
 
-/* The largest |w_0| on the way. */
-static double largest_first(const struct collocation *o)
+static void widest(struct collocation *o)
 {
-    enum { PARTS = 100 };
-    double w[COLLOCATION_STAGES + 1], most = 0;
-    for (int i = 1; i < PARTS; i++) {
-        collocation_along(o, w, (double)i / PARTS);
-        if (fabs(w[0]) > most) most = fabs(w[0]);
+    enum { PARTS = 1000 };
+    double most = 0, integral = 0, largest = 0;
+    for (int i = 0; i < PARTS; i++) {
+        const double x = (i + .5) / PARTS;
+        double product = x;
+        for (int j = 0; j < o->s; j++) product *= x - o->c[j];
+        integral += product / PARTS;
+        if (fabs(integral) > largest) largest = fabs(integral);
+        if (fabs(product) > most) {
+            most = fabs(product);
+            o->widest = x;
+        }
     }
-    return most;
+    o->share = largest / most;
 }
 
 /* A_ij, the j-th polynomial of Lagrange integrated from 0 to c_i: by Gauss's points. */
@@ -133,5 +145,5 @@ void collocation_radau(struct collocation *o, int s)
     }
     collocation_through(o, o->d, 0);
     for (int i = 0; i < s; i++) o->d[i] *= -o->mode[0].re;
-    o->bulge = largest_first(o);
+    widest(o);
 }

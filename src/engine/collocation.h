@@ -26,7 +26,9 @@ struct collocation {
     struct collocation_mode mode[COLLOCATION_MODES]; /* the real one first */
     /* Of the error: y1^ - y1 = h (lambda f(y0) + sum d_i f(Y_i)), lambda the real eigenvalue; of order s (IV.8, (8.18)). */
     double d[COLLOCATION_STAGES];
-    double bulge; /* the largest |w_0| of collocation_along() */
+    /* Where the product of x and all x - c_j is largest, and over that its largest integral: h share times what the polynomial
+     * through f at 0 and at the points is off by there is, to leading order, the most that its integral is off by. */
+    double widest, share;
 };
 
 /* s: 3 or 5. */
@@ -35,6 +37,9 @@ void collocation_radau(struct collocation *o, int s);
 /* w [s + 1]: w_0 f(0) + sum w_j f(c_(j-1)) is the integral to x of the polynomial through f at 0 and at the points.  To 1 it is
  * that of the method, w_0 = 0; on the way it is of order s + 1, without f(0) of order s. */
 void collocation_along(const struct collocation *o, double *w, double x);
+
+/* w [s + 1]: w_0 f(0) + sum w_j f(c_(j-1)) is that polynomial itself, at x. */
+void collocation_slope(const struct collocation *o, double *w, double x);
 
 /* w [s]: sum w_j f(c_j) is the polynomial through f at the s points c, at x. */
 void collocation_through(const struct collocation *o, double *w, double x);

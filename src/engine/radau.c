@@ -60,12 +60,22 @@ static void forget(struct adaptive *m)
 
 /* ---- a trial --------------------------------------------------------------------------------------------------- */
 
+/* Root mean square of what velocities are off by, e, and positions, gu + by e. */
+static double in_scales(const struct stepper *s, const double *e, const double *gu, double by)
+{
+    double sum = 0;
+    for (int k = 0; k < s->ode->n; k++) {
+        const double ev = e[k] / adaptive_scale_v(s, k), eq = (gu[k] + by * e[k]) / adaptive_scale_q(s, k);
+        sum += ev * ev + eq * eq;
+    }
+    return sqrt(sum / (2 * s->ode->n));
+}
+
 static double error(const struct stepper *s, struct adaptive *m, double h)
 {
     struct radau *x = m->own;
     const int n = s->ode->n;
     const double lambda = x->table.mode[0].re;
-    double sum = 0;
     for (int k = 0; k < n; k++) {
         double gu = lambda * m->v[k], gv = lambda * m->a[k];
         for (int i = 0; i < x->table.s; i++) {
@@ -76,12 +86,7 @@ static double error(const struct stepper *s, struct adaptive *m, double h)
         x->gv[k] = h * gv;
     }
     stage_matrix_error(&x->matrix, x->e, x->gu, x->gv);
-    for (int k = 0; k < n; k++) {
-        const double ev = x->e[k] / adaptive_scale_v(s, k);
-        const double eq = (x->gu[k] + h * lambda * x->e[k]) / adaptive_scale_q(s, k);
-        sum += ev * ev + eq * eq;
-    }
-    return sqrt(sum / (2 * n));
+    return in_scales(s, x->e, x->gu, h * lambda);
 }
 
 /* Of the works, by the same weights. */
@@ -130,44 +135,56 @@ static void take(struct stepper *s, struct adaptive *m, double h)
 
 /* ---- records in the step --------------------------------------------------------------------------------------- */
 
-/* What the slope at the start adds to the polynomial of the stages, made sharper. */
-static enum status ready(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
+/* Displacements u and velocities v [n] at the part x of the step h from velocities v0 with slopes a0. */
+static void along(const struct radau *o, double *u, double *v, const double *v0, const double *a0, double h, double x,
+                  int n)
 {
-    static const double LESS = 2; /* measured */
-    const struct radau *x = m->own;
-    const double bulge = h * x->table.bulge, tolerance = s->options.tolerance;
-    double w[STAGES], sum = 0;
-    collocation_through(&x->table, w, 0);
-    for (int k = 0; k < s->ode->n; k++) {
-        double eu = m->v[k], ev = m->a[k];
-        for (int i = 0; i < x->table.s; i++) {
-            eu -= w[i] * x->du[i][k];
-            ev -= w[i] * x->a[i][k];
-        }
-        eu *= bulge / adaptive_scale_q(s, k);
-        ev *= bulge / adaptive_scale_v(s, k);
-        sum += eu * eu + ev * ev;
-    }
-    const double adds = sqrt(sum / (2 * s->ode->n)) * m->tolerance; /* of usual sizes */
-    *err = LESS * adds * pow(adds, 1. / (x->table.s + 1)) / tolerance;
-    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
-}
-
-static void between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
-{
-    const struct radau *o = m->own;
-    const double h = m->t1 - m->t0;
     double w[STAGES + 1];
     collocation_along(&o->table, w, x);
-    for (int k = 0; k < s->ode->n; k++) {
-        double du = w[0] * m->v0[k], dv = w[0] * m->a0[k];
+    for (int k = 0; k < n; k++) {
+        double du = w[0] * v0[k], dv = w[0] * a0[k];
         for (int i = 0; i < o->table.s; i++) {
             du += w[i + 1] * o->du[i][k];
             dv += w[i + 1] * o->a[i][k];
         }
         u[k] = h * du;
-        v[k] = m->v0[k] + h * dv;
+        v[k] = v0[k] + h * dv;
     }
+}
+
+static void between(const struct stepper *s, const struct adaptive *m, double *u, double *v, double x)
+{
+    along(m->own, u, v, m->v0, m->a0, m->t1 - m->t0, x, s->ode->n);
+}
+
+/* By how much the slopes of the motion at one point inside, by the equations, differ from those of the polynomial: stiff
+ * components bounded, as of the error of a step.  It takes no smoothness for granted, as a power of an estimate would. */
+static enum status ready(struct stepper *s, struct adaptive *m, double *err, double t, double h, struct trouble *why)
+{
+    static const double MORE =
+        10; /* at other points, of forces that are steep in a velocity: measured, belt friction */
+    struct radau *x = m->own;
+    struct rk *k = &m->rk;
+    const int n = s->ode->n;
+    const double at = x->table.widest, share = h * x->table.share;
+    double w[STAGES + 1], *du = k->du[1], *a = k->dv[1], *e = x->last[0], *eu = x->last[1], *ev = x->last[2];
+    along(x, k->u, k->v, m->v, m->a, h, at, n);
+    motion_point(s->ode, k->q, m->q, k->u, 1, t + at * h);
+    motion_rate(s->ode, du, k->q, m->q, k->u, k->v, t + at * h);
+    TRY(accel_solve(k->accel, a, NULL, k->q, k->v, t + at * h, why));
+    collocation_slope(&x->table, w, at);
+    for (int i = 0; i < n; i++) {
+        double gu = du[i] - w[0] * m->v[i], gv = a[i] - w[0] * m->a[i];
+        for (int j = 0; j < x->table.s; j++) {
+            gu -= w[j + 1] * x->du[j][i];
+            gv -= w[j + 1] * x->a[j][i];
+        }
+        eu[i] = share * gu;
+        ev[i] = share * gv;
+    }
+    stage_matrix_error(&x->matrix, e, eu, ev);
+    *err = MORE * in_scales(s, e, eu, h * x->table.mode[0].re) * m->tolerance / s->options.tolerance;
+    return isfinite(*err) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, *err, t + h);
 }
 
 static void off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)

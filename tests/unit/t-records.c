@@ -120,6 +120,21 @@ static void test_along(void **state)
                 for (int i = 0; i < s; i++) sum += w[i + 1] * pow(o.c[i], k);
                 assert_true(fabs(sum - pow(x, k + 1) / (k + 1)) < 2e-15);
             }
+        double most = 0,
+               there =
+                   -pow(o.widest, s + 1); /* of the first power that is not met: what integral and slope are off by */
+        for (double x = .01; x < 1; x += .01) {
+            double sum = -pow(x, s + 2) / (s + 2), slope = -pow(x, s);
+            collocation_along(&o, w, x);
+            for (int i = 0; i < s; i++) sum += w[i + 1] * pow(o.c[i], s + 1);
+            most = fmax(most, fabs(sum));
+            collocation_slope(&o, w, x);
+            for (int i = 0; i < s; i++) slope += w[i + 1] * pow(o.c[i], s);
+            assert_true(fabs(slope) < 1e-14);
+        }
+        collocation_slope(&o, w, o.widest);
+        for (int i = 0; i < s; i++) there += w[i + 1] * pow(o.c[i], s + 1);
+        assert_true(fabs(o.share * fabs(there) / most - 1) < .01);
         collocation_along(&o, w, 1);
         assert_true(fabs(w[0]) < 2e-15);
         for (int i = 0; i < s; i++) assert_true(fabs(w[i + 1] - o.b[i]) < 3e-15);
