@@ -100,10 +100,11 @@ static void note_missed(const struct stepper *s, const struct adaptive *m, doubl
     const double less = scheme->sharper > 0 ? pow(smaller(1, err * m->tolerance), scheme->sharper) : 1;
     scheme->off(s, m, position, velocity, h);
     for (int i = 0; i < o->n; i++) {
-        position[i] *= less;
-        velocity[i] *= less;
+        position[i] *= m->leaps ? 0 : less;
+        velocity[i] *= m->leaps ? 0 : less;
     }
-    if (scheme->left) scheme->left(s, m, position, velocity, h);
+    if (scheme->left && !m->leaps) scheme->left(s, m, position, velocity, h);
+    edge_add(m, position, velocity, o->n);
     o->steps++;
     missed_add(o, position, velocity);
     if (scheme->drifts > 0) missed_drift(o, s->ode, m->v, h, scheme->drifts);
@@ -194,6 +195,14 @@ static enum status too_small(struct stepper *s, double t, double h, double left,
     return E_NUMERIC;
 }
 
+/* Behind a jump steps are what they were before it. */
+static void go_on(struct adaptive *m)
+{
+    m->h = m->held;
+    m->held = 0;
+    forget(m);
+}
+
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order.  None is
  * left over that is far shorter than the others, where changes of velocities over it, round-off, would be read. */
@@ -219,13 +228,15 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         err /= share;
         if (h > least && err <= 1) *passed = 0;
         const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
+        m->leaps = false;
+        m->beyond = 0;
         const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, share) : 1;
         if (cut_to < 1) {
             m->h = cut_to * came;
             s->effort.rejected++;
             continue;
         }
-        if (status == OK && (err <= 1 || jump)) {
+        if (status == OK && (err <= 1 || jump || m->leaps)) {
             const double at = last && came == h ? end : *t + m->came, records = adaptive_records(s, *t, m->came, at);
             if (records > 1) { /* a shorter step, or to the first of them */
                 m->h = came * m->scheme->shrink(m, records);
@@ -236,9 +247,13 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             err = larger(err, records);
             note_missed(s, m, whole, m->came);
             take(s, m, *t, m->came);
-            const double grow = m->scheme->grow(m, err);
-            if ((!cut && came == h) || grow < 1) m->h = came * grow;
-            m->old = fmax(err, 1e-4);
+            if (m->leaps) {
+                go_on(m);
+            } else {
+                const double grow = m->scheme->grow(m, err);
+                if ((!cut && came == h) || grow < 1) m->h = came * grow;
+                m->old = fmax(err, 1e-4);
+            }
             *t = at;
             return OK;
         }
@@ -344,6 +359,7 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
     recall_list(r, "top", m->top, s->ode->n);
     recall_list(r, "span", m->span, s->ode->n);
     recall_one(r, "h", m->h);
+    recall_one(r, "held", m->held);
     recall_one(r, "error", m->old);
     recall_one(r, "turned", m->works.turned);
     recall_one(r, "energy", m->works.energy);

@@ -52,6 +52,9 @@ struct adaptive {
     bool ready;           /* between() has what it asks for of the last trial */
     double h, old;        /* next step; error of the last one */
     double came;          /* how far the trial has come: its step, or less, to where something touches */
+    double beyond;        /* the trial's part of an edge: see edge.h */
+    bool leaps;           /* it goes over a jump, in a step that is so short that its error does not matter */
+    double held;          /* next step before a jump was in the way; 0: none was */
     long rejected;        /* steps given up in this H */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];

@@ -134,7 +134,7 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
         const double now = size(s, x, x->r, x->gain, h), rounding = 1e-2 * x->fnewt;
         if (!isfinite(now)) break;
         if (once_more) {
-            x->faded = larger(now / last, x->faded / 2);
+            x->faded = larger(smaller(now / last, 1), x->faded / 2); /* one that grows went over a corner */
             x->count--;
             return OK;
         }

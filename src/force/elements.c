@@ -212,7 +212,9 @@ static void find_clear(struct elements *e, struct sweep *s, const struct instant
         struct part_of *p = &e->other[i];
         const struct model_force *f = &e->model->force[p->force];
         if (!clear_of(e, p)) continue;
-        p->open[end] = f->kind->clear(f->par, p->kind->place(&p->pace[end], e, s, f, x->q, x->v));
+        const double at = p->kind->place(&p->pace[end], e, s, f, x->q, x->v);
+        p->open[end] = f->kind->clear(f->par, at);
+        if (f->kind->whole) p->whole[end] = f->kind->whole(&p->at_once[end], f->par, at, p->pace[end]);
     }
 }
 
@@ -228,6 +230,8 @@ static void find_clear_start(struct elements *e, struct sweep *s, const struct i
         struct part_of *p = &e->other[i];
         p->open[0] = p->open[1];
         p->pace[0] = p->pace[1];
+        p->whole[0] = p->whole[1];
+        p->at_once[0] = p->at_once[1];
     }
 }
 
@@ -252,6 +256,7 @@ enum met elements_passed(struct elements *e, struct sweep *s, const struct insta
                          const struct instant *b, double deep)
 {
     enum met most = MET_NOT;
+    e->apart = b->t - a->t;
     find_clear_start(e, s, a);
     find_clear_end(e, s, b);
     if (between) find_clear(e, s, between, 2);
@@ -264,14 +269,62 @@ enum met elements_passed(struct elements *e, struct sweep *s, const struct insta
     return most;
 }
 
-double elements_edge(const struct elements *e)
+/* Where what goes evenly from a to b is 0. */
+static double nought(double a, double b)
+{
+    return a / (a - b);
+}
+
+/* The part of the way h at which one that opens at 0 and is closed at 1 touches: by the pace at the end that is nearer. */
+static double touch_of(const struct part_of *p, double h)
+{
+    const double *open = p->open, even = nought(open[0], open[1]);
+    const double x = open[0] < -open[1] ? -open[0] / (p->pace[0] * h) : 1 - open[1] / (p->pace[1] * h);
+    return x >= 0 && x <= 1 ? x : even;
+}
+
+/* One whose push is there at once; as edge_of().  Of one that is open at both ends the pace at the start tells whether it has
+ * touched. */
+static double jump_of(enum edge *edge, const struct part_of *p, double h)
+{
+    if (p->open[1] > 0) {
+        const double x = -p->open[0] / (p->pace[0] * h);
+        *edge = x > 0 && x < .5 ? EDGE_PULSE : EDGE_NONE;
+        return *edge ? x : NAN;
+    }
+    *edge = p->whole[1] > 0 && p->open[1] < 0 ? EDGE_JUMP : EDGE_PULSE;
+    return touch_of(p, h);
+}
+
+/* Where the push has begun or ended on the way h between ends 0 and 1, *edge of what kind; NAN: neither.  What its damper has
+ * let go before it opens pushes no more: it has ended there. */
+static double edge_of(enum edge *edge, const struct part_of *p, bool lets_go, double h)
+{
+    const double *open = p->open, *whole = p->whole;
+    const bool touches[2] = {open[0] < 0, open[1] <= 0};
+    const bool holds[2] = {!lets_go || whole[0] > 0, !lets_go || whole[1] > 0};
+    const bool pushes[2] = {touches[0] && holds[0], touches[1] && holds[1]};
+    if (lets_go && !touches[0] && p->at_once[0] > 0) return jump_of(edge, p, h);
+    *edge = pushes[0] != pushes[1] ? EDGE_BEND : EDGE_NONE;
+    if (!*edge) return NAN;
+    const double touch = touches[0] != touches[1] ? nought(open[0], open[1]) : NAN;
+    const double hold = holds[0] != holds[1] ? nought(whole[0], whole[1]) : NAN;
+    return pushes[1] ? fmax(touch, hold) : fmin(touch, hold);
+}
+
+double elements_edge(const struct elements *e, enum edge *edge)
 {
     double most = NAN;
+    *edge = EDGE_NONE;
     for (int i = 0; i < e->nother[ALL]; i++) {
         const struct part_of *p = &e->other[i];
-        if (!clear_of(e, p) || !((p->open[0] > 0) != (p->open[1] > 0))) continue;
-        const double x = p->open[0] / (p->open[0] - p->open[1]);
-        if (isfinite(x) && !(fabs(x - .5) >= fabs(most - .5))) most = x;
+        const struct force_kind *kind = clear_of(e, p);
+        enum edge one = EDGE_NONE;
+        const double x = kind ? edge_of(&one, p, kind->whole, e->apart) : NAN;
+        if (!isfinite(x) || one < *edge) continue;
+        const bool first = one > *edge || (one == EDGE_BEND ? fabs(x - .5) < fabs(most - .5) : x < most);
+        if (first) most = x;
+        *edge = one;
     }
     return most;
 }

@@ -81,8 +81,8 @@ bool elements_may_be_passed(const struct elements *e);
  * met at `between`, if that is not NULL? */
 enum met elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *between,
                          const struct instant *b, double deep);
-/* The part of that way at which one has begun or ended to push, if gaps close evenly; see ode2's edge(). */
-double elements_edge(const struct elements *e);
+/* The part of that way at which one has begun or ended to push, if gaps close and pushes grow evenly; see ode2's edge(). */
+double elements_edge(const struct elements *e, enum edge *edge);
 
 /* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
 struct leap {

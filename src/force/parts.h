@@ -43,6 +43,8 @@ struct part_of {
     bool reads;              /* it knows what it has read: */
     double *last, *now;      /* [slots of the force] at the start of the last step, at its end */
     double open[3], pace[3]; /* clear() at two instants and one between, and its rate */
+    double whole[3];         /* whole() there, */
+    double at_once[3];       /* and the part of it that is there at once */
     bool pole;               /* it has grown without bound in the last step */
     int a, b; /* the bodies, where each is part of another tree that flies, or one of a tree of several; else both 0 */
     int nturn;
@@ -103,6 +105,7 @@ struct elements {
     const double *press;             /* these forces; NULL: none */
     bool loads;                      /* is there any force, or one of contacts? */
     const struct reduction *to;      /* of elements_slopes_reduced(), while it runs */
+    double apart;                    /* time between the last two instants that were looked at [s] */
     double *clear_q, *clear_v; /* [nq], [n] where open[1] and pace[1] of others were found last; NULL: not kept, as */
     bool clear_known;          /* angles that know their past may differ; were they found? */
 };

@@ -112,6 +112,9 @@ struct force_kind {
 
     /* Optional.  How far s, of strains() the first, is from where a push begins; negative where it pushes. */
     double (*clear)(const void *par, double s);
+    /* Optional, with clear().  The push where that is negative, at rate v, were it free to pull: it acts where it is above 0.
+     * *at_once: the part of it that is there as soon as it begins. */
+    double (*whole)(double *at_once, const void *par, double s, double v);
 
     /* Optional, with mean().  Is there a corner or a jump of f between s0 and s1? */
     bool (*bends)(const void *par, double s0, double s1);

@@ -122,10 +122,16 @@ static double clear(const void *par, double s)
     return ((const struct sliding *)par)->pair == PAIR_OUTLINE ? s : INFINITY;
 }
 
+static double whole(double *at_once, const void *par, double s, double v)
+{
+    return unilateral_whole(at_once, &((const struct sliding *)par)->push, s, v);
+}
+
 const struct force_kind force_sliding = {.name = "sliding",
                                          .brief = "smooth friction of a compliant contact",
                                          .size = sizeof(struct sliding),
                                          .strains = strains,
                                          .means = means,
                                          .clear = clear,
+                                         .whole = whole,
                                          .sharp = true};

@@ -85,6 +85,13 @@ double unilateral_push(const struct unilateral *p, double s, double v)
     return F + damping(p, F, sign_of(p) * v);
 }
 
+double unilateral_whole(double *at_once, const struct unilateral *p, double s, double v)
+{
+    const double F = push(p, depth(p, s)), rate = sign_of(p) * v;
+    *at_once = p->c * rate;
+    return F * (1 + p->loss * rate) + *at_once;
+}
+
 double unilateral_resistance(const struct unilateral *p, double s)
 {
     return p->c + p->loss * push(p, depth(p, s));
@@ -164,6 +171,11 @@ static double unilateral_clear(const void *par, double s)
     return 0 - depth(par, s);
 }
 
+static double free_to_pull(double *at_once, const void *par, double s, double v)
+{
+    return unilateral_whole(at_once, par, s, v);
+}
+
 static const struct key unilateral_keys[] = {
     PARAM_REAL(struct unilateral, k, "stiffness", "N/m^n or N m/rad^n", 0, INFINITY,
                KEY_REQUIRED | KEY_ABOVE | KEY_BELOW, NULL, "push per depth to the power of n"),
@@ -183,6 +195,7 @@ const struct force_kind force_unilateral = {.name = "unilateral",
                                             .stored = unilateral_stored,
                                             .mean = unilateral_mean,
                                             .clear = unilateral_clear,
+                                            .whole = free_to_pull,
                                             .bends = unilateral_bends,
                                             .sharp = true,
                                             .dissipative = unilateral_dissipative,

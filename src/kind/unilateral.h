@@ -21,6 +21,9 @@ double unilateral_energy(const struct unilateral *p, double s);
 double unilateral_slope(const struct unilateral *p, double s);
 double unilateral_mean_push(double *ks, const struct unilateral *p, double s0, double s1);
 
+/* The same where it is free to pull, and beyond where it begins the damper alone; *at_once: the damper's part [N]. */
+double unilateral_whole(double *at_once, const struct unilateral *p, double s, double v);
+
 /* How fast the whole push grows with the rate of the depth, as long as it does not pull [N s/m]. */
 double unilateral_resistance(const struct unilateral *p, double s);
 /* The loss of one that leaves at e times the speed v at which it came, 0 < e <= 1, of any exponent. */

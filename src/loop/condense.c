@@ -195,10 +195,10 @@ static enum met passed(const struct ode2 *ode, const struct instant *a, const st
     return o->tree->ode.passed(&o->tree->ode, &x, between ? &z : NULL, &y);
 }
 
-static double edge(const struct ode2 *ode)
+static double edge(const struct ode2 *ode, enum edge *kind)
 {
     const struct condense *o = ode->self;
-    return o->tree->ode.edge(&o->tree->ode);
+    return o->tree->ode.edge(&o->tree->ode, kind);
 }
 
 static void build_workspace(struct condense *o, struct arena *life)

@@ -303,9 +303,9 @@ static enum met passed(const struct ode2 *o, const struct instant *a, const stru
     return elements_passed(s->elements, s->sweep, a, between, b, DEEP * s->length);
 }
 
-static double edge(const struct ode2 *o)
+static double edge(const struct ode2 *o, enum edge *kind)
 {
-    return elements_edge(tree_of(o)->elements);
+    return elements_edge(tree_of(o)->elements, kind);
 }
 
 void open_build(struct open_tree *o, const struct model *m, struct arena *life)
