@@ -10,8 +10,7 @@
 
 /* Usual sizes from look to look, or that by its frequency: of fixed steps, where looks are dear; of steps that a scheme chooses. */
 static const double FAR = .8, NEAR = .4;
-static const double COARSE = 3;      /* times as far where looks run short; more is too far */
-static const double PART = .1;       /* of the time, in which it may be */
+static const double COARSE = 3;      /* times as far where looks run short */
 enum { AT_ONCE = 20 };               /* looks, */
 enum { STEPS = 200, OWN_STEPS = 4 }; /* and one more in so many steps; in so many of those that a scheme chooses */
 
@@ -45,11 +44,11 @@ void tangent_told(struct stepper *s, double h, double v)
     struct tangent *o = s->tangent;
     const struct missed *m = s->missed;
     const double dq = m->signed_position - o->seen_position, dv = m->signed_velocity - o->seen_velocity;
-    const double mean = (v + o->v_step) / 2, a = (v - o->v_step) / h;
+    const double mean = (v + o->v_step) / 2, a = (v - o->v_step) / h, w = o->A != 0 ? frequency(o) : 1 / h;
     if (o->known && h > 0 && s->kind->two_rates)
-        o->late += along(fabs(dq), fabs(dv), fabs(mean), fabs(a), frequency(o));
+        o->late += along(fabs(dq), fabs(dv), fabs(mean), fabs(a), w);
     else if (o->known && h > 0)
-        o->late += along(dq, dv, mean, a, frequency(o));
+        o->late += along(dq, dv, mean, a, w);
     o->seen_position = m->signed_position;
     o->seen_velocity = m->signed_velocity;
     o->told = m->told;
@@ -68,11 +67,6 @@ bool tangent_affords(const struct stepper *s, const struct state *x)
     const long steps = s->missed->steps / (s->kind->adaptive ? OWN_STEPS : STEPS), left = AT_ONCE + steps - o->looks;
     const double spare = smaller(1, (double)left / AT_ONCE);
     return !o->known || (left > 0 && gone(o, x->t) >= COARSE - (COARSE - 1) * spare);
-}
-
-bool tangent_resolves(const struct tangent *o, double t)
-{
-    return o->known && o->coarse <= PART * t;
 }
 
 /* ---- looks ----------------------------------------------------------------------------------------------------- */
@@ -139,8 +133,8 @@ static void flow(double *x, double *y, double A, double B, double h)
 /* To the look l: of one chart. */
 static void go_on(struct tangent *o, const struct look *l)
 {
-    const double w = frequency(o), norm = o->a * o->a + w * w * o->v * o->v, norm1 = l->a * l->a + w * w * l->v * l->v;
-    const double h = l->t - o->t, excess = l->excess - o->excess;
+    const double h = l->t - o->t, excess = l->excess - o->excess, w = o->A != 0 ? frequency(o) : 1 / h;
+    const double norm = o->a * o->a + w * w * o->v * o->v, norm1 = l->a * l->a + w * w * l->v * l->v;
     if (!(norm > 0) || !(norm1 > 0)) return;
     double P = o->M * (o->v * o->v_off - o->a * o->q_off), tau = along(o->q_off, o->v_off, o->v, o->a, w);
     double x = -o->a / norm, y = w * w * o->v / norm;
@@ -178,7 +172,6 @@ void tangent_look(struct stepper *s, const struct state *x, double excess, bool 
     s->effort = effort;
     if (!known) return;
     o->looks++;
-    if (gone(o, x->t) > 1.5 * COARSE) o->coarse += x->t - o->t;
     if (o->known && x->t > o->t) go_on(o, &l);
     begin(o, &l);
 }
@@ -228,7 +221,6 @@ void tangent_recall(struct tangent *o, struct recall *r)
     recall_one(r, "told", o->told);
     recall_one(r, "seen_position", o->seen_position);
     recall_one(r, "seen_velocity", o->seen_velocity);
-    recall_one(r, "coarse", o->coarse);
     recall_one(r, "looks", o->looks);
     recall_without(r);
 }

@@ -31,7 +31,6 @@ struct tangent {
     double t_step, v_step;               /* the last step's end */
     double seen_position, seen_velocity; /* sums of missed.h when they were told last, */
     long told;                           /* after so many steps */
-    double coarse;                       /* time between looks too far apart [s] */
     long looks;
     double apart;      /* usual sizes from look to look */
     double usual;      /* size of the coordinate */
@@ -65,8 +64,6 @@ static inline bool tangent_due(const struct stepper *s, const struct state *x)
 void tangent_look(struct stepper *s, const struct state *x, double excess, bool works);
 /* A new chart at x: velocity and acceleration in the old one. */
 void tangent_rechart(struct stepper *s, const struct state *x, double v, double a);
-/* Was it looked at closely enough all the way, to t seconds from the start? */
-bool tangent_resolves(const struct tangent *o, double t);
 void tangent_recall(struct tangent *o, struct recall *r);
 
 #endif

@@ -68,15 +68,21 @@ static void thin(struct trust *o)
     o->every *= 2;
 }
 
-/* What has been followed is known better than sums are, and where it was not seen closely, it is at least that. */
+static double works(const struct ledger *l)
+{
+    double sum = 0;
+    for (int c = 0; c < LEDGER_CHANNELS; c++) sum += fabs(l->work[c]);
+    return sum;
+}
+
+/* What has been followed is more than sums where the motion lets errors grow.  Not where something does work: what dies away is not
+ * seen to between looks.  Sums are the least: forces that come and go between looks are not seen, either. */
 static void follow(const struct sim *sim, struct trust_place *p)
 {
     const struct tangent *tangent = sim->stepper.tangent;
-    const bool better = tangent_resolves(tangent, p->t - sim->scene->start);
-    if (!tangent->known) return;
-    const double position = PEAKS * tangent->position, velocity = PEAKS * tangent->velocity;
-    p->position[0] = better ? position : fmax(p->position[0], position);
-    p->velocity[0] = better ? velocity : fmax(p->velocity[0], velocity);
+    if (!tangent->known || works(&sim->ledger) > 0) return;
+    p->position[0] = fmax(p->position[0], PEAKS * tangent->position);
+    p->velocity[0] = fmax(p->velocity[0], PEAKS * tangent->velocity);
 }
 
 static void keep(struct sim *sim)
@@ -92,13 +98,6 @@ static void keep(struct sim *sim)
     copy(p->position, missed->position, ode->n);
     copy(p->velocity, missed->velocity, ode->n);
     if (sim->stepper.tangent) follow(sim, p);
-}
-
-static double works(const struct ledger *l)
-{
-    double sum = 0;
-    for (int c = 0; c < LEDGER_CHANNELS; c++) sum += fabs(l->work[c]);
-    return sum;
 }
 
 /* Of schemes that choose their steps the balance has been looked at. */

@@ -5,8 +5,8 @@
  * over the column's range in the run.  Of energies no more than what the others are moved by, and what the run's balance and works
  * leave open: the sum is kept by the motion, not by what is drawn.
  *
- * Of one freedom, where nothing touches and nothing depends on the time by itself, errors are followed as the motion takes them
- * along (engine/tangent.h), and that is taken instead of sums. */
+ * Of one freedom, where nothing touches, nothing depends on the time by itself and only potentials do work, errors are followed as the
+ * motion takes them along (engine/tangent.h), and that is told where it is more than the sums. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 
