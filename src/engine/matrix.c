@@ -108,7 +108,7 @@ void matrix_solve(const struct matrix *m, double *x)
         solve_dense(m->J, m->swap, m->form, x, m->ode->n);
 }
 
-int matrix_push(const struct matrix *m, double *x, double h, const double *v, const double *a)
+int matrix_drift(const struct matrix *m, double *x, double h, const double *v, const double *a)
 {
     int n = m->ode->n;
     zero(x, n);
@@ -118,6 +118,7 @@ int matrix_push(const struct matrix *m, double *x, double h, const double *v, co
         const double sv = h * v[l->column], sa = h * a[l->column];
         for (int i = l->from; i < l->to; i++) x[i] += sv * K[i] + sa * C[i];
     }
+    if (m->nlive) matrix_solve(m, x);
     return m->nlive;
 }
 

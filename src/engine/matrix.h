@@ -37,8 +37,8 @@ enum status matrix_factor(struct matrix *m, double cc, double ck, const struct i
 enum status matrix_recall(struct matrix *m, struct recall *r);
 /* x := J^-1 x. */
 void matrix_solve(const struct matrix *m, double *x);
-/* x := h (K v + C a), what forces change by in a step h of velocity v; 0: that is nothing. */
-int matrix_push(const struct matrix *m, double *x, double h, const double *v, const double *a);
+/* x := J^-1 h (K v + C a), what a changes by in a step h of velocity v under constant forces; 0: that is nothing. */
+int matrix_drift(const struct matrix *m, double *x, double h, const double *v, const double *a);
 
 /* Factors any J [n x n] in place: Cholesky where it is symmetric and positive, LU else; spare [n x n].
  * Returns -1 or the column without a pivot. */

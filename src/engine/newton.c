@@ -53,8 +53,6 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
     nt->per = TAKE(life, double, n);
     nt->dz = TAKE(life, double, n);
     nt->r = TAKE(life, double, n);
-    nt->step = TAKE(life, double, n);
-    nt->before = TAKE(life, double, n);
     nt->energies = TAKE(life, double, n);
     remainder_open(&nt->remainder, n, life);
     nt->steps = 1;
@@ -329,15 +327,6 @@ static void watch(struct newton *nt)
     if (nt->count == 1 && nt->fresh < 2) remainder_second(&nt->remainder, nt->dz, nt->per);
 }
 
-/* The last correction and what has come of it show the matrix, if it is the same. */
-static void learn(struct newton *nt, const struct equations *eq, int m)
-{
-    if (nt->count > 0 && nt->fresh < 2 && nt->last > ROUGH && eq->learn(eq->self, nt->dz, nt->step, nt->before, nt->r))
-        remainder_learnt(&nt->remainder);
-    copy(nt->step, nt->dz, m);
-    copy(nt->before, nt->r, m);
-}
-
 enum status newton_solve(struct newton *nt, double *z, const struct equations *eq, const double *h, int m,
                          struct trouble *why)
 {
@@ -353,7 +342,6 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         copy(nt->dz, nt->r, m);
         eq->solve(eq->self, nt->dz);
         if (whole) watch(nt);
-        if (whole && eq->learn) learn(nt, eq, m);
         switch (correct(nt, z, h, m, eq->x)) {
         case CONVERGED:
             if (whole) remainder_take(&nt->remainder, z, nt->dz);

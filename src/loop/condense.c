@@ -96,8 +96,7 @@ static bool go_beside(struct condense *o, double *const side[SIDES], const doubl
         const double way = (k % 2 ? aside : -aside) * far;
         for (int i = 0; i < o->ode.n; i++) o->beside[i] = way * o->rows.size[o->split.ind[i]];
         condense_point(o, side[k], q, o->beside, 1, t, o->holds == 0 ? way : 0);
-        if (isnan(side[k][0]) || solve_ratio(&o->solve) < 2 * here)
-            return false; /* of the last look at it: that will do */
+        if (solve_factor(&o->solve, side[k], t, NULL) != OK || solve_ratio(&o->solve) < 2 * here) return false;
     }
     return true;
 }
