@@ -49,7 +49,7 @@ double edge_cut(const struct stepper *s, struct adaptive *m, double t, double er
     static const double BEHIND = .1; /* of what the error may be: how far to go beyond */
     const struct ode2 *o = s->ode;
     const struct instant a = {.t = t, .q = m->q, .v = m->v}, b = {.t = t + m->came, .q = m->q1, .v = m->v1};
-    enum edge kind;
+    enum edge_kind kind;
     if (!o->passed) return 1;
     const enum met met = o->passed(o, &a, NULL, &b);
     const double x = m->ahead ? o->edge(o, &kind) : NAN;

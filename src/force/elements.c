@@ -285,7 +285,7 @@ static double touch_of(const struct part_of *p, double h)
 
 /* One whose push is there at once; as edge_of().  Of one that is open at both ends the pace at the start tells whether it has
  * touched. */
-static double jump_of(enum edge *edge, const struct part_of *p, double h)
+static double jump_of(enum edge_kind *edge, const struct part_of *p, double h)
 {
     if (p->open[1] > 0) {
         const double x = -p->open[0] / (p->pace[0] * h);
@@ -298,7 +298,7 @@ static double jump_of(enum edge *edge, const struct part_of *p, double h)
 
 /* Where the push has begun or ended on the way h between ends 0 and 1, *edge of what kind; NAN: neither.  What its damper has
  * let go before it opens pushes no more: it has ended there. */
-static double edge_of(enum edge *edge, const struct part_of *p, bool lets_go, double h)
+static double edge_of(enum edge_kind *edge, const struct part_of *p, bool lets_go, double h)
 {
     const double *open = p->open, *whole = p->whole;
     const bool touches[2] = {open[0] < 0, open[1] <= 0};
@@ -312,14 +312,14 @@ static double edge_of(enum edge *edge, const struct part_of *p, bool lets_go, do
     return pushes[1] ? fmax(touch, hold) : fmin(touch, hold);
 }
 
-double elements_edge(const struct elements *e, enum edge *edge)
+double elements_edge(const struct elements *e, enum edge_kind *edge)
 {
     double most = NAN;
     *edge = EDGE_NONE;
     for (int i = 0; i < e->nother[ALL]; i++) {
         const struct part_of *p = &e->other[i];
         const struct force_kind *kind = clear_of(e, p);
-        enum edge one = EDGE_NONE;
+        enum edge_kind one = EDGE_NONE;
         const double x = kind ? edge_of(&one, p, kind->whole, e->apart) : NAN;
         if (!isfinite(x) || one < *edge) continue;
         const bool first = one > *edge || (one == EDGE_BEND ? fabs(x - .5) < fabs(most - .5) : x < most);

@@ -82,7 +82,7 @@ bool elements_may_be_passed(const struct elements *e);
 enum met elements_passed(struct elements *e, struct sweep *s, const struct instant *a, const struct instant *between,
                          const struct instant *b, double deep);
 /* The part of that way at which one has begun or ended to push, if gaps close and pushes grow evenly; see ode2's edge(). */
-double elements_edge(const struct elements *e, enum edge *edge);
+double elements_edge(const struct elements *e, enum edge_kind *edge);
 
 /* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
 struct leap {

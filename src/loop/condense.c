@@ -194,7 +194,7 @@ static enum met passed(const struct ode2 *ode, const struct instant *a, const st
     return o->tree->ode.passed(&o->tree->ode, &x, between ? &z : NULL, &y);
 }
 
-static double edge(const struct ode2 *ode, enum edge *kind)
+static double edge(const struct ode2 *ode, enum edge_kind *kind)
 {
     const struct condense *o = ode->self;
     return o->tree->ode.edge(&o->tree->ode, kind);

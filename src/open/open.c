@@ -303,7 +303,7 @@ static enum met passed(const struct ode2 *o, const struct instant *a, const stru
     return elements_passed(s->elements, s->sweep, a, between, b, DEEP * s->length);
 }
 
-static double edge(const struct ode2 *o, enum edge *kind)
+static double edge(const struct ode2 *o, enum edge_kind *kind)
 {
     return elements_edge(tree_of(o)->elements, kind);
 }

@@ -170,7 +170,7 @@ enum met { MET_NOT, MET_MAYBE, MET };
 
 /* Of a push that is there at one end of a way and not at the other: it grows from 0 or falls to 0; or comes and goes on it; or
  * is there at once. */
-enum edge { EDGE_NONE, EDGE_BEND, EDGE_PULSE, EDGE_JUMP };
+enum edge_kind { EDGE_NONE, EDGE_BEND, EDGE_PULSE, EDGE_JUMP };
 
 struct ode2 {
     int n;        /* independent velocities */
@@ -203,7 +203,7 @@ struct ode2 {
     /* Required with passed().  The part of the way between the states a and b that it has looked at last at which a push begins
      * or ends, of several that which is farthest from both; NAN: none does.  Of kinds *edge the last one goes
      * first, and of jumps the first on the way. */
-    double (*edge)(const struct ode2 *o, enum edge *edge);
+    double (*edge)(const struct ode2 *o, enum edge_kind *kind);
     double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */
     int straight;     /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int bends;        /* forces may jump or bend where nobody knows beforehand: by the state */
