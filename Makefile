@@ -12,7 +12,7 @@ endif
 BUILD    ?= build
 ## OPT           optimisation of the programs and benches; tests are compiled with -O1
 OPT      ?= -O2 -ftree-vectorize $(if $(findstring clang,$(CC)),,-fvect-cost-model=dynamic)
-WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wswitch-enum
+WARN      = -Wall -Wextra -Wpedantic -Wshadow -Wswitch-enum -Wmissing-prototypes -Wstrict-prototypes
 ## CFLAGS        flags of the compiler, added last
 CFLAGS   ?=
 ## LDFLAGS       flags of the linker

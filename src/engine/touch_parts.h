@@ -140,8 +140,6 @@ void touch_kick(const struct touch *o, double *v, const double *p);
 void touch_strike(struct touch *o, const double *q, double *v, double t);
 
 /* touch_run.c */
-/* o->reach for a step h. */
-void touch_reach(struct touch *o, double h);
 void touch_save(struct touch_saved *o, const struct touch *t, const struct state *x);
 void touch_restore(struct touch_saved *o, struct touch *t, struct state *x);
 /* What touches at the start of the run and comes nearer. */

@@ -99,7 +99,7 @@ static enum status attempt(struct touch *o, struct state *x, double h, double t1
     return s->kind->step(s, x, h, 1, t1, why);
 }
 
-void touch_reach(struct touch *o, double h)
+static void set_reach(struct touch *o, double h)
 {
     static const double LEAST = 1e-3; /* of usual gaps: what is held is never as far as that */
     o->reach = o->longest * larger(LEAST, 4 * h * o->top);
@@ -229,7 +229,7 @@ enum status touch_to_next(struct touch *o, struct state *x, double *most, int *c
     *again = false;
     if (fabs(left - h) <= 1e-9 * h) left = h;
     double met = left;
-    touch_reach(o, left);
+    set_reach(o, left);
     TRY(deepest(o, &g0, &o->g, x, why));
     nearby_copy(&o->g0, &o->g);
     touch_save(&o->part, o, x);
@@ -278,7 +278,7 @@ enum status touch_at_start(struct touch *o, struct state *x, double h, struct tr
 {
     int impacts = 0;
     o->begun = 1;
-    touch_reach(o, h);
+    set_reach(o, h);
     TRY(touch_gaps(o, x, o->reach, why));
     return strike(o, x, h, TOUCH_DRAWN, &impacts, why);
 }
@@ -299,7 +299,7 @@ enum status touch_step(struct stepper *s, struct state *x, double h, int ratio, 
 
 enum status touch_driven(struct touch *o, const struct state *x, struct trouble *why)
 {
-    touch_reach(o, 0);
+    set_reach(o, 0);
     TRY(touch_gaps(o, x, o->reach, why));
     TRY(none_is_deep(o, x->t, why));
     return touch_driven_at(o, x, why);

@@ -177,11 +177,6 @@ void dense_lu_solve(const double *LU, const int *swap, double *x, int n, int ld)
     if (j == 0) x[0] = over(x[0], LU[0]);
 }
 
-void dense_lu_solves(const double *LU, const int *swap, double *X, int n, int ld, int m, int ldx)
-{
-    for (int k = 0; k < m; k++) dense_lu_solve(LU, swap, X + (long)k * ldx, n, ld);
-}
-
 INTO static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
                              int cols, int ld)
 {

@@ -29,7 +29,8 @@ static void hold(struct making *o, int parent, int node)
     m->nbody++;
 }
 
-int body_at_node(struct making *o, int scene_body, const double *world)
+/* The model's body that a place in the world, as drawn, on the scene's body belongs to; made where there is none yet. */
+static int body_at_node(struct making *o, int scene_body, const double *world)
 {
     const struct scene_body *sb = &o->scene->body[scene_body];
     int parent = o->body_of[scene_body];

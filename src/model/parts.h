@@ -33,9 +33,8 @@ enum status make_tree(struct making *o);
 /* short.c: would other joints leave much shorter loops?  Then the rest are AVOIDED. */
 bool make_short(const struct making *o, const struct threads *threads, int *wish);
 /* nodes.c: bodies at the nodes of flexible ones */
-/* The model's body that a world place, drawn, on the scene's body belongs to; made where there is none yet. */
-int body_at_node(struct making *o, int scene_body, const double *world);
-/* That body, and the place p from its centre in its axes; of a world place, of a marker. */
+/* The model's body that a place of the scene's body belongs to (one of a flexible body's nodes becomes a body where it is
+ * asked for first), and the place p from that body's centre in its axes: of a place in the world as drawn, of a marker. */
 int place_on(double *p, struct making *o, int scene_body, const double *world);
 int marker_on(double *p, struct making *o, const struct marker *m);
 /* Body `index` as the scene's flexible one, its frame at the node of its inboard joint. */

@@ -58,7 +58,8 @@ static enum status slopes(const struct ode2 *o, double *K, double *C, const stru
     return OK;
 }
 
-void classes_open(struct classes *o, int n, int ns, struct arena *life)
+/* A system of n coordinates, the last ns of them slow, with matrices of zeros. */
+static void open_empty(struct classes *o, int n, int ns, struct arena *life)
 {
     static const struct ode2_ops ops = {.resid = resid, .mass = mass, .slopes = slopes};
     *o = (struct classes){.n = n, .ode = {.n = n, .ns = ns, .nq = n, .ops = &ops, .pointwise = 1, .self = o}};
@@ -72,7 +73,7 @@ void classes_open(struct classes *o, int n, int ns, struct arena *life)
 enum status classes_find(struct classes *o, const struct sim *sim, struct arena *life, struct trouble *why)
 {
     const struct ode2 *ode = sim->stepper.ode;
-    classes_open(o, ode->n, ode->ns, life);
+    open_empty(o, ode->n, ode->ns, life);
     for (int k = 0; k < CLASSES; k++) {
         struct linear l = {.ode = ode, .q = sim->x.q, .t = sim->x.t, .n = ode->n, .cls = class_of[k]};
         TRY(linearise(&l, life, why));

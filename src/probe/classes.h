@@ -20,8 +20,6 @@ struct classes {
 
 /* Where the run stands; o stays where it is as long as its ode is used.  E_NUMERIC: the residual is not a number there. */
 enum status classes_find(struct classes *o, const struct sim *sim, struct arena *life, struct trouble *why);
-/* The same of matrices that are given. */
-void classes_open(struct classes *o, int n, int ns, struct arena *life);
 
 /* Of all: A [n x n] := the sum of both parts. */
 void classes_sum(double *A, double *const part[CLASSES], int n);

@@ -36,7 +36,10 @@ static int read_axes(struct builder *b, struct scene_body *body, struct draft *o
     return 0;
 }
 
-bool wants_effect(struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own, bool usual)
+/* Does the beam have this effect?  With its own key in `map`, or `auto` under `effects` of the deck: as `own` says; else as
+ * `effects` says.  usual: a beam has it as a rule, so one that goes without is noted as left out (scene.off). */
+static bool wants_effect(struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own,
+                         bool usual)
 {
     const struct node *n = node_find(map, key);
     const int wish = b->scene->effects.wish[id];

@@ -48,10 +48,6 @@ struct reduced_keys {
 extern const struct key keys_reduced[], keys_beam_body[], keys_beam[], keys_section[], keys_sections[], keys_material[],
     keys_damping[], keys_lump[], keys_station[], keys_probe[];
 
-/* An effect that a key of the body itself may decide, as `own` says: else as `effects` wishes it.  usual: what it is where
- * nobody says anything. */
-bool wants_effect(struct builder *b, const struct node *map, const char *key, enum effect_id id, bool own, bool usual);
-
 /* A beam that is still to be made. */
 struct draft {
     struct flex_beam beam;

@@ -8,6 +8,19 @@
 #include "la/vec3.h"
 #include "scene_read/parts.h"
 
+/* The value of a measure in the position that is drawn. */
+static double measure_drawn(const struct scene *scene, const struct scene_measure *m)
+{
+    double a[3], b[3], axis[3];
+    if (m->type == MEASURE_COORDINATE || m->type == MEASURE_ANGLE) return 0;
+    marker_drawn(a, scene, &m->a);
+    marker_drawn(b, scene, &m->b);
+    v3_diff(b, b, a);
+    if (m->type == MEASURE_DISTANCE) return sqrt(v3_dot(b, b));
+    m3_mul(axis, scene->body[m->a.body].R, m->axis);
+    return v3_dot(axis, b);
+}
+
 int measure_add(struct builder *b, const struct scene_measure *m)
 {
     struct scene *scene = b->scene;
@@ -20,18 +33,6 @@ int measure_add(struct builder *b, const struct scene_measure *m)
     scene->measure[n] = *m;
     scene->measure[n].drawn = measure_drawn(scene, m);
     return scene->nmeasure++;
-}
-
-double measure_drawn(const struct scene *scene, const struct scene_measure *m)
-{
-    double a[3], b[3], axis[3];
-    if (m->type == MEASURE_COORDINATE || m->type == MEASURE_ANGLE) return 0;
-    marker_drawn(a, scene, &m->a);
-    marker_drawn(b, scene, &m->b);
-    v3_diff(b, b, a);
-    if (m->type == MEASURE_DISTANCE) return sqrt(v3_dot(b, b));
-    m3_mul(axis, scene->body[m->a.body].R, m->axis);
-    return v3_dot(axis, b);
 }
 
 /* Two points: [point, point]. */

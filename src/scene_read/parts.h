@@ -118,7 +118,6 @@ extern const struct key keys_deck[], keys_body[], keys_ground[], keys_shape[], k
     keys_pin_friction[], keys_slide_friction[], keys_first_order[];
 
 /* the parts, in the order they are read; what is wrong is told to the diags of the builder */
-void read_space(struct builder *b, const struct deck_keys *k);
 /* states.c: quantities of first order join bodies, constraints, signals, forces and initial, before all of these */
 void make_states(struct builder *b, struct deck_keys *k);
 void read_bodies(struct builder *b, const struct node *n);
@@ -180,8 +179,6 @@ void read_effects(struct builder *b, const struct node *n);
 /* Is it the name of an expression among the output's columns?  No force or condition reads these. */
 bool is_output_formula(const struct deck *deck, const char *name);
 
-/* The value of a measure in the drawn position. */
-double measure_drawn(const struct scene *scene, const struct scene_measure *m);
 /* What a force acts along: a joint, coordinate, measure by name, or [point, point]; -1 after an error. */
 int measure_of(struct builder *b, const struct node *n, const char *what);
 /* Adds a measure to the scene; its number. */

@@ -40,7 +40,8 @@ static const struct node *deciding_vector(const struct node *bodies)
     return NULL;
 }
 
-void read_space(struct builder *b, const struct deck_keys *k)
+/* 2 or 3 axes: as key `space` says, else as many as the numbers of the first vector of the deck. */
+static void read_space(struct builder *b, const struct deck_keys *k)
 {
     const struct node *root = b->scene->deck->root;
     const struct node *vector = deciding_vector(k->bodies);

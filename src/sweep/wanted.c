@@ -10,7 +10,8 @@
 enum { LAST, FIRST, LEAST, MOST, LARGEST, RANGE, MEAN, RMS, KINDS };
 static const char *const kinds[] = {"last", "first", "min", "max", "absmax", "range", "mean", "rms"};
 
-const char *wanted_kinds(struct arena *life)
+/* "last, first, ..." for messages. */
+static const char *words_of_kinds(struct arena *life)
 {
     const char *text = kinds[0];
     for (int i = 1; i < KINDS; i++) text = arena_print(life, "%s, %s", text, kinds[i]);
@@ -30,7 +31,7 @@ static enum status read_one(struct want *o, const char *text, struct arena *life
     }
     const char *nearest = o->kind == KINDS && text[head] ? text_nearest(word, kinds, KINDS) : NULL;
     return fail(report, E_USAGE, "--of '%.80s': expected FUNCTION(COLUMN)%s%s%s, FUNCTION one of %s", text,
-                nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "", wanted_kinds(life));
+                nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "", words_of_kinds(life));
 }
 
 static bool is_column(const char *text)

@@ -40,7 +40,4 @@ struct tally {
 void wanted_add(struct tally *tally, const struct wanted *o, const double *x);
 double wanted_value(const struct tally *tally, const struct want *want);
 
-/* "last, first, ..." for messages. */
-const char *wanted_kinds(struct arena *life);
-
 #endif

@@ -1,5 +1,6 @@
 /* badsine.c -- a library of mathematics whose sine is off by a millionth, to be put before the C library's (LD_PRELOAD). */
 #include <dlfcn.h>
+#include <math.h>
 
 double sin(double x)
 {
