@@ -79,7 +79,8 @@ static enum status csv_tick(struct sink *sink, double now, struct report *report
     return stream_tick(((struct csv *)sink->self)->stream, now, report);
 }
 
-static const struct sink_ops csv_ops = {csv_meta, csv_row, csv_event, csv_end, csv_tick};
+static const struct sink_ops csv_ops = {
+    .meta = csv_meta, .row = csv_row, .event = csv_event, .end = csv_end, .tick = csv_tick};
 
 static struct sink open_csv(struct stream *stream, bool units, struct arena *life)
 {

@@ -101,7 +101,8 @@ static enum status json_tick(struct sink *sink, double now, struct report *repor
     return stream_tick(((struct json *)sink->self)->stream, now, report);
 }
 
-static const struct sink_ops json_ops = {json_meta, json_row, json_event, json_end, json_tick};
+static const struct sink_ops json_ops = {
+    .meta = json_meta, .row = json_row, .event = json_event, .end = json_end, .tick = json_tick};
 
 static void close_own(void *own)
 {

@@ -87,7 +87,8 @@ static enum status ndjson_tick(struct sink *sink, double now, struct report *rep
     return stream_tick(((struct ndjson *)sink->self)->stream, now, report);
 }
 
-static const struct sink_ops ndjson_ops = {ndjson_meta, ndjson_row, ndjson_event, ndjson_end, ndjson_tick};
+static const struct sink_ops ndjson_ops = {
+    .meta = ndjson_meta, .row = ndjson_row, .event = ndjson_event, .end = ndjson_end, .tick = ndjson_tick};
 
 static void close_scratch(void *scratch)
 {

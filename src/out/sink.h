@@ -1,7 +1,7 @@
 /* sink.h -- what a run writes into.
  *
  * A run tells a sink, in this order: meta once, then rows and events as they come, end once, also
- * when the run was stopped; tick now and then between.  Nothing reported depends on the clock or the
+ * when the run was stopped; tick now and then between, passed every so many steps.  Nothing reported depends on the clock or the
  * machine: same deck, same bytes.  The writers below are sinks on a stream; a study is another.
  *
  * csv      One header line of plain names, then one line a row; a value that is not finite is an
@@ -93,6 +93,8 @@ struct sink_ops {
     enum status (*end)(struct sink *sink, const struct run_summary *summary, struct report *report);
     /* now: monotonic time [s]; cheap, for every major step: what waited 0.2 s is sent. */
     enum status (*tick)(struct sink *sink, double now, struct report *report);
+    /* Behind every record and every so many steps, by count: what ends a run by its work is looked at here, not by a clock. */
+    enum status (*passed)(struct sink *sink, struct report *report);
 };
 
 struct sink {
@@ -120,6 +122,11 @@ static inline enum status sink_end(struct sink *sink, const struct run_summary *
 static inline enum status sink_tick(struct sink *sink, double now, struct report *report)
 {
     return sink && sink->ops->tick ? sink->ops->tick(sink, now, report) : OK;
+}
+
+static inline enum status sink_passed(struct sink *sink, struct report *report)
+{
+    return sink && sink->ops->passed ? sink->ops->passed(sink, report) : OK;
 }
 
 /* The writers, a NULL name at the end.  open makes a sink that writes to stream, which the caller

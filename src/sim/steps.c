@@ -129,6 +129,7 @@ static enum status tick(const struct sim *sim, struct sink *sink, struct progres
 {
     enum { FEW = 16 };
     static const double AT_ONCE = 1e-3; /* [s] */
+    TRY(sink_passed(sink, report));
     if (progress->skipped++ < progress->due) return OK;
     const double now = clock_wall();
     progress->due = now - progress->read < AT_ONCE ? FEW : 0;

@@ -162,7 +162,8 @@ static enum status take_end(struct sink *sink, const struct run_summary *summary
     return sink_end(o->to, &all, report);
 }
 
-static const struct sink_ops ops = {take_meta, take_row, take_event, take_end, take_tick};
+static const struct sink_ops ops = {
+    .meta = take_meta, .row = take_row, .event = take_event, .end = take_end, .tick = take_tick};
 
 /* Of the same scene: looking at the run's own loops would move it. */
 static bool price(struct left_out *o)

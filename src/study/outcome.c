@@ -52,13 +52,13 @@ static enum status keep_row(struct sink *sink, const double *x, struct report *r
     return k->to->over ? E_LIMIT : OK;
 }
 
-static enum status keep_tick(struct sink *sink, double now, struct report *report)
+static enum status keep_passed(struct sink *sink, struct report *report)
 {
-    (void)now, (void)report;
+    (void)report;
     return look(sink->self);
 }
 
-static const struct sink_ops memory_ops = {.meta = keep_meta, .row = keep_row, .tick = keep_tick};
+static const struct sink_ops memory_ops = {.meta = keep_meta, .row = keep_row, .passed = keep_passed};
 
 bool by_tolerance(const struct stepper_kind *kind)
 {

@@ -138,7 +138,8 @@ static enum status take_end(struct sink *sink, const struct run_summary *summary
     return status != OK ? status : ended;
 }
 
-static const struct sink_ops ops = {take_meta, take_row, take_event, take_end, take_tick};
+static const struct sink_ops ops = {
+    .meta = take_meta, .row = take_row, .event = take_event, .end = take_end, .tick = take_tick};
 
 void verify_open(struct verify *o, struct sim *sim, struct sink *to, struct diags *diags, struct arena *life)
 {
