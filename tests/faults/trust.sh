@@ -4,7 +4,7 @@ decks=$ROOT/decks deck=$ROOT/decks/pendulum.yaml
 cd "$work" || exit 1
 
 "$FMDSUB" run "$deck" >out 2>err
-tail -n 1 err | grep -q "^estimated error: [0-9.e-]* of the range of 'pin.f[xy]', summed over the steps; .fmdsub run --verify. measures it$" &&
+tail -n 1 err | grep -q "^estimated error: [0-9.e-]* of the range of 'ball.y', summed over the steps; .fmdsub run --verify. measures it$" &&
     ok "the estimated error in words" || not_ok "the estimated error in words" "it says" err
 "$FMDSUB" run "$decks"/flexible-crank.yaml >out 2>err
 grep -q "^estimated error: not known, above half the range of 'wrist.fx': the steps do not resolve what moves there; take smaller steps$" err &&
