@@ -125,7 +125,7 @@ static void receive(struct member *m, struct arena *life)
 {
     char piece[1 << 16];
     const ssize_t n = read(m->from, piece, sizeof piece);
-    if (n < 0 && (errno == EINTR || errno == EAGAIN)) return;
+    if (n < 0 && errno == EINTR) return;
     if (n > 0) {
         make_room(m, (size_t)n, life);
         memcpy(m->bytes + m->used, piece, (size_t)n);

@@ -137,7 +137,7 @@ const char *gnuplot_ending(const char *path)
 static void put_terminal(FILE *to, const char *path, int width, int height, int lines)
 {
     const char *ending = path ? gnuplot_ending(path) : NULL;
-    struct winsize window = {0};
+    struct winsize window;
     if (!ending) {
         const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 40;
         fprintf(to, "set terminal dumb noenhanced size %d,%d\n", known ? window.ws_col - 1 : 100, lines);

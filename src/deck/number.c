@@ -69,7 +69,7 @@ int lookup_find(void *self, int *slot, double *value, const char *name, struct e
         if (!strcmp(s->name, name)) return *value = s->value, 0;
     struct parameter *p = parameter_find(lookup->deck, name);
     const struct node *signal = p || !lookup->own ? NULL : deck_signal(lookup->deck, name);
-    if (signal && signal->reported) return lookup->broken = true, 1;
+    if (signal && signal->reported) return lookup->broken = true;
     if (!p) return not_here(lookup, slot, value, name, error);
     *value = p->value;
     p->used = true;

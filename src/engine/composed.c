@@ -14,7 +14,7 @@ enum { STAGES = 5, BACK = 2 };
 struct composed {
     struct stepper on, back; /* each has its own predictors and matrices */
     struct single before;
-    double most; /* that dampers and friction have taken in a step [J] */
+    double most; /* that dampers have taken in a step [J] */
 };
 
 static const struct stepper_kind *base_of(const struct stepper *s)
@@ -72,7 +72,7 @@ static enum status stages(struct stepper *s, struct state *x, double h, int rati
                                                     k + 1 < STAGES ? t0 + end[k] * h * ratio : to, why);
         book(s, stage);
         TRY(status);
-        *(k == BACK ? &backward : &onward) += stage->work[POWER_DAMPER] + stage->work[POWER_FRICTION];
+        *(k == BACK ? &backward : &onward) += stage->work[POWER_DAMPER];
     }
     return feeds(o, onward, backward) ? trouble_set(why, TROUBLE_DIVERGED, 0, backward / -onward, t0) : OK;
 }

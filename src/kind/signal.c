@@ -83,7 +83,7 @@ void signal_motion(const struct signal *s, double *x, double t)
     double slope;
     x[0] = table_value(&slope, s, t);
     if (s->n < 2 || t < s->t[0] || t - s->t[s->n - 1] > same) return;
-    int i = t >= s->t[s->n - 1] ? s->n - 2 : ascending_piece(s->t, s->n, t);
+    int i = ascending_piece(s->t, s->n, t);
     if (i == 0 && t != 0 && t - s->t[0] <= same) return; /* before its first point it stands; at the start it moves */
     if (i > 0 && t - s->t[i] <= same) i--;
     x[1] = (s->x[i + 1] - s->x[i]) / (s->t[i + 1] - s->t[i]);

@@ -61,7 +61,7 @@ struct partition {
     double *M;                                     /* [n x n] */
     double *q, *v, *a;                             /* S at the minor step, L at the start */
     double *at, *vt;                               /* trial place, its rates */
-    double *slow, *dx, *part;                      /* what L has moved from q0, all from q */
+    double *slow, *dx, *part;                      /* what L has moved from q0 (that of S is 0), all from q */
     double *next;                                  /* accelerations there */
     double wf[POWER_CHANNELS], ws[POWER_CHANNELS]; /* power of the fast and slow parts, where the last step ended */
 };
@@ -89,7 +89,6 @@ static void foretell(struct partition *m, const struct ode2 *o, const struct sta
         m->slow[i] = m->path->moved(x->v[i], x->a[i], s, H);
         m->vt[i] = m->path->rate(x->v[i], x->a[i], s, H);
     }
-    zero(m->slow, m->ns);
     motion_point(o, m->at, x->q, m->slow, 1, t);
     motion_diff(o, m->dx, m->at, m->q);
     for (int i = 0; i < m->ns; i++) {

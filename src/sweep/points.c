@@ -154,9 +154,9 @@ double points_normal(double u)
                                2.04426310338993978564e-15};
     const double q = u - .5;
     if (fabs(q) <= .425) return q * ratio(a, b, 7, .180625 - q * q);
-    const double r = sqrt(-log(q < 0 ? u : 1 - u));
+    const double r = sqrt(-log(fmin(u, 1 - u)));
     const double x = r <= 5 ? ratio(c, d, 7, r - 1.6) : ratio(e, f, 7, r - 5);
-    return q < 0 ? -x : x;
+    return copysign(x, q);
 }
 
 static double draw_normal(double u, double mean, double deviation)

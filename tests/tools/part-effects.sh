@@ -166,6 +166,24 @@ closed=$(awk 'BEGIN { r = .01 ^ 2 / 12; kappa = 10 * 1.3 / (12 + 11 * .3); print
 "$FMDSUB" explain -s effects.rotary=false decks/cantilever.yaml >"$work/told" 2>"$work/err"
 expect "explain: rotary and shear off, their numbers" "watched 4.65 I/(A l^2) up to ${closed% *}; off 3 E I/(kappa G A l^2) up to ${closed#* }" \
     "$(sed -n 's/^rotary *\([a-z]*\) *by the deck *\(4.65.*\)/\1 \2/p' "$work/told"); $(sed -n 's/^shear *\([a-z]*\) *by default *\(3 E[^;]*\).*/\1 \2/p' "$work/told")" "$work/told"
+# Of a body from a file by its tensor, the largest of it about an axis, and the node that is farthest from its reference node: 4.65 *
+# 0.03/(2 (2^2 + 1.5^2 + 2.75^2)); nodes before and behind it are nearer.
+cat >"$work/lump.json" <<'END'
+{"fmdsub_flex": 1, "modes": 1, "reference": 1, "at": [0, 0, 0], "mass": 2, "xx": [4, 0, 0, 0, 4, 0, 0, 0, 4],
+"rot": [0.01, 0, 0, 0, 0.03, 0, 0, 0, 0.02], "f": [0, 0, 0], "xf": [0, 0, 0, 0, 0, 0, 0, 0, 0], "ff": [1, 0, 0, 0, 1, 0, 0, 0, 1],
+"rpsi": [0, 0, 0], "ppsi": [0], "K": [900], "stresses": [],
+"nodes": [{"name": "tip", "x": [1, 2, 3], "phi": [0, 1, 0], "psi": [0, 0, 0]},
+{"name": "root", "x": [-1, 0.5, 0.25], "phi": [0, 0, 0], "psi": [0, 0, 0]}, {"name": "knee", "x": [0, 0, 0], "phi": [0, 0, 1], "psi": [0, 0, 0]}]}
+END
+cat >"$work/lump.yaml" <<'END'
+fmdsub: 1
+bodies: {lump: {flexible: lump.json, at: [0, 0, 0]}}
+constraints: {pin: {revolute: [ground, lump], at: [-1, 0.5, 0.25], axis: [0, 0, 1]}}
+integrate: {scheme: newmark, step: 0.001, until: 0.01}
+END
+"$FMDSUB" explain "$work/lump.yaml" >"$work/told" 2>"$work/err"
+expect "explain: 4.65 I/(A l^2) of a body from a file" "$(awk 'BEGIN { printf "up to %.3g", 4.65 * .03 / 2 / (4 + 1.5 ^ 2 + 2.75 ^ 2) }')" \
+    "$(sed -n 's/^rotary .*\(up to .*\)/\1/p' "$work/told")" "$work/told" "$work/err"
 "$FMDSUB" explain -s bodies.arm.beam.shear=true decks/cantilever.yaml >"$work/told" 2>"$work/err"
 expect "explain: shear on, the same number" "on ${closed#* }" "$(sed -n 's/^shear *\([a-z]*\) .*up to \(.*\)/\1 \2/p' "$work/told")" "$work/told"
 "$FMDSUB" explain --format json decks/cantilever.yaml >"$work/told" 2>"$work/err"

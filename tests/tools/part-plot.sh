@@ -120,6 +120,14 @@ expect "no gnuplot, study: status, words" "6 1 0" "$? $(grep -c 'gnuplot-nox' er
 bare plot --script two.csv >out 2>err
 ended "no gnuplot: --script" 0 $? out err
 
+# One that ends at once, and reads nothing of a script that is longer than a pipe holds: nobody waits for it.
+mkdir ended
+printf '#!/bin/sh\necho worn out >&2\n' >ended/gnuplot
+chmod +x ended/gnuplot
+awk 'BEGIN { print "t,a"; for (i = 0; i < 20000; i++) print i ",0.123456" }' >long.csv
+PATH=$work/ended:$PATH timeout 30 "$FMDSUB" plot -o a.svg long.csv >out 2>err
+expect "gnuplot ends without reading: status, words" "6 1" "$? $(grep -c 'gnuplot has drawn nothing: worn out' err)" err
+
 # Where it is there.
 if ! command -v gnuplot >/dev/null; then
     echo "skip pictures: no gnuplot (Debian: gnuplot-nox)"

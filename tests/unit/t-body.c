@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "flex/choice.h"
 #include "la/vec3.h"
 #include "unit/turn.h"
 
@@ -130,6 +131,59 @@ static void check_integrals(const struct flex_body *o, const struct particle *p,
 static void same(const double *a, const double *b, int n)
 {
     for (int k = 0; k < n; k++) near(a[k], b[k], 2e-12);
+}
+
+/* What moves the reference node along d and turns about it: every particle goes along u = d + psi x (x - x0). */
+static void carried(double *u, const double *d, const struct particle *p, const struct particle *reference)
+{
+    double arm[3];
+    v3_copy(arm, p->x);
+    v3_axpy(arm, -1, reference->x);
+    v3_cross(u, d + 3, arm);
+    v3_add(u, d);
+}
+
+/* Inertia between two such motions, its forces on the coordinates, and those of a turn, against sums over the particles.
+ * Nothing behind the six numbers of a motion is looked at. */
+static void test_loads(void **state)
+{
+    static const double d[9] = {.3, -.7, .2, 1.1, .4, -.9, NAN, NAN, NAN};
+    static const double e[9] = {-.5, .6, .8, .2, -1.3, .7, NAN, NAN, NAN};
+    struct arena *life = arena_open();
+    struct particle p[COUNT];
+    uint64_t dice = 23;
+    double between = 0, inertia[N], turning[N];
+    (void)state;
+    cloud(p, &dice);
+    const struct flex_body *o = gather(p, false, life);
+    flex_inertia_load(inertia, o, d);
+    flex_centrifugal_load(turning, o, d + 3, p[2].x);
+    for (int j = 0; j < N; j++) {
+        double load = 0, outwards = 0;
+        for (int k = 0; k < COUNT; k++) {
+            double u[3], arm[3], w[3], h[3];
+            carried(u, d, &p[k], &p[0]);
+            m3_mul(h, p[k].I, d + 3);
+            load -= p[k].m * v3_dot(p[k].phi + 3 * j, u) + v3_dot(p[k].psi + 3 * j, h);
+            v3_copy(arm, p[k].x);
+            v3_axpy(arm, -1, p[2].x);
+            v3_cross(w, d + 3, arm);
+            v3_cross(u, d + 3, w);
+            outwards -= p[k].m * v3_dot(p[k].phi + 3 * j, u);
+        }
+        near(inertia[j], load, 1e-12);
+        near(turning[j], outwards, 1e-12);
+    }
+    for (int k = 0; k < COUNT; k++) {
+        double u[3], v[3], h[3];
+        carried(u, d, &p[k], &p[0]);
+        carried(v, e, &p[k], &p[0]);
+        m3_mul(h, p[k].I, e + 3);
+        between += p[k].m * v3_dot(u, v) + v3_dot(d + 3, h);
+    }
+    near(flex_inertia_between(o, d, e), between, 1e-12);
+    near(flex_inertia_between(o, e, d), between, 1e-12);
+    arena_close(life);
 }
 
 /* One principal moment far above the sum of the others, on an axis drawn by lot: the mass matrix of turns is psi' I psi and
@@ -368,7 +422,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_integrals), cmocka_unit_test(test_excess), cmocka_unit_test(test_turning),
-        cmocka_unit_test(test_refer),     cmocka_unit_test(test_back),
+        cmocka_unit_test(test_refer),     cmocka_unit_test(test_back),   cmocka_unit_test(test_loads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
