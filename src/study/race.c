@@ -47,14 +47,17 @@ void racer_open(struct racer *o, const struct setting *setting, const struct sce
     o->work_mark = o->work;
 }
 
-/* Where its next step has to end at the latest. */
-static double end_of_step(const struct racer *o)
+static double next_record(const struct sim *sim)
 {
-    const struct sim *sim = &o->sim;
-    const double t = sim->x.t, until = sim->plan.until, H = sim->plan.step * (double)sim->every;
-    if (!sim->stepper.kind->adaptive) return t + sim->plan.step * sim->plan.ratio;
-    if (!sim->onto_records) return until;
-    return fmin(until, sim->scene->start + H * (floor((t - sim->scene->start) / H * (1 + 1e-12) + 1e-9) + 1));
+    const double H = sim->plan.step * (double)sim->every, gone = sim->x.t - sim->scene->start;
+    return fmin(sim->plan.until, sim->scene->start + H * (floor(gone / H * (1 + 1e-12) + 1e-9) + 1));
+}
+
+/* Where its next step has to end at the latest. */
+static double end_of_step(const struct sim *sim)
+{
+    if (!sim->stepper.kind->adaptive) return sim->x.t + sim->plan.step * sim->plan.ratio;
+    return sim->onto_records ? next_record(sim) : sim->plan.until;
 }
 
 static double last_step(const struct racer *o)
@@ -76,7 +79,8 @@ void racer_go(struct racer *o, double most, void (*seen)(void *self, const struc
         o->h_before = last_step(o);
         o->t_last = sim->x.t;
         o->work_last = o->work;
-        o->out = stepper_step(&sim->stepper, &sim->x, p->step, p->ratio, end_of_step(o), &sim->trouble) != OK;
+        sim->stepper.due = next_record(sim);
+        o->out = stepper_step(&sim->stepper, &sim->x, p->step, p->ratio, end_of_step(sim), &sim->trouble) != OK;
         if (o->out) return;
         note(o);
         o->a_step = o->a_step > 0 ? fmin(o->a_step, o->work - o->work_last) : o->work - o->work_last;
