@@ -25,17 +25,22 @@
 #define FMDSUB_MULTIRATE_DECOUPLE_H
 
 #include "base/arena.h"
+#include "base/inline.h"
 #include "engine/stepper.h"
 #include "la/dense.h"
 
 enum { FEW = 6 };
 
 /* y [rows] += s A x, A [rows x cols]: dense_gemv() where most often both are a few, to the same bits. */
-static inline void gemv_few(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
-                            int cols, int ld)
+INTO static inline void gemv_few(double *restrict y, double s, const double *restrict A, const double *restrict x,
+                                 int rows, int cols, int ld)
 {
     if (rows > FEW) {
         dense_gemv(y, s, A, x, rows, cols, ld);
+    } else if (rows == 1) {
+        double sum = y[0];
+        for (int j = 0; j < cols; j++, A += ld) sum += A[0] * (s * x[j]);
+        y[0] = sum;
     } else if (cols == 1) {
         const double a = s * x[0];
         for (int i = 0; i < rows; i++) y[i] += A[i] * a;
