@@ -1,7 +1,7 @@
 /* ledger.c -- the balance (2-26*), see ledger.h.
  *
- * The verdict is passed on the run as a whole: at its first steps from rest all works are near nothing,
- * and a quadrature of second order (Newmark's) is off by a third of them whatever the step. */
+ * The verdict is on the run as a whole: in the first steps from rest all works are near zero, and a quadrature of
+ * second order (Newmark's) is off by a third of them, however small the step. */
 #include "ledger/ledger.h"
 
 #include <float.h>
@@ -18,15 +18,16 @@ void ledger_open(struct ledger *o, double delta, double least, double kinetic, d
     o->gravity0 = o->gravity = gravity;
 }
 
-/* Velocities off by the tolerance leave twice that in their energy: by the usual delta, that is within the balance. */
+/* A relative error of velocities is twice that in their energy: ||W|| is at least so large that this is within the
+ * balance at the usual delta. */
 void ledger_tolerate(struct ledger *o, double tolerance)
 {
     static const double USUAL_DELTA = .01;
     o->motion = 2 * tolerance / USUAL_DELTA;
 }
 
-/* The floor of ||W||.  Energies are differences of larger numbers, and where little work is done, as on a body that
- * spins freely, the balance is measured against a small share of the energy that is there. */
+/* The floor of ||W||: where little work is done, as on a body that spins freely, the balance is measured against a
+ * small share of the energy at the start; and the round-off of energies is not held against it. */
 static double least_norm(const struct ledger *o)
 {
     static const double share = 1e-2, round_off = 1e4 * DBL_EPSILON;
@@ -35,7 +36,8 @@ static double least_norm(const struct ledger *o)
                   round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
 }
 
-/* What is resolved loses less in a step by damping of any use; what is not, a part of itself. */
+/* Useful numerical damping takes less than this of resolved motion in one step; of motion that the step does not
+ * resolve it takes a considerable part. */
 static bool is_burst(const struct ledger *o, double lost)
 {
     static const double SUDDEN = 1e-4;
@@ -56,7 +58,7 @@ void ledger_strike(struct ledger *o, double struck)
     o->struck += struck;
 }
 
-/* At least so much more than before, less what they may have gone back by. */
+/* Works that change by `swing` from values of at most ||W|| in sum have come to at least swing - ||W||. */
 void ledger_swing(struct ledger *o, double swing)
 {
     o->norm = larger(o->norm, swing - o->norm);

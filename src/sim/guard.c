@@ -1,8 +1,9 @@
-/* guard.c -- the first sign of motion that the step does not resolve: the balance of energy is lost on the way.
+/* guard.c -- watches the energy balance for the first sign of motion that the fixed step does not resolve.
  *
- * The verdict on the balance is passed at the end, against all that was done; where it is lost by then, it was at some step,
- * and there, with the coordinate whose frequency the step resolves least, it is told.  Beside motion that is not resolved the
- * balance is held against the energies that are there, and against that motion's own, too. */
+ * The verdict on the balance is passed at the end of the run, against ||W|| of all that was done.  Here it is told
+ * at which step the balance was lost, with the coordinate whose local frequency omega is highest for the step
+ * (largest omega h). Where there is unresolved motion, the balance is also held against the energy that is in the
+ * system, and against the energy of that motion itself. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -17,7 +18,8 @@
 
 enum { SOON = 20 }; /* major steps in which all works are near nothing, and a quadrature is off by parts of them */
 
-/* M, factored, and M^-1 K of the state; false: not known. */
+/* M [n x n] := the Cholesky factor of the mass matrix at the present state, K [n x n] := M^-1 K; false: they cannot
+ * be had. */
 static bool look_at_masses(double *M, double *K, const struct sim *sim)
 {
     const struct ode2 *o = sim->stepper.ode;
@@ -29,21 +31,23 @@ static bool look_at_masses(double *M, double *K, const struct sim *sim)
     return true;
 }
 
-/* The step of coordinate i. */
+/* The step of coordinate i: the major one if it is slow [s]. */
 static double step_of(const struct sim *sim, int i)
 {
     const bool slow = sim->stepper.kind->two_rates && i >= sim->stepper.ode->ns;
     return sim->last_h * (slow ? sim->plan.ratio : 1);
 }
 
-/* Its local frequency, others recoiling, times that. */
+/* omega h of coordinate i: its local frequency sqrt((M^-1 K)_ii), where the others recoil freely, times its step. */
 static double turn_in_step(const struct sim *sim, const double *K, int i)
 {
     return sqrt(fabs(K[i + (long)sim->stepper.ode->n * i])) * step_of(sim, i);
 }
 
-/* The velocity of the vibration in it, turn w in a step, by accelerations: what goes on evenly has none.  Schemes of the middle
- * have the mean over the major step, in which what is not resolved turns round. */
+/* The velocity amplitude of the vibration in coordinate i, w = omega h: from the acceleration, since a coordinate
+ * that moves on evenly does not vibrate.  Schemes that collocate at points of time have the acceleration of an
+ * instant, a = omega v; the others its mean over the major step, in which the velocity of an unresolved vibration is
+ * reversed. */
 static double vibrates(const struct sim *sim, double w, int i)
 {
     static const double EVENLY = .05;
@@ -53,7 +57,7 @@ static double vibrates(const struct sim *sim, double w, int i)
     return change > EVENLY * v ? larger(change, v) : change;
 }
 
-/* The coordinate of the largest of these, that too; -1: not known. */
+/* The coordinate with the largest omega h, and *omega_h; -1: not known. */
 static int least_resolved(double *omega_h, const struct sim *sim, struct arena *scratch)
 {
     const int n = sim->stepper.ode->n;
@@ -68,8 +72,8 @@ static int least_resolved(double *omega_h, const struct sim *sim, struct arena *
     return worst;
 }
 
-/* Of the coordinates that the step does not resolve the largest kinetic energy of vibration, whose and how fast; 0: there is
- * none. */
+/* The largest kinetic energy of vibration [J] of a coordinate with omega h above 1, which one that is and its omega
+ * h; 0: no such coordinate vibrates.  1/(M^-1)_ii is the inertia of coordinate i while the others recoil. */
 static double moves_unresolved(int *at, double *omega_h, const struct sim *sim, struct arena *scratch)
 {
     static const double RESOLVED = 1;
@@ -89,7 +93,7 @@ static double moves_unresolved(int *at, double *omega_h, const struct sim *sim, 
     return most;
 }
 
-/* Behind the n characters of text: what the step does not resolve, if that is known. */
+/* Appends to the n characters of text which coordinate the step does not resolve, if that is known. */
 static void add_cause(char *text, size_t size, int n, const struct sim *sim)
 {
     enum { MANY = 500 };
@@ -160,7 +164,7 @@ void guard_part(struct sim *sim, int depth)
     sim->guard.depth = depth;
 }
 
-/* The most energy that has been there. */
+/* The largest energy that has been in the system so far [J]. */
 static double energy_there(struct sim *sim)
 {
     const struct ledger *l = &sim->ledger;
@@ -169,7 +173,8 @@ static double energy_there(struct sim *sim)
     return sim->guard.there;
 }
 
-/* Does it count by what there will be, too?  What starts from rest has next to nothing for a while. */
+/* Is the energy so far a fair measure?  A motion from rest has next to none at first: then it is waited for twice
+ * the time at which the loss was seen. */
 static bool lasts(const struct sim *sim)
 {
     const struct ledger *l = &sim->ledger;
@@ -178,8 +183,9 @@ static bool lasts(const struct sim *sim)
            t >= sim->plan.until;
 }
 
-/* A scheme that damps takes motion that the step does not resolve away, within few steps, and keeps the balance: what that
- * would have done to all else is missing. */
+/* Numerical damping removes unresolved motion within a few steps, and the balance, which counts what damping takes,
+ * holds: but the effect of that motion on the rest is missing.  Has it taken more than delta of the energy in such
+ * bursts?  *share: how much of it; the coordinate least resolved and its omega h. */
 static bool taken_away(double *share, int *at, double *omega_h, struct sim *sim)
 {
     enum { MANY = 500 };
@@ -211,9 +217,11 @@ static enum status tell_taken(struct sim *sim, double share, int at, double omeg
     return sink_event(sink, sim->x.t, "balance", text, report);
 }
 
-/* ||W|| grows with all that passes through: beside a motor and a brake that have turned over megajoules nobody sees that a stiff
- * part makes what it likes.  Is the balance off by more than its share of the energies that have been there, beside motion that
- * the step does not resolve, or by a tenth of what moves so?  Looked at ever more seldom. */
+/* ||W|| grows with all energy that passes through: once a motor and a brake have converted megajoules, an unresolved
+ * vibration of a stiff part is invisible beside it.  Is the balance off by more than delta of the energy that has
+ * been in the system, while something vibrates unresolved; or by a tenth of the energy of a strong such vibration?
+ * *share: of the energy in the system; the coordinate and its omega h.  Looked at less and less often, for it costs
+ * a factorization. */
 static bool hidden(double *share, int *at, double *omega_h, struct sim *sim)
 {
     enum { MANY = 500, OFTEN = 32 };

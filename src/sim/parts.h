@@ -18,9 +18,9 @@ void warn_of_unread(const struct sim *sim, struct diags *diags);
 /* advance.c: one major step to `to`, halved where it must be; after the stepper is open */
 void advance_open(struct sim *sim, struct arena *life);
 enum status advance(struct sim *sim, double h, int ratio, double to);
-/* Energies at the state, and the balance by them.  Where they are not looked at at once: are they to be at the end of major
- * step k, of which a record is due? */
+/* Energies at the present state, and the balance by them. */
 enum status look_at_energies(struct sim *sim);
+/* Where that is not done with every step: is it due at the end of major step k; record: which is recorded? */
 static inline bool look_is_due(const struct sim *sim, long k, bool record)
 {
     enum { LOOK_EVERY = 8 };
@@ -32,8 +32,8 @@ enum status advance_naturally(struct sim *sim, double to);
 /* That step is undone. */
 enum status advance_back(struct sim *sim);
 
-/* pulses.c: what comes and goes all at once: times at which a scheme that chooses its steps stops; warnings of loads that
- * do so within one fixed step */
+/* pulses.c: what comes and goes all at once: times at which a scheme that chooses its steps stops; warnings of loads
+ * that do so within one fixed step */
 void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life);
 void warn_of_pulses(struct sim *sim, struct diags *diags);
 
@@ -54,8 +54,8 @@ static inline bool follows_turns(const struct sim *sim)
 enum status state_take(const struct sim *sim, struct model *m, struct diags *diags, struct arena *life);
 enum status state_turns(struct sim *sim, struct diags *diags);
 
-/* memory.c: whose a state is: the deck's but for start, end and output; the steps'.  All that a run carries from step to
- * step, kept or taken back: base/recall.h.  From the state that the run goes on from, if that is its own */
+/* memory.c: whose a state is: the deck's but for start, end and output; the steps'.  All that a run carries from
+ * step to step, kept or taken back: base/recall.h.  From the state that the run goes on from, if that is its own */
 #define MEMORY_STEPS "of_steps"
 uint64_t memory_of_deck(const struct sim *sim);
 uint64_t memory_of_steps(const struct sim *sim);
@@ -71,8 +71,8 @@ static inline bool events_watched(const struct sim *sim)
 enum status events_check(struct sim *sim, struct sink *sink, struct report *report);
 /* Is it so at the present state, and was not when last looked at? */
 enum status events_happen(bool *is, struct sim *sim);
-/* onto.c: when that is in the step that a scheme has chosen and taken last, short of its end; infinity: it is not.  Asked
- * again and again of steps onto it, it ends. */
+/* onto.c: when that is in the step that a scheme has chosen and taken last, short of its end; infinity: it is not.
+ * Asked again and again of steps onto it, it ends. */
 double onto_event(struct sim *sim);
 
 /* contacts.c: rigid contacts: which schemes take them; the start, without overlaps; forces in what records look at;
@@ -81,13 +81,14 @@ enum status contacts_plan(const struct sim *sim, struct diags *diags);
 enum status contacts_begin(struct sim *sim, struct report *report);
 enum status contacts_press(struct sim *sim);
 enum status contacts_events(struct sim *sim, struct sink *sink, struct report *report);
-/* guard.c: where energies have been looked at: the first sign of a balance that is lost */
+/* guard.c: after energies have been looked at: tells the first loss of the balance */
 enum status guard_look(struct sim *sim, struct sink *sink, struct report *report);
-/* Does it act?  Then major steps are taken in 2^depth parts from here; and damped, which is said, where parts do not do it:
- * false: they cannot be, or are already. */
+/* Does it act on a loss, too (`guard: act` and fixed steps)? */
 bool guard_acts(const struct sim *sim);
 void guard_open(struct sim *sim);
+/* Major steps are taken in 2^depth parts from here. */
 void guard_part(struct sim *sim, int depth);
+/* And with numerical damping, which is told; false: the scheme has none, or damps already. */
 bool guard_damp(struct sim *sim);
 void guard_recall(struct sim *sim, struct recall *r);
 
@@ -139,7 +140,8 @@ enum status passes_check(struct sim *sim, struct sink *sink, struct report *repo
 void tilts_open(struct sim *sim, struct arena *life);
 void tilts_note(struct sim *sim);
 void warn_of_tilts(struct sim *sim);
-/* loops.c: how near loops have come to a dead point, three facts or a line; redundant equations that do not say the same to round-off */
+/* loops.c: how near loops have come to a dead point, three facts or a line; redundant equations that do not say the
+ * same to round-off */
 int nearest_facts(const struct sim *sim, struct pair *facts);
 void print_nearest(const struct sim *sim, FILE *to);
 void warn_of_misfits(struct sim *sim);
@@ -148,7 +150,8 @@ void warn_of_misfits(struct sim *sim);
 void jumps_open(struct sim *sim, struct arena *life);
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);
 
-/* corners.c: drives whose rate jumps beside friction or closed contacts, in the step from a time; first where steps begin */
+/* corners.c: drives whose rate jumps beside friction or closed contacts, in the step from a time; first where steps
+ * begin */
 void corners_open(struct sim *sim, struct arena *life);
 void corners_begin(struct sim *sim);
 void corners_note(struct sim *sim, double from);
@@ -159,9 +162,11 @@ enum status formulas_open(struct sim *sim, struct diags *diags, struct arena *li
 
 /* flatten.c: steps in a plane where the motion stays in one; after the watches that look at turns in space */
 enum status flatten_open(struct sim *sim, struct diags *diags, struct arena *life);
+/* Before that: *m := the model without the modes that stay 0 in the plane; with all where the deck asks for them. */
+enum status leave_still(struct model **m, struct sim *sim, struct arena *life);
 
-/* record.c: what columns need (SEE_... of their rows) at the present state; one column, after that; all that are
- * written */
+/* record.c: evaluates the system at the present state as far as columns need it (EVALUATE_..., NEED_...); one
+ * column, after that */
 enum status record_evaluate(struct sim *sim, unsigned needs);
 double record_value(const struct sim *sim, const struct origin *o);
 /* Does a record look at the bodies, where the steps are?  Then the energies may be had with it. */
@@ -170,37 +175,38 @@ bool record_looks(const struct sim *sim);
 void record_read(struct sim *sim);
 enum status record_fill(struct sim *sim);
 
-/* trust.c: how far the run is off, noted with each record; at the end */
-/* *m without modes that stay 0; where the deck looks at all of them, with all. */
-enum status leave_still(struct model **m, struct sim *sim, struct arena *life);
-/* lateral.c */
+/* lateral.c: does a motion that is stepped in a plane stay there in space? */
 void lateral_open(struct sim *sim, struct arena *life);
 void lateral_note(struct sim *sim);
 void lateral_recall(struct sim *sim, struct recall *r);
 void warn_of_lateral(struct sim *sim);
-/* Of one freedom, after stepper_open(): errors are followed from look to look (engine/tangent.h). */
-void trust_follow(struct sim *sim, struct arena *life);
+
+/* trust.c: the estimated error of the run (trust.h) */
 void trust_open(struct sim *sim, struct arena *life);
-struct recall;
-void trust_recall(struct sim *sim, struct recall *r);
-void trust_note(struct sim *sim);
-/* With each step. */
+/* After stepper_open(): with one degree of freedom and conservative forces errors are propagated (engine/tangent.h). */
+void trust_follow(struct sim *sim, struct arena *life);
+/* With each step; with each record. */
 void trust_step(struct sim *sim);
+void trust_note(struct sim *sim);
+/* At the end of the run: errors of the columns, and the estimate from them. */
 void trust_find(struct sim *sim);
-/* trust_told.c: the worst column, of what was found at the places; three facts; words. */
+void trust_recall(struct sim *sim, struct recall *r);
+/* trust_told.c: the worst column by its error; three facts of the end line; words */
 void trust_judge(struct sim *sim);
 int trust_facts(const struct sim *sim, struct pair *facts);
 void warn_of_trust(struct sim *sim);
 void print_trust(const struct sim *sim, FILE *to);
 
-/* growth.c: at how many places of the run that has ended a look at how small differences grow is worth a fiftieth of its
- * evaluations; the fastest growth at one of them [1/s], 0: none, and what it may be by the blur of differences alone; INFINITY:
- * it cannot be had */
+/* growth.c: how fast small differences grow near a place of the run */
 struct growth_place {
-    double t, pace; /* pace: of the fastest velocity over its usual size [1/s] */
+    double t;    /* [s] */
+    double pace; /* fastest velocity over the usual size of its coordinate [1/s] */
     const double *q, *v;
 };
+/* At how many places that may be looked at for a fiftieth of the evaluations of the run, which has ended. */
 int growth_places(const struct sim *sim);
+/* The fastest growth rate there [1/s], 0: none; *blur: what round-off of the differences alone may make of it,
+ * INFINITY where the rate cannot be had. */
 double growth_at(struct sim *sim, const struct growth_place *p, double *blur);
 
 /* neglects.c: what effects turned off by the deck would change */
@@ -211,8 +217,8 @@ int neglects_facts(const struct sim *sim, struct pair *facts);
 void warn_of_neglects(struct sim *sim);
 void print_neglects(const struct sim *sim, FILE *to);
 
-/* rest.c: moves sim->x to a stable static equilibrium near it, at rest.  The kind of TROUBLE_DIVERGED where the one that it stands
- * in is not stable; its index is the coordinate that falls away */
+/* rest.c: moves sim->x to a stable static equilibrium near it, at rest.  The kind of TROUBLE_DIVERGED where the one
+ * that it stands in is not stable; its index is the coordinate that falls away */
 enum { REST_FALLS = 1 };
 enum status rest_find(struct sim *sim, struct arena *scratch, struct trouble *why);
 

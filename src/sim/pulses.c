@@ -1,17 +1,16 @@
-/* pulses.c -- loads as a fixed step sees them: pulses within one step, and
- * jumps at times that nobody knows beforehand. */
+/* pulses.c -- loads and drives that change suddenly: pulses that come and go within one fixed step are warned of
+ * (W-pulse); schemes that choose their steps get the times at which to stop. */
 #include <math.h>
 
 #include "sim/parts.h"
 
-/* A step that something happens in: it ends at `end`, and the two corners are
- * inside it or at its ends. */
+/* A step from `begin` to `end`, and two corners of a signal in it or at its ends [s]. */
 struct within {
     double first, last, begin, end;
 };
 
-/* Do two corners that follow each other lie in one step of h, counted from t0,
- * and leave some of it? */
+/* Do two successive corners lie in one step h, steps counted from t0, and are they closer to each other than the
+ * whole step? */
 static bool in_one_step(struct within *o, double first, double last, double t0, double h)
 {
     static const double END = 1e-9; /* of a step: at its end */
@@ -25,11 +24,12 @@ static double at(const struct signal *s, double t)
     return signal_value(s, &t);
 }
 
-/* An expression is other behind each of its corners.  A table goes on, and what counts is whether it goes away and comes
- * back. */
+/* Does the signal come and go between the two corners?  Of an expression any two corners count, since it follows
+ * another formula behind each; a table is continuous, and must depart from its values at the ends of the step by
+ * half its range. */
 static bool is_pulse(const struct signal *s, const struct within *o)
 {
-    static const double PART = .5; /* of all that the table does */
+    static const double PART = .5; /* of the range of the table */
     double low = INFINITY, high = -INFINITY;
     if (s->expr) return true;
     for (int i = 0; i < s->n; i++) {
@@ -40,7 +40,7 @@ static bool is_pulse(const struct signal *s, const struct within *o)
     return fmax(x, y) - fmax(a, b) > PART * (high - low) || fmin(a, b) - fmin(x, y) > PART * (high - low);
 }
 
-/* The first pulse within one step. */
+/* The first pulse of the run that is within one step. */
 static bool find_pulse(struct within *o, const struct signal *s, const struct sim *sim, double h)
 {
     enum { MOST = 100000 };
@@ -55,25 +55,25 @@ static bool find_pulse(struct within *o, const struct signal *s, const struct si
 
 /* ---- smooth ones ---- */
 
-/* A function of t alone that has no corners in the way, over the steps of a
- * run.  Its bounds over stretches of time tell where nothing can be, so that a
- * bell in an hour of seconds is found by some dozens of them; left: how many
- * more it may take. */
+/* The search for a smooth pulse of a function of t alone.  Interval arithmetic (expr_span()) bounds it over
+ * stretches of time and so excludes those where it is nearly constant: a pulse of a second in an hour is found with
+ * a few dozen bounds. */
 struct look {
     const struct signal *s;
-    double t0, h;
-    double whole; /* all that it does in the run */
-    long left;
+    double t0, h; /* start of the run, step [s] */
+    double whole; /* range of the function over the run, in its units */
+    long left;    /* bounds that may still be computed */
 };
 
+/* Bounds of the function from time a to b; false: there are none. */
 static bool bounds(struct expr_span *o, struct look *l, double a, double b)
 {
     l->left--;
     return expr_span(o, l->s->expr, &a, &b) && isfinite(o->lo) && isfinite(o->hi);
 }
 
-/* By parts of the run, since bounds of all of it may be far too wide; NAN: not
- * known. */
+/* The range of the function over the run, as the union of bounds of its parts, since those over the whole run may be
+ * far too wide; NAN: not known. */
 static double whole_of(struct look *l, double until)
 {
     enum { PARTS = 64 };
@@ -88,7 +88,7 @@ static double whole_of(struct look *l, double until)
     return high >= low ? high - low : NAN;
 }
 
-/* A time from a to b at which it is not from low to high. */
+/* *t := a time between a and b at which the function is outside low to high, if one is found by halving. */
 static bool strays(double *t, struct look *l, double a, double b, double low, double high, int depth)
 {
     struct expr_span o;
@@ -99,12 +99,12 @@ static bool strays(double *t, struct look *l, double a, double b, double low, do
     return strays(t, l, a, middle, low, high, depth - 1) || strays(t, l, middle, b, low, high, depth - 1);
 }
 
-/* The same in one of the steps from number k to n, of what its ends show of it;
- * o: that step, and when. */
+/* Is there a step, of those numbered k to n - 1, in which the function goes outside the range of its values at the
+ * ends of that step by a quarter of its whole range?  o: the step, and the time of that in `first`. */
 static bool strays_in_a_step(struct within *o, struct look *l, long k, long n)
 {
     enum { HALVINGS = 10 };
-    static const double FLAT = .05, PART = .25; /* of all that it does */
+    static const double FLAT = .05, PART = .25; /* of the whole range */
     struct expr_span span;
     const double a = l->t0 + (double)k * l->h, b = l->t0 + (double)n * l->h;
     if (l->left <= 0 || (bounds(&span, l, a, b) && span.hi - span.lo <= FLAT * l->whole)) return false;
@@ -114,6 +114,7 @@ static bool strays_in_a_step(struct within *o, struct look *l, long k, long n)
     return strays(&o->first, l, a, b, fmin(x, y) - more, fmax(x, y) + more, HALVINGS);
 }
 
+/* The first smooth pulse within one step of an expression that reads the time alone. */
 static bool find_stray(struct within *o, const struct signal *s, const struct sim *sim, double h)
 {
     enum { LEAST = 4000, MOST = 40000 };
@@ -163,7 +164,8 @@ void warn_of_pulses(struct sim *sim, struct diags *diags)
     }
 }
 
-/* Before the system is built: it asks whether there is anything to stop at. */
+/* For schemes that choose their steps.  Called before the system is built, which asks whether there is anything to
+ * stop at. */
 void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life)
 {
     const double from = fmin(0, sim->scene->start), to = sim->plan.until; /* the same for a run that goes on */
@@ -187,8 +189,8 @@ void pulses_stop_at(const struct sim *sim, struct model *m, struct arena *life)
     m->loop = loop;
 }
 
-/* Has it corners that are not among the known ones: of the state, or of a
- * function of time that is not looked into? */
+/* May the signal have corners at times that are not known beforehand: it depends on the state, or its function of
+ * time has no list of corners? */
 static bool bends_unseen(const struct signal *s)
 {
     int slot[2] = {0, 0};

@@ -28,20 +28,22 @@ struct sim_options {
     FILE *log;      /* plan line, progress, end summary; NULL: silent */
     FILE *warnings; /* those of the run; NULL: log */
     enum sim_progress progress;
-    const double *rest; /* where this scene stands at rest, as another run of it has found it [nq of the model]; NULL */
-    bool drawn;   /* in the deck's own space, even where the motion stays in a plane: small motions are looked at */
-    bool general; /* ratio 1: the sub-cycling stepper itself, not the single-rate one it equals */
-    bool
-        counting; /* columns are all coordinates, rates and measures, then those that the deck names, and it runs to the
-                    * latest end: no condition ends it (study, modes) */
+    const double *rest; /* [nq of the model] static equilibrium of this scene that another run has found; NULL: none */
+    bool drawn;         /* stay in the deck's own space even where the motion stays in a plane, for small motions */
+    bool general;       /* ratio 1: the sub-cycling stepper itself, not the single-rate one that it equals */
+    /* For study and modes: the columns are all coordinates, rates and measures, then those that the deck names, and no
+     * condition ends the run before its latest end. */
+    bool counting;
 };
+
+/* ---- what the parts of a run remember (sim/parts.h has their functions) ---------------------------------------- */
 
 /* events.c: what a run looks for at the end of every major step. */
 struct watch {
-    unsigned needs;             /* SEE_... */
-    const struct origin **slot; /* [nslot] of the condition; NULL: there is none */
+    unsigned needs;             /* EVALUATE_..., NEED_... */
+    const struct origin **slot; /* [nslot] columns that the condition reads; NULL: there is no condition */
     double *value;              /* [nslot] */
-    bool was;                   /* the condition, last looked at */
+    bool was;                   /* the condition at the last look */
     bool met;                   /* it has ended the run */
     int nrange;
     struct watched_range {
@@ -57,141 +59,188 @@ struct watch {
 struct formula {
     const struct expr *expr;
     int n, capacity;
-    int *from; /* [n] the columns that it reads, of the catalogue */
+    int *from; /* [n] the columns of the catalogue that it reads */
     double *x; /* [n] their values */
 };
 
+/* rest_neutral.c: motions that a static start does not hold. */
 enum { NEUTRAL_NAMES = 3 };
 struct neutral {
-    int n;                 /* motions that a static start does not hold */
+    int n;
     int at[NEUTRAL_NAMES]; /* a coordinate of each of the first */
 };
+
+/* deflections.c: of a flexible body. */
+struct deflection {
+    int body, node; /* of the model; the node farthest from the reference */
+    double size;    /* its distance [m] */
+    double most, t; /* largest displacement there at the end of a step [m], when [s] */
+};
+
+/* spins.c: of a flexible body without geometric stiffening. */
+struct turning {
+    int body; /* of the model */
+    double most, axis[3],
+        t; /* largest angular velocity of its frame at the end of a step [rad/s], its axis, when [s] */
+};
+
+/* tilts.c: of a bushing whose rotations are shared by convention. */
+struct tilting {
+    int force;
+    double most, t; /* largest tilt at the end of a step [rad], when [s] */
+};
+
+/* passes.c: of a force along a distance. */
+struct passing {
+    int force;   /* of the model */
+    double d[3]; /* from its first end to its second at the end of the last step, world axes [m] */
+    bool reported;
+};
+
+/* jumps.c: of a drive whose value may jump. */
+struct jumping {
+    int loop;     /* of the model */
+    double t;     /* last look [s] */
+    double x[3];  /* value and its rates there */
+    double most;  /* largest |value| so far [m] or [rad] */
+    double clear; /* it is known not to jump before that time [s] */
+    bool reported;
+};
+
+/* corners.c: drives whose rate jumps beside friction or closed contacts. */
+struct cornering {
+    bool *borne; /* [ncontact] rubbed or was closed at the last look */
+    int *above;  /* [nbody] union-find forest of bodies that hand impulses on to each other */
+    bool met;    /* the rate of a drive has jumped meanwhile, */
+    bool told;   /* and this run, not one that it goes on from, has said so */
+};
+
+/* guard.c: the first loss of the energy balance, and what is done about it. */
+struct guarding {
+    bool told;        /* the loss has been told, */
+    double t;         /* at this time [s] */
+    bool broken;      /* the balance is off by more than delta of the energy in the system, beside unresolved motion */
+    double there;     /* largest energy in the system so far [J] */
+    bool taking;      /* numerical damping has taken more than delta of it, */
+    bool taken;       /* of unresolved motion, which was told, */
+    double t_taken;   /* since this time [s] */
+    long looks, next; /* looks at unresolved motion so far; number of the next one that is due */
+    /* Where the guard acts: major steps are halved from their start, then damped. */
+    bool acted;  /* this has been told */
+    int depth;   /* halvings with which major steps begin now, */
+    int calm;    /* major steps since one had to be halved, */
+    int most;    /* largest depth so far */
+    long parted; /* major steps that were taken in parts */
+    bool may_damp;
+    double t_damped; /* when damping set in [s] */
+};
+
+/* checkpoint.c: where a run stands when a checkpoint is written. */
+struct run_place {
+    bool resumed; /* the run goes on from a checkpoint */
+    long step;    /* steps taken: major ones, or the scheme's own if it chooses them */
+    long due;     /* of such a scheme: the record that is due next, */
+    double seen;  /* and the time up to which drives have been looked at [s] */
+};
+
+struct saving {
+    struct stream *stream; /* of records; NULL: no checkpoints are written */
+    const char *format;
+    double next; /* when the next one is due [s] */
+};
+
+/* ---- a run ----------------------------------------------------------------------------------------------------- */
 
 struct sim {
     const struct scene *scene;
     const struct model *model;
     struct sim_options options;
-    struct integrate plan; /* as run: scheme, step, ratio, until */
+    struct integrate plan; /* scheme, step, ratio, until: as they are run */
     struct system *system;
-    struct model_spatial spatial; /* why a spatial model's motion does not stay in a plane */
-    const struct model *whole;    /* with the modes that stay 0, which `model` is without; NULL: there are none */
-    const int *from_whole;        /* [n of it] which of the model's coordinates its are; -1: left out */
-    bool flat;                    /* it does, and steps are taken there */
-    struct lateral lateral;       /* does it still stand there? */
-    struct idle idle;             /* turns that move no mass */
-    struct neutral neutral;
     struct stepper stepper;
     struct state x;
+
+    /* A motion that stays in a plane is stepped there (flatten.c). */
+    bool flat;                    /* it is */
+    struct model_spatial spatial; /* why not, of a spatial scene */
+    const struct model *whole;    /* the model with the modes that stay 0, left out in `model`; NULL: none are */
+    const int *from_whole;        /* [n of whole] number of its coordinate in `model`; -1: left out */
+    struct lateral lateral;       /* does the motion stay in the plane? */
+
+    /* Plan of the steps. */
     bool filled_in;      /* the tolerance is not the deck's */
-    struct guess guess;  /* of the first step, where a tolerance makes steps the scheme's own */
-    long rejected;       /* steps, when such a scheme's last record was due */
-    struct single *look; /* records between the ends of such steps */
-    bool noting;         /* there are watches of the step */
-    bool onto_records;   /* of a scheme that chooses its steps: it steps onto records, as it cannot look back */
-    bool looks_at_once;  /* energies are looked at as each step is booked: watches read what that leaves */
-    bool looks_always;   /* energies are looked at after every step */
-    bool undone;         /* steps may be: */
-    bool watched;        /* what their forces do is looked at, */
-    struct passing_look *passing; /* or whether they pass over a touch; NULL: it is not */
-    struct single *keep;          /* then the state before, */
-    struct ledger kept;           /* and the ledger */
-    double kept_t;                /* [s] when it was */
-    int went_back;                /* from the last event, to step onto the next */
+    struct guess guess;  /* of the first step, for schemes that choose their steps */
+    long majors, every;  /* major steps in all; between records */
+    long before;         /* major steps from t = 0 to the start, where the start is the end of one */
+    struct meant origin; /* from when steps are counted [s]: 0, or the start */
+    struct meant step;   /* plan.step as the deck means it */
+    bool onto_records;   /* a scheme that chooses its steps ends steps at records, as it cannot interpolate */
+
+    /* What is done with every step. */
+    bool noting;                  /* some of the watches below are on */
+    bool looks_at_once;           /* energies are looked at as each step is booked: watches read them */
+    bool looks_always;            /* energies are looked at after every step */
+    bool undone;                  /* steps may be undone: */
+    bool watched;                 /* what forces do in a step is looked at, */
+    struct passing_look *passing; /* or whether the step passes over a contact; NULL: it is not looked at */
+    struct single *keep;          /* then: the state before the step, */
+    struct ledger kept;           /* its ledger, */
+    double kept_t;                /* its time [s] */
+
+    /* Where the run stands. */
     struct ledger ledger;
+    double last_h;       /* minor step of the last step [s] */
+    double min_h;        /* smallest minor step taken [s] */
+    bool cut;            /* the last step ended where no step of a longer run does */
+    int went_back;       /* steps undone since the last event, to step onto the next */
+    long rejected;       /* of a scheme that chooses its steps: rejected steps when the last record was due */
+    const char *forgets; /* why a run that goes on has only coordinates and rates of the state kept; NULL: it has all */
+    struct run_place place; /* at a checkpoint */
+    struct saving saves;
+
+    /* Records. */
     struct catalogue catalogue;
     int nformula;
     struct formula *formula; /* [nformula] */
     struct selection chosen;
-    int ncounted;           /* of these the first ones are not the deck's own choice, while there is one */
+    int ncounted;           /* the first of these are options.counting's; 0: all are the deck's choice */
     struct column *columns; /* [chosen.n] */
     double *row;            /* [chosen.n] */
-    unsigned needs;         /* SEE_... */
-    long majors, every;     /* major steps in all; between records */
-    long before;            /* major steps from t = 0 to the start, where it is the end of one */
-    struct meant origin;    /* when steps are counted from [s]: 0, or the start */
-    struct meant step;      /* plan.step as the deck means it */
+    unsigned needs;         /* EVALUATE_..., NEED_... of all chosen columns */
+    struct single *look;    /* the state of a record between the ends of steps */
+    double *press;          /* [rows of contacts] their forces where a record is due */
+    long rows;              /* written */
+    double recorded;        /* time of the last one [s] */
+
+    /* Watches, each with its file. */
     struct watch watch;
-    double last_h;       /* minor step of the last step */
-    bool cut;            /* and it ended where no step of a longer run does */
-    const char *forgets; /* why what is in the state besides coordinates is left there; NULL: it is not */
-    long rows;
-    double recorded; /* [s] the last of these */
-    bool pulses;     /* loads come and go within a step */
+    struct idle idle; /* rotations that move no mass */
+    struct neutral neutral;
+    bool pulses; /* a load comes and goes within a step: pulses.c */
     struct trust trust;
     struct neglects neglects;
-    double min_h; /* smallest minor step taken */
     int nrotation;
-    int *rotation;       /* [nrotation] ball and free joints */
-    double turn, t_turn; /* their farthest turn in one step [rad], when */
-    int turn_joint;      /* and whose */
+    int *rotation;       /* [nrotation] ball and free joints: rotations.c */
+    double turn, t_turn; /* their farthest turn in one step [rad], when [s], */
+    int turn_joint;      /* of which joint */
     int ndeflection;
-    struct deflection {
-        int body, node; /* of the model: flexible; its node farthest from the reference */
-        double size;    /* how far [m] */
-        double most, t; /* largest displacement there at the end of a step [m], when */
-    } * deflection;     /* [ndeflection] */
+    struct deflection *deflection; /* [ndeflection] */
     int nspin;
-    struct turning {
-        int body;                /* of the model: flexible, without geometric stiffening */
-        double most, axis[3], t; /* fastest turn of its frame at the end of a step [rad/s], about what, when */
-    } * spin;                    /* [nspin] */
+    struct turning *spin; /* [nspin] */
     int ntilt;
-    struct tilting {
-        int force;
-        double most, t; /* largest tilt at the end of a step [rad], when */
-    } * tilt;           /* [ntilt] */
-    int negative;       /* first body with an inertia that is negative about an axis; 0: none */
-    double *M;          /* [n x n] where there is one */
+    struct tilting *tilt; /* [ntilt] */
+    int negative;         /* first body with a negative principal moment of inertia; 0: none: inertias.c */
+    double *M;            /* [n x n] where there is one */
     int npass;
-    struct passing {
-        int force;   /* of the model: along a distance */
-        double d[3]; /* from its first end to its second at the end of the last step, world axes [m] */
-        bool reported;
-    } * pass;      /* [npass] */
-    double *press; /* [rows of contacts] their forces where a record is due */
+    struct passing *pass; /* [npass] */
     int njump;
-    struct jumping {
-        int loop;     /* of the model: a drive that may jump */
-        double t;     /* where it was looked at last, */
-        double x[3];  /* it and its rates there */
-        double most;  /* its largest value so far [m] or [rad] */
-        double clear; /* it is known not to jump before that time */
-        bool reported;
-    } * jump; /* [njump] */
-    struct {
-        bool *borne; /* [ncontact] at the last look it rubbed or was closed */
-        int *above;  /* [nbody] bodies that hand impulses on to each other, as trees */
-        bool met;    /* the rate of a drive has jumped meanwhile, */
-        bool told;   /* which this run, not one that it goes on from, has said */
-    } corner;
-    struct {
-        bool told, acted;
-        bool broken; /* beside energies that are there, and motion that the step does not resolve */
-        bool taking,
-            taken;        /* the scheme has damped away much, and that of motion that the step does not resolve, from */
-        double t_taken;   /* [s] on */
-        double t, there;  /* the most energy that has been there [J] */
-        long looks, next; /* at what moves there; that with which the next one is due */
-        int depth,
-            calm;    /* where it acts: halvings that major steps begin with, and major steps since the last one more */
-        int most;    /* of these halvings */
-        long parted; /* major steps that were taken in parts */
-        bool may_damp;
-        double t_damped; /* [s] when damping set in, if it did */
-    } guard;             /* the balance has been lost, when */
-    struct run_place {
-        bool resumed; /* the run goes on from a checkpoint */
-        long step;    /* steps that have been taken: major ones, or those that a scheme chooses */
-        long due;     /* of such a scheme: the record that is due next, */
-        double seen;  /* and how far drives have been looked at */
-    } place;          /* at a checkpoint */
-    struct {
-        struct stream *stream; /* of records; NULL: no checkpoints are written */
-        const char *format;
-        double next; /* [s] */
-    } saves;
-    struct arena *beside;   /* of watches over what is left out; NULL: there is nothing */
-    double cpu;             /* seconds of stepping, without records */
+    struct jumping *jump; /* [njump] */
+    struct cornering corner;
+    struct guarding guard;
+
+    /* The end. */
+    struct arena *beside;   /* memory of watches over what is left out; NULL: there is nothing */
+    double cpu;             /* time of stepping, without records [s] */
     int warnings;           /* told in the course of the run and at its end */
     struct trouble trouble; /* why it stopped */
     enum status status;     /* how it ended */
@@ -254,8 +303,8 @@ double sim_column_usual(const struct sim *sim, int i);
 
 /* "planar", "spatial", "spatial, in a plane". */
 const char *sim_space(const struct sim *sim);
-/* traits.c: is it stepped in a plane?  Trees whose momenta are kept to round-off.  Largest rate at which a flexible body turns
- * now [rad/s], 0 where it cannot be told. */
+/* traits.c: is it stepped in a plane?  Trees whose momenta are kept to round-off.  Largest rate at which a flexible
+ * body turns now [rad/s], 0 where it cannot be told. */
 bool sim_in_plane(const struct sim *sim);
 int sim_floating(const struct sim *sim);
 double sim_spin(struct sim *sim);

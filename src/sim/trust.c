@@ -13,11 +13,13 @@
 #include "engine/touch.h"
 #include "sim/parts.h"
 
-static const double SMALL = 1e-6;    /* of usual sizes: what the state is moved by */
-static const double EXCITED = 3e-3;  /* of the energy of motion, not resolved: it moves all else by about a percent */
-static const double PEAKS = 1.4;     /* times what was followed: a few places miss where columns answer most */
-enum { DRAWS = 2, FEW_STEPS = 600 }; /* FEW_STEPS: of these none is spent on looks */
+static const double SMALL = 1e-6;   /* largest displacement of the state, in usual sizes of its coordinates */
+static const double EXCITED = 3e-3; /* unresolved vibration over kinetic energy: it moves the rest by about 1 % */
+static const double PEAKS = 1.4;    /* factor on propagated errors: few places may miss where columns answer most */
+enum { DRAWS = 2 };                 /* sets of random signs at a place */
+enum { FEW_STEPS = 600 };           /* with fewer steps of fixed size, tangent_look() would cost too much of the run */
 
+/* Does any drive or force depend explicitly on time? */
 static bool is_of_time(const struct scene *scene)
 {
     bool reads = scene->ndrive > 0;
@@ -56,7 +58,7 @@ void trust_open(struct sim *sim, struct arena *life)
 
 /* ---- on the way ------------------------------------------------------------------------------------------------ */
 
-/* Every other place goes. */
+/* Drops every other place, so that those left stay evenly spaced. */
 static void thin(struct trust *o)
 {
     for (int i = 0; 2 * i + 1 < o->n; i++) {
@@ -68,6 +70,7 @@ static void thin(struct trust *o)
     o->every *= 2;
 }
 
+/* Sum of |work| over all channels [J]. */
 static double works(const struct ledger *l)
 {
     double sum = 0;
@@ -75,8 +78,9 @@ static double works(const struct ledger *l)
     return sum;
 }
 
-/* What has been followed is more than sums where the motion lets errors grow.  Not where something does work: what dies away is not
- * seen to between looks.  Sums are the least: forces that come and go between looks are not seen, either. */
+/* The propagated error replaces the sums where it is larger: where the motion itself lets errors grow.  The sums
+ * stay the least, since forces that act only between two looks are missed by tangent.c; and where dampers, drives or
+ * loads do work the sums alone count, since the decay of errors between two looks is not followed. */
 static void follow(const struct sim *sim, struct trust_place *p)
 {
     const struct tangent *tangent = sim->stepper.tangent;
@@ -85,6 +89,7 @@ static void follow(const struct sim *sim, struct trust_place *p)
     p->velocity[0] = fmax(p->velocity[0], PEAKS * tangent->velocity);
 }
 
+/* The present state and its sums of local errors become the next place. */
 static void keep(struct sim *sim)
 {
     struct trust *o = &sim->trust;
@@ -100,7 +105,7 @@ static void keep(struct sim *sim)
     if (sim->stepper.tangent) follow(sim, p);
 }
 
-/* Of schemes that choose their steps the balance has been looked at. */
+/* The energy balance here goes to tangent.c; where energies are not looked at with every step, they are now. */
 static void look_at_tangent(struct sim *sim)
 {
     struct ledger there = sim->ledger;
@@ -117,7 +122,7 @@ void trust_step(struct sim *sim)
     if (sim->stepper.tangent && tangent_due(&sim->stepper, &sim->x)) look_at_tangent(sim);
 }
 
-/* The last place is left for the end of the run. */
+/* The last of the places is kept free for the end of the run. */
 void trust_note(struct sim *sim)
 {
     struct trust *o = &sim->trust;
@@ -164,6 +169,7 @@ void trust_recall(struct sim *sim, struct recall *r)
 
 /* ---- at the end ------------------------------------------------------------------------------------------------ */
 
+/* Fastest velocity over the usual size of its coordinate [1/s]. */
 static double pace_of(const struct trust_place *p, const struct ode2 *ode)
 {
     double pace = 0;
@@ -171,7 +177,7 @@ static double pace_of(const struct trust_place *p, const struct ode2 *ode)
     return pace;
 }
 
-/* What makes the errors of a place so small that columns answer in proportion; 0: there are none. */
+/* Factor that reduces the errors of a place until columns change in proportion to them; 0: there are no errors. */
 static double reduction(const struct trust_place *p, const struct ode2 *ode)
 {
     double pace = pace_of(p, ode), most = 0;
@@ -182,28 +188,30 @@ static double reduction(const struct trust_place *p, const struct ode2 *ode)
     return most > 0 ? SMALL / most : 0;
 }
 
-/* -1 or 1, the same in every run. */
+/* -1 or 1, pseudo-random (multiplicative hashing) but the same in every run. */
 static double sign(int draw, int i)
 {
     return ((unsigned)(i + 1) * 2654435761u + (unsigned)draw * 2246822519u) >> (draw + 13) & 1 ? -1 : 1;
 }
 
-/* What the sum of all energies may be off by: what the run has lost of it, and works, of whose errors nothing else is known. */
+/* Error of the sum of all energies [J]: the worst residual of the balance, what damping of the scheme has taken or
+ * given, and the works, about whose errors nothing else is known. */
 static double energy_off(const struct sim *sim)
 {
     const struct ledger *l = &sim->ledger;
     return l->worst + l->gained + fabs(l->lost) + sim->trust.worked;
 }
 
-/* An energy's error is what those of the others leave of the sum's, all counted from the place: signs that are drawn know nothing
- * of a sum that the motion keeps. */
+/* The change of one energy, limited to those of the others plus the error of the sum: random signs do not know that the
+ * motion keeps the sum. */
 static double held(double change, double others, double sum)
 {
     const double most = fabs(others) + sum;
     return fmin(most, fmax(-most, change));
 }
 
-/* Energies there, where columns have them, moved by so much of what was missed, 0: not; works are sums of the run's. */
+/* Energies of the displaced state, for columns that read them; by: part of the summed errors that it is displaced
+ * by, 0 at the place itself.  Works stay those at the end of the run. */
 static bool energies_at(struct sim *sim, double t, double by)
 {
     struct energies e, *o = &sim->trust.there;
@@ -219,7 +227,8 @@ static bool energies_at(struct sim *sim, double t, double by)
     return true;
 }
 
-/* Columns where the place is moved by so much of what was missed; by 0: where it is.  false: they cannot be had. */
+/* Columns at the place displaced by the part `by` of its summed errors, with the signs of this draw.  false: they
+ * cannot be evaluated there. */
 static bool columns_at(struct sim *sim, const struct trust_place *p, double by, int draw)
 {
     const struct ode2 *ode = sim->stepper.ode;
@@ -233,6 +242,7 @@ static bool columns_at(struct sim *sim, const struct trust_place *p, double by, 
     return energies_at(sim, p->t, by) && record_fill(sim) == OK;
 }
 
+/* off[] := at least the root mean square of the columns' changes at this place. */
 static void look_at(struct sim *sim, const struct trust_place *p)
 {
     struct trust *o = &sim->trust;
@@ -248,7 +258,8 @@ static void look_at(struct sim *sim, const struct trust_place *p)
     for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], sqrt(o->sum[i] / DRAWS));
 }
 
-/* How small differences grow, at the least, everywhere on the way; NAN: it was not looked at, or cannot be told. */
+/* Least growth rate of small differences over the places [1/s]; 0: they do not grow everywhere; NAN: not looked at,
+ * or not to be told from round-off. */
 static double growth_on_the_way(struct sim *sim, long chart, double run)
 {
     enum { FEW = 3 };
@@ -256,7 +267,7 @@ static double growth_on_the_way(struct sim *sim, long chart, double run)
     const int places = growth_places(sim);
     double least = INFINITY;
     int seen = 0;
-    if (sim->stepper.ode->n < 2) return 0; /* one freedom drifts at most, if nothing drives it */
+    if (sim->stepper.ode->n < 2) return 0; /* one degree of freedom, not driven: differences drift, at most */
     for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
         const struct trust_place *p = &o->place[i];
         double blur;
@@ -277,7 +288,7 @@ static bool has_jumped(const struct sim *sim)
     return false;
 }
 
-/* Differences need steps of one length behind one another. */
+/* missed.h takes differences over successive steps of equal length: why there have been too few of them. */
 static const char *too_few(const struct sim *sim)
 {
     enum { FEW = 8, OFTEN = 8 };

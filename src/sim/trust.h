@@ -1,12 +1,15 @@
-/* trust.h -- how far a run is off, as its own steps tell.
+/* trust.h -- the estimated error of a run, from the local errors of its own steps.
  *
- * engine/missed.h sums what steps leave in coordinates and rates.  At a few records the state is moved by a small part of
- * that, each coordinate this way or that, and each column tells what it makes of it: its root mean square over some draws,
- * over the column's range in the run.  Of energies no more than what the others are moved by, and what the run's balance and works
- * leave open: the sum is kept by the motion, not by what is drawn.
+ * engine/missed.h sums the sizes of local errors, of every coordinate and velocity.  At a few records of the run the
+ * state is displaced by a small part of these sums, with signs drawn at random, and the columns are evaluated there.
+ * The estimated error of a column is the root mean square of its change over the draws, scaled back to the whole
+ * sums, relative to the range of the column in the run.
  *
- * Of one freedom, where nothing touches, nothing depends on the time by itself and only potentials do work, errors are followed as the
- * motion takes them along (engine/tangent.h), and that is told where it is more than the sums. */
+ * The motion keeps the sum of the energies, random signs do not: an energy is taken to change by no more than the other
+ * energies do, plus what the run's balance and works leave open.
+ *
+ * With one degree of freedom, no contacts, no explicit dependence on time, and conservative forces only, errors are
+ * also propagated along the motion (engine/tangent.h); the larger of both estimates counts. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 
@@ -14,35 +17,38 @@
 
 #include "system/system.h"
 
-enum { TRUST_PLACES = 6 };
-static const double TRUST_GROWN = 3; /* logarithm of what small differences may have grown by */
+enum { TRUST_PLACES = 6 };           /* states at which columns are displaced */
+static const double TRUST_GROWN = 3; /* small differences that grow by exp(3) over the run are worth a word */
 
 struct trust {
-    double *low, *high; /* [columns] over the records */
-    bool asked;         /* is there a column of the motion? */
-    int n;              /* records kept for the end, */
-    long every, seen;   /* one of so many; records so far */
+    /* Gathered with the records. */
+    double *low, *high; /* [columns] least and largest value of a column so far */
+    bool asked;         /* is any column compared by its error at all? */
+    int n;              /* states kept in place[] for the end, */
+    long every, seen;   /* one of every so many records; records so far */
     struct trust_place {
         double t;
-        long chart;                          /* of system_charts() */
-        double *q, *v, *position, *velocity; /* [nq], [n], what was missed up to there [n] */
+        long chart;                  /* system_charts() at the time: sums of another chart are not comparable */
+        double *q, *v;               /* [nq], [n] state */
+        double *position, *velocity; /* [n] sums of local errors up to there */
     } place[TRUST_PLACES];
-    double *base, *sum; /* [columns] values at a place; squares of what they are moved by */
-    double worked;      /* sum of |work| of all channels, the largest at a record [J] */
-    double *dq, *dv;    /* [n] */
-    double *off;        /* [columns] largest at a place */
+    double worked; /* sum of |work| over all channels, the largest at a record [J] */
 
-    struct energies there; /* at a place */
+    /* Scratch at the end of the run. */
+    double *base, *sum;    /* [columns] values at a place; sum over the draws of their squared changes */
+    double *dq, *dv;       /* [n] displacement, velocity */
+    struct energies there; /* at a place, not displaced */
 
-    double
-        growth; /* least of small differences at the places [1/s]; 0: they do not grow everywhere; NAN: not looked at */
-    bool known;
-    const char *why; /* not */
-    double worst;    /* over its range */
-    int column;      /* of the chosen ones; -1: none */
-    int still;       /* the first that changes by no more than its error; -1: none */
-    double beyond;   /* the largest error over what a tolerance is of: ranges, or sizes where these have an origin */
-    int farthest;    /* its column */
+    /* The estimate. */
+    double *off;     /* [columns] error, in units of the column: the largest of the places */
+    double growth;   /* least growth rate of small differences at the places [1/s]; 0: not all grow; NAN: not known */
+    bool known;      /* is `worst` an estimate? */
+    const char *why; /* why the steps cannot tell; NULL: they can */
+    double worst;    /* largest error relative to the column's range */
+    int column;      /* the column of `worst`, among those written; -1: none */
+    int still;       /* first column that changes by no more than its own error; -1: none */
+    double beyond;   /* largest error relative to what a tolerance refers to, size or range: trust_told.c */
+    int farthest;    /* the column of `beyond` */
 };
 
 #endif

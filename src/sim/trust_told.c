@@ -1,4 +1,4 @@
-/* trust_told.c -- the columns judged by what trust.c has found, and what is said of it; see trust.h */
+/* trust_told.c -- the columns judged by the errors that trust.c has found, and the words for it; see trust.h */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,18 +8,20 @@
 #include "engine/stepper.h"
 #include "sim/parts.h"
 
-static const double UNKNOWN = .5;  /* of a column's range: an error from which nothing follows */
-static const double AMPLE = 1.5;   /* times what is summed, so that few estimates are too small */
-static const double FAR = 300;     /* times the tolerance */
-static const double LITTLE = 1e-3; /* of its size: what changes by less all but stands */
+static const double UNKNOWN = .5;  /* of a column's range: with a larger error nothing can be said */
+static const double AMPLE = 1.5;   /* safety factor on the summed errors, so that few estimates are too small */
+static const double FAR = 300;     /* times the tolerance: W-tolerance warns */
+static const double LITTLE = 1e-3; /* of its size: a column whose range is less is practically constant */
 
 /* ---- columns --------------------------------------------------------------------------------------------------- */
 
+/* Largest minus least value of column i. */
 static double range(const struct sim *sim, int i)
 {
     return sim->trust.high[i] - sim->trust.low[i];
 }
 
+/* Its largest |value|. */
 static double size(const struct sim *sim, int i)
 {
     return fmax(fabs(sim->trust.low[i]), fabs(sim->trust.high[i]));
@@ -30,6 +32,7 @@ static bool is_in(const struct sim *sim, int i, const char *unit)
     return text_same(sim->columns[i].unit, unit);
 }
 
+/* The largest size of all columns in this unit. */
 static double largest_in(const struct sim *sim, const char *unit)
 {
     double most = 0;
@@ -43,8 +46,9 @@ static double largest_of_unit(const struct sim *sim, int i)
     return largest_in(sim, sim->columns[i].unit);
 }
 
-/* What round-off is beside: the largest of its unit, and a usual change of a coordinate; of energies what the balance is
- * measured against; of forces and moments that, and each other over the mechanism's length. */
+/* The size that round-off of column i is relative to: the largest column of its unit or a usual change of the
+ * quantity; of energies also the norm of the balance; of moments and forces that too, and each other, by the length
+ * of the mechanism. */
 static double scale(const struct sim *sim, int i)
 {
     const double length = system_length(sim->system), energy = sim->ledger.norm;
@@ -55,22 +59,24 @@ static double scale(const struct sim *sim, int i)
     return most;
 }
 
-/* The error over the range, or where it has none over its size; what is lost beside such a scale does not count. */
+/* The error relative to the column's range, or to its size if it is constant; neither is taken below the round-off
+ * of its scale. */
 static double share(const struct sim *sim, int i)
 {
-    static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does */
+    static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does: constant below it; lost in round-off below it */
     const double least = LOST * scale(sim, i), whole = size(sim, i), over = range(sim, i);
     return sim->trust.off[i] > 0 ? AMPLE * sim->trust.off[i] / fmax(over > RESTS * whole ? over : whole, least) : 0;
 }
 
-/* Places may be counted from anywhere; of all else nothing is 0. */
+/* Has the quantity a natural zero?  Positions and angles are counted from an arbitrary origin. */
 static bool has_origin(const struct sim *sim, int i)
 {
     const char *unit = sim->columns[i].unit;
     return unit && strcmp(unit, "m") != 0 && strcmp(unit, "rad") != 0;
 }
 
-/* Over what a tolerance is of: where there is an origin the size, not the little by which something that is large changes. */
+/* The error relative to what a tolerance refers to: the size of a quantity with a natural zero, where that is larger
+ * than its range, since a scheme's tolerance is not of the little by which a large quantity changes. */
 static double share_of_size(const struct sim *sim, int i)
 {
     return fmin(share(sim, i), has_origin(sim, i) ? AMPLE * sim->trust.off[i] / size(sim, i) : INFINITY);
@@ -81,8 +87,10 @@ static bool needs(const struct sim *sim, int i, unsigned what)
     return sim->catalogue.origin[sim->chosen.index[i]].needs & what;
 }
 
-/* A momentum that is kept, by some schemes to round-off, by others as far as these are accurate: the bodies' errors cancel in
- * it, and its range is no measure.  It changes by little beside the largest, or by no more than what these errors would make. */
+/* Is it a momentum that is conserved?  Some schemes keep it to round-off, others within their accuracy: errors of
+ * the single bodies cancel in it, so that neither their sum nor its range is a measure.  Taken as conserved: one of
+ * a floating mechanism under a scheme that keeps momenta; one that changes by little of the largest of its unit; one
+ * that changes by no more than twice its estimated error. */
 static bool is_kept(const struct sim *sim, int i)
 {
     if (!needs(sim, i, NEED_MOMENTUM)) return false;
@@ -90,7 +98,7 @@ static bool is_kept(const struct sim *sim, int i)
     return range(sim, i) <= LITTLE * largest_of_unit(sim, i) || !(share(sim, i) < UNKNOWN);
 }
 
-/* Whether it changes at all is not known: by no more than its error, and by little of its size. */
+/* Is it not known whether the column changes at all: by little of its size, and by no more than twice its error? */
 static bool is_still(const struct sim *sim, int i)
 {
     return has_origin(sim, i) && range(sim, i) <= LITTLE * size(sim, i) && !(share(sim, i) < UNKNOWN);
@@ -119,6 +127,7 @@ void trust_judge(struct sim *sim)
 
 /* ---- told ------------------------------------------------------------------------------------------------------ */
 
+/* The tolerance of a scheme that chooses its steps; 0: fixed steps. */
 static double tolerance(const struct sim *sim)
 {
     return sim->stepper.kind->adaptive ? ((const struct step_options *)sim->plan.options)->tolerance : 0;
