@@ -175,7 +175,7 @@ unit: $(UNITS)
 ## diff          two records compared
 ## sweep         many points, in parts, on as many machines
 ## animate       moving pictures
-## install-test  what is installed, completion of shells, the tarball
+## install-test  what is installed, the tarball
 install-test: $(PROGRAM) $(FOUND) $(TOOLS)
 	@$(RUN) install
 

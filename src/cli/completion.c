@@ -14,10 +14,10 @@ static void put_quoted(FILE *to, const char *text, const char *quote)
             putc(*text, to);
 }
 
-/* Words to choose from, "a|b"; false: the value is free. */
+/* Words to choose from, "a|b"; false: the value is free, or stands for one, as in capitals. */
 static bool has_choices(const struct cli_option *o)
 {
-    return o->value && strchr(o->value, '|') && !strpbrk(o->value, " =/");
+    return o->value && strchr(o->value, '|') && strspn(o->value, "abcdefghijklmnopqrstuvwxyz|") == strlen(o->value);
 }
 
 static void put_words(FILE *to, const char *words)

@@ -1,4 +1,4 @@
-# part-install.sh -- what is installed, completion of shells, the tarball of the sources.
+# part-install.sh -- what is installed, the tarball of the sources.
 . tests/tools/lib.sh
 need_program install
 to=$work/root
@@ -11,30 +11,6 @@ done
 same "the schema is the program's" "$to/usr/share/fmdsub/deck.schema.json" "$("$FMDSUB" schema >"$work/schema"; echo "$work/schema")"
 make -s uninstall DESTDIR="$to" PREFIX=/usr >"$work/out" 2>&1
 expect "make uninstall leaves no file, of all that were there" "0 yes" "$(find "$to" -type f | wc -l) $([ -d "$to/usr/bin" ] && echo yes)"
-
-# Completion as bash would do it: WORDS..., the last one is being typed.
-if command -v bash >/dev/null; then
-    "$FMDSUB" list completion bash >"$work/completion"
-    complete() { bash -c '. "$0"; COMP_WORDS=(fmdsub "$@"); COMP_CWORD=$#; _fmdsub; echo ${COMPREPLY[*]}' "$work/completion" "$@" 2>&1; }
-    expect "bash: a verb" "animate" "$(complete an)"
-    expect "bash: an option of the verb" "--over" "$(complete sweep --ov)"
-    expect "bash: none of another verb" "--every --every-steps" "$(complete run --ov)$(complete run --ev)"
-    expect "bash: a word of an option" "ndjson" "$(complete run -f nd)"
-    expect "bash: all verbs" "$("$FMDSUB" --help | sed -n 's/^  \([a-z]*\)  *[a-z].*/\1/p' | sort | tr '\n' ' ')" "$(complete '' | tr ' ' '\n' | sort | tr '\n' ' ')"
-else
-    skip "completion" "bash is not installed"
-fi
-for shell in zsh fish; do
-    "$FMDSUB" list completion $shell >"$work/$shell" 2>"$work/err"
-    ended "completion for $shell" 0 $? "$work/$shell" "$work/err"
-    expect "completion for $shell names every verb" "" "$("$FMDSUB" --help | sed -n 's/^  \([a-z]*\)  *[a-z].*/\1/p' | while read -r verb; do grep -q "$verb" "$work/$shell" || echo "$verb"; done; [ -s "$work/$shell" ] || echo empty)"
-    if command -v $shell >/dev/null; then
-        $shell -n "$work/$shell" >"$work/out" 2>&1
-        expect "completion for $shell is well-formed" 0 $? "$work/out"
-    fi
-done
-"$FMDSUB" list completion ksh >"$work/out" 2>"$work/err"
-expect "completion for another shell" "2 1" "$? $(grep -c 'one of bash, zsh, fish' "$work/err")"
 
 # --stats: JSON by the name of the file, plain lines otherwise.
 "$FMDSUB" run -q --stats="$work/s.json" decks/pendulum.yaml >"$work/out" 2>"$work/err"

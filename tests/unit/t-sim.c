@@ -197,7 +197,7 @@ static enum status no_tick(struct sink *s, double now, struct report *r)
 
 static void counter_open(struct counter *c)
 {
-    static const struct sink_ops ops = {no_meta, count_row, count_event, no_end, no_tick};
+    static const struct sink_ops ops = {no_meta, count_row, count_event, no_end, no_tick, NULL};
     *c = (struct counter){.sink = {&ops, c}};
 }
 
