@@ -7,9 +7,8 @@
 #include "engine/motion.h"
 #include "la/dense.h"
 
-/* Coordinates up to which dense is no slower than any structure; M_f is formed: of those that fast bodies know, and of all,
- * for it comes with zeros. */
-enum { SMALL = 12, FORMED = 12, WITH_ZEROS = 64 };
+enum { SMALL = 12 };                   /* coordinates up to which full matrices are no slower than structured ones */
+enum { FORMED = 12, WITH_ZEROS = 64 }; /* M_f is formed for so many coordinates of fast bodies, of so many in all */
 
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
@@ -103,7 +102,8 @@ static enum status by_matrix(struct decouple *p, const struct instant *x, struct
     return OK;
 }
 
-/* A power of two that makes inertial forces as large as the forces r that a difference tells them apart. */
+/* A power of two by which accelerations are scaled, so that inertial forces are not lost in the round-off of the
+ * forces r that they are told from by a difference. */
 static double as_large(const struct decouple *p, const double *r, int m)
 {
     double force = 0, mass = INFINITY;
@@ -112,7 +112,7 @@ static double as_large(const struct decouple *p, const double *r, int m)
     return force > mass && force / mass < 0x1p900 ? ldexp(1, ilogb(force / mass) + 1) : 1;
 }
 
-/* What the fast bodies' rows r say more than p->r at the acceleration s p->a (p->z: their difference over s). */
+/* p->z := M_f p->a, as the rows of the fast bodies at the acceleration s p->a less p->r, over s. */
 static enum status inertia(struct decouple *p, struct instant *with, double s, struct trouble *why)
 {
     p->effort->fast++;
@@ -122,7 +122,7 @@ static enum status inertia(struct decouple *p, struct instant *with, double s, s
     return OK;
 }
 
-/* (M_f P_S)_L by its columns: one question for each fast coordinate. */
+/* MsW = (M_f P_S)_L by its columns: one evaluation for each fast coordinate. */
 static enum status by_columns(struct decouple *p, struct instant *with, double s, int rows, struct trouble *why)
 {
     int ns = p->ns, ml = p->ml;
@@ -136,7 +136,8 @@ static enum status by_columns(struct decouple *p, struct instant *with, double s
     return OK;
 }
 
-/* The same by its rows, M_LS - M_LL W of the fast bodies, for M_f is symmetric: one question for each slow one. */
+/* The same by its rows, M_LS - M_LL W of the fast bodies, since M_f is symmetric: one evaluation for each slow
+ * coordinate. */
 static enum status by_rows(struct decouple *p, struct instant *with, double s, int rows, struct trouble *why)
 {
     int ns = p->ns, ml = p->ml;
@@ -149,7 +150,7 @@ static enum status by_rows(struct decouple *p, struct instant *with, double s, i
     return OK;
 }
 
-/* The same from M_f itself: where it is small, and a tree's, that is one pass. */
+/* The same from M_f itself, which a tree forms in one pass: for few coordinates. */
 static enum status by_fast_mass(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
 {
     const int n = p->n, ns = p->ns, ml = p->ml;
@@ -160,7 +161,8 @@ static enum status by_fast_mass(struct decouple *p, const struct instant *x, int
     return OK;
 }
 
-static enum status by_questions(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
+/* MsW by columns or rows, whichever takes fewer evaluations. */
+static enum status by_evaluations(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
 {
     struct instant with = *x;
     with.a = NULL;
@@ -174,7 +176,7 @@ static enum status by_questions(struct decouple *p, const struct instant *x, int
 static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
 {
     int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
-    TRY(p->Mf ? by_fast_mass(p, x, rows, why) : by_questions(p, x, rows, why));
+    TRY(p->Mf ? by_fast_mass(p, x, rows, why) : by_evaluations(p, x, rows, why));
     zero(p->WMW, ns * ns);
     dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
     for (int j = 0; j < ns; j++)

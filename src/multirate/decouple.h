@@ -1,4 +1,4 @@
-/* decouple.h -- slow and fast coordinates without common inertia.
+/* decouple.h -- the transformation P that removes the inertia coupling of slow and fast coordinates.
  *
  *     W = M_LL^-1 M_LS,   P = [1 -W; 0 1] (slow first),   v = P (u, v_S)                                    (S1)
  *
@@ -10,8 +10,8 @@
  *
  *     M~_SS = Z_SS^-1,   W = -Z_LS Z_SS^-1,   M_LL^-1 b = z_L + W z_S with z = M^^-1 (0, b),
  *
- * all in O(n); else M^ is formed and M_LL factored.  W is zero behind `reach`: what hangs on the ground by
- * itself does not recoil.
+ * all in O(n); else M^ is formed and M_LL factored.  Rows of W from `reach` on are zero: slow coordinates that the
+ * fast ones do not push by inertia.
  *
  * The slow bodies' part of the inertia of x is what M~_SS holds more than the fast bodies bring: with P_S the
  * columns of S, M_f P_S = (r_fast(a = P_S) - r_fast(a = 0)), of which (M^ P_S)_L = 0 leaves
@@ -84,9 +84,9 @@ struct decouple {
 };
 
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life);
-/* Everything at x (q, v, t). */
+/* W, M~_SS, M_s W and W' M_s W at x (q, v, t). */
 enum status decouple_at(struct decouple *p, const struct instant *x, struct trouble *why);
-/* From now on by the formed M^. */
+/* From now on M^ is formed, whatever structure its owner has. */
 void decouple_dense(struct decouple *p);
 
 /* y [nl] += s W x. */

@@ -48,7 +48,7 @@ static void slow_driving(struct forecast *f, const struct response *p, const dou
     dense_gemv(f->g, p->h * p->H, KSL, w, ns, ml, n);
 }
 
-/* What a step that failed has left of phi is worth nothing. */
+/* Differences of phi from a step that failed are not used. */
 static void start_force(struct forecast *f)
 {
     if (!f->kept) {
@@ -87,7 +87,7 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     response_run(p, d, f->c, f->g, NULL, f->x, f->v, f->s, 0);
 }
 
-/* c := what the slow coordinates do to the fast rows in minor step k. */
+/* c := K_SL y_k+1/2 + C_SL w of minor step k. */
 static void driving_at(struct forecast *f, const struct response *p, const double *w, int k)
 {
     int n = p->n, ns = p->ns, ml = p->ml;
@@ -98,9 +98,10 @@ static void driving_at(struct forecast *f, const struct response *p, const doubl
     gemv_few(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
 }
 
-static const double PROVED = .25, FADE = .8; /* of squares: a leap that is foreseen halves what is left */
+static const double PROVED = .25; /* of squared errors: a prediction is used if it halves the error */
+static const double FADE = .8;    /* of exponential averages */
 
-/* phi at the start of a major step, where it jumps. */
+/* Shifts phi and its differences by their jumps at the start of a major step. */
 static void leap_ahead(struct forecast *f, const double *jump)
 {
     for (int i = 0; i < f->ns; i++) {
@@ -115,7 +116,7 @@ static void leap_ahead(struct forecast *f, const double *jump)
     f->leaps = 1;
 }
 
-/* phi has turned out to be f->g. */
+/* The prediction of the jump is compared with phi as it was found, f->g. */
 static void leap_learn(struct forecast *f)
 {
     for (int i = 0; i < f->ns && f->leaps; i++) {
@@ -158,7 +159,7 @@ static void force_of(struct forecast *f, const struct response *p, const double 
     gemv_few(f->g, per, p->Mss, d, ns, ns, ns);
 }
 
-/* At the first minor step phi jumps, and its differences go on. */
+/* At the first minor step phi has jumped, and its differences are carried over. */
 void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
                     const double *w, const double *rest, int k)
 {
@@ -192,8 +193,7 @@ double forecast_error(const struct forecast *f, const struct found *x, const dou
     return worst;
 }
 
-/* M as + K_SS x + K_SL y + C v has changed over the major step, between its last minor step and the one
- * before it. */
+/* The rate of M as + K_SS x + K_SL y + C v from the last minor step of the major step before to that of this one. */
 static void find_trend(struct forecast *f, const struct response *p, const struct found *x, const double *d)
 {
     int n = p->n, ns = p->ns, ml = p->ml;

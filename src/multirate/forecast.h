@@ -1,16 +1,18 @@
-/* forecast.h -- where a step of subcycle begins its iteration, from the steps before it.
+/* forecast.h -- the predictor of `subcycle`: du and d_k with which a step begins its iteration, from the steps
+ * before it.
  *
- * du/H: each coordinate's differences from step to step go on by the recursion of fit.h: what the fast vibration puts
- * into du is sampled once a major step.
+ * du/H: the difference of each coordinate from step to step is extrapolated by the linear recursion of fit.h, which
+ * follows a fast vibration in du though that is sampled only once a major step.
  *
  * d_k: linear minor steps under a force,
  *
  *     M d_k/h + K_SS x_k+1/2 + K_SL y_k+1/2 + C v_k = phi_k.
  *
- * Before the first sweep phi goes on from the last minor step with its trend over the last major step, which is exact
- * for a linear system under constant loads.  In the first sweep phi goes on from the minor steps that have just been
- * found, by a parabola; from step to step, where du/n, W and x jump, by what is known of the jump (subcycle_jump.c) or,
- * where nothing is, only its differences do. */
+ * Before the first sweep phi is extrapolated from the last minor step with its trend over the last major step, which
+ * is exact for a linear system under constant loads.  During the first sweep it is extrapolated by a parabola
+ * through the minor steps just found.  At the start of a major step, where du/n, W and x jump, the parabola is
+ * shifted by the jump of phi as subcycle_jump.c finds it; where that is not known, only the differences of phi are
+ * carried over. */
 #ifndef FMDSUB_MULTIRATE_FORECAST_H
 #define FMDSUB_MULTIRATE_FORECAST_H
 
@@ -18,31 +20,32 @@
 #include "engine/fit.h"
 #include "multirate/response.h"
 
-/* What phi jumps by from one major step to the next besides what is known of it: foreseen where that has proved. */
+/* The rest of the jump of phi between major steps, beyond subcycle_jump.c: predicted by a fit, and used where that
+ * has proved to be better than nothing. */
 struct leap {
     struct fit fit;
-    double said, plain;   /* what was expected; phi without it */
-    double with, without; /* squares of what was left with it and without it, older ones fading */
+    double said, plain;   /* the prediction; phi without it */
+    double with, without; /* squared errors of phi with and without it, exponentially averaged */
 };
 
 struct forecast {
     int ns, nl, ml;
-    double *as, *dx, *vs;      /* [ns] the last minor step: acceleration, displacement, mean velocity */
+    double *as, *dx, *vs;      /* [ns] last minor step: acceleration, displacement, mean velocity */
     double *y, *w;             /* [ml] half of its slow displacement, its slow velocity */
-    double *trend;             /* [ns] rate of the force that the linear model does not know */
+    double *trend;             /* [ns] rate of phi over the last major step */
     struct leap *leap;         /* [ns] */
-    int leaps;                 /* the leap of the step under way is still to be learned from */
-    struct fit *fit;           /* [nl] */
-    double *phi, *phi1, *phi2; /* [ns] of the last minor step, its first and second difference */
-    int kept;                  /* the step foreseen last was accepted */
-    int differences;           /* that have been seen */
-    double *ay, *aybefore;     /* [nl] du/H of the last step and the one before it */
-    double H, Hbefore;         /* their sizes */
+    int leaps;                 /* predictions of `leap` are still to be compared with phi */
+    struct fit *fit;           /* [nl] of du/H */
+    double *phi, *phi1, *phi2; /* [ns] of the last minor step, and its first and second difference */
+    int kept;                  /* the step forecast last was accepted */
+    int differences;           /* how many of phi have been seen */
+    double *ay, *aybefore;     /* [nl] du/H of the last step and of the one before it */
+    double H, Hbefore;         /* lengths of these [s] */
     double *c, *g, *x, *v, *s; /* [ns] scratch */
     double *dy, *dw;           /* [ml] */
 };
 
-/* A major step that has been found: its unknowns, and at its last minor step dx, at its end xn. */
+/* A major step that has been found: its unknowns, dx of its last minor step, x_n at its end. */
 struct found {
     double h, H;
     int ratio;
@@ -50,22 +53,25 @@ struct found {
 };
 
 void forecast_open(struct forecast *f, const struct decouple *dec, struct arena *life);
-/* From consistent accelerations a0 at v0, u0. */
+/* Begins anew, from consistent accelerations a0 [n] at v0 [n], u0 [nl] and a major step H. */
 void forecast_forget(struct forecast *f, const struct decouple *dec, const double *a0, const double *v0,
                      const double *u0, double H);
-/* du and d_k of the step H = ratio h from u0, v0. */
+/* Predicts du [nl] and d_k [ns x ratio] of the step of p from u0, v0. */
 void forecast_make(struct forecast *f, const struct response *p, double *du, double *d, const double *u0,
                    const double *v0);
-/* Its local error, h/12 |a_k - a_k-1| summed and H/12 |a_y - a_y,last|, in units 1/per [n]; before keep(). */
+/* The local error of the step found, in units 1/per [n]: the largest of h/12 |a_k - a_k-1| summed over the minor
+ * steps and H/12 |a_y - a_y,last|.  Before forecast_keep(). */
 double forecast_error(const struct forecast *f, const struct found *x, const double *per);
-/* In the first sweep: d [ns] of minor step k from x, v [ns] at its start; of k = 0 where the jumps [ns x 3] of phi and of
- * its differences are known, else (NULL) it stays as it is; then phi for d as it was found, after one correction by J of
- * the rest [ns] of the fast rows (NULL: however). */
+/* In the first sweep: d [ns] of minor step k, from x, v [ns] at its start and phi extrapolated.  jump [ns x 3]: of
+ * phi and its differences at k = 0; NULL: not known, and d of k = 0 stays as it is. */
 void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
                     const double *w, const double *jump, int k);
+/* After that minor step: its phi, from d as it was found.  rest [ns]: the residual of the fast rows, if d was
+ * corrected once, by J; NULL: in any other way. */
 void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
                     const double *w, const double *rest, int k);
 void forecast_recall(struct forecast *f, struct recall *r);
+/* The step found was accepted: the next one is predicted from it. */
 void forecast_keep(struct forecast *f, const struct response *p, const struct found *x);
 
 #endif

@@ -59,10 +59,10 @@ struct response {
     double *d;           /* [n] its diagonal; infinite in S */
     int damps;           /* A and D are not zero */
     int slow_slopes;     /* F is not zero */
-    int stiff;           /* G is not M_LL */
-    int diagonal;        /* G - M_LL is */
-    int couples;         /* fast and slow rows are coupled by springs or dampers of the fast class */
-    int drives;          /* U or V is not zero: that, or the base of slow springs recoils */
+    int stiff;           /* G differs from M_LL */
+    int diagonal;        /* G - M_LL is diagonal */
+    int couples;         /* springs or dampers of the fast class couple fast and slow rows */
+    int drives;          /* U or V is not zero: `couples`, or fast coordinates move bodies that slow springs hold */
     double *G;           /* [nl x nl] factored; dense only */
     void *GF;            /* the owner's factor of G */
     double *Q;           /* [ml x ns] d(slow rows)/d(d_k) of one minor step: ((h^2/4) K_LS + (h/2) C_LS) B */
@@ -77,10 +77,10 @@ struct response {
     enum matrix_form form; /* of G */
 };
 
-/* Room for what only the dense way reads. */
+/* Takes memory for what only the dense way reads.  E_LIMIT: there is none. */
 enum status response_need(struct response *p, double t, struct trouble *why);
 
-/* What is frozen, and the masses that it is for. */
+/* The frozen matrices, and the masses that they are for: base/recall.h. */
 void response_recall(struct response *p, struct recall *r);
 
 /* A and D are p's. */
@@ -88,7 +88,7 @@ void response_open(struct response *p, const struct decouple *dec, struct arena 
 /* Another matrix of a minor step, with its own slopes, for the same masses and damping. */
 void minor_open(struct minor *m, const struct response *p, struct arena *life);
 
-/* J and V of K, C as they are; then for another M_SS.  -1, or the column without a pivot. */
+/* J and V from K, C (S11); J again for another M_SS.  Return -1, or the column in which J has no pivot. */
 int minor_factor(struct minor *m);
 int minor_mass(struct minor *m);
 /* x := J^-1 x. */
@@ -96,7 +96,7 @@ void minor_solve(const struct minor *m, double *x);
 
 /* Everything that does not depend on M_LL, from K, C (transformed) and F; after minor_factor. */
 void response_freeze(struct response *p, const struct decouple *dec);
-/* Have the masses changed?  Then they are taken over. */
+/* Copies the masses of dec, if they have changed: returns whether they have. */
 int response_masses(struct response *p, const struct decouple *dec);
 /* G and what follows from it; q, t: where dec stands.  E_NUMERIC with TROUBLE_SINGULAR when the owner's
  * structure does not allow it: dec has to go dense. */
@@ -108,13 +108,14 @@ struct powers {
     int terms;
 };
 
-/* d_k [ns x ratio] := (add: +=) the answer to constant part c [ns], linear part g [ns] (times f_k) and what is more (NULL:
- * nothing) of the fast rows, from offsets x, v [ns] (overwritten). */
+/* d_k [ns x ratio] := the linear answer of the minor steps to a residual c + f_k g + sum of `more` (NULL: none) of
+ * the fast rows, c, g [ns], from displacements x and velocities v [ns] at the start (overwritten).  add: it is added
+ * to d_k. */
 void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
                   double *x, double *v, double *scratch, int add);
 
-/* Du [nl]: the correction of the slow unknown for slow rows R [nl] and a change dxn [ns] of x_n; c, g
- * [ns]: what it means for the minor steps, as in response_run. */
+/* Du [nl] := the correction of the slow unknown for slow rows R [nl] and a change dxn [ns] of x_n (S12); c, g [ns]:
+ * its effect on the fast rows, for response_run(). */
 void response_correct(struct response *p, struct decouple *dec, double *Du, double *c, double *g, const double *R,
                       const double *dxn);
 

@@ -34,9 +34,9 @@
  * (`symmetric`) makes the step symmetric in time, and the energy error does not drift.
  *
  * One Newton iteration for the whole major step: each sweep corrects every d_k once, with J (S11), and the slow
- * unknown through the linearized answer of the minor steps (S12), both of response.h.  As a rule that is two sweeps: one
- * of all minor steps, begun from what is known of their forces (forecast.h, subcycle_jump.c), and one that asks a few of
- * them how they have changed (subcycle_coarse.c). */
+ * unknown through the linearized answer of the minor steps (S12), both of response.h.  As a rule two sweeps are
+ * enough: one through all minor steps from a prediction (forecast.h, subcycle_jump.c), and a coarse one through a
+ * few of them (subcycle_coarse.c). */
 #include "engine/stepper.h"
 
 #include <float.h>
@@ -51,9 +51,9 @@
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
-static const double AT_REST = 1e-3; /* of the largest scale: less is rest where the norm of energy decides */
-
-static const double LEAVES = .2; /* at least, of the error: a coarse sweep that comes third */
+static const double AT_REST =
+    1e-3; /* of the largest velocity scale: what is slower counts as at rest in the energy norm */
+static const double LEAVES = .2; /* a coarse sweep that comes third leaves this part of the error, at least */
 
 enum { LEAST_CAPACITY = 64, PASSES = 2, SWEEPS = 16 };
 
@@ -110,6 +110,7 @@ static void open(struct stepper *s, struct arena *life)
 
 /* ---- the iteration ----------------------------------------------------------------------------- */
 
+/* Has the sweep converged?  By its corrections: of du, and of d_k summed over the minor steps. */
 static enum verdict judge(struct subcycle *c)
 {
     double err = 0, small = 0, sum = 0, light = 0;
@@ -150,7 +151,7 @@ static enum status sweep(struct subcycle *c, enum verdict *verdict, struct troub
     return OK;
 }
 
-/* Sweeps from du, d_k as they are until they stand. */
+/* Sweeps, from the present du and d_k, until these have converged. */
 static enum status solve(struct subcycle *c, struct trouble *why)
 {
     for (;;) {
@@ -165,7 +166,7 @@ static enum status solve(struct subcycle *c, struct trouble *why)
     }
 }
 
-/* The step once more with W at the average of the ends it has found. */
+/* Solves the step once more with W at the average of its start and the end found. */
 static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
 {
     subcycle_compose(c);
@@ -178,7 +179,7 @@ static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
     return solve(c, why);
 }
 
-/* The energy scale of the iteration, twice the kinetic energy: by M^ where it is there. */
+/* The energy scale of the iteration, twice the kinetic energy: from M^ where it has been formed. */
 static void energy_scale(struct subcycle *c)
 {
     struct newton *nt = &c->newton;
@@ -274,9 +275,9 @@ static enum status two_rates(struct subcycle *c, struct stepper *s, struct state
     return status;
 }
 
-/* A step that two rates do not get over, halved down to one minor step: by the midpoint rule, whose matrix has all of the
- * coupling.  A light body between heavy ones is too much for the iteration of (S11) and (S12) at steps of any use.  With a
- * tolerance smaller steps are its own affair. */
+/* A major step that has been halved down to one minor step and still does not converge is taken by the midpoint
+ * rule, whose matrix has all of the coupling: with a light body between heavy ones (S11) and (S12) converge at
+ * uselessly small steps only. Only with fixed steps; with a tolerance the scheme takes smaller ones itself. */
 static enum status one_rate_instead(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why)
 {
     const bool looked = c->looked;

@@ -1,4 +1,5 @@
-/* subcycle_accept.c -- a major step whose unknowns stand: what its damping took, what the next one begins from, its end (S9). */
+/* subcycle_accept.c -- a major step whose iteration has converged: the energy that its damping took (S10), its end
+ * (S9), and what the next step begins from. */
 #include <math.h>
 
 #include "base/scalar.h"
@@ -28,7 +29,7 @@ static double damped(struct subcycle *c)
     return sum / 2;
 }
 
-/* After compose: c->v stands at the last minor step. */
+/* For the forecast of the next step.  After subcycle_compose(), when c->v is that of the last minor step. */
 static void remember(struct subcycle *c)
 {
     for (int i = 0; i < c->ns; i++) c->dx[i] = c->h * c->v[i];
@@ -37,7 +38,7 @@ static void remember(struct subcycle *c)
     forecast_keep(&c->forecast, &c->resp, &x);
 }
 
-/* Momenta of what flies freely, where nothing but gravity acts on it, are as they were. */
+/* Corrects the end so that mechanisms that float freely under gravity alone keep their momenta (settle() of ode2.h). */
 static enum status settle(struct subcycle *c, const struct state *x, struct trouble *why)
 {
     const struct instant whole = {

@@ -1,33 +1,40 @@
-/* subcycle_coarse.c -- sweeps in which a few minor steps stand for all.
+/* subcycle_coarse.c -- sweeps that evaluate a few minor steps and interpolate the others.
  *
- * After a whole sweep the rows of all minor steps are known, and the next sweep asks how they have changed: smoothly over
- * the major step, since what changed is du and, in all minor steps alike, the point about which they vibrate.  So a few
- * of them are evaluated; a polynomial through these gives the change of the slow rows' sum and what is left of the fast
- * rows, which corrects all d_k by the linear answer of response_run().
+ * After a whole sweep the rows of all minor steps are known, and the next one asks only by how much they have
+ * changed.  That is smooth over the major step: what has changed is du and, in all minor steps alike, the point
+ * about which they vibrate. So COARSE_POINTS minor steps near the Gauss points of the major one are evaluated.  A
+ * polynomial through them gives the change of the sum of the slow rows, and the residual of the fast rows, by which
+ * all d_k are corrected with the linear answer of response_run().
  *
- * Not where fast and slow coordinates are coupled by springs or dampers, where the change is a vibration itself; not
- * where slopes change, nor where a force may begin in a minor step that is not asked (an impact on an elastic stop lost 0.1
- * percent of the energy); not where power flows, for work is to be that of the motion found. */
+ * It is not done where springs or dampers couple fast and slow coordinates, as the change is a vibration itself;
+ * where slopes change; where a force may set in within a minor step that is not evaluated (an impact on an elastic
+ * stop lost 0.1 percent of the energy); and where power flows, since work must be that of the motion found. */
 #include "base/stop.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
-/* LEAST, THIRD: minor steps that a second, a third sweep like that is worth for. */
-enum { LEAST = 5, THIRD = 8, REST = 64 };
-static const double FADE = .8;
-static const double OLD = .5; /* what was learned of whole sweeps counts half: meanwhile they are not taken */
+enum {
+    LEAST = 5,
+    THIRD = 8
+};                  /* minor steps from which a coarse sweep pays as the second, as the third one of a step */
+enum { REST = 64 }; /* major steps without coarse sweeps after too many have failed */
+static const double FADE = .8; /* of exponential averages */
+static const double OLD =
+    .5; /* weight of the average of whole sweeps, which is not renewed while coarse ones are taken */
 
 void subcycle_coarse_open(struct subcycle *c, struct arena *life)
 {
     c->coarse.left = TAKE_MATRIX(life, double, c->ns, COARSE_POINTS);
 }
 
+/* May a step of at least so many minor steps have coarse sweeps? */
 static bool able(const struct subcycle *c, int least)
 {
     return c->ratio >= least && !c->resp.couples && !c->ode->bends;
 }
 
-/* A step that begins with a coarse sweep and needs a third is dearer than two whole ones; but these, too, may need a third. */
+/* A coarse second sweep that is not enough makes the step dearer than two whole sweeps would have; but these, too,
+ * may need a third. */
 void subcycle_coarse_plan(struct subcycle *c)
 {
     struct coarse *o = &c->coarse;
@@ -45,8 +52,8 @@ void subcycle_coarse_plan(struct subcycle *c)
     c->newton.next = o->rest == 0 && able(c, LEAST);
 }
 
-/* After one whole sweep, or after two where the second was not to be one: what is left then is small, and of that it leaves
- * a tenth. */
+/* After one whole sweep; or after two where the second was not allowed to be coarse: then little is left, and a
+ * coarse sweep leaves a tenth of that. */
 bool subcycle_coarse_next(const struct subcycle *c)
 {
     return c->newton.way ? c->newton.count == 1 && able(c, LEAST) : c->newton.count == 2 && able(c, THIRD);
@@ -62,11 +69,12 @@ void subcycle_coarse_keep(struct subcycle *c, int k)
     if (c->resp.drives) gemv_few(rows, per, c->resp.Q, c->es, ml, c->ns, ml);
 }
 
-/* at: minor steps; weight: of the sum over all, exact for polynomials; power: coefficients of that which is 1 at this
- * one and 0 at the others. */
+/* The minor steps that are evaluated. */
 struct nodes {
-    int at[COARSE_POINTS];
-    double weight[COARSE_POINTS], power[COARSE_POINTS][COARSE_POINTS];
+    int at[COARSE_POINTS];        /* their numbers */
+    double weight[COARSE_POINTS]; /* in the sum over all minor steps: exact for polynomials through them */
+    double power[COARSE_POINTS]
+                [COARSE_POINTS]; /* coefficients of the Lagrange polynomial of each, in f = (k + 1/2)/n */
 };
 
 /* power := coefficients of the polynomial through 1 at f[i] and 0 at the other f. */
@@ -99,7 +107,7 @@ static struct nodes nodes_of(int n)
     return p;
 }
 
-/* Node i, where c->es and c->r were found. */
+/* Adds node i, whose rows are c->es and c->r, to the sums. */
 static void node_sums(struct subcycle *c, const struct nodes *p, int i)
 {
     const int ns = c->ns, ml = c->dec.ml;

@@ -1,19 +1,21 @@
-/* subcycle_coupling.c -- what the fast coordinates are off by because the slow ones move in a straight line in a major step.
+/* subcycle_coupling.c -- the error of the fast coordinates that comes from the slow ones, which move along a
+ * straight line in a major step.
  *
- * y should be u0 t + a t^2/2 and is (u0 + a H/2) t: too far by a t (H - t)/2 on the way, too fast by a (H/2 - t); what slow bodies
- * bring to the fast rows is its mean, where it should grow.  So the accelerations of the fast ones are off by a sawtooth and a
- * parabola,
+ * The slow displacement y should be u0 t + a t^2/2, and is (u0 + a H/2) t: too large by a t (H - t)/2 on the way,
+ * too fast by a (H/2 - t).  And the part of the slow bodies in the fast rows is constant, the mean of what should
+ * vary over the step.  So the accelerations of the fast coordinates are off by a sawtooth and a parabola,
  *
  *     s (1 - 2 t/H) + p t (H - t),                                                                          (S13)
  *
- * which begin anew with each major step; s goes with H, p stays.  At its start accelerations jump by s + s_last, their rates by
- * p (H + H_last), and that is how s and p are had from the d_k on either side, led on to the start by a parabola through three of
- * them, or by a line through two.  At its end coordinates without springs are off by
+ * which begin anew with each major step; s is proportional to H, p does not depend on it.  At the start of a step
+ * the accelerations jump by s + s_last, their rates by p (H + H_last).  Both jumps are found from the d_k on either
+ * side, extrapolated to the start by a parabola through three of them, or a line through two.  At the end of the
+ * step coordinates without springs are off by
  *
  *     x: s H^2/6 + p H^4/12,      v: p H^3/6,                                                               (S14)
  *
- * by M^-1 K s H^3/12 less in v where there are springs.  Stiff ones give way by less, whatever jumps: 2 s/omega^2, 2 p H/omega^2; with
- * A = (M + (H^2/12) K)^-1 M both ends are met by
+ * with springs by M^-1 K s H^3/12 less in v.  Stiff coordinates are off by less than that, by 2 s/omega^2 and 2 p
+ * H/omega^2. With A = (M + (H^2/12) K)^-1 M both limits are met by
  *
  *     v = A p H^3/6 - (6/H) (1 - A) x,   x = A s H^2/6,   and (H/2) A A p H^3/6 more in x.                    (S15) */
 #include <math.h>
@@ -33,7 +35,8 @@ void subcycle_coupling_open(struct subcycle *c, struct arena *life)
     o->stiff = TAKE_MATRIX(life, double, c->ns, c->ns);
 }
 
-/* The acceleration of coordinate i, and its rate, where `one`, `two`, `three` lead to: minor steps from there on, h apart. */
+/* Extrapolates the accelerations d/h of coordinate i, from minor step `one` and those behind it (way: 1) or before
+ * it (-1), to the end of `one` that they come from: the acceleration there, and its rate. */
 static double led(const struct subcycle *c, double *rate, int i, int one, int way)
 {
     const double *d = c->d + i, per = 1 / c->h;
@@ -48,7 +51,7 @@ static double led(const struct subcycle *c, double *rate, int i, int one, int wa
     return (15 * a - 10 * b + 3 * z) / 8;
 }
 
-/* s and p of this step, and what its own minor steps lead on to at its end. */
+/* s and p of this step, and its accelerations extrapolated to its end. */
 static void jumps(struct subcycle *c)
 {
     struct subcycle_coupling *o = &c->error->coupling;
@@ -63,7 +66,7 @@ static void jumps(struct subcycle *c)
     }
 }
 
-/* M + (H^2/12) K factored; false: it is not positive. */
+/* o->stiff := M + (H^2/12) K, factored; false: it is not positive definite. */
 static bool stiffen(struct subcycle *c)
 {
     struct subcycle_coupling *o = &c->error->coupling;
@@ -113,7 +116,8 @@ void subcycle_coupling_measure(struct subcycle *c)
     }
 }
 
-/* The last ones were too small by s: with it, and no length, that step ends where this one begins. */
+/* The last accelerations of the step before were too small by s: corrected by it they count as those of a step of
+ * length 0 that ends where this one begins. */
 void subcycle_coupling_before(struct subcycle *c)
 {
     struct subcycle_error *e = c->error;
@@ -124,7 +128,8 @@ void subcycle_coupling_before(struct subcycle *c)
     e->minor.known = 1;
 }
 
-/* By the rate of the steps before, without the sawtooth's: one through `before` would keep that one's error in any step. */
+/* Extrapolated by the rate in the step before, less that of its sawtooth: a line through the corrected acceleration
+ * at the start would carry the error of that into any step. */
 void subcycle_coupling_end(struct subcycle *c, const double *a)
 {
     struct subcycle_error *e = c->error;

@@ -1,8 +1,10 @@
-/* subcycle_error.c -- what a major step of sub-cycling is off by, each class in its decoupled variables: u over the major
- * step, the fast ones by the d_k over the minor steps, summed; see engine/local_error.h.
+/* subcycle_error.c -- the local error of a major step of sub-cycling, of each class in its decoupled variables: of
+ * the slow velocities u over the major step, of the fast coordinates from the d_k of the minor steps, summed;
+ * engine/local_error.h.
  *
- * u is v_L + W v_S with the W of the step.  Steps before have had another one, and what the fast ones do there would turn up as
- * a jump of u' by dW a_S: mean accelerations are remembered of v_L and v_S apart, and W makes u' of their differences. */
+ * u = v_L + W v_S, with the W of the step.  In earlier steps W was another, which would make u' jump by dW a_S.  So
+ * the mean accelerations of v_L and v_S are remembered apart, and the W of the present step makes u' of their
+ * differences. */
 #include <math.h>
 
 #include "base/scalar.h"
@@ -44,7 +46,8 @@ static void measure_slow(struct subcycle *c, const double *dv, const double *a0)
     }
 }
 
-/* Two minor steps have no change of their third derivative between them: that since the last ones of the step before. */
+/* Two minor steps alone do not show a change of the third derivative: it is taken from the last ones of the step
+ * before. */
 static void measure_pair(struct subcycle *c)
 {
     struct subcycle_error *e = c->error;
@@ -53,7 +56,7 @@ static void measure_pair(struct subcycle *c)
         e->velocity[i] = off * fabs(e->minor.jerk[i] - e->fast.jerk[i]);
 }
 
-/* From the minor steps of this major step alone, where there are several: at its start d_k jumps. */
+/* Where there are several minor steps, from those of this major step alone, since d_k jumps at its start. */
 static void measure_fast(struct subcycle *c)
 {
     struct subcycle_error *e = c->error;
@@ -85,8 +88,9 @@ static double lag(const struct subcycle *c)
     return fastest > 0 ? off / fastest : 0;
 }
 
-/* The fast ones follow the slow ones, and are late with them: in what they move by in the whole step.  For the sum over a run,
- * where subcycle_coupling.c would say too much: what stiff ones are off by for a slow motion does not add up. */
+/* Fast coordinates that follow the slow ones are late by as much: it shifts their displacement in the whole step.
+ * Used for the sums over a run, where (S15) would be too much: errors of stiff coordinates that follow a slow motion
+ * do not add up. */
 static void follow(struct subcycle *c)
 {
     struct subcycle_error *e = c->error;
@@ -119,8 +123,8 @@ void subcycle_error_single(struct subcycle *c, const double *dv, const double *a
     measure_slow(c, dv, a0);
 }
 
-/* Fast vibrations act on slow coordinates, and their mean is what counts: not what they do at the end, if they have done as
- * much before. */
+/* Has u' of slow coordinate i jumped at the end of the step by more than ever before?  Fast vibrations act on the slow
+ * coordinates all the time; only their mean counts. */
 static bool sudden(const struct subcycle *c, int i)
 {
     enum { TIMES = 4 };
@@ -136,8 +140,9 @@ static double largest_mean(const struct subcycle *c, int i)
     return most / c->h;
 }
 
-/* The mean slow acceleration ends in a jump, and that of the fast ones with it, by s (S13).  What is more than that, and more
- * than any in this step, a force has done that began in the last minor step. */
+/* At the end of a major step the mean slow acceleration jumps, and with it those of the fast coordinates, by s
+ * (S13).  A jump beyond that, and larger than any mean acceleration in this step, comes from a force that set in
+ * during the last minor step. */
 void subcycle_error_end(struct stepper *s, const double *a)
 {
     struct subcycle *c = s->self;

@@ -1,13 +1,14 @@
 /* subcycle_jump.c -- how the force phi on the fast coordinates (forecast.h) jumps from one major step to the next.
  *
- * The fast rows are P' r with P of the step, du/n and r_s of the step, and x begins at zero.  With the accelerations a_k
- * and the fast bodies' slow rows r_k,L of the last minor steps phi would have been more, in these of this step, by
+ * The fast rows are P' r, where P, du/n and r_s are those of the major step, and x begins at zero with it: all of
+ * these change at once.  Had the last minor steps, of accelerations a_k and slow rows r_k,L of the fast bodies, been
+ * in the present major step, their phi would have been more by
  *
  *     J_k = (share_last - share)/h - (M_s W)' (du - du_last)/(n h) - K_SS x_n,last - K_SL H w_last + B_k,
  *     B_k = dW' r_k,L + (M_s W)' dW a_k + dM_SS a_k,   dW = W - W_last,  dM_SS = M_SS - M_SS,last,
  *     share = -W' r_s/n - W' M_s W sum d/n
  *
- * besides how it goes on by itself: no evaluation is needed for that.  Its differences jump by those of B_k. */
+ * which takes no evaluation.  The differences of phi jump by those of B_k. */
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -24,6 +25,7 @@ void subcycle_last_open(struct subcycle *c, struct arena *life)
     o->jump = TAKE_MATRIX(life, double, c->ns, JUMP_TERMS);
 }
 
+/* The part of the slow bodies in the fast rows that does not depend on d_k. */
 static void share_of(const struct subcycle *c, double *share)
 {
     copy(share, c->cs, c->ns);
@@ -48,7 +50,7 @@ void subcycle_last_keep(struct subcycle *c)
     o->h = c->h;
 }
 
-/* What does not change with k. */
+/* J_k without B_k. */
 static void constant_jump(struct subcycle *c, double *jump)
 {
     const struct last_step *o = &c->last;
@@ -64,7 +66,7 @@ static void constant_jump(struct subcycle *c, double *jump)
     if (c->resp.drives) dense_gemv(jump, -1, K + (long)ns * c->n, o->y, ns, ml, c->n);
 }
 
-/* B_k of the minor steps from the last one back. */
+/* B_k of the minor steps, from the last one back [ns x JUMP_TERMS]. */
 static void moving_jumps(struct subcycle *c, double *B)
 {
     const struct last_step *o = &c->last;

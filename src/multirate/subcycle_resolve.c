@@ -1,8 +1,9 @@
 /* subcycle_resolve.c -- do the minor steps resolve what vibrates in them?
  *
- * The midpoint rule turns a vibration by 2 atan(z/2), z = omega h, a step: beyond z = 2 by more than a quarter of a turn, so
- * that its velocity changes its sign from step to step, or nearly, and nothing of its phase is right, whatever the balance of
- * energy says.  d_k then is about sqrt(2) to 2 times the velocity; of what follows slow motion it is little. */
+ * In a step the midpoint rule advances the phase of a vibration by 2 atan(z/2), z = omega h: beyond z = 2 by more
+ * than a quarter of a turn, so that the velocity nearly reverses from step to step and the phase is meaningless,
+ * though the energy balance holds.  d_k is then sqrt(2) to 2 times the velocity amplitude; in coordinates that
+ * follow a slow motion it is small. */
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
@@ -32,7 +33,7 @@ void subcycle_resolve_refresh(struct subcycle *c)
     }
 }
 
-/* Twice the energy of its vibration, at least. */
+/* Twice the energy of the vibration of coordinate i, at least [J]. */
 static double energy_of(const struct subcycle *c, int i)
 {
     double sum = 0;
