@@ -143,9 +143,11 @@ static enum status print_slurm(const struct sweep *o, const struct request *requ
     put_option("output", name);
     for (int i = 0; i < request->nover; i++) put_option("over", request->over[i]);
     put_option("sample", request->sample);
-    printf(" %s.[0-9]*\n%s sweep --resume --jobs 1 --shard \"$SLURM_ARRAY_TASK_ID/%ld\" --output "
-           "\"%s.$SLURM_ARRAY_TASK_ID\"",
-           name, program_invocation_name, tasks, name);
+    put_word(name);
+    printf(".[0-9]*\n%s sweep --resume --jobs 1 --shard \"$SLURM_ARRAY_TASK_ID/%ld\" --output", program_invocation_name,
+           tasks);
+    put_word(name);
+    fputs(".\"$SLURM_ARRAY_TASK_ID\"", stdout);
     put_rest(request);
     putchar('\n');
     return OK;

@@ -3,6 +3,8 @@
 deck=$ROOT/decks/pendulum.yaml
 cd "$work" || exit 1
 
+"$FMDSUB" >out 2>err
+expect "no verb: status, help where errors go" "2 0 1" "$? $(wc -c <out) $(grep -c '^usage: fmdsub VERB' err)" err
 refuse 2 "unknown verb 'rnu': did you mean 'run'" rnu "$deck"
 refuse 2 "unknown verb 'hlp': did you mean 'help'" hlp
 refuse 2 "unknown option '--formt': did you mean '--format'" run --formt csv "$deck"

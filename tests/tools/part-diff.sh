@@ -63,6 +63,23 @@ expect "no words, all rows" "2 0" "$(grep -c arm out) $(wc -c <err)" err
 diff_of "as JSON" 1 -f json a.csv b.csv
 expect "an object a row" 2 "$(grep -c '"column":"arm' out)" out
 
+# Numbers that are not finite: the same where both have them.
+printf 't,x\n0,inf\n1,2\n' >infinite.csv
+sed 's/inf/1/' infinite.csv >finite.csv
+diff_of "infinite in both" 0 infinite.csv infinite.csv
+diff_of "infinite in the second" 1 --abs 1e300 finite.csv infinite.csv
+diff_of "infinite in the first" 1 --abs 1e300 infinite.csv finite.csv
+# Into a file: the same rows, nothing printed.  By a pattern what both have of it is compared, whatever one of them has besides.
+"$FMDSUB" diff a.csv b.csv >rows.csv 2>err
+diff_of "into a file" 1 -o file.csv a.csv b.csv
+same "its rows as they are printed" rows.csv file.csv
+expect "nothing is printed" 0 "$(wc -c <out)" out
+mkdir folder
+refuse 6 "folder: cannot open for writing" diff -o folder a.csv b.csv
+refuse 6 "cannot" diff -o /dev/full a.csv b.csv
+diff_of "columns of a pattern that one has alone" 0 -c 'arm.*' a.csv other.csv
+expect "are left out" "arm.x same" "$(echo "$rows" | cut -d , -f 1,8 | tr , ' ')" out
+
 # The same records in three forms, and made anew from the deck.
 for form in csv ndjson json; do "$FMDSUB" run -q -f $form -o "p.$form" --until 2 "$pendulum" 2>err || not_ok "run -f $form" "failed" err; done
 diff_of "CSV and NDJSON" 0 --rel 0 --abs 0 p.csv p.ndjson
@@ -78,7 +95,7 @@ expect "words: records between" "5 times compared (a has 5, b 21), 4 columns, 0 
 sed 's/^\([0-9]\)/9\1/' a.csv >later.csv
 refuse 2 "have no time in common: t 0 to 1 and 90 to 91" diff a.csv later.csv
 refuse 2 "takes two" diff a.csv
-refuse 2 "--rel takes NUMBER or PATTERN=NUMBER" diff --rel x=y a.csv b.csv
+for number in x=y -1 nan inf 1x arm.x=; do refuse 2 "--rel takes NUMBER or PATTERN=NUMBER, separated by commas, not '$number'" diff --rel=$number a.csv b.csv; done
 refuse 2 "no column that both have fits .leg" diff -c 'leg*' a.csv b.csv
 refuse 2 "would overwrite an input file" diff -o a.csv a.csv b.csv
 refuse 6 "cannot read 'none.csv'" diff a.csv none.csv

@@ -91,6 +91,20 @@ sed -n 's/^# *fmdsub/fmdsub/p' job.sh >merge.sh
 sh merge.sh 2>err
 same "tasks of a job script, merged as it says" all.csv s.csv
 fmdsub sweep $over --seed 9 --list -s 'bodies.arm.mass=2' "arm.yaml" >commands
+# Names that a shell would take apart; more tasks than points; what is drawn by Latin hypercube is drawn the same again.
+drawn="--over len~uniform(0,1) --sample 3 --latin --times --of last(t)"
+fmdsub sweep -q $drawn -s "title=arm's length; \$HOME" --slurm 40 -o "arm's \$s.csv" arm.yaml >job.sh 2>err
+expect "a job script: no more tasks than points" "#SBATCH --array=1-3" "$(grep array= job.sh)" err
+for i in 1 2 3; do SLURM_ARRAY_TASK_ID=$i sh job.sh 2>err || not_ok "task $i of names with spaces" "failed" err job.sh; done
+sed -n 's/^# *fmdsub/fmdsub/p' job.sh >merge.sh
+sh merge.sh 2>err
+fmdsub sweep -q $drawn arm.yaml >drawn.csv 2>err
+cut -d , -f 1-3 drawn.csv >drawn
+cut -d , -f 1-3 "arm's \$s.csv" >again
+same "a job script: names with spaces, quotes and dollars" drawn again
+expect "a job script: times are taken" "point,len,last(t),cpu,exit 3" "$(head -n 1 "arm's \$s.csv") $(awk -F, 'NR > 1 && $4 > 0' "arm's \$s.csv" | wc -l)" "arm's \$s.csv"
+fmdsub sweep -q $drawn --slurm 2 arm.yaml >job.sh 2>err
+expect "a job script: a file where none is named" 2 "$(grep -c 'output sweep.csv' job.sh)" job.sh
 expect "a command has what was set" 15 "$(grep -c -- '--seed 9 .*--set bodies.arm.mass=2 arm.yaml$' commands)" commands
 
 # Ended by a signal: rows that are done are kept, and nothing is run twice.
