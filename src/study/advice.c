@@ -10,14 +10,14 @@
 
 static const double levels[] = {1e-2, 1e-4, 1e-6};
 enum { LEVELS = sizeof levels / sizeof *levels };
-static const double AIM = .5; /* of the error that is promised */
+static const double AIM = .5; /* of the error that is told: the safety factor */
 
 static struct advised *add(struct advice *o)
 {
     return &o->entry[o->n++];
 }
 
-/* The power of the setting by which errors fall, seen between two of them, at most `most`. */
+/* The order with which errors fall, seen between two settings; at most `most`. */
 static double power(const struct tried *f, double most)
 {
     static const double LEAST = .5;
@@ -26,15 +26,15 @@ static double power(const struct tried *f, double most)
     return seen > .65 * most ? most : fmax(LEAST, seen);
 }
 
-/* What a run misses that takes the whole time, from what is missed in a part of it. */
+/* The error of a run of the whole time with setting i, in proportion to that of the part tried. */
 static double ahead(const struct tried *f, int i)
 {
     return f->error[i] / f->share;
 }
 
-/* Major steps to an interval for an error, where corners lie in steps anyhow, and errors are at the mercy of where: the
- * coarsest of the settings that were tried from which on all were as good, or finer ones by order 1 from the worst of the
- * last. */
+/* Major steps to an interval for the error `aim`, where corners lie inside steps, and errors depend on where: the
+ * coarsest setting tried from which on all finer ones reach it; else finer ones yet, by order 1 from the worst of
+ * the last three. */
 static double steps_by_trial(const struct tried *f, double aim)
 {
     enum { LAST = 3 };
@@ -47,7 +47,7 @@ static double steps_by_trial(const struct tried *f, double aim)
     return worst / aim;
 }
 
-/* As it is read with twelve figures. */
+/* x rounded to twelve figures, as a deck would have it. */
 static double plain(double x)
 {
     char text[32];
@@ -79,7 +79,7 @@ static void advise_step(struct advice *o, const struct trial *t, double error)
     o->whole = o->entry[o->n - 1].work;
 }
 
-/* x to one figure, 1, 2 or 5, down: as it is read. */
+/* x rounded down to one figure, 1, 2 or 5, as a deck would have it. */
 static double rounded(double x)
 {
     const double ten = floor(log10(x) + 1e-9), figure = x / pow(10, ten);
@@ -88,8 +88,8 @@ static double rounded(double x)
     return strtod(text, NULL);
 }
 
-/* Errors are taken to fall a little less than the tolerance; one near the error itself is not to be trusted, for forces of
- * what vibrates are off by several tolerances. */
+/* Errors are taken to fall a little less than the tolerance does.  A tolerance near the error itself is not advised,
+ * since forces of vibrating parts are off by several tolerances. */
 static void advise_tolerance(struct advice *o, const struct trial *t, double error)
 {
     static const double LEAST = 1e-12, MOST = 1e-3, NEAR = .2;

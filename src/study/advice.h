@@ -1,14 +1,17 @@
-/* advice.h -- what step and what tolerance the motion of a deck asks for, from trial runs of it.
+/* advice.h -- the step and the tolerance that a deck needs for an error of 1e-2, 1e-4 and 1e-6, from trial runs of it.
  *
- * Trial runs go through the whole motion, or as much of it as half a second is good for, so that drives, loads and spin
- * count.  Two schemes of high order at a tight tolerance, against each other, are the reference; one of them at a loose
- * tolerance gives errors over tolerance.  The scheme of fixed steps runs with at most a hundredth of the motion to a
- * step, then half of that, until what it misses falls as its order says.  Errors are those of the deck's columns over
- * their ranges, as in a study, both of the part that was tried.  That has all known corners of loads and drives in it, and
- * a step is advised by which they are ends of steps; one in the middle makes a scheme one of first order, or a pulse is
- * missed.  From what was seen errors go on with the order that was seen, and with time as its share; where there may be
- * corners that are not known, with order 1.
- * All is decided by counts of evaluations. */
+ * Trial runs go through the whole motion, or as much of it as half a second of computing allows, so that drives,
+ * loads and spin count.  Two schemes of high order at a tight tolerance are the reference; one of them at a loose
+ * tolerance gives the error over the tolerance.  The scheme of fixed steps runs with at most a hundredth of the
+ * motion to a step, then with half of that, until its error falls as its order says.  Errors are those of the deck's
+ * columns relative to their ranges, as in a study, both over the part that was tried.
+ *
+ * From there errors are extrapolated to other steps with the order that was seen, where corners of forces or drives
+ * may come at unknown times with order 1, and to the whole run in proportion to time.  A step is advised only if all
+ * known corners of loads and drives are ends of its steps: one inside a step makes any scheme one of first order,
+ * and a pulse may be missed.
+ *
+ * All decisions are by counts of evaluations, so that the same deck always gets the same advice. */
 #ifndef FMDSUB_STUDY_ADVICE_H
 #define FMDSUB_STUDY_ADVICE_H
 
@@ -19,29 +22,29 @@ enum { ADVICE_MOST = 6 };
 struct advice {
     int n;
     struct advised {
-        double error;           /* of the columns' ranges, promised */
+        double error;           /* aimed at, relative to the ranges of the columns */
         const char *scheme;     /* deck word */
         int ratio;              /* 1 with a tolerance */
         double step, tolerance; /* one of them; the other is NAN */
-        double work;            /* evaluations of such a run, predicted */
-    } entry[ADVICE_MOST];       /* [n] by error, largest first; of one error the fixed step first */
-    double work;                /* evaluations of the trial runs */
-    double whole;               /* of a run by the fixed steps advised to the smallest error; NAN: there is none */
-    double until;               /* [s] the motion was looked at up to here */
-    bool parted;                /* where two runs at a tight tolerance part: chaos */
-    double steps_until;         /* [s] fixed steps were tried up to here; NAN: none is advised */
-    const char *no_steps;       /* why none is advised; NULL: some are, or they resolve nothing */
-    double corner;              /* [s] that is said with it; NAN: none is */
-    const char *why;            /* why there is no advice; NULL: there is some */
-    struct report stop;         /* and with it, where trial runs stop, what the first of them says; "": they do not */
+        double work;            /* of the whole run with it, predicted [evaluations] */
+    } entry[ADVICE_MOST];       /* [n] by error, largest first; for one error the fixed step first */
+    double work;                /* of the trial runs [evaluations] */
+    double whole;               /* of a run with the fixed steps advised for the smallest error; NAN: none are */
+    double until;               /* end of the part of the motion that was tried [s] */
+    bool parted;                /* it ends there because two runs at a tight tolerance part: chaos */
+    double steps_until;         /* end of the part tried with fixed steps [s]; NAN: none are advised */
+    const char *no_steps;       /* why none are advised; NULL: some are, or they resolve nothing */
+    double corner;              /* time of the corner that this is about [s]; NAN: it is about none */
+    const char *why;            /* why there is no advice at all; NULL: there is some */
+    struct report stop;         /* then, if trial runs stopped, the message of the first; "": they did not */
 };
 
-/* Of the scene that sim has opened, which stands at its start.  diags: of its own, for what the deck's keys are to other
- * schemes is nobody's concern.  Fails only where it is ended from outside (base/stop.h); what keeps a trial from running
- * is told in why. */
+/* Advice for the scene of sim, which is open and at its start.  diags: not the deck's, since what other schemes
+ * think of its keys is not for the user.  Fails only where it is interrupted (base/stop.h); if trials cannot run,
+ * o->why says so. */
 enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report);
 
-/* The first entry for such an error with a step; NULL: none. */
+/* The entry with a step for this error, one of those aimed at; NULL: none. */
 const struct advised *advice_step(const struct advice *o, double error);
 
 #endif

@@ -9,9 +9,9 @@
 struct subject {
     const struct scene *scene;
     const char *version;
-    double until; /* [s] end of all runs */
-    double every; /* [s] between records */
-    int n, ns;    /* independent coordinates; of these fast */
+    double until; /* end of all runs [s] */
+    double every; /* between records [s] */
+    int n, ns;    /* independent coordinates; fast ones of these */
     int ncolumn;
     struct outcome_column {
         const char *name, *unit;
@@ -20,7 +20,7 @@ struct subject {
         double usual;  /* a usual change of a coordinate; 0: not known */
     } * column;        /* [ncolumn] */
     struct price price;
-    const double *rest; /* where the scene stands at rest, if that is its start: found once; NULL */
+    const double *rest; /* static equilibrium, if the scene starts there, found once; else NULL: struct sim_options */
     struct diags *diags;
 };
 
@@ -28,13 +28,13 @@ struct outcome {
     int n, rows, capacity;
     double *x; /* [rows x n] by row, t first */
     struct effort effort;
-    double reached; /* [s] of the motion */
-    double seconds; /* that its counts stand for */
-    double work;    /* the same in evaluations of all bodies */
-    double cpu;     /* [s] */
-    double energy_share;
-    bool over;          /* it was stopped on the way, since its work passed what it may take */
-    enum status status; /* OK, E_VERDICT, or why it stopped: report */
+    double reached;      /* time of the motion that it came to [s] */
+    double seconds;      /* cost predicted from its counts [s] */
+    double work;         /* the same in evaluations of all bodies */
+    double cpu;          /* time that it took [s] */
+    double energy_share; /* error of the energy balance, relative: ledger_share() */
+    bool over;           /* it was broken off as its cost passed what it may be */
+    enum status status;  /* OK, E_VERDICT, or why it stopped: report */
     struct report report;
 };
 
@@ -42,36 +42,39 @@ struct outcome {
 enum status subject_open(struct subject *o, const struct scene *scene, const char *version, const double *rest,
                          struct diags *diags, struct arena *life, struct report *report);
 
-/* [sim->chosen.n] of a run that is open. */
+/* Columns [sim->chosen.n] of a run that is open. */
 struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life);
+/* Have both a unit, and the same? */
 bool same_unit(const struct outcome_column *a, const struct outcome_column *b);
 
-/* A way of running the deck: one scheme by a tolerance, or by a step and a ratio; NAN: not by that. */
+/* A way of running the deck: a scheme with a tolerance, or with a step [s] and a ratio; the other is NAN. */
 struct setting {
     const struct stepper_kind *kind;
     double tolerance, step;
     int ratio;
-    int order; /* of its steps; 0: the deck's, or what the tolerance is for */
+    int order; /* of its steps; 0: the deck's, or with a tolerance the scheme's own */
 };
 
-/* Of one scheme at one ratio and order? */
+/* Are both of one scheme, ratio and order, so that errors over work lie on one curve? */
 bool setting_together(const struct setting *a, const struct setting *b);
 
 /* Does the kind choose its steps by a tolerance? */
 bool by_tolerance(const struct stepper_kind *kind);
 
-/* The deck's plan changed so; how becomes its options. */
+/* The deck's plan with this setting; *how is filled and becomes its options. */
 struct integrate outcome_plan(struct step_options *how, const struct setting *setting, const struct subject *subject);
 
-/* A deck error that the setting brings, such as a step that does not fit the records, is told in the subject's diags. */
+/* Can the deck be opened with it?  An error that the setting brings, such as a step that does not fit the records,
+ * goes to the diags of the subject. */
 enum status outcome_check(const struct setting *setting, const struct subject *subject, struct report *report);
 
-/* Until its counts pass `most` seconds.  A run that stops is an outcome. */
+/* Runs the deck, until the cost by its counts passes `most` [s].  A run that stops by itself is an outcome, too:
+ * o->status. */
 enum status outcome_run(struct outcome *o, const struct setting *setting, double most, const struct subject *subject,
                         struct arena *life, struct report *report);
 
-/* The same, until `enough` of it is there, too, or it is `hopeless`: asked after every row, the latter every so many steps,
- * too, when o->seconds stand for the counts so far; NULL: not asked. */
+/* The same, broken off also where `enough` records are there or the run is `hopeless`.  Both (NULL: not) are asked
+ * after every row, `hopeless` also every few steps; o->seconds is up to date then. */
 struct outcome_watch {
     bool (*enough)(const void *self, const struct outcome *o);
     bool (*hopeless)(const void *self, const struct outcome *o);
@@ -81,10 +84,11 @@ enum status outcome_watched(struct outcome *o, const struct setting *setting, do
                             const struct outcome_watch *watch, const struct subject *subject, struct arena *life,
                             struct report *report);
 
-/* A row x [n] more. */
+/* Appends a row x [n]. */
 void outcome_keep(struct outcome *o, const double *x, struct arena *life);
 
-/* Rows r [2] of a and of b at the next common time behind those; false: there is none. */
+/* r [2]: rows of a and of b at a common time, -1 before the first; moves both on to the next one; false: there is
+ * none. */
 bool outcome_next(int *r, const struct outcome *a, const struct outcome *b);
 
 static inline const double *outcome_row(const struct outcome *o, int row)

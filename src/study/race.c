@@ -23,6 +23,7 @@ static void plan(struct racer *o)
     o->plan.because = "a trial";
 }
 
+/* o->work from what the run has counted. */
 static void note(struct racer *o)
 {
     o->work = price_seconds(&o->price, o->setting.kind, &o->sim.stepper.effort) / o->unit;
@@ -53,7 +54,7 @@ static double next_record(const struct sim *sim)
     return fmin(sim->plan.until, sim->scene->start + H * (floor(gone / H * (1 + 1e-12) + 1e-9) + 1));
 }
 
-/* Where its next step has to end at the latest. */
+/* The time at which its next step must end at the latest [s]. */
 static double end_of_step(const struct sim *sim)
 {
     if (!sim->stepper.kind->adaptive) return sim->x.t + sim->plan.step * sim->plan.ratio;
@@ -89,8 +90,8 @@ void racer_go(struct racer *o, double most, void (*seen)(void *self, const struc
     }
 }
 
-/* A tolerance for the whole run makes steps shorter with the time that has gone by, beyond EVEN of them
- * (engine/adaptive.h): by this power. */
+/* Where the tolerance is for the whole run, steps become shorter as a power of the time since the start, after the
+ * first EVEN of them (engine/adaptive.h); this is the power. */
 static const double EVEN = 10;
 
 static double power_of(const struct stepper_kind *kind)
@@ -100,7 +101,7 @@ static double power_of(const struct stepper_kind *kind)
     return scheme->plain ? 1. / scheme->order : .5 / (scheme->order - .5);
 }
 
-/* Going on as from t and work there, by steps of h. */
+/* Work of the whole run, if it goes on at the rate since time t, when its work was `work`, with steps of h. */
 static double going_on(const struct racer *o, double t, double work, double h)
 {
     const double start = o->scene.start, span = o->sim.plan.until - start, gone = o->sim.x.t - t;
@@ -110,6 +111,7 @@ static double going_on(const struct racer *o, double t, double work, double h)
     return middle < span ? rate * span * pow(span / middle, power) / (1 + power) : rate * span;
 }
 
+/* Has it come to its end? */
 static bool is_there(const struct racer *o)
 {
     return !o->out && o->sim.x.t >= o->sim.plan.until * (1 - 1e-12);
@@ -121,7 +123,8 @@ double racer_foretold(const struct racer *o)
     return fmax(o->least, going_on(o, o->t_mark, o->work_mark, last_step(o)));
 }
 
-/* Going on by steps as long as it will try next: a third more for those that fail, and for what makes them shorter later. */
+/* Work of the whole run, if all steps are as long as the one that it will try next: a third more for steps that
+ * fail, and for what makes them shorter later. */
 static double by_next_step(const struct racer *o)
 {
     static const double MORE = 1.35;

@@ -1,5 +1,5 @@
-/* race.h -- ways of stepping a deck that are tried side by side, each on an
- * open run of its own, and foretold by counts what the whole run would take. */
+/* race.h -- settings of schemes tried side by side on a deck, each on an open run of its own; from the evaluations
+ * that it has taken so far, what the whole run would take is extrapolated. */
 #ifndef FMDSUB_STUDY_RACE_H
 #define FMDSUB_STUDY_RACE_H
 
@@ -14,32 +14,30 @@ struct racer {
     struct step_options how;
     struct sim sim;
     struct price price;
-    double unit;              /* what all work is counted in: an evaluation of the deck as it
-                  stands [s] */
-    double least;             /* that the whole run takes, whatever is seen of it */
-    double work;              /* so far */
-    double t_mark, work_mark; /* where the last round of it began */
-    long steps;               /* since then */
-    double a_step;            /* work of its cheapest step; 0: there was none */
-    double t_last, work_last; /* where its last step began */
-    double h_before;          /* the step before that; 0: there was none */
+    double unit;              /* unit of all work: an evaluation of the deck as it stands [s] */
+    double least;             /* lower bound of the work of the whole run [evaluations] */
+    double work;              /* so far [evaluations] */
+    double t_mark, work_mark; /* time [s] and work at which its last round began */
+    long steps;               /* taken since then */
+    double a_step;            /* work of its cheapest step; 0: it has taken none */
+    double t_last, work_last; /* time [s] and work at which its last step began */
+    double h_before;          /* length of the step before that [s]; 0: there was none */
     bool out;                 /* it does not open, has stopped, or is beaten */
 };
 
-/* Opens it; o->out where that cannot be.  every: [s] between the ends of its
- * major steps that have to be, 0: any. */
+/* Opens a run with this setting; o->nfast, fast, unit and least are the caller's.  o->out: it cannot be opened. */
 void racer_open(struct racer *o, const struct setting *setting, const struct scene *scene, struct diags *diags,
                 struct arena *life);
-/* On until its work is `most`; seen: at the end of every step, NULL: nobody
- * looks. */
+/* Steps on until o->work is `most` or the run is at its end.  seen (NULL: none) is called at the end of every step. */
 void racer_go(struct racer *o, double most, void (*seen)(void *self, const struct sim *sim), void *self);
-/* What the whole run is going to take, in evaluations. */
+/* Work of the whole run, extrapolated from its last round [evaluations]; INFINITY: it is out. */
 double racer_foretold(const struct racer *o);
-/* The same by its last step, or the one that it will try next, if that is less: steps may still grow. */
+/* The same as if it went on with its last step, or with the one that it will try next, whichever is least: an
+ * optimistic figure, as steps may still grow. */
 double racer_hope(const struct racer *o);
-/* Do its steps still grow, or are they too few to tell? */
+/* Was its last step longer than the one before by more than 30 %? */
 bool racer_grows(const struct racer *o);
-/* Has it seen nothing yet of what is going to keep its steps short? */
+/* Does the extrapolation fall so far below o->least that what keeps the steps short cannot have come yet? */
 bool racer_quiet(const struct racer *o);
 
 #endif

@@ -7,13 +7,13 @@
 #include "base/crew.h"
 #include "study/reference_parts.h"
 
-static const double PARTED = 1e-3;    /* of the range: coordinates that have parted */
-static const double UNCERTAIN = 1e-2; /* of the range: a column that neither run knows */
-static const double LEAST = .1;       /* of the run that must be left */
-static const double EACH = .7;        /* of what it may cost is the most that one run takes, whatever was foretold */
-static const double RESTS = 1e-8;     /* of its size: the range of a column that does not move */
-static const double LOST = 1e-9;      /* of the largest column of the unit: nothing is compared by less, */
-enum { ATTEMPTS = 3 };                /* at runs that come to their end */
+static const double PARTED = 1e-3;    /* of the range: coordinates that differ by more have parted */
+static const double UNCERTAIN = 1e-2; /* of the range: columns that differ by more are not compared */
+static const double LEAST = .1;       /* of the run: a horizon before that is no reference */
+static const double EACH = .7;        /* of what the reference may cost, for one of its runs at the most */
+static const double RESTS = 1e-8;     /* of its size: a column whose range is less is constant */
+static const double LOST = 1e-9;      /* of the largest column of the unit: less is round-off */
+enum { ATTEMPTS = 3 };                /* pairs of runs, until one comes to its end */
 
 static void find_ranges(struct reference *o, const struct outcome *run, double end)
 {
@@ -28,8 +28,8 @@ static void find_ranges(struct reference *o, const struct outcome *run, double e
     }
 }
 
-/* What is lost in round-off beside the largest column of its unit, or a usual change of a coordinate: a mode that nothing
- * moves, next to one that bends; the angle of a block that slides. */
+/* The size of round-off in each column: by the largest column of its unit, or a usual change of a coordinate.  A
+ * mode that nothing moves has it, next to one that bends; or the angle of a block that slides. */
 static void find_least(struct reference *o, const struct subject *subject)
 {
     for (int c = 0; c < o->run.n; c++) {
@@ -40,15 +40,15 @@ static void find_least(struct reference *o, const struct subject *subject)
     }
 }
 
-/* Over the range, or where it has none over its size; what is zero in both runs does not count. */
+/* A difference relative to the column's range, or to its size if it is constant. */
 static double share(const struct reference *o, int c, double difference)
 {
     const double size = o->range[c] > RESTS * o->largest[c] ? o->range[c] : o->largest[c];
     return difference == 0 ? 0 : difference / fmax(size, o->least[c]);
 }
 
-/* Coordinates part: by more than the second run's tolerance of what is usual, too, where a short part of the run has hardly
- * moved them. */
+/* Is the difference of a coordinate more than `parted` of its range?  And more than the tolerance of the second run,
+ * relative to a usual change, for the range of a short part of the run may be next to nothing. */
 static bool part(const struct reference *o, int c, double difference, double parted,
                  const struct outcome_column *column)
 {
@@ -108,10 +108,10 @@ struct both {
     struct arena *life;
 };
 
-/* Going on as so far it would not come half of the way. */
+/* At its rate so far the run would not come half of the way for what it may cost. */
 static bool is_hopeless(const void *self, const struct outcome *run)
 {
-    static const double SEEN = .1; /* of what it may take: now it shows */
+    static const double SEEN = .1; /* of what it may cost: from then on the rate is believed */
     const struct both *o = self;
     const double start = o->subject->scene->start, way = o->subject->until - start;
     return run->seconds > SEEN * o->most && (run->reached - start) / run->seconds < .5 * way / o->most;
@@ -133,7 +133,7 @@ static enum status run_one(void *self, int i, int to, struct report *report)
     return status;
 }
 
-/* The run, then its rows. */
+/* From run_one(): the run first, then its rows. */
 static enum status hear_one(void *self, int i, const void *bytes, size_t n, struct report *report)
 {
     struct both *o = self;
@@ -168,8 +168,8 @@ static double common_end(const struct reference *o, const struct outcome *second
     return fmin(outcome_row(&o->run, o->run.rows - 1)[0], outcome_row(second, second->rows - 1)[0]);
 }
 
-/* Runs that cost much more than their trials have foretold (motions that only a small tolerance resolves) are left, and two
- * chosen anew by what they cost, and from what is left. */
+/* Runs that turn out much dearer than predicted, as of motions that only a small tolerance resolves, are broken off,
+ * and two are chosen anew by what those have cost, for what is left of `most`. */
 static enum status run_until_enough(struct reference *o, struct outcome *second, struct candidates *among,
                                     struct subject *subject, double most, struct arena *life, struct report *report)
 {
@@ -188,7 +188,7 @@ static enum status run_until_enough(struct reference *o, struct outcome *second,
     }
 }
 
-/* A column that says nothing beside others of its unit is not compared. */
+/* Columns that are round-off beside the largest of their unit are not compared. */
 static void leave_noise_out(const struct reference *o, struct subject *subject)
 {
     static const double NOISE = 1e-11;

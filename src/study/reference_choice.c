@@ -6,9 +6,9 @@
 #include "study/reference_parts.h"
 
 static const double TRIAL = 1e-6;    /* tolerance of the trials */
-static const double TRIALS = .2;     /* of what the reference may cost goes to these */
-static const double MOST_TRIAL = 10; /* [s] without a budget */
-enum { HIGH = 5 };                   /* order of a scheme that may be a reference */
+static const double TRIALS = .2;     /* share of the cost of the reference that goes to these */
+static const double MOST_TRIAL = 10; /* of one trial, whatever the budget [s] */
+enum { HIGH = 5 };                   /* least order of a scheme that may be a reference */
 
 bool too_full(const struct stepper_kind *kind, const struct subject *subject)
 {
@@ -20,7 +20,7 @@ static double rate_of(const struct outcome *run, double start)
     return run->reached > start ? run->seconds / (run->reached - start) : INFINITY;
 }
 
-/* One trial, and how far it has come at which price. */
+/* One trial; tells its cost per second of the motion, and its cost [s]. */
 static enum status try_one(void *self, int i, int to, struct report *report)
 {
     const struct candidates *o = self;
@@ -56,13 +56,14 @@ static enum status run_trials(struct candidates *o, double most, struct arena *l
     return crew_run(&crew, life, report);
 }
 
-/* Predicted cost of so much of the motion at a tolerance: the local error goes by the order. */
+/* Predicted cost of `span` seconds of the motion at a tolerance [s]: steps go with the tolerance to the power
+ * 1/(order + 1). */
 static double foretold(const struct candidate *o, double tolerance, double span)
 {
     return span * o->rate * pow(o->setting.tolerance / tolerance, 1. / (o->setting.kind->order + 1));
 }
 
-/* The cheapest at a tolerance, but for one; NULL: none. */
+/* The cheapest at a tolerance, except `but`; NULL: none. */
 static const struct candidate *cheapest(const struct candidates *o, double tolerance, const struct candidate *but)
 {
     const struct candidate *best = NULL;
@@ -74,7 +75,7 @@ static const struct candidate *cheapest(const struct candidates *o, double toler
     return best;
 }
 
-/* The end is brought forward to a record. */
+/* Brings the end forward to a record, so that this share of the run is left. */
 static void bring_forward(struct reference *o, struct subject *subject, double share)
 {
     const double start = subject->scene->start, records = (subject->until - start) / subject->every;
@@ -84,8 +85,9 @@ static void bring_forward(struct reference *o, struct subject *subject, double s
     o->cut = true;
 }
 
-/* Rigid contacts are midpoint's alone, at two tolerances: errors between impacts, by which its steps go, are of order 2, and
- * so the second is off by about what the two differ by, the first by a tenth of that. */
+/* With rigid contacts: midpoint at two tolerances.  Between impacts its errors are of order 2, and with a tenth of
+ * the tolerance a tenth as large: so the second run is off by about the difference of the two, the first by a tenth
+ * of that. */
 static enum status choose_with_contacts(struct reference *o, struct subject *subject, double most, struct arena *life,
                                         struct report *report)
 {
