@@ -46,10 +46,11 @@ static const char *card_value(const char *card, const char *key, size_t *len)
     return NULL;
 }
 
+/* That card, not one whose name goes on, as *NODE PRINT does. */
 static bool is_card(const char *line, const char *name)
 {
     size_t n = strlen(name);
-    return strncasecmp(line, name, n) == 0 && strchr(", \t", line[n]);
+    return strncasecmp(line, name, n) == 0 && strchr(",", line[n + strspn(line + n, " \t")]);
 }
 
 static int corners_of(const char *type)
