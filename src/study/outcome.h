@@ -44,7 +44,7 @@ enum status subject_open(struct subject *o, const struct scene *scene, const cha
 
 /* Columns [sim->chosen.n] of a run that is open. */
 struct outcome_column *outcome_columns(const struct sim *sim, struct arena *life);
-/* Have both a unit, and the same? */
+/* Are both in the same unit, or without one? */
 bool same_unit(const struct outcome_column *a, const struct outcome_column *b);
 
 /* A way of running the deck: a scheme with a tolerance, or with a step [s] and a ratio; the other is NAN. */
