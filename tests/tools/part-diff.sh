@@ -82,6 +82,9 @@ expect "are left out" "arm.x same" "$(echo "$rows" | cut -d , -f 1,8 | tr , ' ')
 
 # The same records in three forms, and made anew from the deck.
 for form in csv ndjson json; do "$FMDSUB" run -q -f $form -o "p.$form" --until 2 "$pendulum" 2>err || not_ok "run -f $form" "failed" err; done
+"$FMDSUB" run -q --units -o units.csv --until 2 "$pendulum" 2>err
+diff_of "CSV with its units in a line" 0 --rel 0 --abs 0 units.csv p.csv
+expect "whose units are told" "$(sed -n '2s/[][]//gp' units.csv | tr , '\n' | sed 1d | tr '\n' ' ')" "$(echo "$rows" | cut -d , -f 2 | tr '\n' ' ')" out
 diff_of "CSV and NDJSON" 0 --rel 0 --abs 0 p.csv p.ndjson
 expect "all columns, none differs" "8 0" "$(echo "$rows" | wc -l) $(echo "$rows" | grep -vc '^[a-z.]*,[^,]*,0,0,[0-9.]*,.*,same$')" out
 diff_of "NDJSON and JSON" 0 --rel 0 --abs 0 p.ndjson p.json

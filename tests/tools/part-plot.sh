@@ -125,6 +125,10 @@ mkdir ended
 printf '#!/bin/sh\necho worn out >&2\n' >ended/gnuplot
 chmod +x ended/gnuplot
 awk 'BEGIN { print "t,a"; for (i = 0; i < 20000; i++) print i ",0.123456" }' >long.csv
+mkdir shut
+printf 'words\n' >shut/gnuplot
+PATH=$work/shut "$FMDSUB" plot two.csv >out 2>err
+expect "gnuplot that cannot be started: status, words" "6 1 0" "$? $(grep -c 'gnuplot cannot be started: ' err) $(wc -c <out)" err
 PATH=$work/ended:$PATH timeout 30 "$FMDSUB" plot -o a.svg long.csv >out 2>err
 expect "gnuplot ends without reading: status, words" "6 1" "$? $(grep -c 'gnuplot has drawn nothing: worn out' err)" err
 
