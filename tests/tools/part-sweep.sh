@@ -91,6 +91,27 @@ sed -n 's/^# *fmdsub/fmdsub/p' job.sh >merge.sh
 sh merge.sh 2>err
 same "tasks of a job script, merged as it says" all.csv s.csv
 fmdsub sweep $over --seed 9 --list -s 'bodies.arm.mass=2' "arm.yaml" >commands
+# Texts with commas and quotes are one value, also where they are read back; a point that failed is told again, not run again.
+sed "1a title: an arm" arm.yaml >titled.yaml
+texts='title=["one, two", "say \"x\"", three]'
+fmdsub sweep -q --over "$texts" --of 'last(t)' -o texts.csv titled.yaml 2>err
+sed 3q texts.csv >begun.csv
+fmdsub sweep -q --resume --over "$texts" --of 'last(t)' -o begun.csv titled.yaml 2>>err
+same "texts with commas and quotes, gone on with" texts.csv begun.csv
+fmdsub sweep --merge texts.csv >merged.csv 2>>err
+same "texts with commas and quotes, merged" texts.csv merged.csv
+expect "texts with commas and quotes: rows" "4 three" "$(wc -l <merged.csv) $(sed -n '$s/^3,\(.*\),0.2,0$/\1/p' merged.csv)" merged.csv err
+masses='bodies.arm.mass=[1, -1, 2]'
+fmdsub sweep -q --over "$masses" --of 'last(t)' -o failed.csv arm.yaml 2>err
+cp failed.csv before.csv
+fmdsub sweep --resume --over "$masses" --of 'last(t)' -o failed.csv arm.yaml 2>err
+expect "a point that had failed: status, words" "1 1 fmdsub: 1 of 3 points did not end well: column exit" "$? $(wc -l <err) $(cat err)" err
+same "a point that had failed: its row stays" before.csv failed.csv
+sed 's/^3,/9,/' before.csv >far.csv
+refuse 2 "far.csv has a point 9: this sweep has 3" sweep --resume --over "$masses" --of 'last(t)' -o far.csv arm.yaml
+fmdsub sweep --over 'bodies.arm.mass=-1:-8:8' --of 'last(t)' arm.yaml >table 2>err
+expect "points that fail: the first five are told" "5 fmdsub: and 3 more points that failed" "$(grep -c '^fmdsub: point [1-8] ' err) $(sed -n '6p' err)" err
+
 # Names that a shell would take apart; more tasks than points; what is drawn by Latin hypercube is drawn the same again.
 drawn="--over len~uniform(0,1) --sample 3 --latin --times --of last(t)"
 fmdsub sweep -q $drawn -s "title=arm's length; \$HOME" --slurm 40 -o "arm's \$s.csv" arm.yaml >job.sh 2>err
