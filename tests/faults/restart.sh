@@ -123,3 +123,28 @@ END
     "$FMDSUB" run --until 0.2 -s 'initial={from: half.json, time: keep}' -s 'drives.turn.value=2*sin(3*t) + 0.1*sin(300*t)*exp(-((t - 0.2)/0.02)^2)' quick.yaml >rest 2>err
     expect "restart: quick later" "scheme, step or partition are others" "$(sed -n 's/.*rates alone (\(.*\)): not to the last bit one run/\1/p' err)" err
 fi
+
+# Beside contacts subcycle has a stepper of one rate inside: before it has fallen, while it bounces, and where it slides.
+if wanted bounces; then
+    cat >bounces.yaml <<'END'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  a: {mass: 1, inertia: 0.1, at: [0, 0.05]}
+  b: {mass: 1, inertia: 0.1, at: [5, 0]}
+constraints:
+  f: {free: [ground, a], at: [0, 0.05]}
+  t: {revolute: [ground, b], at: [5, 0]}
+surfaces: {floor: {plane: ground, at: [0, 0], normal: [0, 1]}, foot: {point: a}}
+contacts: {c: {between: [foot, floor], restitution: 0.5, friction: 0.2}}
+forces: {k: {spring: t, stiffness: 1.0e+4}, p: {spring: [[-0.5, 0.05], a], stiffness: 50}}
+initial: {t.angle: 0.01, f.x_rate: 1}
+partition: {fast: [t]}
+integrate: {scheme: subcycle, step: 1.0e-3, ratio: 10, until: 0.4}
+END
+    H=0.01 every="--every-steps 1"
+    for majors in 10 24 40 60; do
+        why=$(one_run bounces.yaml $majors)
+        [ -z "$why" ] && ok "restart: bounces, at $((majors / 2)) major steps" || not_ok "restart: bounces, at $((majors / 2)) major steps" "$why"
+    done
+fi
