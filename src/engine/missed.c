@@ -15,7 +15,8 @@ void missed_open(struct missed *o, int n, struct arena *life)
     for (int k = 0; k < MISSED_ORDER + 2; k++) o->v[k] = TAKE(life, double, n);
 }
 
-/* Steps to the next burst, a twelfth of those so far in the mean: uneven, so that bursts do not fall in with what moves. */
+/* Steps to the next burst, in the mean a twelfth of those so far.  Uneven (golden section), so that bursts do not
+ * fall into step with a vibration. */
 static long pause(const struct missed *o)
 {
     static const double EVER = 12, LONGEST = 20, LEAST = .5, GOLDEN = .61803398874989485;
@@ -48,7 +49,7 @@ void missed_before(struct missed *o, const double *v)
     if (o->seen == 0) memcpy(o->v[o->seen++], v, (size_t)o->n * sizeof *v);
 }
 
-/* v[k], v[k+1] ... := differences of order k, of those there at a distance of one step. */
+/* v[k] := backward difference of order k of the velocities v[0..most], which are one step apart. */
 static void take_differences(struct missed *o, int most)
 {
     for (int k = 1; k <= most; k++)
@@ -69,8 +70,9 @@ void missed_after(struct missed *o, const double *v, int order, double late)
     missed_add(o, o->v[order], o->v[most]);
 }
 
-/* How far the error of a velocity moves a vibration of size x, in usual sizes, on in a unit of time: its frequency changes
- * by x dx/8 (a pendulum's, by its amplitude); what turns on and on, by all of it. */
+/* The part of an error of velocity that becomes an error of position in a unit of time, in a vibration of amplitude
+ * x (in usual sizes): that of a pendulum, whose frequency changes with its amplitude by x dx/8; all of it for a
+ * rotation. */
 static double shear(double x)
 {
     return x * x < 8 ? x * x / 8 : 1;

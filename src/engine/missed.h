@@ -1,15 +1,17 @@
-/* missed.h -- what the steps of a run have missed: the sizes of their local errors, summed, of every coordinate.
+/* missed.h -- the sizes of the local errors of all steps of a run, summed for every coordinate and velocity.
  *
- * A scheme of order p that is late by the part c of (omega h)^(p+1) leaves in a step h, with differences of velocities from
- * step to step,
+ * Let a scheme of order p have a phase error of c (omega h)^(p+1) in a step h (stepper_kind.late).  With D the
+ * difference from step to step its local error is
  *
  *     c h D^p v   in the positions,      c D^(p+1) v   in the velocities.
  *
- * A scheme of fixed steps is looked at in bursts of p + 1 steps, one behind the other at the start of a run, ever more apart
- * later; what is found stands for the steps since the burst before.  Other schemes know their local errors and tell them.
+ * With fixed steps these differences are taken in bursts of p + 2 successive velocities: one burst after the other
+ * at the start of a run, then more and more seldom; each stands for all steps since the burst before.  Schemes that
+ * estimate their local errors themselves add them with missed_add().
  *
- * Of a vibration the sum is what it is late by, within a factor of 2: errors stay as large as they were made, and add up.
- * Where they grow on their own (chaos) it is too small, where the motion forgets them too large. */
+ * For a vibration the sum is the accumulated phase error, within a factor of 2: local errors keep their size and add
+ * up.  It is too small where errors grow by themselves (chaos), and too large where the motion forgets them
+ * (damping). */
 #ifndef FMDSUB_ENGINE_MISSED_H
 #define FMDSUB_ENGINE_MISSED_H
 
@@ -23,37 +25,39 @@ enum { MISSED_ORDER = 4 }; /* the highest of a scheme of fixed steps */
 
 struct missed {
     int n;
-    double *position, *velocity;             /* [n] sums */
-    double signed_position, signed_velocity; /* of one freedom, the same with their signs */
-    long steps;                              /* looked for so far */
+    double *position, *velocity;             /* [n] sums of |local error| */
+    double signed_position, signed_velocity; /* with one degree of freedom: sums with their signs */
+    long steps;                              /* taken so far */
     long told;                               /* of these, for which the sums stand */
-    long next;                               /* the step with which the next burst begins */
-    int seen;                                /* velocities in it */
-    double h;                                /* their distance */
-    double *v[MISSED_ORDER + 2];             /* [n] these; then their differences */
+    long next;                               /* number of the step with which the next burst begins */
+    int seen;                                /* velocities so far in the burst under way */
+    double h;                                /* its step [s] */
+    double *v[MISSED_ORDER + 2];             /* [n] its velocities, then their differences */
     double *way, *extent;                    /* [n] displacement so far, and its largest, in usual sizes */
 };
 
 void missed_open(struct missed *o, int n, struct arena *life);
 
-/* A step of a scheme of fixed steps begins; is it one to look at? */
+/* A step of fixed length begins: is it one of a burst? */
 static inline bool missed_looks(struct missed *o)
 {
     return o->steps++ >= o->next;
 }
-/* Such a step h; afresh: the past is no longer that of this motion, nor is it where h is another. */
+/* Such a step of length h.  The burst begins anew where h has changed, or afresh: where the motion has (an event, a
+ * chart). */
 void missed_begin(struct missed *o, bool afresh, double h);
-/* Of one rate: velocities [n] at its start, at its end. */
+/* Then, for schemes of one rate: velocities [n] at its start; at its end, with the order p and the factor c of the
+ * scheme. */
 void missed_before(struct missed *o, const double *v);
 void missed_after(struct missed *o, const double *v, int order, double late);
-/* Errors of velocities go on into positions for a time h, at velocities v [n], usual sizes of coordinates by ode: of schemes
- * that do not go back the way that they came, and so let the energy drift by `part` of what they leave in it. */
+/* For schemes that are not symmetric in time, whose energy drifts by `part` of their local errors: over a time h at
+ * velocities v [n], errors of velocities change frequencies and so go on into errors of positions. */
 void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part);
-/* The past is no longer that of this motion. */
+/* The burst begins anew: the motion has changed. */
 void missed_break(struct missed *o);
-/* Local errors [n], of any sign, of one step that stands for all since the last one that was told. */
+/* Adds the local errors [n], of any sign, of one step that stands for all since the last call. */
 void missed_add(struct missed *o, const double *position, const double *velocity);
-/* A new chart has taken the sums along. */
+/* The sums have been transformed to a new chart: signs do not count, displacements begin anew. */
 void missed_rechart(struct missed *o);
 void missed_recall(struct missed *o, struct recall *r);
 

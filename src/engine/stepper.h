@@ -37,10 +37,11 @@ struct effort {
 
 struct stepper;
 
-/* What a step is off by [n]. */
+/* The local error of a step, sizes [n]. */
 struct step_error {
     const double *position, *velocity;
-    const double *shared_position, *shared_velocity; /* of two rates: of the fast coordinates' [ns], what goes with H */
+    const double *shared_position,
+        *shared_velocity; /* two rates: the part of the fast coordinates' [ns] that goes with H */
 };
 
 struct stepper_kind {
@@ -52,19 +53,19 @@ struct stepper_kind {
     bool (*fits)(const struct step_options *o, struct misfit *why);
     bool two_rates;                    /* sub-cycling; else ratio plain steps are one major step */
     const struct stepper_kind *single; /* of two rates: what it is at ratio 1, with its neutral options (KEY_NEUTRAL) */
-    bool yardstick;                    /* to compare with: nobody is advised to take it */
+    bool yardstick;                    /* serves for comparison only: nobody is advised to take it */
     bool cut;                          /* its steps may be cut at impacts and where friction sets in: rigid contacts */
-    bool keeps;                        /* the momenta of what flies freely: settle() of ode2.h */
-    /* Debian package of a library that a build may be without, NULL: none.  The scheme runs where it is asked for by name
-     * alone, so that what is chosen is the same everywhere. */
+    bool keeps;                        /* conserves the momenta of mechanisms that float freely: settle() of ode2.h */
+    /* Debian package of a library that a build may be without, NULL: none.  The scheme runs where it is asked for by
+     * name alone, so that what is chosen is the same everywhere. */
     const char *needs;
-    bool starts_anew; /* a run that goes on from a state that was kept does so without the past */
+    bool starts_anew; /* a run that goes on from a kept state begins without its history */
     int order;
     int adaptive; /* chooses its own steps inside H */
-    bool full;    /* its matrices are full ones of all coordinates: for hundreds of these */
-    int points;   /* asks for residuals at points of time, where the impulse of a drive's corner inside the step is not
-                   * seen: the core delivers that before step().  0: drives move by their means over the step
-                   * (instant.ta, tb), which hold it; or an adaptive scheme looks for corners itself */
+    bool full;    /* forms full matrices of all coordinates, too large for hundreds of these */
+    int points; /* evaluates residuals at points of time, which miss the impulse of a drive whose rate jumps inside the
+                   * step: stepper_step() delivers it before step().  0: drives move by their means over the step
+                   * (instant.ta, tb), which contain it; or an adaptive scheme looks for corners itself */
 
     /* Optional: the same with steps of its own by `tolerance`. */
     const struct stepper_kind *tolerant;
@@ -74,32 +75,35 @@ struct stepper_kind {
 
     const void *formulas; /* of the family that open and step are those of: struct implicit_scheme; NULL: of none */
 
-    /* Optional.  The part of (omega h)^(order + 1) that a vibration is late by in a step; with fades(), where that is not 0,
-     * of (omega h)^2 that it loses of its size. */
+    /* Optional.  The factor c of its phase error c (omega h)^(order + 1) in a step; with fades(), where that is not
+     * 0, the factor d of its loss of amplitude d (omega h)^2. */
     double (*late)(const struct step_options *o);
     double (*fades)(const struct step_options *o);
 
     /* Required.  Once, by stepper_open(): takes all memory into s->self. */
     void (*open)(struct stepper *s, struct arena *life);
-    /* Required.  By each stepper_step(): one major step from x, in place, of minor step h; H = ratio * h.  `to` is the
-     * exact time at its end (the caller's i * H, free of sums); an adaptive scheme may end short of it when `stop` is
-     * set.  Adds the step's work by channel into s->work, what its damping took into s->lost and what Newton left over
-     * into s->left (all set to zero before) [J].  s->fresh: nothing is known of the past, and x->a are the accelerations
-     * of (2-4) at x; cleared by a step that is taken.  Counts s->effort but for majors and rejected. */
+    /* Required.  By each stepper_step(): one major step from x, in place, of minor step h; H = ratio * h.  `to` is
+     * the exact time at its end (the caller's i * H, free of sums); an adaptive scheme may end short of it when
+     * `stop` is set.  Adds the step's work by channel into s->work, what its damping took into s->lost and what
+     * Newton left over into s->left (all set to zero before) [J].  s->fresh: nothing is known of the past, and x->a
+     * are the accelerations of (2-4) at x; cleared by a step that is taken.  Counts s->effort but for majors and
+     * rejected. */
     enum status (*step)(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
-    /* Optional.  The state goes back to where the last step began: what it carries besides goes with it, if the next thing
-     * is another step from there, afresh. */
+    /* Optional.  The last step is undone: what the scheme carries besides the state goes back, too.  The next step
+     * begins where that one did, with s->fresh. */
     void (*back)(struct stepper *s);
-    /* Optional.  Accelerations [n] that it carries as a part of the motion, besides x->a, in steps of h: those that the next
-     * step begins with although it is afresh, to be filled; or those that the last step has left. */
+    /* Optional.  Accelerations [n] that it carries as a part of the motion, besides x->a, with steps of h.  next:
+     * those that the next step is to begin with, to be filled by the caller; else those that the last step has left. */
     double *(*carried)(struct stepper *s, double h, bool next);
-    /* Optional, of two rates.  What the step just made is off by, in its decoupled variables: sizes of position and
-     * velocity [n], summed over the minor steps.  keep: it was taken; false: what is known of steps before is of no use. */
+    /* Optional, two rates.  The local error of the step just made, in its decoupled variables, summed over the minor
+     * steps. */
     struct step_error (*error)(struct stepper *s);
-    /* Optional, of two rates: that error is to count what the accelerations a [n] at the end tell of it. */
+    /* Optional, two rates.  Before error(): it is to take in what the accelerations a [n] at the end show. */
     void (*error_end)(struct stepper *s, const double *a);
+    /* Optional, two rates.  The step was taken; false: and steps before are no longer of this motion. */
     void (*keep)(struct stepper *s, bool taken);
-    /* Optional.  All that step() carries to the next one besides the state: base/recall.h.  E_LIMIT: no memory for it. */
+    /* Optional.  All that step() carries to the next one besides the state: base/recall.h.  E_LIMIT: no memory for
+     * it. */
     enum status (*recall)(struct stepper *s, struct recall *r);
 };
 
@@ -114,7 +118,7 @@ struct guess {
     int ratio;
 };
 
-/* A vibration that minor steps are too long for: of all steps so far the one of the largest energy. */
+/* A vibration that minor steps are too long for: the one of the largest energy in all steps so far. */
 struct unresolved {
     double energy;     /* twice its own, at least [J]; 0: there is none */
     double motion;     /* twice the largest kinetic energy so far [J] */
@@ -127,28 +131,28 @@ struct stepper {
     struct ode2 *ode; /* charts change between steps, see ode2_chart */
     struct step_options options;
     struct effort effort;
-    double work[POWER_CHANNELS];  /* of the last accepted step [J] */
-    double lost;                  /* energy taken by the scheme's own damping in the last step [J]; some schemes give
-                                  * back of it within a vibration what they have taken before */
-    double struck;                /* energy taken by impacts in the last step [J] */
-    double left;                  /* energy-like size of what Newton left over in the last step [J] */
-    double swing;                 /* the largest sum of |work| on the way of the last step, where it was many [J] */
-    struct unresolved unresolved; /* of two rates by fixed steps without damping */
+    double work[POWER_CHANNELS]; /* of the last accepted step [J] */
+    double lost;   /* energy taken by numerical damping in the last step [J]; some schemes give a part of it
+                                  * back within a vibration */
+    double struck; /* energy taken by impacts in the last step [J] */
+    double left;   /* size of the work of the residual that Newton's method left in the last step [J] */
+    double swing;  /* largest sum of |work| within the last major step, where that was many steps [J] */
+    struct unresolved unresolved; /* two rates by fixed steps without damping */
     int last_sweeps;              /* sweeps (iterations) of the last step */
     int fresh;                    /* no history: predictors and factors must not be used */
     struct guess guess;
-    bool natural;  /* of an adaptive scheme: step() ends after one of its own steps, at a new x->t */
-    double due;    /* then: the first record due behind motion_behind() its start: adaptive_between() is to have it */
-    int unstarted; /* accelerations were not found in a new chart: the next step asks for them again */
+    bool natural;  /* adaptive schemes: step() ends after one of the scheme's own steps, at a new x->t */
+    double due;    /* then: time of the first record behind its start, which adaptive_between() is to interpolate */
+    int unstarted; /* accelerations were not found in a new chart: the next step solves for them again */
     struct accel *accel;     /* solves (2-4) for a */
-    struct missed *missed;   /* what steps have missed so far; NULL: nobody asks */
-    struct tangent *tangent; /* of one freedom: how its errors go on; NULL: nobody asks */
+    struct missed *missed;   /* sums of local errors; NULL: not wanted */
+    struct tangent *tangent; /* with one degree of freedom: errors propagated; NULL: not wanted */
     struct touch *touch;     /* rigid contacts; NULL: there are none */
-    struct stepper
-        *plain;     /* of two rates with rigid contacts: what takes its minor steps, of all coordinates, where one of
-                            * them is closed or near; NULL: nothing does */
-    bool was_plain; /* it took the last step */
-    long plainly;   /* major steps that it has taken */
+    /* Two rates with rigid contacts: takes the minor steps for all coordinates where a contact is closed or near;
+     * NULL: not so. */
+    struct stepper *plain;
+    bool was_plain;         /* it took the last step */
+    long plainly;           /* major steps that it has taken */
     struct stepper *damped; /* the same scheme with rho_infinity below 1, by stepper_may_damp(); NULL: none */
     bool damps;             /* it takes the steps, by stepper_damp() */
     struct single *keep;    /* v, a before a corner */
@@ -161,24 +165,24 @@ struct stepper {
 void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode2 *ode,
                   const struct step_options *options, struct arena *life);
 
-/* Right after it: steps may be damped on the way, by rho_infinity rho.  false: the scheme has none, damps already, or bodies
- * touch. */
+/* Right after it: prepares for steps damped by rho_infinity rho, if they become necessary.  false: the scheme has no
+ * rho_infinity, damps already, or there are contacts. */
 bool stepper_may_damp(struct stepper *s, double rho);
-/* From here on they are. */
+/* From here on steps are damped. */
 static inline void stepper_damp(struct stepper *s)
 {
     s->damps = true;
     s->damped->fresh = 1;
 }
 
-/* What a stepper inside has counted goes to the one around it, which counts steps for itself. */
+/* Moves the counts of a stepper inside another one to the outer one, which counts major and minor steps itself. */
 void effort_hand_on(struct effort *to, struct effort *from);
 
 /* One major step; counts effort.  x->a must hold the accelerations at x->t at the first call
  * (stepper_start makes them). */
 enum status stepper_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
 
-/* What is carried from step to step; the state x is the caller's. */
+/* All that is carried from step to step besides the state: base/recall.h. */
 enum status stepper_recall(struct stepper *s, struct recall *r);
 
 /* x->a := consistent accelerations (2-4) at x, and forgets predictors and stale factors: for the start, and after

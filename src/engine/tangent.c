@@ -8,11 +8,12 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 
-/* Usual sizes from look to look, or that by its frequency: of fixed steps, where looks are dear; of steps that a scheme chooses. */
+/* Displacement from look to look in usual sizes, or time in 1/omega: with fixed steps, where looks are expensive
+ * beside a step; with steps that the scheme chooses. */
 static const double FAR = .8, NEAR = .4;
 static const double COARSE = 3;      /* times as far where looks run short */
-enum { AT_ONCE = 20 };               /* looks, */
-enum { STEPS = 200, OWN_STEPS = 4 }; /* and one more in so many steps; in so many of those that a scheme chooses */
+enum { AT_ONCE = 20 };               /* looks that are allowed from the start, */
+enum { STEPS = 200, OWN_STEPS = 4 }; /* and one more with so many fixed steps, with so many chosen ones */
 
 void tangent_open(struct stepper *s, struct arena *life)
 {
@@ -24,6 +25,7 @@ void tangent_open(struct stepper *s, struct arena *life)
     o->usual = ode2_usual(s->ode, 0);
 }
 
+/* omega of the motion about the last look, or its rate of growth [1/s]. */
 static double frequency(const struct tangent *o)
 {
     return sqrt(fabs(o->A));
@@ -31,14 +33,14 @@ static double frequency(const struct tangent *o)
 
 /* ---- from step to step ----------------------------------------------------------------------------------------- */
 
-/* tau of the difference (x, y) where the velocity is v and the acceleration a, by the frequency w. */
+/* tau, the part along f = (v, a), of the difference (x, y), by the frequency w. */
 static double along(double x, double y, double v, double a, double w)
 {
     const double norm = a * a + w * w * v * v;
     return norm > 0 ? (w * w * v * x + a * y) / norm : 0;
 }
 
-/* In a step h to the velocity v. */
+/* The local error of a scheme of two rates is known by its size only: all of it counts as delay. */
 void tangent_told(struct stepper *s, double h, double v)
 {
     struct tangent *o = s->tangent;
@@ -54,13 +56,13 @@ void tangent_told(struct stepper *s, double h, double v)
     o->told = m->told;
 }
 
-/* How far it is since the last look, over what is far enough. */
+/* Displacement or time since the last look, relative to that at which the next one is due. */
 static double gone(const struct tangent *o, double t)
 {
     return larger(o->way / o->usual, frequency(o) * (t - o->t)) / o->apart;
 }
 
-/* Looks that are left: the fewer, the farther apart. */
+/* The fewer looks are left, the farther apart they are. */
 bool tangent_affords(const struct stepper *s, const struct state *x)
 {
     const struct tangent *o = s->tangent;
@@ -72,9 +74,10 @@ bool tangent_affords(const struct stepper *s, const struct state *x)
 /* ---- looks ----------------------------------------------------------------------------------------------------- */
 
 struct look {
-    double t, v, a, M, A, D, excess;
+    double t, v, a, M, A, D, excess; /* as in struct tangent */
 };
 
+/* *a := the acceleration at x displaced by dq, dv. */
 static enum status accelerate(struct stepper *s, double *a, const struct state *x, double dq, double dv)
 {
     struct tangent *o = s->tangent;
@@ -95,7 +98,7 @@ static enum status mass(struct stepper *s, double *M, const double *q, double t)
     return OK;
 }
 
-/* D, after A, which has left q a little further on. */
+/* l->D by differences; o->q is still displaced by dq, as it was for A. */
 static enum status damping(struct stepper *s, struct look *l, const struct state *x, double dq)
 {
     const double dv = dq * fmax(1, fabs(x->v[0]) / ode2_usual(s->ode, 0));
@@ -130,7 +133,7 @@ static void flow(double *x, double *y, double A, double B, double h)
     *y = e * (c * y0 + s * (A * x0 + half * y0));
 }
 
-/* To the look l: of one chart. */
+/* Propagates tau and P to the look l, which is in the same chart. */
 static void go_on(struct tangent *o, const struct look *l)
 {
     const double h = l->t - o->t, excess = l->excess - o->excess, w = o->A != 0 ? frequency(o) : 1 / h;
@@ -176,7 +179,7 @@ void tangent_look(struct stepper *s, const struct state *x, double excess, bool 
     begin(o, &l);
 }
 
-/* v = f' v_old of a new coordinate f(q_old): differences go with f', and those of velocities with f'' v_old besides. */
+/* The new coordinate is f(q_old), v = f' v_old: dq = f' dq_old, dv = f' dv_old + f'' v_old dq_old. */
 void tangent_rechart(struct stepper *s, const struct state *x, double v, double a)
 {
     struct tangent *o = s->tangent;

@@ -1,16 +1,18 @@
-/* tangent.h -- how far a run of one freedom is off: its errors go on with the motion, as small differences of it do.
+/* tangent.h -- the error of a run with one degree of freedom, propagated along the motion by its variational equation.
  *
- * Nothing depends on the time by itself: then f = (v, a) is a difference, of all that is late, and every other is
+ * Where nothing depends explicitly on time, f = (v, a) solves the variational equation (a shift in time), and any small
+ * difference (dq, dv) of the motion is
  *
  *     (dq, dv) = tau f + P/M g,      g = (-a, w^2 v)/(a^2 + w^2 v^2),      P = M (v dv - a dq),
  *
- * late by tau, and off by the energy P; w any frequency.  Without damping P stays what it is, for M (v dv - a dq) is the Wronskian
- * of two differences over the measure of its equation; with it P' = D P, D = da/dv + (dM/dq) v/M.  What is off by an energy gets late:
- * from look to look g goes over into c g + s f, and tau grows by s P/M, which near an unstable place, where f almost dies, is all
- * that there is.  s follows from (dq, dv)' = [0 1; da/dq, da/dv] (dq, dv), slopes of the mean of both looks.
+ * a delay tau and an error P of the energy; w is any frequency.  Without damping P is constant, since M (v dv - a
+ * dq) is the Wronskian of two solutions times the weight M of the equation; with damping P' = D P, D = da/dv +
+ * (dM/dq) v/M.  An error of the energy builds up a delay: from one look to the next g becomes c g + s f, and tau
+ * grows by s P/M.  Near an unstable equilibrium, where f nearly vanishes, this is the dominant part.  s follows from
+ * (dq, dv)' = [0 1; da/dq, da/dv] (dq, dv) with the mean coefficients of both looks.
  *
- * Steps add to tau the part of their local errors (missed.h) along f, with its sign, and to P what they add to the residual of the
- * energy balance, which is found and not estimated. */
+ * A step adds to tau the part of its local error (missed.h) along f, with its sign, and to P its contribution to the
+ * residual of the energy balance, which is not an estimate. */
 #ifndef FMDSUB_ENGINE_TANGENT_H
 #define FMDSUB_ENGINE_TANGENT_H
 
@@ -21,27 +23,28 @@
 #include "engine/stepper.h"
 
 struct tangent {
-    bool known;                          /* has there been a look? */
-    double t, v, a, M, A, D;             /* at the last one; A = da/dq */
-    double excess;                       /* residual of the balance there [J] */
-    double q_off, v_off;                 /* dq, dv there */
-    double position, velocity;           /* the largest so far */
-    double far, next;                    /* way and time to the next one; infinity: the way alone tells */
-    double way, late;                    /* since the last look: way, what steps have added to tau */
-    double t_step, v_step;               /* the last step's end */
-    double seen_position, seen_velocity; /* sums of missed.h when they were told last, */
+    bool known;                /* there has been a look; of the last one: */
+    double t, v, a, M, A, D;   /* time, velocity, acceleration, mass; A = da/dq; D as above, without damping 0 */
+    double excess;             /* residual of the energy balance [J] */
+    double q_off, v_off;       /* dq, dv */
+    double position, velocity; /* largest |dq|, |dv| so far */
+    double far, next;      /* displacement after which, time at which the next look is due; INFINITY: by far alone */
+    double way, late;      /* since the last look: displacement, delay added by steps */
+    double t_step, v_step; /* end of the last step, velocity there */
+    double seen_position, seen_velocity; /* signed sums of missed.h at the last change of these, */
     long told;                           /* after so many steps */
-    long looks;
-    double apart;      /* usual sizes from look to look */
-    double usual;      /* size of the coordinate */
-    double *q, *u, *b; /* [nq], [1], [1] */
+    long looks;                          /* so far */
+    double apart;                        /* displacement from look to look, in usual sizes */
+    double usual;                        /* size of the coordinate */
+    double *q, *u, *b;                   /* [nq], [1], [1] scratch */
 };
 
-/* After stepper_open(), where there is one freedom, nothing touches and nothing depends on the time by itself. */
+/* After stepper_open(), with one degree of freedom, no contacts, and nothing that depends explicitly on time. */
 void tangent_open(struct stepper *s, struct arena *life);
 
-/* A step was taken to x. */
+/* missed.h has new local errors, after a step h that ends with velocity v: tau takes them in. */
 void tangent_told(struct stepper *s, double h, double v);
+/* After each step, which has led to x. */
 static inline void tangent_step(struct stepper *s, const struct state *x)
 {
     struct tangent *o = s->tangent;
@@ -52,17 +55,19 @@ static inline void tangent_step(struct stepper *s, const struct state *x)
     o->v_step = v;
 }
 
-/* Is a look worth while at x? */
+/* Are so few looks taken yet, for the steps so far and the way since the last one, that another is affordable at x? */
 bool tangent_affords(const struct stepper *s, const struct state *x);
+/* Is one due, too? */
 static inline bool tangent_due(const struct stepper *s, const struct state *x)
 {
     const struct tangent *o = s->tangent;
     return !(o->way < o->far && x->t < o->next) && tangent_affords(s, x);
 }
 
-/* The look; residual of the energy balance with what the scheme has damped [J]; does any force but potentials do work? */
+/* Propagates the error from the last look to x.  excess: residual of the energy balance without numerical damping
+ * [J]; works: do other than conservative forces do work?  Then D is found, too. */
 void tangent_look(struct stepper *s, const struct state *x, double excess, bool works);
-/* A new chart at x: velocity and acceleration in the old one. */
+/* A new chart has been chosen at x; v, a: velocity and acceleration there in the old one. */
 void tangent_rechart(struct stepper *s, const struct state *x, double v, double a);
 void tangent_recall(struct tangent *o, struct recall *r);
 
