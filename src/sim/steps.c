@@ -124,12 +124,14 @@ static enum status save(struct sim *sim, long step, long due, double seen, struc
     return checkpoint_due(sim) ? checkpoint_write(sim, report) : OK;
 }
 
-/* The clock is read at records and every so many steps, not at each; at few of the records that follow each other at once. */
+/* The clock is read at records and every so many steps, not at each; at few of the records that follow each other at once.
+ * Who counts looks at every step and reads no clock. */
 static enum status tick(const struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
     enum { FEW = 16 };
     static const double AT_ONCE = 1e-3; /* [s] */
     TRY(sink_passed(sink, report));
+    if (sim->options.counting) return OK;
     if (progress->skipped++ < progress->due) return OK;
     const double now = clock_wall();
     progress->due = now - progress->read < AT_ONCE ? FEW : 0;
@@ -158,7 +160,7 @@ static enum status step_on(struct sim *sim, struct sink *sink, struct progress *
         if (events_watched(sim)) TRY(check_events(sim, sink, report));
         bool due = (sim->before + k) % sim->every == 0 || k == sim->majors || sim->watch.met;
         TRY(look_and_write(sim, k, due, sink, report));
-        if (due || k % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
+        if (due || k % CHECK_EVERY == 0 || sim->options.counting) TRY(tick(sim, sink, progress, report));
         if (sim->saves.stream) TRY(save(sim, k, 0, 0, report));
         if (sim->watch.met) return OK;
         if (stop && (k < sim->majors || sim->x.t != to)) return end_here(sim, sink, report);
@@ -258,7 +260,7 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const bool last = sim->watch.met || (stop && sim->x.t < until);
         if (last && sim->recorded != sim->x.t) TRY(write_row(sim, sink, report));
         if (k != due) sim->rejected = sim->stepper.effort.rejected;
-        if (k != due || i % CHECK_EVERY == 0) TRY(tick(sim, sink, progress, report));
+        if (k != due || i % CHECK_EVERY == 0 || sim->options.counting) TRY(tick(sim, sink, progress, report));
         if (sim->saves.stream && onto == INFINITY) TRY(save(sim, i, k, seen, report)); /* else the next one */
         if (sim->watch.met) return OK;
         if (last) return stopped(sim, report);

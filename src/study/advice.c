@@ -26,10 +26,17 @@ static double power(const struct tried *f, double most)
     return seen > .65 * most ? most : fmax(LEAST, seen);
 }
 
-/* The error of a run of the whole time with setting i, in proportion to that of the part tried. */
+/* By what the whole run misses more than a part of it: in proportion to time, or as what a loose run misses has grown, if that
+ * is more; and what nobody has looked at may be as bad again. */
+static double later(const struct tried *f)
+{
+    return (2 - f->share) * fmax(1 / f->share, f->growth);
+}
+
+/* The error of a run of the whole time with setting i. */
 static double ahead(const struct tried *f, int i)
 {
-    return f->error[i] / f->share;
+    return f->error[i] * later(f);
 }
 
 /* Major steps to an interval for the error `aim`, where corners lie inside steps, and errors depend on where: the
@@ -40,10 +47,10 @@ static double steps_by_trial(const struct tried *f, double aim)
     enum { LAST = 3 };
     int good = f->nlevel;
     double worst = 0;
-    while (good > 0 && f->level[good - 1].error / f->share <= aim) good--;
+    while (good > 0 && f->level[good - 1].error * later(f) <= aim) good--;
     if (good < f->nlevel) return f->level[good].at;
     for (int i = f->nlevel < LAST ? 0 : f->nlevel - LAST; i < f->nlevel; i++)
-        if (f->level[i].error < UNRESOLVED) worst = fmax(worst, f->level[i].at * f->level[i].error / f->share);
+        if (f->level[i].error < UNRESOLVED) worst = fmax(worst, f->level[i].at * f->level[i].error * later(f));
     return worst / aim;
 }
 

@@ -1,15 +1,16 @@
 /* advice.h -- the step and the tolerance that a deck needs for an error of 1e-2, 1e-4 and 1e-6, from trial runs of it.
  *
- * Trial runs go through the whole motion, or as much of it as half a second of computing allows, so that drives,
- * loads and spin count.  Two schemes of high order at a tight tolerance are the reference; one of them at a loose
- * tolerance gives the error over the tolerance.  The scheme of fixed steps runs with at most a hundredth of the
- * motion to a step, then with half of that, until its error falls as its order says.  Errors are those of the deck's
- * columns relative to their ranges, as in a study, both over the part that was tried.
+ * Trial runs go through the whole motion, or as much of it as they may take, so that drives, loads and spin count:
+ * one evaluation to a step of the deck's own run, or a fifth of a run by a tolerance (trial.c), at most half a
+ * second of computing. A scheme of high order at a tight tolerance is the reference; the same at a loose tolerance
+ * gives the error over the tolerance. The scheme of fixed steps runs with at most a hundredth of the motion to a
+ * step, then with half of that, until its error falls as its order says. Errors are those of the deck's columns
+ * relative to their ranges, as in a study, both over the part that was tried.
  *
  * From there errors are extrapolated to other steps with the order that was seen, where corners of forces or drives
- * may come at unknown times with order 1, and to the whole run in proportion to time.  A step is advised only if all
- * known corners of loads and drives are ends of its steps: one inside a step makes any scheme one of first order,
- * and a pulse may be missed.
+ * may come at unknown times with order 1, and to the whole run in proportion to time, or as the errors of the loose
+ * run grow. A step is advised only if all known corners of loads and drives are ends of its steps: one inside a
+ * step makes any scheme one of first order, and a pulse may be missed.
  *
  * All decisions are by counts of evaluations, so that the same deck always gets the same advice. */
 #ifndef FMDSUB_STUDY_ADVICE_H

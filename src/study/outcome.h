@@ -74,7 +74,7 @@ enum status outcome_run(struct outcome *o, const struct setting *setting, double
                         struct arena *life, struct report *report);
 
 /* The same, broken off also where `enough` records are there or the run is `hopeless`.  Both (NULL: not) are asked
- * after every row, `hopeless` also every few steps; o->seconds is up to date then. */
+ * after every row, `hopeless` also every step; o->seconds is up to date then. */
 struct outcome_watch {
     bool (*enough)(const void *self, const struct outcome *o);
     bool (*hopeless)(const void *self, const struct outcome *o);

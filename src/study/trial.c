@@ -10,10 +10,12 @@
 static const double LOOSE = 1e-3;
 static const double PARTED = .3, UNKNOWN = .3; /* of the range: coordinates that have parted, columns nobody knows */
 static const double SECONDS = .5;              /* that the counts of all runs may stand for */
-static const double SHARE = .25;               /* of them for a run by a scheme of high order */
-static const double QUICK = 3000;              /* evaluations up to which an explicit scheme is a matter of course */
+static const double LEAST = 100;               /* evaluations that all may take */
+static const double WHOLE = .35, PART = .15; /* of what all may take, for a loose run to its end, or for a part of it */
+static const double OWN = .62, SECOND = .3;  /* of it for both runs by a tolerance, at least for the second */
+enum { FEW = 2 };                            /* rows that tell of a run */
+static const double QUICK = 3000;            /* evaluations up to which an explicit scheme is a matter of course */
 static const double A_RADIAN = 2; /* evaluations that an explicit scheme takes at least, stable up to 6 rad a step */
-static const double COVERED = .3; /* of the run, without which nothing is said of fixed steps */
 enum { MOST_RECORDS = 200, MOST_EVALUATIONS = 200000 };
 
 double trial_handy(double x)
@@ -27,10 +29,13 @@ double trial_handy(double x)
  * a run is not to go on for long before its work is looked at, a part of one. */
 static void plan_records(struct trial *o)
 {
-    static const double DEAR = 1e-5; /* [s] */
+    enum { A_RECORD = 13, LEAST_RECORDS = 20 }; /* evaluations to one that steps end at */
+    static const double DEAR = 1e-5;            /* [s] */
+    const double paid = WHOLE * o->most / (A_RECORD * o->subject.price.evaluation);
+    const double most = fmax(LEAST_RECORDS, fmin(MOST_RECORDS, paid));
     const struct output *out = &o->scene.output;
     const double whole = o->until - o->start, base = out->every > 0 ? fmin(out->every, whole) : whole / LEAST_STEPS;
-    o->multiple = fmax(1, fmin(1e9, ceil(whole / base / MOST_RECORDS - 1e-9)));
+    o->multiple = fmax(1, fmin(1e9, ceil(whole / base / most - 1e-9)));
     if (o->subject.price.evaluation > DEAR && whole / base < LEAST_STEPS)
         o->multiple = 1 / trial_handy(LEAST_STEPS * base / whole);
     o->every = base * o->multiple;
@@ -72,6 +77,12 @@ static bool complete(const struct outcome *o)
     return o->rows > 1 && !o->over;
 }
 
+/* The tolerance that the deck's steps are chosen by; 0: it gives them. */
+static double tolerance_of(const struct trial *t)
+{
+    return ((const struct step_options *)t->scene.integrate.options)->tolerance;
+}
+
 static double records_of(const struct trial *t)
 {
     return (t->until - t->start) / t->every;
@@ -85,50 +96,75 @@ static double whole_of(const struct outcome *o, const struct trial *t)
 
 static const double AMPLE = 1.2; /* later parts may take more */
 
-/* A run that is to be quick, and one that is to take no more than another: a tenth of it tells. */
+/* [s] that all trials may take: an evaluation to a step of the deck's own run; of a run by a tolerance a fifth, going by how many
+ * one to the loose tolerance takes; with rigid contacts, where nothing is known from a part of the run, some runs of it.  At
+ * least so many evaluations, and matrices until three runs are under way. */
+static double allowed(const struct trial *t, double loose)
+{
+    enum { A_STEP = 1, WITH_CONTACTS = 10, MATRICES = 30 };
+    static const double OF_A_RUN = .2, DEAR = 1. / 9;
+    const struct integrate *p = &t->scene.integrate;
+    const struct price *price = &t->subject.price;
+    const double least = LEAST * price->evaluation + MATRICES * price->full;
+    const double steps = (t->until - t->start) / (p->step * p->ratio) * (1 - price->fast + price->fast * p->ratio);
+    double may = (t->scene.ncontact ? WITH_CONTACTS : A_STEP) * steps * price->evaluation;
+    if (tolerance_of(t) > 0) may = OF_A_RUN * loose * pow(LOOSE / tolerance_of(t), DEAR);
+    if (tolerance_of(t) > 0 && t->scene.ncontact) may = t->most;
+    return fmin(t->most, fmax(least, may));
+}
+
+/* A first run, which is left early where it is not going to come to its end. */
 struct hope {
     const struct trial *trial;
-    double most; /* [s] of the whole run */
+    double most; /* [s] of the whole run, beyond which another scheme is looked at */
+    bool held;   /* if it is small motions that keep its steps short, and not what moves */
 };
+
+/* Are its steps about as long as stability lets them be? */
+static bool is_held(const struct outcome *o, const struct trial *t)
+{
+    static const double ABOUT = 2;
+    const double radians = t->stiff * (o->rows - 1) / records_of(t);
+    return o->seconds < ABOUT * A_RADIAN * radians * t->subject.price.evaluation;
+}
+
+/* The share of the run up to where it has to come: the last corner ahead, for fixed steps; else the end. */
+static double wanted(const struct outcome *o, const struct trial *t)
+{
+    const double last = t->corners.n && !(tolerance_of(t) > 0) ? t->corners.t[t->corners.n - 1] : INFINITY;
+    return outcome_row(o, o->rows - 1)[0] < last ? fmin(1, (last - t->start) / (t->until - t->start)) : 1;
+}
 
 static bool is_hopeless(const void *self, const struct outcome *o)
 {
     const struct hope *hope = self;
-    return o->rows - 1 >= .1 * records_of(hope->trial) && whole_of(o, hope->trial) > hope->most;
+    const struct trial *t = hope->trial;
+    const double whole = whole_of(o, t), all = allowed(t, whole);
+    if (o->rows > FEW && o->seconds > PART * all && wanted(o, t) * whole > WHOLE * all) return true;
+    return o->rows - 1 >= .1 * records_of(t) && whole > hope->most && (!hope->held || is_held(o, t));
 }
 
-/* An explicit scheme where it is quick, or quicker than an implicit one, which goes on as long as it is foretold to take about
- * as much; with rigid contacts the one that takes them. */
+/* An explicit scheme, or an implicit one where small motions keep the steps of that short; with rigid contacts the one that
+ * takes them. */
 static enum status find_own(struct outcome *o, struct trial *t)
 {
     static const double ABOUT = 3;
     const bool small = !too_full(stepper_find("radau9"), &t->subject);
     const char *explicit = small ? "dop853" : "dopri5";
-    const double most = SHARE * t->most, quick = QUICK * t->subject.price.evaluation;
+    const double most = WHOLE * t->most, quick = fmin(QUICK * t->subject.price.evaluation, most);
     const double least = A_RADIAN * t->stiff * t->subject.price.evaluation;
-    struct hope hope = {t, AMPLE * quick};
+    struct hope hope = {t, small ? AMPLE * quick : INFINITY, true};
     const struct outcome_watch watch = {.enough = is_hopeless, .self = &hope};
     struct outcome other;
     t->own = (struct tried){.scheme = t->scene.ncontact ? "midpoint" : explicit, .ratio = 1};
     if (t->scene.ncontact) return attempt_own(o, t, t->own.scheme, LOOSE, most, NULL);
     *o = (struct outcome){0};
-    if (!small)
-        TRY(attempt_own(o, t, explicit, LOOSE, most, NULL));
-    else if (least <= quick)
-        TRY(attempt_own(o, t, explicit, LOOSE, fmin(AMPLE * quick, .2 * most), &watch));
-    if (complete(o) || !small) return OK;
-    const double whole = whole_of(o, t), far = fmin(1, most / whole) * records_of(t);
-    hope.most = ABOUT * whole;
+    if (!small || least <= quick) TRY(attempt_own(o, t, explicit, LOOSE, most, &watch));
+    if (!small || complete(o) || (o->rows > 1 && !is_held(o, t))) return OK;
+    hope = (struct hope){t, ABOUT * whole_of(o, t), false};
     TRY(attempt_own(&other, t, "radau9", LOOSE, most, &watch));
-    if (other.rows > o->rows) {
-        t->own.scheme = "radau9";
-        *o = other;
-    }
-    if (!complete(&other) && AMPLE * whole >= most && other.rows > far) return OK;
-    if (complete(&other) && (isfinite(whole) || other.seconds < fmax(2 * quick, least))) return OK;
-    TRY(attempt_own(&other, t, explicit, LOOSE, complete(o) ? fmin(o->seconds, .5 * most) : most, NULL));
-    if (!complete(&other) && (complete(o) || other.rows <= o->rows)) return OK;
-    t->own.scheme = explicit;
+    if (other.rows <= o->rows) return OK;
+    t->own.scheme = "radau9";
     *o = other;
     return OK;
 }
@@ -142,7 +178,7 @@ static double tight_for(const struct trial *t, const struct outcome *loose)
     } choices[2][CHOICES] = {{{1e-5, 1.9}, {1e-4, 1.4}}, {{1e-5, 10}, {1e-4, 3.2}}};
     const bool second_order = t->scene.ncontact > 0;
     for (int i = 0; i < CHOICES && t->n > 0; i++) {
-        if (choices[second_order][i].price * loose->seconds < 1.2 * SHARE * t->most)
+        if (choices[second_order][i].price * loose->seconds < OWN * t->most - loose->seconds)
             return choices[second_order][i].tolerance;
     }
     return LOOSE;
@@ -158,15 +194,17 @@ static double came(const struct outcome *o, const struct trial *t)
  * as one of a tighter tolerance, by the number of steps that the tight run took. */
 static void note_own(struct trial *t, double coarse, double fine, const struct outcome *loose)
 {
+    static const double BOUND = 1.2, MANY = 2.5;
     struct errors e;
     struct tried *own = &t->own;
+    const int order = stepper_find(own->scheme)->order;
     const struct outcome *tight = &t->reference.run;
     const double rates[2] = {(double)loose->effort.minors / came(loose, t),
                              (double)tight->effort.minors / came(tight, t)};
     const double looked = t->reference.horizon - t->start, more = rates[1] / rates[0];
     reference_compare(&e, &t->reference, &t->subject, loose);
     own->at[0] = coarse;
-    own->at[1] = fmax(fine, fmin(coarse, fine * pow(more, stepper_find(own->scheme)->order)));
+    own->at[1] = fmax(fine, fmin(coarse, fine * pow(more, order)));
     own->fine = fine;
     own->error[0] = isnan(e.worst) ? 0 : e.worst;
     own->error[1] = fmax(own->error[0], fine);
@@ -175,6 +213,8 @@ static void note_own(struct trial *t, double coarse, double fine, const struct o
     own->n = 1;
     own->share = looked / (t->until - t->start);
     t->steps = rates[0] * (t->until - t->start);
+    if (order > 2 && (more > BOUND || t->steps > MANY * records_of(t)))
+        t->freely = fmin(t->steps, rates[1] * pow(fine / coarse, 1. / order) * (t->until - t->start));
 }
 
 /* Has the second run left the first, so that nothing that it does from now on is of use? */
@@ -190,20 +230,43 @@ static enum status attempt_second(struct outcome *o, struct trial *t, const stru
     const struct outcome_watch watch = {.enough = has_parted, .self = t};
     reference_alone(&t->reference, first, &t->subject, t->life);
     t->subject.until = t->reference.horizon;
-    const enum status status = attempt_own(o, t, t->own.scheme, tolerance, 1.2 * SHARE * t->most, &watch);
+    const enum status status =
+        attempt_own(o, t, t->own.scheme, tolerance, fmax(SECOND * t->most, OWN * t->most - first->seconds), &watch);
     t->subject.until = t->until;
     return status;
+}
+
+static const char *not_on(const struct trial *t)
+{
+    return t->stop.text[0] ? "trial runs of it stop" : "no trial run of it gets on";
+}
+
+/* Where drives alone move all any steps are as good, and no tolerance asks for any: one run is its own reference. */
+static enum status find_driven(struct trial *t)
+{
+    const double least = trial_handy(LEAST_STEPS * t->every / (t->until - t->start));
+    const struct setting setting = {stepper_find("midpoint"), NAN, t->every / least, 1, 0};
+    struct outcome *run = &t->reference.run;
+    TRY(trial_attempt(run, t, &setting, t->most, NULL, t->life));
+    if (run->rows < 2) t->why = not_on(t);
+    if (t->why) return OK;
+    t->loose = *run;
+    reference_between(&t->reference, &t->loose, PARTED, UNKNOWN, &t->subject, t->life);
+    t->own = (struct tried){.scheme = "midpoint", .ratio = 1, .share = 1};
+    return OK;
 }
 
 /* Two runs, of which the tighter one is the reference. */
 static enum status find_reference(struct trial *t)
 {
     struct outcome loose, tight;
+    if (t->n == 0 && !t->scene.ncontact && !(tolerance_of(t) > 0)) return find_driven(t);
     TRY(find_own(&loose, t));
     if (loose.rows < 2) {
-        t->why = t->stop.text[0] ? "trial runs of it stop" : "no trial run of it gets on";
+        t->why = not_on(t);
         return OK;
     }
+    t->most = allowed(t, whole_of(&loose, t));
     const double fine = tight_for(t, &loose), other = fine == LOOSE ? 10 * LOOSE : fine;
     TRY(attempt_second(&tight, t, &loose, other));
     if (tight.rows < 2) {
@@ -212,6 +275,7 @@ static enum status find_reference(struct trial *t)
     }
     const bool swap = other > LOOSE;
     t->reference.run = swap ? loose : tight;
+    t->loose = swap ? tight : loose;
     reference_between(&t->reference, swap ? &tight : &loose, PARTED, UNKNOWN, &t->subject, t->life);
     if (!(t->reference.horizon > t->start)) {
         t->why = "trial runs of it part at once";
@@ -231,7 +295,7 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     const struct scene *scene = sim->scene;
     const int n = sim->stepper.ode->n;
     enum { MOST_FREEDOMS = 2000 };
-    static const double LEAST = 500; /* evaluations, by which nothing is found */
+    static const double FIRST = 500; /* evaluations, by which nothing is found */
     *o = (struct trial){.scene = *scene, .start = scene->start, .until = scene->integrate.until};
     o->n = n;
     o->life = life;
@@ -241,10 +305,11 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     if (n <= MOST_FREEDOMS) status = subject_open(&o->subject, &o->scene, NULL, rest, diags, life, report);
     if (stop) return status;
     if (status != OK) o->why = "no trial run of it starts";
-    if (n > MOST_FREEDOMS || LEAST * o->subject.price.evaluation > SECONDS)
+    if (n > MOST_FREEDOMS || FIRST * o->subject.price.evaluation > SECONDS)
         o->why = "it is too large to be tried in half a second";
     if (o->why) return OK;
     o->most = fmin(SECONDS, MOST_EVALUATIONS * o->subject.price.evaluation);
+    if (!(tolerance_of(o) > 0)) o->most = allowed(o, NAN);
     o->opening = opening_of(scene);
     o->tried_until = o->corner = NAN;
     o->unseen = sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
@@ -254,8 +319,8 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     plan_records(o);
     TRY(find_reference(o));
     if (!o->why && o->own.share < COVERED) o->no_steps = "trial runs have not come far enough";
-    const struct step_options *how = scene->integrate.options;
-    if (how->tolerance > 0 && !scene->integrate.because)
-        o->no_steps = "the deck has a tolerance, which rules over a step";
+    if (tolerance_of(o) > 0)
+        o->no_steps = scene->integrate.because ? "steps are chosen by a tolerance, which is the cheaper way"
+                                               : "the deck has a tolerance, which rules over a step";
     return o->why || o->no_steps ? OK : trial_fixed(o);
 }

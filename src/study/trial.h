@@ -8,6 +8,7 @@
 enum { LEAST_STEPS = 100 };          /* major ones to a run: nobody wants fewer */
 enum { MOST_LEVELS = 24 };           /* halvings */
 static const double UNRESOLVED = .5; /* an error from which nothing follows */
+static const double COVERED = .05;   /* of the run, without which nothing is said of fixed steps */
 
 /* Errors of one scheme at two settings, and what these cost. */
 struct tried {
@@ -18,6 +19,7 @@ struct tried {
                                       * tolerance the one given, and the one it was as good as */
     double fine;                     /* of a tolerance: the tight one, which work[1] is of */
     double share;                    /* of the run that errors and work are of */
+    double growth;                   /* of errors from the end of that part to where all trials have come, at least */
     int nlevel;                      /* of fixed steps: all settings that were tried in the same part of the run */
     struct level {
         double at, error;
@@ -39,7 +41,9 @@ struct trial {
     double base;            /* major steps to an interval are a multiple of this: a whole number */
     bool unseen;            /* there may be corners that are not known */
     struct reference reference;
-    double steps;            /* of its own that the loose run takes to the end */
+    struct outcome loose; /* that is compared with it: how errors grow in time */
+    double steps,
+        freely; /* that the loose run takes to the end, and would if records did not keep it short; 0: not known */
     struct tried own, fixed; /* a scheme that chooses its steps; one of fixed steps, the deck's if it is that */
     struct arena *life;
     struct report *report;

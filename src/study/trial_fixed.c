@@ -12,14 +12,13 @@ static const struct stepper_kind *fixed_kind(const struct scene *scene)
     return kind && !kind->adaptive && !kind->yardstick ? kind : stepper_find("midpoint");
 }
 
-/* Major steps to the run: a hundred, or so many times two that there are some to a step of the scheme of high order, of two
- * rates minor ones, where records have not kept that one's short. */
+/* Major steps to the run: a hundred, or so many times two that there are some to a step that the scheme of high order takes
+ * where nothing but its tolerance keeps it short, of two rates minor ones; where records do, to a step of it as it is. */
 static double first_steps(const struct trial *t)
 {
-    static const double BOUND = 2.5, TO_A_STEP[] = {2, 8};
-    const bool bound = t->steps < BOUND * (t->until - t->start) / t->every || stepper_find(t->own.scheme)->order == 2;
+    static const double TO_A_STEP = 8, TO_A_SHORT_ONE = 2;
     if (t->n == 0) return LEAST_STEPS; /* drives alone move all */
-    const double wanted = bound ? TO_A_STEP[0] * t->steps : TO_A_STEP[1] * t->steps / t->fixed.ratio;
+    const double wanted = t->freely > 0 ? TO_A_STEP * t->freely / t->fixed.ratio : TO_A_SHORT_ONE * t->steps;
     return LEAST_STEPS * exp2(fmax(0, floor(log2(wanted / LEAST_STEPS))));
 }
 
@@ -56,7 +55,7 @@ static bool fits(const struct next *next, const struct trial *t, double runs)
     return t->used + runs * next->seconds <= t->most;
 }
 
-enum { LEFT = 3 }; /* runs */
+enum { LEFT = 2 }; /* runs */
 
 /* A shorter part of the run where that one takes so long that there is nothing left for another, as long as no corner is
  * beyond it; true: it is another part. */
@@ -64,7 +63,7 @@ static bool shorten(struct next *next, const struct trial *t)
 {
     const double before = next->end;
     while (!fits(next, t, LEFT)) {
-        const double span = next->end - t->start, records = floor(span / t->every / 4 + 1e-9);
+        const double span = next->end - t->start, records = floor(span / t->every / 2 + 1e-9);
         if (records < 1 || t->start + records * t->every < last_corner(t)) break;
         next->end = t->start + records * t->every;
         next->seconds *= records * t->every / span;
@@ -105,7 +104,7 @@ static void note(struct tried *f, double m, double error, double work)
 
 static enum status attempt(struct next *next, struct trial *t, const struct stepper_kind *kind)
 {
-    struct errors e;
+    struct errors e, loose;
     struct outcome run;
     struct arena *life = arena_open();
     const struct setting setting = {kind, NAN, t->every / next->m / t->fixed.ratio, t->fixed.ratio, 0};
@@ -113,6 +112,8 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     t->subject.until = next->end;
     const enum status status = trial_attempt(&run, t, &setting, t->most - t->used, NULL, life);
     reference_compare(&e, &t->reference, &t->subject, &run);
+    reference_compare(&loose, &t->reference, &t->subject, &t->loose);
+    t->fixed.growth = loose.worst > 0 ? t->own.error[0] / loose.worst : 1;
     arena_close(life);
     t->fixed.share = (next->end - t->start) / (t->until - t->start);
     note(&t->fixed, next->m, run.rows < 2 || isnan(e.worst) ? INFINITY : e.worst, run.work);
@@ -191,7 +192,7 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
         if (t->unseen && told_enough(t) && !fits(&next, t, LEFT)) break;
         if (t->scene.ncontact && !fits(&next, t, 1)) break; /* impacts of a part are not those of the rest */
         if (!t->scene.ncontact && shorten(&next, t)) t->fixed.n = 0;
-        if (t->corners.n && !fits(&next, t, 1)) break;
+        if ((t->corners.n || t->fixed.n > 0) && !fits(&next, t, 1)) break;
         status = attempt(&next, t, kind);
         if (status == OK && coarser_will_do(t)) {
             struct next coarser = next;
@@ -226,6 +227,7 @@ enum status trial_fixed(struct trial *t)
         give_up(t, "those that there was time to try resolve nothing", NAN);
     if (!t->no_steps && t->corners.n && !trial_tells(&t->fixed))
         give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
+    if (!t->no_steps && t->fixed.share < COVERED) give_up(t, "there was no time to try them in enough of the run", NAN);
     if (!t->no_steps && !is_like_the_rest(t, whole))
         give_up(t, "they were tried in a part of the run that is not like the rest", NAN);
     reference_up_to(&t->reference, horizon);
