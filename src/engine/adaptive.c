@@ -10,6 +10,7 @@
 #include "engine/edge.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
+#include "engine/sides.h"
 #include "engine/tangent.h"
 #include "engine/touch.h"
 #include "engine/works.h"
@@ -36,6 +37,7 @@ void adaptive_open(struct stepper *s, struct arena *life)
     m->top = TAKE(life, double, o->n);
     m->span = TAKE(life, double, o->n);
     works_open(&m->works, o->n, life);
+    m->sides = sides_open(o, life);
     s->self = m;
     m->scheme->open(s, m, life);
 }
@@ -203,6 +205,20 @@ static void go_on(struct adaptive *m)
     forget(m);
 }
 
+/* Does the motion come back to a jump again and again as soon as it has left it, as where friction that is a sign of a
+ * rate holds?  No step leads on from there. */
+static bool stays(struct adaptive *m)
+{
+    enum { MOST = 1000, FAR = 100 };
+    if (m->leaps) {
+        m->leap = fabs(m->came);
+        m->nleap++;
+    } else if (fabs(m->came) > FAR * m->leap) {
+        m->nleap = 0;
+    }
+    return m->nleap > MOST;
+}
+
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order.  None is
  * left over that is far shorter than the others, where changes of velocities over it, round-off, would be read. */
@@ -250,12 +266,13 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             if (m->leaps) {
                 go_on(m);
             } else {
+                if (m->beyond > 0) forget(m);
                 const double grow = m->scheme->grow(m, err);
                 if ((!cut && came == h) || grow < 1) m->h = came * grow;
                 m->old = fmax(err, 1e-4);
             }
             *t = at;
-            return OK;
+            return stays(m) ? give_up(m->nleap, *t, why) : OK;
         }
         m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
@@ -360,6 +377,8 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
     recall_list(r, "span", m->span, s->ode->n);
     recall_one(r, "h", m->h);
     recall_one(r, "held", m->held);
+    recall_one(r, "leap", m->leap);
+    recall_one(r, "leaps", m->nleap);
     recall_one(r, "error", m->old);
     recall_one(r, "turned", m->works.turned);
     recall_one(r, "energy", m->works.energy);

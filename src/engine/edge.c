@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/scalar.h"
+#include "engine/sides.h"
 
 /* What a step with y of it beyond an edge is off by in velocity i. */
 static double edge_off(const struct adaptive *m, double y, int i)
@@ -11,10 +12,11 @@ static double edge_off(const struct adaptive *m, double y, int i)
     return m->came * y * (m->ahead[i] - m->a[i]) / 2;
 }
 
-/* The same of all, in scales of the tolerance. */
+/* The same of all, in scales of the deck's tolerance: those of a scheme that goes on from a value of higher order are
+ * wider, which over an edge it is not. */
 static double edge_error(const struct stepper *s, const struct adaptive *m, double y)
 {
-    const double h = fabs(m->came);
+    const double h = fabs(m->came), wider = larger(1, m->tolerance / s->options.tolerance);
     const int n = s->ode->n;
     double sum = 0;
     for (int i = 0; i < n; i++) {
@@ -22,7 +24,7 @@ static double edge_error(const struct stepper *s, const struct adaptive *m, doub
         const double in_v = ev / adaptive_scale_v(s, i), in_q = h * ev / adaptive_scale_q(s, i);
         sum += in_v * in_v + in_q * in_q;
     }
-    return sqrt(sum / (2 * n));
+    return wider * sqrt(sum / (2 * n));
 }
 
 /* Of a way to x: close before it. */
@@ -32,35 +34,56 @@ static double close_before(double x)
     return x * (1 - larger(NEARER * (1 - x), LEAST));
 }
 
-/* A jump at x: over it, where that may be, or close before it. */
-static double leap(const struct stepper *s, struct adaptive *m, double x)
+/* A jump, or several, in a trial of that error: over it, where that may be, or close before it.  By
+ * what accelerations change is known what one jump does, not several. */
+static double leap(const struct stepper *s, struct adaptive *m, const struct edge *edge, double err)
 {
-    static const double PART = .01 /* of the tolerance, for each */, SURE = .9, ROOM = 2;
-    const double own = edge_error(s, m, 1) / PART;
+    static const double PART = .01 /* of the tolerance, for each */, SURE = .9, ROOM = 2, APART = 1e-6, NEAR = .01,
+                        MOST = 10;
+    const double own = edge_error(s, m, 1) / PART, x = edge->at, last = edge->last;
     if (m->held == 0) m->held = m->h;
-    m->leaps = own <= 1;
+    if (last > x + APART) return x > NEAR ? close_before(x) : x + (last - x) / 2;
+    m->leaps = own <= 1 && err <= MOST;
     m->beyond = m->leaps;
     if (m->leaps) return 1;
+    if (own <= 1) return .5;
     return SURE / own > ROOM * x ? SURE / own : close_before(x);
+}
+
+/* The edge of the trial: of values that tell sides, or where a push begins or ends, as ode2's edge() has it. */
+static struct edge edge_in(const struct adaptive *m, const struct ode2 *o, double t)
+{
+    struct edge side = sides_edge(m->sides, m, t), push = {.at = NAN};
+    if (!o->passed || !m->ahead) return side;
+    push.at = push.last = o->edge(o, &push.kind);
+    if (!isfinite(push.at)) return side;
+    push.beyond = 2 * (1 - push.at);
+    if (push.kind != side.kind) return push.kind > side.kind ? push : side;
+    const bool other = push.kind == EDGE_BEND ? fabs(side.at - .5) < fabs(push.at - .5) : side.at < push.at;
+    return other ? side : push;
 }
 
 double edge_cut(const struct stepper *s, struct adaptive *m, double t, double err, double share)
 {
     static const double BEHIND = .1; /* of what the error may be: how far to go beyond */
+    static const double
+        FIRST = .001,
+        END = .9; /* between them, or where its own is large, the edge is taken for what makes the error */
     const struct ode2 *o = s->ode;
     const struct instant a = {.t = t, .q = m->q, .v = m->v}, b = {.t = t + m->came, .q = m->q1, .v = m->v1};
-    enum edge_kind kind;
-    if (!o->passed) return 1;
-    const enum met met = o->passed(o, &a, NULL, &b);
-    const double x = m->ahead ? o->edge(o, &kind) : NAN;
-    if (isfinite(x) && kind == EDGE_JUMP) return leap(s, m, x);
-    if (isfinite(x) && kind == EDGE_PULSE && x > 0) return smaller(.5, close_before(x));
-    if (err > 1) return 1;
-    if (met != MET_NOT || (isfinite(x) && kind == EDGE_PULSE)) return .5;
-    if (!isfinite(x)) return 1;
-    const double y = smaller(x, 1 - x), own = edge_error(s, m, y) / share;
+    const enum met met = o->passed ? o->passed(o, &a, NULL, &b) : MET_NOT;
+    const struct edge edge = edge_in(m, o, t);
+    const double x = edge.at;
+    if (edge.kind == EDGE_JUMP) return leap(s, m, &edge, err);
+    if (edge.kind == EDGE_PULSE && x > 0) return smaller(.5, close_before(x));
+    const bool bends = edge.kind == EDGE_BEND;
+    const double y = bends ? smaller(x, .5 * edge.beyond) : 0, own = bends ? edge_error(s, m, y) / share : 0;
+    const bool blamed = bends && edge.located && x < END && (x > FIRST || own > 1);
+    if (err > 1 && !blamed) return 1;
+    if (met != MET_NOT || edge.kind == EDGE_PULSE) return .5;
+    if (!bends) return 1;
     m->beyond = y;
-    return own > 1 ? x + BEHIND * y / own : 1;
+    return own > 1 || err > 1 ? x + BEHIND * (1 - x) / larger(1, own) : 1;
 }
 
 void edge_add(const struct adaptive *m, double *position, double *velocity, int n)

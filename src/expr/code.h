@@ -7,6 +7,7 @@
  *     pass.h        the same over numbers that carry derivatives:
  *     slopes.c      slopes in several directions
  *     jet.c         first and second derivative in one
+ *     sides.c       on which side of corners and jumps it is
  */
 #ifndef FMDSUB_EXPR_CODE_H
 #define FMDSUB_EXPR_CODE_H

@@ -123,6 +123,10 @@ bool expr_corner_meets(double *before, const struct expr_corner *c, double t);
 int expr_sudden(double *at, int room, const struct expr *e, const struct expr_corner *corner, int n, double from,
                 double to);
 
+/* Values [sides] that change sign where it bends or jumps and slots other than 0, the time, have a part in it; NAN: it
+ * is on neither side, or not asked.  Returns how many there are; slot NULL: only that, 0: there is none at all. */
+int expr_sides(double *side, const struct expr *e, const double *slot);
+
 /* The functions there are, for messages and the manual; ends with a NULL name. */
 struct expr_function {
     const char *name;

@@ -329,6 +329,18 @@ double elements_edge(const struct elements *e, enum edge_kind *edge)
     return most;
 }
 
+int elements_sides(double *side, double *force, struct elements *e, struct sweep *s, const struct instant *x)
+{
+    int n = 0;
+    if (side) e->ops->move(s, x->q, x->v, ALL);
+    for (int i = 0; i < e->nother[ALL]; i++) {
+        const struct part_of *p = &e->other[i];
+        if (side && p->nside > 0) p->kind->sides(side + n, force + n, e, s, p, x);
+        n += p->nside;
+    }
+    return n;
+}
+
 static void read_all(struct elements *e, struct sweep *s, const struct instant *x)
 {
     e->ops->move(s, x->q, x->v, ALL);

@@ -84,6 +84,10 @@ enum met elements_passed(struct elements *e, struct sweep *s, const struct insta
 /* The part of that way at which one has begun or ended to push, if gaps close and pushes grow evenly; see ode2's edge(). */
 double elements_edge(const struct elements *e, enum edge_kind *edge);
 
+/* Values that change sign where forces bend or jump, each with the force there; NAN: on neither side.  How many: side
+ * NULL. */
+int elements_sides(double *side, double *force, struct elements *e, struct sweep *s, const struct instant *x);
+
 /* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
 struct leap {
     int force; /* -1: there is none */

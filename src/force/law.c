@@ -212,6 +212,7 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     p->linear = f->kind->affine && f->kind->affine(&law, f->par);
     p->diagonal = along;
     p->ends = p->stores && !along && !(straight && p->linear);
+    p->nside = f->kind->sides ? f->kind->sides(NULL, f->par, 0) : 0;
 }
 
 static double place(double *rate, const struct elements *e, const struct sweep *s, const struct model_force *f,
@@ -223,7 +224,20 @@ static double place(double *rate, const struct elements *e, const struct sweep *
     return act.s;
 }
 
+static void sides(double *side, double *force, struct elements *e, const struct sweep *s, const struct part_of *p,
+                  const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    double rate;
+    const double at = place(&rate, e, s, f, x->q, x->v);
+    struct law law;
+    f->kind->law(&law, f->par, at, rate, x->t);
+    (void)f->kind->sides(side, f->par, f->kind->rate ? rate : at);
+    for (int i = 0; i < p->nside; i++) force[i] = law.f;
+}
+
 const struct element_kind element_law = {.sort = sort,
+                                         .sides = sides,
                                          .load = load,
                                          .slopes = slopes,
                                          .diagonal = diagonal,

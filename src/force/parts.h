@@ -45,6 +45,7 @@ struct part_of {
     double open[3], pace[3]; /* clear() at two instants and one between, and its rate */
     double whole[3];         /* whole() there, */
     double at_once[3];       /* and the part of it that is there at once */
+    int nside, sided[3];     /* values that change sign where it bends or jumps: all; of each signal */
     bool pole;               /* it has grown without bound in the last step */
     int a, b; /* the bodies, where each is part of another tree that flies, or one of a tree of several; else both 0 */
     int nturn;
@@ -61,6 +62,9 @@ struct loading {
 struct element_kind {
     /* Optional.  Fills stores, diagonal, linear, ends. */
     void (*sort)(struct part_of *p, const struct model *m, const struct model_force *f);
+    /* Required where nside is set.  As elements_sides(), of one. */
+    void (*sides)(double *side, double *force, struct elements *e, const struct sweep *s, const struct part_of *p,
+                  const struct instant *x);
     /* Required.  As elements_load(). */
     void (*load)(struct elements *e, struct sweep *s, struct part_of *p, const struct loading *to,
                  const struct instant *x);

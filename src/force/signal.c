@@ -175,6 +175,20 @@ void value_read(struct elements *e, const struct sweep *s, struct part_of *p, co
     memcpy(p->now, e->slot, sizeof(double) * (size_t)f->nslot);
 }
 
+static void sides(double *side, double *force, struct elements *e, const struct sweep *s, const struct part_of *p,
+                  const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    read_slots(e, s, f, x);
+    for (int i = 0; i < 3; i++) {
+        if (p->sided[i] == 0) continue;
+        const double value = signal_value(&f->value[i], e->slot);
+        (void)signal_sides(side, &f->value[i], e->slot);
+        side += p->sided[i];
+        for (int k = 0; k < p->sided[i]; k++) *force++ = value;
+    }
+}
+
 /* Does one of the values grow without bound on the straight way of the last step? */
 static void follow(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins)
 {
@@ -195,10 +209,14 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
     for (int i = 0; i < 3; i++) {
         p->poles |= signal_may_have_poles(&f->value[i]);
         p->reads |= signal_may_leap(&f->value[i]);
+        p->sided[i] = signal_sides(NULL, &f->value[i], NULL);
+        p->nside += p->sided[i];
     }
     p->follows = p->poles;
     p->reads |= p->poles;
 }
 
-const struct element_kind element_value = {.sort = sort, .load = load_value, .slopes = slopes_value, .follow = follow};
-const struct element_kind element_load = {.sort = sort, .load = load_body, .slopes = slopes_body, .follow = follow};
+const struct element_kind element_value = {
+    .sort = sort, .sides = sides, .load = load_value, .slopes = slopes_value, .follow = follow};
+const struct element_kind element_load = {
+    .sort = sort, .sides = sides, .load = load_body, .slopes = slopes_body, .follow = follow};

@@ -50,6 +50,33 @@ static double mean_of(double *slope, const struct points *p, double x0, double x
     return F;
 }
 
+/* Of its points those where it bends by much: of a fine table of something smooth there are none, and errors of steps
+ * tell what is left of it. */
+static int sides_of(double *side, const struct points *p, double x)
+{
+    static const double MUCH = .05; /* of the steepest slope */
+    double most = 0;
+    int n = 0;
+    for (int i = 0; i + 1 < p->n; i++) most = fmax(most, fabs(slope_of(p, i)));
+    for (int i = 1; i + 1 < p->n; i++) {
+        if (!(fabs(slope_of(p, i) - slope_of(p, i - 1)) > MUCH * most)) continue;
+        if (side) side[n] = x - p->x[i];
+        n++;
+    }
+    return n;
+}
+
+static int curve_sides(double *side, const void *par, double s)
+{
+    const struct curve *p = par;
+    return sides_of(side, &p->table, s - p->rest);
+}
+
+static int rate_sides(double *side, const void *par, double v)
+{
+    return sides_of(side, &((const struct curve *)par)->table, v);
+}
+
 static void curve_law(struct law *o, const void *par, double s, double v, double t)
 {
     const struct curve *p = par;
@@ -113,6 +140,7 @@ const struct force_kind force_curve = {.name = "curve",
                                        .law = curve_law,
                                        .stored = curve_stored,
                                        .mean = curve_mean,
+                                       .sides = curve_sides,
                                        .bends = curve_bends};
 
 const struct force_kind force_curve_rate = {.name = "curve",
@@ -121,4 +149,5 @@ const struct force_kind force_curve_rate = {.name = "curve",
                                             .size = sizeof(struct curve),
                                             .rate = true,
                                             .law = rate_law,
+                                            .sides = rate_sides,
                                             .dissipative = rate_dissipative};

@@ -116,6 +116,10 @@ struct force_kind {
      * *at_once: the part of it that is there as soon as it begins. */
     double (*whole)(double *at_once, const void *par, double s, double v);
 
+    /* Optional.  Values at s, of a `rate` kind the rate, that change sign where f bends or jumps so that steps are to end there;
+     * NAN: on neither side.  Returns how many there are; side NULL: only that. */
+    int (*sides)(double *side, const void *par, double s);
+
     /* Optional, with mean().  Is there a corner or a jump of f between s0 and s1? */
     bool (*bends)(const void *par, double s0, double s1);
     bool sharp; /* where it acts, steps are solved to round-off, so that many bounces keep the energy */
@@ -212,6 +216,8 @@ bool signal_pole(const struct signal *s, const double *a, const double *b, int n
 /* May it jump; the largest jump on such a way, from *before to *behind: false: none. */
 bool signal_may_leap(const struct signal *s);
 bool signal_leap(const struct signal *s, double *before, double *behind, const double *a, const double *b, int n);
+/* As expr_sides(). */
+int signal_sides(double *side, const struct signal *s, const double *slot);
 /* Steps that choose themselves are to stop in (from, to) where an expression of time alone becomes quick all at once: for
  * signal_next(). */
 void signal_stop_at_sudden(struct signal *s, double from, double to, struct arena *life);

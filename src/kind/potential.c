@@ -34,9 +34,17 @@ static bool potential_bends(const void *par, double s0, double s1)
     return expr_bends(&(struct expr_way){p->expr, a, b, 2});
 }
 
+static int potential_sides(double *side, const void *par, double s)
+{
+    const struct potential *p = par;
+    const double slot[2] = {0, s};
+    return expr_sides(side, p->expr, side ? slot : NULL);
+}
+
 const struct force_kind force_potential = {.name = "potential",
                                            .brief = "an expression of the measure that it acts along",
                                            .size = sizeof(struct potential),
                                            .law = potential_law,
                                            .mean = potential_mean,
+                                           .sides = potential_sides,
                                            .bends = potential_bends};

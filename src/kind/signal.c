@@ -333,6 +333,11 @@ bool signal_pole(const struct signal *s, const double *a, const double *b, int n
     return signal_may_have_poles(s) && expr_pole(&at, &(struct expr_way){s->expr, a, b, n});
 }
 
+int signal_sides(double *side, const struct signal *s, const double *slot)
+{
+    return s->expr ? expr_sides(side, s->expr, slot) : 0;
+}
+
 bool signal_may_leap(const struct signal *s)
 {
     return s->expr && !expr_is_smooth(s->expr);

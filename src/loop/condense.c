@@ -200,6 +200,19 @@ static double edge(const struct ode2 *ode, enum edge_kind *kind)
     return o->tree->ode.edge(&o->tree->ode, kind);
 }
 
+static void sides(const struct ode2 *ode, double *side, double *force, const struct instant *x)
+{
+    struct condense *o = ode->self;
+    struct instant y = *x;
+    struct trouble none = {0};
+    y.v = o->va;
+    if (condense_rates(o, o->va, NULL, x->q, x->v, NULL, x->t, &none) == OK) {
+        o->tree->ode.sides(&o->tree->ode, side, force, &y);
+        return;
+    }
+    for (int i = 0; i < ode->nside; i++) side[i] = force[i] = NAN;
+}
+
 static void build_workspace(struct condense *o, struct arena *life)
 {
     double **of_rows[] = {&o->C, &o->lambda, &o->jump};
@@ -292,6 +305,8 @@ struct condense *condense_build(struct open_tree *tree, const double *q0, const 
                            .breaks = tree->ode.breaks || m->ndrive ? &o->breaks : NULL,
                            .passed = tree->ode.passed ? passed : NULL,
                            .edge = edge,
+                           .nside = tree->ode.nside,
+                           .sides = sides,
                            .settle = tree->ode.settle ? settle : NULL,
                            .bends = tree->ode.bends,
                            .steep = tree->ode.steep,

@@ -308,6 +308,13 @@ static double edge(const struct ode2 *o, enum edge_kind *kind)
     return elements_edge(tree_of(o)->elements, kind);
 }
 
+static void sides(const struct ode2 *o, double *side, double *force, const struct instant *x)
+{
+    struct open_tree *s = tree_of(o);
+    s->placed = false;
+    (void)elements_sides(side, force, s->elements, s->sweep, x);
+}
+
 void open_build(struct open_tree *o, const struct model *m, struct arena *life)
 {
     o->model = m;
@@ -349,6 +356,8 @@ void open_build(struct open_tree *o, const struct model *m, struct arena *life)
                            .workless = m->nforce == 0 && o->elastic.n == 0,
                            .passed = elements_may_be_passed(o->elements) ? passed : NULL,
                            .edge = edge,
+                           .nside = elements_sides(NULL, NULL, o->elements, NULL, NULL),
+                           .sides = sides,
                            .settle = o->floating.n + o->floating.ntumbler ? settle : NULL,
                            .pointwise = o->floating.n == 0 && elements_are_pointwise(o->elements),
                            .self = o};

@@ -204,6 +204,10 @@ struct ode2 {
      * or ends, of several that which is farthest from both; NAN: none does.  Of kinds *edge the last one goes
      * first, and of jumps the first on the way. */
     double (*edge)(const struct ode2 *o, enum edge_kind *kind);
+    /* Values [nside] at a state that change sign where a force bends or jumps by it, each with that force; NAN: on neither
+     * side. */
+    int nside;
+    void (*sides)(const struct ode2 *o, double *side, double *force, const struct instant *x);
     double *along[2]; /* the engine's: [n] displacements or changes of velocities, small; NULL: none */
     int straight;     /* displacements add up: from q0 by a and then by b is from q0 by a + b */
     int bends;        /* forces may jump or bend where nobody knows beforehand: by the state */

@@ -814,6 +814,79 @@ static void stand_ins(void **state)
     arena_close(arena);
 }
 
+/* Do all sides that are known at both stand as they stood, and are the same ones known? */
+static bool same_sides(const double *a, const double *b, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (isnan(a[i]) != isnan(b[i]) || (a[i] > 0) != (b[i] > 0)) return false;
+    return true;
+}
+
+/* In small steps of x across everything: where the value or its slope jumps a side changes, and where nothing does none does. */
+static void sides(void **state)
+{
+    static const struct {
+        const char *text;
+        int changes; /* from x = -2 to 2 at t = .3, hub.angle = .4 */
+        bool all;    /* does it bend or jump at each? */
+    } list[] = {
+        {"if(x > 0.05, -3*(x - 0.05), if(x < -0.05, -3*(x + 0.05), 0))", 2, true},
+        {"abs(x - 1)", 1, true},
+        {"abs(x)*x", 1, false},
+        {"max(x, hub.angle, -1) + min(2*x, 3)", 2, true},
+        {"5*sign(x - 0.3) + step(x, -1)", 2, true},
+        {"ramp(x, -1, 1) + pulse(x, 0.2, 0.4)", 4, true},
+        {"floor(x + 0.1) + ceil(2*x + 0.3)", 12, true},
+        {"mod(x + 0.01, 0.5)", 8, true},
+        {"atan2(x - 0.1, -1) + atan2(x, 1)", 1, true},
+        {"if(x > 0 and x < 1 or x > 1.5, 3, 1)", 3, true},
+        {"if(not x*x > hub.angle, 2, 0)", 2, true},
+        {"if(t > 1, abs(x), x)", 0, true},
+        {"x*if(t > 0.2, max(x, 0.1), 0)", 1, true},
+        {"min(if(x > 0, x, 0), 1) + sin(x)", 2, true},
+    };
+    struct arena *arena = arena_open();
+    (void)state;
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        struct expr *e;
+        struct expr_error error;
+        enum { MOST = 12, STEPS = 4001 };
+        double side[2][MOST], d0 = 0, f0 = 0;
+        const double h = 4. / STEPS;
+        const int which = 1;
+        assert_int_equal(expr_parse(&e, list[k].text, strlen(list[k].text), &names, arena, &error), 0);
+        const int n = expr_sides(NULL, e, NULL);
+        int changes = 0;
+        assert_in_range(n, 0, MOST);
+        for (int i = 0; i < STEPS; i++) {
+            const double slot[SLOTS] = {.3, -2 + h * (i + .37), .4};
+            double d;
+            const double f = expr_slopes(e, &d, slot, &which, 1);
+            if (n > 0) assert_int_equal(expr_sides(side[1], e, slot), n);
+            if (i > 0) {
+                const bool bends = fabs(f - f0 - h * (d + d0) / 2) > 1e-4 || fabs(d - d0) > 1e-2;
+                const bool same = n == 0 || same_sides(side[0], side[1], n);
+                if (bends && same) fail_msg("'%s' bends at x = %g unsaid", list[k].text, slot[1]);
+                if (!bends && !same && list[k].all) fail_msg("'%s' is said to bend at x = %g", list[k].text, slot[1]);
+                changes += !same;
+            }
+            d0 = d;
+            f0 = f;
+            memcpy(side[0], side[1], sizeof side[0]);
+        }
+        if (changes != list[k].changes) fail_msg("'%s': %d changes", list[k].text, changes);
+    }
+    static const char *const none[] = {"if(t > 1, 3, 0)*x", "x^2 + sin(hub.angle)", "max(t, 1)*hub.angle_rate",
+                                       "if(x == 1, 2, 3)", "smooth(x, 0, 1)"};
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+        struct expr *e;
+        struct expr_error error;
+        assert_int_equal(expr_parse(&e, none[k], strlen(none[k]), &names, arena, &error), 0);
+        assert_int_equal(expr_sides(NULL, e, NULL), 0);
+    }
+    arena_close(arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -822,6 +895,7 @@ int main(void)
         cmocka_unit_test(speed),          cmocka_unit_test(random_trees), cmocka_unit_test(truths),
         cmocka_unit_test(jets),           cmocka_unit_test(smooth),       cmocka_unit_test(spans),
         cmocka_unit_test(unknown_truths), cmocka_unit_test(helpers),      cmocka_unit_test(stand_ins),
+        cmocka_unit_test(sides),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,215 @@
+/* sides.c -- see sides.h */
+#include "engine/sides.h"
+
+#include <math.h>
+
+#include "base/scalar.h"
+#include "engine/motion.h"
+#include "engine/path.h"
+
+enum { MOST = 9 }; /* places of a step that are looked at */
+
+struct place {
+    double x;             /* the part of the step */
+    double *side, *force; /* [nside] */
+};
+
+struct sides {
+    const struct ode2 *ode;
+    struct path way;
+    struct state from, to;
+    const double *a0, *a1; /* [n] accelerations at both */
+    double *dv;            /* [n] change of velocities */
+    double *q, *v;         /* [nq], [n] of a place between */
+    int n;
+    struct place at[MOST]; /* [n] ascending */
+    struct place look;     /* one more */
+};
+
+static void take_place(struct place *o, int n, struct arena *life)
+{
+    o->side = TAKE(life, double, n);
+    o->force = TAKE(life, double, n);
+}
+
+struct sides *sides_open(const struct ode2 *ode, struct arena *life)
+{
+    if (ode->nside == 0) return NULL;
+    struct sides *o = TAKE(life, struct sides, 1);
+    o->ode = ode;
+    path_open(&o->way, ode, life);
+    o->q = TAKE(life, double, ode->nq);
+    o->v = TAKE(life, double, ode->n);
+    o->dv = TAKE(life, double, ode->n);
+    take_place(&o->look, ode->nside, life);
+    for (int k = 0; k < MOST; k++) take_place(&o->at[k], ode->nside, life);
+    return o;
+}
+
+/* Velocities by Hermite's cubic, too. */
+static void place_at(struct sides *o, double x)
+{
+    path_place(&o->way, o->q, x);
+    motion_cubic(o->v, o->dv, o->a0, o->a1, o->ode->n, o->to.t - o->from.t, x);
+    for (int i = 0; i < o->ode->n; i++) o->v[i] += o->from.v[i];
+}
+
+static void look_at(struct sides *o, struct place *p, double x)
+{
+    const struct state *end = x <= 0 ? &o->from : &o->to;
+    const bool inside = x > 0 && x < 1;
+    if (inside) place_at(o, x);
+    const struct instant i = {
+        .t = inside ? path_time(&o->way, x) : end->t, .q = inside ? o->q : end->q, .v = inside ? o->v : end->v};
+    p->x = x;
+    o->ode->sides(o->ode, p->side, p->force, &i);
+}
+
+static void add(struct sides *o, double x)
+{
+    struct place p = o->at[o->n];
+    int k = o->n++;
+    look_at(o, &p, x);
+    for (; k > 0 && o->at[k - 1].x > x; k--) o->at[k] = o->at[k - 1];
+    o->at[k] = p;
+}
+
+static bool parted(double a, double b)
+{
+    return (a < 0 && b > 0) || (a > 0 && b < 0);
+}
+
+/* Is value i farther from 0 than it goes up and down? */
+static bool is_clear(const struct sides *o, int i)
+{
+    double lo = INFINITY, hi = -INFINITY;
+    int known = 0;
+    for (int k = 0; k < o->n; k++) {
+        const double g = o->at[k].side[i];
+        if (g != g) continue;
+        lo = smaller(lo, g);
+        hi = larger(hi, g);
+        known++;
+    }
+    return known == 0 || (known == o->n && larger(lo, -hi) > hi - lo);
+}
+
+static bool all_clear(const struct sides *o)
+{
+    for (int i = 0; i < o->ode->nside; i++)
+        if (!is_clear(o, i)) return false;
+    return true;
+}
+
+/* The least |value i| that a parabola through places k - 1, k, k + 1 foretells, all of one sign, where that is near 0
+ * or beyond: its place; NAN: none. */
+static double dip(const struct sides *o, int i, int k)
+{
+    static const double NEAR = .25;
+    const struct place *a = &o->at[k - 1], *b = &o->at[k], *c = &o->at[k + 1];
+    const double sign = copysign(1, b->side[i]), ga = sign * a->side[i], gb = sign * b->side[i], gc = sign * c->side[i];
+    if (!(ga > 0 && gb > 0 && gc > 0)) return NAN;
+    const double first = (gb - ga) / (b->x - a->x), second = (gc - gb) / (c->x - b->x);
+    const double bend = (second - first) / (c->x - a->x);
+    const double x = (a->x + b->x - first / bend) / 2;
+    if (!(bend > 0 && x > a->x && x < c->x)) return NAN;
+    const double least = ga + (x - a->x) * (first + bend * (x - b->x));
+    return least < NEAR * smaller(ga, smaller(gb, gc)) ? x : NAN;
+}
+
+static void add_dips(struct sides *o)
+{
+    double at[MOST];
+    int n = 0;
+    for (int i = 0; i < o->ode->nside; i++)
+        for (int k = 1; k + 1 < o->n && o->n + n < MOST; k++) {
+            const double x = dip(o, i, k);
+            if (x == x) at[n++] = x;
+        }
+    for (int k = 0; k < n; k++) add(o, at[k]);
+}
+
+static void look(struct sides *o)
+{
+    o->n = 0;
+    for (int k = 0; k < 3; k++) add(o, .5 * k);
+    if (all_clear(o)) return;
+    add(o, .25);
+    add(o, .75);
+    add_dips(o);
+}
+
+/* By how much the force of value i goes up and down at most. */
+static double swing(const struct sides *o, int i)
+{
+    double most = 0;
+    for (int k = 1; k < o->n; k++) most = larger(most, fabs(o->at[k].force[i] - o->at[0].force[i]));
+    return most;
+}
+
+/* Of an edge of value i at x, where its force is f: by how much that goes on otherwise than straight, of what it
+ * changes in all. */
+static double beyond(const struct sides *o, int i, double x, double f)
+{
+    const double f0 = o->at[0].force[i], f1 = o->at[o->n - 1].force[i], off = f1 - f - (f - f0) * (1 - x) / x;
+    return x < .5 || !(fabs(off) < fabs(f1 - f0)) ? 1 : fabs(off) / fabs(f1 - f0);
+}
+
+/* The edge of value i between places k and k + 1. */
+static void find(struct sides *o, struct edge *edge, int i, int k)
+{
+    enum { MOST_LOOKS = 60 };
+    static const double WIDTH = 1e-7, JUMP = 1e-4;
+    double a = o->at[k].x, b = o->at[k + 1].x, ga = o->at[k].side[i], gb = o->at[k + 1].side[i];
+    double fa = o->at[k].force[i], fb = o->at[k + 1].force[i];
+    int last = 0;
+    for (int n = 0; n < MOST_LOOKS && b - a > WIDTH; n++) {
+        const double even = a + (b - a) * (ga / (ga - gb)), least = .4 * WIDTH;
+        const double x = larger(a + least, smaller(b - least, even));
+        look_at(o, &o->look, x);
+        const double g = o->look.side[i];
+        const bool before = parted(g, gb);
+        if (before) {
+            a = x, ga = g, fa = o->look.force[i];
+            if (last == -1) gb /= 2;
+        } else {
+            b = x, gb = g == g && g != 0 ? g : gb, fb = o->look.force[i];
+            if (last == 1) ga /= 2;
+        }
+        last = before ? -1 : 1;
+    }
+    edge->at = b;
+    edge->kind = fabs(fb - fa) > JUMP * swing(o, i) ? EDGE_JUMP : EDGE_BEND;
+    edge->located = true;
+    edge->beyond = beyond(o, i, b, fb);
+}
+
+/* The first jump goes first, then the bend that is farthest from both ends. */
+static bool is_first(const struct edge *a, const struct edge *b)
+{
+    if (a->kind != b->kind) return a->kind > b->kind;
+    return a->kind == EDGE_JUMP ? a->at < b->at : fabs(a->at - .5) < fabs(b->at - .5);
+}
+
+struct edge sides_edge(struct sides *o, const struct adaptive *m, double t)
+{
+    struct edge first = {.at = NAN}, edge;
+    double last = 0;
+    if (!o || !m->ahead) return first;
+    o->from = (struct state){.t = t, .q = m->q, .v = m->v};
+    o->to = (struct state){.t = t + m->came, .q = m->q1, .v = m->v1};
+    o->a0 = m->a;
+    o->a1 = m->ahead;
+    for (int i = 0; i < o->ode->n; i++) o->dv[i] = m->v1[i] - m->v[i];
+    path_between(&o->way, &o->from, &o->to);
+    look(o);
+    for (int k = 0; k + 1 < o->n; k++)
+        for (int i = 0; i < o->ode->nside; i++) {
+            if (!parted(o->at[k].side[i], o->at[k + 1].side[i])) continue;
+            find(o, &edge, i, k);
+            if (edge.kind == EDGE_JUMP) last = larger(last, edge.at);
+            if (is_first(&edge, &first)) first = edge;
+        }
+    first.last = last;
+    return first;
+}

@@ -1,0 +1,152 @@
+# edges.sh -- forces that bend or jump by the state: expressions with branches, tables.  By tolerance every one is stepped onto: what
+# comes out is within a few tolerances, whatever side of it the points of a step are on.
+. tests/tools/lib.sh
+
+# worst WANT GOT: the largest difference of a column over its range.
+worst() {
+    awk -F, 'FNR == 1 { n = NF; next } NR == FNR { for (i = 2; i <= n; i++) { w[FNR, i] = $i; if (FNR == 2 || $i > hi[i]) hi[i] = $i; if (FNR == 2 || $i < lo[i]) lo[i] = $i } next }
+        { for (i = 2; i <= n; i++) { d = $i - w[FNR, i]; if (d < 0) d = -d; d /= hi[i] - lo[i]; if (d > most) most = d } }
+        END { print (FNR > 10 ? most + 0 : "nothing") }' "$1" "$2"
+}
+
+# A mass with play between two springs, as an expression of what the force acts along, of that and the time, as a table, as a
+# load on the body, by way of abs and max, and min, and with a comparison of expressions.  Its way in closed form: 2 m/s over
+# 0.1 m, half a turn of 100 rad/s.
+play() { # FORCE
+    cat <<YAML
+fmdsub: 1
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {a: {$1}}
+initial: {r.displacement_rate: 2}
+integrate: {until: 1}
+output: {every: 0.005, columns: [r.displacement, r.displacement_rate]}
+YAML
+}
+awk 'BEGIN { pi = atan2(0, -1); half = 0.05 + pi/100; print "t,x,v"
+    for (i = 0; i <= 200; i++) { t = i*0.005; p = t + 0.025; k = int(p/half); p -= k*half; s = k % 2 ? -1 : 1
+        if (p < 0.05) { x = -0.05 + 2*p; v = 2 } else { x = 0.05 + 0.02*sin(100*(p - 0.05)); v = 2*cos(100*(p - 0.05)) }
+        printf "%g,%.15g,%.15g\n", t, s*x, s*v } }' >"$work/play.want"
+play 'force: r, value: "if(r.displacement > 0.05, -1e4*(r.displacement - 0.05), if(r.displacement < -0.05, -1e4*(r.displacement + 0.05), 0))"' >"$work/play.if"
+play 'force: r, value: "if(r.displacement > 0.05 and t > -1, -1e4*(r.displacement - 0.05), if(r.displacement < -0.05, -1e4*(r.displacement + 0.05), 0))"' >"$work/play.time"
+play 'curve: r, table: [[-0.1, -500], [-0.05, 0], [0.05, 0], [0.1, 500]]' >"$work/play.table"
+play 'force: m, value: ["-1e4*max(abs(r.displacement) - 0.05, 0)*sign(r.displacement)", 0]' >"$work/play.load"
+play 'force: r, value: "-1e4*(max(r.displacement, 0.05) + min(r.displacement, -0.05)) + 0*t"' >"$work/play.max"
+play 'force: r, value: "if(1e4*r.displacement - 500 > 200*r.displacement - 10 or r.displacement < -0.05, -1e4*(abs(r.displacement) - 0.05)*if(r.displacement > 0, 1, -1), 0) + 0*t"' >"$work/play.sides"
+
+# A force that jumps, as of a switch: there and back over x = 0.1 in parabolas of 10 m/s^2.
+cat >"$work/switch.value" <<'YAML'
+fmdsub: 1
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {a: {force: r, value: "if(r.displacement > 0.1, -10, 10)"}}
+initial: {r.displacement_rate: 2}
+integrate: {until: 3}
+output: {every: 0.05, columns: [r.displacement, r.displacement_rate]}
+YAML
+awk 'BEGIN { c = sqrt(4 + 2*10*0.1); t0 = (c - 2)/10; half = 2*c/10; print "t,x,v"
+    for (i = 0; i <= 60; i++) { t = i*0.05; p = t - t0 + half; k = int(p/half); p -= k*half; s = k % 2 ? 1 : -1
+        printf "%g,%.15g,%.15g\n", t, 0.1 + s*(c*p - 5*p*p), s*(c - 10*p) } }' >"$work/switch.want"
+
+# A spring that pushes from a place on, which every scheme already steps onto, against the same as an expression, in a loop.
+bars() { # FORCES
+    cat <<YAML
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  a: {mass: 1, inertia: 0.1, at: [0, 0.5]}
+  b: {mass: 2, inertia: 0.5, at: [1, 1.25]}
+  c: {mass: 1, inertia: 0.2, at: [2, 0.75]}
+constraints:
+  p: {revolute: [ground, a], at: [0, 0]}
+  q: {revolute: [a, b], at: [0, 1]}
+  r: {revolute: [b, c], at: [2, 1.5]}
+  s: {revolute: [ground, c], at: [2, 0]}
+forces: {$1}
+initial: {p.angle_rate: 2}
+integrate: {until: 2}
+output: {every: 0.02, columns: [p.angle, s.angle, p.angle_rate, s.angle_rate]}
+YAML
+}
+bars 'u: {unilateral: s, stiffness: 3000, from: 0.2}, l: {unilateral: s, stiffness: 3000, from: -0.2, side: below}' >"$work/bars.reference"
+bars 'stop: {torque: s, value: "if(s.angle > 0.2, -3000*(s.angle - 0.2), if(s.angle < -0.2, -3000*(s.angle + 0.2), 0))"}' >"$work/bars.if"
+
+# Others against themselves at 1e-12, where steps are as short as edges ask for: a magnet that is passed within a step, a motor
+# with a clipped torque, drag by the square, a damper by a table, a detent by mod and floor.
+one() { # NAME FORCE UNTIL INITIAL
+    cat >"$work/$1.value" <<YAML
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {m: {mass: 1, inertia: 0.1, at: [1, 0]}}
+constraints: {r: {revolute: [ground, m], at: [0, 0]}}
+forces: {a: {$2}}
+initial: {$4}
+integrate: {until: $3}
+output: {every: 0.02, columns: [r.angle, r.angle_rate]}
+YAML
+}
+one magnet 'torque: r, value: "if(abs(r.angle + pi/2) < 0.01, 300, 0)"' 2 'r.angle: 0'
+one motor 'torque: r, value: "max(-20, min(20, 200*(2*sin(2*t) - r.angle) - 5*r.angle_rate))"' 3 'r.angle: 0'
+one drag 'torque: r, value: "-0.3*abs(r.angle_rate)*r.angle_rate"' 5 'r.angle: 0'
+one valve 'curve: r.angle_rate, table: [[-10, -12], [-1, -3], [1, 3], [10, 12]]' 5 'r.angle: 0'
+one detent 'torque: r, value: "4*mod(r.angle, 0.5) + 0.5*floor(4*r.angle) - 0.2*r.angle_rate"' 4 'r.angle: 0'
+
+# check NAME DECK WANT SCHEME TOLERANCE MOST: within so many tolerances, and told as such.
+check() {
+    until=$(sed -n 's/^integrate: {until: \([0-9]*\)}/\1/p' "$2")
+    "$FMDSUB" run --set "integrate={scheme: $4, tolerance: $5, until: $until}" "$2" >"$work/out" 2>"$work/err"
+    status=$?
+    off=$(worst "$3" "$work/out")
+    expect "$1, $4 at $5: within $6 tolerances" "0 yes" \
+        "$status $(awk -v off="$off" -v tol="$5" -v most="$6" 'BEGIN { print (off != "nothing" && off < most*tol ? "yes" : off) }')" "$work/err"
+    told=$(sed -n 's/^estimated error: //p' "$work/err" |
+        awk -v off="$off" -v tol="$5" '/^not known/ { print "yes"; next } { print (10*$1 + tol >= off ? "yes" : $1 " of " off) }')
+    case "$1/$told" in
+        play*/[0-9]*) known "$1, $4 at $5: told" "sums of local errors, as bounces make more of them: $told" ;;
+        *) expect "$1, $4 at $5: told" yes "$told" "$work/err" ;;
+    esac
+}
+for deck in play.if play.time play.table play.load play.max play.sides switch.value bars.if magnet.value motor.value drag.value valve.value detent.value; do
+    name=${deck%%.*}
+    if [ ! -f "$work/$name.want" ]; then
+        source=$work/$deck
+        [ -f "$work/$name.reference" ] && source=$work/$name.reference
+        until=$(sed -n 's/^integrate: {until: \([0-9]*\)}/\1/p' "$source")
+        "$FMDSUB" run -q --set "integrate={scheme: dop853, tolerance: 1.0e-12, until: $until}" "$source" >"$work/$name.want" 2>"$work/err"
+    fi
+    most=10
+    [ $name = play ] && most=30
+    for how in "dopri5 1.0e-3" "dopri5 1.0e-5" "dopri5 1.0e-7" "dop853 1.0e-4" "dop853 1.0e-6" "dop853 1.0e-8" "radau5 1.0e-3" \
+        "radau5 1.0e-5" "radau5 1.0e-7" "radau9 1.0e-4" "radau9 1.0e-6" "radau9 1.0e-8"; do
+        set -- $how
+        check "$deck" "$work/$deck" "$work/$name.want" "$1" "$2" $most
+    done
+done
+
+# Where the force jumps against both ways there is no way on: the run ends and says which it is, soon.
+for how in dopri5 dop853 radau5 radau9; do
+    for tolerance in 1.0e-3 1.0e-5 1.0e-8; do
+        go "friction as a sign, $how at $tolerance" 7 -q --set "integrate={scheme: $how, tolerance: $tolerance, until: 5}" <<'YAML'
+fmdsub: 1
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {a: {force: r, value: "-3*sign(r.displacement_rate)"}, k: {spring: r, stiffness: 10}}
+initial: {r.displacement_rate: 2}
+integrate: {until: 5}
+output: {every: 0.05, columns: [r.displacement, r.displacement_rate]}
+YAML
+        told "friction as a sign, $how at $tolerance" "force 'a' jumps near here, between -*3 and -*3"
+    done
+done
+
+# A run and its continuation are one, byte for byte, where steps end on records.
+cd "$work" || exit 1
+for deck in switch.value motor.value magnet.value; do
+    part() { "$FMDSUB" run -q --columns '*' --every 0.05 --set "integrate={scheme: dopri5, tolerance: 9.0e-7, until: $2}" ${3-} "$1" 2>err; }
+    part $deck 0.8 >whole
+    part $deck 0.4 "--final-state half.json" >first
+    "$FMDSUB" run -q --columns '*' --every 0.05 --set "integrate={scheme: dopri5, tolerance: 9.0e-7, until: 0.8}" \
+        --set "initial={from: half.json, time: keep}" $deck >rest 2>err
+    { cat first; sed 1,2d rest; } >both
+    same "$deck: goes on from a state" whole both
+done
