@@ -23,9 +23,11 @@
  *     UNSEEN          a third +3, three times -3, where the drift of tests/unit/t-economy.c at h = 1e-3 is half as much again
  *     three times the energy that may be left: -6, where that at h = 1e-2 is a fifth more
  *
- * Round-off stop: no further decrease while tiny, relative and in SI units; with a matrix of this very iterate (so that
- * a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
+ * Round-off stop: no further decrease while tiny, relative, in SI units or in the norm of energy, as what flies fast rounds
+ * what is slow in it (a satellite's hinge at 3.7 km/s: corrections do not fall below 1e-12 rad/s); with a matrix of this very
+ * iterate (so that a bad matrix is excluded as the cause) somewhat larger corrections count as tiny. */
 static const double TINY = 1e-12, TINY_SI = 1e-14, TINY_FRESH = 1e-7, TINY_FRESH_SI = 1e-10;
+static const double TINY_NORM = 4 * DBL_EPSILON;
 static const double ROUND_OFF = 1e-14; /* tolerance of a step that must be exact */
 static const double ROUGH = 1e-9;      /* corrections above show what a matrix is worth */
 static const double AT_ONCE = .03; /* of the tolerance, after one iteration: its contraction is assumed, not measured */
@@ -209,10 +211,12 @@ void newton_energy(struct newton *nt, const struct instant *x)
     nt->life = nt->life < ENERGY_LIFE ? 2 * nt->life : ENERGY_LIFE;
 }
 
-static int small_energy(struct newton *nt, double square, const struct instant *x)
+/* stuck: the correction is not much smaller than the one before, so that round-off is enough. */
+static int small_energy(struct newton *nt, double square, bool stuck, const struct instant *x)
 {
-    const double part = BY_ENERGY * nt->tol, least = fabs(square) / (part * part);
-    if (nt->age >= (least <= FAR * nt->energy ? 1 : 4) * nt->life) {
+    const double part = larger(BY_ENERGY * nt->tol, stuck ? TINY_NORM : 0), least = fabs(square) / (part * part);
+    const bool near = nt->energy > 0 ? least <= FAR * nt->energy : stuck;
+    if (nt->age >= (near ? 1 : 4) * nt->life) {
         nt->effort->slow += 2;
         nt->effort->fast += 2;
         newton_energy(nt, x);
@@ -224,8 +228,9 @@ static enum verdict later_iterate(struct newton *nt, double err, double small, d
                                   const struct instant *x)
 {
     const bool fresh = nt->fresh > 0 || nt->newest, renewable = nt->refreshed < MOST_REFRESHED && !nt->matrix_free;
-    int tiny = err <= TINY || small <= TINY_SI || (fresh && (err <= TINY_FRESH || small <= TINY_FRESH_SI));
-    if ((theta > .5 && tiny) || small_energy(nt, square, x)) {
+    int tiny = nt->rounding || (fresh && (err <= TINY_FRESH || small <= TINY_FRESH_SI));
+    const bool stuck = theta > .5;
+    if ((stuck && tiny) || small_energy(nt, square, stuck, x)) {
         nt->remain = 1;
         return CONVERGED;
     }

@@ -70,7 +70,7 @@ static inline void form_add(double *restrict y, const struct form *o, const doub
         for (int i = 0; i < n; i++) y[i] += o->A[i] * x[i];
 }
 
-static inline double dot(const double *x, const double *y, int n)
+INTO static inline double dot(const double *x, const double *y, int n)
 {
     double sum = 0;
     for (int i = 0; i < n; i++) sum += x[i] * y[i];
@@ -92,7 +92,7 @@ static inline void three_sums(double *xy, double *angle, const double *restrict 
 
 /* --- shape -------------------------------------------------------------------------------------- */
 
-static void core_at(struct flex_planar_core *o, const struct flex_planar *k, const double *q)
+INTO static inline void core_at(struct flex_planar_core *o, const struct flex_planar *k, const double *q)
 {
     const double *fx = k->f, *fy = k->f + k->n;
     double hx = 0, hy = 0, rho = 0, tau = 0, W = 0;
@@ -119,8 +119,8 @@ struct affine {
     double h[2], rho, tau, b[4], W, G;
 };
 
-static inline struct affine affine_rates(const struct flex_planar *k, const struct flex_planar_core *o,
-                                         const double *q1, const double *q2)
+INTO static inline struct affine affine_rates(const struct flex_planar *k, const struct flex_planar_core *o,
+                                              const double *q1, const double *q2)
 {
     const double *sx = o->rates + k->rates.at[1], *sy = o->rates + k->rates.at[2];
     const double *se = o->rates + k->rates.at[3], *sc = o->rates + k->rates.at[4];
@@ -142,8 +142,8 @@ static inline struct affine affine_rates(const struct flex_planar *k, const stru
 }
 
 /* The coordinates' rows, for the acceleration a of the mass, A and B of the turns. */
-static inline void core_rows(double *restrict Q, const struct flex_planar *k, const struct flex_planar_core *o,
-                             const double *a, double A, double B, double w, double al)
+INTO static inline void core_rows(double *restrict Q, const struct flex_planar *k, const struct flex_planar_core *o,
+                                  const double *a, double A, double B, double w, double al)
 {
     const double *restrict Hx = o->Hx, *restrict Hy = o->Hy, *restrict E = o->E, *restrict C = o->C;
     const double *restrict rpsi = k->rpsi, *restrict P = o->P, *restrict W = o->W;
@@ -154,8 +154,9 @@ static inline void core_rows(double *restrict Q, const struct flex_planar *k, co
             (Hx[i] * ax + Hy[i] * ay) + (E[i] * A + C[i] * B) + al * (rpsi[i] + P[i]) + (w2 * P1[i] - ww * W[i]) + M[i];
 }
 
-static void core_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o,
-                         const double *a, double w, double al, const double *q1, const double *q2)
+INTO static inline void core_inertia(double *F, double *N, double *Q, const struct flex_planar *k,
+                                     struct flex_planar_core *o, const double *a, double w, double al, const double *q1,
+                                     const double *q2)
 {
     const double ww = w * w;
     panel_at(o->rates, &k->rates, q1);
@@ -203,7 +204,7 @@ static void core_momentum(double *P, double *L, double *T, const struct flex_pla
 
 /* --- the second extent of a body as in space, which has E and C and nothing else; after the first - */
 
-static void across_at(struct flex_planar_core *o, const struct flex_planar *k, const double *q)
+INTO static inline void across_at(struct flex_planar_core *o, const struct flex_planar *k, const double *q)
 {
     double rho = 0, tau = 0;
     for (int i = 0; i < k->n; i++) {
@@ -215,8 +216,8 @@ static void across_at(struct flex_planar_core *o, const struct flex_planar *k, c
     o->J = k->j_inv * (o->rho * o->rho + o->tau * o->tau);
 }
 
-static void add_inertia(double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o, double w,
-                        double al, const double *q1, const double *q2)
+INTO static inline void add_inertia(double *N, double *Q, const struct flex_planar *k, struct flex_planar_core *o,
+                                    double w, double al, const double *q1, const double *q2)
 {
     const double ww = w * w, *E = o->E, *C = o->C, *se = o->se, *sc = o->sc;
     double rho = 0, tau = 0, a = 0, b = 0;
@@ -256,7 +257,7 @@ static void add_masses(double *M, const struct flex_planar *k, const struct flex
 
 /* --- the mean frame ----------------------------------------------------------------------------- */
 
-void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
+WIDE void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar *k, const double *q)
 {
     struct flex_planar_core *c = &o->core;
     double h[2];
@@ -275,8 +276,8 @@ void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_planar 
     o->J = c->J + o->d[0] * (h[0] + o->h[0]) + o->d[1] * (h[1] + o->h[1]);
 }
 
-void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
-                         const double *a, double w, double al, const double *q1, const double *q2)
+WIDE void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
+                              const double *a, double w, double al, const double *q1, const double *q2)
 {
     const double t1 = dot(k->mean, q1, k->n), t2 = dot(k->mean, q2, k->n), ww = w * w;
     const double *y = o->y, *d = o->d, cent = t1 * (t1 + 2 * w);

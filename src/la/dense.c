@@ -10,11 +10,13 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "la/wide.h"
 
-enum { NARROW = 12 }; /* below, the call through the loader's table costs more than it gives */
+/* Below, the call through the loader's table costs more than it gives: factors; products. */
+enum { NARROW = 12, SHORT = 8 };
 
 /* c [n] -= A f,  the m columns of A in order; f(k) = f[k * step]. */
 INTO static inline void subtract_columns(double *restrict c, const double *restrict A, const double *restrict f, int n,
@@ -177,15 +179,33 @@ void dense_lu_solve(const double *LU, const int *swap, double *x, int n, int ld)
     if (j == 0) x[0] = over(x[0], LU[0]);
 }
 
+/* y += s A x in one pass over one to four columns, their sums in order; false: a factor is 0, and nothing is done. */
+INTO static inline bool add_columns(double *restrict y, double s, const double *restrict A, const double *restrict x,
+                                    int columns, int rows, int ld)
+{
+    const long to = ld;
+    const double f = s * x[0], g = columns > 1 ? s * x[1] : 1, h = columns > 2 ? s * x[2] : 1;
+    const double k = columns > 3 ? s * x[3] : 1;
+    if (f == 0 || g == 0 || h == 0 || k == 0) return false;
+    for (int i = 0; i < rows; i++) {
+        double sum = y[i] + A[i] * f;
+        if (columns > 1) sum += A[i + to] * g;
+        if (columns > 2) sum += A[i + 2 * to] * h;
+        if (columns > 3) sum += A[i + 3 * to] * k;
+        y[i] = sum;
+    }
+    return true;
+}
+
+/* Column by column, several in one pass where all of them count. */
 INTO static inline void gemv(double *restrict y, double s, const double *restrict A, const double *restrict x, int rows,
                              int cols, int ld)
 {
-    for (int j = 0; j < cols; j++) {
-        const double *c = A + (long)j * ld;
-        double f = s * x[j];
-        if (f == 0) continue;
-        for (int i = 0; i < rows; i++) y[i] += c[i] * f;
-    }
+    int j = 0;
+    for (; j + 4 <= cols && add_columns(y, s, A, x + j, 4, rows, ld); j += 4) A += 4 * (long)ld;
+    if (cols - j == 3 && add_columns(y, s, A, x + j, 3, rows, ld)) return;
+    if (cols - j == 2 && add_columns(y, s, A, x + j, 2, rows, ld)) return;
+    for (; j < cols; j++, A += ld) add_columns(y, s, A, x + j, 1, rows, ld);
 }
 
 WIDE static void gemv_wide(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
@@ -195,7 +215,7 @@ WIDE static void gemv_wide(double *y, double s, const double *A, const double *x
 
 void dense_gemv(double *y, double s, const double *A, const double *x, int rows, int cols, int ld)
 {
-    if (rows <= NARROW)
+    if (rows < SHORT)
         gemv(y, s, A, x, rows, cols, ld);
     else
         gemv_wide(y, s, A, x, rows, cols, ld);

@@ -154,11 +154,31 @@ static void test_products(void **state)
     assert_true(dense_asymmetry((double[]){2, 1, 0, 1}, 2, 2) == .5);
 }
 
+/* As column by column, to the bit, whichever column counts for nothing: that one is not looked at. */
+static void test_columns(void **state)
+{
+    (void)state;
+    enum { R = 11, C = 9, LD = 12 };
+    struct dice dice = {9};
+    for (int rows = 1; rows <= R; rows++)
+        for (int cols = 1; cols <= C; cols++)
+            for (int none = -1; none < cols; none++) {
+                double A[LD * C], x[C], y[R], expected[R];
+                for (int i = 0; i < LD * C; i++) A[i] = i / LD == none ? NAN : dice_range(&dice, -1, 1);
+                for (int j = 0; j < C; j++) x[j] = j == none ? 0 : dice_range(&dice, -1, 1);
+                for (int i = 0; i < rows; i++) y[i] = expected[i] = dice_range(&dice, -1, 1);
+                for (int j = 0; j < cols; j++)
+                    for (int i = 0; i < rows && j != none; i++) expected[i] += A[i + j * LD] * (3 * x[j]);
+                dense_gemv(y, 3, A, x, rows, cols, LD);
+                assert_memory_equal(y, expected, sizeof *y * (size_t)rows);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cholesky), cmocka_unit_test(test_solves),   cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_singular), cmocka_unit_test(test_products),
+        cmocka_unit_test(test_singular), cmocka_unit_test(test_products), cmocka_unit_test(test_columns),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
