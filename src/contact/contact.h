@@ -1,4 +1,5 @@
-/* contact.h -- gaps of rigid contacts on a tree, the rows of their gradients, and what pushes at them.
+/* contact.h -- gaps of rigid contacts on a tree, their gradients (rows of the contact Jacobian), and forces along
+ * these.
  *
  *     stop              g = side (s - limit)              of a joint's coordinate s
  *     sphere, plane     g = n . (x_a - x_b) - r           n fixed in body b; a point is a sphere with r = 0
@@ -22,22 +23,25 @@
 
 struct contacts;
 
+/* The contacts of the model; ops: of the sweeps that they are asked with. */
 struct contacts *contacts_build(const struct model *m, const struct sweep_ops *ops, struct arena *life);
 
-/* The rows of one: 1, and 1 or 2 across. */
+/* Rows of one contact: the normal one, and with friction 1 or 2 tangential ones. */
 static inline int contact_rows(const struct model_contact *c)
 {
     return 1 + c->across;
 }
 
-/* A usual gap of contact c: 1 rad, or the length given; of surfaces not below their own sizes, by which gaps round off. */
+/* A usual size of the gap of contact c: 1 rad, or `length` [m]; of surfaces at least their own sizes, which set the
+ * round-off. */
 double contact_size(const struct model_contact *c, double length);
 
-/* Where the sweep's bodies are placed at q: the gap of contact i. */
+/* The gap of contact i [m] or [rad], with the bodies of the sweep placed at q. */
 double contacts_gap(const struct contacts *o, const struct sweep *s, int i, const double *q);
-/* Its rows [1 + across][n of the model], written. */
+/* y [1 + across][n of the model] := its rows. */
 void contacts_rows(const struct contacts *o, const struct sweep *s, double *y, int i);
-/* Pushes with f [1 + across] along them: bodies of the sweep, or r [n] -= what acts along coordinates. */
+/* Applies forces f [1 + across] along its rows to the bodies of the sweep; those along coordinates are subtracted
+ * from r [n]. */
 void contacts_push(const struct contacts *o, struct sweep *s, double *r, int i, const double *f);
 
 #endif

@@ -1,8 +1,9 @@
-/* classes.h -- the condensed system (2-4) linearised about a posture, as a system of its own for the schemes to step:
+/* classes.h -- the condensed system (2-4) linearised about a posture, as an ode2 that the schemes can step:
  *
- *     M x'' + (C + G) x' + (K + N) x = 0,     M, C + G and K + N each the sum of what fast and what slow bodies bring
+ *     M x'' + (C + G) x' + (K + N) x = 0
  *
- * Schemes of two rates ask for the classes apart, so they are linearised apart (linear.h). */
+ * Each matrix is the sum of a part of the fast and a part of the slow bodies and elements.  Schemes of two rates
+ * evaluate these apart, so they are linearised apart (linear.h). */
 #ifndef FMDSUB_PROBE_CLASSES_H
 #define FMDSUB_PROBE_CLASSES_H
 
@@ -18,10 +19,11 @@ struct classes {
     double *M[CLASSES], *C[CLASSES], *K[CLASSES]; /* [n x n] by column; C with G, K with N */
 };
 
-/* Where the run stands; o stays where it is as long as its ode is used.  E_NUMERIC: the residual is not a number there. */
+/* About the present state of the run.  o must not be moved as long as its ode is used.  E_NUMERIC: the residual is
+ * not a number. */
 enum status classes_find(struct classes *o, const struct sim *sim, struct arena *life, struct trouble *why);
 
-/* Of all: A [n x n] := the sum of both parts. */
+/* A [n x n] := the sum of both parts of a matrix. */
 void classes_sum(double *A, double *const part[CLASSES], int n);
 
 #endif

@@ -1,7 +1,7 @@
-/* damped_mode.h -- small motions of any linear system p'' + D p' + K p = 0, D and K not symmetric, K not positive.
+/* damped_mode.h -- modes of a linear system p'' + D p' + K p = 0, where D and K need not be symmetric, nor K positive.
  *
- * With p = exp(s t) two eigenvalues s make a motion: a conjugate pair, or two real ones.  Of the real ones the largest
- * goes with the smallest. */
+ * With p = exp(s t) a mode has two eigenvalues s: a conjugate pair, or two real ones, of which the largest is paired
+ * with the smallest. */
 #ifndef FMDSUB_PROBE_DAMPED_MODE_H
 #define FMDSUB_PROBE_DAMPED_MODE_H
 
@@ -10,12 +10,12 @@
 #include "base/arena.h"
 
 struct damped_mode {
-    double omega;   /* |s| [rad/s]; where a real s > 0: -s */
-    double damping; /* -re s/|s|; above 1: two real ones, half their sum over the root of their product */
-    double *p;      /* [2 n] real, then imaginary parts */
+    double omega;   /* |s| [rad/s]; of a real s > 0, which grows, -s */
+    double damping; /* -re s/|s|; of two real ones half their sum over the root of their product, above 1 */
+    double *p;      /* [2 n] the eigenvector: real, then imaginary parts */
 };
 
-/* o [n], ascending by omega; K, D [n x n].  False: no convergence. */
+/* The modes o [n], ascending by omega, of K, D [n x n] by column.  false: the eigenvalues do not converge. */
 bool damped_modes_find(struct damped_mode *o, const double *K, const double *D, int n, struct arena *life);
 
 #endif

@@ -2,11 +2,11 @@
  *
  *     M^ x'' + (G + C) x' + (K + N) x = 0
  *
- * K and N are the symmetric and antisymmetric parts of dr/dq by central differences of r(q, 0, 0, t), so that gravity,
- * preloads and centrifugal loads are in it, G the antisymmetric part of dr/dv, the Coriolis forces of driven rotation,
- * C the symmetric part of the slopes of the elements.  N is of loads without a potential: those that follow a body, or read other coordinates than they
- * act on.  The part G'/2 that drives bring by their acceleration is left out of it: with it, what a slow change of the
- * frequencies keeps, seems to grow. */
+ * K and N are the symmetric and the antisymmetric part of dr/dq, by central differences of r(q, 0, 0, t), so that
+ * gravity, preloads and centrifugal loads are included.  G is the antisymmetric part of dr/dv, the Coriolis forces
+ * of driven rotation; C the symmetric part of the slopes of the elements.  N comes from loads without a potential:
+ * those that follow a body, or read other coordinates than they act on.  The part G'/2 of N that comes from the
+ * acceleration of drives is left out: with it, vibrations whose frequencies change slowly would seem to grow. */
 #ifndef FMDSUB_PROBE_LINEAR_H
 #define FMDSUB_PROBE_LINEAR_H
 
@@ -18,13 +18,13 @@ struct linear {
     const double *q; /* [nq] posture */
     double t;
     int n;
-    unsigned cls;      /* of these classes' bodies and elements: ALL, or what one of them brings */
+    unsigned cls;      /* classes of bodies and elements that are taken in: ALL, or one of them */
     double *M, *K, *C; /* [n x n] */
     double *N;         /* [n x n] circulatory: the antisymmetric part of dr/dq */
     double *G;         /* [n x n] gyroscopic: the antisymmetric part of dr/dv */
 };
 
-/* M to G of ode, q, t, n and cls; E_NUMERIC: r is not a number there. */
+/* Fills M to G, from ode, q, t, n and cls.  E_NUMERIC: r is not a number there. */
 enum status linearise(struct linear *l, struct arena *life, struct trouble *why);
 
 #endif

@@ -1,4 +1,4 @@
-/* neglects.h -- what effects that the deck has turned off would have changed, watched at records. */
+/* neglects.h -- what effects that the deck has turned off would have changed in the results, estimated at records. */
 #ifndef FMDSUB_SIM_NEGLECTS_H
 #define FMDSUB_SIM_NEGLECTS_H
 
@@ -17,17 +17,17 @@ struct neglects {
     } * of;                             /* [n] */
     struct neglect_found {
         bool known;
-        double share;       /* its largest change of a column, of the column's largest value */
-        double t;           /* when the tolerance is passed [s]; -1: it is not */
-        double until;       /* what was compared [s] */
-        const char *column; /* of places, angles, rates and stresses that which changes most; else of any */
-        double acts;        /* likewise of forces, energies and accelerations, */
-        const char *acting; /* of which; NULL: there is none */
-        double noise;       /* what the runs' own errors may be of it */
+        double share;       /* largest change of a column, relative to the column's largest value */
+        double t;           /* when the tolerance is exceeded [s]; -1: it is not */
+        double until;       /* time up to which was compared [s] */
+        const char *column; /* that of the largest change: a position, angle, rate or stress if there is one */
+        double acts;        /* largest change of a force, energy or acceleration, likewise, */
+        const char *acting; /* and its column; NULL: there is none */
+        double noise;       /* part of `share` that may be the numerical error of the runs */
     } found[EFFECTS];       /* by a second run with the effect: study/left_out.h */
 };
 
-/* May an effect that is off matter, by what its watch says, or has it none on all bodies? */
+/* May an effect that is off matter, by its estimate, or has it no estimate on some bodies? */
 struct sim;
 bool neglects_unsettled(const struct sim *sim, enum effect_id id);
 

@@ -10,11 +10,11 @@ struct rest {
     int n;
     double *q, *q1, *r, *r1, *dx, *zero, *up, *down; /* [nq] [nq] [n]... */
     double *M, *K, *J;                               /* [n x n] */
-    double *gone;                                    /* [n] the way so far */
-    double mu;
-    int steps;                 /* taken */
-    int neutral;               /* motions that nothing holds and nothing pushes, the first columns of N */
-    double *N;                 /* [n x n] by column: these, N' N = 1 */
+    double *gone;                                    /* [n] displacement so far */
+    double mu;                                       /* of (mu M^ + K) dx = -r: rest.c */
+    int steps;                                       /* taken */
+    int neutral;               /* neutral motions: without stiffness and without a force along them */
+    double *N;                 /* [n x n] by column; the first `neutral` columns are these, N' N = 1 */
     double *lambda, *Z, *work; /* [n], [n x n], [2 n n + n]: K Z = M Z diag(lambda) */
 };
 
@@ -26,19 +26,20 @@ void rest_displaced(const struct rest *s, double *q1, const double *dx);
 enum status rest_resid(const struct rest *s, double *r, const double *q, struct trouble *why);
 
 void rest_neutral_open(struct rest *s, struct arena *scratch);
-/* Behind K's factorization in J, `held` if there is one: is there something that K all but does not hold? */
+/* After the factorization of K into J, `held` if it exists: may there be a motion with almost no stiffness? */
 bool rest_suspects(const struct rest *s, bool held);
-/* Is it an equilibrium but for neutral motions, stable in all else, and Newton's step, to q1, next to nothing?  N. */
+/* Is q an equilibrium, stable except for neutral motions, with a negligible Newton step to q1?  Fills N. */
 bool rest_settles_neutral(struct rest *s);
-/* Where the search has ended without: the coordinate that moves most as an equilibrium there is left, the one that falls fastest;
- * -1: it is none, or not known to be unstable. */
+/* After a search that has failed: the coordinate that moves most in the fastest instability of an equilibrium there;
+ * -1: q is no equilibrium, or not known to be unstable. */
 int rest_falls(struct rest *s);
-/* J [n x n] += what holds neutral motions; dx [n] without them. */
+/* J [n x n] += a stiffness for neutral motions; dx [n] := dx without its part along them. */
 void rest_hold_neutral(const struct rest *s, double *J);
 void rest_leave_neutral(const struct rest *s, double *dx);
-/* From q1, settled but for neutral motions, along these as near to the start as they lead: q, its residual.  false: it is there. */
+/* From q1, where all but neutral motions has settled, moves along these as near to the start as possible: q and its
+ * residual. false: it is there already. */
 bool rest_goes_back(struct rest *s);
-/* Which coordinates they are, each by another one; N is used up. */
+/* A coordinate for each neutral motion, all different; N is used up. */
 void rest_name_neutral(struct neutral *names, const struct rest *s);
 
 #endif

@@ -19,12 +19,12 @@ enum { POINT_TEXT = 32, MOST_POINTS = 10000000 };
 
 struct factor {
     const char *name; /* as it was given */
-    const char *path; /* of the deck; points_resolve() */
-    int n;            /* values; 0: drawn */
+    const char *path; /* in the deck: sweep_resolve() */
+    int n;            /* values; 0: they are drawn */
     const char **value;
-    double (*draw)(double u, double a, double b); /* by the quantile u */
-    double a, b;
-    int *part; /* [draws] Latin hypercube: which part of the range a draw is from */
+    double (*draw)(double u, double a, double b); /* the value at quantile u, by the inverse of the distribution */
+    double a, b;                                  /* its parameters */
+    int *part; /* [draws] Latin hypercube: the part of the range that each draw is from */
 };
 
 struct pointset {
@@ -36,16 +36,16 @@ struct pointset {
     long n;     /* in all */
 };
 
-/* "k=1e3:1e6:log:20" */
+/* Adds a factor from its text, "k=1e3:1e6:log:20".  E_USAGE: the text is wrong. */
 enum status points_add(struct pointset *o, const char *text, struct arena *life, struct report *report);
 
-/* draws: 0: not asked for. */
+/* After the last factor: numbers of draws and of points.  draws: --sample, 0: not given. */
 enum status points_close(struct pointset *o, long draws, struct arena *life, struct report *report);
 
 /* The text of factor f at point i; numbers that are drawn go to buffer [POINT_TEXT]. */
 const char *points_value(const struct pointset *o, long i, int f, char *buffer);
 
-/* A number of a uniform distribution between 0 and 1, neither of them, by three others. */
+/* A pseudo-random number, uniform between 0 and 1 (ends excluded), a function of the three arguments alone. */
 double points_uniform(uint64_t seed, uint64_t stream, uint64_t i);
 /* The quantile of the normal distribution of mean 0 and deviation 1. */
 double points_normal(double u);

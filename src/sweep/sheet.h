@@ -19,14 +19,15 @@ struct sheet {
     struct arena *life;
 };
 
-/* Rows of a CSV file that another sweep has written; lines of names between them are passed over.  A sheet without columns
- * takes the file's, another refuses a file that has others.  A last line that is cut off is left out. */
+/* Reads the rows of a CSV file that another sweep has written; lines of names between them are skipped.  A sheet
+ * without columns takes over those of the file, another one refuses a file with other columns.  An incomplete last
+ * line is left out. */
 enum status sheet_read(struct sheet *o, FILE *file, const char *name, struct report *report);
 
 /* Row of point `i` (from 0): texts [o->n], kept as they are. */
 void sheet_keep(struct sheet *o, long i, const char **text);
 
-/* Line of names, or what opens a list; a row; what closes it. */
+/* Writes the line of names, or the beginning of a JSON list; row i; the end of the list. */
 enum status sheet_begin(const struct sheet *o, struct table_line *line, struct stream *stream, struct report *report);
 enum status sheet_put(const struct sheet *o, long i, struct table_line *line, struct stream *stream,
                       struct report *report);
