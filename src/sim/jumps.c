@@ -88,6 +88,14 @@ static enum status judge(struct sim *sim, struct jumping *o, double at, double b
     return sink_event(sink, sim->x.t, "drive", text, report);
 }
 
+double jumps_clear(const struct sim *sim)
+{
+    double clear = INFINITY;
+    for (int i = 0; i < sim->njump; i++)
+        clear = fmin(clear, signal_clear(sim->model->loop[sim->jump[i].loop].drive, sim->x.t));
+    return clear;
+}
+
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report)
 {
     enum { OWN_STEPS = 16 };

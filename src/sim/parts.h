@@ -146,8 +146,10 @@ int nearest_facts(const struct sim *sim, struct pair *facts);
 void print_nearest(const struct sim *sim, FILE *to);
 void warn_of_misfits(struct sim *sim);
 
-/* jumps.c: drives that jump in the major step that ends at `to` */
+/* jumps.c: drives that jump in the major step that ends at `to`; the time before which none does from here on, by the corners
+ * that are known [s], INFINITY: none does at all */
 void jumps_open(struct sim *sim, struct arena *life);
+double jumps_clear(const struct sim *sim);
 enum status jumps_check(struct sim *sim, double to, struct sink *sink, struct report *report);
 
 /* corners.c: drives whose rate jumps beside friction or closed contacts, in the step from a time; first where steps

@@ -222,8 +222,19 @@ static enum status write_due(struct sim *sim, long *k, double t0, const struct l
     return OK;
 }
 
-/* By the steps of a scheme that chooses them, across records or, where it cannot look back, from record to record; a drive
- * that may jump is looked at from record to record, too. */
+/* The record, number k or one behind it, before which no drive jumps but for what is looked for up to number k. */
+static double seen_to(const struct sim *sim, long k)
+{
+    const double clear = jumps_clear(sim);
+    for (long next = k; next < sim->majors; k = next) {
+        next = next_due(sim, k);
+        if (!(end_of(sim, next) < clear)) break;
+    }
+    return end_of(sim, k);
+}
+
+/* By the steps of a scheme that chooses them, across records or, where it cannot look back, from record to record; also where
+ * a drive may jump at times that are not known. */
 static enum status step_naturally(struct sim *sim, struct sink *sink, struct progress *progress, struct report *report)
 {
     const double until = sim->plan.until;
@@ -234,8 +245,8 @@ static enum status step_naturally(struct sim *sim, struct sink *sink, struct pro
         const long charts = system_charts(sim->system), due = k;
         const double t0 = sim->x.t;
         const struct ledger before = sim->ledger;
-        if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = end_of(sim, k), sink, report));
-        const double to = sim->njump ? seen : sim->onto_records ? end_of(sim, k) : until;
+        if (sim->njump && seen <= t0) TRY(jumps_check(sim, seen = seen_to(sim, k), sink, report));
+        const double to = sim->onto_records ? end_of(sim, k) : sim->njump ? seen : until;
         sim->stepper.due = due_inside(sim, k);
         const enum status status = advance_naturally(sim, fmin(to, onto));
         if (is_given_up(status)) return end_here(sim, sink, report);
