@@ -49,33 +49,36 @@ struct film {
     struct arena *life;
 };
 
-/* Of a run that is open; its records are to know the motion. */
+/* For a run that is open: what is to be drawn; its records will evaluate the motion. */
 void film_open(struct film *o, struct sim *sim, struct arena *life);
-/* A record: what the run stands at, and its columns x. */
+/* Adds a frame: the present state of the run, and its columns x [ncolumn]. */
 void film_add(struct film *o, const struct sim *sim, const double *x);
 
-/* Where vertex i of a LINE stands at a frame, world axes; how far it is displaced. */
+/* x [3], u [3] := position (world axes) and elastic displacement of vertex i of a LINE in a frame [m]. */
 void film_vertex(double *x, double *u, const struct actor *a, const double *frame, int i);
 
-/* Another of its actors; and film_surface.c: the surfaces that touch. */
+/* Adds an actor. */
 struct actor *film_actor(struct film *o, enum actor_type type, const char *name, unsigned color);
+/* film_surface.c: adds the surfaces of contacts; widens the picture by their size as drawn. */
 void film_surfaces(struct film *o, const struct sim *sim);
-/* Their size, as drawn. */
 void film_widen_surfaces(struct film *o, const struct scene *s);
+/* Widens the picture so that it contains the point x [3]. */
 void film_widen(struct film *o, const double *x);
-/* When all records are there: planes are as wide as what has been seen. */
+/* After the last frame: planes are drawn as wide as the picture. */
 void film_close(struct film *o, const struct sim *sim);
 
-/* film_stress.c: where along a beam its places of stress are, as the deck has it; those of files are at nodes, and left out.
- * What they stand at with a record. */
+/* film_stress.c: finds the stress points of a beam along its line, from the deck; those of bodies from files are
+ * left out.  Then adds their stresses in the present state to the frame. */
 void film_stress_open(struct film *o, struct actor *a, const struct flex_body *f, const struct node *body);
 void film_stress_add(struct film *o, const struct sim *sim, struct actor *a);
-/* Equivalent stresses [nstress] at that frame [Pa]. */
+/* Equivalent stresses [nstress] in a frame [Pa]. */
 const double *film_stress(const struct actor *a, int frame);
-/* What x [nstress] of the places is at vertex i: straight between them, constant beyond; 0 where there are none. */
+/* Values x [nstress] of the stress points, interpolated linearly to vertex i, constant beyond the ends; 0 without
+ * such points. */
 double film_along(const struct actor *a, const double *x, int i);
 
-/* film_vtu.c (files beside that of the stream, too), film_html.c, film_gltf.c, film_svg.c: the whole as a file; of the last, some postures over each other. */
+/* film_html.c, film_gltf.c, film_vtu.c, film_svg.c: the film as a file.  VTU: one more file for each frame, beside
+ * that of the stream; SVG: a still of some frames over each other. */
 enum status film_html(const struct film *o, struct stream *stream, struct report *report);
 enum status film_gltf(const struct film *o, struct stream *stream, struct report *report);
 enum status film_vtu(const struct film *o, struct stream *stream, struct report *report);
