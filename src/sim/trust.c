@@ -34,6 +34,7 @@ void trust_follow(struct sim *sim, struct arena *life)
     const double steps = sim->majors * (double)sim->plan.ratio;
     if (!s->kind->adaptive && steps < FEW_STEPS) return;
     if (s->ode->n != 1 || s->touch || sim->options.counting || is_of_time(sim->scene)) return;
+    if (s->ode->bends || s->ode->passed) return; /* forces that act only between two looks are missed by tangent.c */
     if (s->kind->late || s->kind->adaptive) tangent_open(s, life);
 }
 
@@ -78,15 +79,14 @@ static double works(const struct ledger *l)
     return sum;
 }
 
-/* The propagated error replaces the sums where it is larger: where the motion itself lets errors grow.  The sums
- * stay the least, since forces that act only between two looks are missed by tangent.c; and where dampers, drives or
- * loads do work the sums alone count, since the decay of errors between two looks is not followed. */
+/* The propagated error replaces the sums.  Where dampers, drives or loads do work the sums count, since the decay of errors
+ * between two looks is not followed. */
 static void follow(const struct sim *sim, struct trust_place *p)
 {
     const struct tangent *tangent = sim->stepper.tangent;
     if (!tangent->known || works(&sim->ledger) > 0) return;
-    p->position[0] = fmax(p->position[0], PEAKS * tangent->position);
-    p->velocity[0] = fmax(p->velocity[0], PEAKS * tangent->velocity);
+    p->position[0] = PEAKS * tangent->position;
+    p->velocity[0] = PEAKS * tangent->velocity;
 }
 
 /* The present state and its sums of local errors become the next place. */

@@ -8,8 +8,8 @@
  * The motion keeps the sum of the energies, random signs do not: an energy is taken to change by no more than the other
  * energies do, plus what the run's balance and works leave open.
  *
- * With one degree of freedom, no contacts, no explicit dependence on time, and conservative forces only, errors are
- * also propagated along the motion (engine/tangent.h); the larger of both estimates counts. */
+ * With one degree of freedom, no contacts, no explicit dependence on time, and conservative forces only that neither bend nor
+ * jump, errors are propagated along the motion instead (engine/tangent.h). */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 

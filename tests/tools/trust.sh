@@ -8,7 +8,7 @@
 
 # name, deck, reference, what the run is: settings; with a ? shown, not judged: sub-cycling of what one force drives as fast
 # as slow, a stiff beam to 1e-7 of its range, rk4 where what it leaves turns back, order 4 told 62 times too much,
-# radau where records bound the step, and where errors grow on their own.  From audit-ball-chain on decks that
+# radau where records bound the step, where errors grow on their own, and a robot whose controllers take them away.  From audit-ball-chain on decks that
 # no factor of the estimate was chosen by.  random:N is the mechanism drawn from that seed (tests/random); what iterations
 # leave is most of the error there.  upright, light-crank and yoke have one freedom, whose errors are followed
 # (engine/tangent.h).
@@ -114,7 +114,7 @@ audit-two-free        tests/decks/audit-two-free.yaml           dop853  integrat
 quarter-car           tests/decks-by-users/quarter-car.yaml     dop853
 quarter-car           tests/decks-by-users/quarter-car.yaml     dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
 robot                 tests/decks-by-users/robot.yaml           dop853
-robot                 tests/decks-by-users/robot.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+?robot                 tests/decks-by-users/robot.yaml           dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
 excavator             tests/decks-by-users/excavator.yaml       dop853
 excavator             tests/decks-by-users/excavator.yaml       dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
 driven-coupling       tests/decks/driven-coupling.yaml          dop853
