@@ -46,8 +46,7 @@ struct key {
     const char *unit; /* "N/m"; NULL: none */
     double lo, hi;    /* range of the number, inclusive unless flagged */
     unsigned flags;
-    const char
-        *words; /* KEY_WORD: choices joined by '|'; KEY_INT: a word that stands for 0; KEY_NODE: shape in words */
+    const char *words;    /* KEY_WORD: choices joined by '|'; KEY_INT: a word that stands for 0; KEY_NODE: its shape */
     const char *fallback; /* default as deck text; NULL: stays as the struct was */
     const char *brief;    /* one line for the manual */
 };

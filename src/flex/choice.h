@@ -32,9 +32,7 @@ struct flex_view {
     const char *name;
     const double *c; /* [n] */
     int group;       /* number, from 0: views of comparable size, judged together */
-    bool
-        tension; /* axial: it counts only by its effect on bending, the change of phase over the span: `pull` over the square
-                      * of the first frequency, times half the number of its periods */
+    bool tension;    /* axial: counts by its effect on bending alone, a change of phase over the span */
 };
 
 /* A further joint: the mass of the body that hangs there moves along b'x, or a loop that is closed there holds it. */
@@ -55,10 +53,9 @@ struct flex_choosing {
     const struct flex_tie *tie;
     const double (*rigid)[6]; /* [nrigid] motions of the reference node: displacement, rotation; body axes */
     const double *mass;       /* [nrigid x nrigid] inertia of the other bodies that move with it */
-    double spin[3],
-        about[3]; /* largest driven angular velocity [rad/s], about a point (from the centre of mass) [m]: its
-                               * centrifugal load stiffens the body where `all` has second-order displacements */
-    double pull;  /* axial acceleration by gravity and rotation over the length, g/l + W^2 [1/s2] */
+    /* Its centrifugal load stiffens the body where `all` has second-order displacements. */
+    double spin[3], about[3]; /* largest driven angular velocity [rad/s], about a point (from the centre of mass) [m] */
+    double pull;              /* axial acceleration by gravity and rotation over the length, g/l + W^2 [1/s2] */
     double alpha, beta, zeta; /* damping, as of struct flex_beam */
     double span, tolerance;   /* duration of the run [s]; share that may be left out */
     int least;                /* so many of the lowest modes are kept in any case */

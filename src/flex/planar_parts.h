@@ -42,9 +42,9 @@ struct flex_planar {
     struct form K, D;
     double *rest; /* [n x n] M^ */
     struct node *node;
-    struct flex_planar
-        *across; /* of a body as in space: the part that turns and stretches with its second principal axis,
-                                 * rho, tau, jx and what is made of them alone; NULL: all of it is in these here */
+    /* Of a body described as in space: the part that rotates and stretches with its second principal axis; it has
+     * rho, tau, jx and what is made of these alone.  NULL: this struct has all. */
+    struct flex_planar *across;
     bool cayley; /* nodes turn by 2 atan(psi q/2) */
 };
 

@@ -1,9 +1,10 @@
-/* growth.c -- do small differences grow where the run has been?
+/* growth.c -- do small differences between motions grow along the run?
  *
- * Of the motion near one instant, d'' = A d + B d': the largest real part of the eigenvalues of [0 1; A, B], by differences of
- * accelerations.  It is no Lyapunov exponent: what grows at one place may shrink at the next, and along an orbit, where
- * differences grow with time alone, it is there everywhere.  Where it is positive all the way, sums of local errors are too
- * small in either case. */
+ * Near one state small differences follow d'' = A d + B d'.  Their growth rate is the largest real part of the
+ * eigenvalues of [0 1; A, B], with A and B by differences of accelerations.  This is no Lyapunov exponent: what
+ * grows at one place may shrink at the next.  Along an orbit, where differences grow only in proportion to time, the
+ * rate is positive everywhere.  In either case sums of local errors are too small where it is positive all along the
+ * run. */
 #include <complex.h>
 #include <math.h>
 
@@ -14,11 +15,10 @@
 #include "sim/parts.h"
 
 enum { FEW_FREEDOMS = 10, MOST_FREEDOMS = 40 };
-static const double PART = .02; /* of a run's evaluations */
-static const double BLUR =
-    1e-4; /* of the largest eigenvalue: what the root of differences' errors makes of a double one */
+static const double PART = .02;  /* of a run's evaluations */
+static const double BLUR = 1e-4; /* of the largest eigenvalue: round-off of the differences, for a double eigenvalue */
 
-/* Evaluations, and of many freedoms what their eigenvalues cost, in evaluations. */
+/* Cost of one place in evaluations, that of the eigenvalues included. */
 static double price(int n)
 {
     return 2 * n + 1 + (n > FEW_FREEDOMS ? n * n / 2. : 0);
@@ -31,7 +31,8 @@ int growth_places(const struct sim *sim)
     return (int)(PART * (double)sim->stepper.effort.slow / price(n));
 }
 
-/* Accelerations where coordinate i, or velocity i - n, is more by a small part of its usual size, which is *by; i < 0: none is. */
+/* Accelerations a [n] with coordinate i, or velocity i - n, displaced by *by, a small part of its usual size; i < 0:
+ * none. */
 static enum status accelerations(double *a, double *by, struct sim *sim, const struct growth_place *p, int i)
 {
     static const double SMALL = 1e-7;
