@@ -205,18 +205,14 @@ static void go_on(struct adaptive *m)
     forget(m);
 }
 
-/* Does the motion come back to a jump again and again as soon as it has left it, as where friction that is a sign of a
- * rate holds?  No step leads on from there. */
+/* Does the motion come back to a jump again and again as soon as it has left it, or never reach it, as where friction that is a sign
+ * of a rate holds?  No step leads on from there: those that are taken because of it are all far shorter than the one before it. */
 static bool stays(struct adaptive *m)
 {
-    enum { MOST = 1000, FAR = 100 };
-    if (m->leaps) {
-        m->leap = fabs(m->came);
-        m->nleap++;
-    } else if (fabs(m->came) > FAR * m->leap) {
-        m->nleap = 0;
-    }
-    return m->nleap > MOST;
+    enum { MOST = 1000 };
+    static const double SHORT = .01;
+    m->nshort = fabs(m->came) < SHORT * m->held ? m->nshort + 1 : 0;
+    return m->nshort > MOST;
 }
 
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
@@ -248,6 +244,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         m->beyond = 0;
         const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, share) : 1;
         if (cut_to < 1) {
+            (void)m->scheme->shrink(m, larger(err, 1)); /* it is given up */
             m->h = cut_to * came;
             s->effort.rejected++;
             continue;
@@ -263,6 +260,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             err = larger(err, records);
             note_missed(s, m, whole, m->came);
             take(s, m, *t, m->came);
+            const bool stuck = stays(m);
             if (m->leaps) {
                 go_on(m);
             } else {
@@ -272,7 +270,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
                 m->old = fmax(err, 1e-4);
             }
             *t = at;
-            return stays(m) ? give_up(m->nleap, *t, why) : OK;
+            return stuck ? give_up(m->nshort, *t, why) : OK;
         }
         m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
@@ -377,8 +375,7 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
     recall_list(r, "span", m->span, s->ode->n);
     recall_one(r, "h", m->h);
     recall_one(r, "held", m->held);
-    recall_one(r, "leap", m->leap);
-    recall_one(r, "leaps", m->nleap);
+    recall_one(r, "short", m->nshort);
     recall_one(r, "error", m->old);
     recall_one(r, "turned", m->works.turned);
     recall_one(r, "energy", m->works.energy);

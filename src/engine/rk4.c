@@ -57,6 +57,7 @@ static void open_doubled(struct stepper *s, struct adaptive *m, struct arena *li
     o->q = TAKE(life, double, s->ode->nq);
     double **vector[] = {&o->v, &o->a, &o->dx};
     for (int i = 0; i < 3; i++) *vector[i] = TAKE(life, double, s->ode->n);
+    m->ahead = o->a;
 }
 
 /* From q, v in place, with the accelerations a there. */

@@ -155,33 +155,50 @@ static double beyond(const struct sides *o, int i, double x, double f)
     return x < .5 || !(fabs(off) < fabs(f1 - f0)) ? 1 : fabs(off) / fabs(f1 - f0);
 }
 
-/* The edge of value i between places k and k + 1. */
-static void find(struct sides *o, struct edge *edge, int i, int k)
+/* Between two places at which value i has another sign. */
+struct bracket {
+    double a, b, ga, gb, fa, fb; /* the places, the value and its force there */
+    int last;                    /* which one has moved last, -1 or 1 */
+};
+
+static void narrow(struct sides *o, struct bracket *x, int i, double width)
 {
     enum { MOST_LOOKS = 60 };
-    static const double WIDTH = 1e-7, JUMP = 1e-4;
-    double a = o->at[k].x, b = o->at[k + 1].x, ga = o->at[k].side[i], gb = o->at[k + 1].side[i];
-    double fa = o->at[k].force[i], fb = o->at[k + 1].force[i];
-    int last = 0;
-    for (int n = 0; n < MOST_LOOKS && b - a > WIDTH; n++) {
-        const double even = a + (b - a) * (ga / (ga - gb)), least = .4 * WIDTH;
-        const double x = larger(a + least, smaller(b - least, even));
-        look_at(o, &o->look, x);
-        const double g = o->look.side[i];
-        const bool before = parted(g, gb);
+    const double least = .4 * width;
+    for (int n = 0; n < MOST_LOOKS && x->b - x->a > width; n++) {
+        const double even = x->a + (x->b - x->a) * (x->ga / (x->ga - x->gb));
+        double at = larger(x->a + least, smaller(x->b - least, even));
+        look_at(o, &o->look, at);
+        if (o->look.side[i] == 0) look_at(o, &o->look, at += least); /* what the force is there is not told */
+        const double g = o->look.side[i], f = o->look.force[i];
+        const bool before = parted(g, x->gb);
         if (before) {
-            a = x, ga = g, fa = o->look.force[i];
-            if (last == -1) gb /= 2;
+            x->a = at, x->ga = g, x->fa = f;
+            if (x->last == -1) x->gb /= 2;
         } else {
-            b = x, gb = g == g && g != 0 ? g : gb, fb = o->look.force[i];
-            if (last == 1) ga /= 2;
+            x->b = at, x->gb = g == g && g != 0 ? g : x->gb, x->fb = f;
+            if (x->last == 1) x->ga /= 2;
         }
-        last = before ? -1 : 1;
+        x->last = before ? -1 : 1;
     }
-    edge->at = b;
-    edge->kind = fabs(fb - fa) > JUMP * swing(o, i) ? EDGE_JUMP : EDGE_BEND;
+}
+
+/* The edge of value i between places k and k + 1: none, where the force is the same there and at all places.  A jump is as large
+ * where the bracket is narrower. */
+static void find(struct sides *o, struct edge *edge, int i, int k)
+{
+    static const double WIDTH = 1e-7, FINE = 1e-9, MUCH = 1e-4, SAME = .5;
+    const struct place *p = &o->at[k], *q = p + 1;
+    struct bracket x = {p->x, q->x, p->side[i], q->side[i], p->force[i], q->force[i], 0};
+    narrow(o, &x, i, WIDTH);
+    const double wide = fabs(x.fb - x.fa);
+    const bool may = wide > MUCH * swing(o, i);
+    if (may) narrow(o, &x, i, FINE);
+    edge->at = x.b;
+    const bool same = x.fa == p->force[i] && x.fb == x.fa && swing(o, i) == 0;
+    edge->kind = same ? EDGE_NONE : may && fabs(x.fb - x.fa) > SAME * wide ? EDGE_JUMP : EDGE_BEND;
     edge->located = true;
-    edge->beyond = beyond(o, i, b, fb);
+    edge->beyond = beyond(o, i, x.b, x.fb);
 }
 
 /* The first jump goes first, then the bend that is farthest from both ends. */
@@ -207,6 +224,7 @@ struct edge sides_edge(struct sides *o, const struct adaptive *m, double t)
         for (int i = 0; i < o->ode->nside; i++) {
             if (!parted(o->at[k].side[i], o->at[k + 1].side[i])) continue;
             find(o, &edge, i, k);
+            if (edge.kind == EDGE_NONE) continue;
             if (edge.kind == EDGE_JUMP) last = larger(last, edge.at);
             if (is_first(&edge, &first)) first = edge;
         }

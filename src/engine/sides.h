@@ -5,7 +5,8 @@
  * beside how much it goes up and down, at its quarters, too, and at the least that a parabola through three of these
  * foretells: what comes and goes within a step is seen unless it does so within less than about a tenth of it.  Between
  * two places of another sign the edge is found by the Illinois rule (Dowell & Jarratt, BIT 11 (1971) 168).  The force
- * jumps there if what it changes by in the last bracket is more than a small part of what it does in the step. */
+ * jumps there if what it changes by in the last bracket is more than a small part of what it does in the step, and as much in one that
+ * is a hundred times narrower. */
 #ifndef FMDSUB_ENGINE_SIDES_H
 #define FMDSUB_ENGINE_SIDES_H
 

@@ -56,6 +56,7 @@ void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
     s->touch = o->fixed.touch;
     o->a1 = TAKE(life, double, s->ode->n);
     o->dv = TAKE(life, double, s->ode->n);
+    m->ahead = o->a1;
     o->a2 = TAKE(life, double, s->ode->n);
     local_error_open(&o->local, s->ode->n, life);
 }

@@ -320,7 +320,7 @@ double elements_edge(const struct elements *e, enum edge_kind *edge)
         const struct part_of *p = &e->other[i];
         const struct force_kind *kind = clear_of(e, p);
         enum edge_kind one = EDGE_NONE;
-        const double x = kind ? edge_of(&one, p, kind->whole, e->apart) : NAN;
+        const double x = kind && p->nside == 0 ? edge_of(&one, p, kind->whole, e->apart) : NAN;
         if (!isfinite(x) || one < *edge) continue;
         const bool first = one > *edge || (one == EDGE_BEND ? fabs(x - .5) < fabs(most - .5) : x < most);
         if (first) most = x;

@@ -171,6 +171,15 @@ static double unilateral_clear(const void *par, double s)
     return 0 - depth(par, s);
 }
 
+/* Of one with a damper, whose push may begin and end elsewhere, whole() tells. */
+static int unilateral_sides(double *side, const void *par, double s)
+{
+    const struct unilateral *p = par;
+    if (p->c > 0 || p->loss > 0) return 0;
+    if (side) side[0] = depth(p, s);
+    return 1;
+}
+
 static double free_to_pull(double *at_once, const void *par, double s, double v)
 {
     return unilateral_whole(at_once, par, s, v);
@@ -196,6 +205,7 @@ const struct force_kind force_unilateral = {.name = "unilateral",
                                             .mean = unilateral_mean,
                                             .clear = unilateral_clear,
                                             .whole = free_to_pull,
+                                            .sides = unilateral_sides,
                                             .bends = unilateral_bends,
                                             .sharp = true,
                                             .dissipative = unilateral_dissipative,

@@ -33,6 +33,7 @@ play 'curve: r, table: [[-0.1, -500], [-0.05, 0], [0.05, 0], [0.1, 500]]' >"$wor
 play 'force: m, value: ["-1e4*max(abs(r.displacement) - 0.05, 0)*sign(r.displacement)", 0]' >"$work/play.load"
 play 'force: r, value: "-1e4*(max(r.displacement, 0.05) + min(r.displacement, -0.05)) + 0*t"' >"$work/play.max"
 play 'force: r, value: "if(1e4*r.displacement - 500 > 200*r.displacement - 10 or r.displacement < -0.05, -1e4*(abs(r.displacement) - 0.05)*if(r.displacement > 0, 1, -1), 0) + 0*t"' >"$work/play.sides"
+play 'unilateral: r, stiffness: 1.0e+4, from: 0.05}, b: {unilateral: r, stiffness: 1.0e+4, from: -0.05, side: below' >"$work/play.stop"
 
 # A force that jumps, as of a switch: there and back over x = 0.1 in parabolas of 10 m/s^2.
 cat >"$work/switch.value" <<'YAML'
@@ -64,7 +65,7 @@ constraints:
   s: {revolute: [ground, c], at: [2, 0]}
 forces: {$1}
 initial: {p.angle_rate: 2}
-integrate: {until: 2}
+integrate: {until: 1}
 output: {every: 0.02, columns: [p.angle, s.angle, p.angle_rate, s.angle_rate]}
 YAML
 }
@@ -106,7 +107,7 @@ check() {
         *) expect "$1, $4 at $5: told" yes "$told" "$work/err" ;;
     esac
 }
-for deck in play.if play.time play.table play.load play.max play.sides switch.value bars.if magnet.value motor.value drag.value valve.value detent.value; do
+for deck in play.if play.time play.table play.stop play.load play.max play.sides switch.value bars.if magnet.value motor.value drag.value valve.value detent.value; do
     name=${deck%%.*}
     if [ ! -f "$work/$name.want" ]; then
         source=$work/$deck
@@ -117,14 +118,16 @@ for deck in play.if play.time play.table play.load play.max play.sides switch.va
     most=10
     [ $name = play ] && most=30
     for how in "dopri5 1.0e-3" "dopri5 1.0e-5" "dopri5 1.0e-7" "dop853 1.0e-4" "dop853 1.0e-6" "dop853 1.0e-8" "radau5 1.0e-3" \
-        "radau5 1.0e-5" "radau5 1.0e-7" "radau9 1.0e-4" "radau9 1.0e-6" "radau9 1.0e-8"; do
+        "radau5 1.0e-5" "radau5 1.0e-7" "radau9 1.0e-4" "radau9 1.0e-6" "radau9 1.0e-8" "rk4 1.0e-4" "rk4 1.0e-6" "newmark 1.0e-4" \
+        "midpoint 1.0e-4" "generalized-alpha 1.0e-4" "hht 1.0e-4"; do
         set -- $how
+        case $1 in newmark | midpoint | generalized-alpha | hht) most=30 ;; esac
         check "$deck" "$work/$deck" "$work/$name.want" "$1" "$2" $most
     done
 done
 
 # Where the force jumps against both ways there is no way on: the run ends and says which it is, soon.
-for how in dopri5 dop853 radau5 radau9; do
+for how in dopri5 dop853 radau5 radau9 rk4 newmark midpoint; do
     for tolerance in 1.0e-3 1.0e-5 1.0e-8; do
         go "friction as a sign, $how at $tolerance" 7 -q --set "integrate={scheme: $how, tolerance: $tolerance, until: 5}" <<'YAML'
 fmdsub: 1
@@ -138,6 +141,17 @@ YAML
         told "friction as a sign, $how at $tolerance" "force 'a' jumps near here, between -*3 and -*3"
     done
 done
+
+# One that is too small to matter may be crossed as often as one likes.
+go "a small jump, many times" 0 -q --set "integrate={scheme: dopri5, tolerance: 1.0e-4, until: 1000}" <<'YAML'
+fmdsub: 1
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {a: {force: r, value: "-1.0e-7*sign(r.displacement_rate)"}, k: {spring: r, stiffness: 100}}
+initial: {r.displacement_rate: 2}
+integrate: {until: 1000}
+output: {every: 100, columns: [r.displacement, r.displacement_rate]}
+YAML
 
 # A run and its continuation are one, byte for byte, where steps end on records.
 cd "$work" || exit 1
