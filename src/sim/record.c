@@ -54,17 +54,33 @@ enum status sim_mass(double *mass, double *centre, struct sim *sim, struct repor
     return OK;
 }
 
+/* The columns at the present state; energies of bodies and springs are those of it, not those of the step before. */
+static enum status fill_anywhere(struct sim *sim)
+{
+    struct energies e;
+    if (!(sim->needs & NEED_ENERGY)) return record_fill(sim);
+    TRY(record_evaluate(sim, sim->needs | EVALUATE_ENERGY));
+    system_energies(sim->system, &e);
+    sim->ledger.kinetic = e.kinetic;
+    sim->ledger.elastic = e.elastic;
+    sim->ledger.gravity = e.gravity;
+    record_read(sim);
+    return OK;
+}
+
 enum status sim_row(double *row, struct sim *sim, const double *q, const double *v, struct report *report)
 {
     const struct state x = sim->x;
+    const struct ledger ledger = sim->ledger;
     struct arena *scratch = arena_open();
     const struct ode2 *ode = sim->stepper.ode;
     double *at = TAKE(scratch, double, ode->nq), *vt = TAKE(scratch, double, ode->n);
     memcpy(at, q, sizeof *at * (size_t)ode->nq);
     memcpy(vt, v, sizeof *vt * (size_t)ode->n);
     sim->x = (struct state){x.t, at, vt, x.a};
-    const enum status status = record_fill(sim);
+    const enum status status = fill_anywhere(sim);
     sim->x = x;
+    sim->ledger = ledger;
     if (status == OK) memcpy(row, sim->row, sizeof *row * (size_t)sim->chosen.n);
     arena_close(scratch);
     return status == OK ? OK : describe_trouble(sim, &sim->trouble, status, report);

@@ -167,6 +167,16 @@ expect "stability: a sentence" 1 "$(grep -c '^miao 10:1 grows at .* of the fast 
 "$FMDSUB" stability -q -f json --schemes midpoint --steps 0.1 pair.yaml >out 2>err
 expect "stability: M, K and the columns' rows" "0 1 1 2" "$? $(grep -c '"M":\[\[0.5,0.5\],\[0.5,1.5\]\]' out) $(grep -c '"K":\[\[\(200\|199.999999\)' out) $(grep -o '"name":"[a-z]*.displacement","unit":"m"' out | wc -l)" out err
 
+# Values of columns and their slopes, by coordinates slot, rail and by their rates: the rider is at the sum of both, 200 * 0.01 and
+# 1 * 0.1 N are what the springs pull with.
+"$FMDSUB" stability -q -f json --schemes midpoint --steps 0.1 -s 'output.columns=[rider.x, energy.elastic, rail.displacement_rate]' pair.yaml 2>err |
+    sed 's/.*"columns"://; s/"rows".*//' | tr '{' '\n' | sed -n '/^"name":"[re]/ { s/"[a-z_]*"://g; s/[]"}[]/ /g; s/,/ /g; p; }' >out
+expect "stability: columns and their slopes" "rider.x ok energy.elastic ok rail.displacement_rate ok" "$(echo $(awk '
+    BEGIN { split("0.11 1 1 0 0", want1); split("0.015 2 0.1 0 0", want2); split("0 0 0 0 1", want3) }
+    { good = NF == 7
+      for (k = 1; k <= 5; k++) { d = $(k + 2) - (NR == 1 ? want1[k] : NR == 2 ? want2[k] : want3[k]); if (d > 1e-6 || d < -1e-6) good = 0 }
+      print $1, good ? "ok" : "off" }' out))" out err
+
 # Its rows are those of the table, number by number; where nothing can be known there is null.
 "$FMDSUB" stability -q -f csv --steps 0.01,0.1 pair.yaml >table 2>err
 "$FMDSUB" stability -q -f json --steps 0.01,0.1 pair.yaml >out 2>>err
