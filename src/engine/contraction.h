@@ -1,21 +1,24 @@
-/* contraction.h -- how a simplified Newton iteration will contract, as the steps before have shown it.
+/* contraction.h -- predicts the contraction of a simplified Newton iteration from the steps before.
  *
- * The norm of the corrections need not fall evenly: what is large at first may vanish at once and leave a small part
- * that converges slowly, and errors may go round between blocks of unknowns.  So what is left after an iteration is
- * not given by the last quotient theta_k = |dz_k| / |dz_k-1|, but by theta_k+1.  After the first two iterations the
- * largest stands for it that the steps before have shown at the same place, older ones fading; and that much more as
- * this step has come out worse than foreseen so far; or, where it has come out far better, what was foreseen: the slow
- * part of the error is still there.  What has not been seen for some steps is trusted less and less, and what was never
- * seen is the root of what is seen.  A new matrix has what new matrices had before: that may be long ago, and have been
- * at rest, so that before a step has shown a quotient itself not any is believed. */
+ * The corrections need not decrease evenly: a large part of the error may vanish at once and leave a small part that
+ * converges slowly, and errors may circulate between blocks of unknowns.  So the error left after an iteration does
+ * not follow from the last quotient theta_k = |dz_k| / |dz_k-1|, but from the next one, theta_k+1, which has to be
+ * predicted.
+ *
+ * For the first two iterations of a step the prediction is the largest theta that earlier steps have shown after the
+ * same iteration, older ones fading.  It is raised by as much as this step has come out worse than predicted so far;
+ * where the step has come out far better the prediction stands, since the slow part of the error is still there.  A
+ * prediction that has not been confirmed for some steps is trusted less and less; where there is none it is the root
+ * of the quotient seen.  A new matrix takes the predictions from earlier new matrices.  These may be old, and from a
+ * time at rest, so that before the step has shown a quotient itself they are believed to a limit only. */
 #ifndef FMDSUB_ENGINE_CONTRACTION_H
 #define FMDSUB_ENGINE_CONTRACTION_H
 
 #include "base/recall.h"
 
-/* theta after so many iterations; 0: not known. */
+/* A prediction of theta; 0: there is none. */
 struct prospect {
-    double known, ahead; /* as seen; as trusted by now */
+    double known, ahead; /* as it was seen; as it is trusted by now */
 };
 
 enum { CONTRACTION_PLACES = 2 };
@@ -28,11 +31,11 @@ struct contraction {
 };
 
 void contraction_forget(struct contraction *o);
-/* A step begins; a new matrix. */
+/* A step begins; the matrix is new. */
 void contraction_begin(struct contraction *o);
 void contraction_renewed(struct contraction *o);
-/* The next quotient to expect; theta: of this iteration, not read at the first, where none below `hearsay` is
- * believed. */
+/* After an iteration: the quotient to expect of the next one.  theta: quotient of this iteration, not read after the
+ * first, where no prediction below `hearsay` is believed. */
 double contraction_after(struct contraction *o, double theta, double hearsay);
 void contraction_recall(struct contraction *o, struct recall *r);
 

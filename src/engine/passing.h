@@ -1,7 +1,7 @@
-/* passing.h -- what is met and left again within a step, unseen at both its ends: a touch that the step passes over.
+/* passing.h -- contacts that close and open again within a step, so that neither end of the step shows them.
  *
- * The step is looked at along the cubic of path.h, in halves where a touch may lie between (ode2's passed()), as far as a
- * 256th of it. */
+ * The motion within the step is interpolated by the cubic of path.h.  Where a contact may lie in it (ode2's
+ * passed()) it is halved, again and again, down to a 256th of the step. */
 #ifndef FMDSUB_ENGINE_PASSING_H
 #define FMDSUB_ENGINE_PASSING_H
 
@@ -10,9 +10,9 @@
 
 struct passing_look;
 
-/* NULL: there is nothing that could be passed. */
+/* NULL: the system has nothing that could be passed over. */
 struct passing_look *passing_open(const struct ode2 *o, struct arena *life);
-/* Between a and b, a step with nothing at work but what both show? */
+/* Does the step from a to b pass over a touch that neither end shows? */
 bool passing_found(struct passing_look *o, const struct state *a, const struct state *b);
 
 #endif

@@ -1,6 +1,7 @@
-/* path.h -- the way within a step, as its ends tell it: Hermite's cubic through positions and rates at both.
+/* path.h -- the motion within a step, interpolated by Hermite's cubic from positions and rates at both ends.
  *
- * With dx the displacement from one end to the other, v0 and v1 its rates there, and y = 1 - x, at the part x of the step
+ * With dx the displacement from one end to the other, v0 and v1 its rates there, the displacement at the fraction x
+ * of the step is, y = 1 - x,
  *
  *     u = x^2 (3 - 2 x) dx + h x y (y v0 - x v1). */
 #ifndef FMDSUB_ENGINE_PATH_H
@@ -12,13 +13,13 @@
 struct path {
     const struct ode2 *ode;
     const struct state *from, *to;
-    double *dx, *rate, *u; /* [n] from one to the other; its rate there; on the way */
+    double *dx, *rate, *u; /* [n] displacement from one end to the other; its rate at the end; scratch */
 };
 
 void path_open(struct path *o, const struct ode2 *ode, struct arena *life);
-/* The way from one state to another; the states stay the caller's. */
+/* Interpolates between two states, which must stay as they are. */
 void path_between(struct path *o, const struct state *from, const struct state *to);
-/* When it is at the part x, q [nq] there, and about its velocity v [n]. */
+/* Time, position q [nq] and, approximately, velocity v [n] at the fraction x of the step, 0 to 1. */
 double path_time(const struct path *o, double x);
 void path_place(struct path *o, double *q, double x);
 void path_velocity(const struct path *o, double *v, double x);
