@@ -66,14 +66,18 @@ static enum status slopes(double *to, struct sim *sim, int j, bool velocity, str
 {
     const struct ode2 *ode = sim->stepper.ode;
     const int n = ode->n, m = sim->chosen.n;
-    double *q = TAKE(life, double, ode->nq), *x = TAKE(life, double, n), *zero = TAKE(life, double, n);
+    double *q = TAKE(life, double, ode->nq), *v = TAKE(life, double, n), *x = TAKE(life, double, n);
     double *up = TAKE(life, double, m), *down = TAKE(life, double, m);
     const double h = 1e-5 * ode2_usual(ode, j);
     for (int side = -1; side <= 1; side += 2) {
         memcpy(q, sim->x.q, sizeof *q * (size_t)ode->nq);
+        memcpy(v, sim->x.v, sizeof *v * (size_t)n);
         x[j] = side * h;
-        if (!velocity) sim_move(sim, q, x);
-        TRY(sim_row(side > 0 ? up : down, sim, q, velocity ? x : zero, report));
+        if (velocity)
+            v[j] += x[j];
+        else
+            sim_move(sim, q, x);
+        TRY(sim_row(side > 0 ? up : down, sim, q, v, report));
     }
     for (int i = 0; i < m; i++) to[i] = (up[i] - down[i]) / (2 * h);
     return OK;
@@ -83,10 +87,10 @@ static enum status put_columns(cJSON *to, struct sim *sim, struct arena *life, s
 {
     const int n = sim->stepper.ode->n, m = sim->chosen.n;
     double *by_q = TAKE_MATRIX(life, double, m, n), *by_v = TAKE_MATRIX(life, double, m, n);
-    double *value = TAKE(life, double, m), *zero = TAKE(life, double, n);
+    double *value = TAKE(life, double, m);
     cJSON *list = cJSON_CreateArray();
     *whole = facts_add(to, "columns", list);
-    TRY(sim_row(value, sim, sim->x.q, zero, report));
+    TRY(sim_row(value, sim, sim->x.q, sim->x.v, report));
     for (int j = 0; j < n; j++) {
         TRY(slopes(by_q + (long)m * j, sim, j, false, life, report));
         TRY(slopes(by_v + (long)m * j, sim, j, true, life, report));

@@ -177,6 +177,18 @@ expect "stability: columns and their slopes" "rider.x ok energy.elastic ok rail.
       for (k = 1; k <= 5; k++) { d = $(k + 2) - (NR == 1 ? want1[k] : NR == 2 ? want2[k] : want3[k]); if (d > 1e-6 || d < -1e-6) good = 0 }
       print $1, good ? "ok" : "off" }' out))" out err
 
+# Where it moves they are those of the motion: a pendulum of 1 m and 1 kg on its way, vx = -w y, vy = w x, T = w^2/2.
+"$FMDSUB" stability -q -f json --at 0.3 --schemes newmark --steps 0.01 -s 'output.columns=[pin.angle, pin.angle_rate, ball.x, ball.vx, energy.kinetic]' \
+    "$ROOT/decks/pendulum.yaml" 2>err | sed 's/.*"columns"://; s/"rows".*//' | tr '{' '\n' | sed -n '/^"name":"[bpe]/ { s/"[a-z_]*"://g; s/[]"}[]/ /g; s/,/ /g; p; }' >out
+"$FMDSUB" run -q --until 0.3 --every 0.3 -s 'output.columns=[ball.x, ball.vx, ball.y, ball.vy, energy.kinetic]' "$ROOT/decks/pendulum.yaml" 2>>err | tail -n 1 | tr , ' ' >last
+expect "stability: columns of what moves" "ball.x ok ball.vx ok energy.kinetic ok" "$(echo $(awk '
+    function near(a, b) { return a - b < 1e-6 && b - a < 1e-6 }
+    NR == FNR { x = $2; vx = $3; y = $4; vy = $5; T = $6; next }
+    $1 == "pin.angle_rate" { w = $3 }
+    $1 == "ball.x" { print $1, near($3, x) && near($4, -y) && near($5, 0) ? "ok" : "off: " $0 }
+    $1 == "ball.vx" { print $1, near($3, vx) && near($4, -vy) && near($5, -y) ? "ok" : "off: " $0 }
+    $1 == "energy.kinetic" { print $1, near($3, T) && near($4, 0) && near($5, 2 * T / w) ? "ok" : "off: " $0 }' last out))" out last err
+
 # Its rows are those of the table, number by number; where nothing can be known there is null.
 "$FMDSUB" stability -q -f csv --steps 0.01,0.1 pair.yaml >table 2>err
 "$FMDSUB" stability -q -f json --steps 0.01,0.1 pair.yaml >out 2>>err
