@@ -304,10 +304,12 @@ const struct diag_help diag_helps[] = {
      "or exceeds the sum of the other two. It is taken as it is; a run stops where the mass matrix is not "
      "positive. Mend it, if its source can tell the right one."},
     {"W-idle",
-     "A body can turn about an axis for which it has no inertia, as a slender rod between two spherical joints about "
-     "itself, or a point mass on one. The turn moves nothing and nothing moves it: it is held still, and the body's "
-     "angles and its rate about that axis say nothing. Give the body inertia there, or a joint that does not let it "
-     "turn (universal for spherical), if that matters."},
+     "A body can turn about an axis for which it has no inertia, or next to none, as a slender rod between two "
+     "spherical joints about itself, or a point mass on one. The turn moves nothing and nothing moves it: it is held "
+     "still, and the body's angles and its rate about that axis say nothing. Where it has any inertia, a force on it "
+     "or "
+     "a rate at the start sets it free. Else give the body inertia there, or a joint that does not let it turn "
+     "(universal for spherical), if that matters."},
     {"W-modes",
      "Modes of a beam have one frequency, as those of a round shaft in its two planes or of its equal spans, and "
      "'modes' cuts between them: with some of them the beam bends differently in its planes or spans, and what whirls, "

@@ -247,13 +247,6 @@ static void keep(struct idle *o, const struct spins *spins, struct arena *life)
     }
 }
 
-static double fastest(const struct model *m)
-{
-    double most = 0;
-    for (int i = 0; i < m->n; i++) most = fmax(most, fabs(m->v0[i]));
-    return most;
-}
-
 /* Of those with an inertia of next to nothing, the ones that something sets going are what the deck says. */
 static void release(struct spins *spins, struct idle *o, double t1, struct arena *scratch)
 {
@@ -268,7 +261,7 @@ static void release(struct spins *spins, struct idle *o, double t1, struct arena
     for (int i = 0, k = 0; i < spins->n; i++) {
         if (!spins->spin[i].idle) continue;
         const struct idle_turn *turn = &o->turn[k];
-        const bool started = turn->given && turn->real * fabs(turn->dropped) > 1e-8 * turn->inertia * fastest(m);
+        const bool started = turn->given && fabs(turn->dropped) > 1e-9; /* [rad/s], as sim/idle.c tells it */
         if (turn->real > 0 && (started || pushed[k])) spins->spin[i].idle = false;
         k++;
     }

@@ -169,3 +169,20 @@ grep -q "to 8717 Hz" "$work/out" && ok "a spring on an inertia of next to nothin
 plane "k: {torque: p, value: \"if(r.angle < -0.7, 1, 0)\"}" >"$work/deck"
 go "pushed later, by where the other turns" 5 <"$work/deck"
 told "pushed later, by where the other turns" "'p', which can turn without moving any mass, has been set turning"
+
+# A rate at the start that the deck gives to what has an inertia, however small against the scene's, stays.
+for rate in 1 100; do
+    cat >"$work/deck" <<DECK
+fmdsub: 1
+bodies:
+  a: {mass: 500, inertia: 100, at: [0, 0]}
+  b: {mass: 120, inertia: 10, at: [4990, 0]}
+constraints: {ja: {free: [ground, a]}, jb: {free: [ground, b]}}
+forces: {tether: {spring: [a, b], stiffness: 40, rest: 4900}}
+initial: {jb.angle_rate: 0.1, jb.y_rate: $rate}
+integrate: {scheme: dopri5, tolerance: 1.0e-8, until: 100}
+output: {every: 100, columns: [jb.angle, jb.angle_rate]}
+DECK
+    go "a satellite that spins five kilometres away, $rate m/s" 0 <"$work/deck"
+    near "a satellite that spins five kilometres away, $rate m/s" "$last" 100,10,0.1 1e-9
+done
