@@ -259,7 +259,7 @@ static void look_at(struct sim *sim, const struct trust_place *p)
 }
 
 /* Least growth rate of small differences over the places [1/s]; 0: they do not grow everywhere; NAN: not looked at,
- * or not to be told from round-off. */
+ * not to be told from round-off, or they may grow where forces act too briefly for any place to see: contacts, stops. */
 static double growth_on_the_way(struct sim *sim, long chart, double run)
 {
     enum { FEW = 3 };
@@ -267,7 +267,8 @@ static double growth_on_the_way(struct sim *sim, long chart, double run)
     const int places = growth_places(sim);
     double least = INFINITY;
     int seen = 0;
-    if (sim->stepper.ode->n < 2) return 0; /* one degree of freedom, not driven: differences drift, at most */
+    const bool brief = sim->stepper.ode->passed;
+    if (sim->stepper.ode->n < 2 && !is_of_time(sim->scene)) return 0; /* differences drift, at most */
     for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
         const struct trust_place *p = &o->place[i];
         double blur;
@@ -278,7 +279,7 @@ static double growth_on_the_way(struct sim *sim, long chart, double run)
         least = fmin(least, grows > blur ? grows : 0);
         seen++;
     }
-    return seen >= FEW ? least : NAN;
+    return seen >= FEW && (least > 0 || !brief) ? least : NAN;
 }
 
 static bool has_jumped(const struct sim *sim)
