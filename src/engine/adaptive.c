@@ -211,7 +211,7 @@ static bool stays(struct adaptive *m)
 {
     enum { MOST = 1000 };
     static const double SHORT = .01;
-    m->nshort = fabs(m->came) < SHORT * m->held ? m->nshort + 1 : 0;
+    m->nshort = fabs(m->came) < SHORT * m->held ? m->nshort + m->jumps : 0;
     return m->nshort > MOST;
 }
 
@@ -226,6 +226,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
     const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), way = end > *t ? 1 : -1;
     double left = fabs(end - *t);
     int shy = 0;
+    m->jumps = false;
     for (;;) {
         double h = m->h, err = 0;
         const bool last = h >= left * (1 - 1e-10), near = m->scheme->plain && !last && h > NEAR * left,
@@ -264,6 +265,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             if (m->leaps) {
                 go_on(m);
             } else {
+                if (!m->jumps) m->held = 0; /* it is not in the way */
                 if (m->beyond > 0) forget(m);
                 const double grow = m->scheme->grow(m, err);
                 if ((!cut && came == h) || grow < 1) m->h = came * grow;

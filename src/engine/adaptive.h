@@ -55,6 +55,7 @@ struct adaptive {
     double beyond;        /* the trial's part of an edge: see edge.h */
     bool leaps;           /* it goes over a jump, in a step that is so short that its error does not matter */
     double held;          /* next step before a jump was in the way; 0: none was */
+    bool jumps;           /* a trial of this step met one */
     long nshort;          /* steps in a row that are far shorter for it */
     long rejected;        /* steps given up in this H */
     struct sides *sides;  /* see sides.h; NULL: no force has any */

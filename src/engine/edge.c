@@ -41,6 +41,7 @@ static double leap(const struct stepper *s, struct adaptive *m, const struct edg
     static const double PART = .01 /* of the tolerance, for each */, SURE = .9, ROOM = 2, APART = 1e-6, NEAR = .01,
                         MOST = 10;
     const double own = edge_error(s, m, 1) / PART, x = edge->at, last = edge->last;
+    m->jumps = true;
     if (m->held == 0) m->held = m->h;
     if (last > x + APART) return x > NEAR ? close_before(x) : x + (last - x) / 2;
     m->leaps = own <= 1 && err <= MOST;
