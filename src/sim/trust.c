@@ -34,7 +34,6 @@ void trust_follow(struct sim *sim, struct arena *life)
     const double steps = sim->majors * (double)sim->plan.ratio;
     if (!s->kind->adaptive && steps < FEW_STEPS) return;
     if (s->ode->n != 1 || s->touch || sim->options.counting || is_of_time(sim->scene)) return;
-    if (s->ode->bends || s->ode->passed) return; /* forces that act only between two looks are missed by tangent.c */
     if (s->kind->late || s->kind->adaptive) tangent_open(s, life);
 }
 
@@ -79,14 +78,17 @@ static double works(const struct ledger *l)
     return sum;
 }
 
-/* The propagated error replaces the sums.  Where dampers, drives or loads do work the sums count, since the decay of errors
- * between two looks is not followed. */
+/* The propagated error replaces the sums.  Forces that bend or jump may act only between two looks, which tangent.c misses: there
+ * the larger counts.  Where dampers, drives or loads do work the sums count, since the decay of errors between two looks is not
+ * followed. */
 static void follow(const struct sim *sim, struct trust_place *p)
 {
     const struct tangent *tangent = sim->stepper.tangent;
     if (!tangent->known || works(&sim->ledger) > 0) return;
-    p->position[0] = PEAKS * tangent->position;
-    p->velocity[0] = PEAKS * tangent->velocity;
+    const struct ode2 *ode = sim->stepper.ode;
+    const bool unseen = ode->bends || ode->passed;
+    p->position[0] = larger(PEAKS * tangent->position, unseen ? p->position[0] : 0);
+    p->velocity[0] = larger(PEAKS * tangent->velocity, unseen ? p->velocity[0] : 0);
 }
 
 /* The present state and its sums of local errors become the next place. */

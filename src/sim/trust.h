@@ -8,8 +8,8 @@
  * The motion keeps the sum of the energies, random signs do not: an energy is taken to change by no more than the other
  * energies do, plus what the run's balance and works leave open.
  *
- * With one degree of freedom, no contacts, no explicit dependence on time, and conservative forces only that neither bend nor
- * jump, errors are propagated along the motion instead (engine/tangent.h). */
+ * With one degree of freedom, no contacts, no explicit dependence on time, and conservative forces only, errors are propagated
+ * along the motion instead (engine/tangent.h); where forces bend or jump, the larger of both counts. */
 #ifndef FMDSUB_SIM_TRUST_H
 #define FMDSUB_SIM_TRUST_H
 
