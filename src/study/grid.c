@@ -151,10 +151,12 @@ static void add_fourths(struct grid *o, const struct stepper_kind *kind, const s
 static bool takes_fourth(const struct stepper_kind *kind, const struct study_options *options,
                          const struct subject *subject)
 {
-    const struct step_options *how = subject->scene->integrate.options;
+    struct step_options how = *(const struct step_options *)subject->scene->integrate.options;
     struct misfit why;
+    how.order = 4;
+    how.tolerance = 0;
     return kind->two_rates && kind->fourth && !options->nstep && !options->ntolerance && !subject->scene->ncontact &&
-           two_rates(subject) && composed_fits(how, &why);
+           two_rates(subject) && composed_fits(&how, &why);
 }
 
 /* By tolerance where the kind knows one, unless steps are asked for and it takes them. */

@@ -40,3 +40,20 @@ for how in "always coloured" "never plain"; do
     "$FMDSUB" check --color ${how% *} --set bodies.ball.mas=1 decks/pendulum.yaml >"$work/out" 2>&1
     expect "--color ${how% *}" "${how#* }" "$(how_said)" "$work/out"
 done
+
+# Steps that grow, in the order that they are named in: one alone, from one to another, and up from one on; steps that are too
+# coarse to tell have no numbers.
+up() { on_terminal "$FMDSUB" stability --set initial.pin.angle=pi/2 --schemes "$1" --steps "$2" decks/pendulum.yaml >"$work/drawn"; }
+for steps in '1,0.1,2,3:1, 2 up' '1,2,0.1:1...2' '0.1,0.2:none'; do
+    up rk4 "${steps%%:*}"
+    expect "stability, drawn: unstable of ${steps%%:*}" 1 "$(grep -c "^rk4 .*  ${steps#*:}\$" "$work/drawn")" "$work/drawn"
+done
+on_terminal "$FMDSUB" stability --schemes rk4 --steps 1e6 decks/pendulum.yaml >"$work/drawn"
+expect "stability, drawn: too coarse to tell" "1 1 0" \
+    "$(grep -c '^rk4 *1 *- *- *- *- *- *none$' "$work/drawn") $(grep -c 'the motion itself grows here, ' "$work/drawn") $(grep -c 'least damped' "$work/drawn")" "$work/drawn"
+
+# Progress of a study on a terminal: what is at work, wiped away before lines that stay.
+TERM=xterm script -qec "$FMDSUB study --repeats 1 --until 0.1 --schemes rk4 --steps 0.01,0.005 decks/pendulum.yaml" /dev/null </dev/null >"$work/out" 2>&1
+for word in 'reference: 0 runs' 'errors: 2 runs' 'times: 2 runs'; do
+    expect "progress of a study: $word" 1 "$(grep -c "$esc\[K$word.*$esc\[K" "$work/out" | awk '{ print ($1 > 0) }')" "$work/out"
+done

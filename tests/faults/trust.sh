@@ -201,3 +201,26 @@ for at in radau5,1e-6 radau9,1e-6 newmark,1e-6 radau9,1e-9; do
 done
 "$FMDSUB" run -s integrate.scheme=newmark --columns 'momentum.*' "$work/flies.yaml" >"$work/out" 2>"$work/err"
 expect "momenta alone" 1 "$(grep -c "^estimated error: not known: no column of the motion is written" "$work/err")" "$work/err"
+
+# --verify: a run that stops has no second, and says of itself what it says alone; where no column is of the motion nothing is
+# compared, and a difference that is not known is no number.
+stops="-s integrate.scheme=rk4 -s integrate.ratio=1 -s integrate.step=0.5 -s integrate.until=10 -s output.every=1"
+"$FMDSUB" run -q -f ndjson $stops "$decks/stiff-leaf-chain.yaml" >"$work/alone" 2>"$work/err1"
+expect "--verify of a run that stops: status alone" 5 $?
+"$FMDSUB" run -q -f ndjson --verify $stops "$decks/stiff-leaf-chain.yaml" >"$work/out" 2>"$work/err"
+expect "--verify of a run that stops: status, nothing verified" "5 0" "$? $(cat "$work/out" "$work/err" | grep -c verified)" "$work/err"
+same "--verify of a run that stops: its words" "$work/err1" "$work/err"
+"$FMDSUB" run --verify $stops "$decks/stiff-leaf-chain.yaml" >"$work/out" 2>"$work/err"
+expect "--verify of a run that stops: no table" "5 0" "$? $(grep -c '^verified\|^most of all' "$work/err")" "$work/err"
+"$FMDSUB" run --verify -c energy.residual "$deck" >"$work/out" 2>"$work/err"
+expect "--verify, no column of the motion: status, said, no worst" "0 1 0" \
+    "$? $(grep -c '^verified by a second run at step ' "$work/err") $(grep -c '^most of all' "$work/err")" "$work/err"
+expect "--verify, no column of the motion: no number" 1 \
+    "$("$FMDSUB" run -q -f ndjson --verify -c energy.residual "$deck" | grep -c '"verified_difference":null')"
+
+# What happens on the way is told once, by the first run, beside a second and beside what is left out.
+"$FMDSUB" run -q -f ndjson "$decks/effect-friction.yaml" 2>"$work/err" | grep '"type":"event"' >"$work/events"
+"$FMDSUB" run -q -f ndjson --verify "$decks/effect-friction.yaml" 2>"$work/err" | grep '"type":"event"' >"$work/twice"
+same "--verify: events of the first run" "$work/events" "$work/twice"
+"$FMDSUB" run -q -f ndjson -s effects.gravity=false "$decks/effect-friction.yaml" >"$work/out" 2>"$work/err"
+expect "left out: events of the first run, and what is left out" "3 1" "$(grep -c '"type":"event"' "$work/out") $(grep -c '"neglected_gravity":' "$work/out")" "$work/err"

@@ -218,3 +218,12 @@ expect "stability: a scheme that chooses its steps" "2 1" "$? $(grep -c 'chooses
 expect "stability: no ndjson" 2 $? err
 "$FMDSUB" stability --plot s.svg --script -q pair.yaml >out 2>err
 expect "stability --script" "0 21" "$? $(grep -c '^.line[0-9]* <<' out)" err
+
+# Of more coordinates fewer steps are tried, of too many none; what grows is named by the frequency of what is fast.
+for links in '12 62' '16 26' '41 14'; do
+    "$FMDSUB" stability -q --schemes rk4 -s parameters.N=${links% *} "$ROOT/decks/chain.yaml" >out 2>err
+    expect "stability of ${links% *} links: status, steps" "0 ${links#* }" "$? $(awk -F, 'NR > 1 { print $3 }' out | sort -u | wc -l)" err
+done
+refuse 7 "stability of more than 100 freedoms: this deck has 101" stability -s parameters.N=101 "$ROOT/decks/chain.yaml"
+"$FMDSUB" stability --schemes rk4 --steps 0.5 "$ROOT/decks/bar-slider.yaml" >out 2>err
+expect "what is fast grows: words" 1 "$(grep -c "^rk4 grows at 1 of 1 steps, .*, omega h = 7.1 of the fast coordinates, where 'guide.displacement' moves most at" err)" err
