@@ -224,3 +224,8 @@ expect "--verify, no column of the motion: no number" 1 \
 same "--verify: events of the first run" "$work/events" "$work/twice"
 "$FMDSUB" run -q -f ndjson -s effects.gravity=false "$decks/effect-friction.yaml" >"$work/out" 2>"$work/err"
 expect "left out: events of the first run, and what is left out" "3 1" "$(grep -c '"type":"event"' "$work/out") $(grep -c '"neglected_gravity":' "$work/out")" "$work/err"
+
+# A run whose balance breaks has its second run all the same, and ends as it does alone.
+"$FMDSUB" run --verify -s integrate.scheme=rk4 -s integrate.step=0.02 "$decks/slider-crank.yaml" >"$work/out" 2>"$work/err"
+expect "--verify of a broken balance: status, verified, told" "1 1 1" \
+    "$? $(grep -c '^verified by a second run at step 0.01: ' "$work/err") $(grep -c '^fmdsub: the energy balance .* is broken: ' "$work/err")" "$work/err"

@@ -22,3 +22,8 @@ expect "a picture with times: status, panels" "0 2 1" "$? $(grep -c '^plot ' scr
 # No run has an error: a picture of nothing is one all the same, and the status tells.
 "$FMDSUB" study -q --repeats 0 --schemes rk4 --steps 0.5 --until 10 --set output.every=1 --plot x.svg --script stiff-leaf-chain.yaml >script 2>err
 expect "a picture without rows: status, words, lines" "5 1 1 0" "$? $(grep -c 'no setting ran to its end' err) $(grep -c '^.line0 << END' script) $(grep -c '^set yrange' script)" script err
+
+# The deck's own setting stops on the way: it is said, and has no mark.
+"$FMDSUB" study --repeats 0 --budget 0.5 --until 10 -s integrate.scheme=rk4 -s integrate.ratio=1 -s integrate.step=0.5 -s output.every=1 \
+    --plot x.svg --script -o rows.csv stiff-leaf-chain.yaml >script 2>err
+expect "the deck's own setting stops: status, words, mark" "0 1 0" "$? $(grep -c "^the deck's own setting, rk4 at step 0.5 s, stops on the way" err) $(grep -c '^.own << END' script)" err script
