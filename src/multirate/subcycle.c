@@ -72,7 +72,7 @@ static void take_vectors(struct subcycle *c, struct arena *life)
     double **fast[] = {&c->vs, &c->dx, &c->xn,   &c->xbefore, &c->dsum, &c->dmean, &c->esum, &c->es,
                        &c->cs, &c->c,  &c->rest, &c->g,       &c->s1,   &c->s2,    &c->s3};
     double **place[] = {&c->q, &c->qmid, &c->qend, &c->qnext, &c->qn, &c->qbar};
-    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum};
+    double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum, &c->way};
     for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
     for (size_t i = 0; i < sizeof fast / sizeof *fast; i++) *fast[i] = TAKE(life, double, c->ns);
     for (size_t i = 0; i < sizeof place / sizeof *place; i++) *place[i] = TAKE(life, double, c->ode->nq);
@@ -100,6 +100,7 @@ static void open(struct stepper *s, struct arena *life)
     minor_open(&c->here, &c->resp, life);
     forecast_open(&c->forecast, &c->dec, life);
     c->near = o->move ? c->nl : c->dec.ml;
+    c->direct = o->straight && o->pointwise && o->move && o->move->onward;
     take_vectors(c, life);
     subcycle_last_open(c, life);
     subcycle_coarse_open(c, life);

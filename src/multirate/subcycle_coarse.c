@@ -145,10 +145,14 @@ enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
     for (int k = 0, i = 0; k <= p.at[COARSE_POINTS - 1]; k++) {
         const double *d = c->d + (long)k * c->ns;
         if (stop) return stop_status();
-        if (k == p.at[i] && c->ode->straight) subcycle_place(c, c->q, k);
+        if (k == p.at[i] && c->ode->straight) subcycle_place(c, k);
         if (k == p.at[i]) TRY(node(c, &p, i++, why));
-        subcycle_velocity(c, d);
-        if (!c->ode->straight) subcycle_point(c, c->q, c->q, 1, subcycle_minor_end(c, k));
+        if (c->ode->straight) {
+            subcycle_fast_velocity(c, d);
+        } else {
+            subcycle_velocity(c, d);
+            subcycle_point(c, c->q, c->q, 1, subcycle_minor_end(c, k));
+        }
         subcycle_advance(c, d);
     }
     for (int k = 0; k < c->ratio; k++)

@@ -19,8 +19,7 @@ enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *pow
     subcycle_fast_velocity(c, d);
     for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
     decouple_both(&c->dec, c->v, c->a, c->w, c->pull, c->near);
-    if (c->ode->move) copy(c->qmid, c->q, c->ode->nq);
-    subcycle_onward(c, c->qmid, c->q, .5, x->t);
+    subcycle_half_way(c, x->t);
     if (x->qb) subcycle_point(c, c->qend, c->q, 1, x->tb);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
@@ -85,6 +84,8 @@ static void minor_sums(struct subcycle *c, const double *d)
 void subcycle_rewind(struct subcycle *c)
 {
     copy(c->q, c->q0, c->ode->nq);
+    if (c->direct) copy(c->qmid, c->q0, c->ode->nq);
+    if (c->direct) zero(c->way, c->n);
     copy(c->vs, c->v0, c->ns);
     copy(c->xbefore, c->xn, c->ns);
     zero(c->R, c->dec.ml);
@@ -96,6 +97,10 @@ void subcycle_rewind(struct subcycle *c)
 static void next_point(struct subcycle *c, double t)
 {
     double *before = c->q;
+    if (c->direct) {
+        subcycle_go(c);
+        return;
+    }
     if (!c->ode->move) {
         subcycle_point(c, c->q, c->q, 1, t);
         return;

@@ -124,12 +124,14 @@ struct subcycle {
     double *vs, *xn, *xbefore; /* [ns] v_S,k and x_k, after the last v_S,n and x_n; x_n before the sweep */
     double *q, *qmid, *qend;   /* [nq] q_k, q_k+1/2, q_k+1 */
     double *qnext;             /* [nq] q_k+1 when d_k has been corrected */
-    double *v, *a;             /* [n] v_k, a_k; of the slow rows the near ones */
-    double *dx;                /* [ns] dx_k */
-    double *es;                /* [ns] residual r_k,S of the fast rows, then the correction of d_k */
-    double *rest;              /* [ns] r_k,S */
-    double *esum;              /* [ns] sum of these corrections */
-    double *sum;               /* [n] sizes of the corrections of a sweep */
+    bool direct;   /* loops are closed in the middles only: these are found from q0, and nobody asks for q_k */
+    double *way;   /* [n] direct: q_k (-) q0 */
+    double *v, *a; /* [n] v_k, a_k; of the slow rows the near ones */
+    double *dx;    /* [ns] dx_k */
+    double *es;    /* [ns] residual r_k,S of the fast rows, then the correction of d_k */
+    double *rest;  /* [ns] r_k,S */
+    double *esum;  /* [ns] sum of these corrections */
+    double *sum;   /* [n] sizes of the corrections of a sweep */
 
     /* The end of the step, and the slow bodies. */
     double *qn;                 /* [nq] q_n */
@@ -171,9 +173,13 @@ void subcycle_velocity(struct subcycle *c, const double *d);
 void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, double t);
 /* The same where x1 holds a position nearby, from which loops are closed; x1 is not x0. */
 void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t);
-/* q after k minor steps that have led to x_k = c->xn, directly from q0: where motion_point() is additive (ode2's
- * `straight`). */
-void subcycle_place(struct subcycle *c, double *q, int k);
+/* qmid := the point of the minor step at time t, half-way along v_k. */
+void subcycle_half_way(struct subcycle *c, double t);
+/* On to the next minor step along v_k, where points are found directly. */
+void subcycle_go(struct subcycle *c);
+/* To the start of minor step k, after those that have led to x_k = c->xn, directly from q0: where motion_point() is additive
+ * (ode2's `straight`). */
+void subcycle_place(struct subcycle *c, int k);
 /* x_n, v_S after d_k at v_k (S3). */
 void subcycle_advance(struct subcycle *c, const double *d);
 /* When minor step k ends. */

@@ -1,6 +1,9 @@
 /* subcycle_point.c -- where du and d_k lead: the points of the minor steps (S2)-(S4), and the end of the major one
  * (S9).
  *
+ * Where loops are closed and displacements add up (ode2's `straight`) the middle of a minor step is found from q0, by its whole
+ * displacement; dependents go on from the middle before it.  q_k then need not be closed at all.
+ *
  * The minor steps move only what fast bodies and elements know of the slow coordinates, the first `near`; the
  * others follow at the end (all of them where positions have a move of their own). */
 #include <math.h>
@@ -42,6 +45,23 @@ void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s,
     c->ode->move->onward(c->ode, x1, x0, c->dq, s, t);
 }
 
+void subcycle_half_way(struct subcycle *c, double t)
+{
+    if (!c->direct) {
+        if (c->ode->move) copy(c->qmid, c->q, c->ode->nq);
+        subcycle_onward(c, c->qmid, c->q, .5, t);
+        return;
+    }
+    const double half = c->h / 2;
+    for (int i = 0; i < c->n; i++) c->dq[i] = c->way[i] + half * c->v[i];
+    motion_onward(c->ode, c->qmid, c->q0, c->dq, 1, t);
+}
+
+void subcycle_go(struct subcycle *c)
+{
+    for (int i = 0; i < c->n; i++) c->way[i] += c->h * c->v[i];
+}
+
 void subcycle_advance(struct subcycle *c, const double *d)
 {
     const double *restrict v = c->v, h = c->h;
@@ -66,10 +86,13 @@ static void displacement(struct subcycle *c, int k)
     decouple_recoil(&c->dec, c->dq + c->ns, -1, c->xn);
 }
 
-void subcycle_place(struct subcycle *c, double *q, int k)
+void subcycle_place(struct subcycle *c, int k)
 {
     displacement(c, k);
-    motion_point(c->ode, q, c->q0, c->dq, 1, k < c->ratio ? c->t0 + k * c->h : c->t1);
+    if (c->direct)
+        copy(c->way, c->dq, c->n);
+    else
+        motion_point(c->ode, c->q, c->q0, c->dq, 1, k < c->ratio ? c->t0 + k * c->h : c->t1);
 }
 
 /* q_n, v_S,n and x_n by all minor steps, one after the other. */
