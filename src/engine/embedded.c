@@ -68,8 +68,10 @@ static double error(const struct stepper *s, const struct adaptive *m, double h)
     const struct embedded_pair *p = pair_of(m);
     const int stages = p->table.stages;
     const double square = mean_square(s, m, p->e, stages, h);
-    if (!p->e2 || square == 0) return sqrt(square);
-    return square / sqrt(square + .01 * mean_square(s, m, p->e2, stages, h));
+    if (!p->e2) return sqrt(square);
+    const double lower = mean_square(s, m, p->e2, stages, h),
+                 own = square > 0 ? square / sqrt(square + .01 * lower) : 0;
+    return larger(own, p->harmonic * m->tolerance * lower);
 }
 
 enum status embedded_attempt(struct stepper *s, struct adaptive *m, double *err, double t, double h,

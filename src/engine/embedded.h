@@ -11,6 +11,10 @@ struct embedded_pair {
     /* e: weights less those of the embedded method.  e2, where it is not NULL, of a second one of lower order: the error
      * then is the first one's times |e| / sqrt(|e|^2 + |e2|^2 / 100), of an order higher than e alone would be. */
     const double *e, *e2;
+    /* What that is for a harmonic motion in short steps, over e2 squared, both as parts of its size.  Where steps are long
+     * for the motion, orders say nothing of one of them: e may be small by chance, or as large as what is left of the order
+     * above it.  There e2 is large, and the error is taken to be at least what a harmonic motion with that e2 has. */
+    double harmonic;
     /* In the part x of the step, with E_i = h sum d_ij k_j of `bends` rows d_i, by turns behind y and behind x,
      *
      *     y0 + x (D + y (B + x (D - h k_last - B + y (E_0 + x (E_1 + y (E_2 + ...)))))),   D = y1 - y0,  B = h k_0 - D,  y = 1 - x

@@ -269,7 +269,7 @@ for deck in driven pushed bounces grazes; do
             got=$(sed -n 's/^estimated error: //p' "$work/err" |
                 awk -v off="$off" '/^not known/ { print "yes"; next } { print (30*$1 >= off ? "yes" : $1 " of " off) }')
             case "$deck $how/$got" in
-                "driven dopri5/"[0-9]* | "bounces dopri5/"[0-9]*) known "damped, $deck, $how at $tolerance: told" "sums of local errors, as touches make more of them: $got" ;;
+                "driven dopri5/"[0-9]* | "driven dop853/"[0-9]* | "bounces dopri5/"[0-9]*) known "damped, $deck, $how at $tolerance: told" "sums of local errors, as touches make more of them: $got" ;;
                 *) expect "damped, $deck, $how at $tolerance: told" yes "$got" "$work/err" ;;
             esac
         done

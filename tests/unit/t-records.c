@@ -1,5 +1,6 @@
 /* t-records.c -- dop853, radau5, radau9: records between the ends of their steps.  The weights of order 8's by the conditions of
  * all trees; measured orders, with rotations, too; what they are said to be off by; where they cannot be had the step ends. */
+#include <complex.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -102,6 +103,35 @@ static void test_conditions(void **state)
     if (!(worst < 4e-15)) print_error("order 7: off by %g\n", worst);
     assert_true(worst < 4e-15); /* the round-off of weights of hundreds */
     assert_true(beyond > 1e-7);
+}
+
+/* Sizes of e and e2 in a step of y' = i x y, y = 1. */
+static void harmonic(double *first, double *second, const struct embedded_pair *p, double x)
+{
+    double complex k[S], sum = 0, sum2 = 0;
+    for (int i = 0; i < p->table.stages; i++) {
+        double complex y = 1;
+        for (int j = 0; j < i; j++) y += p->table.a[i][j] * k[j];
+        k[i] = I * x * y;
+        sum += p->e[i] * k[i];
+        sum2 += p->e2[i] * k[i];
+    }
+    *first = cabs(sum);
+    *second = cabs(sum2);
+}
+
+/* The error by both, 10 e^2/e2 in short steps, over e2^2. */
+static void test_harmonic(void **state)
+{
+    (void)state;
+    const struct embedded_pair *p = stepper_find("dop853")->formulas;
+    double e, e2, longer, longer2;
+    harmonic(&e, &e2, p, .1);
+    harmonic(&longer, &longer2, p, .2);
+    assert_true(fabs(log2(longer / e) - 6) < .01 && fabs(log2(longer2 / e2) - 4) < .01);
+    const double found = 10 * e * e / (e2 * e2 * e2);
+    if (!(fabs(found / p->harmonic - 1) < .005)) print_error("%g for %g\n", p->harmonic, found);
+    assert_true(fabs(found / p->harmonic - 1) < .005);
 }
 
 /* Of the collocation: integrals of powers up to s, and to 1 the weights of the method. */
@@ -266,8 +296,8 @@ static void test_ends_there(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_conditions), cmocka_unit_test(test_along),      cmocka_unit_test(test_order),
-        cmocka_unit_test(test_held),       cmocka_unit_test(test_ends_there),
+        cmocka_unit_test(test_conditions), cmocka_unit_test(test_harmonic), cmocka_unit_test(test_along),
+        cmocka_unit_test(test_order),      cmocka_unit_test(test_held),     cmocka_unit_test(test_ends_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
