@@ -64,6 +64,7 @@ enum trouble_code {
     TROUBLE_INERTIA,    /* the mass matrix is not positive for a body of negative inertia; index: of the body */
     TROUBLE_DIVERGED,   /* the iteration does not converge; index: worst row; value: error over tolerance */
     TROUBLE_REJECTED,   /* too many steps are given up: not to be halved but to end the run, E_LIMIT; value: how many */
+    TROUBLE_CREEP,      /* steps lead nowhere, as where a force jumps against both ways; E_LIMIT; value: the last one */
     TROUBLE_TOO_SMALL,  /* the step fell below what t can resolve; value: the step */
     TROUBLE_MASS,       /* M^ not positive definite; index: coordinate */
     TROUBLE_LAW,        /* a force is not finite; kind: element kind, index: element */

@@ -7,6 +7,7 @@
 
 #include "base/scalar.h"
 #include "base/stop.h"
+#include "engine/creep.h"
 #include "engine/edge.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
@@ -177,9 +178,9 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
 }
 
 /* Where the right-hand side jumps for ever, as dry friction written as sign(rate) does at rest, there is no end. */
-static enum status give_up(long rejected, double t, struct trouble *why)
+static enum status give_up(enum trouble_code code, double value, double t, struct trouble *why)
 {
-    (void)trouble_set(why, TROUBLE_REJECTED, -1, (double)rejected, t);
+    (void)trouble_set(why, code, -1, value, t);
     return E_LIMIT;
 }
 
@@ -203,16 +204,6 @@ static void go_on(struct adaptive *m)
     m->h = m->held;
     m->held = 0;
     forget(m);
-}
-
-/* Does the motion come back to a jump again and again as soon as it has left it, or never reach it, as where friction that is a sign
- * of a rate holds?  No step leads on from there: those that are taken because of it are all far shorter than the one before it. */
-static bool stays(struct adaptive *m)
-{
-    enum { MOST = 1000 };
-    static const double SHORT = .01;
-    m->nshort = fabs(m->came) < SHORT * m->held ? m->nshort + m->jumps : 0;
-    return m->nshort > MOST;
 }
 
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
@@ -261,7 +252,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
             err = larger(err, records);
             note_missed(s, m, whole, m->came);
             take(s, m, *t, m->came);
-            const bool stuck = stays(m);
+            const bool stuck = creep_found(m, *t + m->came, s->natural && s->due > *t ? smaller(end, s->due) : end);
             if (m->leaps) {
                 go_on(m);
             } else {
@@ -272,11 +263,11 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
                 m->old = fmax(err, 1e-4);
             }
             *t = at;
-            return stuck ? give_up(m->nshort, *t, why) : OK;
+            return stuck ? give_up(TROUBLE_CREEP, fabs(m->came), *t, why) : OK;
         }
         m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
-        if (++m->rejected > MOST_REJECTED) return give_up(m->rejected, *t, why);
+        if (++m->rejected > MOST_REJECTED) return give_up(TROUBLE_REJECTED, (double)m->rejected, *t, why);
         if (stop) return OK;
     }
 }

@@ -34,6 +34,12 @@ struct works {
     double *u;           /* [n] */
 };
 
+/* See creep.h. */
+struct creep {
+    long steps;  /* since then */
+    double from; /* a time */
+};
+
 struct adaptive {
     const struct adaptive_scheme *scheme;
     double *q, *v, *a;    /* the state inside H: [nq], [n], and its accelerations [n] */
@@ -57,6 +63,7 @@ struct adaptive {
     double held;          /* next step before a jump was in the way; 0: none was */
     bool jumps;           /* a trial of this step met one */
     long nshort;          /* steps in a row that are far shorter for it */
+    struct creep creep;   /* those that have led how far */
     long rejected;        /* steps given up in this H */
     struct sides *sides;  /* see sides.h; NULL: no force has any */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */

@@ -231,3 +231,25 @@ struct edge sides_edge(struct sides *o, const struct adaptive *m, double t)
     first.last = last;
     return first;
 }
+
+/* Straight on by h. */
+static void look_beside(struct sides *o, struct place *p, const struct adaptive *m, double t, double h)
+{
+    motion_point(o->ode, o->q, m->q, m->v, h, t + h);
+    for (int i = 0; i < o->ode->n; i++) o->v[i] = m->v[i] + h * m->a[i];
+    o->ode->sides(o->ode, p->side, p->force, &(struct instant){.t = t + h, .q = o->q, .v = o->v});
+}
+
+/* It jumps if what it changes by is as much in a way that is a hundred times shorter. */
+bool sides_jump(struct sides *o, const struct adaptive *m, double t, double h)
+{
+    static const double NEARER = .01, SAME = .5;
+    if (!o) return false;
+    for (int k = 0; k < 4; k++) look_beside(o, &o->at[k], m, t, (k % 2 ? h : -h) * (k < 2 ? 1 : NEARER));
+    for (int i = 0; i < o->ode->nside; i++) {
+        const double wide = fabs(o->at[1].force[i] - o->at[0].force[i]);
+        const double near = fabs(o->at[3].force[i] - o->at[2].force[i]);
+        if (parted(o->at[2].side[i], o->at[3].side[i]) && near > SAME * wide) return true;
+    }
+    return false;
+}

@@ -24,5 +24,7 @@ struct edge {
 /* That of the trial from t by m->came: of jumps the first on the way, else of bends that which is farthest from both
  * ends. */
 struct edge sides_edge(struct sides *o, const struct adaptive *m, double t);
+/* Does a force jump within the time h before the state at t, or behind it?  o may be NULL. */
+bool sides_jump(struct sides *o, const struct adaptive *m, double t, double h);
 
 #endif

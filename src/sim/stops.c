@@ -138,6 +138,11 @@ static void rejected(const struct why *o)
     SAY(o, "%.0f steps were rejected, which is the limit", o->trouble->value);
 }
 
+static void creep(const struct why *o)
+{
+    SAY(o, "steps stay as short as %.3g s and lead nowhere", o->trouble->value);
+}
+
 static void diverged(const struct why *o)
 {
     SAY(o, "no convergence, worst at '%s' (%.3g of the tolerance), with steps from %.3g s down to a %s", coordinate(o),
@@ -250,9 +255,23 @@ static void raise_memory(const struct why *o)
     SAY(o, "raise '--max-memory'; forces across joints and freedoms without mass are what asks for it");
 }
 
+/* The first force of the deck that jumps or bends anywhere; NULL: there is none. */
+static const char *sudden_force(const struct model *m)
+{
+    for (int i = 0; i < m->nforce; i++)
+        for (int k = 0; k < 3; k++)
+            if (signal_may_leap(&m->force[i].value[k])) return m->force[i].name;
+    return NULL;
+}
+
 static void find_jump(const struct why *o)
 {
-    SAY(o, "look for a force that jumps");
+    const char *name = sudden_force(o->sim->model);
+    if (name)
+        SAY(o, "look for a force that jumps, as '%.60s' may: let it go over, as tanh(x/0.01) in place of sign(x)",
+            name);
+    else
+        SAY(o, "look for a force that jumps");
 }
 
 static void mend_inertia(const struct why *o)
@@ -283,6 +302,7 @@ static const struct stop_words {
     [TROUBLE_DIVERGED] = {diverged, smaller_step, "no-convergence", true},
     [TROUBLE_CONTACT] = {jammed, fewer_points, "E-jam", true},
     [TROUBLE_REJECTED] = {rejected, find_jump, "no-convergence", true},
+    [TROUBLE_CREEP] = {creep, find_jump, "no-convergence", true},
     [TROUBLE_TOO_SMALL] = {too_small, look_there, "no-convergence", true},
     [TROUBLE_MASS] = {no_mass, give_mass, "no-mass", false},
     [TROUBLE_LAW] = {law, mend_law, "not-finite", false},
@@ -299,7 +319,9 @@ static bool jumps_here(const struct why *o)
     const struct sim *sim = o->sim;
     double before, behind;
     const double H = sim->plan.step * sim->plan.ratio;
-    const int force = system_leap(sim->system, &before, &behind, sim->x.q, sim->x.v, sim->x.t, H);
+    int force = -1;
+    for (double h = H; force < 0 && h < 20 * H; h *= 4)
+        force = system_leap(sim->system, &before, &behind, sim->x.q, sim->x.v, sim->x.t, h);
     if (force < 0) return false;
     SAY(o,
         "force '%.60s' jumps near here, between %.4g and %.4g: let it go from one to the other, as tanh(x/0.01) in "
@@ -316,7 +338,7 @@ enum status describe_trouble(const struct sim *sim, const struct trouble *troubl
     const struct why on_what = {sim, trouble, what, sizeof what}, on_cure = {sim, trouble, cure, sizeof cure};
     if (trouble->code == TROUBLE_MEMORY) status = E_LIMIT;
     if (status != E_NUMERIC && status != E_MODEL && trouble->code != TROUBLE_MEMORY &&
-        trouble->code != TROUBLE_REJECTED)
+        trouble->code != TROUBLE_REJECTED && trouble->code != TROUBLE_CREEP)
         return status;
     w->what(&on_what);
     if (!w->jumps || !jumps_here(&on_cure)) w->cure(&on_cure);

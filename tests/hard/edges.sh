@@ -127,7 +127,7 @@ for deck in play.if play.time play.table play.stop play.load play.max play.sides
 done
 
 # Where the force jumps against both ways there is no way on: the run ends and says which it is, soon.
-for how in dopri5 dop853 radau5 radau9 newmark midpoint; do
+for how in dopri5 dop853 radau5 radau9 rk4 newmark midpoint; do
     for tolerance in 1.0e-3 1.0e-5 1.0e-8; do
         go "friction as a sign, $how at $tolerance" 7 -q --set "integrate={scheme: $how, tolerance: $tolerance, until: 5}" <<'YAML'
 fmdsub: 1
@@ -141,6 +141,41 @@ YAML
         told "friction as a sign, $how at $tolerance" "force 'a' jumps near here, between -*3 and -*3"
     done
 done
+
+# Nor is there where stages are on both sides by turns, so that steps agree and are taken, of a hundredth of a nanosecond and less:
+# friction that holds a mass on another one that is moved from rest, and a pendulum's pivot.
+sled() { # SCHEME TOLERANCE
+    go "friction that holds from the start, $1 at $2" 7 -q --set "integrate={scheme: $1, tolerance: $2, until: 5}" <<'YAML'
+fmdsub: 1
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}, n: {mass: 2, inertia: 1, at: [1, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}, u: {prismatic: [m, n], axis: [1, 0]}}
+forces: {a: {force: u, value: "-1*sign(u.displacement_rate)"}, k: {spring: u, stiffness: 100}, d: {force: r, value: 2*sin(2*t)}}
+integrate: {until: 5}
+output: {every: 0.05, columns: [r.displacement, u.displacement_rate]}
+YAML
+    told "friction that holds from the start, $1 at $2: what to do" "force.* 'a' .*tanh(x/0.01) in place of sign(x)"
+}
+sled dopri5 1.0e-3
+sled dopri5 1.0e-8
+sled midpoint 1.0e-5
+sled newmark 1.0e-8
+sled rk4 1.0e-6
+pivot() { # SCHEME TOLERANCE
+    go "friction at a pivot, $1 at $2" 7 -q --set "integrate={scheme: $1, tolerance: $2, until: 5}" <<'YAML'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}, p: {mass: 0.3, inertia: 0.01, at: [0, -0.3]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}, j: {revolute: [m, p], at: [0, 0]}}
+forces: {a: {force: m, value: ["-3*sign(r.displacement_rate)", 0]}, d: {force: r, value: 5*sin(3*t)}}
+initial: {r.displacement_rate: 2}
+integrate: {until: 5}
+output: {every: 0.05, columns: [r.displacement, r.displacement_rate]}
+YAML
+    told "friction at a pivot, $1 at $2: what to do" "force 'a' jumps near here, between -*3 and -*3: let it go from one to the other"
+}
+pivot rk4 1.0e-3
+pivot rk4 1.0e-8
+pivot dopri5 1.0e-8
 
 # One that is too small to matter may be crossed as often as one likes.
 go "a small jump, many times" 0 -q --set "integrate={scheme: dopri5, tolerance: 1.0e-4, until: 1000}" <<'YAML'
