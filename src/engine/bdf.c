@@ -197,7 +197,7 @@ static void between(const struct stepper *s, const struct adaptive *m, double *u
     for (int i = 0; i < n; i++) u[i] = y[i] - x->y0[i];
     if (is_straight(s->ode)) return;
     copy(x->look, m->q, s->ode->nq);
-    motion_onward(s->ode, x->look, x->base, y, 1, t);
+    motion_onward(s->ode, x->look, x->base, y, 1, t, 0);
     motion_diff(s->ode, u, x->look, m->q0);
 }
 

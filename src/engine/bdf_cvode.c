@@ -20,7 +20,7 @@ static void place(struct bdf *x, double t, const double *u)
 {
     for (int i = 0; i < x->n; i++) x->u[i] = u[i] - x->start[i];
     x->t = t;
-    motion_onward(x->stepper->ode, x->q, x->base, x->u, 1, t);
+    motion_onward(x->stepper->ode, x->q, x->base, x->u, 1, t, 0);
 }
 
 /* y' at t, y. */

@@ -38,10 +38,10 @@ static inline bool motion_again(const struct ode2 *o, double *q1, const double *
 
 /* The same, where q1 holds a posture nearby. */
 static inline void motion_onward(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s,
-                                 double t)
+                                 double t, int open)
 {
     if (o->move && o->move->onward)
-        o->move->onward(o, q1, q0, dx, s, t);
+        o->move->onward(o, q1, q0, dx, s, t, open);
     else
         motion_point(o, q1, q0, dx, s, t);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/scalar.h"
 #include "la/rot.h"
 
 /* --- the tangent -------------------------------------------------------------------------------- */
@@ -75,37 +76,65 @@ int closing_tangent_about(struct closing *o, const double *q)
     return 1;
 }
 
-void closing_bend(struct closing *o, const double *v, const double *a)
+void closing_find_bend(struct closing *o, const double *v, const double *a)
 {
-    static const double NEAR = 1e-9; /* a first correction that is also the last */
     const size_t bytes = sizeof *v * (size_t)o->rows->n;
-    o->bends = o->first > NEAR;
-    if (!o->bends) return;
+    o->bends = true;
     memcpy(o->along, v, bytes);
     memcpy(o->bend, a, bytes);
     solve_follow(o->solve, o->bend, o->rows->loops->c2);
     for (int i = 0; i < o->rows->n; i++) o->bend[i] = a[i] - o->bend[i];
 }
 
-/* dx of the dependents off the tangent, h^2/2 of their bend, where the way goes along the velocities: dx = h v, or so. */
-static void follow_bend(const struct closing *o, double *dx)
+void closing_bend(struct closing *o, const double *v, const double *a)
+{
+    static const double NEAR = 1e-9; /* a first correction that is also the last */
+    o->bends = false;
+    if (o->first > NEAR) closing_find_bend(o, v, a);
+}
+
+/* h of a way h v of some coordinates; 0: it does not go along v. */
+struct along {
+    double xx, xv, vv;
+};
+
+static void add_along(struct along *a, const struct closing *o, const double *way, const int *at, int n)
+{
+    const double *per = o->rows->per, *v = o->along;
+    for (int i = 0; i < n; i++) {
+        const double x = way[at[i]] * per[at[i]], y = v[at[i]] * per[at[i]];
+        a->xx += x * x;
+        a->xv += x * y;
+        a->vv += y * y;
+    }
+}
+
+static double step_along(const struct closing *o, const struct part *p, const double *way)
 {
     static const double PARALLEL = .98; /* square of the cosine */
-    const double *per = o->rows->per, *v = o->along;
-    double xx = 0, xv = 0, vv = 0;
-    if (!o->bends) return;
-    for (int i = 0; i < o->rows->n; i++) {
-        const double x = dx[i] * per[i], y = v[i] * per[i];
-        xx += x * x;
-        xv += x * y;
-        vv += y * y;
-    }
-    if (!(xv * xv > PARALLEL * xx * vv)) return;
-    const double h = xv / vv;
-    for (int i = 0; i < o->split->npart; i++) {
+    struct along a = {0, 0, 0};
+    add_along(&a, o, way, p->ind, p->ni);
+    add_along(&a, o, way, p->dep, p->nr);
+    return a.xv * a.xv > PARALLEL * a.xx * a.vv ? a.xv / a.vv : 0;
+}
+
+/* dx of the dependents off the tangent, h^2/2 of their bend, where the way goes along the velocities: h v, or so; by how much, in
+ * scales. */
+double closing_follow_bend(const struct closing *o, double *dx, const double *way)
+{
+    const double *per = o->rows->per;
+    double far = 0;
+    for (int i = 0; o->bends && i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
-        for (int r = 0; r < p->nr; r++) dx[p->dep[r]] += h * h / 2 * o->bend[p->dep[r]];
+        const double h = step_along(o, p, way), s = h * h / 2;
+        for (int r = 0; s > 0 && r < p->nr; r++) {
+            const int k = p->dep[r];
+            const double off = s * o->bend[k];
+            dx[k] += off;
+            far = larger(far, fabs(off) * per[k]);
+        }
     }
+    return far;
 }
 
 void closing_recall(struct closing *o, struct recall *r)
@@ -282,7 +311,7 @@ enum way_end closing_point(struct closing *o, double *q1, struct miss *miss, con
         return go_straight(o, q1, miss, &(struct way){q0, o->full, s, o->dx}) ? WAY_CLOSED : WAY_LOST;
     if (!closing_tangent(o, q0)) return WAY_LOST;
     closing_predict(o, o->dx);
-    follow_bend(o, o->dx);
+    closing_follow_bend(o, o->dx, o->dx);
     return closing_close(o, q1, miss, &(struct way){o->base.q, o->full, s, o->dx}, ajar);
 }
 

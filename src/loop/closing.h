@@ -82,14 +82,22 @@ enum way_end closing_close(struct closing *o, double *q1, struct miss *miss, con
 /* q1 = q0 (+) s dx [n], as ode2_move has it, with drives as they are; WAY_LOST: it cannot be closed.  q1 may be q0. */
 enum way_end closing_point(struct closing *o, double *q1, struct miss *miss, const double *q0, const double *dx,
                            double s, double ajar);
-/* The same from q1, a closed posture of another dx, if that takes so many corrections at most: closing_again.c.  open: it is
- * nearly closed, or closed for drives of another time.  A way up to `ajar`, in scales, is left as open as its square; less near
- * a dead point. */
-enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
-                           bool open, double ajar);
+/* The same from q1, a closed posture of another dx, if that takes so many corrections at most: closing_again.c. */
+struct again {
+    int corrections;
+    bool open;           /* q1 is nearly closed, or closed for drives of another time */
+    double ajar;         /* a way up to this, in scales, is left as open as its square; less near a dead point */
+    double left;         /* correction, in scales, that may be missing; less near a dead point; 0: round-off */
+    const double *v, *a; /* the tree's motion at q1, in a step along v, drives as they are; NULL: not known */
+};
+enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s,
+                           const struct again *how);
 
-/* Between its files: q1 of a way; dx of the dependents -= C_qd^-1 C, by how much, in scales. */
+/* Between its files: what closing_bend() finds, and dx of the dependents off the tangent on a way along those velocities, by how
+ * much, in scales; q1 of a way; dx of the dependents -= C_qd^-1 C, by how much, in scales. */
 void closing_put(const struct closing *o, double *q1, const struct way *way);
 double closing_correct(const struct closing *o, double *dx, const double *C);
+void closing_find_bend(struct closing *o, const double *v, const double *a);
+double closing_follow_bend(const struct closing *o, double *dx, const double *way);
 
 #endif

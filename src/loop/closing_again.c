@@ -6,11 +6,13 @@
  *     dx_d := dx_d - C_qd^-1 (C(q) + C_qi d),   then dx_d := dx_d - C_qd^-1 C(q) again and again,
  *
  * with the same factor.  C_qd changes by something like d, so that the first correction s is half of d squared and the
- * later ones shrink at the rate 2 s/d.  For the last iterates nothing is missed.  The others need not be looked at: what
+ * later ones shrink at the rate 2 s/d.  Where the motion at that iterate is known, and the way goes along it, they begin on its
+ * curve (closing_bend), and s is of third order.  For the last iterates nothing is missed.  The others need not be looked at: what
  * one of them leaves open by d squared, the next one closes.
  */
 #include <math.h>
 
+#include "base/scalar.h"
 #include "loop/closing.h"
 
 static const double UNSEEN = 1e-9; /* way whose square is none: so near, the tangent leads to a closed posture */
@@ -34,8 +36,9 @@ static void look_back(struct closing *o, const double *q1, const double *q0, dou
     moves_left(moves, o->last, q1, q0, o->full, s);
 }
 
-/* dx of the dependents along the tangent at the posture that `last` tells of; how far that is, in scales. */
-static double go_along(struct closing *o, double *dx, const double *last, bool open)
+/* dx of the dependents along the tangent at the posture that `last` tells of, which then is the way from there; how far that
+ * is, in scales. */
+static double go_along(struct closing *o, double *dx, double *last, bool open)
 {
     const double *per = o->rows->per;
     double far = UNSEEN; /* at least: the rate of less would be that of round-off */
@@ -52,33 +55,37 @@ static double go_along(struct closing *o, double *dx, const double *last, bool o
         for (int r = 0; r < p->nr; r++) {
             const int k = p->dep[r];
             dx[k] = last[k] + o->x[r];
+            last[k] = o->x[r];
             far = farther(far, o->x[r], per[k]);
         }
     }
     return far;
 }
 
-/* Closes a way that begins `far` from a closed posture, with the factors of there.  0: not closed, or not quickly. */
-static int step_on(struct closing *o, double *q1, const struct way *way, double far, int corrections)
+/* Closes a way that begins `far` from a closed posture, on a curve off the tangent there by `bent`, with the factors of there.
+ * WAY_LOST: not closed, or not quickly. */
+static enum way_end step_on(struct closing *o, double *q1, const struct way *way, double far, const struct again *how,
+                            double bent)
 {
     static const double QUICK = 1e-2;    /* rate at which corrections must shrink */
     static const double LITTLE = 1e-16;  /* correction that may be missing */
     static const double NOTHING = 1e-15; /* and one that is round-off */
+    const double left = how->left > 0 ? how->left * closing_worth(o) : 0;
     double size = far, rate = 2 / size;
-    for (int i = 0; i < corrections; i++) {
+    for (int i = 0; i < how->corrections; i++) {
         closing_put(o, q1, way);
         rows_place(o->rows, q1);
         rows_values(o->C, o->rows);
         const double next = closing_correct(o, way->dx, o->C);
-        if (next <= NOTHING) return 1;
-        rate = i ? next / size : rate * next;
+        if (next <= NOTHING) return WAY_CLOSED;
+        rate = i ? next / size : rate * (bent + next);
         size = next;
-        if (!(rate < QUICK)) return 0;
-        if (rate * size > LITTLE) continue;
+        if (!(rate < QUICK)) return WAY_LOST;
+        if (rate * size > larger(LITTLE, left)) continue;
         closing_put(o, q1, way);
-        return 1;
+        return rate * size > LITTLE ? WAY_AJAR : WAY_CLOSED;
     }
-    return 0;
+    return WAY_LOST;
 }
 
 /* Where rotations are dependent in part, C_q is not that of their Cayley vectors. */
@@ -89,18 +96,20 @@ static bool any_follows(const struct closing *o)
     return false;
 }
 
-enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s, int corrections,
-                           bool open, double ajar)
+enum way_end closing_again(struct closing *o, double *q1, const double *q0, const double *dx, double s,
+                           const struct again *how)
 {
     if (isnan(q1[0]) || q1 == q0 || any_follows(o) || solve_factor(o->solve, q1, 0, NULL) != OK) return WAY_LOST;
     split_spread(o->split, o->full, dx);
     for (int i = 0; i < o->rows->n; i++) o->dx[i] = s * o->full[i];
     look_back(o, q1, q0, s);
-    const double far = go_along(o, o->dx, o->last, open);
+    const double far = go_along(o, o->dx, o->last, how->open);
     const struct way way = {q0, o->full, s, o->dx};
     const bool closed = far <= UNSEEN;
-    if (!closed && !(ajar > 0 && far <= ajar * closing_worth(o)))
-        return step_on(o, q1, &way, far, corrections) ? WAY_CLOSED : WAY_LOST;
+    if (!closed && !(how->ajar > 0 && far <= how->ajar * closing_worth(o))) {
+        if (how->a) closing_find_bend(o, how->v, how->a);
+        return step_on(o, q1, &way, far, how, how->a ? closing_follow_bend(o, o->dx, o->last) : 0);
+    }
     closing_put(o, q1, &way);
     return closed ? WAY_CLOSED : WAY_AJAR;
 }

@@ -27,13 +27,13 @@ static void point(const struct ode2 *ode, double *q1, const double *q0, const do
 enum { LATE = 3, EARLY = 6 }; /* corrections of a way from a late iterate, from another posture */
 
 static bool nearby(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t,
-                   int corrections, bool open, double ajar)
+                   const struct again *how)
 {
     struct condense *o = ode->self;
     enum way_end end = WAY_LOST;
     if (!o->rows.constant) {
         loops_when(o->rows.loops, t, 0);
-        end = closing_again(&o->closing, q1, q0, dx, s, corrections, open, ajar);
+        end = closing_again(&o->closing, q1, q0, dx, s, how);
     }
     if (end == WAY_LOST) condense_point(o, q1, q0, dx, s, t, 0);
     return end == WAY_AJAR;
@@ -50,13 +50,20 @@ static bool first(const struct ode2 *ode, double *q1, const double *q0, const do
 
 static bool again(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t, int open)
 {
-    return nearby(ode, q1, q0, dx, s, t, LATE, open & OPEN_BEFORE, open & OPEN_AFTER ? SMALL : 0);
+    const struct again how = {.corrections = LATE, .open = open & OPEN_BEFORE, .ajar = open & OPEN_AFTER ? SMALL : 0};
+    return nearby(ode, q1, q0, dx, s, t, &how);
 }
 
-static void onward(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t)
+static void onward(const struct ode2 *ode, double *q1, const double *q0, const double *dx, double s, double t, int open)
 {
     const struct condense *o = ode->self;
-    nearby(ode, q1, q0, dx, s, t, EARLY, o->model->ndrive > 0, 0);
+    const bool known = o->moving && o->moving == rows_number(&o->rows);
+    const struct again how = {.corrections = EARLY,
+                              .open = o->model->ndrive > 0 || open & OPEN_BEFORE,
+                              .left = open & OPEN_AFTER ? SMALL * SMALL : 0,
+                              .v = o->vt,
+                              .a = known ? o->at : NULL};
+    nearby(ode, q1, q0, dx, s, t, &how);
 }
 
 enum status condense_lost(const struct condense *o, double t, struct trouble *why)

@@ -106,7 +106,7 @@ static void next_point(struct subcycle *c, double t)
         return;
     }
     copy(c->qnext, c->qmid, c->ode->nq);
-    subcycle_onward(c, c->qnext, c->q, 1, t);
+    subcycle_onward(c, c->qnext, c->q, 1, t, OPEN_BEFORE);
     c->q = c->qnext;
     c->qnext = before;
 }

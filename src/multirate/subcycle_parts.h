@@ -171,8 +171,9 @@ void subcycle_fast_velocity(struct subcycle *c, const double *d);
 void subcycle_velocity(struct subcycle *c, const double *d);
 /* x1 = x0 (+) s h v_k, at time t, of the coordinates that the minor steps move. */
 void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, double t);
-/* The same where x1 holds a position nearby, from which loops are closed; x1 is not x0. */
-void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t);
+/* The same where x1 holds a position nearby, from which loops are closed; x1 is not x0.  open: as onward() of ode2_move has
+ * it. */
+void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t, int open);
 /* qmid := the point of the minor step at time t, half-way along v_k. */
 void subcycle_half_way(struct subcycle *c, double t);
 /* On to the next minor step along v_k, where points are found directly. */

@@ -35,26 +35,26 @@ void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, 
     }
 }
 
-void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t)
+void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t, int open)
 {
     if (!c->ode->move || !c->ode->move->onward) {
         subcycle_point(c, x1, x0, s, t);
         return;
     }
     for (int i = 0; i < c->n; i++) c->dq[i] = c->h * c->v[i];
-    c->ode->move->onward(c->ode, x1, x0, c->dq, s, t);
+    c->ode->move->onward(c->ode, x1, x0, c->dq, s, t, open);
 }
 
 void subcycle_half_way(struct subcycle *c, double t)
 {
     if (!c->direct) {
         if (c->ode->move) copy(c->qmid, c->q, c->ode->nq);
-        subcycle_onward(c, c->qmid, c->q, .5, t);
+        subcycle_onward(c, c->qmid, c->q, .5, t, OPEN_AFTER);
         return;
     }
     const double half = c->h / 2;
     for (int i = 0; i < c->n; i++) c->dq[i] = c->way[i] + half * c->v[i];
-    motion_onward(c->ode, c->qmid, c->q0, c->dq, 1, t);
+    motion_onward(c->ode, c->qmid, c->q0, c->dq, 1, t, OPEN_BEFORE | OPEN_AFTER);
 }
 
 void subcycle_go(struct subcycle *c)

@@ -91,8 +91,8 @@ struct ode2_move {
      * left open? */
     bool (*again)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t, int open);
     /* Optional.  The same where q1 holds any posture nearby, of any time; the less work the nearer, and less where
-     * resid() has just been there. */
-    void (*onward)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
+     * resid() has just been there.  OPEN_AFTER: by some 1e-12 of a usual change at most. */
+    void (*onward)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t, int open);
 };
 
 /* Solvers that know the structure.  NULL, or a NULL member: dense. */

@@ -64,7 +64,7 @@ static void try_again(struct bench *o, struct ways *w, const double *end, struct
     struct miss miss;
     for (int i = 0; i < o->split.n; i++) o->a[i] = o->v[i] + tree_roll(d, -1e-6, 1e-6);
     assert_int_equal(closing_point(&o->closing, o->q1, &miss, o->q, o->a, 1, 0), 1);
-    if (!closing_again(&o->closing, o->q1, o->q, o->v, 1, 3, false, 0)) return;
+    if (!closing_again(&o->closing, o->q1, o->q, o->v, 1, &(struct again){.corrections = 3})) return;
     w->worst = fmax(w->worst, apart(o->q1, end, o->mechanism.model.nq));
     w->quickly++;
 }
