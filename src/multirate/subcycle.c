@@ -158,8 +158,7 @@ static enum status solve(struct subcycle *c, struct trouble *why)
     for (;;) {
         enum verdict verdict;
         TRY(sweep(c, &verdict, why));
-        const struct newton *nt = &c->newton;
-        c->coarse.on = verdict == CONTINUE && !nt->powered && !c->coarse.varied && subcycle_coarse_next(c);
+        c->coarse.on = verdict == CONTINUE && !c->coarse.powered && !c->coarse.varied && subcycle_coarse_next(c);
         if (verdict == CONVERGED) return OK;
         if (verdict == REFRESH) TRY(subcycle_refresh(c, why));
         if (verdict == FAILED)

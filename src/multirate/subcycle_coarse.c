@@ -8,7 +8,8 @@
  *
  * It is not done where springs or dampers couple fast and slow coordinates, as the change is a vibration itself;
  * where slopes change; where a force may set in within a minor step that is not evaluated (an impact on an elastic
- * stop lost 0.1 percent of the energy); and where power flows, since work must be that of the motion found. */
+ * stop lost 0.1 percent of the energy); and where power flows in the minor steps, since work must be that of the motion
+ * found, as that of the slow bodies is in any sweep. */
 #include "base/stop.h"
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
@@ -48,7 +49,7 @@ void subcycle_coarse_plan(struct subcycle *c)
         o->missed = bearable * FADE;
     }
     o->on = false;
-    o->varied = false;
+    o->varied = o->powered = false;
     c->newton.next = o->rest == 0 && able(c, LEAST);
 }
 

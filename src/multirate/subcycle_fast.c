@@ -134,7 +134,7 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
         }
         TRY(minor(c, d, power, &x, why));
         if (c->guessed) forecast_force(f, &c->resp, d, c->xn, c->vs, c->w, c->local ? NULL : c->rest, k);
-        subcycle_book(c, c->h, power);
+        c->coarse.powered |= subcycle_book(c, c->h, power);
         minor_sums(c, d);
         subcycle_coarse_keep(c, k);
         if (k + 1 < c->ratio) {

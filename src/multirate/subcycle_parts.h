@@ -74,6 +74,7 @@ enum { COARSE_POINTS = 3 };
 struct coarse {
     bool on;       /* the sweep under way is one */
     bool varied;   /* slopes of a minor step have changed in this major step */
+    bool powered;  /* power flows in minor steps */
     int rest;      /* major steps for which none will be tried */
     double missed; /* share of the steps in which one did not suffice, exponentially averaged */
     double whole;  /* share of the steps without one in which two whole sweeps did not suffice, likewise */
@@ -274,15 +275,17 @@ void subcycle_coupling_before(struct subcycle *c);
 void subcycle_coupling_end(struct subcycle *c, const double *a);
 void subcycle_coupling_recall(struct subcycle *c, struct recall *r);
 
-/* Work by channel of the power w over `time`. */
-static inline void subcycle_book(struct subcycle *c, double time, const double *w)
+/* Work by channel of the power w over `time`; is there any? */
+static inline bool subcycle_book(struct subcycle *c, double time, const double *w)
 {
-    if (!(w[POWER_EXTERNAL] != 0 || w[POWER_DRIVE] != 0 || w[POWER_DAMPER] != 0 || w[POWER_FRICTION] != 0)) return;
+    if (!(w[POWER_EXTERNAL] != 0 || w[POWER_DRIVE] != 0 || w[POWER_DAMPER] != 0 || w[POWER_FRICTION] != 0))
+        return false;
     for (int i = 0; i < POWER_CHANNELS; i++) {
         c->work[i] += time * w[i];
         c->newton.powered |= w[i] != 0;
         c->newton.flow += fabs(time * w[i]);
     }
+    return true;
 }
 
 #endif
