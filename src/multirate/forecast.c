@@ -48,8 +48,7 @@ static void slow_driving(struct forecast *f, const struct response *p, const dou
     dense_gemv(f->g, p->h * p->H, KSL, w, ns, ml, n);
 }
 
-/* Differences of phi from a step that failed are not used. */
-static void start_force(struct forecast *f)
+void forecast_begin(struct forecast *f)
 {
     if (!f->kept) {
         zero(f->phi1, f->ns);
@@ -64,7 +63,6 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
 {
     int n = p->n, ns = p->ns;
     double h = p->h, s = (p->H + f->H) / (f->H + f->Hbefore);
-    start_force(f);
     for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * fit_next(&f->fit[i]));
     zero(f->c, ns);
     zero(f->g, ns);

@@ -56,6 +56,8 @@ void forecast_open(struct forecast *f, const struct decouple *dec, struct arena 
 /* Begins anew, from consistent accelerations a0 [n] at v0 [n], u0 [nl] and a major step H. */
 void forecast_forget(struct forecast *f, const struct decouple *dec, const double *a0, const double *v0,
                      const double *u0, double H);
+/* A step begins: differences of phi from one that failed are not used. */
+void forecast_begin(struct forecast *f);
 /* Predicts du [nl] and d_k [ns x ratio] of the step of p from u0, v0. */
 void forecast_make(struct forecast *f, const struct response *p, double *du, double *d, const double *u0,
                    const double *v0);

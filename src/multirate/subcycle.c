@@ -55,7 +55,7 @@ static const double AT_REST =
     1e-3; /* of the largest velocity scale: what is slower counts as at rest in the energy norm */
 static const double LEAVES = .2; /* a coarse sweep that comes third leaves this part of the error, at least */
 
-enum { LEAST_CAPACITY = 64, PASSES = 2, SWEEPS = 16 };
+enum { LEAST_CAPACITY = 64, SWEEPS = 16 };
 
 static void reserve(struct subcycle *c, int ratio, struct arena *life)
 {
@@ -71,7 +71,7 @@ static void take_vectors(struct subcycle *c, struct arena *life)
     double **slow[] = {&c->du, &c->u0, &c->w, &c->pull, &c->R, &c->slow, &c->Du};
     double **fast[] = {&c->vs, &c->dx, &c->xn,   &c->xbefore, &c->dsum, &c->dmean, &c->esum, &c->es,
                        &c->cs, &c->c,  &c->rest, &c->g,       &c->s1,   &c->s2,    &c->s3};
-    double **place[] = {&c->q, &c->qmid, &c->qend, &c->qnext, &c->qn, &c->qbar};
+    double **place[] = {&c->q, &c->qmid, &c->qend, &c->qnext, &c->qn, &c->qbar, &c->qcentre};
     double **whole[] = {&c->dq, &c->v, &c->a, &c->r, &c->vbar, &c->abar, &c->sum, &c->way};
     for (size_t i = 0; i < sizeof slow / sizeof *slow; i++) *slow[i] = TAKE(life, double, c->nl);
     for (size_t i = 0; i < sizeof fast / sizeof *fast; i++) *fast[i] = TAKE(life, double, c->ns);
@@ -140,10 +140,13 @@ static enum verdict judge(struct subcycle *c)
 
 static enum status sweep(struct subcycle *c, enum verdict *verdict, struct trouble *why)
 {
+    bool moved = false;
     zero(c->work, POWER_CHANNELS);
     c->push = c->square = c->newton.flow = 0;
     memcpy(c->dbefore, c->d, (size_t)c->ns * (size_t)c->ratio * sizeof *c->d);
     subcycle_compose(c);
+    TRY(subcycle_follow(c, &moved, why));
+    c->coarse.on &= !moved;
     TRY(subcycle_slow_bodies(c, why));
     TRY(c->coarse.on ? subcycle_coarse_rows(c, why) : subcycle_fast_rows(c, why));
     subcycle_slow_rows(c);
@@ -166,19 +169,6 @@ static enum status solve(struct subcycle *c, struct trouble *why)
     }
 }
 
-/* Solves the step once more with W at the average of its start and the end found. */
-static enum status symmetric_pass(struct subcycle *c, struct trouble *why)
-{
-    subcycle_compose(c);
-    const double mid = subcycle_middle(c);
-    decouple_recoil(&c->dec, c->du, -1, c->dsum);
-    TRY(subcycle_decouple(c, c->qbar, mid, why));
-    decouple_recoil(&c->dec, c->du, 1, c->dsum);
-    TRY(subcycle_renew(c, why));
-    c->newton.count = 0;
-    return solve(c, why);
-}
-
 /* The energy scale of the iteration, twice the kinetic energy: from M^ where it has been formed. */
 static void energy_scale(struct subcycle *c)
 {
@@ -193,7 +183,7 @@ static void energy_scale(struct subcycle *c)
     nt->age = 0;
 }
 
-static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
+static enum status attempt(struct subcycle *c, struct trouble *why)
 {
     c->newton.steps = c->ratio;
     subcycle_coarse_plan(c);
@@ -204,11 +194,14 @@ static enum status attempt(struct subcycle *c, int passes, struct trouble *why)
         TRY(subcycle_refresh(c, why));
     else
         TRY(subcycle_renew(c, why));
+    forecast_begin(&c->forecast);
     forecast_make(&c->forecast, &c->resp, c->du, c->d, c->u0, c->v0);
     c->guessed = 1;
     TRY(solve(c, why));
-    for (int pass = 1; pass < passes; pass++) TRY(symmetric_pass(c, why));
-    return OK;
+    if (!c->again) return OK;
+    TRY(subcycle_centre_again(c, why));
+    c->newton.count = 0;
+    return solve(c, why);
 }
 
 /* ---- the step ---------------------------------------------------------------------------------- */
@@ -253,15 +246,13 @@ static enum status two_rates(struct subcycle *c, struct stepper *s, struct state
 {
     long before = s->effort.sweeps;
     reserve(c, ratio, s->life);
-    TRY(subcycle_decouple(c, x->q, x->t, why));
+    TRY(subcycle_centre(c, &s->options, s->fresh, why));
     if (s->fresh) forget(c);
-    const bool recoils = c->dec.reach > 0 || c->alpha > 0; /* else W is nothing at either end */
-    int passes = s->options.symmetric && recoils ? PASSES : 1;
-    enum status status = attempt(c, passes, why);
+    enum status status = attempt(c, why);
     if (status != OK && c->newton.refreshed == 0) { /* with old factors: once more with fresh ones */
         c->newton.stale = 1;
-        status = subcycle_decouple(c, x->q, x->t, why);
-        if (status == OK) status = attempt(c, passes, why);
+        status = subcycle_centre(c, &s->options, true, why);
+        if (status == OK) status = attempt(c, why);
     }
     s->last_sweeps = (int)(s->effort.sweeps - before);
     if (status == OK) {
@@ -312,6 +303,8 @@ static enum status recall(struct stepper *s, struct recall *r)
     newton_recall(&c->newton, r);
     forecast_recall(&c->forecast, r);
     subcycle_last_recall(c, r);
+    copy(c->dec.W, c->last.W, c->nl * c->ns);
+    recall_one(r, "reach", c->dec.reach);
     subcycle_coarse_recall(c, r);
     subcycle_resolve_recall(c, r);
     recall_one(r, "last_local", c->last_local);

@@ -98,15 +98,27 @@ enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
     return OK;
 }
 
-enum status subcycle_renew(struct subcycle *c, struct trouble *why)
+static enum status renew(struct subcycle *c, bool slow, struct trouble *why)
 {
     if (response_masses(&c->resp, &c->dec)) {
-        c->effort->factors++;
         int pivot = minor_mass(&c->resp.one);
         if (pivot >= 0) return singular(c, pivot, why);
-        TRY(slow_matrix(c, why));
+        if (slow) {
+            c->effort->factors++;
+            TRY(slow_matrix(c, why));
+        }
     }
     return c->alpha > 0 ? damping(c, why) : OK;
+}
+
+enum status subcycle_renew(struct subcycle *c, struct trouble *why)
+{
+    return renew(c, true, why);
+}
+
+enum status subcycle_renew_fast(struct subcycle *c, struct trouble *why)
+{
+    return renew(c, false, why);
 }
 
 enum status subcycle_refresh_here(struct subcycle *c, const struct instant *x, struct trouble *why)

@@ -1,6 +1,7 @@
 /* subcycle_parts.h -- what the files of sub-cycling share; the scheme and its equations are in subcycle.c.
  *
  *     subcycle.c           a major step: opened, iterated, accepted
+ *     subcycle_centre.c    where W is formed
  *     subcycle_matrix.c    its matrices: W and u0 (S1), damping (S7), J (S11), that of the slow rows (S12)
  *     forecast.h           predictor: where the iteration begins
  *     subcycle_jump.c      for it: how the force on the fast coordinates jumps from one major step to the next
@@ -115,6 +116,8 @@ struct subcycle {
     double h, H, t0, t1;        /* minor, major step; start, end [s] */
     const double *q0, *v0, *a0; /* state at its start */
     struct instant centre;      /* where W is formed */
+    double *qcentre;            /* [nq] its position where that is not the start of the step */
+    bool follows, again;        /* it is moved between sweeps; the step is solved twice */
 
     /* The unknowns, from sweep to sweep. */
     int capacity;        /* minor steps that d has room for */
@@ -161,8 +164,17 @@ enum status subcycle_decouple(struct subcycle *c, const double *q, double t, str
 enum status subcycle_refresh(struct subcycle *c, struct trouble *why);
 /* The same for the masses as they are now, with slopes and their answers as they were frozen. */
 enum status subcycle_renew(struct subcycle *c, struct trouble *why);
+/* The same of the fast rows alone. */
+enum status subcycle_renew_fast(struct subcycle *c, struct trouble *why);
 /* J at x, for a minor step whose slopes are no longer the frozen ones. */
 enum status subcycle_refresh_here(struct subcycle *c, const struct instant *x, struct trouble *why);
+
+/* W and u0 where the step that begins wants them; fresh: nothing is known of the past. */
+enum status subcycle_centre(struct subcycle *c, const struct step_options *options, bool fresh, struct trouble *why);
+/* The same between sweeps, after subcycle_compose(), where that is due: was it moved? */
+enum status subcycle_follow(struct subcycle *c, bool *moved, struct trouble *why);
+/* And after the last sweep: the step is to be solved once more. */
+enum status subcycle_centre_again(struct subcycle *c, struct trouble *why);
 
 /* --- where du and d_k lead ---------------------------------------------------------------------- */
 
