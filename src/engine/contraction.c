@@ -65,7 +65,7 @@ double contraction_after(struct contraction *o, double theta, double hearsay)
         if (ahead == 0) ahead = sqrt(now);
     }
     o->theta = now;
-    return k > 1 ? larger(now, before) : smaller(1, larger(now, worse * ahead));
+    return larger(now, k > 1 ? before : smaller(LEAVES, worse * ahead));
 }
 
 static void prospects_recall(struct prospect *o, struct recall *r, const char *name)

@@ -35,7 +35,7 @@ static enum status need(struct damped *o, int n, struct implicit *m, struct trou
 {
     double **square[] = {&o->A, &o->D, &o->M, &o->m, &o->K, &o->C, &o->J, &o->spare};
     for (size_t i = 0; i < sizeof square / sizeof *square; i++)
-        TRY(matrix_need(square[i], n, n, m->J.life, m->x.ta, why));
+        TRY(matrix_need(square[i], n, n, m->J.J.life, m->x.ta, why));
     return OK;
 }
 
@@ -173,7 +173,7 @@ static void open(struct implicit *m, struct arena *life)
     o->swap = TAKE(life, int, m->ode->n);
     o->d = TAKE(life, double, m->ode->n);
     o->y = TAKE(life, double, m->ode->n);
-    m->equations = (struct equations){m, &m->x, resid, refresh, solve};
+    m->equations = (struct equations){m, &m->x, resid, refresh, solve, NULL};
 }
 
 const struct implicit_scheme midpoint_damped = {

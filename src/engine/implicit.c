@@ -60,12 +60,17 @@ static enum status refresh(void *self, const double *z, struct trouble *why)
     struct implicit *m = self;
     (void)z;
     m->hfactor = m->h;
-    return matrix_factor(&m->J, m->cc, m->ck, &m->x, why);
+    return broyden_form(&m->J, m->h, m->cc, m->ck, &m->x, why);
 }
 
 static void solve(void *self, double *dz)
 {
-    matrix_solve(&((struct implicit *)self)->J, dz);
+    broyden_solve(&((struct implicit *)self)->J, dz);
+}
+
+static bool learn(void *self, double *dz, const double *step, const double *before, const double *r)
+{
+    return broyden_learn(&((struct implicit *)self)->J, dz, step, before, r);
 }
 
 static enum status no_refresh(void *self, const double *z, struct trouble *why)
@@ -82,7 +87,7 @@ static void no_solve(void *self, double *dz)
 void implicit_without_matrix(struct implicit *m, enum status (*defect)(void *self, double *r, double *dk,
                                                                        const double *z, struct trouble *why))
 {
-    m->equations = (struct equations){m, &m->x, defect, no_refresh, no_solve};
+    m->equations = (struct equations){m, &m->x, defect, no_refresh, no_solve, NULL};
     m->newton.matrix_free = true;
 }
 
@@ -110,6 +115,7 @@ static enum status start(struct implicit *m, const struct state *x, struct troub
     newton_forget(&m->newton);
     newton_scale(&m->newton, x->v, x->a, m->h);
     predict_forget(&m->predict);
+    broyden_forget(&m->J);
     if (m->scheme->start) m->scheme->start(m);
     if (m->scheme->middle) return OK;
     m->effort->slow++;
@@ -236,6 +242,7 @@ enum status implicit_once(struct implicit *m, struct stepper *s, struct state *x
     if (fresh) TRY(start(m, x, why));
     m->x = instant_of(m, x, t1);
     m->scheme->begin(m);
+    m->newton.one_way = broyden_go(&m->J, m->x.t);
     newton_begin(&m->newton, predict(m, fresh));
     enum status status = iterate(m, why);
     if (status == OK) status = accept(m, s, x, t1, why);
@@ -256,10 +263,10 @@ struct implicit *implicit_new(struct stepper *s, const struct implicit_scheme *s
     m->v1 = scheme->middle ? TAKE(life, double, o->n) : m->v;
     m->q = TAKE(life, double, o->nq);
     m->q1 = scheme->middle ? TAKE(life, double, o->nq) : m->q;
-    m->equations = (struct equations){m, &m->x, resid, refresh, solve};
+    m->equations = (struct equations){m, &m->x, resid, refresh, solve, learn};
     newton_open(&m->newton, o, &s->effort, &s->options, life);
-    matrix_open(&m->J, o, &s->effort, life);
-    if (m->J.structured && o->direct->price > 0) m->newton.price = o->direct->price;
+    broyden_open(&m->J, o, &s->effort, life);
+    if (m->J.J.structured && o->direct->price > 0) m->newton.price = o->direct->price;
     predict_open(&m->predict, o->n, life);
     single_open(&m->keep, o, life);
     if (scheme->open) scheme->open(m, life);
@@ -289,7 +296,7 @@ enum status implicit_remember(struct implicit *m, struct recall *r)
     newton_recall(&m->newton, r);
     predict_recall(&m->predict, r);
     if (m->scheme->recall) m->scheme->recall(m, r);
-    return matrix_recall(&m->J, r);
+    return broyden_recall(&m->J, r);
 }
 
 enum status implicit_recall(struct stepper *s, struct recall *r)

@@ -18,7 +18,7 @@
 #ifndef FMDSUB_ENGINE_IMPLICIT_H
 #define FMDSUB_ENGINE_IMPLICIT_H
 
-#include "engine/matrix.h"
+#include "engine/broyden.h"
 #include "engine/newton.h"
 #include "engine/predict.h"
 #include "engine/single.h"
@@ -47,7 +47,7 @@ struct implicit {
     /* the iteration */
     struct equations equations;
     struct newton newton;
-    struct matrix J;
+    struct broyden J;
     double hfactor; /* h that J was made for; 0: there is none */
     struct predict predict;
     double *hs;         /* [n] h of each coordinate, newton's measure of corrections: all the same here */

@@ -40,8 +40,8 @@ static enum status need_dense(struct matrix *m, double t, struct trouble *why)
 
 int factor_dense(double *J, int *swap, double *spare, enum matrix_form *form, int n)
 {
+    copy(spare, J, n * n);
     if (dense_asymmetry(J, n, n) <= 1e-12) {
-        copy(spare, J, n * n);
         *form = MATRIX_CHOLESKY;
         if (dense_cholesky(J, n, n) < 0) return -1;
         copy(J, spare, n * n); /* a negative slope: the matrix may still be regular */
@@ -108,7 +108,7 @@ void matrix_solve(const struct matrix *m, double *x)
         solve_dense(m->J, m->swap, m->form, x, m->ode->n);
 }
 
-int matrix_drift(const struct matrix *m, double *x, double h, const double *v, const double *a)
+void matrix_push(const struct matrix *m, double *x, double h, const double *v, const double *a)
 {
     int n = m->ode->n;
     zero(x, n);
@@ -118,8 +118,6 @@ int matrix_drift(const struct matrix *m, double *x, double h, const double *v, c
         const double sv = h * v[l->column], sa = h * a[l->column];
         for (int i = l->from; i < l->to; i++) x[i] += sv * K[i] + sa * C[i];
     }
-    if (m->nlive) matrix_solve(m, x);
-    return m->nlive;
 }
 
 void form_recall(enum matrix_form *form, struct recall *r)

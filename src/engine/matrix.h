@@ -19,7 +19,7 @@ struct matrix {
     enum matrix_form form;
     int structured;    /* the owner's solver works here */
     double *J, *K, *C; /* [n x n]; K and C as they are in J; NULL as long as the owner's solver serves */
-    double *spare;     /* [n x n], as J */
+    double *spare;     /* [n x n], as J: what it was before it was factored */
     int *swap;         /* [n] */
     int nlive;         /* columns of K and C that are not zero, as far as known, and their rows that are not */
     struct live *live; /* [n] */
@@ -37,10 +37,10 @@ enum status matrix_factor(struct matrix *m, double cc, double ck, const struct i
 enum status matrix_recall(struct matrix *m, struct recall *r);
 /* x := J^-1 x. */
 void matrix_solve(const struct matrix *m, double *x);
-/* x := J^-1 h (K v + C a), what a changes by in a step h of velocity v under constant forces; 0: that is nothing. */
-int matrix_drift(const struct matrix *m, double *x, double h, const double *v, const double *a);
+/* x := h (K v + C a), what forces change by in a step h of velocity v: nothing where `nlive` is 0. */
+void matrix_push(const struct matrix *m, double *x, double h, const double *v, const double *a);
 
-/* Factors any J [n x n] in place: Cholesky where it is symmetric and positive, LU else; spare [n x n].
+/* Factors any J [n x n] in place: Cholesky where it is symmetric and positive, LU else; spare [n x n] keeps what it was.
  * Returns -1 or the column without a pivot. */
 int factor_dense(double *J, int *swap, double *spare, enum matrix_form *form, int n);
 void form_recall(enum matrix_form *form, struct recall *r);

@@ -11,6 +11,7 @@
  *
  *     AT_ONCE         a third +2.0, three times -2.9, where 2.8 times as much is left over
  *     POWERED         a third +1.2, three times -0.3, where the energy residual grows by 6 percent
+ *     ONE_WAY         a half +0.1, five times -0.2, where the balance of decks/driven-telescope.yaml drifts three times as far
  *     BY_ENERGY       a third 0, three times +0.1, where 1e3 times as much is left over
  *     AT_REST         a tenth +0.1, ten times 0
  *     FAR             a tenth 0, ten times +0.1
@@ -31,7 +32,8 @@ static const double TINY_NORM = 4 * DBL_EPSILON;
 static const double ROUND_OFF = 1e-14; /* tolerance of a step that must be exact */
 static const double ROUGH = 1e-9;      /* corrections above show what a matrix is worth */
 static const double AT_ONCE = .03; /* of the tolerance, after one iteration: its contraction is assumed, not measured */
-static const double POWERED = 1e2; /* tolerances the last correction may have where power is integrated */
+static const double POWERED = 1e2; /* tolerances the last correction may have where power is integrated, */
+static const double ONE_WAY = 20;  /* and where what it leaves has the sign that it had in the steps before */
 static const double AT_REST = 1e-7;   /* scale of a coordinate, at least, of the largest scale */
 static const double BY_ENERGY = 1e-2; /* of the tolerance, where the energy norm decides */
 static const double UNSEEN = .01;     /* of pairs: of what they may leave, after one iteration */
@@ -55,6 +57,8 @@ void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effor
     nt->per = TAKE(life, double, n);
     nt->dz = TAKE(life, double, n);
     nt->r = TAKE(life, double, n);
+    nt->step = TAKE(life, double, n);
+    nt->before = TAKE(life, double, n);
     nt->energies = TAKE(life, double, n);
     remainder_open(&nt->remainder, n, life);
     nt->steps = 1;
@@ -264,14 +268,20 @@ static int little_energy(struct newton *nt, double square)
     return nt->remain * nt->light <= LIGHT * nt->tol && booked;
 }
 
+/* Is a correction small enough for the works, which are those before it? */
+static bool booked(const struct newton *nt, double err)
+{
+    return !nt->powered || err <= (nt->one_way ? ONE_WAY : POWERED) * nt->tol;
+}
+
 /* The same of one step by the tolerance that follows from its error: a coordinate that has little of the energy may be left
  * by some tolerances, a hundredth of what the step misses it by. */
 static int slight(const struct newton *nt, double err, double square)
 {
     const double left = nt->remain * err;
     if (nt->tolerance > 0 || nt->energy <= 0 || nt->count < 2) return 0;
-    if (nt->powered && err > POWERED * nt->tol) return 0;
-    return left <= SLIGHT * nt->tol && nt->remain * nt->remain * fabs(square) <= nt->tol * nt->tol * nt->energy;
+    return booked(nt, err) && left <= SLIGHT * nt->tol &&
+           nt->remain * nt->remain * fabs(square) <= nt->tol * nt->tol * nt->energy;
 }
 
 enum verdict newton_judge(struct newton *nt, double err, double small, double square, const struct instant *x)
@@ -285,7 +295,7 @@ enum verdict newton_judge(struct newton *nt, double err, double small, double sq
     const double rate = first ? 1 : rate_of(nt, err, square), tol = first ? AT_ONCE * nt->tol : nt->tol;
     nt->remain = theta < 1 ? theta / (1 - theta) : DBL_MAX;
     const int balanced = nt->pairs ? little_energy(nt, square) : slight(nt, err, square);
-    int done = err == 0 || balanced || (nt->remain * err <= tol && (!nt->powered || err <= POWERED * nt->tol));
+    int done = err == 0 || balanced || (nt->remain * err <= tol && booked(nt, err));
     if (err == 0) nt->remain = 0;
     if (first) {
         nt->first = err;
@@ -332,10 +342,23 @@ static void watch(struct newton *nt)
     if (nt->count == 1 && nt->fresh < 2) remainder_second(&nt->remainder, nt->dz, nt->per);
 }
 
+/* The last correction and what has come of it show the matrix, if it is the same. */
+static void learn(struct newton *nt, const struct equations *eq)
+{
+    if (nt->count == 0 || nt->fresh >= 2 || nt->last <= ROUGH) return;
+    if (eq->learn(eq->self, nt->dz, nt->step, nt->before, nt->r)) remainder_learnt(&nt->remainder);
+}
+
+static void keep_for_learning(struct newton *nt, int m)
+{
+    copy(nt->step, nt->dz, m);
+    copy(nt->before, nt->r, m);
+}
+
 enum status newton_solve(struct newton *nt, double *z, const struct equations *eq, const double *h, int m,
                          struct trouble *why)
 {
-    const bool whole = m == nt->ode->n && !nt->matrix_free;
+    const bool whole = m == nt->ode->n && !nt->matrix_free, learns = whole && eq->learn;
     for (;;) {
         double dk = 0;
         TRY(eq->resid(eq->self, nt->r, &dk, z, why));
@@ -347,6 +370,7 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         copy(nt->dz, nt->r, m);
         eq->solve(eq->self, nt->dz);
         if (whole) watch(nt);
+        if (learns) learn(nt, eq);
         switch (correct(nt, z, h, m, eq->x)) {
         case CONVERGED:
             if (whole) remainder_take(&nt->remainder, z, nt->dz);
@@ -359,5 +383,6 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
         case FAILED:
             return give_up(nt, eq, m, why);
         }
+        if (learns) keep_for_learning(nt, m);
     }
 }

@@ -31,6 +31,7 @@ struct newton {
     int limit;
     double *scale, *per;                         /* [n] running maximum of velocity, 1 / scale with its floor */
     double *dz, *r;                              /* [n] last correction and residual */
+    double *step, *before;                       /* [n] the ones before */
     double *energies;                            /* [n] work */
     double top;                                  /* largest scale */
     double energy;                               /* running maximum of v . M v */
@@ -60,8 +61,10 @@ struct newton {
     int bad, refreshed;
     int rounding; /* the last correction is of the size of round-off */
     int powered;  /* some power flows: its quadrature wants the last correction small too */
-    double flow;  /* of pairs: energy that powers bring and take in the step, all counted alike */
-    int worst;    /* row of the largest correction */
+    bool
+        one_way; /* what the matrix leaves of corrections goes one way from step to step, and works with it: it is foretold */
+    double flow; /* of pairs: energy that powers bring and take in the step, all counted alike */
+    int worst;   /* row of the largest correction */
 };
 
 /* What is solved: r(z) = 0, z and dz accelerations. */
@@ -71,6 +74,9 @@ struct equations {
     enum status (*resid)(void *self, double *r, double *dk, const double *z, struct trouble *why);
     enum status (*refresh)(void *self, const double *z, struct trouble *why); /* right after resid() there */
     void (*solve)(void *self, double *dz);
+    /* Optional.  The correction `step` that came of the residual `before` has led to r, dz is what solve() makes of it: what
+     * that shows goes into solve(), and dz is made anew; false: it shows nothing. */
+    bool (*learn)(void *self, double *dz, const double *step, const double *before, const double *r);
 };
 
 void newton_open(struct newton *nt, const struct ode2 *ode, struct effort *effort, const struct step_options *options,

@@ -44,7 +44,7 @@ void predict_recall(struct predict *p, struct recall *r)
 }
 
 /* The drift, unless it rests: after that the past of g is a past no more. */
-static int ask(struct predict *p, const struct matrix *J, double h, const double *a0)
+static int ask(struct predict *p, struct broyden *J, double h, const double *a0)
 {
     if (p->rest > 0) {
         if (--p->rest > 0) return 0;
@@ -53,10 +53,10 @@ static int ask(struct predict *p, const struct matrix *J, double h, const double
             p->course[i].miss_model = p->course[i].miss_plain = 0;
         }
     }
-    return J && matrix_drift(J, p->drift, h, p->v, a0);
+    return J && broyden_drift(J, p->drift, h, p->v, a0);
 }
 
-void predict_make(struct predict *p, double *a1, const struct matrix *J, double h, const double *v0, const double *a0,
+void predict_make(struct predict *p, double *a1, struct broyden *J, double h, const double *v0, const double *a0,
                   double ahead)
 {
     double s = p->h > 0 ? h / p->h : 0;

@@ -11,7 +11,7 @@
  * coordinate takes the one that has been closer, older steps fading.  Where that saves little, J is not asked for some
  * time.
  *
- * What J buys: evaluations without it, in percent more, on the twelve decks of renewal.h:
+ * What J buys: evaluations without it, in percent more, on the twelve decks of renewal.h, before broyden.h:
  *
  *     chain 0, bar-slider 0, stiff-leaf-chain 0, four-bar 0, spin-up +2, cantilever +13, flexible-crank +34, axle +9,
  *     andrews 0, whip +24, double-pendulum 0, heavy-top 0
@@ -28,8 +28,8 @@
 #define FMDSUB_ENGINE_PREDICT_H
 
 #include "base/arena.h"
+#include "engine/broyden.h"
 #include "engine/fit.h"
-#include "engine/matrix.h"
 
 struct course {
     struct fit plain, model;               /* of a1 - a0, of g */
@@ -50,7 +50,7 @@ void predict_open(struct predict *p, int n, struct arena *life);
 void predict_forget(struct predict *p);
 void predict_recall(struct predict *p, struct recall *r);
 /* a1 [n] for a step h from v0, a0; J is that of this h, or NULL; `ahead`: v = v0 + ahead a0. */
-void predict_make(struct predict *p, double *a1, const struct matrix *J, double h, const double *v0, const double *a0,
+void predict_make(struct predict *p, double *a1, struct broyden *J, double h, const double *v0, const double *a0,
                   double ahead);
 /* h/12 times what a changes by if it goes on changing as in the step before: the local error of second-order schemes as
  * a velocity, the largest in units 1/per [n] (Zienkiewicz & Xie, Earthq. Eng. Struct. Dyn. 20 (1991) 871). */

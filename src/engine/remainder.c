@@ -57,6 +57,11 @@ void remainder_second(struct remainder *o, const double *d, const double *per)
     o->age = 0;
 }
 
+void remainder_learnt(struct remainder *o)
+{
+    o->alpha = 0;
+}
+
 void remainder_take(const struct remainder *o, double *z, const double *d)
 {
     if (!o->known) return;

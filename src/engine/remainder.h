@@ -31,6 +31,8 @@ void remainder_recall(struct remainder *o, struct recall *r);
 void remainder_begin(struct remainder *o);
 void remainder_first(struct remainder *o, const double *d);
 void remainder_second(struct remainder *o, const double *d, const double *per);
+/* The matrix knows by now what the second correction has shown. */
+void remainder_learnt(struct remainder *o);
 /* z [n] -= what the last correction d leaves. */
 void remainder_take(const struct remainder *o, double *z, const double *d);
 

@@ -9,7 +9,7 @@
  * by, so that one that was made at a bad moment is not the measure for ever.
  *
  * What it buys: evaluations without it, a matrix being kept until its contraction is above 0.3, in percent more, on the
- * shipped decks as they are (those at 0 are sub-cycled, and renew their masses in each step):
+ * shipped decks as they are (those at 0 are sub-cycled, and renew their masses in each step), before broyden.h:
  *
  *     chain +46, bar-slider 0, stiff-leaf-chain 0, four-bar +14, spin-up +25, cantilever +4, flexible-crank +258,
  *     axle +16, andrews +15, whip +118, double-pendulum 0, heavy-top -1 */

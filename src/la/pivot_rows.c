@@ -179,6 +179,42 @@ FEW void few_tsolve(const double *restrict LU, const int *swap, double *restrict
 
 /* --- and for bands with two or three numbers below the diagonal, as chains of loops have them --------- */
 
+/* x[-n ... -1] -= y a[-n ... -1]: most bands have four at most there, to which a jump is shorter than a loop. */
+FEW void take_before(double *restrict x, double y, const double *restrict a, int n)
+{
+    for (; n > 4; n--) x[-n] -= a[-n] * y;
+    switch (n) {
+    case 4:
+        x[-4] -= a[-4] * y; /* fall through */
+    case 3:
+        x[-3] -= a[-3] * y; /* fall through */
+    case 2:
+        x[-2] -= a[-2] * y; /* fall through */
+    case 1:
+        x[-1] -= a[-1] * y; /* fall through */
+    default:
+        break;
+    }
+}
+
+/* y - a[-n] x[-n] - ... - a[-1] x[-1], in that order. */
+FEW double less_before(double y, const double *restrict a, const double *restrict x, int n)
+{
+    for (; n > 4; n--) y -= a[-n] * x[-n];
+    switch (n) {
+    case 4:
+        y -= a[-4] * x[-4]; /* fall through */
+    case 3:
+        y -= a[-3] * x[-3]; /* fall through */
+    case 2:
+        y -= a[-2] * x[-2]; /* fall through */
+    case 1:
+        y -= a[-1] * x[-1]; /* fall through */
+    default:
+        return y;
+    }
+}
+
 FEW int narrow_factor(double *A, int *swap, int below, const int *band, int n, int ld)
 {
     int k = 0;
@@ -225,9 +261,8 @@ FEW void narrow_solve(const double *restrict LU, const int *swap, int below, con
     }
     for (j = n - 1; j >= 0; j--) {
         a -= ld + 1;
-        const int most = least_of(band[1], j);
-        const double y = x[j] /= a[0];
-        for (int i = 1; i <= most; i++) x[j - i] -= a[-i] * y;
+        x[j] /= a[0];
+        take_before(x + j, x[j], a, least_of(band[1], j));
     }
 }
 
@@ -237,10 +272,7 @@ FEW void narrow_tsolve(const double *restrict LU, const int *swap, int below, co
     const double *a = LU;
     int j = 0;
     for (; j < n; j++, a += ld + 1) {
-        const int most = least_of(band[1], j);
-        double y = x[j];
-        for (int i = most; i >= 1; i--) y -= a[-i] * x[j - i];
-        x[j] = y / a[0];
+        x[j] = less_before(x[j], a, x + j, least_of(band[1], j)) / a[0];
     }
     for (j = n - 1; j >= 0; j--) {
         a -= ld + 1;

@@ -261,7 +261,7 @@ static void minor_end(struct miao *m, int i)
 
 static enum status minor_steps(struct miao *m, struct stepper *s, double t0, double to, struct trouble *why)
 {
-    struct equations eq = {m, &m->x, minor_resid, refresh, minor_solve};
+    struct equations eq = {m, &m->x, minor_resid, refresh, minor_solve, NULL};
     for (int i = 1; i < m->ratio; i++) {
         double local = 0;
         if (stop) return stop_status();
@@ -295,7 +295,7 @@ static enum status begin(struct miao *m, const struct state *x, struct trouble *
 
 static enum status common_step(struct miao *m, struct stepper *s, const struct state *x, struct trouble *why)
 {
-    struct equations eq = {m, &m->x, common_resid, refresh, common_solve};
+    struct equations eq = {m, &m->x, common_resid, refresh, common_solve, NULL};
     copy(m->qi, x->q, m->ode->nq);
     copy(m->vi, x->v, m->n);
     copy(m->ai, x->a, m->n);

@@ -34,7 +34,7 @@ for deck in tests/effects/flat-*.yaml decks/effect-plane.yaml tests/bench/effect
     name=${deck##*/}
     case $name in
     crank-*) set -- --set integrate.step=5.0e-6 --set integrate.until=0.01 ;;
-    chain-*) set -- --set integrate.newton_tolerance=1.0e-12 ;; # what iterations leave grows
+    chain-* | flat-bent* | effect-plane*) set -- --set integrate.newton_tolerance=1.0e-12 ;; # what iterations leave grows
     *) set -- ;;
     esac
     flat "${name%.yaml}" "$deck" "$@"
