@@ -10,6 +10,13 @@
 enum { SMALL = 12 };                   /* coordinates up to which full matrices are no slower than structured ones */
 enum { FORMED = 12, WITH_ZEROS = 64 }; /* M_f is formed for so many coordinates of fast bodies, of so many in all */
 
+/* Is mass(FAST) less work than what it stands for: an evaluation, and one for each column or row? */
+static bool is_formed(const struct decouple *p, const struct ode2_direct *direct)
+{
+    const int columns = p->ns < p->ml ? p->ns : p->ml;
+    return direct || (p->ode->price > 0 && p->ode->price < 1 + columns);
+}
+
 void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *effort, struct arena *life)
 {
     const struct ode2_direct *direct = ode->direct;
@@ -26,7 +33,7 @@ void decouple_open(struct decouple *p, const struct ode2 *ode, struct effort *ef
     p->Z = TAKE_MATRIX(life, double, ns, ns);
     p->row = TAKE(life, double, ns);
     p->none = TAKE(life, double, n);
-    if (direct && ns + p->ml <= FORMED && n <= WITH_ZEROS) p->Mf = TAKE_MATRIX(life, double, n, n);
+    if (is_formed(p, direct) && ns + p->ml <= FORMED && n <= WITH_ZEROS) p->Mf = TAKE_MATRIX(life, double, n, n);
     p->z = TAKE(life, double, n);
     p->r = TAKE(life, double, n);
     p->a = TAKE(life, double, n);

@@ -222,7 +222,7 @@ static void begin(struct subcycle *c, const struct state *x, double h, int ratio
     c->h = h;
     c->H = h * ratio;
     c->ratio = ratio;
-    c->ended = false;
+    c->ended = c->halved = false;
     c->t0 = x->t;
     c->t1 = to;
     c->q0 = x->q;

@@ -46,6 +46,13 @@ static enum status settle(struct subcycle *c, const struct state *x, struct trou
     return c->ode->settle ? c->ode->settle(c->ode, c->qn, c->v, &whole, why) : OK;
 }
 
+/* q_n cannot be closed: says why. */
+static enum status no_end(struct subcycle *c, struct trouble *why)
+{
+    const struct instant end = {.t = c->t1, .q = c->qn, .v = c->v0, .ta = c->t1, .tb = c->t1};
+    return c->ode->ops->resid(c->ode, c->r, NULL, NULL, &end, ALL, why);
+}
+
 enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state *x, struct trouble *why)
 {
     int n = c->n;
@@ -54,6 +61,8 @@ enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state 
     s->left = fabs(c->push) * fmin(1, c->newton.remain);
     copy(s->work, c->work, POWER_CHANNELS);
     subcycle_compose(c);
+    if (c->direct) subcycle_end(c);
+    if (isnan(c->qn[0])) return no_end(c, why);
     remember(c);
     subcycle_resolve(c, s);
     subcycle_last_keep(c);

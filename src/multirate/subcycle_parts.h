@@ -140,6 +140,7 @@ struct subcycle {
     /* The end of the step, and the slow bodies. */
     double *qn;                 /* [nq] q_n */
     bool ended;                 /* it has been found in this step, for these unknowns or earlier ones */
+    bool halved, ajar;          /* so has qbar, directly; its loops were left open */
     double *qbar, *vbar, *abar; /* [nq], [n], [n] mean position, velocity, acceleration of (S5) */
     double *pull;               /* [near] du/H */
     double *slow;               /* [nl] slow rows of r_s */
@@ -198,9 +199,11 @@ void subcycle_place(struct subcycle *c, int k);
 void subcycle_advance(struct subcycle *c, const double *d);
 /* When minor step k ends. */
 double subcycle_minor_end(const struct subcycle *c, int k);
-/* w, x_n, v_S at the end, q_n, and the sum of the d_k. */
+/* w, x_n, v_S at the end, the sum of the d_k, and q_n if it is needed. */
 void subcycle_compose(struct subcycle *c);
-/* dq = q_n (-) q_0 and qbar, half-way; returns its time [s]. */
+/* q_n, after subcycle_compose(). */
+void subcycle_end(struct subcycle *c);
+/* dq = q_n (-) q_0 and qbar, half-way, after subcycle_compose(); returns its time [s]. */
 double subcycle_middle(struct subcycle *c);
 
 /* --- a sweep ------------------------------------------------------------------------------------ */

@@ -2,7 +2,8 @@
  * (S9).
  *
  * Where loops are closed and displacements add up (ode2's `straight`) the middle of a minor step is found from q0, by its whole
- * displacement; dependents go on from the middle before it.  q_k then need not be closed at all.
+ * displacement; dependents go on from the middle before it.  q_k then need not be closed at all, and q_n only of the step that
+ * has been found.
  *
  * The minor steps move only what fast bodies and elements know of the slow coordinates, the first `near`; the
  * others follow at the end (all of them where positions have a move of their own). */
@@ -113,6 +114,11 @@ static void by_steps(struct subcycle *c)
 static void in_one_go(struct subcycle *c)
 {
     displacement(c, c->ratio);
+    if (c->direct) {
+        copy(c->qn, c->qmid, c->ode->nq);
+        motion_onward(c->ode, c->qn, c->q0, c->dq, 1, c->t1, OPEN_BEFORE);
+        return;
+    }
     if (c->ended)
         motion_again(c->ode, c->qn, c->q0, c->dq, 1, c->t1, 0);
     else
@@ -159,6 +165,11 @@ void subcycle_compose(struct subcycle *c)
         fast_steps(c);
     else
         plain_steps(c);
+    if (!c->direct) subcycle_end(c);
+}
+
+void subcycle_end(struct subcycle *c)
+{
     const bool straight = !c->ode->move || c->ode->straight;
     if (straight) in_one_go(c);
     if (!straight || isnan(c->qn[0])) by_steps(c);
@@ -167,7 +178,16 @@ void subcycle_compose(struct subcycle *c)
 double subcycle_middle(struct subcycle *c)
 {
     const double mid = c->t0 + (c->t1 - c->t0) / 2;
-    motion_diff(c->ode, c->dq, c->qn, c->q0);
-    motion_point(c->ode, c->qbar, c->q0, c->dq, .5, mid);
+    if (!c->direct) {
+        motion_diff(c->ode, c->dq, c->qn, c->q0);
+        motion_point(c->ode, c->qbar, c->q0, c->dq, .5, mid);
+        return mid;
+    }
+    displacement(c, c->ratio);
+    if (c->halved)
+        c->ajar = motion_again(c->ode, c->qbar, c->q0, c->dq, .5, mid, OPEN_AFTER | (c->ajar ? OPEN_BEFORE : 0));
+    else
+        c->ajar = motion_first(c->ode, c->qbar, c->q0, c->dq, .5, mid);
+    c->halved = true;
     return mid;
 }
