@@ -66,19 +66,39 @@ bool expr_bends(const struct expr_way *o)
 
 /* ---- poles ---- */
 
-/* On the side of u to which `far` leads; there is no room, or nothing. */
-static bool unbounded(const struct expr_way *o, double u, double far)
+/* The least of the way that slots which move can tell from nothing: the one that can best, and the one that can worst. */
+static void grains(double *fine, double *coarse, const struct expr_way *o)
 {
-    const double near = copysign(64 * SLIVER, far), away = copysign(fmin(fabs(far), 0x1p20 * fabs(near)), far);
-    if (!(fabs(away) > 4 * fabs(near))) return false;
+    *fine = INFINITY;
+    *coarse = 0;
+    for (int i = 0; i < o->n; i++) {
+        if (o->a[i] == o->b[i]) continue;
+        const double x = DBL_EPSILON * fmax(fabs(o->a[i]), fabs(o->b[i])) / fabs(o->b[i] - o->a[i]);
+        *fine = fmin(*fine, fmax(SLIVER, x));
+        *coarse = fmax(*coarse, fmax(SLIVER, x));
+    }
+}
+
+/* On the side of u to which `far` leads, as seen from places `least` apart; there is no room, or nothing. */
+static bool unbounded(const struct expr_way *o, double u, double far, double least)
+{
+    const double near = copysign(64 * least, far), away = copysign(fmin(fabs(far), 0x1p20 * fabs(near)), far);
+    if (!(fabs(away) > 16 * fabs(near))) return false;
     const double f = value_at(o, u + near), g = value_at(o, u + away);
     return isinf(f) || fabs(near * f) > .5 * fabs(away * g);
 }
 
-/* In the sliver [v, w] behind a piece from u. */
+static bool beside(const struct expr_way *o, double u, double v, double w, double least)
+{
+    return unbounded(o, v, (u - v) / 2, least) || unbounded(o, w, (1 - w) / 2, least);
+}
+
+/* In the sliver [v, w] behind a piece from u, whichever of the slots has it. */
 static bool pole_in(const struct expr_way *o, double u, double v, double w)
 {
-    return unbounded(o, v, (u - v) / 2) || unbounded(o, w, (1 - w) / 2);
+    double fine, coarse;
+    grains(&fine, &coarse, o);
+    return beside(o, u, v, w, fine) || (coarse > fine && beside(o, u, v, w, coarse));
 }
 
 bool expr_pole(double *at, const struct expr_way *o)

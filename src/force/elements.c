@@ -170,6 +170,18 @@ int elements_pole(const struct elements *e)
     return -1;
 }
 
+int elements_pole_to(struct elements *e, const struct sweep *s, const struct instant *x)
+{
+    for (int i = 0; i < e->nother[ALL]; i++)
+        if (e->other[i].poles && e->other[i].kind->pole(e, s, &e->other[i], x)) return e->other[i].force;
+    return -1;
+}
+
+void elements_no_pole(struct elements *e)
+{
+    for (int i = 0; i < e->nother[ALL]; i++) e->other[i].pole = false;
+}
+
 bool elements_may_bend(const struct elements *e)
 {
     for (int i = 0; i < e->nother[ALL]; i++)

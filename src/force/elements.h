@@ -68,13 +68,16 @@ void elements_stepped(struct elements *e, const struct sweep *s, const struct in
 bool elements_turn(const struct elements *e);
 void elements_turned(struct elements *e, const struct sweep *s, double dt);
 void elements_look(struct elements *e, const struct sweep *view);
-/* Did a law have a corner or a jump in the last step?  Has a force grown without bound?  Which one; -1: none. */
+/* Did a law have a corner or a jump in the last step?  Has a force grown without bound since elements_no_pole(), or
+ * would it on the way from the last step's end to x, after move() there?  Which one; -1: none. */
 bool elements_may_bend(const struct elements *e);
 /* Is there a force that is no linear law? */
 bool elements_may_be_steep(const struct elements *e);
 bool elements_bent(const struct elements *e);
 bool elements_may_have_poles(const struct elements *e);
 int elements_pole(const struct elements *e);
+int elements_pole_to(struct elements *e, const struct sweep *s, const struct instant *x);
+void elements_no_pole(struct elements *e);
 /* Is there any that may be met and left again within a step? */
 bool elements_may_be_passed(const struct elements *e);
 /* Clear at instants a and b, may one have been met between, by as much as `deep`?  Nothing is quicker than at the ends.  Is one

@@ -185,11 +185,17 @@ static void follow(struct elements *e, const struct sweep *s, struct part_of *p,
     if (begins) p->stood = p->V = 0;
     if (p->sums) {
         const double V = p->V - taken(p, f, to);
-        p->pole = !isfinite(V) && !begins;
+        p->pole = !begins && (p->pole || !isfinite(V));
         if (isfinite(V)) p->V = V;
     }
     p->came = begins ? to : p->stood;
     p->stood = to;
+}
+
+static bool pole(struct elements *e, const struct sweep *s, const struct part_of *p, const struct instant *x)
+{
+    const struct model_force *f = &e->model->force[p->force];
+    return !isfinite(taken(p, f, measured(e, s, f, x->q, x->v)));
 }
 
 bool law_bent(const struct elements *e, const struct part_of *p)
@@ -244,4 +250,5 @@ const struct element_kind element_law = {.sort = sort,
                                          .stored = stored,
                                          .end = at_end,
                                          .place = place,
-                                         .follow = follow};
+                                         .follow = follow,
+                                         .pole = pole};

@@ -46,7 +46,7 @@ struct part_of {
     double whole[3];         /* whole() there, */
     double at_once[3];       /* and the part of it that is there at once */
     int nside, sided[3];     /* values that change sign where it bends or jumps: all; of each signal */
-    bool pole;               /* it has grown without bound in the last step */
+    bool pole;               /* it has grown without bound in a step */
     int a, b; /* the bodies, where each is part of another tree that flies, or one of a tree of several; else both 0 */
     int nturn;
     const int *turn; /* [nturn] else: rotations that change the measure: on one body's path and not on the other's */
@@ -85,6 +85,8 @@ struct element_kind {
                     const double *q, const double *v);
     /* Required where follows is set: at the start (begins), and at the end of each step. */
     void (*follow)(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins);
+    /* Required where poles is set: does it grow without bound on the way from there to x? */
+    bool (*pole)(struct elements *e, const struct sweep *s, const struct part_of *p, const struct instant *x);
 };
 extern const struct element_kind element_law, element_value, element_load, element_between;
 

@@ -189,14 +189,21 @@ static void sides(double *side, double *force, struct elements *e, const struct 
     }
 }
 
-/* Does one of the values grow without bound on the straight way of the last step? */
-static void follow(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins)
+/* Does one of the values grow without bound on the straight way to x? */
+static bool pole(struct elements *e, const struct sweep *s, const struct part_of *p, const struct instant *x)
 {
     const struct model_force *f = &e->model->force[p->force];
-    value_read(e, s, p, x);
+    bool met = false;
+    read_slots(e, s, f, x);
+    for (int i = 0; i < 3; i++) met |= signal_pole(&f->value[i], p->now, e->slot, f->nslot);
+    return met;
+}
+
+static void follow(struct elements *e, const struct sweep *s, struct part_of *p, const struct instant *x, bool begins)
+{
     if (begins) value_read(e, s, p, x);
-    p->pole = false;
-    for (int i = 0; i < 3; i++) p->pole |= signal_pole(&f->value[i], p->last, p->now, f->nslot);
+    p->pole = !begins && (p->pole || pole(e, s, p, x));
+    value_read(e, s, p, x);
 }
 
 /* Of time alone there are no slopes. */
@@ -217,6 +224,6 @@ static void sort(struct part_of *p, const struct model *m, const struct model_fo
 }
 
 const struct element_kind element_value = {
-    .sort = sort, .sides = sides, .load = load_value, .slopes = slopes_value, .follow = follow};
+    .sort = sort, .sides = sides, .load = load_value, .slopes = slopes_value, .follow = follow, .pole = pole};
 const struct element_kind element_load = {
-    .sort = sort, .sides = sides, .load = load_body, .slopes = slopes_body, .follow = follow};
+    .sort = sort, .sides = sides, .load = load_body, .slopes = slopes_body, .follow = follow, .pole = pole};

@@ -125,11 +125,26 @@ static bool passed_over(const struct sim *sim)
     return passing_found(sim->passing, &before, &sim->x) || passes_through(sim);
 }
 
+/* The force that has grown without bound in the step; -1: none.  A scheme with steps of its own tells the system of the last one of
+ * them when it begins with the next. */
+static int pole_in(const struct sim *sim)
+{
+    const int force = sim->watched ? system_pole(sim->system) : -1;
+    const bool told = force >= 0 || !sim->watched || !sim->stepper.kind->adaptive;
+    return told ? force : system_pole_to(sim->system, sim->x.q, sim->x.v, sim->x.t);
+}
+
+static enum status stop_before(struct sim *sim, int pole, double t)
+{
+    TRY(undo(sim, t));
+    return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
+}
+
 /* Watched: is the step to be undone that was taken in the chart of number `chart`? */
 static bool wrong(const struct sim *sim, long chart)
 {
     if (chart != system_charts(sim->system)) return false;
-    return (sim->watched && (system_pole(sim->system) >= 0 || spoilt(sim))) || passed_over(sim);
+    return (sim->watched && (pole_in(sim) >= 0 || spoilt(sim))) || passed_over(sim);
 }
 
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
@@ -153,9 +168,8 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
         TRY(undo(sim, t));
         return step(sim, h, ratio, to, depth);
     }
-    const int pole = sim->watched ? system_pole(sim->system) : -1;
-    if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
-    return note(sim, h, ratio);
+    const int pole = pole_in(sim);
+    return pole >= 0 ? stop_before(sim, pole, t) : note(sim, h, ratio);
 }
 
 /* More steps given up than a run can mean to; of a scheme with its own from record to record, for where forces jump for
@@ -210,9 +224,8 @@ static enum status natural_step(struct sim *sim, double to, int depth)
         TRY(undo(sim, t));
         return natural_step(sim, t + (end - t) / 2, depth + 1);
     }
-    const int pole = sim->watched ? system_pole(sim->system) : -1;
-    if (pole >= 0) return trouble_set(&sim->trouble, TROUBLE_LAW, pole, INFINITY, t);
-    return note(sim, end - t, 1);
+    const int pole = pole_in(sim);
+    return pole >= 0 ? stop_before(sim, pole, t) : note(sim, end - t, 1);
 }
 
 enum status advance_naturally(struct sim *sim, double to)

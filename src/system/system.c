@@ -339,11 +339,19 @@ int system_pole(const struct system *s)
     return elements_pole(s->tree.elements);
 }
 
+int system_pole_to(struct system *s, const double *q, const double *v, double t)
+{
+    struct trouble why;
+    if (system_evaluate_itself(s, q, v, t, 0, &why) != OK) return -1;
+    return elements_pole_to(s->tree.elements, s->view, &(struct instant){.t = t, .q = s->q, .v = s->v});
+}
+
 enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why)
 {
     struct ode2 *tree = &s->tree.ode;
     TRY(evaluate_rates(s, q, v, t, why));
     if (tree->chart) tree->chart->rechart(tree, q, s->v, t);
+    elements_no_pole(s->tree.elements);
     return OK;
 }
 

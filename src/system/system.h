@@ -119,9 +119,11 @@ double system_start_length(const struct system *s);
  * at t are those before it. */
 bool system_may_bend(const struct system *s);
 bool system_bent(const struct system *s);
-/* Forces given as expressions that divide?  Has one grown without bound in the last step?  Its number; -1: none. */
+/* Forces given as expressions that divide?  Has one grown without bound since the start, or since system_back(); would one on the
+ * way from where the last step has ended that is known of, to q, v at t?  Its number; -1: none. */
 bool system_may_have_poles(const struct system *s);
 int system_pole(const struct system *s);
+int system_pole_to(struct system *s, const double *q, const double *v, double t);
 enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why);
 /* The force that jumps most within h of the motion at q, v and t [s], and its values; -1: none does. */
 int system_leap(struct system *s, double *before, double *behind, const double *q, const double *v, double t, double h);
