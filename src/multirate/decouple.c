@@ -242,9 +242,104 @@ void decouple_both(const struct decouple *p, double *restrict v, double *restric
     }
 }
 
+/* Slow row i of P (y, v) for one, two or three fast coordinates. */
+INTO static inline double few_row(const struct decouple *p, const double *y, const double *v, int i, int few)
+{
+    const double *W = p->W + i;
+    double x = y[i] - W[0] * v[0];
+    if (few > 1) x -= W[p->nl] * v[1];
+    if (few > 2) x -= W[2 * p->nl] * v[2];
+    return x;
+}
+
+struct there {
+    double *v, *a, *q1;
+    const double *q0, *y, *b;
+    double s;
+};
+
+INTO static inline void few_there(const struct decouple *p, const struct there *o, int rows, int few)
+{
+    double *restrict v = o->v + few, *restrict a = o->a + few, *restrict q1 = o->q1 + few;
+    const double *restrict q0 = o->q0 + few, *y = o->y, *b = o->b;
+    double u[3], w[3];
+    for (int j = 0; j < few; j++) u[j] = o->v[j], w[j] = o->a[j];
+    for (int i = 0; i < rows; i++) {
+        a[i] = few_row(p, b, w, i, few);
+        v[i] = few_row(p, y, u, i, few);
+        q1[i] = q0[i] + o->s * v[i];
+    }
+}
+
+void decouple_there(const struct decouple *p, double *restrict v, double *restrict a, double *restrict q1,
+                    const double *restrict q0, double s, const double *restrict y, const double *restrict b, int m)
+{
+    const int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    const struct there o = {v, a, q1, q0, y, b, s};
+    for (int i = 0; i < ns; i++) q1[i] = q0[i] + s * v[i];
+    if (ns == 1) {
+        few_there(p, &o, rows, 1);
+    } else if (ns == 2) {
+        few_there(p, &o, rows, 2);
+    } else if (ns == 3) {
+        few_there(p, &o, rows, 3);
+    } else {
+        decouple_both(p, v, a, y, b, rows);
+        for (int i = ns; i < ns + rows; i++) q1[i] = q0[i] + s * v[i];
+    }
+    for (int i = rows; i < m; i++) {
+        v[ns + i] = y[i];
+        a[ns + i] = b[i];
+        q1[ns + i] = q0[ns + i] + s * y[i];
+    }
+}
+
+void decouple_on(const struct decouple *p, double *restrict q, double s, const double *restrict y,
+                 const double *restrict v, int m)
+{
+    const int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    double *restrict slow = q + ns;
+    for (int i = 0; i < ns; i++) q[i] += s * v[i];
+    if (ns == 1)
+        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y, v, i, 1);
+    else if (ns == 2)
+        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y, v, i, 2);
+    else if (ns == 3)
+        for (int i = 0; i < rows; i++) slow[i] += s * few_row(p, y, v, i, 3);
+    else
+        for (int i = 0; i < rows; i++) {
+            double x = y[i];
+            for (int j = 0; j < ns; j++) x -= p->W[i + (long)j * p->nl] * v[j];
+            slow[i] += s * x;
+        }
+    for (int i = rows; i < m; i++) slow[i] += s * y[i];
+}
+
+/* The fast rows of P' r for two or three fast coordinates in one pass, to the same bits as one by one. */
+INTO static inline void few_fast(const struct decouple *p, double *restrict rs, const double *restrict r, int rows,
+                                 int few)
+{
+    const double *restrict W = p->W, *restrict slow = r + few;
+    double sum[3] = {0, 0, 0};
+    for (int i = 0; i < rows; i++) {
+        sum[0] += W[i] * slow[i];
+        sum[1] += W[i + p->nl] * slow[i];
+        if (few > 2) sum[2] += W[i + 2 * p->nl] * slow[i];
+    }
+    for (int j = 0; j < few; j++) rs[j] = r[j] - sum[j];
+}
+
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m)
 {
     int ns = p->ns, rows = p->reach < m ? p->reach : m;
+    if (ns == 2) {
+        few_fast(p, rs, r, rows, 2);
+        return;
+    }
+    if (ns == 3) {
+        few_fast(p, rs, r, rows, 3);
+        return;
+    }
     for (int j = 0; j < ns; j++) {
         const double *W = p->W + (long)j * p->nl;
         double sum = 0;

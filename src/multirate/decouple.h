@@ -95,6 +95,11 @@ void decouple_recoil(const struct decouple *p, double *y, double s, const double
 void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m);
 /* v and a [ns + m] := P (y, v) and P (b, a), where they have their fast rows. */
 void decouple_both(const struct decouple *p, double *v, double *a, const double *y, const double *b, int m);
+/* The same, and q1 [ns + m] = q0 + s v: in one pass where few coordinates are fast, to the same bits. */
+void decouple_there(const struct decouple *p, double *v, double *a, double *q1, const double *q0, double s,
+                    const double *y, const double *b, int m);
+/* q [ns + m] += s P (y, v), likewise; v [ns]. */
+void decouple_on(const struct decouple *p, double *q, double s, const double *y, const double *v, int m);
 /* rs [ns] := the fast rows of P' r, where r has its first m slow rows. */
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m);
 /* K [n x n] := P' K P, where K has its first m slow rows and columns. */

@@ -150,6 +150,9 @@ enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
         if (k == p.at[i]) TRY(node(c, &p, i++, why));
         if (c->ode->straight) {
             subcycle_fast_velocity(c, d);
+        } else if (!c->ode->move) {
+            subcycle_fast_velocity(c, d);
+            decouple_on(&c->dec, c->q, c->h, c->w, c->v, c->near);
         } else {
             subcycle_velocity(c, d);
             subcycle_point(c, c->q, c->q, 1, subcycle_minor_end(c, k));

@@ -15,11 +15,7 @@ enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *pow
                                 struct trouble *why)
 {
     int ns = c->ns;
-    double per = 1 / c->h;
-    subcycle_fast_velocity(c, d);
-    for (int i = 0; i < ns; i++) c->a[i] = per * d[i];
-    decouple_both(&c->dec, c->v, c->a, c->w, c->pull, c->near);
-    subcycle_half_way(c, x->t);
+    subcycle_half_way(c, d, x->t);
     if (x->qb) subcycle_point(c, c->qend, c->q, 1, x->tb);
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
@@ -94,17 +90,15 @@ void subcycle_rewind(struct subcycle *c)
 }
 
 /* q_k+1 from q_k; the middle, where the fast bodies have just been, is near. */
-static void next_point(struct subcycle *c, double t)
+static void next_point(struct subcycle *c, const double *d, double t)
 {
     double *before = c->q;
-    if (c->direct) {
-        subcycle_go(c);
+    if (c->direct || !c->ode->move) {
+        subcycle_fast_velocity(c, d);
+        decouple_on(&c->dec, c->direct ? c->way : c->q, c->h, c->w, c->v, c->near);
         return;
     }
-    if (!c->ode->move) {
-        subcycle_point(c, c->q, c->q, 1, t);
-        return;
-    }
+    subcycle_velocity(c, d);
     copy(c->qnext, c->qmid, c->ode->nq);
     subcycle_onward(c, c->qnext, c->q, 1, t, OPEN_BEFORE);
     c->q = c->qnext;
@@ -138,8 +132,7 @@ enum status subcycle_fast_rows(struct subcycle *c, struct trouble *why)
         minor_sums(c, d);
         subcycle_coarse_keep(c, k);
         if (k + 1 < c->ratio) {
-            subcycle_velocity(c, d);
-            next_point(c, x.tb);
+            next_point(c, d, x.tb);
             x.qa = c->q;
         } else { /* nobody asks where the last one ends: that is composed when all unknowns are corrected */
             subcycle_fast_velocity(c, d);

@@ -188,10 +188,8 @@ void subcycle_point(struct subcycle *c, double *x1, const double *x0, double s, 
 /* The same where x1 holds a position nearby, from which loops are closed; x1 is not x0.  open: as onward() of ode2_move has
  * it. */
 void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s, double t, int open);
-/* qmid := the point of the minor step at time t, half-way along v_k. */
-void subcycle_half_way(struct subcycle *c, double t);
-/* On to the next minor step along v_k, where points are found directly. */
-void subcycle_go(struct subcycle *c);
+/* v_k and a_k of d_k (S4), and qmid := the point at time t, half-way along v_k. */
+void subcycle_half_way(struct subcycle *c, const double *d, double t);
 /* To the start of minor step k, after those that have led to x_k = c->xn, directly from q0: where motion_point() is additive
  * (ode2's `straight`). */
 void subcycle_place(struct subcycle *c, int k);

@@ -46,21 +46,36 @@ void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s,
     c->ode->move->onward(c->ode, x1, x0, c->dq, s, t, open);
 }
 
-void subcycle_half_way(struct subcycle *c, double t)
+/* v_k and a_k of d_k in the fast rows. */
+static void fast_motion(struct subcycle *c, const double *d)
 {
-    if (!c->direct) {
-        if (c->ode->move) copy(c->qmid, c->q, c->ode->nq);
-        subcycle_onward(c, c->qmid, c->q, .5, t, OPEN_AFTER);
+    const double per = 1 / c->h;
+    if (c->alpha > 0) {
+        subcycle_fast_velocity(c, d);
+        for (int i = 0; i < c->ns; i++) c->a[i] = per * d[i];
         return;
     }
-    const double half = c->h / 2;
-    for (int i = 0; i < c->n; i++) c->dq[i] = c->way[i] + half * c->v[i];
-    motion_onward(c->ode, c->qmid, c->q0, c->dq, 1, t, OPEN_BEFORE | OPEN_AFTER);
+    const double *restrict vs = c->vs;
+    double *restrict v = c->v, *restrict a = c->a;
+    for (int i = 0; i < c->ns; i++) {
+        v[i] = vs[i] + d[i] / 2;
+        a[i] = per * d[i];
+    }
 }
 
-void subcycle_go(struct subcycle *c)
+void subcycle_half_way(struct subcycle *c, const double *d, double t)
 {
-    for (int i = 0; i < c->n; i++) c->way[i] += c->h * c->v[i];
+    const double *from = c->direct ? c->way : c->q;
+    fast_motion(c, d);
+    if (c->direct || !c->ode->move) {
+        double *to = c->direct ? c->dq : c->qmid;
+        decouple_there(&c->dec, c->v, c->a, to, from, c->h / 2, c->w, c->pull, c->near);
+        if (c->direct) motion_onward(c->ode, c->qmid, c->q0, c->dq, 1, t, OPEN_BEFORE | OPEN_AFTER);
+        return;
+    }
+    decouple_both(&c->dec, c->v, c->a, c->w, c->pull, c->near);
+    copy(c->qmid, c->q, c->ode->nq);
+    subcycle_onward(c, c->qmid, c->q, .5, t, OPEN_AFTER);
 }
 
 void subcycle_advance(struct subcycle *c, const double *d)

@@ -23,7 +23,9 @@ struct link {
     int parent;
     enum planar_type type;
     int iq[3], iv[3], nv;
-    int limb; /* the body on the ground that carries it */
+    int limb;  /* the body on the ground that carries it */
+    int last;  /* of a body on the ground: the last one that it carries */
+    int pivot; /* velocities of the bodies before it */
     double turn;
     double a[2], b[2]; /* the joint's point from the parent's, the child's centre; drawn axes [m] */
     double e[2][2];    /* directions of the displacements, drawn axes */

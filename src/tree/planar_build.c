@@ -69,6 +69,8 @@ static struct sweep *build(const struct model *m, enum purpose purpose, const bo
         build_link(&s->link[i], &s->link[j->parent], j, model_kind(m, j->type), &m->body[i]);
         s->link[i].limb = j->parent ? s->link[j->parent].limb : i;
         s->limbs += !j->parent;
+        s->link[s->link[i].limb].last = i;
+        s->link[i].pivot = s->link[i - 1].pivot + s->link[i - 1].nv;
     }
     routes_build(&s->routes, m, life);
     planar_flex_build(s, life);

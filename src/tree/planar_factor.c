@@ -84,7 +84,7 @@ static inline void carry(double *to, const double *I, const double *arm)
 TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flexible)
 {
     double(*arm)[2] = arms(F);
-    struct pivot *pivot = pivots(s, F) + s->n;
+    struct pivot *base = pivots(s, F);
     for (int i = 1; i < s->nbody; i++) {
         double *I = s->part[i].I;
         I[0] = cm * s->link[i].inertia;
@@ -95,7 +95,7 @@ TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flex
     for (int i = s->nbody - 1; i > 0; i--) {
         const struct link *l = &s->link[i];
         struct part *x = &s->part[i];
-        pivot -= l->nv;
+        struct pivot *pivot = base + l->pivot;
         if (flexible && !planar_flex_eliminate(s, modes(s, F), i, d)) return 0;
         for (int k = 0; k < l->nv; k++) {
             planar_unit(pivot[k].s, x, l, k);
@@ -114,46 +114,61 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
     return s->bend ? factor(s, F, cm, d, true) : factor(s, F, cm, d, false);
 }
 
+/* From a body to its parent: right sides, and the bias that it has itself and brings up. */
+static inline void inwards(double *restrict up, double *restrict here, const struct link *l, const struct pivot *pivot,
+                           double *restrict x, const double *arm)
+{
+    double h0 = here[0], h1 = here[1], h2 = here[2];
+    for (int k = 0; k < l->nv; k++) {
+        const struct pivot *o = &pivot[k];
+        const double e = (x[l->iv[k]] - (o->s[0] * h0 + o->s[1] * h1 + o->s[2] * h2)) * o->inverse;
+        x[l->iv[k]] = e;
+        h0 += o->U[0] * e;
+        h1 += o->U[1] * e;
+        h2 += o->U[2] * e;
+    }
+    up[0] += h0 - arm[1] * h1 + arm[0] * h2;
+    up[1] += h1;
+    up[2] += h2;
+}
+
+/* And back: its twist V from that of its parent, and x. */
+static inline void outwards(double *restrict V, const double *restrict up, const struct link *l,
+                            const struct pivot *pivot, double *restrict x, const double *arm)
+{
+    double V0 = up[0], V1 = up[1] - arm[1] * up[0], V2 = up[2] + arm[0] * up[0];
+    for (int k = l->nv - 1; k >= 0; k--) {
+        const struct pivot *o = &pivot[k];
+        const double here = x[l->iv[k]] - o->inverse * (o->U[0] * V0 + o->U[1] * V1 + o->U[2] * V2);
+        x[l->iv[k]] = here;
+        V0 += o->s[0] * here;
+        V1 += o->s[1] * here;
+        V2 += o->s[2] * here;
+    }
+    V[0] = V0, V[1] = V1, V[2] = V2;
+}
+
 /* limb: the only one with right sides that are not zero; 0: not known. */
 TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible, int limb)
 {
     double(*arm)[2] = arms(F);
-    const struct pivot *pivot = pivots(s, F) + s->n;
+    const struct pivot *pivot = pivots(s, F);
+    const int first = limb ? limb : 1, last = limb ? s->link[limb].last : s->nbody - 1;
     double(*p)[3] = s->bias;
-    for (int i = 0; i < s->nbody; i++) p[i][0] = p[i][1] = p[i][2] = 0;
-    for (int i = s->nbody - 1; i > 0; i--) {
+    p[0][0] = p[0][1] = p[0][2] = 0;
+    for (int i = first; i <= last; i++) p[i][0] = p[i][1] = p[i][2] = 0;
+    for (int i = last; i >= first; i--) {
         const struct link *l = &s->link[i];
-        double *here = p[i], *up = p[l->parent];
-        pivot -= l->nv;
         if (limb && l->limb != limb) continue;
-        if (flexible) planar_flex_forces(s, modes(s, F), here, x, i);
-        for (int k = 0; k < l->nv; k++) {
-            const struct pivot *o = &pivot[k];
-            double e = (x[l->iv[k]] - v3_dot(o->s, here)) * o->inverse;
-            x[l->iv[k]] = e;
-            for (int c = 0; c < 3; c++) here[c] += o->U[c] * e;
-        }
-        up[0] += here[0] - arm[i][1] * here[1] + arm[i][0] * here[2];
-        up[1] += here[1];
-        up[2] += here[2];
+        if (flexible) planar_flex_forces(s, modes(s, F), p[i], x, i);
+        inwards(p[l->parent], p[i], l, pivot + l->pivot, x, arm[i]);
     }
     p[0][0] = p[0][1] = p[0][2] = 0; /* from here on twists */
-    for (int i = 1; i < s->nbody; i++) {
+    for (int i = first; i <= last; i++) {
         const struct link *l = &s->link[i];
-        if (limb && l->limb != limb) {
-            pivot += l->nv;
-            continue;
-        }
-        const double *up = p[l->parent];
-        double V[3] = {up[0], up[1] - arm[i][1] * up[0], up[2] + arm[i][0] * up[0]};
-        for (int k = l->nv - 1; k >= 0; k--) {
-            const struct pivot *o = &pivot[k];
-            double here = x[l->iv[k]] -= o->inverse * v3_dot(o->U, V);
-            for (int c = 0; c < 3; c++) V[c] += o->s[c] * here;
-        }
-        if (flexible) planar_flex_twist(s, modes(s, F), V, x, i);
-        for (int c = 0; c < 3; c++) p[i][c] = V[c];
-        pivot += l->nv;
+        if (limb && l->limb != limb) continue;
+        outwards(p[i], p[l->parent], l, pivot + l->pivot, x, arm[i]);
+        if (flexible) planar_flex_twist(s, modes(s, F), p[i], x, i);
     }
 }
 
