@@ -191,7 +191,7 @@ enum status broyden_recall(struct broyden *o, struct recall *r)
         recall_one(r, "at", o->at);
         recall_one(r, "known", o->formed);
         recall_one(r, "moves", o->moves);
-        recall_one(r, "has learnt", o->learnt);
+        recall_one(r, "taught", o->learnt);
     }
     recall_without(r);
     return OK;

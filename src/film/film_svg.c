@@ -106,16 +106,18 @@ static double area(const double *a, const double *b, const double *c)
     return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
 }
 
-/* The convex hull of x [2 x n], which is sorted: hull [2 x 2 n], counterclockwise (Andrew 1979). Returns its corners. */
+/* The convex hull of x [2 x n], which is sorted: hull [2 x 2 n], counterclockwise (Andrew 1979). Returns its corners; what
+ * lies on an edge but for round-off is none. */
 static int outline(double *hull, double *x, int n)
 {
     int m = 0;
     qsort(x, (size_t)n, 2 * sizeof *x, by_place);
+    const double across = x[2 * n - 2] - x[0], flat = 1e-12 * across * across;
     for (int way = 0; way < 2; way++) {
         const int from = m;
         for (int i = 0; i < n; i++) {
             const double *at = x + 2 * (way ? n - 1 - i : i);
-            while (m >= from + 2 && area(hull + 2 * (m - 2), hull + 2 * (m - 1), at) <= 0) m--;
+            while (m >= from + 2 && area(hull + 2 * (m - 2), hull + 2 * (m - 1), at) <= flat) m--;
             hull[2 * m] = at[0];
             hull[2 * m++ + 1] = at[1];
         }
