@@ -82,11 +82,11 @@ static enum status stages(struct stepper *s, struct state *x, double h, int rati
 static enum status looked_at(struct stepper *s, struct state *x, double h, double to, struct trouble *why)
 {
     static const double late = .0744 / 80;
-    missed_begin(s->missed, s->fresh, h);
+    missed_begin(s->missed, s->fresh || motion_sides(s->ode, x->t), h);
     missed_before(s->missed, x->v);
     const enum status status = stages(s, x, h, 1, to, why);
     if (status == OK)
-        missed_after(s->missed, x->v, 4, late);
+        missed_after(s->missed, s->ode, x->v, 4, late);
     else
         missed_break(s->missed);
     return status;

@@ -6,12 +6,13 @@
 #include <string.h>
 
 #include "base/scalar.h"
+#include "engine/motion.h"
 
 void missed_open(struct missed *o, int n, struct arena *life)
 {
-    double **vector[] = {&o->position, &o->velocity, &o->way, &o->extent};
+    double **vector[] = {&o->position, &o->velocity, &o->way, &o->extent, &o->a, &o->bend};
     *o = (struct missed){.n = n};
-    for (int i = 0; i < 4; i++) *vector[i] = TAKE(life, double, n);
+    for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) *vector[i] = TAKE(life, double, n);
     for (int k = 0; k < MISSED_ORDER + 2; k++) o->v[k] = TAKE(life, double, n);
 }
 
@@ -57,7 +58,17 @@ static void take_differences(struct missed *o, int most)
             for (int i = 0; i < o->n; i++) o->v[j][i] -= o->v[j - 1][i];
 }
 
-void missed_after(struct missed *o, const double *v, int order, double late)
+/* Takes what straight ways miss of rotations, at velocities v and their differences dv a step on, from what is off in positions. */
+static void bend(struct missed *o, const struct ode2 *ode, double *position, const double *v, const double *dv,
+                 int order, double late)
+{
+    const double by = order > 2 ? late * pow(o->h, order + 1) : o->h * o->h * o->h / 12;
+    for (int i = 0; i < o->n; i++) o->a[i] = dv[i] / o->h;
+    if (!motion_bend(ode, o->bend, v, o->a, order)) return;
+    for (int i = 0; i < o->n; i++) position[i] -= by * o->bend[i];
+}
+
+void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int order, double late)
 {
     const int most = order + 1;
     memcpy(o->v[o->seen++], v, (size_t)o->n * sizeof *v);
@@ -67,6 +78,7 @@ void missed_after(struct missed *o, const double *v, int order, double late)
         o->v[order][i] *= late * o->h;
         o->v[most][i] *= late;
     }
+    if (ode) bend(o, ode, o->v[order], o->v[0], o->v[1], order, late);
     missed_add(o, o->v[order], o->v[most]);
 }
 

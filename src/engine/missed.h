@@ -34,6 +34,7 @@ struct missed {
     double h;                                /* its step [s] */
     double *v[MISSED_ORDER + 2];             /* [n] its velocities, then their differences */
     double *way, *extent;                    /* [n] displacement so far, and its largest, in usual sizes */
+    double *a, *bend;                        /* [n] scratch */
 };
 
 void missed_open(struct missed *o, int n, struct arena *life);
@@ -47,9 +48,10 @@ static inline bool missed_looks(struct missed *o)
  * chart). */
 void missed_begin(struct missed *o, bool afresh, double h);
 /* Then, for schemes of one rate: velocities [n] at its start; at its end, with the order p and the factor c of the
- * scheme. */
+ * scheme.  ode: what its straight ways miss of rotations is a part of that in the positions, with 1/12 for c where p is 2 or
+ * less; NULL: it takes no such ways. */
 void missed_before(struct missed *o, const double *v);
-void missed_after(struct missed *o, const double *v, int order, double late);
+void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int order, double late);
 /* For schemes that are not symmetric in time, whose energy drifts by `part` of their local errors: over a time h at
  * velocities v [n], errors of velocities change frequencies and so go on into errors of positions. */
 void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part);

@@ -65,6 +65,14 @@ static inline void motion_rate(const struct ode2 *o, double *rate, const double 
         memcpy(rate, v, (size_t)o->n * sizeof *v);
 }
 
+/* What the straight way h v of a step misses of rotations, as bend() has it; false: nothing, off is not set. */
+static inline bool motion_bend(const struct ode2 *o, double *off, const double *v, const double *a, int order)
+{
+    if (!o->move || !o->move->bend) return false;
+    o->move->bend(o, off, v, a, order);
+    return true;
+}
+
 /* A time right behind a corner at t, on the way to `to`: farther than the round-off in which owners take t for the
  * corner's own time. */
 static inline double motion_behind(double t, double to)

@@ -33,14 +33,15 @@ static enum status one_looked_at(struct stepper *s, struct state *x, double h, d
 {
     const struct stepper_kind *kind = s->kind;
     const double fades = kind->fades ? kind->fades(&s->options) : 0;
-    missed_begin(s->missed, s->fresh, h);
+    missed_begin(s->missed, s->fresh || motion_sides(s->ode, x->t), h);
     const long told = s->missed->told;
     missed_before(s->missed, x->v);
     const enum status status = one(s, x, h, t1, why);
     if (status != OK)
         missed_break(s->missed);
     else
-        missed_after(s->missed, x->v, fades != 0 ? 1 : kind->order, fades != 0 ? fades : kind->late(&s->options));
+        missed_after(s->missed, kind->order > 2 ? NULL : s->ode, x->v, fades != 0 ? 1 : kind->order,
+                     fades != 0 ? fades : kind->late(&s->options));
     if (fades != 0 && s->missed->told > told)
         missed_drift(s->missed, s->ode, x->v, h * (double)(s->missed->told - told), 1);
     return status;

@@ -24,6 +24,7 @@ struct stepped {
     struct stepper fixed;
     struct local_error local; /* of schemes of one rate */
     double *a1, *dv, *a2;     /* [n] the fixed scheme's accelerations, change of velocities, accelerations at the end */
+    double *bend;             /* [n] scratch */
     double share;             /* of the tolerance that the trial may take */
     struct class slow, fast;  /* of one rate: all are slow */
     double h;                 /* minor step; 0: not chosen yet */
@@ -58,6 +59,7 @@ void stepped_open(struct stepper *s, struct adaptive *m, struct arena *life)
     o->dv = TAKE(life, double, s->ode->n);
     m->ahead = o->a1;
     o->a2 = TAKE(life, double, s->ode->n);
+    o->bend = TAKE(life, double, s->ode->n);
     local_error_open(&o->local, s->ode->n, life);
 }
 
@@ -121,6 +123,15 @@ static enum status look_at_end(struct stepper *s, struct adaptive *m, double t, 
     return OK;
 }
 
+/* What the straight way of the trial misses of rotations is off, too. */
+static void bend(const struct stepper *s, const struct adaptive *m, double h)
+{
+    struct stepped *o = m->own;
+    for (int i = 0; i < s->ode->n; i++) o->a2[i] = o->dv[i] / h;
+    if (!motion_bend(s->ode, o->bend, m->v, o->a2, 2)) return;
+    for (int i = 0; i < s->ode->n; i++) o->local.position[i] -= h * h * h / 12 * o->bend[i];
+}
+
 static enum status measure(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
     struct stepped *o = m->own;
@@ -130,6 +141,7 @@ static enum status measure(struct stepper *s, struct adaptive *m, double t, doub
     if (!fixed_kind(m)->error) {
         for (int i = 0; i < n; i++) o->dv[i] = m->v1[i] - m->v[i];
         local_error_try(&o->local, o->dv, m->a, h, fixed_kind(m)->late(&s->options));
+        bend(s, m, h);
     }
     TRY(look_at_end(s, m, t, h, why));
     if (fixed_kind(m)->error) e = fixed_kind(m)->error(&o->fixed);

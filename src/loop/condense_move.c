@@ -98,5 +98,14 @@ static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const
     for (int i = 0; i < ode->n; i++) dxrate[i] = status == OK ? o->at[o->split.ind[i]] : NAN;
 }
 
+static void bend(const struct ode2 *ode, double *off, const double *v, const double *a, int order)
+{
+    struct condense *o = ode->self;
+    split_spread(&o->split, o->vt, v);
+    split_spread(&o->split, o->dx, a);
+    moves_bend(&o->tree->moves, o->at, o->vt, o->dx, order);
+    for (int i = 0; i < ode->n; i++) off[i] = o->at[o->split.ind[i]];
+}
+
 const struct ode2_move condense_move = {
-    .point = point, .first = first, .again = again, .onward = onward, .diff = diff, .rate = rate};
+    .point = point, .first = first, .again = again, .onward = onward, .diff = diff, .rate = rate, .bend = bend};

@@ -24,6 +24,8 @@ void subcycle_error_open(struct subcycle *c, struct arena *life)
     e->new_swing = TAKE(life, double, c->nl);
     e->more = TAKE(life, double, c->ns);
     e->whole = TAKE(life, double, c->n);
+    e->a = TAKE(life, double, c->n);
+    e->bend = TAKE(life, double, c->n);
     subcycle_coupling_open(c, life);
 }
 
@@ -107,11 +109,22 @@ static void follow(struct subcycle *c)
     }
 }
 
+/* What straight ways miss of rotations, those of slow ones of major steps. */
+static void measure_bend(struct subcycle *c, const double *dv)
+{
+    struct subcycle_error *e = c->error;
+    const double slow = c->H * c->H * c->H * stepped_late(NULL), fast = slow / ((double)c->ratio * c->ratio);
+    for (int i = 0; i < c->n; i++) e->a[i] = dv[i] / c->H;
+    if (!motion_bend(c->ode, e->bend, c->v0, e->a, 2)) return;
+    for (int i = 0; i < c->n; i++) e->position[i] += (i < c->ns ? fast : slow) * fabs(e->bend[i]);
+}
+
 void subcycle_error_measure(struct subcycle *c, bool fixed)
 {
     decouple_out(&c->dec, c->error->whole, c->du, c->dsum, c->nl);
     measure_slow(c, c->error->whole, c->a0);
     measure_fast(c);
+    measure_bend(c, c->error->whole);
     if (fixed)
         follow(c);
     else if (c->ns > 0)
@@ -121,6 +134,7 @@ void subcycle_error_measure(struct subcycle *c, bool fixed)
 void subcycle_error_single(struct subcycle *c, const double *dv, const double *a0)
 {
     measure_slow(c, dv, a0);
+    measure_bend(c, dv);
 }
 
 /* Has u' of slow coordinate i jumped at the end of the step by more than ever before?  Fast vibrations act on the slow

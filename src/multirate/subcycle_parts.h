@@ -51,6 +51,7 @@ struct subcycle_error {
     double *swing,
         *new_swing;       /* [nl] u' at the end of a major step less its extrapolation: largest so far, fading; now */
     double *more, *whole; /* [ns], [n] scratch */
+    double *a, *bend;     /* [n] scratch */
     struct subcycle_coupling coupling;
 };
 

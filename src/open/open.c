@@ -176,7 +176,12 @@ static void move_rate(const struct ode2 *o, double *dxrate, const double *q1, co
     moves_rate(&tree_of(o)->moves, dxrate, dx, v);
 }
 
-static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate};
+static void move_bend(const struct ode2 *o, double *off, const double *v, const double *a, int order)
+{
+    moves_bend(&tree_of(o)->moves, off, v, a, order);
+}
+
+static const struct ode2_move move = {.point = move_point, .diff = move_diff, .rate = move_rate, .bend = move_bend};
 
 static enum status settle(const struct ode2 *o, double *q1, double *v1, const struct instant *x, struct trouble *why)
 {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "engine/adaptive.h"
+#include "engine/motion.h"
 
 static const double LATE = 1. / 12;
 
@@ -15,6 +16,7 @@ void quick_open(struct quick *o, const struct sim *sim, struct arena *life)
     o->a = TAKE(life, double, n);
     o->j = TAKE(life, double, n);
     o->top = TAKE(life, double, n);
+    o->bend = TAKE(life, double, n);
     o->third = TAKE(life, double, n);
     o->fourth = TAKE(life, double, n);
     for (int i = 0; i < QUICK_SAMPLES; i++) {
@@ -48,13 +50,15 @@ static double most_off(const struct quick *o, const struct sim *sim)
 static void note_step(struct quick *o, const struct sim *sim, double h)
 {
     struct quick_sample *to = &o->sample[o->samples++ % QUICK_SAMPLES];
+    const bool bends = motion_bend(sim->stepper.ode, o->bend, sim->x.v, sim->x.a, 2);
     to->h = h;
     for (int i = 0; i < o->n; i++) {
-        to->j[i] = (sim->x.a[i] - o->a[i]) / h;
-        to->k[i] = o->known > 1 ? (to->j[i] - o->j[i]) / (.5 * (h + o->h)) : 0;
+        const double j = (sim->x.a[i] - o->a[i]) / h;
+        to->j[i] = bends ? j - o->bend[i] : j;
+        to->k[i] = o->known > 1 ? (j - o->j[i]) / (.5 * (h + o->h)) : 0;
         o->third[i] += h * fabs(to->j[i]);
         o->fourth[i] += h * fabs(to->k[i]);
-        o->j[i] = to->j[i];
+        o->j[i] = j;
     }
     o->seen += h;
     o->h = h;

@@ -1,7 +1,7 @@
 /* quick.h -- which coordinates need small steps, from the accelerations at the ends of the steps of a run.
  *
  * In a step h the midpoint rule has an error of h^3/12 times the third derivative of a position, and the fourth for
- * its rate (engine/local_error.h).  In the scales of a tolerance (engine/adaptive.h) and per second of the run that
+ * its rate (engine/local_error.h), and of a rotation what its straight way misses (ode2_move).  In the scales of a tolerance (engine/adaptive.h) and per second of the run that
  * is e_i h^2; the step that coordinate i needs goes with the mean e_i seen to the power -1/2.
  *
  * A joint is fast or slow as a whole.  If a mode of a body is fast, those of higher frequency are, too; its lower
@@ -23,6 +23,7 @@ struct quick {
     double t, h;            /* of that end, of that step [s] */
     double *a, *j;          /* [n] accelerations and third derivatives there */
     double *top;            /* [n] largest |v| so far */
+    double *bend;           /* [n] scratch */
     double *third, *fourth; /* [n] integrals of |derivative| over the time seen */
     double seen;            /* that time [s] */
     long charts;            /* system_charts() there */

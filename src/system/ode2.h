@@ -84,6 +84,12 @@ struct ode2_move {
      * order): for rotations dx' = (I + [dx]x/2 + dx dx'/4) v.  NaN where the loops cannot follow v. */
     void (*rate)(const struct ode2 *o, double *dxrate, const double *q1, const double *q0, const double *dx,
                  const double *v, double t);
+    /* Optional.  off [n] := what the straight way h v of a step misses of a rotation whose velocity is v, changing by a:
+     *
+     *     |v|^order v,  with order 2 + v x a,    times h^(order + 1)/12 with order 2,
+     *
+     * from dx' above; for other coordinates 0, and for rotations that loops determine in part what the rest alone tells. */
+    void (*bend)(const struct ode2 *o, double *off, const double *v, const double *a, int order);
     /* Optional.  point() for an iterate that is itself to be corrected, by again().  Are loops left open? */
     bool (*first)(const struct ode2 *o, double *q1, const double *q0, const double *dx, double s, double t);
     /* Optional.  point() to round-off, where q1 holds what this or point() has given for the same q0, s, t and another

@@ -2,6 +2,7 @@
 #include "tree/moves.h"
 
 #include "la/rot.h"
+#include "la/vec3.h"
 
 /* The place of a joint's quaternion among its positions; -1: it has none. */
 static int quaternion_at(const struct model_joint *joint)
@@ -110,5 +111,20 @@ void moves_rate(const struct moves *m, double *dxrate, const double *dx, const d
         rates_in(w, v, t);
         cay_rate(rate, phi, w);
         rates_out(dxrate, rate, t);
+    }
+}
+
+void moves_bend(const struct moves *m, double *off, const double *v, const double *a, int order)
+{
+    for (int i = 0; i < m->nplain; i++) off[m->iv[i]] = 0;
+    for (int i = 0; i < m->nturn; i++) {
+        const struct turn *t = &m->turn[i];
+        double w[3], rate[3], x[3];
+        rates_in(w, v, t);
+        rates_in(rate, a, t);
+        v3_cross(x, w, rate);
+        const double square = v3_dot(w, w), by = order > 2 ? square * square : square;
+        for (int k = 0; k < 3; k++) x[k] = by * w[k] + (order > 2 ? 0 : x[k]);
+        rates_out(off, x, t);
     }
 }

@@ -29,5 +29,6 @@ void moves_diff(const struct moves *m, double *dx, const double *q1, const doubl
 /* Into dx, of the rotations alone: what is left from q1 to q0 (+) s dx0. */
 void moves_left(const struct moves *m, double *dx, const double *q1, const double *q0, const double *dx0, double s);
 void moves_rate(const struct moves *m, double *dxrate, const double *dx, const double *v);
+void moves_bend(const struct moves *m, double *off, const double *v, const double *a, int order);
 
 #endif

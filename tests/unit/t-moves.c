@@ -74,6 +74,47 @@ static void test_point_and_diff(void **state)
     }
 }
 
+/* What a straight way misses of rotations whose velocities v + (t - h/2) a are, times h^3/12, against many short ways: of
+ * order 2; and where they are constant, five of them composed to order 4 as in engine/composed.h, which turn too little. */
+static void test_bend(void **state)
+{
+    enum { PARTS = 4000 };
+    static const double h = .02, H = .06, b = .414490771794376, late = .0744 / 80;
+    (void)state;
+    int turns = 0;
+    for (unsigned seed = 0; seed < SEEDS; seed++) {
+        struct scene s;
+        open_scene(&s, 3, seed, 0);
+        turns += s.moves.nturn;
+        double q1[MOST], q2[MOST], way[MOST], off[MOST], want[MOST] = {0};
+        for (int i = 0; i < s.m->n; i++) way[i] = h * s.v[i];
+        moves_point(&s.moves, q1, s.m->q0, way, 1);
+        memcpy(q2, s.m->q0, sizeof *q2 * (size_t)s.m->nq);
+        for (int k = 0; k < PARTS; k++) {
+            for (int i = 0; i < s.m->n; i++) way[i] = h / PARTS * (s.v[i] + h * ((k + .5) / PARTS - .5) * s.dx[i]);
+            moves_point(&s.moves, q2, q2, way, 1);
+        }
+        moves_diff(&s.moves, off, q2, q1);
+        moves_bend(&s.moves, want, s.v, s.dx, 2);
+        for (int i = 0; i < s.m->n; i++) want[i] *= h * h * h / 12;
+        assert_true(worst(off, want, s.m->n) < .1 * h * h * h / 12);
+        memcpy(q1, s.m->q0, sizeof *q1 * (size_t)s.m->nq);
+        memcpy(q2, s.m->q0, sizeof *q2 * (size_t)s.m->nq);
+        for (int k = 0; k < 5; k++) {
+            for (int i = 0; i < s.m->n; i++) way[i] = (k == 2 ? 1 - 4 * b : b) * H * s.v[i];
+            moves_point(&s.moves, q1, q1, way, 1);
+        }
+        for (int i = 0; i < s.m->n; i++) way[i] = H / PARTS * s.v[i];
+        for (int k = 0; k < PARTS; k++) moves_point(&s.moves, q2, q2, way, 1);
+        moves_diff(&s.moves, off, q2, q1);
+        moves_bend(&s.moves, want, s.v, s.dx, 4);
+        for (int i = 0; i < s.m->n; i++) want[i] *= late * pow(H, 5);
+        assert_true(worst(off, want, s.m->n) < .1 * late * pow(H, 5));
+        arena_close(s.arena);
+    }
+    assert_true(turns > SEEDS / 2);
+}
+
 /* dx of the moving q = q0 (+) dx against differences: q turns on by (+) h v. */
 static void test_rate(void **state)
 {
@@ -115,6 +156,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_point_and_diff),
+        cmocka_unit_test(test_bend),
         cmocka_unit_test(test_rate),
         cmocka_unit_test(test_plain_models_need_nothing),
     };
