@@ -24,9 +24,10 @@ void broyden_open(struct broyden *o, const struct ode2 *ode, struct effort *effo
     *o = (struct broyden){.h = 0};
     matrix_open(&o->J, ode, effort, life);
     if (n > MOST) return;
+    o->ld = n > FEW ? (n + 3) / 4 * 4 : n;
     double **all[] = {&o->B, &o->F, &o->S, &o->W};
-    for (int i = 0; i < 4; i++) *all[i] = TAKE_MATRIX(life, double, n, n);
-    o->x = TAKE(life, double, n);
+    for (int i = 0; i < 4; i++) *all[i] = TAKE_MATRIX(life, double, o->ld, n);
+    o->y = TAKE(life, double, o->ld);
 }
 
 void broyden_forget(struct broyden *o)
@@ -36,12 +37,12 @@ void broyden_forget(struct broyden *o)
 }
 
 /* Square of what an inverse leaves of an error, W = (inverse) J - I, as energy measures it: tr W W where J is symmetric. */
-static double leaves(const double *W, int n)
+static double leaves(const double *W, int n, int ld)
 {
     double sum = 0;
     for (int j = 0; j < n; j++) {
-        sum += W[j * (n + 1)] * W[j * (n + 1)];
-        for (int i = 0; i < j; i++) sum += 2 * fabs(W[i + j * n] * W[j + i * n]);
+        sum += W[j * (ld + 1)] * W[j * (ld + 1)];
+        for (int i = 0; i < j; i++) sum += 2 * fabs(W[i + j * ld] * W[j + i * ld]);
     }
     return sum;
 }
@@ -49,23 +50,23 @@ static double leaves(const double *W, int n)
 /* Would the line F + s S have served for J, and much better than F? */
 static bool foretells(const struct broyden *o, double s)
 {
-    const int n = o->J.ode->n;
+    const int n = o->J.ode->n, ld = o->ld;
     const double *J = o->J.spare;
-    zero(o->W, n * n);
+    zero(o->W, ld * n);
     for (int j = 0; j < n; j++) {
-        o->W[j * (n + 1)] = -1;
-        dense_gemv(o->W + j * n, 1, o->F, J + j * n, n, n, n);
+        o->W[j * (ld + 1)] = -1;
+        dense_gemv(o->W + j * ld, 1, o->F, J + j * n, ld, n, ld);
     }
-    const double still = leaves(o->W, n);
-    for (int j = 0; j < n; j++) dense_gemv(o->W + j * n, s, o->S, J + j * n, n, n, n);
-    const double line = leaves(o->W, n);
+    const double still = leaves(o->W, n, ld);
+    for (int j = 0; j < n; j++) dense_gemv(o->W + j * ld, s, o->S, J + j * n, ld, n, ld);
+    const double line = leaves(o->W, n, ld);
     return line < SERVES && line < FORETOLD * still;
 }
 
 /* B is new, formed at t: F, S and whether S would have foretold it. */
 static void take(struct broyden *o, double h, double t)
 {
-    const int nn = o->J.ode->n * o->J.ode->n;
+    const int nn = o->ld * o->J.ode->n;
     const double s = t - o->t;
     const bool goes_on = o->formed > 0 && h == o->h && s * h > 0;
     o->moves = goes_on && o->formed > 1 && foretells(o, s);
@@ -80,15 +81,10 @@ static void take(struct broyden *o, double h, double t)
 enum status broyden_form(struct broyden *o, double h, double cc, double ck, const struct instant *x,
                          struct trouble *why)
 {
-    const int n = o->J.ode->n;
     TRY(matrix_factor(&o->J, cc, ck, x, why));
-    o->serves = n <= MOST && o->J.form != MATRIX_DIRECT;
+    o->serves = o->J.ode->n <= MOST && o->J.form != MATRIX_DIRECT;
     if (!o->serves) return OK;
-    zero(o->B, n * n);
-    for (int j = 0; j < n; j++) {
-        o->B[j * (n + 1)] = 1;
-        matrix_solve(&o->J, o->B + j * n);
-    }
+    matrix_inverse(&o->J, o->B, o->ld);
     take(o, h, x->t);
     return OK;
 }
@@ -106,46 +102,55 @@ WIDE static void fade_wide(double *B, const double *F, const double *S, double a
 
 bool broyden_go(struct broyden *o, double t)
 {
-    const int nn = o->J.ode->n * o->J.ode->n;
-    const double s = t - o->at, along = o->moves ? s + FADES * (o->at - o->t) : 0;
+    const double s = t - o->at;
     if (!o->serves) return false;
-    if (s != 0 && (o->learnt || o->moves)) (nn > FEW * FEW ? fade_wide : fade)(o->B, o->F, o->S, along, nn);
+    if (s == 0 || !(o->learnt || o->moves)) {
+        o->at = t;
+        return o->moves;
+    }
+    const double along = o->moves ? s + FADES * (o->at - o->t) : 0;
+    const int nn = o->ld * o->J.ode->n;
     o->at = t;
+    if (nn > FEW * FEW)
+        fade_wide(o->B, o->F, o->S, along, nn);
+    else
+        fade(o->B, o->F, o->S, along, nn);
     return o->moves;
 }
 
-/* x := B x */
-static void times(struct broyden *o, const double *B, double *x)
+/* y := B x */
+static void times(const struct broyden *o, double *y, const double *B, const double *x)
 {
-    const int n = o->J.ode->n;
+    const int n = o->J.ode->n, ld = o->ld;
     if (n > FEW) {
-        copy(o->x, x, n);
-        zero(x, n);
-        dense_gemv(x, 1, B, o->x, n, n, n);
+        zero(y, ld);
+        dense_gemv(y, 1, B, x, ld, n, ld);
         return;
     }
-    double y[FEW];
     for (int i = 0; i < n; i++) {
-        y[i] = 0;
-        for (int j = 0; j < n; j++) y[i] += B[i + j * n] * x[j];
+        double sum = 0;
+        for (int j = 0; j < n; j++) sum += B[i + j * n] * x[j];
+        y[i] = sum;
     }
-    for (int i = 0; i < n; i++) x[i] = y[i];
 }
 
 void broyden_solve(struct broyden *o, double *x)
 {
-    if (o->serves)
-        times(o, o->B, x);
-    else
+    if (!o->serves) {
         matrix_solve(&o->J, x);
+        return;
+    }
+    times(o, o->y, o->B, x);
+    copy(x, o->y, o->J.ode->n);
 }
 
-/* B [n x n] += d s'/sy */
-WIDE static void add_outer(double *restrict B, const double *restrict d, const double *restrict s, double sy, int n)
+/* B [ld x n] += d s'/sy, d [ld] */
+WIDE static void add_outer(double *restrict B, const double *restrict d, const double *restrict s, double sy, int n,
+                           int ld)
 {
-    for (int j = 0; j < n; j++) {
+    for (int j = 0; j < n; j++, B += ld) {
         const double f = s[j] / sy;
-        for (int i = 0; i < n; i++) B[i + (long)n * j] += f * d[i];
+        for (int i = 0; i < ld; i++) B[i] += f * d[i];
     }
 }
 
@@ -155,7 +160,8 @@ bool broyden_learn(struct broyden *o, double *d, const double *s, const double *
     if (!o->serves) return false;
     const double before = dot(s, r0, n), after = dot(s, r, n), sy = before - after;
     if (!(fabs(after) < POOR * fabs(before))) return false;
-    add_outer(o->B, d, s, sy, n);
+    copy(o->y, d, n);
+    add_outer(o->B, o->y, s, sy, n, o->ld);
     o->learnt = true;
     for (int i = 0; i < n; i++) d[i] *= 1 + after / sy;
     return true;
@@ -170,15 +176,15 @@ int broyden_drift(struct broyden *o, double *x, double h, const double *v, const
         matrix_solve(&o->J, x);
         return live;
     }
-    copy(o->x, x, n);
-    times(o, o->F, x);
-    if (o->moves) dense_gemv(x, o->at - o->t, o->S, o->x, n, n, n);
+    times(o, o->y, o->F, x);
+    if (o->moves) dense_gemv(o->y, o->at - o->t, o->S, x, o->ld, n, o->ld);
+    copy(x, o->y, n);
     return live;
 }
 
 enum status broyden_recall(struct broyden *o, struct recall *r)
 {
-    const int nn = o->J.ode->n * o->J.ode->n;
+    const int nn = o->ld * o->J.ode->n;
     TRY(matrix_recall(&o->J, r));
     recall_within(r, "broyden");
     recall_one(r, "serves", o->serves);

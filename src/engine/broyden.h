@@ -32,11 +32,12 @@
 struct broyden {
     struct matrix J;
     bool serves; /* the system is small, its matrix dense; else J is solved with */
-    double *B;   /* [n x n] as it goes on and has learnt */
-    double *F;   /* [n x n] as it was formed last */
-    double *S;   /* [n x n] its change a second, from the one before */
-    double *W;   /* [n x n] work: B J - I */
-    double *x;   /* [n] work */
+    int ld;      /* n; where there are more than a few a multiple of four: rows behind n are zeros, for vectors */
+    double *B;   /* [ld x n] as it goes on and has learnt */
+    double *F;   /* [ld x n] as it was formed last */
+    double *S;   /* [ld x n] its change a second, from the one before */
+    double *W;   /* [ld x n] work: B J - I */
+    double *y;   /* [ld] work, of zeros behind n */
     double h;    /* of the step that F was formed for */
     double t;    /* where F was formed */
     double at;   /* where B stands */

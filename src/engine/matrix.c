@@ -108,6 +108,23 @@ void matrix_solve(const struct matrix *m, double *x)
         solve_dense(m->J, m->swap, m->form, x, m->ode->n);
 }
 
+/* Of what is symmetric the lower half: column j of it is the first of what is left without those before. */
+void matrix_inverse(const struct matrix *m, double *B, int ld)
+{
+    const int n = m->ode->n;
+    zero(B, ld * n);
+    for (int j = 0; j < n; j++) {
+        double *x = B + j * (ld + 1);
+        x[0] = 1;
+        if (m->form != MATRIX_CHOLESKY) {
+            matrix_solve(m, x - j);
+            continue;
+        }
+        dense_cholesky_solve(m->J + j * (n + 1), x, n - j, n);
+        for (int i = 1; i < n - j; i++) x[i * ld] = x[i];
+    }
+}
+
 void matrix_push(const struct matrix *m, double *x, double h, const double *v, const double *a)
 {
     int n = m->ode->n;

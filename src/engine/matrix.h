@@ -37,6 +37,8 @@ enum status matrix_factor(struct matrix *m, double cc, double ck, const struct i
 enum status matrix_recall(struct matrix *m, struct recall *r);
 /* x := J^-1 x. */
 void matrix_solve(const struct matrix *m, double *x);
+/* B := J^-1, as a dense one, [ld x n] with zeros behind its n rows. */
+void matrix_inverse(const struct matrix *m, double *B, int ld);
 /* x := h (K v + C a), what forces change by in a step h of velocity v: nothing where `nlive` is 0. */
 void matrix_push(const struct matrix *m, double *x, double h, const double *v, const double *a);
 
