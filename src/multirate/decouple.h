@@ -35,7 +35,7 @@ enum { FEW = 6 };
 INTO static inline void gemv_few(double *restrict y, double s, const double *restrict A, const double *restrict x,
                                  int rows, int cols, int ld)
 {
-    if (rows > FEW) {
+    if (rows > (cols == 2 ? 4 * FEW : FEW)) {
         dense_gemv(y, s, A, x, rows, cols, ld);
     } else if (rows == 1) {
         double sum = y[0];
@@ -48,6 +48,9 @@ INTO static inline void gemv_few(double *restrict y, double s, const double *res
         const double *restrict B = A + ld, a = s * x[0], b = s * x[1];
         y[0] = y[0] + A[0] * a + B[0] * b;
         y[1] = y[1] + A[1] * a + B[1] * b;
+    } else if (cols == 2) {
+        const double *restrict B = A + ld, a = s * x[0], b = s * x[1];
+        for (int i = 0; i < rows; i++) y[i] = y[i] + A[i] * a + B[i] * b;
     } else if (cols == 3 && rows == 3) {
         const double *restrict B = A + ld, *restrict C = B + ld, a = s * x[0], b = s * x[1], c = s * x[2];
         y[0] = y[0] + A[0] * a + B[0] * b + C[0] * c;

@@ -309,12 +309,12 @@ void response_run(const struct response *p, double *d, const double *c, const do
         gemv_few(s, -h, m->K, x, ns, ns, n);
         gemv_few(s, -1, m->V, v, ns, ns, ns);
         minor_solve(m, s);
-        for (int i = 0; i < ns; i++) x[i] += h * (v[i] + s[i] / 2);
-        if (p->damps) dense_gemv(x, h / 2, p->A, s, ns, ns, ns);
         for (int i = 0; i < ns; i++) {
+            x[i] += h * (v[i] + s[i] / 2);
             v[i] += s[i];
             d[i] = add ? d[i] + s[i] : s[i];
         }
+        if (p->damps) dense_gemv(x, h / 2, p->A, s, ns, ns, ns);
     }
 }
 

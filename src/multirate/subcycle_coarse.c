@@ -141,18 +141,16 @@ static enum status node(struct subcycle *c, const struct nodes *p, int i, struct
 enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
 {
     const struct nodes p = nodes_of(c->ratio);
+    const bool straight = !c->ode->move || c->ode->straight;
     subcycle_rewind(c);
     zero(c->coarse.left, c->ns * COARSE_POINTS);
     for (int k = 0, i = 0; k <= p.at[COARSE_POINTS - 1]; k++) {
         const double *d = c->d + (long)k * c->ns;
         if (stop) return stop_status();
-        if (k == p.at[i] && c->ode->straight) subcycle_place(c, k);
+        if (k == p.at[i] && straight) subcycle_place(c, k);
         if (k == p.at[i]) TRY(node(c, &p, i++, why));
-        if (c->ode->straight) {
+        if (straight) {
             subcycle_fast_velocity(c, d);
-        } else if (!c->ode->move) {
-            subcycle_fast_velocity(c, d);
-            decouple_on(&c->dec, c->q, c->h, c->w, c->v, c->near);
         } else {
             subcycle_velocity(c, d);
             subcycle_point(c, c->q, c->q, 1, subcycle_minor_end(c, k));
