@@ -211,10 +211,14 @@ void response_freeze(struct response *p, const struct decouple *dec)
 
 /* ---- what follows the masses */
 
-static int differs(const double *A, const double *B, int rows, int cols, int lda, int ldb)
+/* Is A, positive and symmetric, another than B, by so much that the iteration would feel it?  Beside the diagonal. */
+static int differs(const double *A, const double *B, int n, int lda, int ldb, double little)
 {
-    for (int j = 0; j < cols; j++)
-        if (memcmp(A + (long)j * lda, B + (long)j * ldb, (size_t)rows * sizeof *A)) return 1;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i <= j; i++) {
+            const double a = A[i + (long)j * lda], d = a - B[i + (long)j * ldb];
+            if (!(d * d <= little * little * A[i + (long)i * lda] * A[j + (long)j * lda])) return 1;
+        }
     return 0;
 }
 
@@ -226,9 +230,11 @@ static const double *slow_mass(const struct response *p, const struct decouple *
 
 int response_masses(struct response *p, const struct decouple *dec)
 {
+    static const double LITTLE = 1e-5; /* what other terms leave of an iteration's corrections is more */
     int n = p->n, ns = p->ns, nl = p->nl;
-    int changed = dec->structured || !p->MLL || differs(dec->Mss, p->Mss, ns, ns, ns, ns) ||
-                  differs(slow_mass(p, dec), p->MLL, nl, nl, n, nl);
+    const double little = p->damps ? 0 : LITTLE; /* the damping is of the masses as they are */
+    int changed = dec->structured || !p->MLL || differs(dec->Mss, p->Mss, ns, ns, ns, little) ||
+                  differs(slow_mass(p, dec), p->MLL, nl, n, nl, little);
     if (!changed) return 0;
     copy(p->Mss, dec->Mss, ns * ns);
     if (!dec->structured && p->MLL) dense_copy(p->MLL, slow_mass(p, dec), nl, nl, nl, n);

@@ -96,7 +96,7 @@ void minor_solve(const struct minor *m, double *x);
 
 /* Everything that does not depend on M_LL, from K, C (transformed) and F; after minor_factor. */
 void response_freeze(struct response *p, const struct decouple *dec);
-/* Copies the masses of dec, if they have changed: returns whether they have. */
+/* Copies the masses of dec, if they have changed so that an iteration feels it (damping: at all): returns whether they have. */
 int response_masses(struct response *p, const struct decouple *dec);
 /* G and what follows from it; q, t: where dec stands.  E_NUMERIC with TROUBLE_SINGULAR when the owner's
  * structure does not allow it: dec has to go dense. */

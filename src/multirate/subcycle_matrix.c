@@ -1,8 +1,8 @@
 /* subcycle_matrix.c -- what a major step forms at its start: W and u0 (S1), the damping A, D (S7), J of the minor
  * steps (S11), and the slow rows' matrix (S12).
  *
- * Slopes and J stay from step to step while the iteration contracts; W and the masses follow every step, and what hangs
- * on them. */
+ * Slopes stay from step to step while the iteration contracts; W follows every step, and J and the matrix of the slow rows
+ * where the masses have changed by as much as the iteration would feel. */
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
