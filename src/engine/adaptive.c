@@ -11,6 +11,7 @@
 #include "engine/edge.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
+#include "engine/relay.h"
 #include "engine/sides.h"
 #include "engine/tangent.h"
 #include "engine/touch.h"
@@ -18,13 +19,13 @@
 
 static const struct rk_table euler = {.stages = 2, .c = {0, 1}, .a = {{0}, {1}}};
 
-void adaptive_open(struct stepper *s, struct arena *life)
+void adaptive_open_by(struct stepper *s, const struct adaptive_scheme *scheme, struct arena *life)
 {
     const struct ode2 *o = s->ode;
     struct adaptive *m = TAKE(life, struct adaptive, 1);
-    m->scheme = s->kind->formulas;
+    m->scheme = scheme;
     m->tolerance = s->options.tolerance;
-    rk_open(&m->rk, m->scheme->stages, o, s->accel, life);
+    rk_open(&m->rk, scheme->stages, o, s->accel, life);
     m->q = TAKE(life, double, o->nq);
     m->q0 = TAKE(life, double, o->nq);
     m->q1 = TAKE(life, double, o->nq);
@@ -40,7 +41,13 @@ void adaptive_open(struct stepper *s, struct arena *life)
     works_open(&m->works, o->n, life);
     m->sides = sides_open(o, life);
     s->self = m;
-    m->scheme->open(s, m, life);
+}
+
+void adaptive_open(struct stepper *s, struct arena *life)
+{
+    const struct adaptive_scheme *scheme = s->kind->formulas;
+    adaptive_open_by(s, scheme, life);
+    scheme->open(s, s->self, life);
 }
 
 struct adaptive *adaptive_of(const struct stepper *s)
@@ -218,6 +225,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
     double left = fabs(end - *t);
     int shy = 0;
     m->jumps = false;
+    if (m->relay) relay_next(s, m, *t);
     for (;;) {
         double h = m->h, err = 0;
         const bool last = h >= left * (1 - 1e-10), near = m->scheme->plain && !last && h > NEAR * left,
@@ -263,10 +271,12 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
                 m->old = fmax(err, 1e-4);
             }
             *t = at;
+            if (m->relay) relay_took(s, m, cut || came != h);
             return stuck ? give_up(TROUBLE_CREEP, fabs(m->came), *t, why) : OK;
         }
         m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
+        if (m->relay) relay_failed(s, m);
         if (++m->rejected > MOST_REJECTED) return give_up(TROUBLE_REJECTED, (double)m->rejected, *t, why);
         if (stop) return OK;
     }
@@ -376,6 +386,7 @@ enum status adaptive_recall(struct stepper *s, struct recall *r)
     recall_one(r, "asked_until", m->works.until);
     recall_one(r, "elapsed", m->elapsed);
     recall_one(r, "known", m->known);
+    if (m->relay) TRY(relay_recall(s, m, r));
     if (m->known) {
         recall_list(r, "a", m->a, s->ode->n);
         recall_list(r, "power", m->rk.w[0], POWER_CHANNELS);

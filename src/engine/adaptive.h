@@ -68,9 +68,10 @@ struct adaptive {
     struct sides *sides;  /* see sides.h; NULL: no force has any */
     struct trouble cause; /* of steps that have shrunk to nothing, since the last that was taken */
     double work[POWER_CHANNELS];
-    struct works works; /* what their errors are judged by */
-    struct rk rk;       /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
-    void *own;          /* the scheme's memory */
+    struct works works;  /* what their errors are judged by */
+    struct rk rk;        /* slopes at points: rk.du[0], rk.dv[0], rk.w[0] are those at the state */
+    void *own;           /* the scheme's memory */
+    struct relay *relay; /* of several schemes; NULL: it is one */
 };
 
 struct adaptive_scheme {
@@ -112,6 +113,8 @@ struct adaptive *adaptive_of(const struct stepper *s);
 
 /* Slots of a stepper_kind whose `formulas` are a struct adaptive_scheme. */
 void adaptive_open(struct stepper *s, struct arena *life);
+/* The same by another scheme than that of the kind, which is not opened yet. */
+void adaptive_open_by(struct stepper *s, const struct adaptive_scheme *scheme, struct arena *life);
 enum status adaptive_step(struct stepper *s, struct state *x, double h, int ratio, double to, struct trouble *why);
 
 /* Size of position i.  A position that is moved by quasi-displacements has none of its own: what it has travelled, at most its

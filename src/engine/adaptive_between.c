@@ -6,8 +6,9 @@
 
 bool adaptive_interpolates(const struct stepper *s)
 {
-    const struct adaptive_scheme *o = s->kind->formulas;
-    return s->kind->adaptive && !s->touch && o->between && s->options.tolerance >= o->between_from;
+    if (!s->kind->adaptive || s->touch) return false;
+    const struct adaptive_scheme *o = adaptive_of(s)->scheme;
+    return o->between && s->options.tolerance >= o->between_from;
 }
 
 double adaptive_records(struct stepper *s, double t, double h, double end)

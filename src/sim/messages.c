@@ -5,6 +5,7 @@
 
 #include "base/stop.h"
 #include "base/text.h"
+#include "engine/relay.h"
 #include "engine/touch.h"
 #include "sim/parts.h"
 
@@ -138,6 +139,22 @@ void print_plan(const struct sim *sim)
         fprintf(to, "from the state coordinates and rates alone (%s): not to the last bit one run\n", sim->forgets);
 }
 
+/* Whose steps they were. */
+static void print_auto(const struct sim *sim, FILE *to)
+{
+    const bool relay = sim->stepper.kind == &step_relay;
+    const char *before = "auto: ";
+    if (!relay) fprintf(to, "%s%s", before, sim->stepper.kind->name);
+    for (int i = 0; relay && i < RUNNERS; i++) {
+        const char *name = relay_name(&sim->stepper.options, i);
+        const long steps = relay_steps(&sim->stepper, i);
+        if (!name) continue;
+        fprintf(to, "%s%ld step%s by %s", before, steps, steps == 1 ? "" : "s", name);
+        before = ", ";
+    }
+    fprintf(to, ", foretold %.2g evaluations\n", sim->plan.foretold);
+}
+
 void print_condition(const struct sim *sim, FILE *to)
 {
     char text[81];
@@ -242,8 +259,7 @@ void print_end(const struct sim *sim, double wall)
     if (e->rejected) fputc(')', to);
     fprintf(to, ", %ld slow and %ld fast evaluations, %ld factorizations; %.3g s\n", e->slow, e->fast, e->factors,
             wall);
-    if (isfinite(sim->plan.foretold))
-        fprintf(to, "auto: %s, foretold %.2g evaluations\n", sim->stepper.kind->name, sim->plan.foretold);
+    if (isfinite(sim->plan.foretold)) print_auto(sim, to);
     print_plain(sim, to);
     print_lowered(sim, to);
     print_nearest(sim, to);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "engine/relay.h"
 #include "multirate/schemes.h"
 #include "sim/parts.h"
 
@@ -58,7 +59,7 @@ static void fill_in(struct sim *sim, struct arena *life)
     struct integrate *p = &sim->plan;
     const struct step_options *o = p->options;
     const struct node *scheme = node_find(p->node, "scheme");
-    const bool any = strcmp(p->scheme, "auto") == 0; /* nobody has chosen */
+    const bool any = strcmp(p->scheme, step_relay.name) == 0 && !p->because; /* nobody has chosen */
     if (any && p->step > 0 && !(o->tolerance > 0)) p->scheme = "midpoint";
     if (any && o->tolerance > 0) p->scheme = sim->scene->ncontact ? "midpoint" : "dopri5";
     if (p->step > 0) return;
@@ -110,6 +111,15 @@ static void prefer_single_rate(struct sim *sim)
     for (const struct key *k = kind->keys; k->name; k++)
         if (k->flags & KEY_NEUTRAL && !key_is_default(k, sim->plan.options)) return;
     sim->stepper.kind = kind->single;
+}
+
+/* Schemes that take turns look ahead. */
+static void tell_end(struct sim *sim, struct arena *life)
+{
+    struct step_options *told = TAKE(life, struct step_options, 1);
+    *told = *(const struct step_options *)sim->plan.options;
+    told->until = sim->plan.until;
+    sim->plan.options = told;
 }
 
 /* With a tolerance, a scheme of fixed steps has steps of its own. */
@@ -189,6 +199,7 @@ enum status plan_steps(struct sim *sim, struct diags *diags, struct arena *life,
     fill_in(sim, life);
     TRY(find_scheme(sim, diags));
     TRY(check_tolerance(sim, diags));
+    if (sim->stepper.kind == &step_relay) tell_end(sim, life);
     if (((const struct step_options *)p->options)->tolerance > 0)
         prefer_own_steps(sim);
     else

@@ -6,6 +6,7 @@
 
 #include "base/stop.h"
 #include "engine/motion.h"
+#include "engine/relay.h"
 #include "model/model.h"
 #include "multirate/schemes.h"
 #include "study/auto_parts.h"
@@ -13,8 +14,8 @@
 #include "study/stiff.h"
 #include "system/system.h"
 
-enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100, LEAST = 100 }; /* evaluations */
-static const double SHARE = .02;                                                    /* of the run's evaluations */
+enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100 }; /* evaluations */
+static const double SHARE = .02;                                       /* of the run's evaluations */
 static const double USUAL = 1e-4;
 static const double SAFE = .03; /* of a tolerance that stands for a step: errors of high order are less foreseeable */
 static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
@@ -52,7 +53,7 @@ static double weighed(const struct choice *o, const struct racer *r)
     if (r == o->racer[0]) return r->out ? INFINITY : WORTH * work;
     if (kind->full) return FINER * work;
     /* the most to lose by what comes later */
-    return kind->order == 2 && !kind->two_rates && work < LEAST / SHARE ? INFINITY : work;
+    return kind->order == 2 && !kind->two_rates && work < AUTO_LEAST / SHARE ? INFINITY : work;
 }
 
 static const struct racer *leader(const struct choice *o)
@@ -143,21 +144,6 @@ static void test_leader(struct choice *o)
 
 /* ---- the answer ---- */
 
-static const char *words_of(const struct racer *r, struct arena *life)
-{
-    const char *fast =
-        r->nfast && r->setting.kind->two_rates
-            ? arena_print(life, ", %d of %d freedoms fast", r->sim.stepper.ode->ns, r->sim.stepper.ode->n)
-            : "";
-    if (isfinite(r->setting.tolerance))
-        return arena_print(life, "%s to tolerance %.2g%s", r->setting.kind->name, r->setting.tolerance, fast);
-    const char *order = r->how.order > 2 ? arena_print(life, " of order %d", r->how.order) : "";
-    if (r->setting.ratio > 1)
-        return arena_print(life, "%s%s h = %g s, H = %d h%s", r->setting.kind->name, order, r->setting.step,
-                           r->setting.ratio, fast);
-    return arena_print(life, "%s%s h = %g s", r->setting.kind->name, order, r->setting.step);
-}
-
 /* The next best, of another scheme if there is one. */
 static const struct racer *second(const struct choice *o, const struct racer *best)
 {
@@ -165,23 +151,10 @@ static const struct racer *second(const struct choice *o, const struct racer *be
     for (int i = 0; i < o->n; i++) {
         const struct racer *r = o->racer[i];
         if (r == best || r->setting.kind == best->setting.kind || !isfinite(weighed(o, r))) continue;
+        if (auto_takes_turns(o, best) && auto_takes_turns(o, r)) continue;
         if (!next || weighed(o, r) < weighed(o, next)) next = r;
     }
     return next;
-}
-
-/* What is fast, by name: the first few. */
-static const char *names_of(const struct racer *r, struct arena *life)
-{
-    enum { SHOWN = 6 };
-    const char *text = "";
-    for (int i = 0; i < r->nfast && i < SHOWN; i++) {
-        const struct scene_choice *c = &r->fast[i];
-        const char *name = c->joint >= 0 ? r->scene.joint[c->joint].name : r->scene.body[c->body].name;
-        const char *mode = c->joint < 0 && c->k >= 0 ? arena_print(life, ".mode%d", c->k + 1) : "";
-        text = arena_print(life, "%s%s%.40s%s", text, i ? " " : "", name, mode);
-    }
-    return r->nfast > SHOWN ? arena_print(life, "%s ...", text) : text;
 }
 
 static void take(struct choice *o, const struct racer *r, const char *because)
@@ -190,6 +163,10 @@ static void take(struct choice *o, const struct racer *r, const char *because)
     struct step_options *how = TAKE(o->life, struct step_options, 1);
     *how = r->how;
     p->scheme = r->setting.kind->name;
+    if (auto_takes_turns(o, r)) {
+        p->scheme = step_relay.name;
+        auto_plan_relay(how, o, r);
+    }
     p->options = how;
     p->step = r->plan.step;
     p->ratio = r->plan.ratio;
@@ -219,16 +196,17 @@ static void take_best(struct choice *o)
     const struct racer *best = leader(o), *next = second(o, best);
     const double work = racer_foretold(best);
     const char *fast =
-        best->nfast && best->setting.kind->two_rates ? arena_print(o->life, " (%s)", names_of(best, o->life)) : "";
-    const char *over = next ? arena_print(o->life, ", the next %s %.2g", words_of(next, o->life), racer_foretold(next))
-                       : o->n > 1 ? ", the others are far behind"
-                                  : ", nothing else was worth a trial";
+        best->nfast && best->setting.kind->two_rates ? arena_print(o->life, " (%s)", auto_names(best, o->life)) : "";
+    const char *over =
+        next       ? arena_print(o->life, ", the next %s %.2g", auto_words(o, next, o->life), racer_foretold(next))
+        : o->n > 1 ? ", the others are far behind"
+                   : ", nothing else was worth a trial";
     const bool least = !next || work <= racer_foretold(next);
     o->scene->integrate.foretold = work;
     take(o, best,
-         arena_print(o->life, "%s%s %s, foretold %.2g evaluations%s%s%s; trial runs of %.2g", words_of(best, o->life),
-                     fast, least ? "takes the least work" : "is taken", work, over, least ? "" : although(o, best),
-                     cheaper(o, work), spent(o)));
+         arena_print(o->life, "%s%s %s, foretold %.2g evaluations%s%s%s; trial runs of %.2g",
+                     auto_words(o, best, o->life), fast, least ? "takes the least work" : "is taken", work, over,
+                     least ? "" : although(o, best), cheaper(o, work), spent(o)));
 }
 
 static void take_usual(struct choice *o, const char *why)
@@ -236,7 +214,7 @@ static void take_usual(struct choice *o, const char *why)
     const struct racer *r = o->racer[0];
     o->scene->integrate.foretold = o->usual;
     take(o, r,
-         arena_print(o->life, "%s, foretold %.2g evaluations: %s%s", words_of(r, o->life), o->usual, why,
+         arena_print(o->life, "%s, foretold %.2g evaluations: %s%s", auto_words(o, r, o->life), o->usual, why,
                      cheaper(o, o->usual)));
 }
 
@@ -279,7 +257,7 @@ static void open_usual(struct choice *o)
  * What moves and yet keeps steps at their bound is left to the race, if there is one. */
 static void take_higher_order(struct choice *o)
 {
-    const bool idle = o->quiet || (o->bounded && SHARE * o->eye_hopes < LEAST);
+    const bool idle = o->quiet || (o->bounded && SHARE * o->eye_hopes < AUTO_LEAST);
     const bool implicit = idle && o->eye->sim.stepper.ode->n <= MOST_DENSE;
     o->n = 0;
     o->looked = o->eye->work;
@@ -321,8 +299,8 @@ static void choose(struct choice *o)
     o->foretold = o->usual = racer_hope(o->racer[0]);
     if (o->any_scheme && !isfinite(o->step)) take_higher_order(o);
     o->budget = SHARE * o->foretold;
-    if (o->budget < LEAST && o->any_scheme && isfinite(o->step)) take_explicit(o);
-    if (o->budget < LEAST) {
+    if (o->budget < AUTO_LEAST && o->any_scheme && isfinite(o->step)) take_explicit(o);
+    if (o->budget < AUTO_LEAST) {
         take_usual(o, "too short a run for trials to pay");
         return;
     }

@@ -2,6 +2,7 @@
  *
  *     auto.c        what a deck leaves open, the race, what is taken
  *     auto_field.c  who takes part
+ *     auto_words.c  what is taken, in words
  */
 #ifndef FMDSUB_STUDY_AUTO_PARTS_H
 #define FMDSUB_STUDY_AUTO_PARTS_H
@@ -10,6 +11,7 @@
 #include "study/race.h"
 
 enum { MOST_RACERS = 16 };
+enum { AUTO_LEAST = 100 }; /* evaluations of trials that pay, and of a run in which a relay does */
 
 struct choice {
     struct scene *scene;
@@ -51,5 +53,13 @@ struct racer *auto_add_half(struct choice *o, const struct racer *r);
 void auto_add_all(struct choice *o);
 /* Schemes of full matrices, where a few factorizations are little beside what may be spent. */
 void auto_add_full(struct choice *o, double most);
+
+/* Is it a relay that is taken in place of r?  One scheme for all of the run is right where that is short. */
+bool auto_takes_turns(const struct choice *o, const struct racer *r);
+/* What the relay is told of the scene. */
+void auto_plan_relay(struct step_options *how, const struct choice *o, const struct racer *r);
+/* What would be taken with r; what is fast then, by name: the first few. */
+const char *auto_words(const struct choice *o, const struct racer *r, struct arena *life);
+const char *auto_names(const struct racer *r, struct arena *life);
 
 #endif

@@ -14,6 +14,7 @@ $ROOT/decks/bar-slider.yaml csv 20 integrate.until=5
 $ROOT/decks/heavy-top.yaml csv 20 integrate={scheme: dopri5, tolerance: 1.0e-9, until: 1.5}
 $ROOT/decks/four-bar.yaml csv 5 integrate={scheme: dop853, tolerance: 1.0e-7, until: 20}
 $ROOT/decks/heavy-top.yaml csv 5 integrate={scheme: radau9, tolerance: 1.0e-7, until: 1}
+$ROOT/decks/telescope.yaml csv 5 integrate={scheme: auto, tolerance: 1.0e-5, until: 4}
 $ROOT/decks/soft-pendulum.yaml ndjson 20 integrate={scheme: subcycle, step: 1.0e-3, ratio: 5, until: 3}
 $ROOT/decks/bearing.yaml csv 20 integrate.until=0.5
 SCENES
