@@ -97,7 +97,7 @@ struct expr_way {
 bool expr_bends(const struct expr_way *o);
 /* Has it one of which the integral has no end, as 1/x has at 0?  *at: where, as a share of the way. */
 bool expr_pole(double *at, const struct expr_way *o);
-/* The largest jump on the way, from *before to *behind.  false: there is none. */
+/* The largest jump on the way, from *before to *behind, poles apart.  false: there is none. */
 bool expr_leap(double *before, double *behind, const struct expr_way *o);
 /* The mean of the value over a way on which one slot alone moves, to round-off: cut at corners and jumps, with poles infinite;
  * *slope: what it gains with the end b of that slot.  Where the way is a point, the value and half its slope. */

@@ -137,7 +137,7 @@ bool expr_leap(double *before, double *behind, const struct expr_way *o)
         double a, b;
         const double v = piece_end(&degree, o, u), w = fmin(1, v + SLIVER);
         if (v >= 1 || (empty += v == u) > MOST_EMPTY) break;
-        if (leap_at(&a, &b, o, v, w) && fabs(b - a) > most) {
+        if (!pole_in(o, u, v, w) && leap_at(&a, &b, o, v, w) && fabs(b - a) > most) {
             *before = a;
             *behind = b;
             most = fabs(b - a);

@@ -371,8 +371,10 @@ void elements_leap(struct leap *o, struct elements *e, struct sweep *s, const st
         const struct model_force *f = &e->model->force[p->force];
         struct leap x = {.force = p->force};
         for (int k = 0; k < 3 && p->reads; k++)
-            if (signal_leap(&f->value[k], &x.before, &x.behind, p->last, p->now, f->nslot) &&
-                fabs(x.behind - x.before) > fabs(o->behind - o->before))
+            if (signal_pole(&f->value[k], p->last, p->now, f->nslot))
+                *o = (struct leap){.force = p->force, .behind = INFINITY};
+            else if (signal_leap(&f->value[k], &x.before, &x.behind, p->last, p->now, f->nslot) &&
+                     fabs(x.behind - x.before) > fabs(o->behind - o->before))
                 *o = x;
     }
 }

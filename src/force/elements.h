@@ -91,7 +91,8 @@ double elements_edge(const struct elements *e, enum edge_kind *edge);
  * NULL. */
 int elements_sides(double *side, double *force, struct elements *e, struct sweep *s, const struct instant *x);
 
-/* The value of an expression that jumps most on the way from a to b, two states: its force and the jump. */
+/* The value of an expression that jumps most on the way from a to b, two states: its force and the jump, behind infinite where it
+ * grows without bound. */
 struct leap {
     int force; /* -1: there is none */
     double before, behind;

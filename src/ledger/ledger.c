@@ -26,14 +26,26 @@ void ledger_tolerate(struct ledger *o, double tolerance)
     o->motion = 2 * tolerance / USUAL_DELTA;
 }
 
+/* What round-off of energies may come to. */
+static double noise(const struct ledger *o)
+{
+    static const double ROUND_OFF = 1e4 * DBL_EPSILON;
+    return larger(o->least, ROUND_OFF * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
+}
+
 /* The floor of ||W||: where little work is done, as on a body that spins freely, the balance is measured against a
  * small share of the energy at the start; and the round-off of energies is not held against it. */
 static double least_norm(const struct ledger *o)
 {
-    static const double share = 1e-2, round_off = 1e4 * DBL_EPSILON;
+    static const double share = 1e-2;
     const double there = larger(share * (o->kinetic0 + fabs(o->elastic0)), o->motion * o->kinetic0);
-    return larger(larger(o->least, there),
-                  round_off * (fabs(o->gravity) + fabs(o->gravity0) + o->kinetic + fabs(o->elastic)));
+    return larger(there, noise(o));
+}
+
+bool ledger_stands(const struct ledger *o)
+{
+    static const double LITTLE = 1e6;
+    return !(o->norm > LITTLE * noise(o));
 }
 
 /* Useful numerical damping takes less than this of resolved motion in one step; of motion that the step does not

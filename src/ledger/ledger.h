@@ -55,6 +55,8 @@ void ledger_strike(struct ledger *o, double struck);
 void ledger_swing(struct ledger *o, double swing);
 /* The balance at time t by the energies there [J].  Not needed with every step, but with the last. */
 void ledger_look(struct ledger *o, double t, double kinetic, double elastic, double gravity);
+/* Has hardly anything been done so far: less than a few millionths of the energies that are there? */
+bool ledger_stands(const struct ledger *o);
 
 /* *o, the ledger at the end of a step, taken back to the fraction x of the step, where the energies are these;
  * `before` is the ledger at its start.  Works and residual are interpolated linearly. */

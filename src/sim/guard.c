@@ -16,7 +16,9 @@
 
 #define GUARD_RHO .5
 
-enum { SOON = 20 }; /* major steps in which all works are near nothing, and a quadrature is off by parts of them */
+enum {
+    SOON = 20
+}; /* major steps behind the start, or a standstill, in which works are little and a quadrature is off by parts of them */
 
 /* M [n x n] := the Cholesky factor of the mass matrix at the present state, K [n x n] := M^-1 K; false: they cannot
  * be had. */
@@ -263,11 +265,13 @@ enum status guard_look(struct sim *sim, struct sink *sink, struct report *report
     if (guard_acts(sim) && share > l->delta / 2) (void)guard_damp(sim);
     double part = 0, omega_h = 0;
     int at = -1;
+    if (ledger_stands(l)) sim->guard.stood = sim->stepper.effort.majors;
     if (sim->stepper.effort.majors < SOON) return OK;
     if (l->burst > 0 && taken_away(&part, &at, &omega_h, sim)) TRY(tell_taken(sim, part, at, omega_h, sink, report));
     if (sim->guard.told) return OK;
     if (!(share > l->delta))
         return hidden(&part, &at, &omega_h, sim) ? tell_hidden(sim, part, at, omega_h, sink, report) : OK;
+    if (sim->stepper.effort.majors < sim->guard.stood + SOON) return OK;
     sim->guard.told = true;
     sim->guard.t = sim->x.t;
     const int n = snprintf(text, sizeof text, "the energy balance is off by %.3g of ||W||, for the first time", share);

@@ -124,6 +124,7 @@ struct guarding {
     bool taking;      /* numerical damping has taken more than delta of it, */
     bool taken;       /* of unresolved motion, which was told, */
     double t_taken;   /* since this time [s] */
+    long stood;       /* major steps in which all works were near nothing */
     long looks, next; /* looks at unresolved motion so far; number of the next one that is due */
     /* Where the guard acts: major steps are halved from their start, then damped. */
     bool acted;  /* this has been told */

@@ -190,12 +190,14 @@ static void mend_numbers(const struct why *o)
                                          : "try a smaller step, or look at the forces");
 }
 
+static const char AWAY[] = "keep away from 0 what its expression divides by, as by max(gap, 1e-6)";
+
 static void mend_law(const struct why *o)
 {
     SAY(o, "%s",
         o->trouble->kind == FORCE_BETWEEN
             ? "let it stand, unloaded, nearer to where it works, or turn about the axis of its own stiffness"
-        : isinf(o->trouble->value) ? "keep away from 0 what its expression divides by, as by max(gap, 1e-6)"
+        : isinf(o->trouble->value) ? AWAY
                                    : "look at the expressions and tables of its forces");
 }
 
@@ -323,10 +325,13 @@ static bool jumps_here(const struct why *o)
     for (double h = H; force < 0 && h < 20 * H; h *= 4)
         force = system_leap(sim->system, &before, &behind, sim->x.q, sim->x.v, sim->x.t, h);
     if (force < 0) return false;
-    SAY(o,
-        "force '%.60s' jumps near here, between %.4g and %.4g: let it go from one to the other, as tanh(x/0.01) in "
-        "place of sign(x)",
-        sim->model->force[force].name, before, behind);
+    if (isinf(behind))
+        SAY(o, "force '%.60s' grows without bound near here: %s", sim->model->force[force].name, AWAY);
+    else
+        SAY(o,
+            "force '%.60s' jumps near here, between %.4g and %.4g: let it go from one to the other, as tanh(x/0.01) in "
+            "place of sign(x)",
+            sim->model->force[force].name, before, behind);
     return true;
 }
 

@@ -125,7 +125,8 @@ bool system_may_have_poles(const struct system *s);
 int system_pole(const struct system *s);
 int system_pole_to(struct system *s, const double *q, const double *v, double t);
 enum status system_back(struct system *s, double *q, const double *v, double t, struct trouble *why);
-/* The force that jumps most within h of the motion at q, v and t [s], and its values; -1: none does. */
+/* The force that jumps most within h of the motion at q, v and t [s], and its values, behind infinite where it grows without
+ * bound; -1: none does. */
 int system_leap(struct system *s, double *before, double *behind, const double *q, const double *v, double t, double h);
 
 /* From the first point of a measure to its second, world axes [3], at the last system_energy_at(). */

@@ -210,3 +210,16 @@ for deck in switch.value motor.value magnet.value; do
     { cat first; sed 1,2d rest; } >both
     same "$deck: goes on from a state" whole both
 done
+
+# What grows without bound is no jump: plates that snap together, m x'' = -k x - c x' + b(t)/(g - x)^2.
+for how in "tolerance: 1.0e-4" "scheme: newmark, step: 1.0e-4" "scheme: dop853, tolerance: 1.0e-6" "scheme: radau9, tolerance: 1.0e-6" "scheme: midpoint, step: 1.0e-4"; do
+    go "plates that snap together, $how" 5 -q --set "integrate={$how, until: 1}" <<'YAML'
+fmdsub: 1
+bodies: {m: {mass: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {k: {spring: r, stiffness: 100}, c: {damper: r, damping: 2}, pull: {force: r, value: "min(10*t, 1)*0.2/(0.1 - r.displacement)^2"}}
+integrate: {until: 1}
+output: {every: 0.01, columns: [r.displacement]}
+YAML
+    told "plates that snap together, $how: what it is" "force 'pull' grows without bound.*keep away from 0 what its expression divides by"
+done
