@@ -7,10 +7,13 @@
  * The single rate asks both classes at once, which in loops and chains costs about as much as one of them: what moves is the
  * same.  The last line has the CPU times beside the ideal (c_L/n + c_S) / c of such an evaluation.
  *
- *     subcycling DECK [repeats [ratio]] */
+ *     subcycling DECK [repeats [ratio]]
+ *     subcycling DECK 1 RATIO PART     one part alone, for others to count: slow, fast, all: 2000 evaluations of that class;
+ *                                      midpoint, subcycle: the run; open, open-subcycle: what each begins with */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "sim/load.h"
@@ -67,6 +70,22 @@ static int run(struct result *o, const struct scene *scene, const char *scheme, 
     return failed;
 }
 
+static int part(const struct scene *scene, const char *name, struct diags *diags, struct arena *life)
+{
+    struct integrate plan = scene->integrate;
+    const struct sim_options quiet = {.version = "bench", .general = true};
+    struct report report = {0};
+    struct sim sim;
+    plan.scheme = strstr(name, "subcycle") ? "subcycle" : "midpoint";
+    int failed = sim_open(&sim, scene, &plan, &quiet, diags, life, &report);
+    if (failed) return 1;
+    if (strcmp(name, "slow") == 0) evaluation(&sim, SLOW);
+    if (strcmp(name, "fast") == 0) evaluation(&sim, FAST);
+    if (strcmp(name, "all") == 0) evaluation(&sim, ALL);
+    if (strcmp(name, plan.scheme) == 0) failed = sim_run(&sim, NULL, &report);
+    return failed != 0;
+}
+
 static void print(const char *name, const struct result *o)
 {
     const struct effort *e = &o->effort;
@@ -89,6 +108,7 @@ int main(int argc, char **argv)
         return 2;
     }
     if (argc > 3) scene->integrate.ratio = atoi(argv[3]);
+    if (argc > 4) return part(scene, argv[4], diags, life);
     for (int i = 0; i < repeats; i++)
         if (run(&single, scene, "midpoint", diags) || run(&split, scene, "subcycle", diags)) return 1;
     double n = scene->integrate.ratio, cL = single.slow, cS = single.fast;
