@@ -10,7 +10,9 @@
  * dz . J dz = dz . r, against twice the kinetic energy decides.  Where that is below the tolerance, too, a coordinate may be
  * left by ten of its own, unless the deck names one: the energy that a step gains or loses has the same bound.  A major step
  * of sub-cycling is judged by that energy throughout: it may leave what its minor steps would leave together, so that the
- * drift of a run stays bounded. */
+ * drift of a run stays bounded; as a stage of one of order 4 what they would leave by chance, one for and one against the other.
+ * (All of it limits decks/satellite-instrument at 0.1 ms, 25:1 to 1.9e-7, which is 1.1e-8 else, 7.8e-8 with this; none of it
+ * takes tests/bench/small-fast.yaml 3744 evaluations for 2209, this 2251.) */
 #ifndef FMDSUB_ENGINE_NEWTON_H
 #define FMDSUB_ENGINE_NEWTON_H
 
@@ -44,9 +46,9 @@ struct newton {
     struct remainder remainder; /* of newton_solve(), where all n coordinates are solved for with a matrix */
     int pairs; /* errors go round two blocks of unknowns: the norm of energy may decide, see little_energy(), and what a
                 * matrix is worth shows over two iterations */
-    int steps; /* of pairs: small steps that one is worth; it may leave the energy that they would leave together */
-    int stale; /* a fresh matrix is due at the next step */
-    bool due;  /* and one at the next residual, newton_solve() sees to it */
+    double steps;     /* of pairs: small steps that one is worth; it may leave the energy that they would leave */
+    int stale;        /* a fresh matrix is due at the next step */
+    bool due;         /* and one at the next residual, newton_solve() sees to it */
     bool matrix_free; /* the iteration has no matrix: none is to blame, none is asked for */
 
     /* of the iteration under way */

@@ -258,6 +258,11 @@ static enum status need_dense(struct response *p, const struct decouple *dec, do
     return OK;
 }
 
+bool response_factors(const struct response *p, const struct decouple *dec)
+{
+    return !dec->structured || p->stiff;
+}
+
 /* x [nl] := G^-1 x. */
 static void slow_solve(struct response *p, struct decouple *dec, double *x)
 {

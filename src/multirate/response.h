@@ -98,6 +98,8 @@ void minor_solve(const struct minor *m, double *x);
 void response_freeze(struct response *p, const struct decouple *dec);
 /* Copies the masses of dec, if they have changed so that an iteration feels it (damping: at all): returns whether they have. */
 int response_masses(struct response *p, const struct decouple *dec);
+/* Is G factored by itself?  Else it is M_LL as dec has factored it. */
+bool response_factors(const struct response *p, const struct decouple *dec);
 /* G and what follows from it; q, t: where dec stands.  E_NUMERIC with TROUBLE_SINGULAR when the owner's
  * structure does not allow it: dec has to go dense. */
 enum status response_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why);

@@ -185,7 +185,7 @@ static void energy_scale(struct subcycle *c)
 
 static enum status attempt(struct subcycle *c, struct trouble *why)
 {
-    c->newton.steps = c->ratio;
+    c->newton.steps = c->newton.stage ? sqrt(c->ratio) : c->ratio;
     subcycle_coarse_plan(c);
     newton_begin(&c->newton, c->last_local);
     energy_scale(c);

@@ -104,7 +104,7 @@ static enum status renew(struct subcycle *c, bool slow, struct trouble *why)
         int pivot = minor_mass(&c->resp.one);
         if (pivot >= 0) return singular(c, pivot, why);
         if (slow) {
-            c->effort->factors++;
+            c->effort->factors += response_factors(&c->resp, &c->dec);
             TRY(slow_matrix(c, why));
         }
     }
