@@ -3,6 +3,7 @@
 
 #include <cjson/cJSON.h>
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -279,6 +280,21 @@ static enum status read_text(char **text, size_t *size, const char *path, struct
     return OK;
 }
 
+/* What was changed since it was written, by mistake, would else be taken where it is still a body. */
+static enum status check_text(const cJSON *json, const char *text, const struct place *p)
+{
+    static const char key[] = "\"checksum\"";
+    const cJSON *is = cJSON_GetObjectItemCaseSensitive(json, "checksum");
+    if (!is) return OK;
+    const char *last = NULL;
+    for (const char *at = strstr(text, key); at; at = strstr(at + 1, key)) last = at;
+    char fresh[20];
+    snprintf(fresh, sizeof fresh, "%016" PRIx64, last ? flex_file_checksum(text, (size_t)(last - text)) : 0);
+    if (cJSON_IsString(is) && strcmp(is->valuestring, fresh) == 0) return OK;
+    return bad(p, "checksum",
+               "does not fit: the file was changed since it was written (make it again, or leave this out)");
+}
+
 static int line_of(const char *text, const char *at)
 {
     int line = 1;
@@ -297,8 +313,9 @@ enum status flex_file_read(struct flex_body **out, double *at, const char *path,
     enum status status = read_text(&text, &size, path, scratch, report);
     if (status == OK && text) {
         cJSON *json = cJSON_ParseWithLengthOpts(text, size + 1, &end, true);
-        status = json ? read_body(out, at, json, &place, life)
+        status = json ? check_text(json, text, &place)
                       : fail(report, E_DECK, "%s:%d: error: this is not JSON", path, line_of(text, end ? end : text));
+        if (status == OK) status = read_body(out, at, json, &place, life);
         cJSON_Delete(json);
     }
     if (status == OK) status = check(*out, &place, scratch);

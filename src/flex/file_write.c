@@ -1,11 +1,22 @@
 /* file_write.c -- a reduced body as JSON; see file.h */
+#include <ctype.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/hash.h"
 #include "flex/file.h"
 
 enum { NUMBER = 32, PER_LINE = 9 };
+
+uint64_t flex_file_checksum(const char *text, size_t n)
+{
+    uint64_t hash = HASH_NOTHING;
+    for (size_t i = 0; i < n; i++)
+        if (!isspace((unsigned char)text[i])) hash = hash_bytes(hash, text + i, 1);
+    return hash;
+}
 
 /* Text that grows. */
 struct writer {
@@ -109,6 +120,13 @@ static void put_integrals(struct writer *w, const struct flex_body *o)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) put_array(w, ",\n ", all[i].key, all[i].x, all[i].n);
 }
 
+static void put_checksum(struct writer *w)
+{
+    char member[60];
+    snprintf(member, sizeof member, "\"checksum\": \"%016" PRIx64 "\"", flex_file_checksum(w->text, w->used));
+    put(w, member);
+}
+
 const char *flex_file_text(const struct flex_body *o, const double *at, struct arena *life)
 {
     struct arena *scratch = arena_open();
@@ -130,7 +148,9 @@ const char *flex_file_text(const struct flex_body *o, const double *at, struct a
         put(&w, i ? ",\n" : "\n");
         put_stress(&w, o->stress + i, o->n);
     }
-    put(&w, "]}\n");
+    put(&w, "],\n ");
+    put_checksum(&w);
+    put(&w, "}\n");
     const char *text = arena_copy(life, w.text, w.used);
     arena_close(scratch);
     return text;

@@ -172,13 +172,14 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
     return pole >= 0 ? stop_before(sim, pole, t) : note(sim, h, ratio);
 }
 
-/* More steps given up than a run can mean to; of a scheme with its own from record to record, for where forces jump for
- * ever, as dry friction written as sign(rate) does at rest, there is no end. */
+/* More steps given up than a run can mean to; of a scheme with its own from record to record and as many as were taken, for
+ * where forces jump for ever, as dry friction written as sign(rate) does at rest, there is no end. */
 static enum status within_limit(struct sim *sim)
 {
     const bool own = sim->stepper.kind->adaptive;
     const long rejected = sim->stepper.effort.rejected - sim->rejected;
-    const long most = own ? REJECTED_PER_RECORD : REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors;
+    const long most =
+        own ? REJECTED_PER_RECORD + sim->stepper.effort.majors : REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors;
     if (rejected <= most || (own && !sim->stepper.natural)) return OK;
     (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
     return E_LIMIT;

@@ -197,6 +197,17 @@ static void show(void *self)
 
 /* ---- the whole ---- */
 
+/* Two names may be those of one thing: k and parameters.k. */
+static enum status told_apart(const struct pointset *o, struct report *report)
+{
+    for (int i = 0; i < o->nfactor; i++)
+        for (int k = 0; k < i; k++)
+            if (strcmp(o->factor[i].path, o->factor[k].path) == 0)
+                return fail(report, E_USAGE, "--over: '%.40s' and '%.40s' are the same", o->factor[k].name,
+                            o->factor[i].name);
+    return OK;
+}
+
 enum status sweep_resolve(struct sweep *o, const struct deck *deck, struct arena *life, struct report *report)
 {
     for (int i = 0; i < o->points.nfactor; i++) {
@@ -213,7 +224,7 @@ enum status sweep_resolve(struct sweep *o, const struct deck *deck, struct arena
                     nearest ? ": did you mean '" : "; a path is such as bodies.NAME.mass", nearest ? nearest : "",
                     nearest ? "'?" : "");
     }
-    return OK;
+    return told_apart(&o->points, report);
 }
 
 void sweep_head(struct sweep *o, struct arena *life)

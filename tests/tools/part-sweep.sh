@@ -143,6 +143,7 @@ refuse 2 "no parameter 'kk': did you mean 'k'" sweep --over kk=1:2:3 arm.yaml
 refuse 2 "from:to:n" sweep --over k=1:2 arm.yaml
 refuse 2 "of one sign and not 0" sweep --over k=0:2:log:3 arm.yaml
 refuse 2 "the name is given twice" sweep --over k=1:2:3 --over k=1:2:4 arm.yaml
+refuse 2 "are the same" sweep --over k=1:2:3 --over parameters.k=1:2:4 arm.yaml
 refuse 2 "a distribution is normal" sweep --over 'k~gauss(0,1)' --sample 3 arm.yaml
 refuse 2 "a distribution has two numbers" sweep --over 'k~normal(1)' --sample 3 arm.yaml
 refuse 2 "how many values of 'k' are drawn" sweep --over 'k~normal(0,1)' arm.yaml

@@ -123,6 +123,35 @@ static void refuse(const char *text, enum status wanted, const char *words, stru
         fail_msg("%d '%s', expected %d '%s'", status, report.text, wanted, words);
 }
 
+/* Without the checksum, which says of any change only that there is one. */
+static const char *unsealed(const char *text, struct arena *life)
+{
+    const char *at = strstr(text, ",\n \"checksum\"");
+    assert_non_null(at);
+    return arena_print(life, "%.*s}\n", (int)(at - text), text);
+}
+
+static void test_changed(void **state)
+{
+    struct arena *life = arena_open();
+    struct report report = {0};
+    struct flex_body *back;
+    const double at[3] = {0};
+    const char *text = flex_file_text(make(life), at, life);
+    (void)state;
+    refuse(changed(text, "{", "\"mass\": 4.5", "\"mass\": 5.5", life), E_DECK, "was changed since it was written",
+           life);
+    refuse(changed(text, "{", "\"checksum\": \"", "\"checksum\": \"0", life), E_DECK, "'checksum': does not fit", life);
+    refuse(changed(text, "{", "\"checksum\": \"", "\"checksum\": 0, \"of\": \"", life), E_DECK, "does not fit", life);
+    const char *path = put_file(changed(text, "{", "\"mass\": 4.5", "\"mass\":\n\t4.5", life)); /* laid out anew */
+    assert_int_equal(flex_file_read(&back, NULL, path, life, &report), OK);
+    path = put_file(changed(unsealed(text, life), "{", "\"mass\": 4.5", "\"mass\": 5.5", life)); /* made by hand */
+    assert_int_equal(flex_file_read(&back, NULL, path, life, &report), OK);
+    assert_true(back->mass == 5.5);
+    remove(path);
+    arena_close(life);
+}
+
 static void test_refused(void **state)
 {
     static const struct {
@@ -159,7 +188,7 @@ static void test_refused(void **state)
     };
     struct arena *life = arena_open();
     const double at[3] = {0};
-    const char *text = flex_file_text(make(life), at, life);
+    const char *text = unsealed(flex_file_text(make(life), at, life), life);
     (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
         refuse(changed(text, cases[k].after, cases[k].old, cases[k].new, life), E_DECK, cases[k].words, life);
@@ -186,10 +215,8 @@ int main(void)
 {
     char folder[] = "/tmp/t-flex-file-XXXXXX";
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_sparing),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_no_file),
+        cmocka_unit_test(test_bits),    cmocka_unit_test(test_sparing), cmocka_unit_test(test_changed),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_no_file),
     };
     if (!mkdtemp(folder) || chdir(folder) != 0) return 1;
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
