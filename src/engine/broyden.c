@@ -118,30 +118,28 @@ bool broyden_go(struct broyden *o, double t)
     return o->moves;
 }
 
-/* y := B x */
-static void times(const struct broyden *o, double *y, const double *B, const double *x)
+/* d := B r */
+static void times(const struct broyden *o, double *restrict d, const double *restrict B, const double *restrict r)
 {
-    const int n = o->J.ode->n, ld = o->ld;
-    if (n > FEW) {
-        zero(y, ld);
-        dense_gemv(y, 1, B, x, ld, n, ld);
-        return;
+    const int n = o->J.ode->n;
+    for (int i = 0; i < n && n <= FEW; i++) {
+        d[i] = B[i] * r[0];
+        for (int j = 1; j < n; j++) d[i] += B[i + j * n] * r[j];
     }
-    for (int i = 0; i < n; i++) {
-        double sum = 0;
-        for (int j = 0; j < n; j++) sum += B[i + j * n] * x[j];
-        y[i] = sum;
-    }
+    if (n <= FEW) return;
+    zero(o->y, o->ld);
+    dense_gemv(o->y, 1, B, r, o->ld, n, o->ld);
+    copy(d, o->y, n);
 }
 
-void broyden_solve(struct broyden *o, double *x)
+void broyden_solve(struct broyden *o, double *d, const double *r)
 {
-    if (!o->serves) {
-        matrix_solve(&o->J, x);
+    if (o->serves) {
+        times(o, d, o->B, r);
         return;
     }
-    times(o, o->y, o->B, x);
-    copy(x, o->y, o->J.ode->n);
+    copy(d, r, o->J.ode->n);
+    matrix_solve(&o->J, d);
 }
 
 /* B [ld x n] += d s'/sy, d [ld] */
@@ -176,7 +174,8 @@ int broyden_drift(struct broyden *o, double *x, double h, const double *v, const
         matrix_solve(&o->J, x);
         return live;
     }
-    times(o, o->y, o->F, x);
+    zero(o->y, o->ld);
+    dense_gemv(o->y, 1, o->F, x, o->ld, n, o->ld);
     if (o->moves) dense_gemv(o->y, o->at - o->t, o->S, x, o->ld, n, o->ld);
     copy(x, o->y, n);
     return live;

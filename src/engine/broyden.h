@@ -54,8 +54,8 @@ enum status broyden_form(struct broyden *o, double h, double cc, double ck, cons
                          struct trouble *why);
 /* Goes on to time t; returns whether as a line. */
 bool broyden_go(struct broyden *o, double t);
-/* x := B x. */
-void broyden_solve(struct broyden *o, double *x);
+/* d := B r. */
+void broyden_solve(struct broyden *o, double *d, const double *r);
 /* The correction s that came of the residual r0 has been made, r is the residual since and d = B r: false where nothing can
  * be learnt of it; else d := B r with what has. */
 bool broyden_learn(struct broyden *o, double *d, const double *s, const double *r0, const double *r);

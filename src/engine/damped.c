@@ -140,10 +140,11 @@ static enum status refresh(void *self, const double *z, struct trouble *why)
     return factor(o, m->h, m->ode->n, m->x.t, why);
 }
 
-static void solve(void *self, double *dz)
+static void solve(void *self, double *dz, const double *r)
 {
     const struct implicit *m = self;
     const struct damped *o = m->own;
+    copy(dz, r, m->ode->n);
     solve_dense(o->J, o->swap, o->form, dz, m->ode->n);
 }
 

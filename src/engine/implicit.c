@@ -63,9 +63,9 @@ static enum status refresh(void *self, const double *z, struct trouble *why)
     return broyden_form(&m->J, m->h, m->cc, m->ck, &m->x, why);
 }
 
-static void solve(void *self, double *dz)
+static void solve(void *self, double *dz, const double *r)
 {
-    broyden_solve(&((struct implicit *)self)->J, dz);
+    broyden_solve(&((struct implicit *)self)->J, dz, r);
 }
 
 static bool learn(void *self, double *dz, const double *step, const double *before, const double *r)
@@ -79,9 +79,10 @@ static enum status no_refresh(void *self, const double *z, struct trouble *why)
     return OK;
 }
 
-static void no_solve(void *self, double *dz)
+static void no_solve(void *self, double *dz, const double *r)
 {
-    (void)self, (void)dz;
+    const struct implicit *m = self;
+    copy(dz, r, m->ode->n);
 }
 
 void implicit_without_matrix(struct implicit *m, enum status (*defect)(void *self, double *r, double *dk,

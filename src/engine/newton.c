@@ -367,8 +367,7 @@ enum status newton_solve(struct newton *nt, double *z, const struct equations *e
             TRY(eq->refresh(eq->self, z, why));
             newton_refreshed(nt);
         }
-        copy(nt->dz, nt->r, m);
-        eq->solve(eq->self, nt->dz);
+        eq->solve(eq->self, nt->dz, nt->r);
         if (whole) watch(nt);
         if (learns) learn(nt, eq);
         switch (correct(nt, z, h, m, eq->x)) {

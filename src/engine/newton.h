@@ -75,7 +75,7 @@ struct equations {
     const struct instant *x; /* of the last residual */
     enum status (*resid)(void *self, double *r, double *dk, const double *z, struct trouble *why);
     enum status (*refresh)(void *self, const double *z, struct trouble *why); /* right after resid() there */
-    void (*solve)(void *self, double *dz);
+    void (*solve)(void *self, double *dz, const double *r);                   /* dz := J^-1 r */
     /* Optional.  The correction `step` that came of the residual `before` has led to r, dz is what solve() makes of it: what
      * that shows goes into solve(), and dz is made anew; false: it shows nothing. */
     bool (*learn)(void *self, double *dz, const double *step, const double *before, const double *r);

@@ -214,15 +214,17 @@ static enum status refresh(void *self, const double *z, struct trouble *why)
     return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, m->x.t);
 }
 
-static void common_solve(void *self, double *dz)
+static void common_solve(void *self, double *dz, const double *r)
 {
     struct miao *m = self;
+    copy(dz, r, m->n);
     solve_dense(m->common.J, m->common.swap, m->common.form, dz, m->n);
 }
 
-static void minor_solve(void *self, double *dz)
+static void minor_solve(void *self, double *dz, const double *r)
 {
     struct miao *m = self;
+    copy(dz, r, m->ns);
     solve_dense(m->minor.J, m->minor.swap, m->minor.form, dz, m->ns);
 }
 

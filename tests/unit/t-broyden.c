@@ -112,8 +112,7 @@ static void goes_on(void **state)
         inverse_at(&b.plant, B, .1 * k + .02);
         assert_true(k < 2 ? worst(b.o.B, B, N * N) > .01 : worst(b.o.B, B, N * N) < 1e-13);
     }
-    copy(x, a, N);
-    broyden_solve(&b.o, x);
+    broyden_solve(&b.o, x, a);
     zero(y, N);
     for (int j = 0; j < N; j++)
         for (int i = 0; i < N; i++) y[i] += B[i + j * N] * a[j];
@@ -147,22 +146,19 @@ static void stays(void **state)
 /* One iteration of r = J z from z [N], z0: r there; returns whether it has learnt.  B y = s then. */
 static bool iterate(struct broyden *o, const double *J, double *r, double *z)
 {
-    double d[N], s[N], r1[N], y[N];
-    copy(s, r, N);
-    broyden_solve(o, s);
+    double d[N], s[N], r1[N], y[N], dr[N];
+    broyden_solve(o, s, r);
     for (int i = 0; i < N; i++) z[i] -= s[i];
     zero(r1, N);
     for (int j = 0; j < N; j++)
         for (int i = 0; i < N; i++) r1[i] += J[i + j * N] * z[j];
-    copy(d, r1, N);
-    broyden_solve(o, d);
+    broyden_solve(o, d, r1);
     const bool learnt = broyden_learn(o, d, s, r, r1);
     if (learnt) {
-        copy(y, r1, N);
-        broyden_solve(o, y);
+        broyden_solve(o, y, r1);
         assert_true(worst(y, d, N) < 1e-13 * fabs(s[0]) + 1e-300);
-        for (int i = 0; i < N; i++) y[i] = r[i] - r1[i];
-        broyden_solve(o, y);
+        for (int i = 0; i < N; i++) dr[i] = r[i] - r1[i];
+        broyden_solve(o, y, dr);
         assert_true(worst(y, s, N) < 1e-13);
     }
     copy(r, r1, N);
