@@ -46,3 +46,9 @@ for left in 0 1.0e-12; do
 done
 "$FMDSUB" diff -q --rel 5.0e-8 "$work/left.0.csv" "$work/left.1.0e-12.csv" >"$work/out" 2>"$work/err"
 expect "order 4: Newton's method leaves little" 0 $? "$work/out" "$work/err"
+
+# A small fast arm among large slow ones, which it does not shake: to 1e-4 a seventh of the work of the cheapest other scheme, at the most.
+timeout 120 "$FMDSUB" study --repeats 0 --budget 10 --schemes subcycle,dop853,dopri5 --steps 1.6666666666666667e-5 --ratios 300 tests/bench/small-fast.yaml >"$work/rows" 2>"$work/err"
+awk -F, '$16 == "ok" && $5 <= 1.1e-4 { if ($19 == 4 && (!two || $9 < two)) two = $9; else if ($1 != "subcycle" && (!one || $9 < one)) one = $9 }
+    END { print two, one; exit !(two > 0 && one >= 7 * two) }' "$work/rows" >"$work/line"
+expect "order 4 at 1e-4 beside what it does not shake: a seventh of the work" 0 $? "$work/line" "$work/err"
