@@ -282,6 +282,14 @@ static void print_finer(const struct study *o, bool budget, FILE *to)
     if (n) fputs(" on\n", to);
 }
 
+/* Is there a column by which errors are known? */
+static bool compares(const struct study *o)
+{
+    for (int i = 0; i < o->reference.run.n; i++)
+        if (o->subject.column[i].compared) return true;
+    return false;
+}
+
 void study_answer(const struct study *o, FILE *to)
 {
     static const double levels[] = {1e-2, 1e-4, 1e-6};
@@ -290,6 +298,13 @@ void study_answer(const struct study *o, FILE *to)
     print_finer(o, false, to);
     print_finer(o, true, to);
     if (o->subject.n == 0) fputs("drives move everything: every scheme gives the same motion\n", to);
+    if (!compares(o)) {
+        fputs("none of the deck's columns can be compared, so that no error is known: neither steps and counts, nor "
+              "what is\n"
+              "round-off or what the reference does not know; let it write places, angles or rates (output: columns)\n",
+              to);
+        return;
+    }
     for (int i = 0; i < 3; i++) print_level(o, levels[i], to);
     print_own(o, to);
     for (int i = 0; stepper_kinds[i]; i++)

@@ -94,6 +94,27 @@ static void put_least(const struct stability *o, FILE *to)
     fprintf(to, ", %.6g a major step at h = %.3g s\n", r->radius, r->step);
 }
 
+/* Does any step of these rows tell something? */
+static bool tells(const struct stability *o, int from, int to)
+{
+    for (int i = from; i < to; i++)
+        if (o->row[i].known && !o->row[i].coarse) return true;
+    return false;
+}
+
+/* Schemes of which no step tells, in one line. */
+static void put_untold(const struct stability *o, FILE *to)
+{
+    int n = 0;
+    for (int i = 0, end; i < o->nrow; i = end) {
+        end = end_of(o, i);
+        if (tells(o, i, end)) continue;
+        fputs(n++ ? ", " : "nothing is resolved by any step that was tried: ", to);
+        put_name(to, &o->row[i]);
+    }
+    if (n) fputs("; take shorter ones\n", to);
+}
+
 void stability_answer(const struct stability *o, FILE *to)
 {
     int stable = 0, unstable = 0;
@@ -108,16 +129,17 @@ void stability_answer(const struct stability *o, FILE *to)
         for (int k = i; k < end; k++) grow += o->row[k].grows;
         if (grow) put_worst(o, worst_of(o, i, end), grow, end - i, to);
         unstable += grow > 0;
-        stable += grow == 0;
+        stable += grow == 0 && tells(o, i, end);
     }
     if (stable) fprintf(to, "no growth at any step that was tried:");
     for (int i = 0, end, n = 0; i < o->nrow && stable; i = end) {
         int grow = 0;
         end = end_of(o, i);
         for (int k = i; k < end; k++) grow += o->row[k].grows;
-        if (!grow) fputs(n++ ? ", " : " ", to), put_name(to, &o->row[i]);
+        if (!grow && tells(o, i, end)) fputs(n++ ? ", " : " ", to), put_name(to, &o->row[i]);
     }
     if (stable) fputs("\n", to);
+    put_untold(o, to);
     if (!unstable) put_least(o, to);
 }
 

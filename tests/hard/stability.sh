@@ -227,3 +227,17 @@ done
 refuse 7 "stability of more than 100 freedoms: this deck has 101" stability -s parameters.N=101 "$ROOT/decks/chain.yaml"
 "$FMDSUB" stability --schemes rk4 --steps 0.5 "$ROOT/decks/bar-slider.yaml" >out 2>err
 expect "what is fast grows: words" 1 "$(grep -c "^rk4 grows at 1 of 1 steps, .*, omega h = 7.1 of the fast coordinates, where 'guide.displacement' moves most at" err)" err
+
+# Steps that are all too long: the motion grows too far in each to tell anything of a scheme.  One that is not tells.
+cat >upright.yaml <<'DECK'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies: {rod: {mass: 1, inertia: 0.1, at: [0, 1]}}
+constraints: {p: {revolute: [ground, rod], at: [0, 0]}}
+integrate: {scheme: midpoint, step: 0.01, until: 1}
+DECK
+"$FMDSUB" stability --schemes midpoint,rk4 --steps 1,2,4 upright.yaml >out 2>err
+expect "too long steps: nothing is resolved, no stability is told" "1 0" \
+    "$(cat out err | grep -c 'nothing is resolved by any step that was tried: midpoint, rk4; take shorter ones') $(cat out err | grep -c 'no growth')" out err
+"$FMDSUB" stability --schemes midpoint,rk4 --steps 0.001,2,4 upright.yaml >out 2>err
+expect "one that is not: told" "0 1" "$(cat out err | grep -c 'nothing is resolved') $(cat out err | grep -c 'no growth at any step that was tried: midpoint, rk4')" out err

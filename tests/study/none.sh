@@ -33,3 +33,20 @@ expect "nothing within the budget: status, rows, words" "7 1 1" "$? $(wc -l <out
 # Not even that: the reference does not reach a record behind the start.
 "$FMDSUB" study -q --repeats 0 --schemes rk4 --budget 0.02 flexible-crank.yaml >out 2>err
 expect "no record within the budget: status, rows, words" "7 0 1" "$? $(wc -l <out) $(grep -c '^fmdsub: no reference: the budget .*--budget' err)" out err
+
+# No column by which errors could be known: it says so, and what to do, and promises no error.
+cat >none.yaml <<'YAML'
+fmdsub: 1
+bodies: {m: {mass: 1, inertia: 1, at: [0, 0]}}
+constraints: {r: {prismatic: [ground, m], axis: [1, 0]}}
+forces: {k: {spring: r, stiffness: 100}}
+initial: {r.displacement: 0.1}
+integrate: {scheme: newmark, step: 0.01, until: 2}
+output: {every: 0.02, columns: [r.displacement]}
+YAML
+for columns in '[step.h]' '[energy.residual, step.ratio]' '[energy.drive]'; do
+    "$FMDSUB" study --repeats 0 --steps 1e-2,1e-3 --set "output.columns=$columns" none.yaml >out 2>err
+    expect "nothing to compare, $columns: words" "1 1 0" "$(grep -c 'none of the deck.s columns can be compared' err) $(grep -c 'let it write places, angles or rates' err) $(grep -c 'none of these runs\|error nan' err)" err
+done
+"$FMDSUB" study --repeats 0 --steps 1e-2,1e-3 none.yaml >out 2>err
+expect "something to compare: words" "0 3" "$(grep -c 'can be compared' err) $(grep -c '^error below' err)" err
