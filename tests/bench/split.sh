@@ -35,7 +35,7 @@ split arms tests/bench/arms.yaml 1.30 1.56
 split long-chain tests/bench/long-chain.yaml 1.30 1.39
 split stiff-leaf-chain decks/stiff-leaf-chain.yaml 1.30 1.57
 split turbine-blade decks/turbine-blade.yaml 1.30 1.30
-split light-hub decks/light-hub.yaml 1.65 1.65
+split light-hub decks/light-hub.yaml 1.65 1.70
 split telescope decks/telescope.yaml 1.85 1.85 single
 split driven-telescope decks/driven-telescope.yaml 1.85 1.85 single
 split geared-pendulum decks/geared-pendulum.yaml 1.85 1.85 single
