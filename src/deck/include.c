@@ -1,7 +1,7 @@
 /* include.c -- include: of other files.
  *
  * Maps are merged key by key, all the way down.  Where both give a value the deck's own wins over an included one;
- * two included files may not differ. */
+ * two included files may differ only where it does. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,20 +36,24 @@ static bool equal(const struct node *a, const struct node *b)
     return true;
 }
 
-/* to := to and from; siblings: neither wins. */
-static void merge(struct node *to, const struct node *from, bool siblings, struct deck *deck)
+/* to := to and from.  over: the map that includes both, whose own values win over them; NULL: to wins. */
+static void merge(struct node *to, const struct node *from, const struct node *over, struct deck *deck)
 {
+    static const struct node nothing = {.type = NODE_MAP};
     int n = to->count, all = n + from->count;
     struct node **sorted = pool_items(&deck->pool, to->item, n), **items = TAKE(deck->arena, struct node *, all);
     if (n) memcpy(items, to->item, (size_t)n * sizeof *items);
     if (n) qsort(sorted, (size_t)n, sizeof *sorted, by_key);
     for (int i = 0; i < from->count; i++) {
         struct node *x = from->item[i], **found = n ? bsearch(&x, sorted, (size_t)n, sizeof *sorted, by_key) : NULL;
+        const struct node *own = found ? node_find(over, x->key) : NULL;
         if (!found) {
             items[to->count++] = x;
+        } else if (own && own->type != NODE_MAP) {
+            continue;
         } else if ((*found)->type == NODE_MAP && x->type == NODE_MAP) {
-            merge(*found, x, siblings, deck);
-        } else if (siblings && !equal(*found, x)) {
+            merge(*found, x, over && !own ? &nothing : own, deck);
+        } else if (over && !own && !equal(*found, x)) {
             diag_error(deck->diags, x, AT_KEY, "E-conflict", "included files differ in '%s'",
                        diag_clip(deck->diags, x->key));
             diag_note(deck->diags, *found, AT_KEY, "the other value is here");
@@ -146,11 +150,11 @@ static struct node *include_into(struct node *root, const struct chain *chain, s
     for (int i = 0; i < count; i++) {
         struct node *part = include_file(n->type == NODE_LIST ? n->item[i] : n, chain, deck);
         if (part && parts)
-            merge(parts, part, true, deck);
+            merge(parts, part, root, deck);
         else if (part)
             parts = part;
     }
-    if (parts) merge(root, parts, false, deck);
+    if (parts) merge(root, parts, NULL, deck);
     return root;
 }
 

@@ -522,6 +522,19 @@ static void includes(void **state)
     write_text("twin.yaml", "bodies: {b: {mass: 2, y: 2}}\n");
     deck = good("include: [sub/part.yaml, twin.yaml]\nbodies: {a: {mass: p}}\nparameters: {q: 2}\n");
     assert_true(deck->hash != hash);
+    write_text("twin.yaml",
+               "gravity: {x: 3}\nbodies: {a: {mass: 7, x: 8}, b: {mass: 9}}\nparameters: {p: 6}\n"); /* it differs */
+    deck = good("include: [sub/part.yaml, twin.yaml]\ngravity: [0, -2]\n"
+                "bodies: {a: {mass: p, x: 4}, b: {mass: 5}}\nparameters: {p: 3}\n");
+    assert_true(number(deck, "bodies/a/mass") == 3);
+    assert_true(number(deck, "bodies/a/x") == 4);
+    assert_true(number(deck, "bodies/b/mass") == 5);
+    assert_true(number(deck, "gravity/1") == -2);
+    setup(NULL);
+    assert_int_equal(load_set(&deck, "include: [sub/part.yaml, twin.yaml]\nbodies: {a: {mass: 1}}\n", 0, NULL), OK);
+    assert_non_null(strstr(messages(), "differ in 'x'"));
+    assert_non_null(strstr(messages(), "differ in 'p'"));
+    assert_non_null(strstr(messages(), "differ in 'gravity'"));
 }
 
 static void include_errors(void **state)
