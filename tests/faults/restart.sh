@@ -42,8 +42,9 @@ for deck in *.yaml; do
     [ $own = 1 ] && every="--every $H"
     why=$(one_run $deck $MAJORS)
     [ "$why" ] && bad="its own: $why"
-    for scheme in midpoint newmark generalized-alpha hht subcycle miao daniel rk4; do
-        set -- -s integrate.scheme=$scheme
+    for scheme in midpoint newmark generalized-alpha hht subcycle "subcycle, order: 4" miao daniel rk4; do
+        set -- -s integrate.scheme=${scheme%,*}
+        [ "$scheme" = "${scheme%,*}" ] || set -- "$@" -s integrate.order=4
         [ $own = 1 ] && set -- -s "integrate={scheme: $scheme, step: $H, until: 1}"
         every="--every-steps 1"
         why=$(one_run $deck $((MAJORS / 4)) "$@")
