@@ -116,7 +116,7 @@ static void note_missed(const struct stepper *s, const struct adaptive *m, doubl
     if (scheme->left && !m->leaps) scheme->left(s, m, position, velocity, h);
     edge_add(m, position, velocity, o->n);
     o->steps++;
-    missed_add(o, position, velocity);
+    missed_add(o, s->ode, position, velocity, m->v, m->a);
     if (scheme->drifts > 0) missed_drift(o, s->ode, m->v, h, scheme->drifts);
 }
 

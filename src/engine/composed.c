@@ -86,7 +86,7 @@ static enum status looked_at(struct stepper *s, struct state *x, double h, doubl
     missed_before(s->missed, x->v);
     const enum status status = stages(s, x, h, 1, to, why);
     if (status == OK)
-        missed_after(s->missed, s->ode, x->v, 4, late);
+        missed_after(s->missed, s->ode, x->v, 4, late, true);
     else
         missed_break(s->missed);
     return status;

@@ -26,9 +26,32 @@ static long pause(const struct missed *o)
     return mean < 1 ? 0 : (long)(mean * (LEAST + 2 * (1 - LEAST) * (at - floor(at))));
 }
 
-void missed_add(struct missed *o, const double *position, const double *velocity)
+/* (v, a) is where the motion goes: the part of errors (x, y) along it, w^2 v x + a y over w^2 v^2 + a^2, with w from the largest of
+ * both, so that it is none where the motion all but rests.  Their signs are random. */
+static double delay(struct missed *o, const struct ode2 *ode, const double *position, const double *velocity,
+                    const double *v, const double *a)
+{
+    double vv = 0, aa = 0, by_v = 0, by_a = 0;
+    for (int i = 0; i < o->n; i++) {
+        const double usual = ode2_usual(ode, i), per = 1 / (usual * usual);
+        const double in_v = per * v[i] * position[i], in_a = per * a[i] * velocity[i];
+        vv += per * v[i] * v[i];
+        aa += per * a[i] * a[i];
+        by_v += in_v * in_v;
+        by_a += in_a * in_a;
+    }
+    o->fastest = larger(o->fastest, vv);
+    o->steepest = larger(o->steepest, aa);
+    const double square = o->fastest > 0 ? o->steepest / o->fastest : 0;
+    const double late = sqrt(square * square * by_v + by_a) / (aa + square * vv);
+    return isfinite(late) ? late : 0;
+}
+
+void missed_add(struct missed *o, const struct ode2 *ode, const double *position, const double *velocity,
+                const double *v, const double *a)
 {
     const double times = (double)(o->steps - o->told);
+    o->late += times * delay(o, ode, position, velocity, v, a);
     for (int i = 0; i < o->n; i++) {
         o->position[i] += times * fabs(position[i]);
         o->velocity[i] += times * fabs(velocity[i]);
@@ -68,7 +91,7 @@ static void bend(struct missed *o, const struct ode2 *ode, double *position, con
     for (int i = 0; i < o->n; i++) position[i] -= by * o->bend[i];
 }
 
-void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int order, double late)
+void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int order, double late, bool straight)
 {
     const int most = order + 1;
     memcpy(o->v[o->seen++], v, (size_t)o->n * sizeof *v);
@@ -78,8 +101,9 @@ void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int
         o->v[order][i] *= late * o->h;
         o->v[most][i] *= late;
     }
-    if (ode) bend(o, ode, o->v[order], o->v[0], o->v[1], order, late);
-    missed_add(o, o->v[order], o->v[most]);
+    if (straight) bend(o, ode, o->v[order], o->v[0], o->v[1], order, late);
+    for (int i = 0; i < o->n; i++) o->a[i] = o->v[1][i] / o->h;
+    missed_add(o, ode, o->v[order], o->v[most], o->v[0], o->a);
 }
 
 /* The part of an error of velocity that becomes an error of position in a unit of time, in a vibration of amplitude
@@ -124,6 +148,9 @@ void missed_recall(struct missed *o, struct recall *r)
     recall_list(r, "velocity", o->velocity, o->n);
     recall_list(r, "way", o->way, o->n);
     recall_list(r, "extent", o->extent, o->n);
+    recall_one(r, "late", o->late);
+    recall_one(r, "fastest", o->fastest);
+    recall_one(r, "steepest", o->steepest);
     recall_one(r, "signed_position", o->signed_position);
     recall_one(r, "signed_velocity", o->signed_velocity);
     recall_one(r, "steps", o->steps);

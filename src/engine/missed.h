@@ -10,7 +10,9 @@
  * estimate their local errors themselves add them with missed_add().
  *
  * For a vibration the sum is the accumulated phase error, within a factor of 2: local errors keep their size and add
- * up.  It is too small where errors grow by themselves (chaos), and too large where the motion forgets them
+ * up.  What of them is along the motion is a delay, and these add up as such: where nothing depends on time by itself an error
+ * of that kind grows and shrinks as the motion is quick and slow, as of a mechanism that comes to rest before it is whipped
+ * round.  The sum is too small where errors grow by themselves (chaos), and too large where the motion forgets them
  * (damping). */
 #ifndef FMDSUB_ENGINE_MISSED_H
 #define FMDSUB_ENGINE_MISSED_H
@@ -34,7 +36,9 @@ struct missed {
     double h;                                /* its step [s] */
     double *v[MISSED_ORDER + 2];             /* [n] its velocities, then their differences */
     double *way, *extent;                    /* [n] displacement so far, and its largest, in usual sizes */
-    double *a, *bend;                        /* [n] scratch */
+    double late;                             /* sum of the delays by steps [s] */
+    double fastest, steepest; /* largest sums of squares of velocities and accelerations, in usual sizes */
+    double *a, *bend;         /* [n] scratch */
 };
 
 void missed_open(struct missed *o, int n, struct arena *life);
@@ -48,17 +52,19 @@ static inline bool missed_looks(struct missed *o)
  * chart). */
 void missed_begin(struct missed *o, bool afresh, double h);
 /* Then, for schemes of one rate: velocities [n] at its start; at its end, with the order p and the factor c of the
- * scheme.  ode: what its straight ways miss of rotations is a part of that in the positions, with 1/12 for c where p is 2 or
- * less; NULL: it takes no such ways. */
+ * scheme.  straight: what its straight ways miss of rotations is a part of that in the positions, with 1/12 for c where p is 2
+ * or less. */
 void missed_before(struct missed *o, const double *v);
-void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int order, double late);
+void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int order, double late, bool straight);
 /* For schemes that are not symmetric in time, whose energy drifts by `part` of their local errors: over a time h at
  * velocities v [n], errors of velocities change frequencies and so go on into errors of positions. */
 void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part);
 /* The burst begins anew: the motion has changed. */
 void missed_break(struct missed *o);
-/* Adds the local errors [n], of any sign, of one step that stands for all since the last call. */
-void missed_add(struct missed *o, const double *position, const double *velocity);
+/* Adds the local errors [n], of any sign, of one step with velocities v and accelerations a [n], that stands for all since the
+ * last call. */
+void missed_add(struct missed *o, const struct ode2 *ode, const double *position, const double *velocity,
+                const double *v, const double *a);
 /* The sums have been transformed to a new chart: signs do not count, displacements begin anew. */
 void missed_rechart(struct missed *o);
 void missed_recall(struct missed *o, struct recall *r);

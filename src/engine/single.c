@@ -40,8 +40,8 @@ static enum status one_looked_at(struct stepper *s, struct state *x, double h, d
     if (status != OK)
         missed_break(s->missed);
     else
-        missed_after(s->missed, kind->order > 2 ? NULL : s->ode, x->v, fades != 0 ? 1 : kind->order,
-                     fades != 0 ? fades : kind->late(&s->options));
+        missed_after(s->missed, s->ode, x->v, fades != 0 ? 1 : kind->order,
+                     fades != 0 ? fades : kind->late(&s->options), kind->order <= 2);
     if (fades != 0 && s->missed->told > told)
         missed_drift(s->missed, s->ode, x->v, h * (double)(s->missed->told - told), 1);
     return status;

@@ -219,7 +219,7 @@ void subcycle_error_note(struct stepper *s, bool taken)
         return;
     }
     subcycle_error_keep(s, true);
-    if (++o->seen >= BURST) missed_add(o, c->error->position, c->error->velocity);
+    if (++o->seen >= BURST) missed_add(o, c->ode, c->error->position, c->error->velocity, c->v0, c->error->a);
 }
 
 void subcycle_error_recall(struct subcycle *c, struct recall *r)

@@ -50,9 +50,9 @@ void trust_open(struct sim *sim, struct arena *life)
     for (int i = 0; i < columns; i++) o->asked |= sim_column_compared(sim, i);
     for (int i = 0; i < TRUST_PLACES; i++) {
         struct trust_place *p = &o->place[i];
-        double **vector[] = {&p->v, &p->position, &p->velocity};
+        double **vector[] = {&p->v, &p->position, &p->velocity, &p->a};
         p->q = TAKE(life, double, ode->nq);
-        for (int k = 0; k < 3; k++) *vector[k] = TAKE(life, double, ode->n);
+        for (int k = 0; k < 4; k++) *vector[k] = TAKE(life, double, ode->n);
     }
 }
 
@@ -104,6 +104,8 @@ static void keep(struct sim *sim)
     copy(p->v, sim->x.v, ode->n);
     copy(p->position, missed->position, ode->n);
     copy(p->velocity, missed->velocity, ode->n);
+    copy(p->a, sim->x.a, ode->n);
+    p->late = is_of_time(sim->scene) || sim->stepper.tangent ? 0 : missed->late;
     if (sim->stepper.tangent) follow(sim, p);
 }
 
@@ -164,6 +166,8 @@ void trust_recall(struct sim *sim, struct recall *r)
         recall_list(r, "v", p->v, sim->stepper.ode->n);
         recall_list(r, "position", p->position, sim->stepper.ode->n);
         recall_list(r, "velocity", p->velocity, sim->stepper.ode->n);
+        recall_list(r, "a", p->a, sim->stepper.ode->n);
+        recall_one(r, "late", p->late);
         recall_without(r);
     }
     recall_without(r);
@@ -188,6 +192,14 @@ static double reduction(const struct trust_place *p, const struct ode2 *ode)
         most = fmax(most, p->velocity[i] / ode2_usual(ode, i) / fmax(pace, 1e-3));
     }
     return most > 0 ? SMALL / most : 0;
+}
+
+/* The same for the delay there. */
+static double reduction_later(const struct trust_place *p, const struct ode2 *ode)
+{
+    double pace = pace_of(p, ode), most = pace;
+    for (int i = 0; i < ode->n; i++) most = fmax(most, fabs(p->a[i]) / ode2_usual(ode, i) / fmax(pace, 1e-3));
+    return p->late * most > 0 ? SMALL / (p->late * most) : 0;
 }
 
 /* -1 or 1, pseudo-random (multiplicative hashing) but the same in every run. */
@@ -229,15 +241,17 @@ static bool energies_at(struct sim *sim, double t, double by)
     return true;
 }
 
-/* Columns at the place displaced by the part `by` of its summed errors, with the signs of this draw.  false: they
+enum { LATER = -1 }; /* for a draw: along the motion */
+
+/* Columns at the place displaced by the part `by` of its summed errors, with the signs of this draw, or as it is late.  false: they
  * cannot be evaluated there. */
 static bool columns_at(struct sim *sim, const struct trust_place *p, double by, int draw)
 {
     const struct ode2 *ode = sim->stepper.ode;
     struct trust *o = &sim->trust;
     for (int i = 0; i < ode->n; i++) {
-        o->dq[i] = by * sign(draw, i) * p->position[i];
-        o->dv[i] = p->v[i] + by * sign(draw, i + ode->n) * p->velocity[i];
+        o->dq[i] = by * (draw == LATER ? p->late * p->v[i] : sign(draw, i) * p->position[i]);
+        o->dv[i] = p->v[i] + by * (draw == LATER ? p->late * p->a[i] : sign(draw, i + ode->n) * p->velocity[i]);
     }
     sim->x = (struct state){p->t, sim->look->q, o->dv, sim->look->a};
     motion_point(ode, sim->x.q, p->q, o->dq, 1, p->t);
@@ -258,6 +272,9 @@ static void look_at(struct sim *sim, const struct trust_place *p)
         for (int i = 0; i < sim->chosen.n; i++) o->sum[i] += pow((sim->row[i] - o->base[i]) / by, 2);
     }
     for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], sqrt(o->sum[i] / DRAWS));
+    const double later = reduction_later(p, sim->stepper.ode);
+    if (later == 0 || !columns_at(sim, p, later, LATER)) return;
+    for (int i = 0; i < sim->chosen.n; i++) o->off[i] = fmax(o->off[i], fabs(sim->row[i] - o->base[i]) / later);
 }
 
 /* Least growth rate of small differences over the places [1/s]; 0: they do not grow everywhere; NAN: not looked at,

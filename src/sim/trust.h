@@ -3,7 +3,8 @@
  * engine/missed.h sums the sizes of local errors, of every coordinate and velocity.  At a few records of the run the
  * state is displaced by a small part of these sums, with signs drawn at random, and the columns are evaluated there.
  * The estimated error of a column is the root mean square of its change over the draws, scaled back to the whole
- * sums, relative to the range of the column in the run.
+ * sums, relative to the range of the column in the run; or, where it is larger and nothing depends explicitly on time, its
+ * change in the delay by the steps so far.
  *
  * The motion keeps the sum of the energies, random signs do not: an energy is taken to change by no more than the other
  * energies do, plus what the run's balance and works leave open.
@@ -31,6 +32,7 @@ struct trust {
         long chart;                  /* system_charts() at the time: sums of another chart are not comparable */
         double *q, *v;               /* [nq], [n] state */
         double *position, *velocity; /* [n] sums of local errors up to there */
+        double late, *a;             /* delay by them [s], accelerations [n] there or where the step ends */
     } place[TRUST_PLACES];
     double worked; /* sum of |work| over all channels, the largest at a record [J] */
 

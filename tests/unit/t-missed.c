@@ -59,11 +59,39 @@ static void test_bursts(void **state)
     near(few / many, 1e4, 2e3);
 }
 
+/* Delays of steps add up, whatever the motion is then: of (v, a), what an error along it is late by, of each coordinate's share;
+ * none where the motion rests, or of what is off across it. */
+static void test_late(void **state)
+{
+    (void)state;
+    struct arena *life = arena_open();
+    struct missed o;
+    const struct ode2 ode = {.n = 2, .nq = 2};
+    const double none[2] = {0, 0}, x[2] = {2, 0}, across[2] = {0, 2}, a[2] = {-3, 0};
+    const double late = 1e-3, off[2] = {2 * late, 0}, bent[2] = {-3 * late, 0};
+    missed_open(&o, 2, life);
+    o.steps = 1;
+    missed_add(&o, &ode, off, none, none, none);
+    assert_true(o.late == 0);
+    o.steps = 3;
+    missed_add(&o, &ode, none, bent, none, a);
+    near(o.late, 2 * late, 1e-15);
+    o.steps = 4;
+    missed_add(&o, &ode, off, none, x, none);
+    near(o.late, 3 * late, 1e-15);
+    o.steps = 5;
+    missed_add(&o, &ode, across, none, x, none);
+    near(o.late, 3 * late, 1e-15);
+    near(o.position[0], 2 * 2 * late, 1e-15);
+    arena_close(life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_vibration),
         cmocka_unit_test(test_bursts),
+        cmocka_unit_test(test_late),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
