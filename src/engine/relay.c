@@ -24,7 +24,7 @@ static const double
     OFTEN = .15,
     GROWS =
         1.5; /* what a step before counts; a share of steps that end where they have to; a step that has not settled */
-static const double BEGUN = 30, SOON = 8; /* evaluations before the first trial; trials that may go by between two */
+static const double BEGUN = 30, SOON = 25; /* evaluations before the first trial; trials that may go by between two */
 
 static const struct adaptive_scheme *scheme_of(int i)
 {
