@@ -206,6 +206,28 @@ static void print_advised(FILE *to, const struct advised *a)
     fprintf(to, " (%.2g evaluations)", a->work);
 }
 
+/* All for the error of entry i, from there on; what is too dear last.  The entry behind them. */
+static int print_for_error(FILE *to, const struct advice *o, int i)
+{
+    const double error = o->entry[i].error;
+    int end = i;
+    const char *before = "";
+    fprintf(to, "  %.0e: ", error);
+    for (; end < o->n && o->entry[end].error == error; end++) {
+        if (o->entry[end].dear) continue;
+        fputs(before, to), print_advised(to, &o->entry[end]);
+        before = ", or ";
+    }
+    if (before[0]) before = "; ";
+    for (int k = i; k < end; k++) {
+        const struct advised *a = &o->entry[k];
+        if (a->dear)
+            fprintf(to, "%snone by %s, which would take %.2g evaluations", before, a->scheme, a->work), before = ", ";
+    }
+    fputc('\n', to);
+    return end;
+}
+
 /* Why no step is among it. */
 static void print_no_steps(FILE *to, const struct advice *o)
 {
@@ -227,13 +249,9 @@ static void print_advice(FILE *to, const struct sim *sim, const struct advice *o
     fprintf(to, "steps: by trial runs of %.2g evaluations", o->work);
     if (o->until < sim->plan.until) fprintf(to, " up to t = %.4g s%s", o->until, o->parted ? ", where they part" : "");
     fputs(", for an error in the columns, over their ranges, of\n", to);
-    for (int i = 0; i < o->n; i++) {
-        const bool first = i == 0 || o->entry[i].error != o->entry[i - 1].error;
-        if (first) fprintf(to, "%s  %.0e: ", i ? "\n" : "", o->entry[i].error);
-        if (!first) fputs(", or ", to);
-        print_advised(to, &o->entry[i]);
-    }
-    fputs(o->n ? "\n" : "  none that a scheme here can promise\n", to);
+    for (int i = 0; i < o->n;) i = print_for_error(to, o, i);
+    if (o->n == 0) fputs("  none that a scheme here can promise\n", to);
+    if (o->only) fprintf(to, "  promised up to t = %.4g s only: %s\n", o->until, o->only);
     if (o->steps_until < o->until) fprintf(to, "  fixed steps were tried up to t = %.4g s\n", o->steps_until);
     if (o->no_steps) print_no_steps(to, o);
 }

@@ -163,10 +163,15 @@ static void add_advice(cJSON *steps, const struct advice *o)
         facts_add(steps, "suggested_ratio", facts_number(usual->ratio));
     }
     cJSON *list = cJSON_AddArrayToObject(steps, "advice");
-    for (int i = 0; i < o->n; i++) cJSON_AddItemToArray(list, advised(&o->entry[i]));
+    for (int i = 0; i < o->n; i++)
+        if (!o->entry[i].dear) cJSON_AddItemToArray(list, advised(&o->entry[i]));
     facts_add(steps, "trial_evaluations", facts_number(round(o->work)));
     facts_add(steps, "trial_until", number_or_null(o->until));
     facts_add(steps, "trial_parts", cJSON_CreateBool(o->parted));
+    if (o->only) {
+        facts_add(steps, "promised_until", number_or_null(o->until));
+        cJSON_AddStringToObject(steps, "promised_only", o->only);
+    }
     if (isfinite(o->steps_until)) facts_add(steps, "trial_of_steps_until", facts_number(o->steps_until));
     if (o->no_steps) cJSON_AddStringToObject(steps, "no_step", o->no_steps);
     if (o->why) cJSON_AddStringToObject(steps, "no_advice", o->why);

@@ -39,6 +39,12 @@ static double ahead(const struct tried *f, int i)
     return f->error[i] * later(f);
 }
 
+/* What the balance of energy is off by in the whole run with setting i, over half of what it may be. */
+static double balance(const struct tried *f, const struct trial *t, int i)
+{
+    return f->energy[i] / f->share / (AIM * t->delta);
+}
+
 /* Major steps to an interval for the error `aim`, where corners lie inside steps, and errors depend on where: the
  * coarsest setting tried from which on all finer ones reach it; else finer ones yet, by order 1 from the worst of
  * the last three. */
@@ -69,7 +75,8 @@ static void advise_step(struct advice *o, const struct trial *t, double error)
     const double per = t->every / (t->until - t->start);
     const int order = stepper_find(f->scheme)->order;
     const double aim = AIM * error, smooth = f->at[1] * pow(ahead(f, 1) / aim, 1 / power(f, order));
-    const double m = t->unseen ? steps_by_trial(f, aim) : smooth;
+    const double by_balance = f->at[1] * pow(balance(f, t, 1), 1 / power(f, order));
+    const double m = fmax(t->unseen ? steps_by_trial(f, aim) : smooth, by_balance);
     const double steps = t->base * trial_handy(fmax(m, LEAST_STEPS * per) / t->base);
     const double step = plain(t->every / steps / f->ratio);
     if (!(steps <= MOST * per)) return;
@@ -105,12 +112,35 @@ static void advise_tolerance(struct advice *o, const struct trial *t, double err
     const double dear = contacts ? 1. / 2 : 1. / 9, less = contacts ? .5 : .8;
     const double aim = AIM * error, loose = fmax(ahead(f, 0), 1e-12);
     double x = aim >= loose ? f->at[0] * pow(aim / loose, less) : f->at[1] * pow(aim / ahead(f, 1), 1 / less);
+    if (balance(f, t, 0) > 1) x = fmin(x, f->at[0] * pow(balance(f, t, 0), -1 / less));
     if (x < LEAST) return;
     x = rounded(fmin(x, fmin(NEAR * error, MOST)));
     const double seen = log(f->work[1] / f->work[0]) / log(f->at[0] / f->fine); /* between the two runs */
     const double work = x >= f->fine ? f->work[0] * pow(f->at[0] / x, seen) : f->work[1] * pow(f->fine / x, dear);
     *add(o) = (struct advised){
         .error = error, .scheme = f->scheme, .ratio = 1, .step = NAN, .tolerance = x, .work = work / f->share};
+}
+
+/* What takes too many evaluations, or a thousand times those of another way to the same error, is told, not advised;
+ * where a smaller error takes less work it serves for the larger one, too. */
+static void sift(struct advice *o)
+{
+    static const double MOST = 1e8, TIMES = 1000;
+    for (int i = 0; i < o->n; i++) {
+        double least = INFINITY;
+        for (int k = 0; k < o->n; k++)
+            if (o->entry[k].error == o->entry[i].error) least = fmin(least, o->entry[k].work);
+        o->entry[i].dear = o->entry[i].work > fmin(MOST, TIMES * least);
+    }
+    for (int i = o->n - 1; i >= 0; i--)
+        for (int k = i + 1; k < o->n; k++) {
+            const struct advised *a = &o->entry[k];
+            const bool alike = isfinite(a->step) == isfinite(o->entry[i].step);
+            const double error = o->entry[i].error;
+            if (!alike || a->dear || !(a->work < o->entry[i].work)) continue;
+            o->entry[i] = *a;
+            o->entry[i].error = error;
+        }
 }
 
 enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report)
@@ -122,6 +152,7 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
     if (status == OK && !t.why) {
         o->until = t.reference.horizon;
         o->parted = !t.reference.whole;
+        o->only = t.only;
         const bool steps = trial_tells(&t.fixed) && t.fixed.error[1] < UNRESOLVED;
         o->no_steps = t.no_steps;
         o->corner = t.corner;
@@ -130,6 +161,7 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
             if (steps) advise_step(o, &t, levels[i]);
             if (t.own.n) advise_tolerance(o, &t, levels[i]);
         }
+        sift(o);
     }
     o->work = t.work;
     o->why = t.why;
@@ -141,6 +173,6 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
 const struct advised *advice_step(const struct advice *o, double error)
 {
     for (int i = 0; i < o->n; i++)
-        if (o->entry[i].error == error && isfinite(o->entry[i].step)) return &o->entry[i];
+        if (o->entry[i].error == error && isfinite(o->entry[i].step) && !o->entry[i].dear) return &o->entry[i];
     return NULL;
 }

@@ -12,6 +12,9 @@
  * run grow. A step is advised only if all known corners of loads and drives are ends of its steps: one inside a
  * step makes any scheme one of first order, and a pulse may be missed.
  *
+ * Of a part in which forces may come on by the state, in which a load bends, or where errors have grown quickly before it,
+ * nothing is promised, and fixed steps, which step over what comes on, are not advised.
+ *
  * All decisions are by counts of evaluations, so that the same deck always gets the same advice. */
 #ifndef FMDSUB_STUDY_ADVICE_H
 #define FMDSUB_STUDY_ADVICE_H
@@ -28,11 +31,13 @@ struct advice {
         int ratio;              /* 1 with a tolerance */
         double step, tolerance; /* one of them; the other is NAN */
         double work;            /* of the whole run with it, predicted [evaluations] */
+        bool dear;              /* so many that nobody takes it: it is told, but not advised */
     } entry[ADVICE_MOST];       /* [n] by error, largest first; for one error the fixed step first */
     double work;                /* of the trial runs [evaluations] */
     double whole;               /* of a run with the fixed steps advised for the smallest error; NAN: none are */
     double until;               /* end of the part of the motion that was tried [s] */
     bool parted;                /* it ends there because two runs at a tight tolerance part: chaos */
+    const char *only;           /* why errors are promised up to there only; NULL: of the whole run */
     double steps_until;         /* end of the part tried with fixed steps [s]; NAN: none are advised */
     const char *no_steps;       /* why none are advised; NULL: some are, or they resolve nothing */
     double corner;              /* time of the corner that this is about [s]; NAN: it is about none */
@@ -45,7 +50,7 @@ struct advice {
  * o->why says so. */
 enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report);
 
-/* The entry with a step for this error, one of those aimed at; NULL: none. */
+/* The entry with a step for this error, one of those aimed at, that is advised; NULL: none. */
 const struct advised *advice_step(const struct advice *o, double error);
 
 #endif

@@ -210,6 +210,8 @@ static void note_own(struct trial *t, double coarse, double fine, const struct o
     own->error[1] = fmax(own->error[0], fine);
     own->work[0] = loose->work * looked / came(loose, t);
     own->work[1] = tight->work * looked / came(tight, t);
+    own->energy[0] = loose->energy_share;
+    own->energy[1] = tight->energy_share;
     own->n = 1;
     own->share = looked / (t->until - t->start);
     t->steps = rates[0] * (t->until - t->start);
@@ -289,6 +291,32 @@ static enum status find_reference(struct trial *t)
     return OK;
 }
 
+/* By what the loose run misses more in both halves of what is compared than in the first; 1: it misses nothing there. */
+static double growth_of(struct trial *t)
+{
+    struct errors e;
+    const double end = t->reference.horizon;
+    int last = 0;
+    while (last + 1 < t->reference.run.rows && outcome_row(&t->reference.run, last + 1)[0] <= end) last++;
+    t->reference.horizon = outcome_row(&t->reference.run, last / 2)[0];
+    reference_compare(&e, &t->reference, &t->subject, &t->loose);
+    t->reference.horizon = end;
+    return e.worst > 0 ? t->own.error[0] / e.worst : 1;
+}
+
+/* Of what nobody has looked at an error is promised only where the part tried is likely to be like it. */
+static const char *only_up_to(struct trial *t)
+{
+    static const double QUICKLY = 16; /* a drift gives 2, one that speeds up 4 */
+    const double end = t->reference.horizon;
+    if (!t->reference.whole) return "trial runs part there";
+    if (!(end < t->until * (1 - 1e-9))) return NULL;
+    if (t->corners.n && t->corners.t[t->corners.n - 1] > end) return "a load or drive bends or jumps later";
+    if (t->comes_on) return "forces may come on, bend or jump later";
+    if (growth_of(t) > QUICKLY) return "what steps miss grows quickly there, and may go on to";
+    return t->own.share < COVERED ? "that is too little to tell of the rest" : NULL;
+}
+
 enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diags, struct arena *life,
                       struct report *report)
 {
@@ -313,11 +341,14 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->opening = opening_of(scene);
     o->tried_until = o->corner = NAN;
     o->unseen = sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
+    o->comes_on = sim->stepper.ode->bends || sim->stepper.ode->passed;
+    o->delta = sim->ledger.delta;
     o->stiff = stiff_rate(sim) * (o->until - o->start);
     o->work += STIFF_EVALUATIONS;
     corners_find(&o->corners, sim, o->until, life);
     plan_records(o);
     TRY(find_reference(o));
+    if (!o->why) o->only = only_up_to(o);
     if (!o->why && o->own.share < COVERED) o->no_steps = "trial runs have not come far enough";
     if (tolerance_of(o) > 0)
         o->no_steps = scene->integrate.because ? "steps are chosen by a tolerance, which is the cheaper way"

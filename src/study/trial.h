@@ -17,6 +17,7 @@ struct tried {
     int n;                           /* settings that were seen: 0, 1 or 2 */
     double at[2], error[2], work[2]; /* coarse, fine: major steps to an interval of records; of a
                                       * tolerance the one given, and the one it was as good as */
+    double energy[2];                /* what the balance is off by, relative */
     double fine;                     /* of a tolerance: the tight one, which work[1] is of */
     double share;                    /* of the run that errors and work are of */
     double growth;                   /* of errors from the end of that part to where all trials have come, at least */
@@ -40,6 +41,8 @@ struct trial {
     struct corners corners; /* of loads and drives in time */
     double base;            /* major steps to an interval are a multiple of this: a whole number */
     bool unseen;            /* there may be corners that are not known */
+    bool comes_on;          /* forces may come on, bend or jump by the state */
+    double delta;           /* that the energy balance may be off by */
     struct reference reference;
     struct outcome loose; /* that is compared with it: how errors grow in time */
     double steps,
@@ -47,6 +50,7 @@ struct trial {
     struct tried own, fixed; /* a scheme that chooses its steps; one of fixed steps, the deck's if it is that */
     struct arena *life;
     struct report *report;
+    const char *only;           /* why errors are told up to the end of that part only; NULL: of the whole run */
     const char *why;            /* it gives nothing */
     struct report stop;         /* of the first run that stops on the way */
     const char *no_steps;       /* why fixed steps give nothing; NULL: they do, or nothing has come of them */

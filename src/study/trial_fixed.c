@@ -72,34 +72,37 @@ static bool shorten(struct next *next, const struct trial *t)
 }
 
 /* A run at longer steps than the only one before. */
-static void note_coarser(struct tried *f, double m, double error, double work)
+static void note_coarser(struct tried *f, double m, double error, const struct outcome *run)
 {
     f->at[0] = m;
     f->error[0] = error;
-    f->work[0] = work;
+    f->work[0] = run->work;
+    f->energy[0] = run->energy_share;
     f->n = 2;
     f->level[1] = f->level[0];
     f->level[0] = (struct level){m, error};
     f->nlevel = 2;
 }
 
-static void note(struct tried *f, double m, double error, double work)
+static void note(struct tried *f, double m, double error, const struct outcome *run)
 {
     if (f->n == 1 && m < f->at[1]) {
-        note_coarser(f, m, error, work);
+        note_coarser(f, m, error, run);
         return;
     }
     if (f->n) {
         f->at[0] = f->at[1];
         f->error[0] = f->error[1];
         f->work[0] = f->work[1];
+        f->energy[0] = f->energy[1];
     }
     if (f->n == 0) f->nlevel = 0;
     if (f->nlevel < MOST_LEVELS) f->level[f->nlevel++] = (struct level){m, error};
     f->n = f->n ? 2 : 1;
     f->at[1] = m;
     f->error[1] = error;
-    f->work[1] = work;
+    f->work[1] = run->work;
+    f->energy[1] = run->energy_share;
 }
 
 static enum status attempt(struct next *next, struct trial *t, const struct stepper_kind *kind)
@@ -116,7 +119,7 @@ static enum status attempt(struct next *next, struct trial *t, const struct step
     t->fixed.growth = loose.worst > 0 ? t->own.error[0] / loose.worst : 1;
     arena_close(life);
     t->fixed.share = (next->end - t->start) / (t->until - t->start);
-    note(&t->fixed, next->m, run.rows < 2 || isnan(e.worst) ? INFINITY : e.worst, run.work);
+    note(&t->fixed, next->m, run.rows < 2 || isnan(e.worst) ? INFINITY : e.worst, &run);
     next->seconds = run.seconds;
     return status;
 }
@@ -184,6 +187,12 @@ static bool coarser_will_do(const struct trial *t)
     return f->n == 1 && f->error[1] <= KNOWN && f->error[1] >= LITTLE && !t->unseen && f->at[1] > t->base;
 }
 
+/* Has enough been seen of the forces that come on? */
+static bool may_come_on(const struct trial *t)
+{
+    return t->comes_on && t->fixed.share < 1 - 1e-9;
+}
+
 static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
 {
     enum status status = OK;
@@ -228,6 +237,10 @@ enum status trial_fixed(struct trial *t)
     if (!t->no_steps && t->corners.n && !trial_tells(&t->fixed))
         give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
     if (!t->no_steps && t->fixed.share < COVERED) give_up(t, "there was no time to try them in enough of the run", NAN);
+    if (!t->no_steps && !t->reference.whole) give_up(t, "trial runs part on the way", NAN);
+    if (!t->no_steps && may_come_on(t))
+        give_up(t, "forces may come on, bend or jump behind the part of the run that there was time to try them in",
+                NAN);
     if (!t->no_steps && !is_like_the_rest(t, whole))
         give_up(t, "they were tried in a part of the run that is not like the rest", NAN);
     reference_up_to(&t->reference, horizon);

@@ -23,6 +23,31 @@ advised "ends of steps that are too many" jumps 'no fixed step: .* such as t = 0
 advised "no step beside one that is chosen" shaken 'no fixed step: steps are chosen by a tolerance' 1
 advised "no step beside a tolerance" tolerance 'no fixed step: the deck has a tolerance' 1
 
+advised "no step where a buffer is met behind what was tried" late-buffer 'no fixed step: forces may come on, ' 1
+advised "nor a promise for the whole" late-buffer '^  promised up to t = 0.3 s only: forces may come on' 1
+advised "growth that goes on is no promise for the whole" part/upright '^  promised up to t = 1 s only: what steps miss grows' 1
+"$FMDSUB" check -q -f json tests/advice/late-buffer.yaml >"$work/json" 2>"$work/err"
+expect "no step in the object, and how far is promised" "0 1 1" \
+    "$(grep -c '"suggested_step":[[:space:]]*[0-9]' "$work/json") $(grep -c '"promised_until":[[:space:]]*0\.3' "$work/json") $(
+        grep -c '"promised_only":[[:space:]]*"forces' "$work/json")" "$work/json"
+
+# What is advised ends with 0: the balance of energy, here to a thousandth, holds with it.
+"$FMDSUB" check -q -f json tests/advice/part/shaken-up.yaml 2>"$work/err" |
+    awk '{ gsub(/[",]/, "") } $1 == "scheme:" { s = $2 } $1 == "tolerance:" { print s, sprintf("%.1e", $2) }' >"$work/settings"
+while read -r scheme tolerance; do
+    "$FMDSUB" run -q --set "integrate={scheme: $scheme, tolerance: $tolerance, until: 20}" tests/advice/part/shaken-up.yaml >/dev/null 2>"$work/err"
+    echo $?
+done <"$work/settings" >"$work/codes"
+expect "what is advised keeps the balance" "0 0 0" "$(echo $(cat "$work/codes"))" "$work/settings" "$work/err"
+"$FMDSUB" run -q --set 'integrate={scheme: dop853, tolerance: 1.0e-3, until: 20}' tests/advice/part/shaken-up.yaml >/dev/null 2>"$work/err"
+expect "which a looser one does not" 1 $? "$work/err"
+
+# Of steps that take a thousand times what another way does the number is told, and none is advised.
+"$FMDSUB" check -q tests/advice/part/dear.yaml >"$work/words" 2>"$work/err"
+"$FMDSUB" check -q -f json tests/advice/part/dear.yaml >"$work/json" 2>"$work/err"
+expect "steps that nobody takes" "1 0" "$(grep -c '^  1e-06: dop853 at .* evaluations); none by midpoint, which would take [0-9.e+]* evaluations$' "$work/words") $(
+    awk '{ gsub(/[",]/, "") } $1 == "error:" { e = $2 } $1 == "suggested_step:" && $2 != "null" && e == 1e-6' "$work/json" | grep -c .)" "$work/words"
+
 # What the trials take, counted, is at most an evaluation to a step of the deck's own run, of two rates to a step of each
 # coordinate; of a run by a tolerance a fifth; or 100. A factorization may end later: those are a third more than an
 # evaluation here, or stand by name. With rigid contacts nothing is known from a part: about twice the run.
