@@ -82,7 +82,9 @@ static double angular_acceleration(const struct sim *sim, const struct origin *o
 const struct column_kind columns_body[] = {
     {COLUMN(".x .y", ".x .y .z", "m", "centre of mass, world axes", EVALUATE_MOTION, place)},
     {COLUMN(".angle", NULL, "rad", "turned since drawn", EVALUATE_MOTION, angle)},
-    {COLUMN(NULL, ".qw .qx .qy .qz", NULL, "unit quaternion, body to world", EVALUATE_MOTION, quaternion)},
+    {COLUMN(NULL, ".qw .qx .qy .qz", NULL,
+            "unit quaternion, body to world, with qw >= 0: the others change sign where it meets 0", EVALUATE_MOTION,
+            quaternion)},
     {COLUMN(".vx .vy", ".vx .vy .vz", "m/s", "velocity of the centre of mass", EVALUATE_MOTION, velocity)},
     {COLUMN(".wz", ".wx .wy .wz", "rad/s", "angular velocity, world axes", EVALUATE_MOTION, angular_velocity)},
     {COLUMN(".ax .ay", ".ax .ay .az", "m/s2", "acceleration of the centre of mass", EVALUATE_ACCELERATION,

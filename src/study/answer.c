@@ -282,12 +282,16 @@ static void print_finer(const struct study *o, bool budget, FILE *to)
     if (n) fputs(" on\n", to);
 }
 
-/* Is there a column by which errors are known? */
+/* Are errors known of any run that is whole, if there is one? */
 static bool compares(const struct study *o)
 {
-    for (int i = 0; i < o->reference.run.n; i++)
-        if (o->subject.column[i].compared) return true;
-    return false;
+    int whole = 0;
+    for (const struct study_row *r = o->row; r < o->row + o->nrow; r++) {
+        if (r->status != OK) continue;
+        if (!isnan(r->errors.worst)) return true;
+        whole++;
+    }
+    return whole == 0;
 }
 
 void study_answer(const struct study *o, FILE *to)

@@ -155,8 +155,13 @@ static void test_own(void **state)
     snprintf(expected, sizeof expected, "%s%s", none,
              "the deck's own setting, midpoint at step 0.001 s, stops on the way\n");
     says(&o, ANSWER, NULL, expected);
-    o.nrow = 1; /* nothing that ended */
+    o.nrow = 1; /* nothing of which an error is known */
     o.own = NULL;
+    says(
+        &o, ANSWER, NULL,
+        "none of the deck's columns can be compared, so that no error is known: neither steps and counts, nor what is\n"
+        "round-off or what the reference does not know; let it write places, angles or rates (output: columns)\n");
+    row[0].status = E_NUMERIC; /* nothing that ended */
     says(&o, ANSWER, NULL,
          "error below 1e-02: none of these runs\nerror below 1e-04: none of these runs\nerror below 1e-06: none of "
          "these "
@@ -247,6 +252,7 @@ static void test_gaps(void **state)
     };
     struct study o = {
         .nrow = 1, .row = row, .ngap = 5, .gap = gap, .fastest = 1234, .subject.n = 1, .reference.work = 5000};
+    row[0].status = E_NUMERIC;
     says(&o, ANSWER, NULL,
          "left out: rk4 at step 0.001 s, which takes 2e+06 evaluations or more, more than the reference: an explicit "
          "scheme has to follow the fastest vibration, 1.23e+03 rad/s\n"
