@@ -7,6 +7,7 @@
 #ifndef FMDSUB_ENGINE_FIT_H
 #define FMDSUB_ENGINE_FIT_H
 
+#include "base/arena.h"
 #include "base/recall.h"
 
 /* Normal equations of c1, c2: sums of products of delta_n, delta_n-1, delta_n-2.  All zero: nothing known. */
@@ -19,9 +20,28 @@ struct fit {
 /* Of n fits, `stride` bytes apart. */
 void fits_recall(struct fit *o, struct recall *r, const char *name, int n, size_t stride);
 
+/* As many of one system side by side, for vectors: the same numbers, lists of them [room]. */
+struct fit_row {
+    double *s11, *s12, *s22, *s01, *s02, *last, *before;
+    double *below; /* work */
+    int room;      /* a multiple of four: what is not in use stays zero */
+    int terms;
+};
+
+int fit_room(int n);
+void fit_row_open(struct fit_row *o, int n, struct arena *life);
+void fit_row_forget(struct fit_row *o);
+void fit_row_recall(struct fit_row *o, struct recall *r, const char *name, int n);
+/* fit_learn() and fit_next() of each, delta and next [room]. */
+void fit_row_learn(struct fit_row *o, const double *delta);
+void fit_row_next(const struct fit_row *o, double *next);
+
+static const double FIT_FADE = .9;                    /* weight of the term before */
+static const double FIT_VAGUE = 1e-6, FIT_GROWTH = 3; /* of c = (1, 0) against the past; see fit_next() */
+
 static inline void fit_learn(struct fit *o, double delta)
 {
-    static const double fade = .9; /* weight of the term before */
+    const double fade = FIT_FADE;
     double a = o->last, b = o->before;
     o->before = a;
     o->last = delta;
@@ -40,13 +60,12 @@ static inline void fit_learn(struct fit *o, double delta)
  * noise: it is at most three times what was seen last. */
 static inline double fit_next(const struct fit *o)
 {
-    static const double vague = 1e-6, growth = 3; /* of c = (1, 0) against the past */
-    double e = vague * (o->s11 + o->s22), a = o->s11 + e, b = o->s12, c = o->s22 + e, x = o->s01 + e, y = o->s02;
+    double e = FIT_VAGUE * (o->s11 + o->s22), a = o->s11 + e, b = o->s12, c = o->s22 + e, x = o->s01 + e, y = o->s02;
     double det = a * c - b * b, last = o->last < 0 ? -o->last : o->last,
            before = o->before < 0 ? -o->before : o->before;
     if (!(det > 0)) return o->last;
     double fitted = ((c * x - b * y) * o->last + (a * y - b * x) * o->before) / det;
-    double most = growth * (last > before ? last : before);
+    double most = FIT_GROWTH * (last > before ? last : before);
     return fitted > most ? most : fitted < -most ? -most : fitted;
 }
 

@@ -31,19 +31,19 @@
 #include "engine/broyden.h"
 #include "engine/fit.h"
 
-struct course {
-    struct fit plain, model;               /* of a1 - a0, of g */
-    double foreseen_plain, foreseen_model; /* a1 - a0 as foreseen */
-    double miss_plain, miss_model;         /* squares of what was missed, older ones fading */
-};
-
 struct predict {
-    int n;
-    struct course *course; /* [n] */
-    double *drift, *v;     /* [n] J^-1 h (K v + C a0) */
-    int modelled;          /* drift is known */
-    int seen, rest;        /* steps it has been in a row; steps that it will not be asked for */
-    double h;              /* of the step before */
+    int n, room;          /* lists are [room], see fit.h */
+    struct fit_row plain; /* of a1 - a0 */
+    struct fit_row model; /* of g */
+    double *drift, *v;    /* J^-1 h (K v + C a0) */
+    double *da;           /* a1 - a0, as foreseen and as it came, */
+    double *as_plain;     /* and as foreseen by each */
+    double *as_model;
+    double *miss_plain; /* squares of what was missed, older ones fading */
+    double *miss_model;
+    int modelled;   /* drift is known */
+    int seen, rest; /* steps it has been in a row; steps that it will not be asked for */
+    double h;       /* of the step before */
 };
 
 void predict_open(struct predict *p, int n, struct arena *life);
