@@ -24,7 +24,7 @@ struct step_options {
     double
         matrix; /* price of factors of all coordinates [evaluations], likewise: set by study/auto.c; 0: none are taken */
     double
-        gain; /* that an explicit scheme has at most for an evaluation [s], likewise, where something stiff is at rest; 0: not so */
+        gain; /* that an explicit scheme has at most for an evaluation [s], likewise, where something stiff is at rest or as trials foretell; 0: not known */
     double tolerance; /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */
 };
 

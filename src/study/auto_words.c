@@ -11,10 +11,25 @@ bool auto_takes_turns(const struct choice *o, const struct racer *r)
     return o->any_scheme && isfinite(r->setting.tolerance) && relay_has(r->setting.kind) && !(o->usual < AUTO_LEAST);
 }
 
+/* The least that an explicit scheme is to take, if it is far more than r is; 0: it is not. */
+static double far_behind(const struct choice *o, const struct racer *r)
+{
+    static const double FAR = 5;
+    const double work = racer_foretold(r);
+    double least = INFINITY;
+    if (o->quiet) return auto_least(stepper_find("dop853"), o->stiff);
+    if (!r->setting.kind->full || o->n < 2) return 0;
+    for (int i = 0; i < o->n; i++) {
+        const struct stepper_kind *kind = o->racer[i]->setting.kind;
+        if (!kind->full && relay_has(kind)) least = fmin(least, racer_foretold(o->racer[i]));
+    }
+    return least < FAR * work ? 0 : fmin(least, 2 * FAR * work);
+}
+
 void auto_plan_relay(struct step_options *how, const struct choice *o, const struct racer *r)
 {
-    const double span = r->sim.plan.until - o->scene->start;
-    how->gain = o->quiet ? span / auto_least(stepper_find("dop853"), o->stiff) : 0;
+    const double span = r->sim.plan.until - o->scene->start, least = far_behind(o, r);
+    how->gain = least > 0 ? span / least : 0;
     how->matrix = r->sim.stepper.ode->n <= MOST_DENSE ? r->price.full / r->price.evaluation : 0;
 }
 
