@@ -290,11 +290,12 @@ const struct diag_help diag_helps[] = {
      "kept, but what that motion would have done to all else is missing, and no estimate of the error knows of it. "
      "Take a smaller step; where that motion is of no interest, begin without it."},
     {"W-tolerance",
-     "A tolerance holds what a single step leaves; the run adds that up, and a motion that turns on and on, or that "
-     "parts from others near it, makes more of it. Of speeds, forces and energies the error is taken over their "
-     "size where they change by less than that. The estimate is meant to be right within a factor of thirty: "
-     "--verify makes a second run at a tenth of the tolerance and prints what differs. Take a tolerance smaller by "
-     "about as much as the error is larger."},
+     "The estimated error is above 300 tolerances, or above a twentieth, whatever the tolerance. A tolerance holds "
+     "what a single step leaves; the run adds that up, and a motion that turns on and on, or that parts from others "
+     "near it, makes more of it. Of speeds, forces and energies the error is taken over their size where they change "
+     "by less than that. The estimate is meant to be right within a factor of thirty: --verify makes a second run at a "
+     "tenth of the tolerance and prints what differs. Take a tolerance smaller by about as much as the error is "
+     "larger."},
     {"W-branch",
      "Where the bars of a parallelogram lie in one line it can go on as one or fold: branches meet. The rates "
      "of 'initial' have said which way, and the run starts a little along it. Drawn a little to one side, "

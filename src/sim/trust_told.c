@@ -11,6 +11,7 @@
 static const double UNKNOWN = .5;  /* of a column's range: with a larger error nothing can be said */
 static const double AMPLE = 1.5;   /* safety factor on the summed errors, so that few estimates are too small */
 static const double FAR = 300;     /* times the tolerance: W-tolerance warns */
+static const double LARGE = .05;   /* of what the tolerance refers to: it warns, too, whatever the tolerance */
 static const double LITTLE = 1e-3; /* of its size: a column whose range is less is practically constant */
 
 /* ---- columns --------------------------------------------------------------------------------------------------- */
@@ -46,13 +47,28 @@ static double largest_of_unit(const struct sim *sim, int i)
     return largest_in(sim, sim->columns[i].unit);
 }
 
+/* What speeds and accelerations are round-off beside, where all that is written rests: those that gravity gives over the
+ * mechanism's length, or that take it through its length in the run; of turns those over the length.  0: of another unit. */
+static double motion_of(const struct sim *sim, int i)
+{
+    static const char *const unit[] = {"m/s", "rad/s", "m/s2", "rad/s2"};
+    const double *g = sim->scene->gravity, length = system_length(sim->system), time = sim->x.t - sim->scene->start;
+    const double weight = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    if (!(length > 0) || !(time > 0)) return 0;
+    const double speed = fmax(sqrt(weight * length), length / time),
+                 size[] = {speed, speed / length, speed * speed / length, speed / length * speed / length};
+    for (int k = 0; k < 4; k++)
+        if (is_in(sim, i, unit[k])) return size[k];
+    return 0;
+}
+
 /* The size that round-off of column i is relative to: the largest column of its unit or a usual change of the
  * quantity; of energies also the norm of the balance; of moments and forces that too, and each other, by the length
  * of the mechanism. */
 static double scale(const struct sim *sim, int i)
 {
     const double length = system_length(sim->system), energy = sim->ledger.norm;
-    const double most = fmax(largest_of_unit(sim, i), sim_column_usual(sim, i));
+    const double most = fmax(largest_of_unit(sim, i), fmax(sim_column_usual(sim, i), motion_of(sim, i)));
     if (is_in(sim, i, "J")) return fmax(most, energy);
     if (is_in(sim, i, "N m")) return fmax(most, fmax(energy, length * largest_in(sim, "N")));
     if (is_in(sim, i, "N") && length > 0) return fmax(most, fmax(energy, largest_in(sim, "N m")) / length);
@@ -146,15 +162,16 @@ int trust_facts(const struct sim *sim, struct pair *facts)
 void warn_of_trust(struct sim *sim)
 {
     const struct trust *o = &sim->trust;
-    if (!(tolerance(sim) > 0) || o->why || o->farthest < 0 || !(o->beyond > FAR * tolerance(sim))) return;
+    if (!(tolerance(sim) > 0) || o->why || o->farthest < 0 || !(o->beyond > fmin(LARGE, FAR * tolerance(sim)))) return;
     char error[24] = "more than half";
     if (o->beyond < UNKNOWN) snprintf(error, sizeof error, "%.2g", o->beyond);
-    sim_warn(
-        sim,
-        "the estimated error, %s of the %s of '%.60s', is far above the tolerance of %g: what the steps miss adds up "
-        "or grows; take a smaller tolerance, and measure with --verify [W-tolerance]",
-        error, share_of_size(sim, o->farthest) < share(sim, o->farthest) ? "size" : "range",
-        sim->columns[o->farthest].name, tolerance(sim));
+    sim_warn(sim,
+             "the estimated error, %s of the %s of '%.60s', is %s %g: what the steps miss adds up "
+             "or grows; take a smaller tolerance, and measure with --verify [W-tolerance]",
+             error, share_of_size(sim, o->farthest) < share(sim, o->farthest) ? "size" : "range",
+             sim->columns[o->farthest].name,
+             o->beyond > FAR * tolerance(sim) ? "far above the tolerance of" : "large, at a tolerance of",
+             tolerance(sim));
 }
 
 static void print_known(const struct sim *sim, FILE *to)

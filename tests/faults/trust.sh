@@ -87,6 +87,12 @@ top="-s integrate.scheme=dopri5 -s integrate.tolerance=1e-3 -s integrate.until=3
 grep -q '^warning: the estimated error, .* is far above the tolerance of 0.001: .* \[W-tolerance\]$' err && ok "far above the tolerance" || not_ok "far above the tolerance" "it says" err
 "$FMDSUB" run -q --strict $top "$deck" >out 2>err
 expect "far above the tolerance, --strict" 1 $? err
+# So are errors that are large whatever the tolerance: above a twentieth, here 100 times the tolerance.
+large="-s integrate.scheme=dopri5 -s integrate.tolerance=1e-3 -s output.every=10"
+"$FMDSUB" run -q $large -s integrate.until=100 "$deck" >out 2>err
+expect "large, though near a loose tolerance" 1 "$(grep -c '^warning: the estimated error, 0.0[5-9].* is large, at a tolerance of 0.001: .* \[W-tolerance\]$' err)" err
+"$FMDSUB" run -q --strict $large -s integrate.until=15 "$deck" >out 2>err
+expect "small" 0 $? err
 "$FMDSUB" explain W-tolerance >out 2>err
 ended "and that is explained" 0 $? out err
 
@@ -131,7 +137,17 @@ initial: static
 integrate: {until: 0.01}
 output: {columns: [energy.kinetic]}
 END
-for at in crane "crane --columns rail.mz" tip shaft; do
+cat >rests.yaml <<'END'
+fmdsub: 1
+gravity: [0, 0, -9.81]
+bodies:
+  arm: {beam: {from: [0, 0, 0], to: [1.2, 0, 0], elements: 16}, section: {circle: 0.03}, material: steel, modes: 6, points: {tip: {station: 1}}}
+constraints: {wall: {fixed: [ground, arm], at: [0, 0, 0]}}
+initial: {static: true}
+integrate: {scheme: radau9, tolerance: 1.0e-4, until: 1}
+output: {every: 0.01, columns: ["arm.*"]}
+END
+for at in crane "crane --columns rail.mz" tip shaft rests; do
     "$FMDSUB" run -q --strict ${at%%" "*}.yaml $(echo "$at" | cut -s -d ' ' -f 2-) >out 2>err
     expect "round-off is not judged: $at" 0 $? err
 done
