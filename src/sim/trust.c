@@ -78,17 +78,18 @@ static double works(const struct ledger *l)
     return sum;
 }
 
-/* The propagated error replaces the sums.  Forces that bend or jump may act only between two looks, which tangent.c misses: there
+/* The propagated error replaces the sums; false: it does not.  Forces that bend or jump may act only between two looks, which tangent.c misses: there
  * the larger counts.  Where dampers, drives or loads do work the sums count, since the decay of errors between two looks is not
  * followed. */
-static void follow(const struct sim *sim, struct trust_place *p)
+static bool follow(const struct sim *sim, struct trust_place *p)
 {
     const struct tangent *tangent = sim->stepper.tangent;
-    if (!tangent->known || works(&sim->ledger) > 0) return;
+    if (!tangent || !tangent->known || works(&sim->ledger) > 0) return false;
     const struct ode2 *ode = sim->stepper.ode;
     const bool unseen = ode->bends || ode->passed;
     p->position[0] = larger(PEAKS * tangent->position, unseen ? p->position[0] : 0);
     p->velocity[0] = larger(PEAKS * tangent->velocity, unseen ? p->velocity[0] : 0);
+    return true;
 }
 
 /* The present state and its sums of local errors become the next place. */
@@ -105,8 +106,7 @@ static void keep(struct sim *sim)
     copy(p->position, missed->position, ode->n);
     copy(p->velocity, missed->velocity, ode->n);
     copy(p->a, sim->x.a, ode->n);
-    p->late = is_of_time(sim->scene) || sim->stepper.tangent ? 0 : missed->late;
-    if (sim->stepper.tangent) follow(sim, p);
+    p->late = follow(sim, p) || is_of_time(sim->scene) ? 0 : missed->late;
 }
 
 /* The energy balance here goes to tangent.c; where energies are not looked at with every step, they are now. */

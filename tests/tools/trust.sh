@@ -223,6 +223,16 @@ stretch           tests/trust/stretch.yaml      dop853  integrate.scheme=radau5 
 stretch           tests/trust/stretch.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
 stretch           tests/trust/stretch.yaml      dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
 stretch           tests/trust/stretch.yaml      dop853  integrate.scheme=newmark integrate.step=1e-4
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=subcycle integrate.tolerance=1e-4
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=midpoint integrate.step=1e-2
+leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=newmark integrate.step=2e-3
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau5 integrate.tolerance=1e-5
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau9 integrate.tolerance=1e-5
 LIST
