@@ -20,11 +20,10 @@ struct step_options {
     int symmetric;       /* W at the average of both ends, second pass */
     int stage;           /* it is one of those of a step of order 4: set by engine/composed.c alone */
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
-    double until;            /* end of the run [s], for schemes that take turns: set by sim/plan.c */
-    double
-        matrix; /* price of factors of all coordinates [evaluations], likewise: set by study/auto.c; 0: none are taken */
-    double
-        gain; /* that an explicit scheme has at most for an evaluation [s], likewise, where something stiff is at rest or as trials foretell; 0: not known */
+    /* Of schemes that take turns: sim/plan.c tells the end of the run [s], study/auto.c the price of factors of all coordinates
+     * [evaluations], 0: none are taken, and what an explicit scheme gains at most for an evaluation, where something stiff is at
+     * rest or as trials foretell [s], 0: not known. */
+    double until, matrix, gain;
     double tolerance; /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */
 };
 

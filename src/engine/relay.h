@@ -2,12 +2,11 @@
  * for its work.
  *
  * All of them go on from a state and its accelerations alone, so any step may be any scheme's, and each is held against the same
- * share of the tolerance.  dopri5 begins, as its first steps grow soonest, or radau9 where the
- * options know of something stiff.  From time to time another one takes two or three steps,
- * which count like all others; where it is close, the one before takes three more, so that both are seen on the same stretch.
- * The one that gets further in time for an evaluation goes on.  The clearer a scheme is behind, the longer it is until it is looked
- * at again, and where the rest of the run would not pay for it no one is.  The implicit one is looked at where the quickest that an
- * explicit one meets is what keeps its steps short, or may be:
+ * share of the tolerance.  dopri5 begins, as its first steps grow soonest, or radau9 where the options know of something stiff.
+ * From time to time another one takes two or three steps, which count like all others; where it is close, the one before takes
+ * three more, so that both are seen on the same stretch.  The one that gets further in time for an evaluation goes on.  The
+ * clearer a scheme is behind, the longer it is until it is looked at again, and where the rest of the run would not pay for it no
+ * one is.  The implicit one is looked at where the quickest that an explicit one meets is what keeps its steps short, or may be:
  *
  *     h |f(y1) - f(g)| / |y1 - g|,    g the last stage, at the end of the step like y1
  *
