@@ -340,8 +340,8 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     if (!(tolerance_of(o) > 0)) o->most = allowed(o, NAN);
     o->opening = opening_of(scene);
     o->tried_until = o->corner = NAN;
-    o->unseen = sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
     o->comes_on = sim->stepper.ode->bends || sim->stepper.ode->passed;
+    o->unseen = o->comes_on || sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
     o->delta = sim->ledger.delta;
     o->stiff = stiff_rate(sim) * (o->until - o->start);
     o->work += STIFF_EVALUATIONS;

@@ -197,10 +197,12 @@ static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
 {
     enum status status = OK;
     struct next next = first_run(t);
+    const bool whole =
+        t->scene.ncontact || t->comes_on; /* what is met in a part of the run is not what is in the rest */
     while (status == OK && t->used < t->most) {
         if (t->unseen && told_enough(t) && !fits(&next, t, LEFT)) break;
-        if (t->scene.ncontact && !fits(&next, t, 1)) break; /* impacts of a part are not those of the rest */
-        if (!t->scene.ncontact && shorten(&next, t)) t->fixed.n = 0;
+        if (whole && !fits(&next, t, 1)) break;
+        if (!whole && shorten(&next, t)) t->fixed.n = 0;
         if ((t->corners.n || t->fixed.n > 0) && !fits(&next, t, 1)) break;
         status = attempt(&next, t, kind);
         if (status == OK && coarser_will_do(t)) {
@@ -232,15 +234,15 @@ enum status trial_fixed(struct trial *t)
     t->fixed = (struct tried){.scheme = kind->name, .ratio = kind->two_rates ? t->scene.integrate.ratio : 1};
     if (!meets_corners(t)) return OK;
     const enum status status = halve_steps(t, kind);
+    if (!t->no_steps && may_come_on(t))
+        give_up(t, "forces may come on, bend or jump behind the part of the run that there was time to try them in",
+                NAN);
     if (!t->no_steps && t->corners.n && t->fixed.n > 0 && !(t->fixed.error[1] < UNRESOLVED))
         give_up(t, "those that there was time to try resolve nothing", NAN);
     if (!t->no_steps && t->corners.n && !trial_tells(&t->fixed))
         give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
     if (!t->no_steps && t->fixed.share < COVERED) give_up(t, "there was no time to try them in enough of the run", NAN);
     if (!t->no_steps && !t->reference.whole) give_up(t, "trial runs part on the way", NAN);
-    if (!t->no_steps && may_come_on(t))
-        give_up(t, "forces may come on, bend or jump behind the part of the run that there was time to try them in",
-                NAN);
     if (!t->no_steps && !is_like_the_rest(t, whole))
         give_up(t, "they were tried in a part of the run that is not like the rest", NAN);
     reference_up_to(&t->reference, horizon);
