@@ -44,7 +44,7 @@ struct adaptive {
     const struct adaptive_scheme *scheme;
     double *q, *v, *a;    /* the state inside H: [nq], [n], and its accelerations [n] */
     double *q1, *v1;      /* the end under trial */
-    const double *ahead;  /* [n] accelerations there, of schemes whose estimates corners mislead; NULL: not known */
+    double *ahead;        /* [n] accelerations there, of schemes whose estimates corners mislead; NULL: not known */
     double *q0, *v0;      /* where the last step began, */
     double *a0;           /* its accelerations there, */
     double t0, t1;        /* and when, and its end */

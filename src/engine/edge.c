@@ -54,8 +54,11 @@ static double leap(const struct stepper *s, struct adaptive *m, const struct edg
 /* The edge of the trial: of values that tell sides, or where a push begins or ends, as ode2's edge() has it. */
 static struct edge edge_in(const struct adaptive *m, const struct ode2 *o, double t)
 {
-    struct edge side = sides_edge(m->sides, m, t), push = {.at = NAN};
-    if (!o->passed || !m->ahead) return side;
+    const struct state from = {t, m->q, m->v, m->a}, to = {t + m->came, m->q1, m->v1, m->ahead};
+    struct edge side = {.at = NAN}, push = {.at = NAN};
+    if (!m->ahead) return side;
+    if (m->sides) side = sides_edge(m->sides, &from, &to);
+    if (!o->passed) return side;
     push.at = push.last = o->edge(o, &push.kind);
     if (!isfinite(push.at)) return side;
     push.beyond = 2 * (1 - push.at);

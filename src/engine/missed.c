@@ -10,7 +10,8 @@
 
 void missed_open(struct missed *o, int n, struct arena *life)
 {
-    double **vector[] = {&o->position, &o->velocity, &o->way, &o->extent, &o->a, &o->bend};
+    double **vector[] = {&o->position, &o->velocity, &o->way,       &o->extent,
+                         &o->a,        &o->bend,     &o->before[0], &o->before[1]};
     *o = (struct missed){.n = n};
     for (size_t i = 0; i < sizeof vector / sizeof *vector; i++) *vector[i] = TAKE(life, double, n);
     for (int k = 0; k < MISSED_ORDER + 2; k++) o->v[k] = TAKE(life, double, n);
@@ -51,6 +52,13 @@ void missed_add(struct missed *o, const struct ode2 *ode, const double *position
                 const double *v, const double *a)
 {
     const double times = (double)(o->steps - o->told);
+    copy(o->before[0], o->position, o->n);
+    copy(o->before[1], o->velocity, o->n);
+    o->signed_before[0] = o->signed_position;
+    o->signed_before[1] = o->signed_velocity;
+    o->told_before = o->told;
+    o->next_before = o->next;
+    o->late_before = o->late;
     o->late += times * delay(o, ode, position, velocity, v, a);
     for (int i = 0; i < o->n; i++) {
         o->position[i] += times * fabs(position[i]);
@@ -114,18 +122,48 @@ static double shear(double x)
     return x * x < 8 ? x * x / 8 : 1;
 }
 
-void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part)
+void missed_moved(struct missed *o, const struct ode2 *ode, const double *v, double h, const double *off)
 {
     for (int i = 0; i < o->n; i++) {
         o->way[i] += h * v[i] / ode2_usual(ode, i);
         if (fabs(o->way[i]) > o->extent[i]) o->extent[i] = fabs(o->way[i]);
-        o->position[i] += part * shear(o->extent[i]) * fabs(h) * o->velocity[i];
+        o->position[i] += shear(o->extent[i]) * fabs(h) * off[i];
     }
+}
+
+void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part)
+{
+    for (int i = 0; i < o->n; i++) o->a[i] = part * o->velocity[i];
+    missed_moved(o, ode, v, h, o->a);
 }
 
 void missed_break(struct missed *o)
 {
     o->seen = 0;
+}
+
+void missed_crossed(struct missed *o)
+{
+    enum { PATIENCE = 32 };
+    const bool ended = o->told == o->steps && o->told > 0;
+    if (o->steps - (ended ? o->next_before : o->next) > PATIENCE) return;
+    missed_break(o);
+    if (!ended) return;
+    copy(o->position, o->before[0], o->n);
+    copy(o->velocity, o->before[1], o->n);
+    o->signed_position = o->signed_before[0];
+    o->signed_velocity = o->signed_before[1];
+    o->late = o->late_before;
+    o->told = o->told_before;
+    o->next = o->next_before;
+}
+
+void missed_once(struct missed *o, const double *velocity, double H)
+{
+    for (int i = 0; i < o->n; i++) {
+        o->velocity[i] += velocity[i];
+        o->position[i] += H / 2 * velocity[i];
+    }
 }
 
 void missed_rechart(struct missed *o)

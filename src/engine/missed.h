@@ -37,8 +37,11 @@ struct missed {
     double *v[MISSED_ORDER + 2];             /* [n] its velocities, then their differences */
     double *way, *extent;                    /* [n] displacement so far, and its largest, in usual sizes */
     double late;                             /* sum of the delays by steps [s] */
-    double fastest, steepest; /* largest sums of squares of velocities and accelerations, in usual sizes */
-    double *a, *bend;         /* [n] scratch */
+    double fastest, steepest;             /* largest sums of squares of velocities and accelerations, in usual sizes */
+    double *before[2];                    /* [n] position, velocity before the last burst was added, */
+    double signed_before[2], late_before; /* and their signed ones, the delay; */
+    long told_before, next_before;        /* and these */
+    double *a, *bend;                     /* [n] scratch */
 };
 
 void missed_open(struct missed *o, int n, struct arena *life);
@@ -59,12 +62,19 @@ void missed_after(struct missed *o, const struct ode2 *ode, const double *v, int
 /* For schemes that are not symmetric in time, whose energy drifts by `part` of their local errors: over a time h at
  * velocities v [n], errors of velocities change frequencies and so go on into errors of positions. */
 void missed_drift(struct missed *o, const struct ode2 *ode, const double *v, double h, double part);
+/* The same of errors of velocities `off` [n] alone. */
+void missed_moved(struct missed *o, const struct ode2 *ode, const double *v, double h, const double *off);
 /* The burst begins anew: the motion has changed. */
 void missed_break(struct missed *o);
 /* Adds the local errors [n], of any sign, of one step with velocities v and accelerations a [n], that stands for all since the
  * last call. */
 void missed_add(struct missed *o, const struct ode2 *ode, const double *position, const double *velocity,
                 const double *v, const double *a);
+/* The last step has gone over an edge of a force, for which the differences of a burst cannot stand: it begins anew, and if it has
+ * ended with that step, that does not count; unless one is long overdue. */
+void missed_crossed(struct missed *o);
+/* What one step of H has left in velocities [n], sizes, which no other one stands for. */
+void missed_once(struct missed *o, const double *velocity, double H);
 /* The sums have been transformed to a new chart: signs do not count, displacements begin anew. */
 void missed_rechart(struct missed *o);
 void missed_recall(struct missed *o, struct recall *r);

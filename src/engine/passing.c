@@ -1,6 +1,8 @@
 /* passing.c -- see passing.h */
 #include "engine/passing.h"
 
+#include <math.h>
+
 #include "engine/path.h"
 
 enum { HALVINGS = 8 };
@@ -8,6 +10,8 @@ enum { HALVINGS = 8 };
 struct passing_look {
     const struct ode2 *ode;
     struct path way;
+    enum edge_kind kind;                       /* of the step as a whole, */
+    double at;                                 /* the part of it */
     double *q[HALVINGS + 1], *v[HALVINGS + 1]; /* of the middle of a part, by how small it is */
 };
 
@@ -46,7 +50,15 @@ bool passing_found(struct passing_look *o, const struct state *a, const struct s
 {
     const struct instant first = {.t = a->t, .q = a->q, .v = a->v, .ta = a->t, .tb = a->t},
                          last = {.t = b->t, .q = b->q, .v = b->v, .ta = b->t, .tb = b->t};
-    if (o->ode->passed(o->ode, &first, NULL, &last) == MET_NOT) return false;
+    const enum met met = o->ode->passed(o->ode, &first, NULL, &last);
+    o->at = o->ode->edge(o->ode, &o->kind);
+    if (met == MET_NOT) return false;
     path_between(&o->way, a, b);
     return found(o, &first, 0, &last, 1, 0);
+}
+
+enum edge_kind passing_edge(const struct passing_look *o, double *at)
+{
+    *at = o->at;
+    return isfinite(o->at) ? o->kind : EDGE_NONE;
 }

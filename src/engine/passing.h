@@ -15,4 +15,7 @@ struct passing_look *passing_open(const struct ode2 *o, struct arena *life);
 /* Does the step from a to b pass over a touch that neither end shows? */
 bool passing_found(struct passing_look *o, const struct state *a, const struct state *b);
 
+/* Where a push has begun or ended in the step that was looked at last, as ode2's edge() has it. */
+enum edge_kind passing_edge(const struct passing_look *o, double *at);
+
 #endif

@@ -22,7 +22,7 @@ enum { RUNNERS = 3 };
 struct runner {
     bool there; /* it takes part */
     void *own;  /* as in struct adaptive, like the next two */
-    const double *ahead;
+    double *ahead;
     double tolerance;
     double reach;  /* time gained for an evaluation, as last seen [s]; 0: never */
     double beside; /* its step over that of the one that it took over from, as last seen; 0: never */

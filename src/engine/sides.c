@@ -18,12 +18,13 @@ struct sides {
     const struct ode2 *ode;
     struct path way;
     struct state from, to;
-    const double *a0, *a1; /* [n] accelerations at both */
-    double *dv;            /* [n] change of velocities */
-    double *q, *v;         /* [nq], [n] of a place between */
+    double *dv;    /* [n] change of velocities */
+    double *q, *v; /* [nq], [n] of a place between */
     int n;
-    struct place at[MOST]; /* [n] ascending */
-    struct place look;     /* one more */
+    struct place at[MOST];      /* [n] ascending */
+    struct place look;          /* one more */
+    struct place before, stood; /* of sides_parted(): the start, the end */
+    double t_stood;
 };
 
 static void take_place(struct place *o, int n, struct arena *life)
@@ -42,6 +43,9 @@ struct sides *sides_open(const struct ode2 *ode, struct arena *life)
     o->v = TAKE(life, double, ode->n);
     o->dv = TAKE(life, double, ode->n);
     take_place(&o->look, ode->nside, life);
+    take_place(&o->before, ode->nside, life);
+    take_place(&o->stood, ode->nside, life);
+    o->t_stood = NAN;
     for (int k = 0; k < MOST; k++) take_place(&o->at[k], ode->nside, life);
     return o;
 }
@@ -50,7 +54,7 @@ struct sides *sides_open(const struct ode2 *ode, struct arena *life)
 static void place_at(struct sides *o, double x)
 {
     path_place(&o->way, o->q, x);
-    motion_cubic(o->v, o->dv, o->a0, o->a1, o->ode->n, o->to.t - o->from.t, x);
+    motion_cubic(o->v, o->dv, o->from.a, o->to.a, o->ode->n, o->to.t - o->from.t, x);
     for (int i = 0; i < o->ode->n; i++) o->v[i] += o->from.v[i];
 }
 
@@ -208,16 +212,32 @@ static bool is_first(const struct edge *a, const struct edge *b)
     return a->kind == EDGE_JUMP ? a->at < b->at : fabs(a->at - .5) < fabs(b->at - .5);
 }
 
-struct edge sides_edge(struct sides *o, const struct adaptive *m, double t)
+static void between(struct sides *o, const struct state *from, const struct state *to)
+{
+    o->from = *from;
+    o->to = *to;
+}
+
+bool sides_parted(struct sides *o, const struct state *from, const struct state *to)
+{
+    const struct place known = o->stood;
+    between(o, from, to);
+    o->stood = o->before;
+    o->before = known;
+    if (o->t_stood != from->t) look_at(o, &o->before, 0);
+    look_at(o, &o->stood, 1);
+    o->t_stood = to->t;
+    for (int i = 0; i < o->ode->nside; i++)
+        if (parted(o->before.side[i], o->stood.side[i])) return true;
+    return false;
+}
+
+struct edge sides_edge(struct sides *o, const struct state *from, const struct state *to)
 {
     struct edge first = {.at = NAN}, edge;
     double last = 0;
-    if (!o || !m->ahead) return first;
-    o->from = (struct state){.t = t, .q = m->q, .v = m->v};
-    o->to = (struct state){.t = t + m->came, .q = m->q1, .v = m->v1};
-    o->a0 = m->a;
-    o->a1 = m->ahead;
-    for (int i = 0; i < o->ode->n; i++) o->dv[i] = m->v1[i] - m->v[i];
+    between(o, from, to);
+    for (int i = 0; i < o->ode->n; i++) o->dv[i] = to->v[i] - from->v[i];
     path_between(&o->way, &o->from, &o->to);
     look(o);
     for (int k = 0; k + 1 < o->n; k++)

@@ -21,9 +21,11 @@ struct edge {
     double at, last, beyond;
     bool located; /* on the trial's way, not by its ends alone */
 };
-/* That of the trial from t by m->came: of jumps the first on the way, else of bends that which is farthest from both
- * ends. */
-struct edge sides_edge(struct sides *o, const struct adaptive *m, double t);
+/* That of a step between two states, with their accelerations: of jumps the first on the way, else of bends that which is
+ * farthest from both ends.  Both stay as they are until the next call. */
+struct edge sides_edge(struct sides *o, const struct state *from, const struct state *to);
+/* Has a value another sign at the end of a step than at its start, which is the last call's end if its time is the same? */
+bool sides_parted(struct sides *o, const struct state *from, const struct state *to);
 /* Does a force jump within the time h before the state at t, or behind it?  o may be NULL. */
 bool sides_jump(struct sides *o, const struct adaptive *m, double t, double h);
 

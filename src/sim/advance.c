@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "engine/adaptive.h"
+#include "engine/crossed.h"
 #include "engine/passing.h"
 #include "engine/single.h"
 #include "engine/touch.h"
@@ -48,7 +49,8 @@ void advance_open(struct sim *sim, struct arena *life)
     sim->watched = (sim->stepper.kind->points && system_may_bend(sim->system)) || system_may_have_poles(sim->system) ||
                    guard_acts(sim);
     if (!sim->stepper.kind->adaptive) sim->passing = passing_open(sim->stepper.ode, life);
-    sim->undone = sim->watched || sim->passing;
+    sim->crossed = crossed_open(&sim->stepper, life);
+    sim->undone = sim->watched || sim->passing || sim->crossed;
     sim->looks_at_once = looks_at_once(sim);
     sim->looks_always = sim->looks_at_once || (sim->needs & NEED_ENERGY && sim->every == 1);
     sim->noting = sim->nrotation || sim->nspin || sim->ntilt || sim->idle.n || sim->negative || sim->ndeflection;
@@ -147,6 +149,17 @@ static bool wrong(const struct sim *sim, long chart)
     return (sim->watched && (pole_in(sim) >= 0 || spoilt(sim))) || passed_over(sim);
 }
 
+/* What a step that has been taken from the chart of number `chart` leaves where it goes over edges of forces; looked: it has been
+ * asked what it passes over. */
+static void cross(struct sim *sim, double h, long chart, bool looked)
+{
+    const struct state before = {sim->kept_t, sim->keep->q, sim->keep->v, sim->keep->a};
+    if (chart == system_charts(sim->system))
+        crossed_step(sim->crossed, &sim->stepper, &before, &sim->x, h, looked ? sim->passing : NULL);
+    else
+        crossed_break(sim->crossed);
+}
+
 static enum status step(struct sim *sim, double h, int ratio, double to, int depth)
 {
     const bool divisible = depth < MOST_HALVINGS, undone = sim->undone;
@@ -168,6 +181,7 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
         TRY(undo(sim, t));
         return step(sim, h, ratio, to, depth);
     }
+    if (sim->crossed) cross(sim, h, chart, divisible);
     const int pole = pole_in(sim);
     return pole >= 0 ? stop_before(sim, pole, t) : note(sim, h, ratio);
 }
@@ -236,5 +250,6 @@ enum status advance_naturally(struct sim *sim, double to)
 
 enum status advance_back(struct sim *sim)
 {
+    if (sim->crossed) crossed_break(sim->crossed);
     return undo(sim, sim->kept_t);
 }

@@ -7,9 +7,10 @@
 
 #include "base/hash.h"
 #include "base/recall.h"
+#include "engine/crossed.h"
 #include "sim/parts.h"
 
-enum { VERSION = 4 }; /* of the spans: another where a run would not go on the same from older ones */
+enum { VERSION = 5 }; /* of the spans: another where a run would not go on the same from older ones */
 
 /* ---- for whom ---- */
 
@@ -95,6 +96,7 @@ enum status memory_recall(struct sim *sim, struct recall *r)
     if (sim->stepper.touch) recall_one(r, "struck", sim->ledger.struck);
     if (sim->stepper.touch && sim->model->ndrive > 0) recall_one(r, "cornered", sim->corner.met);
     if (guard_acts(sim)) guard_recall(sim, r);
+    if (sim->crossed) crossed_recall(sim->crossed, r);
     system_recall(sim->system, r);
     return stepper_recall(&sim->stepper, r);
 }

@@ -198,12 +198,23 @@ static bool bends_unseen(const struct signal *s)
     return s->ncorner == 0 || expr_reads(s->expr, slot, 2) > 1 || slot[0] != 0;
 }
 
+/* Is its push there at once where bodies meet? */
+static bool pushes_at_once(const struct model_force *f)
+{
+    double at_once = 0;
+    if (!f->kind || !f->kind->whole) return false;
+    (void)f->kind->whole(&at_once, f->par, 0, 1);
+    return at_once != 0;
+}
+
 bool sim_bends_unseen(const struct sim *sim)
 {
     const struct model *m = sim->model;
-    for (int i = 0; i < m->nforce; i++)
+    for (int i = 0; i < m->nforce; i++) {
+        if (pushes_at_once(&m->force[i])) return true;
         for (int k = 0; k < 3; k++)
             if (bends_unseen(&m->force[i].value[k])) return true;
+    }
     for (int l = model_first_drive(m); l < m->nloop; l++)
         if (bends_unseen(m->loop[l].drive)) return true;
     return false;

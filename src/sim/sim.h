@@ -184,6 +184,7 @@ struct sim {
     bool undone;                  /* steps may be undone: */
     bool watched;                 /* what forces do in a step is looked at, */
     struct passing_look *passing; /* or whether the step passes over a contact; NULL: it is not looked at */
+    struct crossed *crossed;      /* or what it leaves at edges of forces; NULL: likewise */
     struct single *keep;          /* then: the state before the step, */
     struct ledger kept;           /* its ledger, */
     double kept_t;                /* its time [s] */

@@ -46,9 +46,9 @@ static double balance(const struct tried *f, const struct trial *t, int i)
 }
 
 /* Major steps to an interval for the error `aim`, where corners lie inside steps, and errors depend on where: the
- * coarsest setting tried from which on all finer ones reach it; else finer ones yet, by order 1 from the worst of
+ * coarsest setting tried from which on all finer ones reach it; else finer ones yet, by that order from the worst of
  * the last three. */
-static double steps_by_trial(const struct tried *f, double aim)
+static double steps_by_trial(const struct tried *f, double aim, int order)
 {
     enum { LAST = 3 };
     int good = f->nlevel;
@@ -56,8 +56,9 @@ static double steps_by_trial(const struct tried *f, double aim)
     while (good > 0 && f->level[good - 1].error * later(f) <= aim) good--;
     if (good < f->nlevel) return f->level[good].at;
     for (int i = f->nlevel < LAST ? 0 : f->nlevel - LAST; i < f->nlevel; i++)
-        if (f->level[i].error < UNRESOLVED) worst = fmax(worst, f->level[i].at * f->level[i].error * later(f));
-    return worst / aim;
+        if (f->level[i].error < UNRESOLVED)
+            worst = fmax(worst, pow(f->level[i].at, order) * f->level[i].error * later(f));
+    return pow(worst / aim, 1. / order);
 }
 
 /* x rounded to twelve figures, as a deck would have it. */
@@ -76,7 +77,7 @@ static void advise_step(struct advice *o, const struct trial *t, double error)
     const int order = stepper_find(f->scheme)->order;
     const double aim = AIM * error, smooth = f->at[1] * pow(ahead(f, 1) / aim, 1 / power(f, order));
     const double by_balance = f->at[1] * pow(balance(f, t, 1), 1 / power(f, order));
-    const double m = fmax(t->unseen ? steps_by_trial(f, aim) : smooth, by_balance);
+    const double m = fmax(t->unseen ? steps_by_trial(f, aim, t->falls) : smooth, by_balance);
     const double steps = t->base * trial_handy(fmax(m, LEAST_STEPS * per) / t->base);
     const double step = plain(t->every / steps / f->ratio);
     if (!(steps <= MOST * per)) return;

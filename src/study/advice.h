@@ -8,7 +8,7 @@
  * relative to their ranges, as in a study, both over the part that was tried.
  *
  * From there errors are extrapolated to other steps with the order that was seen, where corners of forces or drives
- * may come at unknown times with order 1, and to the whole run in proportion to time, or as the errors of the loose
+ * may come at unknown times with order 1, where they only bend with order 2, and to the whole run in proportion to time, or as the errors of the loose
  * run grow. A step is advised only if all known corners of loads and drives are ends of its steps: one inside a
  * step makes any scheme one of first order, and a pulse may be missed.
  *

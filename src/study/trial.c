@@ -341,7 +341,8 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->opening = opening_of(scene);
     o->tried_until = o->corner = NAN;
     o->comes_on = sim->stepper.ode->bends || sim->stepper.ode->passed;
-    o->unseen = o->comes_on || sim_bends_unseen(sim) || scene->ncontact; /* impacts lie in steps anyhow */
+    o->falls = sim_bends_unseen(sim) || scene->ncontact ? 1 : 2; /* impacts lie in steps anyhow */
+    o->unseen = o->comes_on || o->falls == 1;
     o->delta = sim->ledger.delta;
     o->stiff = stiff_rate(sim) * (o->until - o->start);
     o->work += STIFF_EVALUATIONS;

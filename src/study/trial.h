@@ -43,6 +43,7 @@ struct trial {
     bool unseen;            /* there may be corners that are not known */
     bool comes_on;          /* forces may come on, bend or jump by the state */
     double delta;           /* that the energy balance may be off by */
+    int falls;              /* errors at these fall with the step to this power */
     struct reference reference;
     struct outcome loose; /* that is compared with it: how errors grow in time */
     double steps,

@@ -8,8 +8,9 @@
 
 # name, deck, reference, what the run is: settings; with a ? shown, not judged: sub-cycling of what one force drives as fast
 # as slow, a stiff beam to 1e-7 of its range, rk4 where what it leaves turns back, order 4 told 62 times too much,
-# radau where records bound the step, where errors grow on their own, a robot whose controllers take them away, and dopri5 where a
-# body turns by more than a radian in a step or is whipped round.  From audit-ball-chain on decks that
+# radau where records bound the step, where errors grow on their own, a robot whose controllers take them away, dopri5 where a
+# body turns by more than a radian in a step or is whipped round, and velocities beside a hard touch, which answer a shift in
+# time by more than the sums of what steps leave in them.  From audit-ball-chain on decks that
 # no factor of the estimate was chosen by.  random:N is the mechanism drawn from that seed (tests/random); what iterations
 # leave is most of the error there.  upright, light-crank and yoke have one freedom, whose errors are followed
 # (engine/tangent.h).
@@ -233,6 +234,21 @@ leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=radau5 
 leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-6
 leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=midpoint integrate.step=1e-2
 leaning           tests/trust/leaning.yaml      dop853  integrate.scheme=newmark integrate.step=2e-3
+buffer            tests/trust/buffer.yaml       dop853  integrate.scheme=midpoint integrate.step=1e-3
+buffer            tests/trust/buffer.yaml       dop853  integrate.scheme=newmark integrate.step=1e-3
+buffer            tests/trust/buffer.yaml       dop853  integrate.scheme=generalized-alpha integrate.step=2e-4
+buffer            tests/trust/buffer.yaml       dop853  integrate.scheme=rk4 integrate.step=1e-3
+buffer            tests/trust/buffer.yaml       dop853  integrate.scheme=rk4 integrate.step=2e-4
+buffer            tests/trust/buffer.yaml       dop853  integrate.scheme=subcycle integrate.step=2e-4
+buffer-joint      tests/trust/buffer-joint.yaml dop853  integrate.scheme=midpoint integrate.step=1e-3
+buffer-joint      tests/trust/buffer-joint.yaml dop853  integrate.scheme=rk4 integrate.step=1e-3
+?buffer-joint     tests/trust/buffer-joint.yaml dop853  integrate.scheme=newmark integrate.step=2e-4
+?buffer-contact   tests/trust/buffer-contact.yaml dop853  integrate.scheme=midpoint integrate.step=2e-4
+?buffer-contact   tests/trust/buffer-contact.yaml dop853  integrate.scheme=rk4 integrate.step=2e-4
+slack             tests/trust/slack.yaml        dop853  integrate.scheme=midpoint integrate.step=1e-3
+slack             tests/trust/slack.yaml        dop853  integrate.scheme=newmark integrate.step=1e-3
+slack             tests/trust/slack.yaml        dop853  integrate.scheme=rk4 integrate.step=5e-3
+slack             tests/trust/slack.yaml        dop853  integrate.scheme=rk4 integrate.step=2e-4
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau5 integrate.tolerance=1e-5
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau9 integrate.tolerance=1e-5
 LIST
