@@ -33,7 +33,9 @@ const struct expr_function expr_functions[] = {
     {"hypot", 2, 2, OP_HYPOT, "hypot(x, y): sqrt(x^2 + y^2) without overflow"},
     {"step", 2, 2, OP_SINCE, "step(x, a): 0 before a, 1 from a on"},
     {"ramp", 3, 3, OP_RAMP, "ramp(x, a, b): 0 before a, 1 behind b, straight between"},
-    {"smooth", 3, 3, OP_SMOOTH, "smooth(x, a, b): the same with no jump of the rate nor of the acceleration"},
+    {"smooth", 3, 3, OP_SMOOTH,
+     "smooth(x, a, b): the same with no jump of the rate nor of the acceleration: 6 s^5 - 15 s^4 + 10 s^3, s = (x - "
+     "a)/(b - a)"},
     {"pulse", 3, 3, OP_PULSE, "pulse(x, a, b): 1 from a to b, else 0"},
     {0},
 };

@@ -145,8 +145,11 @@ static void creep(const struct why *o)
 
 static void diverged(const struct why *o)
 {
-    SAY(o, "no convergence, worst at '%s' (%.3g of the tolerance), with steps from %.3g s down to a %s", coordinate(o),
-        o->trouble->value, o->sim->plan.step, o->sim->plan.guard == GUARD_ACT ? "millionth" : "1024th");
+    char worst[128] = "";
+    if (o->trouble->index >= 0) /* else nobody has looked which */
+        snprintf(worst, sizeof worst, ", worst at '%.60s' (%.3g of the tolerance)", coordinate(o), o->trouble->value);
+    SAY(o, "no convergence%s, with steps from %.3g s down to a %s", worst, o->sim->plan.step,
+        o->sim->plan.guard == GUARD_ACT ? "millionth" : "1024th");
 }
 
 static void jammed(const struct why *o)

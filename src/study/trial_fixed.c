@@ -241,7 +241,11 @@ enum status trial_fixed(struct trial *t)
         give_up(t, "those that there was time to try resolve nothing", NAN);
     if (!t->no_steps && t->corners.n && !trial_tells(&t->fixed))
         give_up(t, "steps that end where loads or drives bend or jump are too many to try", t->corners.t[0]);
-    if (!t->no_steps && t->fixed.share < COVERED) give_up(t, "there was no time to try them in enough of the run", NAN);
+    if (!t->no_steps && t->fixed.share < COVERED)
+        give_up(t,
+                "an evaluation to each of the deck's steps, which trials may take, did not do to try them in enough of "
+                "the run",
+                NAN);
     if (!t->no_steps && !t->reference.whole) give_up(t, "trial runs part on the way", NAN);
     if (!t->no_steps && !is_like_the_rest(t, whole))
         give_up(t, "they were tried in a part of the run that is not like the rest", NAN);
