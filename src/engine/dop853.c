@@ -118,6 +118,7 @@ static const struct embedded_pair pair = {
     .fail = 1. / 8,
     .least = 1. / 3,
     .most = 6,
+    .less = 3,
 };
 
 const struct stepper_kind step_dop853 = {

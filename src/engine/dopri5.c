@@ -35,6 +35,7 @@ static const struct embedded_pair pair = {
     .part =
         .053, /* ten orbits of eccentricity .3 to .8, ten seconds of a four-bar: below 100 tolerances from 1e-3 on */
     .power = .85,
+    .less = 4.5,
 };
 
 const struct stepper_kind step_dopri5 = {

@@ -138,9 +138,8 @@ void embedded_between(const struct stepper *s, const struct adaptive *m, double 
 void embedded_off(const struct stepper *s, const struct adaptive *m, double *position, double *velocity, double h)
 {
     const struct embedded_pair *p = pair_of(m);
-    static const double LESS = 3; /* the estimate, made sharper, than what is found; measured, see `make trust` */
     const double all = p->e2 ? sqrt(mean_square(s, m, p->e, p->table.stages, h)) : 0;
-    const double by = LESS * h * (all > 0 ? error(s, m, h) / all : 1);
+    const double by = p->less * h * (all > 0 ? error(s, m, h) / all : 1);
     for (int i = 0; i < s->ode->n; i++) {
         double du = 0, dv = 0;
         for (int j = 0; j < p->table.stages; j++) {

@@ -29,6 +29,8 @@ struct embedded_pair {
     /* Errors of steps are held against part tol^power, where that is less than the tolerance and part is not 0: what steps
      * leave goes with a higher power of the tolerance than the first, and a motion whose phase drifts makes more of it. */
     double part, power;
+    /* What is found over the estimate, made sharper; measured (`make trust`). */
+    double less;
 };
 
 /* All slots of the scheme but stages and order. */

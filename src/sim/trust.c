@@ -106,7 +106,9 @@ static void keep(struct sim *sim)
     copy(p->position, missed->position, ode->n);
     copy(p->velocity, missed->velocity, ode->n);
     copy(p->a, sim->x.a, ode->n);
-    p->late = follow(sim, p) || is_of_time(sim->scene) ? 0 : missed->late;
+    const bool lost =
+        missed->late * missed->late * missed->steepest > missed->fastest; /* by more than a radian: round-off moves */
+    p->late = follow(sim, p) || lost || is_of_time(sim->scene) ? 0 : missed->late;
 }
 
 /* The energy balance here goes to tangent.c; where energies are not looked at with every step, they are now. */
