@@ -186,14 +186,15 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
     return pole >= 0 ? stop_before(sim, pole, t) : note(sim, h, ratio);
 }
 
-/* More steps given up than a run can mean to; of a scheme with its own from record to record and as many as were taken, for
+/* More steps given up than a run can mean to; of a scheme with its own from record to record, and more than it has taken, for
  * where forces jump for ever, as dry friction written as sign(rate) does at rest, there is no end. */
 static enum status within_limit(struct sim *sim)
 {
     const bool own = sim->stepper.kind->adaptive;
-    const long rejected = sim->stepper.effort.rejected - sim->rejected;
-    const long most =
-        own ? REJECTED_PER_RECORD + sim->stepper.effort.majors : REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors;
+    const long rejected = sim->stepper.effort.rejected - sim->rejected, taken = sim->stepper.effort.majors;
+    const long most = !own                          ? REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors
+                      : taken > REJECTED_PER_RECORD ? taken
+                                                    : REJECTED_PER_RECORD;
     if (rejected <= most || (own && !sim->stepper.natural)) return OK;
     (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
     return E_LIMIT;
