@@ -4,7 +4,8 @@
  * state is displaced by a small part of these sums, with signs drawn at random, and the columns are evaluated there.
  * The estimated error of a column is the root mean square of its change over the draws, scaled back to the whole
  * sums, relative to the range of the column in the run; or, where it is larger and nothing depends explicitly on time, its
- * change in the delay by the steps so far.
+ * change in the delay by the steps so far.  Where small differences grow all along the run (growth.c) errors do, too: it is
+ * taken that they grow in proportion to time, as along an orbit, which is the least.
  *
  * The motion keeps the sum of the energies, random signs do not: an energy is taken to change by no more than the other
  * energies do, plus what the run's balance and works leave open.

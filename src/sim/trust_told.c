@@ -174,6 +174,22 @@ void warn_of_trust(struct sim *sim)
              tolerance(sim));
 }
 
+/* Does trust.c take it that errors have grown along the run? */
+static bool grows(const struct sim *sim)
+{
+    return sim->trust.growth * (sim->x.t - sim->scene->start) > TRUST_GROWN;
+}
+
+static void print_unknown(const struct sim *sim, FILE *to)
+{
+    fprintf(to, "estimated error: not known, above half the range of '%s': ", sim->columns[sim->trust.column].name);
+    if (grows(sim))
+        fprintf(to, "small differences grow all the way, at %.2g /s and more", sim->trust.growth);
+    else
+        fputs("the steps do not resolve what moves there", to);
+    fprintf(to, "; take %s\n", tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
+}
+
 static void print_known(const struct sim *sim, FILE *to)
 {
     const struct trust *o = &sim->trust;
@@ -181,8 +197,11 @@ static void print_known(const struct sim *sim, FILE *to)
             sim->columns[o->column].name);
     if (o->still >= 0)
         fprintf(to, ", without '%s', which changes by no more than its error", sim->columns[o->still].name);
-    if (o->growth * (sim->x.t - sim->scene->start) > TRUST_GROWN)
-        fprintf(to, ", but small differences grow all the way, at %.2g /s and more, and errors with them: ", o->growth);
+    if (grows(sim))
+        fprintf(
+            to,
+            ", which grow in proportion to time at least: small differences grow all the way, at %.2g /s and more: ",
+            o->growth);
     else
         fputs(isnan(o->growth) ? "; whether small differences grow was not looked at: " : "; ", to);
     fputs("`fmdsub run --verify` measures it\n", to);
@@ -199,10 +218,7 @@ void print_trust(const struct sim *sim, FILE *to)
     else if (o->column < 0)
         fputs("estimated error: not known: no column of the motion is written\n", to);
     else if (!o->known)
-        fprintf(to,
-                "estimated error: not known, above half the range of '%s': the steps do not resolve what moves there; "
-                "take %s\n",
-                sim->columns[o->column].name, tolerance(sim) > 0 ? "a smaller tolerance" : "smaller steps");
+        print_unknown(sim, to);
     else
         print_known(sim, to);
 }

@@ -248,6 +248,18 @@ slack             tests/trust/slack.yaml        dop853  integrate.scheme=midpoin
 slack             tests/trust/slack.yaml        dop853  integrate.scheme=newmark integrate.step=1e-3
 slack             tests/trust/slack.yaml        dop853  integrate.scheme=rk4 integrate.step=5e-3
 slack             tests/trust/slack.yaml        dop853  integrate.scheme=rk4 integrate.step=2e-4
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=newmark integrate.step=5e-3
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=midpoint integrate.step=5e-3
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=midpoint integrate.step=2e-2
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=rk4 integrate.step=2e-2
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=generalized-alpha integrate.step=5e-3
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=newmark integrate.tolerance=1e-5
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=midpoint integrate.tolerance=1e-4
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=rk4 integrate.tolerance=1e-5
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=dopri5 integrate.tolerance=1e-6
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-5
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau5 integrate.tolerance=1e-5
 ?four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau9 integrate.tolerance=1e-5
 LIST
