@@ -251,6 +251,11 @@ static void print_advice(FILE *to, const struct sim *sim, const struct advice *o
     fputs(", for an error in the columns, over their ranges, of\n", to);
     for (int i = 0; i < o->n;) i = print_for_error(to, o, i);
     if (o->n == 0) fputs("  none that a scheme here can promise\n", to);
+    if (o->without) {
+        fputs("  promised without ", to), text_put(to, o->without);
+        if (o->nwithout > 1) fprintf(to, " and %d more", o->nwithout - 1);
+        fputs(", in which trial runs differ by a third of the range and more\n", to);
+    }
     if (o->only) fprintf(to, "  promised up to t = %.4g s only: %s\n", o->until, o->only);
     if (o->steps_until < o->until) fprintf(to, "  fixed steps were tried up to t = %.4g s\n", o->steps_until);
     if (o->no_steps) print_no_steps(to, o);

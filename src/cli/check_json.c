@@ -168,6 +168,10 @@ static void add_advice(cJSON *steps, const struct advice *o)
     facts_add(steps, "trial_evaluations", facts_number(round(o->work)));
     facts_add(steps, "trial_until", number_or_null(o->until));
     facts_add(steps, "trial_parts", cJSON_CreateBool(o->parted));
+    if (o->without) {
+        cJSON_AddStringToObject(steps, "promised_without", o->without);
+        facts_add(steps, "promised_without_columns", facts_number(o->nwithout));
+    }
     if (o->only) {
         facts_add(steps, "promised_until", number_or_null(o->until));
         cJSON_AddStringToObject(steps, "promised_only", o->only);

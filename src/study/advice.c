@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "multirate/schemes.h"
 #include "study/trial.h"
 
@@ -144,6 +145,14 @@ static void sift(struct advice *o)
         }
 }
 
+/* Columns of which nothing is promised: their names outlive the trial. */
+static void note_without(struct advice *o, const struct reference *reference, const struct sim *sim)
+{
+    o->nwithout = reference->left_out;
+    for (int i = 0; o->nwithout && i < sim->chosen.n; i++)
+        if (text_same(sim->columns[i].name, reference->left_out_name)) o->without = sim->columns[i].name;
+}
+
 enum status advice_find(struct advice *o, const struct sim *sim, struct diags *diags, struct report *report)
 {
     struct trial t;
@@ -154,6 +163,7 @@ enum status advice_find(struct advice *o, const struct sim *sim, struct diags *d
         o->until = t.reference.horizon;
         o->parted = !t.reference.whole;
         o->only = t.only;
+        note_without(o, &t.reference, sim);
         const bool steps = trial_tells(&t.fixed) && t.fixed.error[1] < UNRESOLVED;
         o->no_steps = t.no_steps;
         o->corner = t.corner;

@@ -37,6 +37,8 @@ struct advice {
     double whole;               /* of a run with the fixed steps advised for the smallest error; NAN: none are */
     double until;               /* end of the part of the motion that was tried [s] */
     bool parted;                /* it ends there because two runs at a tight tolerance part: chaos */
+    int nwithout;               /* columns that trial runs differ in too much for any promise, */
+    const char *without;        /* the first of them: a name of sim's; NULL: none */
     const char *only;           /* why errors are promised up to there only; NULL: of the whole run */
     double steps_until;         /* end of the part tried with fixed steps [s]; NAN: none are advised */
     const char *no_steps;       /* why none are advised; NULL: some are, or they resolve nothing */
