@@ -24,7 +24,8 @@ struct sides {
     struct place at[MOST];      /* [n] ascending */
     struct place look;          /* one more */
     struct place before, stood; /* of sides_parted(): the start, the end */
-    double t_stood;
+    double t_stood;             /* its time */
+    int ahead, skipped;         /* steps that no value can come to 0 in; those that were not looked at */
 };
 
 static void take_place(struct place *o, int n, struct arena *life)
@@ -218,18 +219,47 @@ static void between(struct sides *o, const struct state *from, const struct stat
     o->to = *to;
 }
 
+/* Has a value another sign at the last two places? */
+static bool any_parted(const struct sides *o)
+{
+    for (int i = 0; i < o->ode->nside; i++)
+        if (parted(o->before.side[i], o->stood.side[i])) return true;
+    return false;
+}
+
+/* In how many steps no value comes to 0, which have changed by what they have in the last `steps`: a quarter of those that they
+ * would take at that pace, at most twice as many as were seen. */
+static int clear_ahead(const struct sides *o, int steps)
+{
+    static const double PART = .25, MOST_AHEAD = 8;
+    double least = smaller(2 * steps, MOST_AHEAD);
+    for (int i = 0; i < o->ode->nside; i++) {
+        const double g = o->stood.side[i], way = fabs(g - o->before.side[i]);
+        if (g != g || way != way) return 0;
+        least = smaller(least, way > 0 ? PART * fabs(g) / way * steps : least);
+    }
+    return (int)least;
+}
+
 bool sides_parted(struct sides *o, const struct state *from, const struct state *to)
 {
     const struct place known = o->stood;
+    if (o->skipped < o->ahead && o->t_stood == from->t) {
+        o->skipped++;
+        o->t_stood = to->t;
+        return false;
+    }
     between(o, from, to);
     o->stood = o->before;
     o->before = known;
     if (o->t_stood != from->t) look_at(o, &o->before, 0);
     look_at(o, &o->stood, 1);
+    const bool apart = any_parted(o);
+    if (apart && o->skipped > 0) look_at(o, &o->before, 0);
+    o->ahead = apart || o->t_stood != from->t ? 0 : clear_ahead(o, o->skipped + 1);
+    o->skipped = 0;
     o->t_stood = to->t;
-    for (int i = 0; i < o->ode->nside; i++)
-        if (parted(o->before.side[i], o->stood.side[i])) return true;
-    return false;
+    return apart && any_parted(o);
 }
 
 struct edge sides_edge(struct sides *o, const struct state *from, const struct state *to)

@@ -24,7 +24,8 @@ struct edge {
 /* That of a step between two states, with their accelerations: of jumps the first on the way, else of bends that which is
  * farthest from both ends.  Both stay as they are until the next call. */
 struct edge sides_edge(struct sides *o, const struct state *from, const struct state *to);
-/* Has a value another sign at the end of a step than at its start, which is the last call's end if its time is the same? */
+/* Has a value another sign at the end of a step than at its start, which is the last call's end if its time is the same?  Where all
+ * are far from 0 beside how they change, a few steps are not looked at. */
 bool sides_parted(struct sides *o, const struct state *from, const struct state *to);
 /* Does a force jump within the time h before the state at t, or behind it?  o may be NULL. */
 bool sides_jump(struct sides *o, const struct adaptive *m, double t, double h);
