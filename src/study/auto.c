@@ -19,7 +19,8 @@ static const double SHARE = .02;                                       /* of the
 static const double USUAL = 1e-4;
 static const double SAFE = .03; /* of a tolerance that stands for a step: errors of high order are less foreseeable */
 static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
-static const double WORTH = .9; /* of the work of what is taken without trials: less than that, or it is that */
+static const double BESIDES = 1.2; /* of counts: what minor steps of order 4 take in time, measured on two decks */
+static const double WORTH = .9;    /* of the work of what is taken without trials: less than that, or it is that */
 enum {
     ROUNDS = 8,
     QUOTA = 30, /* evaluations of a first round */
@@ -52,6 +53,7 @@ static double weighed(const struct choice *o, const struct racer *r)
     const double work = racer_foretold(r);
     if (r == o->racer[0]) return r->out ? INFINITY : WORTH * work;
     if (kind->full) return FINER * work;
+    if (r->setting.order) return BESIDES * work;
     /* the most to lose by what comes later */
     return kind->order == 2 && !kind->two_rates && work < AUTO_LEAST / SHARE ? INFINITY : work;
 }
@@ -113,7 +115,7 @@ static void run_race(struct choice *o)
 static double missed_by(struct choice *o, const struct racer *r)
 {
     const double gone = r->sim.x.t - o->scene->start, span = r->sim.plan.until - o->scene->start;
-    struct racer *half = auto_add_half(o, r);
+    struct racer *half = auto_add_sized(o, r, .5);
     const struct ode2 *ode = r->sim.stepper.ode;
     double most = 0;
     if (!half || !(gone > 0)) return INFINITY;
@@ -125,20 +127,54 @@ static double missed_by(struct choice *o, const struct racer *r)
     motion_diff(ode, dq, r->sim.x.q, half->sim.x.q);
     for (int i = 0; i < ode->n; i++) {
         const double usual = o->tolerance * ode2_usual(ode, i), v = r->sim.x.v[i];
-        most = fmax(most, fabs(dq[i]) / usual);
-        most = fmax(most, fabs(v - half->sim.x.v[i]) / (usual * fmax(1, fabs(v))));
+        /* a vibration is off by no more than twice its size, however long it lasts */
+        const double dv = fmin(fabs(v - half->sim.x.v[i]) * span / gone, 2 * fmax(fabs(v), o->quick.top[i]));
+        most = fmax(most, fabs(dq[i]) * span / gone / usual);
+        most = fmax(most, dv / (usual * fmax(1, fabs(v))));
     }
-    return most * span / gone;
+    return most;
 }
 
-/* A leader by fixed steps under a tolerance: they have to be as fine as that asks for. */
-static void test_leader(struct choice *o)
+/* Such steps as miss half the tolerance, going by what `missed` of it is, with four powers of the step; NULL: no others. */
+static struct racer *sized(struct choice *o, const struct racer *r, double missed)
 {
-    for (;;) {
-        struct racer *best = (struct racer *)leader(o);
-        if (isfinite(o->step) || !best->setting.order || stop) return;
-        if (missed_by(o, best) <= 1) return;
-        best->out = true;
+    static const double EXACT = .5, LEAST = .25, MOST = 2, ALIKE = 1.1;
+    const double by = fmin(MOST, fmax(LEAST, pow(EXACT / missed, .25)));
+    struct racer *other = by > 1 && by < ALIKE ? NULL : auto_add_sized(o, r, by);
+    if (other) racer_go(other, other->work + r->work / fmin(1, by), NULL, NULL);
+    return other;
+}
+
+/* Steps chosen once have to be as fine as the tolerance asks for, and need not be finer: others are tried in their place. */
+static void size_steps(struct choice *o, struct racer *r)
+{
+    enum { SIZES = 5 };
+    struct racer *good = NULL;
+    for (int i = 0; r && !r->out && !stop; i++) {
+        const double missed = missed_by(o, r);
+        r->holds = missed <= 1;
+        r->out |= !r->holds;
+        if (r->holds && good) (racer_foretold(r) < racer_foretold(good) ? good : r)->out = true;
+        if (r->holds && !r->out) good = r;
+        r = i < SIZES && !(good && !r->holds) && isfinite(missed) ? sized(o, r, missed) : NULL;
+    }
+    if (r && !r->holds) r->out = true;
+}
+
+/* They do not race: what they take is known from their first steps on, which the others must not be measured by. */
+static void size_fourths(struct choice *o)
+{
+    static const double FAR = 4;             /* further than sizes are going to bring them */
+    static const double TEST = 3, PART = .1; /* what a test takes, of what has been run; what it may, of the best */
+    const int before = o->n;
+    const double best = racer_foretold(leader(o));
+    auto_add_fourths(o, best);
+    const int n = o->n;
+    for (int i = before; i < n; i++) {
+        struct racer *r = o->racer[i];
+        racer_go(r, r->work + QUOTA, NULL, NULL);
+        r->out |= racer_foretold(r) > FAR * best || TEST * r->work > PART * best;
+        size_steps(o, r);
     }
 }
 
@@ -308,7 +344,7 @@ static void choose(struct choice *o)
     if (o->any_fast) o->ncut = quick_cuts(o->cut, &o->quick, &o->eye->sim, o->life);
     auto_add_all(o);
     run_race(o);
-    test_leader(o);
+    if (o->any_scheme && !isfinite(o->step)) size_fourths(o);
     take_best(o);
 }
 

@@ -4,8 +4,9 @@
  * A run by dopri5 at the tolerance looks at the motion for LOOK evaluations.  Where 2 percent of what the run is foretold to
  * take is less than AUTO_LEAST evaluations nothing is tried.  Else that is what is spent on trials, of what the best is foretold to take:
  * the schemes that make sense, with the deck's fast coordinates or those that quick.h finds, all at one tolerance, race from the
- * start in rounds; what is far behind and does not gain drops out, and the least foretold work is taken.  Two rates take part by
- * steps of order 4, too, chosen once by what quick.h has seen; such a leader is tested against half its step.  What is taken of the
+ * start in rounds; what is far behind and does not gain drops out, and the least foretold work is taken.  Two rates by
+ * steps of order 4, which are chosen once, join at the end: from what quick.h has seen their steps are sized by what they miss
+ * beside half of them (order 4: 16 times), of usual changes, to half the tolerance.  What is taken of the
  * schemes of one rate that engine/relay.h has is a relay of them, which finds out in the run itself who is right when, unless the
  * run is foretold less than AUTO_LEAST evaluations.  With a `step` alone the tolerance is the one at which the midpoint rule would take
  * such steps, and schemes of fixed steps run with that step.

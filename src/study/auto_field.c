@@ -100,12 +100,14 @@ struct racer *auto_add(struct choice *o, const char *name, double tolerance, dou
     return put_in(o, &setting, cut);
 }
 
-struct racer *auto_add_half(struct choice *o, const struct racer *r)
+struct racer *auto_add_sized(struct choice *o, const struct racer *r, double by)
 {
     const struct quick_cut same = {.n = r->nfast, .fast = r->fast};
-    struct setting half = r->setting;
-    half.step /= 2;
-    return put_in(o, &half, &same);
+    const double every = o->scene->output.every, major = by * r->setting.step * r->setting.ratio;
+    struct setting other = r->setting;
+    other.step *= by;
+    if (every > 0) other.step = every / ceil(every / major * (1 - 1e-9)) / other.ratio;
+    return put_in(o, &other, &same);
 }
 
 /* The largest ratio up to `most` whose major steps meet the records. */
@@ -121,10 +123,9 @@ static int ratio_for(const struct choice *o, double most)
 }
 
 /* Two rates of order 4, by fixed steps that records are ends of, so that the run is off by `tolerance`. */
-static void add_fourth(struct choice *o, const struct quick_cut *cut)
+static void add_fourth(struct choice *o, const struct quick_cut *cut, double most)
 {
     enum { A_STEP = 10 }; /* evaluations */
-    static const double PAYS = .5;
     const double span = o->eye->sim.plan.until - o->scene->start;
     struct fourth known = {.span = span, .every = o->scene->output.every};
     struct setting setting;
@@ -135,7 +136,7 @@ static void add_fourth(struct choice *o, const struct quick_cut *cut)
     if (!fourth_setting(&setting, &known, o->tolerance)) return;
     const double share = cut ? cut->share : (double)o->scene->nfast / o->eye->sim.stepper.ode->n;
     const double major = setting.step * setting.ratio;
-    if (span / major * A_STEP * (setting.ratio * share + 1 - share) > PAYS * o->foretold) return;
+    if (span / major * A_STEP * (setting.ratio * share + 1 - share) > most) return;
     put_in(o, &setting, cut);
 }
 
@@ -144,7 +145,6 @@ static void add_two_rates(struct choice *o, const struct quick_cut *cut)
 {
     if (!isfinite(o->step)) {
         auto_add(o, OF_TWO_RATES, o->tolerance, NAN, 1, cut);
-        if (o->any_scheme) add_fourth(o, cut);
         return;
     }
     const bool capped = auto_named(o->scene, "ratio");
@@ -153,6 +153,12 @@ static void add_two_rates(struct choice *o, const struct quick_cut *cut)
     const int fit = ratio_for(o, fmin(cap, cut ? cut->apart : quick_apart(&o->quick, &o->eye->sim, NULL)));
     if (most > 1 && most != fit && capped) auto_add(o, OF_TWO_RATES, NAN, o->step, most, cut);
     if (fit > 1) auto_add(o, OF_TWO_RATES, NAN, o->step, fit, cut);
+}
+
+void auto_add_fourths(struct choice *o, double most)
+{
+    for (int i = 0; i < o->ncut; i++) add_fourth(o, &o->cut[i], most);
+    if (!o->any_fast && o->scene->nfast) add_fourth(o, NULL, most);
 }
 
 /* All but those whose first step is dear. */

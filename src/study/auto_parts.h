@@ -10,7 +10,7 @@
 #include "study/quick.h"
 #include "study/race.h"
 
-enum { MOST_RACERS = 16 };
+enum { MOST_RACERS = 40 };
 enum { AUTO_LEAST = 100 }; /* evaluations of trials that pay, and of a run in which a relay does */
 
 struct choice {
@@ -47,9 +47,12 @@ double auto_higher_order(const struct choice *o, double work);
  * opened, or there are too many. */
 struct racer *auto_add(struct choice *o, const char *name, double tolerance, double step, int ratio,
                        const struct quick_cut *cut);
-/* The same by half its step. */
-struct racer *auto_add_half(struct choice *o, const struct racer *r);
-/* All but those whose first step is dear. */
+/* The same with steps of about so many times its own, that records are ends of. */
+struct racer *auto_add_sized(struct choice *o, const struct racer *r, double by);
+/* Two rates by steps of order 4, as long as what has been seen of the motion asks for, where that may take less than `most`
+ * evaluations. */
+void auto_add_fourths(struct choice *o, double most);
+/* All the others but those whose first step is dear. */
 void auto_add_all(struct choice *o);
 /* Schemes of full matrices, where a few factorizations are little beside what may be spent. */
 void auto_add_full(struct choice *o, double most);

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/adaptive.h"
 #include "la/dense.h"
 #include "model/model.h"
 #include "study/quick.h"
@@ -128,7 +127,8 @@ static void squares(double *third, double *fourth, const struct slow *o, int i, 
 }
 
 /* Of a vibration five midpoint steps in one leave .00093 z^4 of a radian where one leaves z^2/12, z = omega h; none of one
- * that is smaller than what may be missed. */
+ * that is smaller than what may be missed: of usual changes, and of usual changes a second where none are faster.  What
+ * stands on stiff bearings is not asked to be followed in its own velocities. */
 static double fourth_of(const struct slow *o, int i, bool fast)
 {
     static const double PART = .0112, SMALL = .25;
@@ -138,8 +138,8 @@ static double fourth_of(const struct slow *o, int i, bool fast)
     squares(&j2, &k2, o, i, fast);
     if (!(j2 > 0 && k2 > 0)) return 0;
     const double w = sqrt(k2 / j2), v = sqrt(j2) / (w * w);
-    const bool seen =
-        v > SMALL * adaptive_scale_plain(s, place, o->quick->top[place]) || v / w > SMALL * adaptive_scale_q(s, place);
+    const double small = SMALL * s->options.tolerance * ode2_usual(s->ode, place);
+    const bool seen = v > small * fmax(1, o->quick->top[place]) || v / w > small;
     return seen ? PART * w * w * o->e[place] : 0;
 }
 

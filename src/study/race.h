@@ -22,7 +22,8 @@ struct racer {
     double a_step;            /* work of its cheapest step; 0: it has taken none */
     double t_last, work_last; /* time [s] and work at which its last step began */
     double h_before;          /* length of the step before that [s]; 0: there was none */
-    bool out;                 /* it does not open, has stopped, or is beaten */
+    bool holds; /* steps chosen once: half of them have shown that they are as fine as the tolerance asks for */
+    bool out;   /* it does not open, has stopped, or is beaten */
 };
 
 /* Opens a run with this setting; o->nfast, fast, unit and least are the caller's.  o->out: it cannot be opened. */
