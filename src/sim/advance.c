@@ -186,16 +186,20 @@ static enum status step(struct sim *sim, double h, int ratio, double to, int dep
     return pole >= 0 ? stop_before(sim, pole, t) : note(sim, h, ratio);
 }
 
-/* More steps given up than a run can mean to; of a scheme with its own from record to record, and more than it has taken, for
- * where forces jump for ever, as dry friction written as sign(rate) does at rest, there is no end. */
+/* More steps given up than a run can mean to.  Of a scheme with its own that is as many from record to record, where they are
+ * more than it has taken or a force jumps: against dry friction written as sign(rate) there is no way on. */
 static enum status within_limit(struct sim *sim)
 {
+    const struct effort *e = &sim->stepper.effort;
     const bool own = sim->stepper.kind->adaptive;
-    const long rejected = sim->stepper.effort.rejected - sim->rejected, taken = sim->stepper.effort.majors;
-    const long most = !own                          ? REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors
-                      : taken > REJECTED_PER_RECORD ? taken
-                                                    : REJECTED_PER_RECORD;
-    if (rejected <= most || (own && !sim->stepper.natural)) return OK;
+    const long rejected = e->rejected - sim->rejected;
+    double before, behind;
+    if (rejected <= (own ? REJECTED_PER_RECORD : REJECTED_BESIDES + REJECTED_PER_MAJOR * sim->majors)) return OK;
+    if (own && !sim->stepper.natural) return OK;
+    if (own && e->rejected < e->majors && find_leap(sim, &before, &behind) < 0) {
+        sim->rejected = e->rejected;
+        return OK;
+    }
     (void)trouble_set(&sim->trouble, TROUBLE_REJECTED, -1, (double)rejected, sim->x.t);
     return E_LIMIT;
 }
@@ -231,9 +235,9 @@ static enum status natural_step(struct sim *sim, double to, int depth)
 {
     const double t = sim->x.t;
     const long chart = system_charts(sim->system);
+    TRY(within_limit(sim));
     if (sim->watched || events_watched(sim)) keep(sim);
     TRY(stepper_step(&sim->stepper, &sim->x, 0, 1, to, &sim->trouble));
-    TRY(within_limit(sim));
     const double end = sim->x.t;
     TRY(book(sim));
     if (sim->watched && depth < MOST_HALVINGS && wrong(sim, chart)) {

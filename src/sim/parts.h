@@ -237,6 +237,8 @@ void print_end(const struct sim *sim, double wall);
 const char *place_of(char *text, size_t size, const struct sim *sim, const struct node *node);
 
 /* stops.c: why a run stopped, in words */
+/* The force that jumps near here and its values; -1: none does. */
+int find_leap(const struct sim *sim, double *before, double *behind);
 enum status describe_trouble(const struct sim *sim, const struct trouble *why, enum status status,
                              struct report *report);
 

@@ -318,15 +318,21 @@ static const struct stop_words {
     [TROUBLE_DEFLECTION] = {deflection, bend_less, "bending", false},
 };
 
-/* A force of the deck that jumps near here; false: there is none. */
+int find_leap(const struct sim *sim, double *before, double *behind)
+{
+    const double H = sim->plan.step * sim->plan.ratio;
+    int force = -1;
+    for (double h = H; force < 0 && h < 20 * H; h *= 4)
+        force = system_leap(sim->system, before, behind, sim->x.q, sim->x.v, sim->x.t, h);
+    return force;
+}
+
+/* false: no force of the deck jumps near here. */
 static bool jumps_here(const struct why *o)
 {
     const struct sim *sim = o->sim;
     double before, behind;
-    const double H = sim->plan.step * sim->plan.ratio;
-    int force = -1;
-    for (double h = H; force < 0 && h < 20 * H; h *= 4)
-        force = system_leap(sim->system, &before, &behind, sim->x.q, sim->x.v, sim->x.t, h);
+    const int force = find_leap(sim, &before, &behind);
     if (force < 0) return false;
     if (isinf(behind))
         SAY(o, "force '%.60s' grows without bound near here: %s", sim->model->force[force].name, AWAY);
