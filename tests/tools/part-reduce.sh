@@ -45,11 +45,15 @@ expect quiet "0 body 0" "$? $(grep -q '"fmdsub_flex"' "$work/quiet.json" && echo
 reduce -q -i root=root -i tip=tip:average -n 4 --material 7e10,0.3 --stiffening $bar >"$work/stiff.json" 2>"$work/stiff.err"
 expect stiffening "0 1" "$? $(grep -c '"xs"' "$work/stiff.json")" "$work/stiff.err"
 
-# All of both bodies, as they were when they were looked at: WRITE=1 writes what comes now.
+# All of both bodies, as they were when they were looked at: WRITE=1 writes what comes now.  Their last digits are LAPACK's and
+# so differ between processors, and with them the checksum.
+unsigned() { sed 's/^ "checksum": "[0-9a-f]\{16\}"}$/ "checksum": ""}/' "$1"; }
 for body in one stiff; do
     [ -z "${WRITE:-}" ] || cp "$work/$body.json" tests/reduce/as-$body.json
-    awk -v apart=1e-7 -f tests/tools/alike.awk tests/reduce/as-$body.json "$work/$body.json" >"$work/differs"
-    expect "bar, $body: as it was" 0 $? "$work/differs"
+    unsigned tests/reduce/as-$body.json >"$work/was.json"
+    unsigned "$work/$body.json" >"$work/is.json"
+    awk -v apart=1e-7 -f tests/tools/alike.awk "$work/was.json" "$work/is.json" >"$work/differs"
+    expect "bar, $body: as it was" "0 1" "$? $(grep -c '^ "checksum": ""}' "$work/is.json")" "$work/differs"
 done
 
 mkdir "$work/loads"
