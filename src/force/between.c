@@ -126,7 +126,7 @@ static void slopes(struct elements *e, struct sweep *s, struct part_of *p, doubl
     struct strains strains;
     strains_at(&strains, e, s, f);
     if (f->kind->means && x->qa && x->qb) f->kind->means(&strains, f->par, p->strain[0], p->strain[1]);
-    if (f->kind->means) p->kref = strains.of[0].ks;
+    if (f->kind->means && !x->looks) p->kref = strains.of[0].ks;
     for (int i = 0; i < strains.n; i++) {
         const struct strain *g = &strains.of[i];
         row_clear(&e->row);

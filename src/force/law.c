@@ -125,7 +125,7 @@ static void slopes(struct elements *e, struct sweep *s, struct part_of *p, doubl
     measure_at(&act, &e->measures, s, f->measure, x->q, x->v);
     const double *end = ends_of_step(coordinate_end, p, def, x);
     law_over(&law, &lost, f->kind, f->par, p->linear, act.s, act.rate, end, x->t);
-    p->kref = law.ks;
+    if (!x->looks) p->kref = law.ks;
     row_clear(&e->row);
     row_add_measure(&e->row, &e->measures, s, &act, f->measure);
     outer(e, K, &e->row, &e->row, law.ks);

@@ -32,7 +32,7 @@ struct part_of {
     double end[2];           /* what end() says of these */
     int nstrain;             /* it has at most so many strains: */
     double *strain[2];       /* [nstrain] those at these ends */
-    double kref;             /* a law's slope at the last slopes() */
+    double kref;             /* a law's slope at the last slopes() that was no look */
     bool poles;              /* it may have poles */
     bool bends;              /* its law may have corners */
     bool sums;               /* its energy is summed from step to step */

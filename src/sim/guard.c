@@ -25,7 +25,8 @@ enum {
 static bool look_at_masses(double *M, double *K, const struct sim *sim)
 {
     const struct ode2 *o = sim->stepper.ode;
-    const struct instant x = {.t = sim->x.t, .q = sim->x.q, .v = sim->x.v, .ta = sim->x.t, .tb = sim->x.t};
+    const struct instant x = {
+        .t = sim->x.t, .q = sim->x.q, .v = sim->x.v, .ta = sim->x.t, .tb = sim->x.t, .looks = true};
     struct trouble why;
     if (o->ops->mass(o, M, x.q, x.t, ALL, &why) != OK || o->ops->slopes(o, K, NULL, &x, ALL, &why) != OK) return false;
     if (dense_cholesky(M, o->n, o->n) >= 0) return false;

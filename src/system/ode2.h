@@ -46,6 +46,7 @@ struct instant {
                             * NULL: not such an interval.  Read where there is a settle(), see there */
     int jump;              /* velocities of a drive jump between: va and vb are not ends of one smooth motion */
     double ta, tb;         /* [s] times of the ends: drives move by their means over it; equal: as they are at t */
+    bool looks;            /* slopes() here are for whoever watches a run: dk stays relative to those before */
 };
 
 struct ode2_ops {

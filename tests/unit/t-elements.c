@@ -520,6 +520,15 @@ static void changing_slopes_are_announced(void **state)
     k1 = 10 + 300 * f.q[1] * f.q[1];
     assert_int_equal(f.o->ops->resid(f.o, r, NULL, &dk, &x, ALL, NULL), OK);
     assert_true(fabs(dk - fabs(k1 - k0) / fmax(k0, k1)) < 1e-12);
+    const double before = dk;
+    x.looks = true; /* whoever watches does not move what dk is relative to */
+    assert_int_equal(f.o->ops->slopes(f.o, K, NULL, &x, ALL, NULL), OK);
+    x.looks = false;
+    assert_int_equal(f.o->ops->resid(f.o, r, NULL, &dk, &x, ALL, NULL), OK);
+    assert_true(dk == before);
+    assert_int_equal(f.o->ops->slopes(f.o, K, NULL, &x, ALL, NULL), OK);
+    assert_int_equal(f.o->ops->resid(f.o, r, NULL, &dk, &x, ALL, NULL), OK);
+    assert_true(dk == 0);
     par.cubic = 0;
     start(&f);
     assert_int_equal(f.o->ops->resid(f.o, r, NULL, &dk, &x, ALL, NULL), OK);
