@@ -279,7 +279,9 @@ enum status relay_recall(struct stepper *s, struct adaptive *m, struct recall *r
     for (int i = 0; i < RUNNERS && status == OK; i++) { /* adaptive_recall() asks who runs */
         if (i == now || !o->of[i].there || !scheme_of(i)->recall) continue;
         hand_to(m, i);
+        recall_within(r, usual[i].kind->name);
         status = m->scheme->recall(s, m, r);
+        recall_without(r);
     }
     recall_without(r);
     hand_to(m, now);

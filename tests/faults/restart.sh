@@ -61,6 +61,16 @@ for deck in *.yaml; do
 done
 [ "$D" ] || { [ $decks -ge 70 ] && ok "restart: all decks" || not_ok "restart: all decks" "only $decks"; }
 
+# Schemes that take turns: each keeps what it carries under a name of its own.
+if wanted turns; then
+    for run in "double-pendulum 0.25 16" "four-bar 0.1 10" "governor 0.15 16" "flexible-pendulum 0.05 8"; do
+        set -- $run
+        H=$2 every="--every $2"
+        why=$(one_run $1.yaml $3 -s 'integrate={scheme: auto, tolerance: 1.0e-4, until: 1}')
+        [ -z "$why" ] && ok "restart: turns, $1" || not_ok "restart: turns, $1" "$why"
+    done
+fi
+
 # Which joints have coordinates, and in which order, comes from what `initial:` names, too: the state tells it.
 if wanted tree; then
     cat >four.yaml <<'END'
