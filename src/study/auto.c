@@ -273,12 +273,13 @@ static bool open_eye(struct choice *o)
     return !o->eye->out;
 }
 
-/* What is taken where nothing is tried: by a step, the midpoint rule; by a scheme that has a name, that. */
-static void open_usual(struct choice *o)
+/* What is taken where nothing is tried: by a step, the midpoint rule; by a scheme that has a name, that.  false: it does
+ * not take what the deck asks for, as the run is going to tell. */
+static bool open_usual(struct choice *o)
 {
     const bool steps = isfinite(o->step);
     const char *name = o->any_scheme ? steps ? "midpoint" : "dopri5" : o->scene->integrate.scheme;
-    if (o->any_scheme && !steps) return;
+    if (o->any_scheme && !steps) return true;
     o->n = 0;
     o->eye->out = true;
     o->looked = o->eye->work;
@@ -286,7 +287,9 @@ static void open_usual(struct choice *o)
         o->tolerance =
             SAFE * quick_tolerance(&o->quick, &o->eye->sim, o->step, o->eye->sim.plan.until - o->scene->start);
     struct racer *r = auto_add(o, name, steps ? NAN : o->tolerance, steps ? o->step : NAN, 1, NULL);
+    if (!r) return false;
     racer_go(r, r->work + HALF, NULL, NULL);
+    return true;
 }
 
 /* In place of dopri5: order 8; what is stiff and does not move asks an explicit scheme for steps that the motion does not.
@@ -299,10 +302,11 @@ static void take_higher_order(struct choice *o)
     o->looked = o->eye->work;
     o->eye->least = implicit ? 0 : o->eye->least;
     o->foretold = racer_hope(o->eye);
-    auto_add(o, implicit ? "radau9" : "dop853", o->tolerance, NAN, 1, NULL);
+    const struct racer *other = auto_add(o, implicit ? "radau9" : "dop853", o->tolerance, NAN, 1, NULL);
     o->usual = implicit ? o->foretold : auto_higher_order(o, o->foretold);
-    if (!o->racer[0]->out && (implicit || o->usual < o->foretold)) return;
+    if (other && (implicit || o->usual < o->foretold)) return;
     o->racer[0] = o->eye;
+    o->n = 1;
     o->usual = o->foretold;
     o->looked = 0;
 }
@@ -331,7 +335,7 @@ static void look_on(struct choice *o)
 
 static void choose(struct choice *o)
 {
-    open_usual(o);
+    if (!open_usual(o)) return;
     o->foretold = o->usual = racer_hope(o->racer[0]);
     if (o->any_scheme && !isfinite(o->step)) take_higher_order(o);
     o->budget = SHARE * o->foretold;

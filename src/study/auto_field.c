@@ -86,8 +86,7 @@ static struct racer *put_in(struct choice *o, const struct setting *setting, con
     r->fast = cut ? cut->fast : o->scene->fast;
     r->unit = o->n ? o->racer[0]->unit : 0;
     racer_open(r, setting, o->scene, o->diags, o->own);
-    if (o->n && setting->kind->full && o->racer[0]->sim.stepper.ode->n > MOST_DENSE) r->out = true;
-    if (r->out && o->n) return NULL;
+    if (r->out || (o->n && setting->kind->full && o->racer[0]->sim.stepper.ode->n > MOST_DENSE)) return NULL;
     r->sim.stepper.guess = guess_for(o, r, cut);
     r->least = auto_least(setting->kind, o->stiff);
     return o->racer[o->n++] = r;

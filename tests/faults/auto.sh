@@ -56,6 +56,18 @@ timeout 60 "$FMDSUB" run -o "$work/first" --set partition=auto decks/satellite-i
 expect "partition: auto, under a scheme by name" "subcycle h = 0.0002 s, H = 100 h, 2 of 105 freedoms fast (slide gimbal)" \
     "$(taken "$work/err")" "$work/err"
 
+# What a scheme by name does not take beside `partition: auto` is refused as without.
+for scheme in dopri5 dop853 radau5 radau9; do
+    for verb in run check; do
+        "$FMDSUB" $verb --set integrate.scheme=$scheme --set partition=auto decks/governor.yaml >"$work/first" 2>"$work/err"
+        expect "partition: auto, $verb, $scheme by a step" "3 E-missing-key" "$? $(grep -o 'E-missing-key' "$work/err")" "$work/err"
+    done
+done
+
+# Nor does what stands for `scheme: auto` take all keys.
+"$FMDSUB" check --set integrate.scheme=auto --set integrate.order=4 --set integrate.rho_infinity=0 decks/slider-crank.yaml >"$work/first" 2>"$work/err"
+expect "auto: order 4 that damps" "3 E-order" "$? $(grep -o 'E-order' "$work/err")" "$work/err"
+
 # Rigid contacts leave no choice.
 "$FMDSUB" run -o "$work/first" --until 0.1 --set integrate.scheme=auto decks/bounce-and-roll.yaml 2>"$work/err"
 expect "auto: rigid contacts" "auto: midpoint, which takes rigid contacts" "$(grep '^auto' "$work/err")" "$work/err"
