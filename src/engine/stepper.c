@@ -258,6 +258,7 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "unstarted", s->unstarted);
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->missed) missed_recall(s->missed, r);
+    if (!recall_has(r, "tangent")) s->tangent = NULL; /* the run before was too short for it: sums go on as they are */
     if (s->tangent) tangent_recall(s->tangent, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);
     if (s->damped) {

@@ -71,6 +71,17 @@ if wanted turns; then
     done
 fi
 
+# A run of few steps does not follow its errors along the motion, and one that goes on from it does not begin to; nor must the
+# first one be as short as the rest.
+if wanted few; then
+    for half in 400 700; do
+        "$FMDSUB" run -q --until 1 --every 0.1 gear-train.yaml >whole 2>err
+        "$FMDSUB" run -q --until 0.$half --every 0.1 --final-state half.json gear-train.yaml >first 2>>err
+        "$FMDSUB" run -q --until 1 --every 0.1 -s 'initial={from: half.json, time: keep}' gear-train.yaml >rest 2>>err
+        expect "restart: $half steps before" "0 the same" "$? $({ cat first; sed 1,2d rest; } | cmp - whole && echo the same)" err
+    done
+fi
+
 # Which joints have coordinates, and in which order, comes from what `initial:` names, too: the state tells it.
 if wanted tree; then
     cat >four.yaml <<'END'
