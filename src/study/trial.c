@@ -254,7 +254,7 @@ static enum status find_driven(struct trial *t)
     if (t->why) return OK;
     t->loose = *run;
     reference_between(&t->reference, &t->loose, PARTED, UNKNOWN, &t->subject, t->life);
-    t->own = (struct tried){.scheme = "midpoint", .ratio = 1, .share = 1};
+    t->own = (struct tried){.scheme = "midpoint", .ratio = 1, .at = {least}, .share = 1};
     return OK;
 }
 
@@ -344,8 +344,8 @@ enum status trial_run(struct trial *o, const struct sim *sim, struct diags *diag
     o->falls = sim_bends_unseen(sim) || scene->ncontact ? 1 : 2; /* impacts lie in steps anyhow */
     o->unseen = o->comes_on || o->falls == 1;
     o->delta = sim->ledger.delta;
-    o->stiff = stiff_rate(sim) * (o->until - o->start);
-    o->work += STIFF_EVALUATIONS;
+    if (n > 0) o->stiff = stiff_rate(sim) * (o->until - o->start);
+    if (n > 0) o->work += STIFF_EVALUATIONS;
     corners_find(&o->corners, sim, o->until, life);
     plan_records(o);
     TRY(find_reference(o));

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "multirate/schemes.h"
 #include "study/trial.h"
 
@@ -193,12 +194,25 @@ static bool may_come_on(const struct trial *t)
     return t->comes_on && t->fixed.share < 1 - 1e-9;
 }
 
+/* Where drives alone move all the run that is its own reference is the first of these, too, if its steps are the same. */
+static bool is_known(struct trial *t, const struct next *next, const struct stepper_kind *kind)
+{
+    const bool same = t->n == 0 && t->own.n == 0 && next->m == t->own.at[0] && t->fixed.ratio == 1 &&
+                      next->end == t->until && text_same(kind->name, t->own.scheme);
+    if (!same) return false;
+    t->fixed.share = t->fixed.growth = 1;
+    note(&t->fixed, next->m, 0, &t->reference.run);
+    t->tried_until = next->end;
+    return true;
+}
+
 static enum status halve_steps(struct trial *t, const struct stepper_kind *kind)
 {
     enum status status = OK;
     struct next next = first_run(t);
     const bool whole =
         t->scene.ncontact || t->comes_on; /* what is met in a part of the run is not what is in the rest */
+    if (!t->unseen && is_known(t, &next, kind)) return OK;
     while (status == OK && t->used < t->most) {
         if (t->unseen && told_enough(t) && !fits(&next, t, LEFT)) break;
         if (whole && !fits(&next, t, 1)) break;

@@ -79,6 +79,13 @@ expect "check: no trial" "0 1" "$(grep -c '"advice"' "$work/object") $(grep -c '
 expect "check: trials of a bearing" fine "$(awk '{ gsub(/[",]/, "") } $1 == "evaluations:" && $2 > most { most = $2 } $1 == "trial_evaluations:" { tried = $2 }
     END { print(tried > 100 && tried <= .02 * most ? "fine" : tried " of " most) }' "$work/json")" "$work/err"
 
+# Where drives alone move all, one run of a hundred steps is the trial of them, too; it fits into runs of as many steps.
+for deck in decks/driven-slider-crank.yaml tests/hard/two-drives.yaml; do
+    "$FMDSUB" check -f json "$deck" >"$work/json" 2>"$work/err"
+    expect "check: one trial of $(basename "$deck" .yaml)" "100 3" "$(awk '{ gsub(/[",]/, "") } $1 == "trial_evaluations:" { tried = $2 }
+        $1 == "suggested_step:" && error != "" && $2 > 0 { n++ } $1 == "error:" { error = $2 } END { print tried, n + 0 }' "$work/json")" "$work/json" "$work/err"
+done
+
 # Warnings are counted once, though trial runs meet them again.
 "$FMDSUB" check --strict decks/double-pendulum.yaml >"$work/words" 2>"$work/err"
 ended "check: trial runs add no warnings" 0 $? "$work/words" "$work/err"
