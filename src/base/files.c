@@ -1,13 +1,33 @@
 /* files.c -- see files.h */
 #include "base/files.h"
 
+#include <limits.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+enum { LINKS = 40 }; /* from one to the next, as the kernel follows them */
+
+/* The name behind a link that leads to nothing yet, by the link's own folder; NULL: it is no link. */
+static const char *behind(const char *path, struct arena *arena)
+{
+    char name[PATH_MAX];
+    const ssize_t n = readlink(path, name, sizeof name - 1);
+    if (n < 0) return NULL;
+    name[n] = 0;
+    const char *slash = *name == '/' ? NULL : strrchr(path, '/');
+    return arena_print(arena, "%.*s%s", slash ? (int)(slash + 1 - path) : 0, path, name);
+}
 
 bool file_identify(struct file_id *o, const char *path, struct arena *arena)
 {
     struct stat st;
     *o = (struct file_id){0};
+    for (int links = 0; links < LINKS && stat(path, &st) != 0; links++) {
+        const char *next = behind(path, arena);
+        if (!next) break;
+        path = next;
+    }
     if (stat(path, &st) == 0) {
         *o = (struct file_id){st.st_dev, st.st_ino, NULL};
         return S_ISREG(st.st_mode);

@@ -7,7 +7,8 @@
 
 #include "base/arena.h"
 
-/* A plain file that is there: its device and inode; one that is not yet: those of its folder, and its name there. */
+/* A plain file that is there: its device and inode; one that is not yet: those of its folder, and its name there, behind
+ * all links. */
 struct file_id {
     dev_t device;
     ino_t inode;

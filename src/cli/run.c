@@ -181,7 +181,7 @@ static enum status write_state(struct sim *sim, const struct request *request, s
     return stream_finish(&stream, sim_write_state(sim, &stream, report), report);
 }
 
-/* Records, state and counts go to three files, and none is the deck's. */
+/* Records, state, counts and checkpoints go to four files, and none is the deck's. */
 static enum status check_targets(const struct request *request, const struct scene *scene, struct arena *life,
                                  struct report *report)
 {
@@ -190,6 +190,7 @@ static enum status check_targets(const struct request *request, const struct sce
         {"--output", request->output, true},
         {"--final-state", request->final_state, true},
         {"--stats", request->stats, false},
+        {"the checkpoint", scene->checkpoint.file, true},
     };
     return targets_check(target, sizeof target / sizeof *target, &scene->deck->read, life, report);
 }

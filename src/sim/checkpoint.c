@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/hash.h"
@@ -176,10 +177,15 @@ enum status checkpoint_open(struct sim *sim, struct stream *stream, const char *
 static enum status read_file(char **text, const char *path, struct arena *life, struct report *report)
 {
     struct report why;
+    struct stat st;
     char *bytes;
     size_t n;
-    const int fd = open(path, O_RDONLY | O_CLOEXEC);
+    const int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* a pipe is not waited for */
     if (fd < 0) return fail(report, E_FILE, "cannot read '%s'", path);
+    if (fstat(fd, &st) != 0 || !S_ISREG(st.st_mode)) {
+        close(fd);
+        return fail(report, E_FILE, "cannot read '%s': it is no plain file", path);
+    }
     const enum status status = whole_read(&bytes, &n, fd, path, SIZE_MAX - 1, life, &why);
     close(fd);
     if (status == E_FILE) return fail(report, E_FILE, "cannot read '%s'", path);

@@ -43,6 +43,16 @@ refuse "-o and --stats" "--output and --stats name one file, 'x'" '"$FMDSUB" run
 refuse "--final-state and --stats" "name one file" '"$FMDSUB" run -q --final-state x --stats="$PWD/x" q.yaml'
 refuse "--final-state and the part file of -o" "name one file" '"$FMDSUB" run -q -o x --final-state x.part q.yaml'
 
+refuse "-o a link to what is not there yet, and --stats that" "name one file" 'ln -s x link; "$FMDSUB" run -q -o link --stats=x q.yaml'
+refuse "-o by two links to what --stats makes" "name one file" \
+    'mkdir y; ln -s ../x y/link; ln -s y/link link; "$FMDSUB" run -q -o link --stats=x q.yaml'
+refuse "-o the checkpoint" "--output and the checkpoint name one file, 'x'" \
+    '"$FMDSUB" run -q -o x -s "checkpoint={every: 1, file: x}" q.yaml'
+refuse "--final-state the checkpoint" "name one file" '"$FMDSUB" run -q --final-state x -s "checkpoint={every: 1, file: x}" q.yaml'
+refuse "--stats the checkpoint" "name one file" '"$FMDSUB" run -q --stats=x -s "checkpoint={every: 1, file: x}" q.yaml'
+refuse "the part file of -o the checkpoint" "name one file" '"$FMDSUB" run -q -o x -s "checkpoint={every: 1, file: x.part}" q.yaml'
+refuse "the deck the checkpoint" "the checkpoint 'q.yaml' would overwrite" '"$FMDSUB" run -q -s "checkpoint={every: 1, file: q.yaml}" q.yaml'
+
 # Records on standard output, that is a file.
 fresh
 (cd x && "$FMDSUB" run -q --final-state y q.yaml >y 2>../err)

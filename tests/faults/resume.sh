@@ -107,6 +107,7 @@ sed '6s/$/0/' good >bad; refuse "a figure changed" 6 "damaged" --resume bad "$de
 head -c 300 good >bad; refuse "cut" 6 "damaged" --resume bad "$deck"
 echo something >bad; refuse "no checkpoint" 6 "no checkpoint" --resume bad "$deck"
 refuse "no file" 6 "cannot read" --resume none "$deck"
+refuse "what does not end" 6 "no plain file" --max-memory 100M --resume /dev/zero "$deck"
 refuse "another deck" 4 "another deck" --resume good --set gravity.1=-9 "$deck"
 refuse "another end" 4 "another deck.*--set and --until as they were" --resume good --until 2 "$deck"
 refuse "json" 2 "csv or ndjson" -f json "$deck"
