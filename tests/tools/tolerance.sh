@@ -5,6 +5,8 @@
 # The limit is 10 times max(1, the run in periods of the fastest motion that is excited), at most 100: periods by the turns of the
 # deck's columns in the reference (dop853 or radau9 to 1e-12), of hundredths of a range and more.  A run that takes more than
 # LONGEST CPU seconds is shown as such and not judged.
+# Shares of the tolerance, h/(t + 10 h), add up as the logarithm of the number of steps does: over ten orbits (orbit-3) newmark is
+# 97 tolerances off at 1e-5 in 58000 steps, 104 at 1e-6 and 110 at 1e-7, in 550000, which are not in the list.
 . tests/tools/lib.sh
 LONGEST=${LONGEST:-60}
 
@@ -41,7 +43,7 @@ has_scheme bdf || sed -i '/^bdf/d' "$work/schemes"
 [ -z "${S:-}" ] || sed -i "/^$S /!d" "$work/schemes"
 
 # Positions and rates are columns that are no forces, stresses or energies.
-motion='^(t|h|sweeps)$|^energy|\.(f[xyz]|m[xyz]|force|moment|torque|power|elongation|axial|bending.*|shear.*|mises|elastic|kinetic)$'
+motion='^(t|h|sweeps)$|^energy|\.(f[xyz]|m[xyz]|force|moment|torque|power|elongation|axial|bending.*|shear.*|(von_)?mises|elastic|kinetic)$'
 
 run() { # SCHEME TOLERANCE EVERY FILE: $settings, $deck
     (ulimit -t "$LONGEST"; exec "$FMDSUB" run -q --every "$3" --set integrate.scheme="$1" --set integrate.tolerance="$2" $sets "$deck") >"$4" 2>"$work/err"
