@@ -3,62 +3,18 @@
  * Everything linear in q is one product: the blocks that are not zero stand below each other in one table by column,
  * the zero ones of a beam along an axis take no time.  The same with q' and q''. */
 #include <math.h>
-#include <string.h>
 
 #include "flex/planar_parts.h"
+#include "la/tiles.h"
 #include "la/turned.h"
 #include "la/vec2.h"
 #include "la/wide.h"
 
 /* --- products ----------------------------------------------------------------------------------- */
 
-/* out := base + eight columns, or four, or none: how many were taken. */
-INTO static inline int panel_begin(double *restrict out, const struct panel *o, const double *restrict x, int rows)
+static inline void panel_at(double *out, const struct panel *o, const double *x)
 {
-    const double *restrict base = o->base;
-    if (o->n < 4) {
-        memcpy(out, base, sizeof *out * (size_t)rows);
-        return 0;
-    }
-    const double *restrict A = o->A;
-    const double *A1 = A + rows, *A2 = A1 + rows, *A3 = A2 + rows;
-    const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
-    if (o->n < 8) {
-        for (int i = 0; i < rows; i++) out[i] = base[i] + ((A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3));
-        return 4;
-    }
-    const double *A4 = A3 + rows, *A5 = A4 + rows, *A6 = A5 + rows, *A7 = A6 + rows;
-    const double x4 = x[4], x5 = x[5], x6 = x[6], x7 = x[7];
-    for (int i = 0; i < rows; i++)
-        out[i] = (base[i] + ((A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3))) +
-                 ((A4[i] * x4 + A5[i] * x5) + (A6[i] * x6 + A7[i] * x7));
-    return 8;
-}
-
-/* Four columns at a time, at first eight; the order of sums is that of the text.  What does not change stands there. */
-WIDE static void panel_at(double *restrict out, const struct panel *o, const double *restrict x)
-{
-    const int rows = o->rows / 4 * 4; /* as they are; so they are known to be a multiple of 4 */
-    int j = panel_begin(out, o, x, rows);
-    const double *restrict A = o->A + (long)j * rows;
-    for (; j + 4 <= o->n; j += 4, A += 4 * (long)rows) {
-        const double *A1 = A + rows, *A2 = A1 + rows, *A3 = A2 + rows;
-        const double x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
-        for (int i = 0; i < rows; i++) out[i] += (A[i] * x0 + A1[i] * x1) + (A2[i] * x2 + A3[i] * x3);
-    }
-    const double *A1 = A + rows, *A2 = A1 + rows;
-    const double x0 = j < o->n ? x[j] : 0, x1 = j + 1 < o->n ? x[j + 1] : 0, x2 = j + 2 < o->n ? x[j + 2] : 0;
-    switch (o->n - j) {
-    case 3:
-        for (int i = 0; i < rows; i++) out[i] = (out[i] + (A[i] * x0 + A1[i] * x1)) + A2[i] * x2;
-        break;
-    case 2:
-        for (int i = 0; i < rows; i++) out[i] += A[i] * x0 + A1[i] * x1;
-        break;
-    case 1:
-        for (int i = 0; i < rows; i++) out[i] += A[i] * x0;
-        break;
-    }
+    tiles_times(out, o->base, o->A, x, o->rows, o->n);
 }
 
 static inline void form_add(double *restrict y, const struct form *o, const double *restrict x, int n)

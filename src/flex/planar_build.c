@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "flex/planar_parts.h"
+#include "la/tiles.h"
 
 static bool all_zero(const double *x, int n)
 {
@@ -15,24 +16,22 @@ static bool all_zero(const double *x, int n)
 static void panel_build(struct panel *o, int n, int blocks, double *const *table, double *const *base,
                         struct arena *life)
 {
-    bool zero[BLOCKS + ACROSS];
     int next = 0;
     o->n = n;
-    o->size = (blocks * n + 3) / 4 * 4;
+    o->size = tiles_rows(blocks * n);
     o->base = TAKE(life, double, o->size);
     for (int b = 0; b < blocks; b++) {
-        zero[b] = all_zero(table[b], n * n);
-        if (!zero[b]) o->rows += n;
+        o->table[b] = all_zero(table[b], n * n) ? NULL : table[b];
+        if (o->table[b]) o->rows += n;
     }
     for (int pass = 0; pass < 2; pass++) /* those that are not zero first */
         for (int b = 0; b < blocks; b++)
-            if (zero[b] == pass) o->at[b] = next, next += n;
-    o->rows = (o->rows + 3) / 4 * 4;
+            if ((o->table[b] == NULL) == pass) o->at[b] = next, next += n;
+    o->rows = tiles_rows(o->rows);
     o->A = TAKE(life, double, (long)o->rows *n);
     for (int b = 0; b < blocks; b++) {
         if (base && base[b]) memcpy(o->base + o->at[b], base[b], sizeof(double) * (size_t)n);
-        for (int j = 0; !zero[b] && j < n; j++)
-            memcpy(o->A + o->at[b] + (long)o->rows * j, table[b] + (long)n * j, sizeof(double) * (size_t)n);
+        for (int ij = 0; o->table[b] && ij < n * n; ij++) o->A[tiles_at(o->at[b] + ij % n, ij / n, n)] = table[b][ij];
     }
 }
 

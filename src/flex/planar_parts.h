@@ -11,8 +11,9 @@ struct panel {
     int n, size,
         rows; /* size of out; rows of A, whose other blocks are zero; both multiples of 4, what is too many 0 */
     int at[BLOCKS + ACROSS];
-    double *base; /* [size] */
-    double *A;    /* [rows x n] */
+    double *base;                         /* [size] */
+    double *A;                            /* [rows x n] by tiles */
+    const double *table[BLOCKS + ACROSS]; /* [n x n] block b of A by column; NULL: zero */
 };
 
 /* y += A x; where A is diagonal, as for modes, [n] numbers will do. */

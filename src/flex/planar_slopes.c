@@ -12,7 +12,7 @@
 /* The slopes with q_j of block b [n]; NULL: zero. */
 static const double *slopes(const struct panel *o, int b, int j)
 {
-    return o->at[b] + o->n <= o->rows ? o->A + o->at[b] + (long)o->rows * j : NULL;
+    return o->table[b] ? o->table[b] + (long)o->n * j : NULL;
 }
 
 static double along(const double *slope, const double *x, int n)
