@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "engine/motion.h"
-#include "la/dense.h"
+#include "la/tiles.h"
 #include "la/wide.h"
 
 /* Coordinates: above MOST a factor costs a third of an inverse, and may have zeros that cost nothing; up to FEW calls cost
@@ -24,10 +24,13 @@ void broyden_open(struct broyden *o, const struct ode2 *ode, struct effort *effo
     *o = (struct broyden){.h = 0};
     matrix_open(&o->J, ode, effort, life);
     if (n > MOST) return;
-    o->ld = n > FEW ? (n + 3) / 4 * 4 : n;
+    o->high = n > FEW ? 4 : n;
+    o->ld = n > FEW ? tiles_rows(n) : n;
     double **all[] = {&o->B, &o->F, &o->S, &o->W};
     for (int i = 0; i < 4; i++) *all[i] = TAKE_MATRIX(life, double, o->ld, n);
     o->y = TAKE(life, double, o->ld);
+    o->d = TAKE(life, double, o->ld);
+    o->none = TAKE(life, double, o->ld);
 }
 
 void broyden_forget(struct broyden *o)
@@ -47,19 +50,46 @@ static double leaves(const double *W, int n, int ld)
     return sum;
 }
 
+/* A := what X [ld x n] has by column. */
+static void by_tiles(const struct broyden *o, double *restrict A, const double *restrict X)
+{
+    const int n = o->J.ode->n, high = o->high;
+    for (int t = 0; t < o->ld; t += high)
+        for (int j = 0; j < n; j++, A += high)
+            for (int i = 0; i < high; i++) A[i] = X[t + i + j * o->ld];
+}
+
+/* y [n] := A x */
+static void times(const struct broyden *o, double *restrict y, const double *restrict A, const double *restrict x)
+{
+    const int n = o->J.ode->n;
+    if (n > FEW) {
+        tiles_times(o->y, o->none, A, x, o->ld, n);
+        copy(y, o->y, n);
+        return;
+    }
+    for (int i = 0; i < n; i++) {
+        y[i] = A[i] * x[0];
+        for (int j = 1; j < n; j++) y[i] += A[i + j * n] * x[j];
+    }
+}
+
 /* Would the line F + s S have served for J, and much better than F? */
 static bool foretells(const struct broyden *o, double s)
 {
     const int n = o->J.ode->n, ld = o->ld;
     const double *J = o->J.spare;
-    zero(o->W, ld * n);
+    double *W = o->W;
     for (int j = 0; j < n; j++) {
-        o->W[j * (ld + 1)] = -1;
-        dense_gemv(o->W + j * ld, 1, o->F, J + j * n, ld, n, ld);
+        times(o, W + j * ld, o->F, J + j * n);
+        W[j * (ld + 1)] -= 1;
     }
-    const double still = leaves(o->W, n, ld);
-    for (int j = 0; j < n; j++) dense_gemv(o->W + j * ld, s, o->S, J + j * n, ld, n, ld);
-    const double line = leaves(o->W, n, ld);
+    const double still = leaves(W, n, ld);
+    for (int j = 0; j < n; j++) {
+        times(o, o->d, o->S, J + j * n);
+        for (int i = 0; i < n; i++) W[i + j * ld] += s * o->d[i];
+    }
+    const double line = leaves(W, n, ld);
     return line < SERVES && line < FORETOLD * still;
 }
 
@@ -84,7 +114,8 @@ enum status broyden_form(struct broyden *o, double h, double cc, double ck, cons
     TRY(matrix_factor(&o->J, cc, ck, x, why));
     o->serves = o->J.ode->n <= MOST && o->J.form != MATRIX_DIRECT;
     if (!o->serves) return OK;
-    matrix_inverse(&o->J, o->B, o->ld);
+    matrix_inverse(&o->J, o->W, o->ld);
+    by_tiles(o, o->B, o->W);
     take(o, h, x->t);
     return OK;
 }
@@ -118,20 +149,6 @@ bool broyden_go(struct broyden *o, double t)
     return o->moves;
 }
 
-/* d := B r */
-static void times(const struct broyden *o, double *restrict d, const double *restrict B, const double *restrict r)
-{
-    const int n = o->J.ode->n;
-    for (int i = 0; i < n && n <= FEW; i++) {
-        d[i] = B[i] * r[0];
-        for (int j = 1; j < n; j++) d[i] += B[i + j * n] * r[j];
-    }
-    if (n <= FEW) return;
-    zero(o->y, o->ld);
-    dense_gemv(o->y, 1, B, r, o->ld, n, o->ld);
-    copy(d, o->y, n);
-}
-
 void broyden_solve(struct broyden *o, double *d, const double *r)
 {
     if (o->serves) {
@@ -142,14 +159,27 @@ void broyden_solve(struct broyden *o, double *d, const double *r)
     matrix_solve(&o->J, d);
 }
 
-/* B [ld x n] += d s'/sy, d [ld] */
-WIDE static void add_outer(double *restrict B, const double *restrict d, const double *restrict s, double sy, int n,
-                           int ld)
+/* B += d f', d [ld], f [n]. */
+WIDE static void add_outer(double *restrict B, const double *restrict d, const double *restrict f, int n, int ld)
 {
-    for (int j = 0; j < n; j++, B += ld) {
-        const double f = s[j] / sy;
-        for (int i = 0; i < ld; i++) B[i] += f * d[i];
+    for (int t = 0; t < ld; t += 4)
+        for (int j = 0; j < n; j++, B += 4)
+            for (int i = 0; i < 4; i++) B[i] += f[j] * d[t + i];
+}
+
+/* B += d s'/sy */
+static void teach(struct broyden *o, const double *restrict d, const double *restrict s, double sy)
+{
+    const int n = o->J.ode->n;
+    double *restrict B = o->B, *restrict f = o->W;
+    for (int j = 0; j < n; j++) f[j] = s[j] / sy;
+    if (n > FEW) {
+        copy(o->y, d, n);
+        add_outer(B, o->y, f, n, o->ld);
+        return;
     }
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) B[i + j * n] += f[j] * d[i];
 }
 
 bool broyden_learn(struct broyden *o, double *d, const double *s, const double *r0, const double *r)
@@ -158,8 +188,7 @@ bool broyden_learn(struct broyden *o, double *d, const double *s, const double *
     if (!o->serves) return false;
     const double before = dot(s, r0, n), after = dot(s, r, n), sy = before - after;
     if (!(fabs(after) < POOR * fabs(before))) return false;
-    copy(o->y, d, n);
-    add_outer(o->B, o->y, s, sy, n, o->ld);
+    teach(o, d, s, sy);
     o->learnt = true;
     for (int i = 0; i < n; i++) d[i] *= 1 + after / sy;
     return true;
@@ -174,10 +203,11 @@ int broyden_drift(struct broyden *o, double *x, double h, const double *v, const
         matrix_solve(&o->J, x);
         return live;
     }
-    zero(o->y, o->ld);
-    dense_gemv(o->y, 1, o->F, x, o->ld, n, o->ld);
-    if (o->moves) dense_gemv(o->y, o->at - o->t, o->S, x, o->ld, n, o->ld);
-    copy(x, o->y, n);
+    copy(o->W, x, n);
+    times(o, x, o->F, o->W);
+    if (!o->moves) return live;
+    times(o, o->d, o->S, o->W);
+    for (int i = 0; i < n; i++) x[i] += (o->at - o->t) * o->d[i];
     return live;
 }
 

@@ -31,19 +31,22 @@
 
 struct broyden {
     struct matrix J;
-    bool serves; /* the system is small, its matrix dense; else J is solved with */
-    int ld;      /* n; where there are more than a few a multiple of four: rows behind n are zeros, for vectors */
-    double *B;   /* [ld x n] as it goes on and has learnt */
-    double *F;   /* [ld x n] as it was formed last */
-    double *S;   /* [ld x n] its change a second, from the one before */
-    double *W;   /* [ld x n] work: B J - I */
-    double *y;   /* [ld] work, of zeros behind n */
-    double h;    /* of the step that F was formed for */
-    double t;    /* where F was formed */
-    double at;   /* where B stands */
-    int formed;  /* two: S is known */
-    bool moves;  /* S foretells F */
-    bool learnt; /* B is not F */
+    bool serves;  /* the system is small, its matrix dense; else J is solved with */
+    int ld;       /* n; where there are more than a few a multiple of four: rows behind n are zeros, for vectors */
+    int high;     /* n or four: rows of a tile, as B, F and S stand (la/tiles.h) */
+    double *B;    /* [ld x n] as it goes on and has learnt */
+    double *F;    /* [ld x n] as it was formed last */
+    double *S;    /* [ld x n] its change a second, from the one before */
+    double *W;    /* [ld x n] work: B J - I, by column */
+    double *y;    /* [ld] work, of zeros behind n */
+    double *d;    /* [ld] work */
+    double *none; /* [ld] zeros */
+    double h;     /* of the step that F was formed for */
+    double t;     /* where F was formed */
+    double at;    /* where B stands */
+    int formed;   /* two: S is known */
+    bool moves;   /* S foretells F */
+    bool learnt;  /* B is not F */
 };
 
 void broyden_open(struct broyden *o, const struct ode2 *ode, struct effort *effort, struct arena *life);
