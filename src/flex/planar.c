@@ -33,6 +33,18 @@ INTO static inline double dot(const double *x, const double *y, int n)
     return sum;
 }
 
+/* Sums of x and of y times q. */
+INTO static inline void two_sums(double *xq, double *yq, const double *restrict x, const double *restrict y,
+                                 const double *restrict q, int n)
+{
+    double sx = 0, sy = 0;
+    for (int i = 0; i < n; i++) {
+        sx += x[i] * q[i];
+        sy += y[i] * q[i];
+    }
+    *xq = sx, *yq = sy;
+}
+
 /* The sums of x, y and z times q: a node's motion by the coordinates'. */
 static inline void three_sums(double *xy, double *angle, const double *restrict x, const double *restrict y,
                               const double *restrict z, const double *restrict q, int n)
@@ -235,8 +247,9 @@ WIDE void flex_planar_shape_at(struct flex_planar_shape *o, const struct flex_pl
 WIDE void flex_planar_inertia(double *F, double *N, double *Q, const struct flex_planar *k, struct flex_planar_shape *o,
                               const double *a, double w, double al, const double *q1, const double *q2)
 {
-    const double t1 = dot(k->mean, q1, k->n), t2 = dot(k->mean, q2, k->n), ww = w * w;
-    const double *y = o->y, *d = o->d, cent = t1 * (t1 + 2 * w);
+    double t1, t2;
+    two_sums(&t1, &t2, q1, q2, k->mean, k->n);
+    const double *y = o->y, *d = o->d, ww = w * w, cent = t1 * (t1 + 2 * w);
     const double am[2] = {a[0] - al * d[1] - ww * d[0] - t2 * y[1] - cent * y[0],
                           a[1] + al * d[0] - ww * d[1] + t2 * y[0] - cent * y[1]};
     double ai[2], Fi[2];
@@ -344,8 +357,7 @@ void flex_planar_place_bias(struct flex_planar_place *o, const struct flex_plana
     if (d->S.rows == 0) return;
     double *S = o->work + d->d.size;
     panel_at(S, &d->S, q1);
-    o->bias[0] = dot(S + d->S.at[0], q1, k->n);
-    o->bias[1] = dot(S + d->S.at[1], q1, k->n);
+    two_sums(&o->bias[0], &o->bias[1], S + d->S.at[0], S + d->S.at[1], q1, k->n);
 }
 
 void flex_planar_place_accelerate(struct flex_planar_place *o, const struct flex_planar *k, const double *q2)
@@ -353,4 +365,22 @@ void flex_planar_place_accelerate(struct flex_planar_place *o, const struct flex
     three_sums(o->a, &o->al, o->dx, o->dy, o->dw, q2, k->n);
     for (int i = 0; i < 2; i++) o->a[i] += o->bias[i];
     if (o->turn) o->al += o->turning;
+}
+
+WIDE void flex_planar_place_row(double *restrict g, const struct flex_planar_place *o, const struct flex_planar *k,
+                                const double *f, double moment)
+{
+    const double *restrict dx = o->dx, *restrict dy = o->dy, *restrict dw = o->dw;
+    const double fx = f[0], fy = f[1];
+    const int n = k->n;
+    for (int i = 0; i < n; i++) g[i] = dx[i] * fx + dy[i] * fy + dw[i] * moment;
+}
+
+WIDE void flex_planar_place_load(double *restrict Q, const struct flex_planar_place *o, const struct flex_planar *k,
+                                 const double *f, double moment)
+{
+    const double *restrict dx = o->dx, *restrict dy = o->dy, *restrict dw = o->dw;
+    const double fx = f[0], fy = f[1];
+    const int n = k->n;
+    for (int i = 0; i < n; i++) Q[i] += dx[i] * fx + dy[i] * fy + dw[i] * moment;
 }

@@ -116,5 +116,10 @@ void flex_planar_place_at(struct flex_planar_place *o, const struct flex_planar 
 void flex_planar_place_move(struct flex_planar_place *o, const struct flex_planar *k, const double *q1);
 void flex_planar_place_bias(struct flex_planar_place *o, const struct flex_planar *k, int node, const double *q1);
 void flex_planar_place_accelerate(struct flex_planar_place *o, const struct flex_planar *k, const double *q2);
+/* What force f, in the body's axes, and moment at the node are to the coordinates: g [n]; added to Q [n]. */
+void flex_planar_place_row(double *restrict g, const struct flex_planar_place *o, const struct flex_planar *k,
+                           const double *f, double moment);
+void flex_planar_place_load(double *restrict Q, const struct flex_planar_place *o, const struct flex_planar *k,
+                            const double *f, double moment);
 
 #endif

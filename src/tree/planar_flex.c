@@ -17,9 +17,21 @@
 
 #include "tree/planar_flex.h"
 
-static void gather(double *x, const int *i, const double *from, int n)
+/* x := what the modes of b have at their places `at` in `from`. */
+static inline void gather(double *restrict x, const struct flexible *b, const int *at, const double *restrict from)
 {
-    for (int k = 0; k < n; k++) x[k] = from[i[k]];
+    if (b->abreast)
+        memcpy(x, from + at[0], sizeof *x * (size_t)b->n);
+    else
+        for (int k = 0; k < b->n; k++) x[k] = from[at[k]];
+}
+
+/* Is x that already?  Never with NAN. */
+static inline bool gathered(const double *x, const struct flexible *b, const int *at, const double *from)
+{
+    int k = 0;
+    while (k < b->n && from[at[k]] == x[k]) k++;
+    return k == b->n;
 }
 
 /* --- motion ------------------------------------------------------------------------------------- */
@@ -27,23 +39,22 @@ static void gather(double *x, const int *i, const double *from, int n)
 /* Body axes and modes. */
 void planar_flexible_place(struct flexible *b, const struct part *x, const double *q)
 {
-    bool moved = b->change == 0;
     v2_turn(b->cs, (double[]){x->c, x->s}, b->drawn);
-    for (int k = 0; k < b->n; k++) {
-        moved |= !(q[b->iq[k]] == b->q[k]); /* always for NAN */
-        b->q[k] = q[b->iq[k]];
-    }
-    b->change += moved;
+    if (b->change > 0 && gathered(b->q, b, b->iq, q)) return;
+    gather(b->q, b, b->iq, q);
+    b->change++;
 }
 
 void planar_flexible_move(struct flexible *b, const double *v)
 {
-    gather(b->v, b->iv, v, b->n);
+    gather(b->v, b, b->iv, v);
 }
 
 void planar_flexible_accelerate(struct flexible *b, const double *a)
 {
-    gather(b->a, b->iv, a, b->n);
+    if (gathered(b->a, b, b->iv, a)) return;
+    gather(b->a, b, b->iv, a);
+    b->push++;
 }
 
 void planar_node_body_place(struct part *x, struct node_body *o, const struct part *p)
@@ -53,6 +64,7 @@ void planar_node_body_place(struct part *x, struct node_body *o, const struct pa
     if (o->change != b->change) {
         flex_planar_place_at(&o->place, b->kernel, o->node, b->q);
         o->change = b->change;
+        o->biased = false;
     }
     v2_turn(x->arm, b->cs, d->x);
     x->c_b[0] = x->c_b[1] = 0;
@@ -80,8 +92,9 @@ void planar_node_body_accelerate(struct part *x, struct node_body *o, const stru
     const double ww = p->w * p->w, w2 = 2 * p->w;
     double u[2];
     if (!o->biased) flex_planar_place_bias(&o->place, b->kernel, o->node, b->v);
+    if (!o->biased || o->push != b->push) flex_planar_place_accelerate(&o->place, b->kernel, b->a);
     o->biased = true;
-    flex_planar_place_accelerate(&o->place, b->kernel, b->a);
+    o->push = b->push;
     v2_turn(u, b->cs, o->place.v);
     v2_turn(x->a, b->cs, o->place.a);
     x->al = p->al + o->place.al;
@@ -109,11 +122,10 @@ void planar_flex_partial(const struct sweep *s, double *xv, double *w, int body,
 void planar_node_body_row(double *restrict g, const struct node_body *o, const struct part *at, const double *x,
                           const double *f, double n)
 {
-    const double *restrict dx = o->place.dx, *restrict dy = o->place.dy, *restrict dw = o->place.dw;
     const double arm[2] = {x[0] - at->r[0], x[1] - at->r[1]}, moment = n + v2_cross(arm, f);
     double F[2];
     v2_turn_back(F, o->of->cs, f);
-    for (int k = 0; k < o->of->n; k++) g[k] = dx[k] * F[0] + dy[k] * F[1] + dw[k] * moment;
+    flex_planar_place_row(g, &o->place, o->of->kernel, F, moment);
 }
 
 void planar_flex_energy(const struct sweep *s, double *kinetic, double *gravity)
@@ -152,9 +164,9 @@ void planar_flexible_load(struct part *x, struct flexible *b, bool bears)
 /* The modes' rows of force F and moment N at the node, both in the world. */
 void planar_node_body_collect_forces(struct node_body *o, const struct part *x)
 {
-    double f[2], *Q = o->of->Q;
+    double f[2];
     v2_turn_back(f, o->of->cs, x->F);
-    for (int k = 0; k < o->of->n; k++) Q[k] += o->place.dx[k] * f[0] + o->place.dy[k] * f[1] + o->place.dw[k] * x->N;
+    flex_planar_place_load(o->of->Q, &o->place, o->of->kernel, f, x->N);
 }
 
 void planar_bend_slopes(const struct sweep *s, double *K, double *C, int body)
@@ -170,7 +182,12 @@ void planar_bend_slopes(const struct sweep *s, double *K, double *C, int body)
 
 void planar_flexible_collect_forces(double *r, const struct flexible *b)
 {
-    for (int k = 0; k < b->n; k++) r[b->iv[k]] += b->Q[k];
+    const double *restrict Q = b->Q;
+    double *restrict at = b->abreast ? r + b->iv[0] : r;
+    if (b->abreast)
+        for (int k = 0; k < b->n; k++) at[k] += Q[k];
+    else
+        for (int k = 0; k < b->n; k++) at[b->iv[k]] += Q[k];
 }
 
 /* --- building ----------------------------------------------------------------------------------- */
@@ -185,6 +202,8 @@ static struct flexible *build_flexible(struct sweep *s, const struct model_body 
     flex_planar_shape_take(&b->shape, b->kernel, life);
     b->iq = body->mode_q;
     b->iv = body->mode_v;
+    b->abreast = n > 0;
+    for (int k = 1; k < n; k++) b->abreast &= b->iq[k] == b->iq[0] + k && b->iv[k] == b->iv[0] + k;
     b->q = TAKE(life, double, n);
     b->v = TAKE(life, double, n);
     b->a = TAKE(life, double, n);

@@ -11,12 +11,14 @@ struct flexible {
     struct flex_planar_shape shape;
     int n;
     const int *iq, *iv;     /* [n] places of its modes */
+    bool abreast;           /* these follow one another, in q and in v */
     double *q, *v, *a, *Q;  /* [n] gathered; the modes' rows */
     double drawn[2], cs[2]; /* cos, sin of its axes drawn and now */
     double *U, *M;          /* [3 x n], [n x n] its columns of M^, frame and modes; M its lower triangle */
     size_t at;              /* its place in a factor */
     /* What was worked out for these q is good until they change: loops are closed by joints, modes stand still. */
     long change, shaped; /* count of changes; that of the shape */
+    long push;           /* count of changes of a */
 };
 
 /* A body at a node of `of`. */
@@ -25,6 +27,7 @@ struct node_body {
     int node;
     struct flex_planar_place place;
     long change; /* of the modes that place is for */
+    long push;   /* of their accelerations that place.a is for */
     bool biased; /* place.bias is that of their rates */
     size_t at;   /* its place in a factor */
 };
