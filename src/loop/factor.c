@@ -72,16 +72,64 @@ int factor_weakest(const struct factor *o, const double *size)
     return o->part->dep[at];
 }
 
+/* Where the numbers of each row follow one another. */
+static void take_runs(const struct factor *o, double *restrict x, const double *restrict xt)
+{
+    const struct part *p = o->part;
+    for (int r = 0; r < p->nr; r++) {
+        const int n = p->from[r + 1] - p->from[r];
+        const struct entry *e = p->of_ind + p->from[r];
+        if (n == 0) continue;
+        const double *restrict F = o->F + e->e, *restrict y = xt + e->k;
+        double sum = x[r];
+        for (int i = 0; i < n; i++) sum -= F[i] * y[i];
+        x[r] = sum;
+    }
+}
+
 void factor_take(const struct factor *o, double *restrict x, const double *restrict xt)
 {
     const struct part *p = o->part;
     const double *restrict F = o->F;
     const struct entry *e = p->of_ind;
+    if (p->runs) {
+        take_runs(o, x, xt);
+        return;
+    }
     for (int r = 0; r < p->nr; r++) {
         const struct entry *end = p->of_ind + p->from[r + 1];
         double sum = x[r];
         for (; e < end; e++) sum -= F[e->e] * xt[e->k];
         x[r] = sum;
+    }
+}
+
+static void give_runs(const struct factor *o, double *restrict r, const double *restrict x)
+{
+    const struct part *p = o->part;
+    for (int k = 0; k < p->nr; k++) {
+        const int n = p->from[k + 1] - p->from[k];
+        const struct entry *e = p->of_ind + p->from[k];
+        if (n == 0) continue;
+        const double *restrict F = o->F + e->e;
+        double *restrict to = r + e->slot;
+        for (int i = 0; i < n; i++) to[i] += F[i] * x[k];
+    }
+}
+
+void factor_give(const struct factor *o, double *restrict r, const double *restrict x)
+{
+    const struct part *p = o->part;
+    const double *restrict F = o->F;
+    const struct entry *e = p->of_ind;
+    if (p->runs_on) {
+        give_runs(o, r, x);
+        return;
+    }
+    for (int k = 0; k < p->nr; k++) {
+        const struct entry *end = p->of_ind + p->from[k + 1];
+        const double y = x[k];
+        for (; e < end; e++) r[e->slot] += F[e->e] * y;
     }
 }
 

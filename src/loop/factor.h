@@ -37,6 +37,8 @@ int factor_weakest(const struct factor *o, const double *size);
 
 /* x [nr] -= C_qi of the independent numbers of xt */
 void factor_take(const struct factor *o, double *restrict x, const double *restrict xt);
+/* r [all independents] += C_qi' x */
+void factor_give(const struct factor *o, double *restrict r, const double *restrict x);
 /* x [nr] := C_qd^-1 x, C_qd^-T x */
 static inline void factor_solve(const struct factor *o, double *x)
 {

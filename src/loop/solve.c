@@ -149,8 +149,10 @@ enum status solve_motion(struct solve *o, double *vt, double *at, const double *
         split_spread(o->split, at, a);
     else
         memset(at, 0, sizeof *at * (size_t)o->rows->n);
-    open_move(o->rows->tree, q, vt);
-    if (!o->rows->constant) tree->ops->accelerate(tree->sweep, vt, at, ALL);
+    if (o->rows->constant)
+        open_move(o->rows->tree, q, vt);
+    else
+        open_stir_up(o->rows->tree, vt, at);
     if (o->nknown)
         know(o, at, o->rows->loops->c2);
     else
@@ -177,23 +179,18 @@ void solve_multipliers(const struct solve *o, double *lambda, const double *rt)
     for (int i = 0; !o->nknown && i < o->split->npart; i++) multipliers(o, lambda, o->x, i, rt);
 }
 
-void solve_reduce(const struct solve *o, double *r, double *lambda, const double *rt)
+void solve_reduce(const struct solve *o, double *restrict r, double *lambda, const double *restrict rt)
 {
-    const int n = o->split->n, *ind = o->split->ind;
+    const int n = o->split->n, run = o->split->run, *ind = o->split->ind;
     assert(at_hand(o));
     for (int i = 0; i < n; i++) r[i] = 0;
     if (o->nknown) solve_multipliers(o, lambda, rt);
     for (int i = 0; !o->nknown && i < o->split->npart; i++) {
-        const struct part *p = &o->split->part[i];
-        const double *F = o->block[i].C_qd.F;
         multipliers(o, lambda, o->x, i, rt);
-        for (int k = 0; k < p->nr; k++) {
-            const double l = o->x[k];
-            for (const struct entry *x = p->of_ind + p->from[k]; x < p->of_ind + p->from[k + 1]; x++)
-                r[x->slot] += F[x->e] * l;
-        }
+        factor_give(&o->block[i].C_qd, r, o->x);
     }
-    for (int i = 0; i < n; i++) r[i] += rt[ind[i]];
+    for (int i = 0; i < run; i++) r[i] += rt[ind[0] + i];
+    for (int i = run; i < n; i++) r[i] += rt[ind[i]];
 }
 
 /* --- building ----------------------------------------------------------------------------------- */

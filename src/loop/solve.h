@@ -74,6 +74,6 @@ enum status solve_motion(struct solve *o, double *vt, double *at, const double *
                          double t, struct trouble *why);
 /* Where solve_factor() has been, of the tree's rt: lambda [rows], redundant rows 0; r [n] = r_i + C_qi' lambda. */
 void solve_multipliers(const struct solve *o, double *lambda, const double *rt);
-void solve_reduce(const struct solve *o, double *r, double *lambda, const double *rt);
+void solve_reduce(const struct solve *o, double *restrict r, double *lambda, const double *restrict rt);
 
 #endif

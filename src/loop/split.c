@@ -86,6 +86,8 @@ static void find_band(struct part *p)
     p->wide = !p->whole && p->ni > WIDE;
 }
 
+enum { RUN = 4 }; /* numbers that follow one another; of fewer it is not worth knowing */
+
 /* Which numbers of C_q go where. */
 static void list_entries(struct part *p)
 {
@@ -103,6 +105,10 @@ static void list_entries(struct part *p)
         }
     }
     p->from[p->nr] = n;
+    p->runs = n >= RUN * p->nr;
+    for (int r = 0; r < p->nr; r++)
+        for (const struct entry *x = p->of_ind + p->from[r] + 1; x < p->of_ind + p->from[r + 1]; x++)
+            p->runs &= x->e == x[-1].e + 1 && x->k == x[-1].k + 1;
 }
 
 static void list_rows(const struct split *o, struct part *p)
@@ -217,14 +223,25 @@ static void list_independents(struct split *o)
     }
 }
 
+static void number_entries(const struct split *o, struct part *p)
+{
+    p->runs_on = p->runs;
+    for (int r = 0; r < p->nr; r++)
+        for (struct entry *x = p->of_ind + p->from[r]; x < p->of_ind + p->from[r + 1]; x++) {
+            x->slot = o->slot[x->k];
+            p->runs_on &= x == p->of_ind + p->from[r] || x->slot == x[-1].slot + 1;
+        }
+}
+
 void split_number(struct split *o)
 {
     const struct moves *moves = &o->rows->tree->moves;
     list_independents(o);
     for (int i = 0; i < o->rows->n; i++) o->slot[i] = -1;
     for (int i = 0; i < o->n; i++) o->slot[o->ind[i]] = i;
-    for (struct part *p = o->part; p < o->part + o->npart; p++)
-        for (int i = 0; i < p->from[p->nr]; i++) p->of_ind[i].slot = o->slot[p->of_ind[i].k];
+    for (o->run = 0; o->run < o->n && o->ind[o->run] == o->ind[0] + o->run;) o->run++;
+    if (o->run < RUN) o->run = 0;
+    for (struct part *p = o->part; p < o->part + o->npart; p++) number_entries(o, p);
     for (int i = 0; i < moves->nturn; i++) {
         o->follows[i] = false;
         for (int k = 0; k < 3; k++) o->follows[i] |= o->slot[moves->turn[i].iv[k]] < 0;
@@ -239,10 +256,12 @@ bool split_drops(const struct split *o, int row)
     return false;
 }
 
-void split_spread(const struct split *o, double *xt, const double *x)
+void split_spread(const struct split *o, double *restrict xt, const double *restrict x)
 {
+    const int run = o->run;
     memset(xt, 0, sizeof *xt * (size_t)o->rows->n);
-    for (int i = 0; i < o->n; i++) xt[o->ind[i]] = x[i];
+    for (int i = 0; i < run; i++) xt[o->ind[0] + i] = x[i];
+    for (int i = run; i < o->n; i++) xt[o->ind[i]] = x[i];
 }
 
 /* --- building ----------------------------------------------------------------------------------- */

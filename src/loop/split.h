@@ -29,8 +29,9 @@ struct part {
     int band[2], ld;  /* of C_qd, compact: see la/pivot.h */
     int nof_dep;
     struct entry *of_dep, *of_ind;
-    int *from; /* [nr + 1] where the rows of of_ind begin */
-    bool wide; /* many independents: G is not kept */
+    int *from;          /* [nr + 1] where the rows of of_ind begin */
+    bool runs, runs_on; /* rows are long, and their numbers follow one another: in F and v; in slots as well */
+    bool wide;          /* many independents: G is not kept */
     /* the choice */
     double *weight;           /* [nk] of the columns */
     double chosen;            /* pivot ratio when the rows were chosen */
@@ -52,6 +53,7 @@ struct split {
     struct part *part; /* one for each component */
     double *reach;     /* [of the tree's v] a usual change of a coordinate in its loops: split_reach.c */
     int n, ns;         /* independent coordinates, the first ns fast */
+    int run;           /* so many of the first follow one another in v, too, where these are more than a few */
     int *ind;          /* [n] their places in v */
     int *slot;         /* [of the tree's v] number in ind; -1: dependent */
     bool *follows;     /* [nturn of moves] a rate of this rotation is dependent */
@@ -87,7 +89,7 @@ double split_gain(const struct split *o, const struct part *p, const double *G);
 double split_gain_estimate(const struct split *o, const struct part *p, const struct factor *at);
 
 /* x [n] of the independents into the whole xt, dependents 0. */
-void split_spread(const struct split *o, double *xt, const double *x);
+void split_spread(const struct split *o, double *restrict xt, const double *restrict x);
 
 /* Loops in order, for loop_of and row_order: split_order.c. */
 void split_order(struct split *o, struct part *p);

@@ -50,6 +50,12 @@ long open_move(struct open_tree *s, const double *q, const double *v)
     return s->moved = s->posture.number;
 }
 
+void open_stir_up(struct open_tree *s, const double *v, const double *a)
+{
+    s->ops->stir_up(s->sweep, v, a, ALL);
+    s->moved = s->posture.number;
+}
+
 /* --- r, M, slopes ------------------------------------------------------------------------------- */
 
 /* Names the element, if one is to blame, else the row of r, if that is known. */

@@ -64,7 +64,10 @@ void open_begin(struct open_tree *o, const struct instant *x);
 void open_look(struct open_tree *o, struct sweep *view, const double *q, const double *v, double t);
 void open_recall(struct open_tree *o, struct recall *r);
 
-/* resid() of the ode, where open_move() has been with x->q and x->v. */
+/* The bodies where they stand, moving with v and accelerations a. */
+void open_stir_up(struct open_tree *o, const double *v, const double *a);
+
+/* resid() of the ode, where open_move() or open_stir_up() has been with x->q and x->v. */
 enum status open_resid(struct open_tree *o, double *r, double *w, double *dk, const struct instant *x, enum rate cls,
                        struct trouble *why);
 

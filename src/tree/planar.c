@@ -151,6 +151,25 @@ TWICE void accelerate_all(struct sweep *s, const double *v, const double *a, con
     }
 }
 
+TWICE void stir_all(struct sweep *s, const double *v, const double *a, const struct roster *o, bool flexible)
+{
+    for (int i = 0; i < o->n; i++) {
+        const int body = o->body[i];
+        const struct link *l = &s->link[body];
+        struct part *x = &s->part[body], *p = &s->part[l->parent];
+        if (flexible && s->node_body[body]) {
+            planar_node_body_move(x, s->node_body[body], p);
+            planar_node_body_accelerate(x, s->node_body[body], p);
+        } else {
+            move_on(x, p, l, v);
+            accelerate_part(x, p, l, v, a);
+        }
+        if (!flexible || !s->bend[body]) continue;
+        planar_flexible_move(s->bend[body], v);
+        planar_flexible_accelerate(s->bend[body], a);
+    }
+}
+
 /* A hinge, what most trees are made of: place(), move_on(), accelerate_part() and bear() in one, to the same bits. */
 INTO static inline void swing(struct part *restrict x, const struct part *restrict p, const struct link *restrict l,
                               double q, double v, double a, double bears)
@@ -228,6 +247,15 @@ void planar_accelerate(struct sweep *s, const double *v, const double *a, unsign
         accelerate_all(s, v, a, &s->rosters.of[cls], true);
     else
         accelerate_all(s, v, a, &s->rosters.of[cls], false);
+}
+
+void planar_stir_up(struct sweep *s, const double *v, const double *a, unsigned cls)
+{
+    s->accelerated = true;
+    if (s->bend)
+        stir_all(s, v, a, &s->rosters.of[cls], true);
+    else
+        stir_all(s, v, a, &s->rosters.of[cls], false);
 }
 
 static void load(struct sweep *s, unsigned cls)

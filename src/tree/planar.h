@@ -96,6 +96,7 @@ static inline void planar_unit(double *u, const struct part *x, const struct lin
 void planar_place(struct sweep *s, const double *q, unsigned cls);
 void planar_move(struct sweep *s, const double *q, const double *v, unsigned cls);
 void planar_accelerate(struct sweep *s, const double *v, const double *a, unsigned cls);
+void planar_stir_up(struct sweep *s, const double *v, const double *a, unsigned cls);
 void planar_forward(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
 void planar_backward(struct sweep *s, double *r, unsigned cls);
 void planar_point(const struct sweep *s, double *x, double *xv, int body, const double *p);

@@ -265,6 +265,12 @@ static void accelerate(struct sweep *s, const double *v, const double *a, unsign
     }
 }
 
+static void stir_up(struct sweep *s, const double *v, const double *a, unsigned cls)
+{
+    move(s, NULL, v, cls);
+    accelerate(s, v, a, cls);
+}
+
 /* F = m a, N = I al + w x I w, the latter in the inner frame, where I stands still. */
 static inline void collect_forces(struct part *restrict x, const struct link *restrict l)
 {
@@ -363,6 +369,7 @@ const struct sweep_ops sweep_spatial = {.build = spatial_build,
                                         .place = spatial_place,
                                         .move = move,
                                         .accelerate = accelerate,
+                                        .stir_up = stir_up,
                                         .forward = forward,
                                         .point = spatial_point,
                                         .pose = spatial_pose,

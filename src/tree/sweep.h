@@ -58,6 +58,8 @@ struct sweep_ops {
     void (*move)(struct sweep *s, const double *q, const double *v, unsigned cls);
     /* Accelerations where move() has been, with its v (gravity taken as upward acceleration of the ground). */
     void (*accelerate)(struct sweep *s, const double *v, const double *a, unsigned cls);
+    /* Both, where place() has left the bodies. */
+    void (*stir_up)(struct sweep *s, const double *v, const double *a, unsigned cls);
     /* All three, a NULL: zero; q NULL: where move() has been, with its v.  Then the body forces are those of their
      * inertia alone. */
     void (*forward)(struct sweep *s, const double *q, const double *v, const double *a, unsigned cls);
