@@ -79,7 +79,8 @@ static void diff(const struct ode2 *ode, double *dx, const double *q1, const dou
     for (int i = 0; i < ode->n; i++) dx[i] = o->dx[o->split.ind[i]];
 }
 
-/* A rotation that is independent in part turns with all of its angular velocity. */
+/* A rotation that is independent in part turns with all of its angular velocity.  vt and at stay: they are the motion at the
+ * last residual, along which the next way begins. */
 static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const double *q0, const double *dx,
                  const double *v, double t)
 {
@@ -87,24 +88,24 @@ static void rate(const struct ode2 *ode, double *dxrate, const double *q1, const
     const struct moves *moves = &o->tree->moves;
     enum status status = OK;
     split_spread(&o->split, o->dx, dx);
-    split_spread(&o->split, o->vt, v);
+    split_spread(&o->split, o->va, v);
     bool partly = false;
     for (int i = 0; i < moves->nturn; i++) partly |= o->split.follows[i];
     if (partly) {
         moves_diff(moves, o->dx, q1, q0);
-        status = condense_rates(o, o->vt, NULL, q1, v, NULL, t, NULL);
+        status = condense_rates(o, o->va, NULL, q1, v, NULL, t, NULL);
     }
-    moves_rate(moves, o->at, o->dx, o->vt);
-    for (int i = 0; i < ode->n; i++) dxrate[i] = status == OK ? o->at[o->split.ind[i]] : NAN;
+    moves_rate(moves, o->vb, o->dx, o->va);
+    for (int i = 0; i < ode->n; i++) dxrate[i] = status == OK ? o->vb[o->split.ind[i]] : NAN;
 }
 
 static void bend(const struct ode2 *ode, double *off, const double *v, const double *a, int order)
 {
     struct condense *o = ode->self;
-    split_spread(&o->split, o->vt, v);
+    split_spread(&o->split, o->va, v);
     split_spread(&o->split, o->dx, a);
-    moves_bend(&o->tree->moves, o->at, o->vt, o->dx, order);
-    for (int i = 0; i < ode->n; i++) off[i] = o->at[o->split.ind[i]];
+    moves_bend(&o->tree->moves, o->vb, o->va, o->dx, order);
+    for (int i = 0; i < ode->n; i++) off[i] = o->vb[o->split.ind[i]];
 }
 
 const struct ode2_move condense_move = {
