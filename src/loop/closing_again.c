@@ -8,7 +8,8 @@
  * with the same factor.  C_qd changes by something like d, so that the first correction s is half of d squared and the
  * later ones shrink at the rate 2 s/d.  Where the motion at that iterate is known, and the way goes along it, they begin on its
  * curve (closing_bend), and s is of third order.  For the last iterates nothing is missed.  The others need not be looked at: what
- * one of them leaves open by d squared, the next one closes.
+ * one of them leaves open by d squared, the next one closes; and one that is looked at stays as it is where it misses no more
+ * than that, so that its residual finds the tree there.
  */
 #include <math.h>
 
@@ -28,11 +29,12 @@ static inline double farther(double far, double x, double per)
 static void look_back(struct closing *o, const double *q1, const double *q0, double s)
 {
     const struct moves *moves = &o->rows->tree->moves;
-    moves_diff(moves, o->last, q1, q0);
-    for (int i = 0; i < o->split->n; i++) {
-        const int k = o->split->ind[i];
-        o->last[k] = s * o->full[k] - o->last[k];
-    }
+    const int run = o->split->run, *ind = o->split->ind;
+    double *restrict last = o->last;
+    const double *restrict full = o->full;
+    moves_diff(moves, last, q1, q0);
+    for (int i = 0; i < run; i++) last[ind[0] + i] = s * full[ind[0] + i] - last[ind[0] + i];
+    for (int i = run; i < o->split->n; i++) last[ind[i]] = s * full[ind[i]] - last[ind[i]];
     moves_left(moves, o->last, q1, q0, o->full, s);
 }
 
@@ -70,7 +72,8 @@ static enum way_end step_on(struct closing *o, double *q1, const struct way *way
     static const double QUICK = 1e-2;    /* rate at which corrections must shrink */
     static const double LITTLE = 1e-16;  /* correction that may be missing */
     static const double NOTHING = 1e-15; /* and one that is round-off */
-    const double left = how->left > 0 ? how->left * closing_worth(o) : 0;
+    const double worth = how->left > 0 || how->ajar > 0 ? closing_worth(o) : 0;
+    const double left = how->left * worth, ajar = how->ajar * worth;
     double size = far, rate = 2 / size;
     for (int i = 0; i < how->corrections; i++) {
         closing_put(o, q1, way);
@@ -78,6 +81,7 @@ static enum way_end step_on(struct closing *o, double *q1, const struct way *way
         rows_values(o->C, o->rows);
         const double next = closing_correct(o, way->dx, o->C);
         if (next <= NOTHING) return WAY_CLOSED;
+        if (next <= ajar * ajar) return WAY_AJAR;
         rate = i ? next / size : rate * (bent + next);
         size = next;
         if (!(rate < QUICK)) return WAY_LOST;
