@@ -17,6 +17,7 @@
 #include "engine/implicit.h"
 #include "engine/motion.h"
 #include "engine/stepped.h"
+#include "la/wide.h"
 
 struct newmark {
     struct newmark_weights w;
@@ -39,8 +40,9 @@ static void begin(struct implicit *m)
 }
 
 /* (2-5), (2-6). */
-static void rates_from(double *restrict dx, double *restrict v, const double *restrict v0, const double *restrict a0,
-                       const double *restrict a1, double h, double beta, double gamma, int n)
+INTO static inline void rates_from(double *restrict dx, double *restrict v, const double *restrict v0,
+                                   const double *restrict a0, const double *restrict a1, double h, double beta,
+                                   double gamma, int n)
 {
     const double b0 = h * h / 2 * (1 - 2 * beta), b1 = h * h * beta, g0 = h * (1 - gamma), g1 = h * gamma;
     for (int i = 0; i < n; i++) {
@@ -49,10 +51,21 @@ static void rates_from(double *restrict dx, double *restrict v, const double *re
     }
 }
 
+WIDE static void rates_wide(double *dx, double *v, const double *v0, const double *a0, const double *a1, double h,
+                            double beta, double gamma, int n)
+{
+    rates_from(dx, v, v0, a0, a1, h, beta, gamma, n);
+}
+
 static void rates(struct implicit *m, const double *a1)
 {
+    enum { FEW = 8 }; /* up to so many, the call costs more than it gives */
     const struct newmark *o = m->own;
-    rates_from(m->dx, m->v, m->v0, m->a0, a1, m->h, o->w.beta, o->w.gamma, m->ode->n);
+    const int n = m->ode->n;
+    if (n <= FEW)
+        rates_from(m->dx, m->v, m->v0, m->a0, a1, m->h, o->w.beta, o->w.gamma, n);
+    else
+        rates_wide(m->dx, m->v, m->v0, m->a0, a1, m->h, o->w.beta, o->w.gamma, n);
 }
 
 /* (2-9): a - M^^-1 Q^ at the last iterate, as a residual whose matrix is 1. */

@@ -141,7 +141,7 @@ FEW int few_factor(double *A, int *swap, int n, int ld)
 FEW void few_solve(const double *restrict LU, const int *swap, double *restrict x, int n, int ld)
 {
     UNROLLED
-    for (int j = 0; j < n; j++) {
+    for (int j = 0; j < n - 1; j++) { /* the last row has none to be exchanged with */
         const double *l = LU + j * ld, y = x[swap[j]];
         x[swap[j]] = x[j];
         x[j] = y;
@@ -167,7 +167,7 @@ FEW void few_tsolve(const double *restrict LU, const int *swap, double *restrict
         x[j] = y / u[j];
     }
     UNROLLED
-    for (int j = n - 1; j >= 0; j--) {
+    for (int j = n - 2; j >= 0; j--) {
         const double *l = LU + j * ld;
         double y = x[j];
         UNROLLED

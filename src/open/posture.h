@@ -18,6 +18,8 @@ struct posture {
 static inline int posture_same(const struct posture *o, const double *q, int nq)
 {
     int i = 0;
+    while (i < nq - 1 && memcmp(&o->q[i], &q[i], sizeof *q) == 0 && memcmp(&o->q[i + 1], &q[i + 1], sizeof *q) == 0)
+        i += 2;
     while (i < nq && memcmp(&o->q[i], &q[i], sizeof *q) == 0) i++;
     return i;
 }
