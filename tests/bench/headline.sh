@@ -41,7 +41,7 @@ newmark="--set integrate.scheme=newmark"
     deck chain-32 115370 57685 57685 decks/chain.yaml 2.0e-3 500 2500 $newmark --set parameters.N=32 --columns pin1.angle
     deck chain-128 683369 273347 273347 decks/chain.yaml 5.0e-3 200 1000 $newmark --set parameters.N=128 --columns pin1.angle
     deck four-bar-10 113405 70000 70000 decks/windows.yaml 2.0e-3 100 400 $newmark --set parameters.N=10 --columns foot1.angle
-    deck flexible-crank 77887 45000 50100 decks/flexible-crank.yaml 5.0e-5 500 1500 $newmark --columns slider.x
+    deck flexible-crank 77887 45000 45000 decks/flexible-crank.yaml 5.0e-5 500 1500 $newmark --columns slider.x
     deck blade 49617 26000 26000 decks/spin-up.yaml 1.0e-2 500 1500 $newmark --columns arm.tip.dy
     deck rotating-blade 152401 120000 120000 decks/rotating-blade.yaml 2.0e-4 200 600 --columns blade.tip.dz
 }
