@@ -225,7 +225,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
     double left = fabs(end - *t);
     int shy = 0;
     m->jumps = false;
-    if (m->relay) relay_next(s, m, *t);
+    if (m->relay && relay_next(s, m, *t)) TRY(slopes_here(s, *t, why));
     for (;;) {
         double h = m->h, err = 0;
         const bool last = h >= left * (1 - 1e-10), near = m->scheme->plain && !last && h > NEAR * left,

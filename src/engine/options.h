@@ -22,8 +22,9 @@ struct step_options {
     double newton_tolerance; /* relative; 0: 1e-3 of the local error, at most 1e-8 of scale */
     /* Of schemes that take turns: sim/plan.c tells the end of the run [s], study/auto.c the price of factors of all coordinates
      * [evaluations], 0: none are taken, and what an explicit scheme gains at most for an evaluation, where something stiff is at
-     * rest or as trials foretell [s], 0: not known. */
+     * rest or as trials foretell [s], 0: not known; do forces bend or jump by the state? */
     double until, matrix, gain;
+    int bends;
     double tolerance; /* error of the motion, relative and in usual sizes: adaptive.h; 0: steps are fixed */
 };
 

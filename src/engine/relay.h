@@ -3,10 +3,12 @@
  *
  * All of them go on from a state and its accelerations alone, so any step may be any scheme's, and each is held against the same
  * share of the tolerance.  dopri5 begins, as its first steps grow soonest, or radau9 where the options know of something stiff.
- * From time to time another one takes two or three steps, which count like all others; where it is close, the one before takes
- * three more, so that both are seen on the same stretch.  The one that gets further in time for an evaluation goes on.  The
- * clearer a scheme is behind, the longer it is until it is looked at again, and where the rest of the run would not pay for it no
- * one is.  The implicit one is looked at where the quickest that an explicit one meets is what keeps its steps short, or may be:
+ * From time to time another one takes two or three steps, which count like all others; where it is close, more of them, as long as
+ * half a percent of what is left can be lost by that, and the one before as many behind it, so that both are seen on the same
+ * stretch.  The one that gets further in time for an evaluation goes on.  The clearer a scheme is behind, the longer it is until it
+ * is looked at again, but sooner where what has decided has changed; where the rest of the run would not pay for it no one is.
+ * Order 8 takes no part where forces bend or jump by the state, which it does not follow.  The implicit one is looked at where the
+ * quickest that an explicit one meets is what keeps its steps short, or may be:
  *
  *     h |f(y1) - f(g)| / |y1 - g|,    g the last stage, at the end of the step like y1
  *
@@ -17,7 +19,7 @@
 
 #include "engine/adaptive.h"
 
-enum { RUNNERS = 3 };
+enum { RUNNERS = 3, LATEST = 4 };
 
 struct runner {
     bool there; /* it takes part */
@@ -28,8 +30,9 @@ struct runner {
     double beside; /* its step over that of the one that it took over from, as last seen; 0: never */
     double due;    /* work at which it is looked at again, and from there to the next look [evaluations] */
     double apart;
-    bool known; /* it has been looked at */
-    long steps; /* taken */
+    double stiff; /* as in struct relay, when it was looked at last */
+    bool known;   /* it has been looked at */
+    long steps;   /* taken */
 };
 
 struct relay {
@@ -40,9 +43,12 @@ struct relay {
     double h_before;      /* step of the other one before the trial [s] */
     double gained, spent; /* sums of the phase; alone the older the less */
     double gained_before, spent_before;
+    double rest;                   /* that the run was to take when the trial began [evaluations] */
+    double won;                    /* what the one that runs gained for an evaluation when it took over [s] */
+    int lasted;                    /* steps of the trial, behind it */
     double work;                   /* all [evaluations] */
     double stiff;                  /* radians of the quickest in a step of the explicit one, the older the less */
-    double quick;                  /* in the last one */
+    double quick[LATEST];          /* in the latest ones, the last first */
     double cuts;                   /* share of steps that ended where they had to, likewise */
     double mark;                   /* work of the stepper where the step under way began */
     double last, took;             /* what the last step gained [s] and took; 0: there was none */
@@ -51,8 +57,9 @@ struct relay {
     struct runner of[RUNNERS];
 };
 
-/* For adaptive.c.  At the start of each of its own steps: who takes it, with what is left until the end of the run. */
-void relay_next(struct stepper *s, struct adaptive *m, double t);
+/* For adaptive.c.  At the start of each of its own steps, at t: who takes it.  true: an explicit one that follows the implicit one,
+ * whose accelerations are only as good as its iterations; with something stiff that is less than an explicit step can tell. */
+bool relay_next(struct stepper *s, struct adaptive *m, double t);
 /* A step was given up; one was taken, and may have ended where it had to. */
 void relay_failed(struct stepper *s, struct adaptive *m);
 void relay_took(struct stepper *s, struct adaptive *m, bool cut);

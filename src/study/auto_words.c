@@ -5,11 +5,7 @@
 #include "multirate/schemes.h"
 #include "study/auto_parts.h"
 #include "study/reference.h"
-
-bool auto_takes_turns(const struct choice *o, const struct racer *r)
-{
-    return o->any_scheme && isfinite(r->setting.tolerance) && relay_has(r->setting.kind) && !(o->usual < AUTO_LEAST);
-}
+#include "system/system.h"
 
 /* The least that an explicit scheme is to take, if it is far more than r is; 0: it is not. */
 static double far_behind(const struct choice *o, const struct racer *r)
@@ -29,17 +25,33 @@ static double far_behind(const struct choice *o, const struct racer *r)
 void auto_plan_relay(struct step_options *how, const struct choice *o, const struct racer *r)
 {
     const double span = r->sim.plan.until - o->scene->start, least = far_behind(o, r);
+    how->bends = system_may_bend(r->sim.system);
     how->gain = least > 0 ? span / least : 0;
     how->matrix = r->sim.stepper.ode->n <= MOST_DENSE ? r->price.full / r->price.evaluation : 0;
+}
+
+static int runners(const struct step_options *how)
+{
+    int n = 0;
+    for (int i = 0; i < RUNNERS; i++) n += relay_name(how, i) != NULL;
+    return n;
+}
+
+bool auto_takes_turns(const struct choice *o, const struct racer *r)
+{
+    struct step_options how = r->how;
+    if (!o->any_scheme || !isfinite(r->setting.tolerance) || !relay_has(r->setting.kind) || o->usual < AUTO_LEAST)
+        return false;
+    auto_plan_relay(&how, o, r);
+    return runners(&how) > 1;
 }
 
 static const char *words_of_relay(const struct choice *o, const struct racer *r, struct arena *life)
 {
     struct step_options how = r->how;
     const char *text = "a relay of", *before = " ";
-    int left = 0;
     auto_plan_relay(&how, o, r);
-    for (int i = 0; i < RUNNERS; i++) left += relay_name(&how, i) != NULL;
+    int left = runners(&how);
     for (int i = 0; i < RUNNERS; i++) {
         if (!relay_name(&how, i)) continue;
         text = arena_print(life, "%s%s%s", text, before, relay_name(&how, i));

@@ -120,8 +120,14 @@ static void test_who(void **state)
     assert_true(relay_steps(&r.stepper, FIFTH) > 0);
     assert_int_equal(relay_steps(&r.stepper, IMPLICIT) + r.stepper.effort.factors, 0);
     run_close(&r);
+    o.bends = 1; /* order 8 does not follow it, and is taken where there is no other */
+    assert_null(relay_name(&o, EIGHTH));
+    go(&r, &s, NULL, &o, q, v);
+    assert_true(relay_steps(&r.stepper, FIFTH) > 0 && relay_steps(&r.stepper, FIFTH) == r.stepper.effort.minors);
+    run_close(&r);
     o.tolerance = 1e-7;
     assert_null(relay_name(&o, FIFTH));
+    assert_string_equal(relay_name(&o, EIGHTH), "dop853");
 }
 
 int main(void)
