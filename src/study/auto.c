@@ -242,7 +242,7 @@ static void take_best(struct choice *o)
     take(o, best,
          arena_print(o->life, "%s%s %s, foretold %.2g evaluations%s%s%s; trial runs of %.2g",
                      auto_words(o, best, o->life), fast, least ? "takes the least work" : "is taken", work, over,
-                     least ? "" : although(o, best), cheaper(o, work), spent(o)));
+                     least ? "" : although(o, best), cheaper(o, work), spent(o) + STIFF_EVALUATIONS));
 }
 
 static void take_usual(struct choice *o, const char *why)
@@ -250,8 +250,8 @@ static void take_usual(struct choice *o, const char *why)
     const struct racer *r = o->racer[0];
     o->scene->integrate.foretold = o->usual;
     take(o, r,
-         arena_print(o->life, "%s, foretold %.2g evaluations: %s%s", auto_words(o, r, o->life), o->usual, why,
-                     cheaper(o, o->usual)));
+         arena_print(o->life, "%s, foretold %.2g evaluations: %s, after a look of %.2g%s", auto_words(o, r, o->life),
+                     o->usual, why, o->eye->work + STIFF_EVALUATIONS, cheaper(o, o->usual)));
 }
 
 /* ---- all of it ---- */

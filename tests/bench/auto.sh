@@ -13,7 +13,7 @@ for deck in "$@"; do
     # shellcheck disable=SC2086 # several words
     timeout 60 "$FMDSUB" check $set_auto "$deck" >"$work/words" 2>&1
     took=$(sed -n 's/^auto: a relay .*/auto/p; s/^auto: \([a-z0-9]*\).*$/\1/p' "$work/words" | head -n 1)
-    trials=$(sed -n 's/^auto: .*trial runs of \([0-9.e+]*\)$/\1/p' "$work/words")
+    trials=$(sed -n 's/^auto: .*\(trial runs\|after a look\) of \([0-9.e+]*\)$/\2/p' "$work/words")
     # shellcheck disable=SC2086
     timeout 300 "$FMDSUB" study --repeats 0 --budget "${BUDGET:-8}" --tolerances "1e-2,1e-3,$tolerance,1e-5,1e-6" $set_auto "$deck" \
         >"$work/rows" 2>"$work/err" || { printf '%-22s %-9s %s\n' "$name" "${took:-refused}" "no reference"; continue; }
