@@ -129,7 +129,7 @@ FNR == 1 { body = comment = 0 }
 {
     if (comment) { if (/\*\//) comment = 0; next }
     if (/\/\*/) { if (!/\*\//) comment = 1; sub(/\/\*.*/, "") }
-    if (/"|'|static const|TAKE|sizeof|assert|^ *(const )?char |^ *enum |^ *case |^ *#|arena_more|^ *(struct|double|int|unsigned)[^=;]*;/) next
+    if (/"|'|static const|TAKE|sizeof|assert|^ *(const )?char |^ *enum |^ *case |^ *#|arena_more|(room|capacity) = |^ *(struct|double|int|unsigned)[^=;]*;/) next
     scan("compare", " < ", " <= "); scan("compare", " <= ", " < "); scan("compare", " > ", " >= "); scan("compare", " >= ", " > ")
     scan("compare", " == ", " != "); scan("compare", " != ", " == ")
     scan("logic", " && ", " || "); scan("logic", " || ", " && "); scan("logic", "(!", "(")

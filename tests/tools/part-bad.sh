@@ -8,8 +8,10 @@
 #     # err NAME.yaml:4:7: error: *        every such pattern must fit a line of stderr, in this order; '*'
 #                                          stands for anything
 #
-# Rules for all: nothing on stdout, an answer within seconds, no control bytes on stderr.
+# Rules for all: nothing on stdout, an answer within seconds, no control bytes on stderr.  All that is said of each is what it was
+# when it was read, by its line of tests/said/bad.txt.
 . tests/tools/lib.sh
+. tests/tools/sums.sh
 need_program bad
 
 for source in tests/bad/*.yaml tests/bad/*.sh; do
@@ -28,6 +30,7 @@ for source in tests/bad/*.yaml tests/bad/*.sh; do
     sed -n 's/^# err //p' "$source" >"$work/wanted"
     (cd "$work/x" && eval "timeout ${BAD_SECONDS:-20} '$FMDSUB' run $args $name.yaml" >../out 2>../err </dev/null)
     rc=$?
+    sed "s|$work|W|g" "$work/err" >"$work/texts/bad-$name"
     if [ "$rc" != "$want" ]; then not_ok "$name" "exit $rc, expected $want" "$work/err"
     elif [ -s "$work/out" ]; then not_ok "$name" "bytes on stdout" "$work/out"
     elif LC_ALL=C tr -d '\11\12\40-\176\200-\377' <"$work/err" | grep -q .; then
@@ -46,3 +49,4 @@ for source in tests/bad/*.yaml tests/bad/*.sh; do
         not_ok "$name" "stderr is not what was expected; wanted, then got:" "$work/wanted" "$work/err"
     fi
 done
+sums_judge tests/said/bad.txt

@@ -1,0 +1,44 @@
+# sums.sh -- sourced after lib.sh by tests that hold what many commands say: of each a line NAME WORDS NUMBERS SUM in a file under
+# tests/said.  WORDS is the checksum of its text with numbers masked, NUMBERS how many there are, SUM the sum of their
+# logarithms, so that each counts by its digits; what is below 1e-9 counts for nothing.
+#
+#     say NAME COMMAND...          runs it: records, messages and status are its text
+#     sums_judge FILE [APART]      every one against its line; SUM to APART (1e-4).  WRITE=1 writes the file anew
+mkdir "$work/texts"
+
+# Times are no words.
+say() {
+    say_name=$work/texts/$1
+    shift
+    { "$@" 2>"$work/say"; echo "status $?"; sed 's/; [0-9.e-]* s$//' "$work/say"; } </dev/null >"$say_name"
+}
+
+sums_judge() {
+    (
+        cd "$work/texts" || exit
+        mkdir ../masked
+        awk 'FNR == 1 { close(file); file = "../masked/" FILENAME }
+            {
+                n = 0; s = $0
+                while (match(s, /[0-9]+[.]?[0-9]*(e[-+]?[0-9]+)?/)) {
+                    x = substr(s, RSTART, RLENGTH) * 1e9
+                    count[FILENAME]++
+                    sum[FILENAME] += (count[FILENAME] % 7 + 1) * log(x + sqrt(x * x + 1))
+                    s = substr(s, RSTART + RLENGTH)
+                }
+                gsub(/[0-9]+[.]?[0-9]*(e[-+]?[0-9]+)?/, "@")
+                print >file
+            }
+            END { for (name in count) printf "%s %d %.5f\n", name, count[name], sum[name] }' * | sort >../numbers
+        cd ../masked && cksum * | awk '{ print $3, $1 }' | sort | join - ../numbers
+    ) >"$work/sums"
+    [ -z "${WRITE:-}" ] || cp "$work/sums" "$1"
+    awk -v apart="${2:-1e-4}" '
+        NR == FNR { was[$1] = $0; next }
+        { n = split(was[$1], w, " "); d = $4 - w[4]; of = d < 0 ? -d : d; asked[$1]
+          print $1, n == 0 ? "has no line there" : $2 != w[2] ? "says other words" : $3 != w[3] ? "has other numbers" : of > apart ? "has other numbers, by " d : "ok" }
+        END { for (name in was) if (!(name in asked)) print name, "is not said any more" }' "$1" "$work/sums" >"$work/judged"
+    while read -r sums_name sums_what; do
+        [ "$sums_what" = ok ] && ok "$sums_name" || not_ok "$sums_name" "$sums_what: not its line of $1 (WRITE=1 writes it; make same REV=... shows)" "$work/texts/$sums_name"
+    done <"$work/judged"
+}
