@@ -22,6 +22,7 @@ sums_judge() {
                 n = 0; s = $0
                 while (match(s, /[0-9]+[.]?[0-9]*(e[-+]?[0-9]+)?/)) {
                     x = substr(s, RSTART, RLENGTH) * 1e9
+                    if (x > 1e150) x = 1e150
                     count[FILENAME]++
                     sum[FILENAME] += (count[FILENAME] % 7 + 1) * log(x + sqrt(x * x + 1))
                     s = substr(s, RSTART + RLENGTH)
@@ -36,7 +37,7 @@ sums_judge() {
     awk -v apart="${2:-1e-4}" '
         NR == FNR { was[$1] = $0; next }
         { n = split(was[$1], w, " "); d = $4 - w[4]; of = d < 0 ? -d : d; asked[$1]
-          print $1, n == 0 ? "has no line there" : $2 != w[2] ? "says other words" : $3 != w[3] ? "has other numbers" : of > apart ? "has other numbers, by " d : "ok" }
+          print $1, (n == 0 ? "has no line there" : $2 != w[2] ? "says other words" : $3 != w[3] ? "has more or fewer numbers" : !(of <= apart) ? "has other numbers, by " d : "ok") }
         END { for (name in was) if (!(name in asked)) print name, "is not said any more" }' "$1" "$work/sums" >"$work/judged"
     while read -r sums_name sums_what; do
         [ "$sums_what" = ok ] && ok "$sums_name" || not_ok "$sums_name" "$sums_what: not its line of $1 (WRITE=1 writes it; make same REV=... shows)" "$work/texts/$sums_name"
