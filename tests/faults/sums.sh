@@ -12,4 +12,7 @@ done
 for name in andrews axle bar-slider-constant bar-slider bearing cardan four-bar gear-train geared-pendulum heavy-top pendulum rotor; do
     say "$name.stability" "$FMDSUB" stability "decks/$name.yaml"
 done
+say schema "$FMDSUB" schema
+say list "$FMDSUB" list
+for what in schemes joints forces contacts friction effects sections; do say "list.$what" "$FMDSUB" list $what; done
 sums_judge tests/said/sums.txt

@@ -30,7 +30,7 @@ for source in tests/bad/*.yaml tests/bad/*.sh; do
     sed -n 's/^# err //p' "$source" >"$work/wanted"
     (cd "$work/x" && eval "timeout ${BAD_SECONDS:-20} '$FMDSUB' run $args $name.yaml" >../out 2>../err </dev/null)
     rc=$?
-    sed "s|$work|W|g" "$work/err" >"$work/texts/bad-$name"
+    heard "bad-$name" "$work/err"
     if [ "$rc" != "$want" ]; then not_ok "$name" "exit $rc, expected $want" "$work/err"
     elif [ -s "$work/out" ]; then not_ok "$name" "bytes on stdout" "$work/out"
     elif LC_ALL=C tr -d '\11\12\40-\176\200-\377' <"$work/err" | grep -q .; then

@@ -1,7 +1,8 @@
 # part-decks.sh -- every shipped deck and every deck of tests/decks: checked, run, compared with its golden
 # record (NAME.csv, tolerances NAME.tol) and, where NAME.ref gives options of `compare --reference`, with
-# the reference solution of the same name. Of these, those that D names.
+# the reference solution of the same name; what is said of each, with what is said by tests/said/runs.txt. Of these, those that D names.
 . tests/tools/lib.sh
+. tests/tools/sums.sh
 need_program decks
 
 compare_golden() { # NAME RUN
@@ -55,6 +56,7 @@ for deck in decks/*.yaml decks/*/*.yaml tests/decks/*.yaml; do
     timeout "${DECK_SECONDS:-60}" "$FMDSUB" run --stats="$work/stats" "$deck" >"$work/$name.csv" 2>"$work/err" </dev/null
     rc=$?
     ended "$name run" 0 $rc "$work/$name.csv" "$work/err"
+    heard "$name" "$work/err"
     [ $rc = 0 ] || continue
     compare_golden "$name" "$work/$name.csv"
     compare_reference "$name" "$work/$name.csv"
@@ -66,13 +68,15 @@ for case in $(awk '$1 ~ /,/ { print $1 }' tests/decks/counts.txt); do
     name=${case%%,*}
     wanted "$name" || continue
     deck=$(ls "decks/$name.yaml" "tests/decks/$name.yaml" 2>/dev/null)
-    timeout "${DECK_SECONDS:-60}" "$FMDSUB" run -q --stats="$work/stats" --every-steps 5 \
+    timeout "${DECK_SECONDS:-60}" "$FMDSUB" run --stats="$work/stats" --every-steps 5 \
         --set "integrate={$(echo "${case#*,}" | sed 's/=/: /g; s/,/, /g')}" "$deck" >"$work/out" 2>"$work/err" </dev/null
     rc=$?
     ended "$case run" 0 $rc "$work/out" "$work/err"
+    heard "$case" "$work/err"
     [ $rc = 0 ] && compare_counts "$case" "$work/out"
 done
 
+sums_judge tests/said/runs.txt ${D:+some}
 [ -z "$D" ] || exit 0
 
 # Same deck, same bytes; from a file and from stdin.

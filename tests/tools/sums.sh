@@ -3,14 +3,17 @@
 # logarithms, so that each counts by its digits; what is below 1e-9 counts for nothing.
 #
 #     say NAME COMMAND...          runs it: records, messages and status are its text
-#     sums_judge FILE [APART]      every one against its line; SUM to APART (1e-4).  WRITE=1 writes the file anew
+#     heard NAME FILE              messages of a run that was done
+#     sums_judge FILE [SOME]       every one against its line; SUM to 1e-4.  With SOME, FILE may have others.  WRITE=1 writes it anew
 mkdir "$work/texts"
 
-# Times are no words.
+# Times are no words, nor are names of files that pass.
+heard() { sed "s/; [0-9.e-]* s\$//; s|$work|W|g" "$2" >>"$work/texts/$1"; }
 say() {
-    say_name=$work/texts/$1
+    say_name=$1
     shift
-    { "$@" 2>"$work/say"; echo "status $?"; sed 's/; [0-9.e-]* s$//' "$work/say"; } </dev/null >"$say_name"
+    { "$@" 2>"$work/say"; echo "status $?"; } </dev/null >"$work/texts/$say_name"
+    heard "$say_name" "$work/say"
 }
 
 sums_judge() {
@@ -34,11 +37,11 @@ sums_judge() {
         cd ../masked && cksum * | awk '{ print $3, $1 }' | sort | join - ../numbers
     ) >"$work/sums"
     [ -z "${WRITE:-}" ] || cp "$work/sums" "$1"
-    awk -v apart="${2:-1e-4}" '
+    awk -v some="${2:-}" '
         NR == FNR { was[$1] = $0; next }
         { n = split(was[$1], w, " "); d = $4 - w[4]; of = d < 0 ? -d : d; asked[$1]
-          print $1, (n == 0 ? "has no line there" : $2 != w[2] ? "says other words" : $3 != w[3] ? "has more or fewer numbers" : !(of <= apart) ? "has other numbers, by " d : "ok") }
-        END { for (name in was) if (!(name in asked)) print name, "is not said any more" }' "$1" "$work/sums" >"$work/judged"
+          print $1, (n == 0 ? "has no line there" : $2 != w[2] ? "says other words" : $3 != w[3] ? "has more or fewer numbers" : !(of <= 1e-4) ? "has other numbers, by " d : "ok") }
+        END { for (name in was) if (!some && !(name in asked)) print name, "is not said any more" }' "$1" "$work/sums" >"$work/judged"
     while read -r sums_name sums_what; do
         [ "$sums_what" = ok ] && ok "$sums_name" || not_ok "$sums_name" "$sums_what: not its line of $1 (WRITE=1 writes it; make same REV=... shows)" "$work/texts/$sums_name"
     done <"$work/judged"
