@@ -90,6 +90,7 @@ part_of() {
     study) echo '^study-' ;;
     engine | multirate) echo '^order$' ;;
     cli) echo '^faults-' ;;
+    deck | scene* | model | probe) echo '^(faults-sums|bad)$' ;;
     *) echo "^$1\$" ;;
     esac
 }
