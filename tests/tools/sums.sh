@@ -22,7 +22,7 @@ sums_judge() {
         mkdir ../masked
         awk 'FNR == 1 { close(file); file = "../masked/" FILENAME }
             {
-                n = 0; s = $0
+                s = $0
                 while (match(s, /[0-9]+[.]?[0-9]*(e[-+]?[0-9]+)?/)) {
                     x = substr(s, RSTART, RLENGTH) * 1e9
                     if (x > 1e150) x = 1e150
@@ -39,10 +39,20 @@ sums_judge() {
     [ -z "${WRITE:-}" ] || cp "$work/sums" "$1"
     awk -v some="${2:-}" '
         NR == FNR { was[$1] = $0; next }
-        { n = split(was[$1], w, " "); d = $4 - w[4]; of = d < 0 ? -d : d; asked[$1]
-          print $1, (n == 0 ? "has no line there" : $2 != w[2] ? "says other words" : $3 != w[3] ? "has more or fewer numbers" : !(of <= 1e-4) ? "has other numbers, by " d : "ok") }
+        {
+            n = split(was[$1], w, " ")
+            d = $4 - w[4]
+            asked[$1]
+            what = "ok"
+            if (!(d * d <= 1e-8)) what = "has other numbers, by " d
+            if ($3 != w[3]) what = "has more or fewer numbers"
+            if ($2 != w[2]) what = "says other words"
+            if (!n) what = "has no line there"
+            print $1, what
+        }
         END { for (name in was) if (!some && !(name in asked)) print name, "is not said any more" }' "$1" "$work/sums" >"$work/judged"
     while read -r sums_name sums_what; do
-        [ "$sums_what" = ok ] && ok "$sums_name" || not_ok "$sums_name" "$sums_what: not its line of $1 (WRITE=1 writes it; make same REV=... shows)" "$work/texts/$sums_name"
+        [ "$sums_what" = ok ] && ok "$sums_name" ||
+            not_ok "$sums_name" "$sums_what: not its line of $1 (WRITE=1 writes it; make same REV=... shows)" "$work/texts/$sums_name"
     done <"$work/judged"
 }
