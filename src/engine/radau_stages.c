@@ -6,7 +6,7 @@
 #include "engine/motion.h"
 #include "engine/radau_parts.h"
 
-enum { MOST_PASSES = 20, SELDOM = 24 };
+enum { MOST_PASSES = 20, SELDOM = 24, SHORTEST = 16 };
 static const double REST = .02;     /* of the tolerance: what the iteration may leave */
 static const double LOST = 1000;    /* round-off of an iterate, of usual sizes */
 static const double SLUGGISH = .99; /* contraction that leads nowhere */
@@ -109,7 +109,8 @@ static enum status residuals(struct stepper *s, struct radau *x, double t, doubl
 }
 
 /* All stages from what foresee() has given.  The contraction of the first changes is that of what fades soon, stiff and slow
- * parts may do so far slower: of some trials one more iteration shows what the last one has left. */
+ * parts may do so far slower: of some trials one more iteration shows what the last one has left.  In a step of the round-off
+ * of t stages are on one side of a jump or the other by round-off: the step's error tells what that matters. */
 static enum status iterate(struct stepper *s, struct adaptive *m, double t, double h, struct trouble *why)
 {
     struct radau *x = m->own;
@@ -147,6 +148,7 @@ static enum status iterate(struct stepper *s, struct adaptive *m, double t, doub
         }
         last = now;
     }
+    if (isfinite(last) && fabs(h) <= SHORTEST * DBL_EPSILON * fabs(t)) return OK;
     return trouble_set(why, TROUBLE_DIVERGED, -1, last, t + h);
 }
 

@@ -223,3 +223,25 @@ output: {every: 0.01, columns: [r.displacement]}
 YAML
     told "plates that snap together, $how: what it is" "force 'pull' grows without bound.*keep away from 0 what its expression divides by"
 done
+
+# A touch whose damper jumps by so much that no step which t can tell is within a tight tolerance: it is gone over.
+cat >"$work/pad.yaml" <<'EOF'
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  case:  {mass: 0.01, at: [0, 1]}
+  proof: {mass: 1.0e-6, at: [0, 1]}
+constraints:
+  z: {prismatic: [ground, case], axis: [0, 1]}
+  p: {prismatic: [case, proof], axis: [0, 1]}
+forces:
+  pad: {unilateral: z, side: below, from: -1, stiffness: 5.0e+4, damping: 2}
+  k: {spring: p, stiffness: 40, damping: 6.0e-4}
+integrate: {scheme: radau9, tolerance: 1.0e-6, until: 0.8}
+output: {every: 0.8, columns: [z.displacement]}
+EOF
+for scheme in radau5 radau9 dop853 dopri5; do
+    "$FMDSUB" run -q -s "integrate={scheme: $scheme, tolerance: 1.0e-11, until: 0.8}" "$work/pad.yaml" >"$work/at" 2>"$work/err"
+    tail -n 1 "$work/at" | awk -F, '{ d = $2 + 0.25009053225; fine = $1 == 0.8 && d < 1e-9 && d > -1e-9 } END { exit !fine }' &&
+        ok "edges: a pad at 1e-11, $scheme" || not_ok "edges: a pad at 1e-11, $scheme" "not -0.25009053225 at 0.8 s" "$work/at" "$work/err"
+done
