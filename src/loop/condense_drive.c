@@ -60,7 +60,7 @@ int condense_power_of(const struct ode2 *ode, double *w, const double *a)
     struct condense *o = ode->self;
     const int nt = o->rows.n;
     double *V = o->Tx, *y = o->rt;
-    if (o->sided) return 0;
+    if (o->sided || !solve_at_hand(&o->solve)) return 0; /* found, or looked for, beside */
     memset(V, 0, sizeof *V * (size_t)nt);
     solve_follow(&o->solve, V, o->rows.loops->cw);
     if (o->few) {

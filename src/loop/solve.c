@@ -14,8 +14,7 @@ static bool same(struct made a, struct made b)
     return a.posture == b.posture && a.split == b.split;
 }
 
-/* Is C_qd factored where the tree stands, for the split as it is? */
-static bool at_hand(const struct solve *o)
+bool solve_at_hand(const struct solve *o)
 {
     return same(o->factored, (struct made){rows_number(o->rows), o->split->number});
 }
@@ -28,7 +27,7 @@ static enum status singular(const struct solve *o, int i, double t, struct troub
 
 enum status solve_as_it_is(struct solve *o, double t, struct trouble *why)
 {
-    if (o->rows->constant && at_hand(o)) return OK;
+    if (o->rows->constant && solve_at_hand(o)) return OK;
     o->factored.posture = 0;
     for (int i = 0; i < o->split->npart; i++)
         if (!factor_make(&o->block[i].C_qd)) return singular(o, i, t, why);
@@ -51,7 +50,7 @@ bool solve_is_near(const struct solve *o, double *dx, const double *q, double fa
 enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why)
 {
     rows_linearize(o->rows, q);
-    return at_hand(o) ? OK : solve_as_it_is(o, t, why);
+    return solve_at_hand(o) ? OK : solve_as_it_is(o, t, why);
 }
 
 enum status solve_G(struct solve *o, const double *q, double t, struct trouble *why)
@@ -65,7 +64,7 @@ enum status solve_G(struct solve *o, const double *q, double t, struct trouble *
 
 const double *solve_G_of(const struct solve *o, int i)
 {
-    assert(at_hand(o) && same(o->G, o->factored));
+    assert(solve_at_hand(o) && same(o->G, o->factored));
     return o->block[i].G;
 }
 
@@ -78,7 +77,7 @@ double solve_try(struct solve *o, int i)
 double solve_ratio(const struct solve *o)
 {
     double least = 1;
-    assert(at_hand(o));
+    assert(solve_at_hand(o));
     for (int i = 0; i < o->split->npart; i++) least = fmin(least, factor_ratio(&o->block[i].C_qd, o->rows->size));
     return least;
 }
@@ -112,7 +111,7 @@ int solve_known(const struct solve *o, double *q1)
 
 void solve_follow(const struct solve *o, double *xt, const double *drive)
 {
-    assert(at_hand(o));
+    assert(solve_at_hand(o));
     know(o, xt, drive);
     for (int i = 0; !o->nknown && i < o->split->npart; i++) {
         const struct part *p = &o->split->part[i];
@@ -174,7 +173,7 @@ static void multipliers(const struct solve *o, double *lambda, double *x, int i,
 
 void solve_multipliers(const struct solve *o, double *lambda, const double *rt)
 {
-    assert(at_hand(o));
+    assert(solve_at_hand(o));
     for (const struct known *k = o->known; k < o->known + o->nknown; k++) lambda[k->row] = -rt[k->at] / k->scale;
     for (int i = 0; !o->nknown && i < o->split->npart; i++) multipliers(o, lambda, o->x, i, rt);
 }
@@ -182,7 +181,7 @@ void solve_multipliers(const struct solve *o, double *lambda, const double *rt)
 void solve_reduce(const struct solve *o, double *restrict r, double *lambda, const double *restrict rt)
 {
     const int n = o->split->n, run = o->split->run, *ind = o->split->ind;
-    assert(at_hand(o));
+    assert(solve_at_hand(o));
     for (int i = 0; i < n; i++) r[i] = 0;
     if (o->nknown) solve_multipliers(o, lambda, rt);
     for (int i = 0; !o->nknown && i < o->split->npart; i++) {

@@ -53,6 +53,8 @@ int solve_known(const struct solve *o, double *q1);
 /* The tree at q, C_qd factored there; G as well.  E_NUMERIC: singular or not finite. */
 enum status solve_factor(struct solve *o, const double *q, double t, struct trouble *why);
 enum status solve_G(struct solve *o, const double *q, double t, struct trouble *why);
+/* Is C_qd factored where the tree stands, for the split as it is? */
+bool solve_at_hand(const struct solve *o);
 /* Is C_qd factored, for the split as it is, at a posture no farther from q than that, in scales?  dx [of the tree]: work. */
 bool solve_is_near(const struct solve *o, double *dx, const double *q, double far);
 /* G [nr x ni] of component i there. */
