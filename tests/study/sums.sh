@@ -22,4 +22,4 @@ driven-telescope 0.05
 chain 0.05 --tolerances 1e-2,1e-4 --pick 1e-3
 gear-train 0.05 --steps 1e-3,5e-4 --pick 1e-5
 END
-sums_judge tests/said/study.txt
+sums_judge tests/said/study.txt "" .1
