@@ -245,7 +245,7 @@ static enum status own_step(struct stepper *s, double *t, double end, int *passe
         const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, share) : 1;
         if (cut_to < 1) {
             (void)m->scheme->shrink(m, larger(err, 1)); /* it is given up */
-            m->h = larger(cut_to * came, least / 8); /* no shorter than t can tell */
+            m->h = larger(cut_to * came, least / 8);    /* no shorter than t can tell */
             s->effort.rejected++;
             continue;
         }
