@@ -49,6 +49,32 @@ static double by_bodies(const struct model *m)
     return length > 0 ? length : drawn_apart(m);
 }
 
+/* Where a push along a length begins, or a spring in it rests [m]; 0: it does not tell. */
+static double place_of_force(const struct model *m, const struct model_force *f)
+{
+    struct affine spring;
+    if (f->type != FORCE_LAW || m->measure[f->measure].angular) return 0;
+    if (f->kind->clear) return fabs(f->kind->clear(f->par, 0));
+    if (!f->kind->affine || !f->kind->affine(&spring, f->par) || !(spring.k > 0)) return 0;
+    return fabs(spring.rest + spring.preload / spring.k);
+}
+
+static double place_of_contact(const struct model_contact *c)
+{
+    const double round = fmax(c->radius, c->other);
+    if (c->pair == PAIR_FRICTION) return 0;
+    return c->pair != PAIR_STOP ? round : c->angular ? 0 : fabs(c->limit);
+}
+
+/* The farthest place that stops, springs and contacts name. */
+static double by_places(const struct model *m)
+{
+    double most = 0;
+    for (int i = 0; i < m->nforce; i++) most = fmax(most, place_of_force(m, &m->force[i]));
+    for (int i = 0; i < m->ncontact; i++) most = fmax(most, place_of_contact(&m->contact[i]));
+    return most;
+}
+
 double sizes_of_start(const struct model *m)
 {
     double most = 0;
@@ -59,14 +85,14 @@ double sizes_of_start(const struct model *m)
         for (int k = 0; k < j->nv; k++)
             if (sizes_is_length(m, j, k)) most = fmax(most, fabs(m->q0[j->iq[k]]));
     }
-    return most;
+    if (!(most > 0)) most = by_places(m);
+    return most > 0 ? most : 1;
 }
 
 double sizes_length(const struct model *m)
 {
-    double length = by_bodies(m);
-    if (!(length > 0)) length = sizes_of_start(m);
-    return length > 0 ? length : 1;
+    const double length = by_bodies(m);
+    return length > 0 ? length : sizes_of_start(m);
 }
 
 /* The farthest that elastic coordinate k moves a place of its body, per unit, in lengths; where it only turns them, as

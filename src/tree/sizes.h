@@ -5,9 +5,10 @@
 #include "model/model.h"
 
 /* A length of the mechanism [m]: the largest arm of a joint on a body, or rod; the ground's place in the world does not
- * count.  Without any, how far bodies stand from each other, or what the start displaces; 1 where nothing tells. */
+ * count.  Without any, how far bodies stand from each other, what the start displaces, or how far off stops and springs begin
+ * to act and what radius touches; 1 where nothing tells. */
 double sizes_length(const struct model *m);
-/* That, where the start alone tells it; else 0. */
+/* That, where bodies do not tell it, for a run that goes on from there; else 0. */
 double sizes_of_start(const struct model *m);
 
 /* Is the k-th rate of a joint along a length? */
