@@ -24,12 +24,12 @@ advised "no step beside one that is chosen" shaken 'no fixed step: steps are cho
 advised "no step beside a tolerance" tolerance 'no fixed step: the deck has a tolerance' 1
 
 advised "no step where a buffer is met behind what was tried" late-buffer 'no fixed step: forces may come on, ' 1
-advised "nor a promise for the whole" late-buffer '^  promised up to t = 0.3 s only: forces may come on' 1
+advised "nor a promise for the whole" late-buffer '^  promised up to t = 0.25 s only: forces may come on' 1
 advised "growth that goes on is no promise for the whole" part/upright '^  promised up to t = 1 s only: what steps miss grows' 1
 advised "nor is what trial runs differ in" part/unbalance '^  promised without feet.displacement and 1 more, in which trial runs differ' 1
 "$FMDSUB" check -q -f json tests/advice/late-buffer.yaml >"$work/json" 2>"$work/err"
 expect "no step in the object, and how far is promised" "0 1 1" \
-    "$(grep -c '"suggested_step":[[:space:]]*[0-9]' "$work/json") $(grep -c '"promised_until":[[:space:]]*0\.3' "$work/json") $(
+    "$(grep -c '"suggested_step":[[:space:]]*[0-9]' "$work/json") $(grep -c '"promised_until":[[:space:]]*0\.25' "$work/json") $(
         grep -c '"promised_only":[[:space:]]*"forces' "$work/json")" "$work/json"
 
 # What is advised ends with 0: the balance of energy, here to a thousandth, holds with it.
