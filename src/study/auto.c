@@ -145,12 +145,22 @@ static struct racer *sized(struct choice *o, const struct racer *r, double misse
     return other;
 }
 
-/* Steps chosen once have to be as fine as the tolerance asks for, and need not be finer: others are tried in their place. */
-static void size_steps(struct choice *o, struct racer *r)
+/* Does r take so much beside the best that other steps of it are not worth a test? */
+static bool is_hopeless(const struct racer *r, double best)
+{
+    static const double FAR = 4;             /* further than sizes are going to bring them */
+    static const double TEST = 3, PART = .1; /* what a test takes, of what has been run; what it may, of the best */
+    return racer_foretold(r) > FAR * best || TEST * r->work > PART * best;
+}
+
+/* Steps chosen once have to be as fine as the tolerance asks for, and need not be finer: others are tried in their place.
+ * Returns the best there is then [evaluations]. */
+static double size_steps(struct choice *o, struct racer *r, double best)
 {
     enum { SIZES = 5 };
     struct racer *good = NULL;
     for (int i = 0; r && !r->out && !stop; i++) {
+        if (is_hopeless(r, best)) break;
         const double missed = missed_by(o, r);
         r->holds = missed <= 1;
         r->out |= !r->holds;
@@ -159,22 +169,34 @@ static void size_steps(struct choice *o, struct racer *r)
         r = i < SIZES && !(good && !r->holds) && isfinite(missed) ? sized(o, r, missed) : NULL;
     }
     if (r && !r->holds) r->out = true;
+    return good ? fmin(best, racer_foretold(good)) : best;
+}
+
+/* Do forces bend by the state, or jump at a known time on the way?  Steps chosen once, by what is tried, would go over that. */
+static bool may_break(const struct sim *sim)
+{
+    enum { MOST = 1000 };
+    const struct ode2 *ode = sim->stepper.ode;
+    const struct ode2_breaks *b = ode->breaks;
+    if (system_may_bend(sim->system)) return true;
+    double t = sim->scene->start;
+    for (int i = 0; b && b->next && b->sides && i < MOST && (t = b->next(ode, t)) < sim->plan.until; i++)
+        if (b->sides(ode, t)) return true;
+    return false;
 }
 
 /* They do not race: what they take is known from their first steps on, which the others must not be measured by. */
 static void size_fourths(struct choice *o)
 {
-    static const double FAR = 4;             /* further than sizes are going to bring them */
-    static const double TEST = 3, PART = .1; /* what a test takes, of what has been run; what it may, of the best */
+    if (may_break(&o->racer[0]->sim)) return;
     const int before = o->n;
-    const double best = racer_foretold(leader(o));
+    double best = racer_foretold(leader(o));
     auto_add_fourths(o, best);
     const int n = o->n;
     for (int i = before; i < n; i++) {
         struct racer *r = o->racer[i];
         racer_go(r, r->work + QUOTA, NULL, NULL);
-        r->out |= racer_foretold(r) > FAR * best || TEST * r->work > PART * best;
-        size_steps(o, r);
+        best = size_steps(o, r, best);
     }
 }
 
