@@ -5,14 +5,11 @@
 #include <string.h>
 
 #include "base/stop.h"
-#include "engine/motion.h"
 #include "engine/relay.h"
-#include "model/model.h"
 #include "multirate/schemes.h"
 #include "study/auto_parts.h"
 #include "study/reference.h"
 #include "study/stiff.h"
-#include "system/system.h"
 
 enum { LOOK = 40, HALF = LOOK / 2, MOST_HALVES = 5, MOST_LOOK = 100 }; /* evaluations */
 static const double SHARE = .02;                                       /* of the run's evaluations */
@@ -21,10 +18,8 @@ static const double SAFE = .03; /* of a tolerance that stands for a step: errors
 static const double FINER = .8; /* of its work: what a scheme of full matrices is worth, whose errors are a tenth */
 static const double BESIDES = 1.2; /* of counts: what minor steps of order 4 take in time, measured on two decks */
 static const double WORTH = .9;    /* of the work of what is taken without trials: less than that, or it is that */
-enum {
-    ROUNDS = 8,
-    QUOTA = 30, /* evaluations of a first round */
-};
+enum { ROUNDS = 8 };
+
 /* What does the deck leave open? */
 static void read_wishes(struct choice *o)
 {
@@ -98,105 +93,13 @@ static int running(const struct choice *o)
 static void run_race(struct choice *o)
 {
     static const double FAR[] = {5, 3, 2, 1.5};
-    double each = QUOTA;
+    double each = AUTO_QUOTA;
     auto_add_full(o, .5 * o->budget);
     for (int i = 0; i < ROUNDS && !stop; i++, each *= 2) {
         if (i > 0 && spent(o) + running(o) * each > o->budget) return;
         const bool on = run_round(o, each, FAR[i < 3 ? i : 3]);
         o->budget = fmin(o->budget, SHARE * racer_foretold(leader(o)));
         if (!on) return;
-    }
-}
-
-/* ---- steps that are chosen once ---- */
-
-/* What the whole run is off by as r goes, from where half its step has come at the same time, in tolerances; INFINITY: it
- * has not come there. */
-static double missed_by(struct choice *o, const struct racer *r)
-{
-    const double gone = r->sim.x.t - o->scene->start, span = r->sim.plan.until - o->scene->start;
-    struct racer *half = auto_add_sized(o, r, .5);
-    const struct ode2 *ode = r->sim.stepper.ode;
-    double most = 0;
-    if (!half || !(gone > 0)) return INFINITY;
-    while (!half->out && half->sim.x.t < r->sim.x.t * (1 - 1e-9) && !stop) racer_go(half, half->work + 1, NULL, NULL);
-    if (half->out) return INFINITY;
-    half->out = true; /* it does not race */
-    if (system_charts(r->sim.system) != system_charts(half->sim.system)) return INFINITY;
-    double *dq = TAKE(o->own, double, ode->n);
-    motion_diff(ode, dq, r->sim.x.q, half->sim.x.q);
-    for (int i = 0; i < ode->n; i++) {
-        const double usual = o->tolerance * ode2_usual(ode, i), v = r->sim.x.v[i];
-        /* a vibration is off by no more than twice its size, however long it lasts */
-        const double dv = fmin(fabs(v - half->sim.x.v[i]) * span / gone, 2 * fmax(fabs(v), o->quick.top[i]));
-        most = fmax(most, fabs(dq[i]) * span / gone / usual);
-        most = fmax(most, dv / (usual * fmax(1, fabs(v))));
-    }
-    return most;
-}
-
-/* Such steps as miss half the tolerance, going by what `missed` of it is, with four powers of the step; NULL: no others. */
-static struct racer *sized(struct choice *o, const struct racer *r, double missed)
-{
-    static const double EXACT = .5, LEAST = .25, MOST = 2, ALIKE = 1.1;
-    const double by = fmin(MOST, fmax(LEAST, pow(EXACT / missed, .25)));
-    struct racer *other = by > 1 && by < ALIKE ? NULL : auto_add_sized(o, r, by);
-    if (other) racer_go(other, other->work + r->work / fmin(1, by), NULL, NULL);
-    return other;
-}
-
-/* Does r take so much beside the best that other steps of it are not worth a test? */
-static bool is_hopeless(const struct racer *r, double best)
-{
-    static const double FAR = 4;             /* further than sizes are going to bring them */
-    static const double TEST = 3, PART = .1; /* what a test takes, of what has been run; what it may, of the best */
-    return racer_foretold(r) > FAR * best || TEST * r->work > PART * best;
-}
-
-/* Steps chosen once have to be as fine as the tolerance asks for, and need not be finer: others are tried in their place.
- * Returns the best there is then [evaluations]. */
-static double size_steps(struct choice *o, struct racer *r, double best)
-{
-    enum { SIZES = 5 };
-    struct racer *good = NULL;
-    for (int i = 0; r && !r->out && !stop; i++) {
-        if (is_hopeless(r, best)) break;
-        const double missed = missed_by(o, r);
-        r->holds = missed <= 1;
-        r->out |= !r->holds;
-        if (r->holds && good) (racer_foretold(r) < racer_foretold(good) ? good : r)->out = true;
-        if (r->holds && !r->out) good = r;
-        r = i < SIZES && !(good && !r->holds) && isfinite(missed) ? sized(o, r, missed) : NULL;
-    }
-    if (r && !r->holds) r->out = true;
-    return good ? fmin(best, racer_foretold(good)) : best;
-}
-
-/* Do forces bend by the state, or jump at a known time on the way?  Steps chosen once, by what is tried, would go over that. */
-static bool may_break(const struct sim *sim)
-{
-    enum { MOST = 1000 };
-    const struct ode2 *ode = sim->stepper.ode;
-    const struct ode2_breaks *b = ode->breaks;
-    if (system_may_bend(sim->system)) return true;
-    double t = sim->scene->start;
-    for (int i = 0; b && b->next && b->sides && i < MOST && (t = b->next(ode, t)) < sim->plan.until; i++)
-        if (b->sides(ode, t)) return true;
-    return false;
-}
-
-/* They do not race: what they take is known from their first steps on, which the others must not be measured by. */
-static void size_fourths(struct choice *o)
-{
-    if (may_break(&o->racer[0]->sim)) return;
-    const int before = o->n;
-    double best = racer_foretold(leader(o));
-    auto_add_fourths(o, best);
-    const int n = o->n;
-    for (int i = before; i < n; i++) {
-        struct racer *r = o->racer[i];
-        racer_go(r, r->work + QUOTA, NULL, NULL);
-        best = size_steps(o, r, best);
     }
 }
 
@@ -370,7 +273,7 @@ static void choose(struct choice *o)
     if (o->any_fast) o->ncut = quick_cuts(o->cut, &o->quick, &o->eye->sim, o->life);
     auto_add_all(o);
     run_race(o);
-    if (o->any_scheme && !isfinite(o->step)) size_fourths(o);
+    if (o->any_scheme && !isfinite(o->step)) auto_size_fourths(o, racer_foretold(leader(o)));
     take_best(o);
 }
 

@@ -2,6 +2,7 @@
  *
  *     auto.c        what a deck leaves open, the race, what is taken
  *     auto_field.c  who takes part
+ *     auto_sizes.c  steps that are chosen once
  *     auto_words.c  what is taken, in words
  */
 #ifndef FMDSUB_STUDY_AUTO_PARTS_H
@@ -12,6 +13,7 @@
 
 enum { MOST_RACERS = 40 };
 enum { AUTO_LEAST = 100 }; /* evaluations of trials that pay, and of a run in which a relay does */
+enum { AUTO_QUOTA = 30 };  /* and of a first round */
 
 struct choice {
     struct scene *scene;
@@ -52,6 +54,9 @@ struct racer *auto_add_sized(struct choice *o, const struct racer *r, double by)
 /* Two rates by steps of order 4, as long as what has been seen of the motion asks for, where that may take less than `most`
  * evaluations. */
 void auto_add_fourths(struct choice *o, double most);
+/* These, beside the best [evaluations], by steps that hold the tolerance.  They do not race: what they take is known from their
+ * first steps on, which the others must not be measured by. */
+void auto_size_fourths(struct choice *o, double best);
 /* All the others but those whose first step is dear. */
 void auto_add_all(struct choice *o);
 /* Schemes of full matrices, where a few factorizations are little beside what may be spent. */
