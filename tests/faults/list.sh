@@ -44,6 +44,6 @@ same "list columns: text and table" "$work/text" "$work/rows"
 
 # Names alone: each joint and each scheme that is there once, no line longer than a terminal.
 list >"$work/text"
-expect "list: schemes and joints" "$( { rows schemes | awk -F '\t' '$6 == "" { print $1 }'; list joints | sed -n 's/^constraints.NAME.\([a-z-]*\): .*/\1/p'; } | sort | tr '\n' ' ')" \
-    "$(awk '/^[a-z]/ { on = /^(schemes|joints) /; $1 = "" } on { gsub(/,/, " "); for (i = 1; i <= NF; i++) print $i }' "$work/text" | sort | tr '\n' ' ')" "$work/text"
-expect "list: lines of at most 80 letters" 0 "$(sed '/^$/,$d' "$work/text" | awk 'length > 80' | wc -l)" "$work/text"
+expect "list: schemes and joints" "wrote $( { rows schemes | awk -F '\t' '$6 == "" { print $1 }'; list joints | sed -n 's/^constraints.NAME.\([a-z-]*\): .*/\1/p'; } | sort | tr '\n' ' ')" \
+    "$(wrote "$work/text") $(awk '/^[a-z]/ { on = /^(schemes|joints) /; $1 = "" } on { gsub(/,/, " "); for (i = 1; i <= NF; i++) print $i }' "$work/text" | sort | tr '\n' ' ')" "$work/text"
+expect "list: lines of at most 80 letters" "0 wrote" "$(sed '/^$/,$d' "$work/text" | awk 'length > 80' | wc -l) $(wrote "$work/text")" "$work/text"

@@ -84,7 +84,7 @@ if wanted few; then
         "$FMDSUB" run -q --until 1 --every 0.1 gear-train.yaml >whole 2>err
         "$FMDSUB" run -q --until 0.$half --every 0.1 --final-state half.json gear-train.yaml >first 2>>err
         "$FMDSUB" run -q --until 1 --every 0.1 -s 'initial={from: half.json, time: keep}' gear-train.yaml >rest 2>>err
-        expect "restart: $half steps before" "0 the same" "$? $({ cat first; sed 1,2d rest; } | cmp - whole && echo the same)" err
+        expect "restart: $half steps before" "0 the same wrote" "$? $({ cat first; sed 1,2d rest; } | cmp - whole && echo the same) $(wrote whole)" err
     done
 fi
 

@@ -57,7 +57,7 @@ expect "energy that is kept, alone" 1 "$(grep -c "^estimated error: not known: '
 
 # Errors of bodies that pull at each other cancel in the momenta that midpoint keeps, however little these change by.
 "$FMDSUB" run --strict -s integrate.scheme=midpoint -s integrate.tolerance=1e-3 "$ROOT/tests/decks/audit-two-free.yaml" >out 2>err
-expect "momenta that are kept, of what is pushed" 0 $? err
+ended "momenta that are kept, of what is pushed" 0 $? out err
 
 # Kinetic energy is off by what the others are: signs that are drawn know nothing of the sum, which the motion keeps.
 "$FMDSUB" run -q --stats=energies -s integrate.scheme=dopri5 -s integrate.tolerance=1e-5 -s 'output.columns=[energy.kinetic,energy.gravity]' \
@@ -94,7 +94,7 @@ large="-s integrate.scheme=dopri5 -s integrate.tolerance=1e-3 -s output.every=10
 "$FMDSUB" run -q $large -s integrate.until=100 "$deck" >out 2>err
 expect "large, though near a loose tolerance" 1 "$(grep -c '^warning: the estimated error, 0.0[5-9].* is large, at a tolerance of 0.001: .* \[W-tolerance\]$' err)" err
 "$FMDSUB" run -q --strict $large -s integrate.until=15 "$deck" >out 2>err
-expect "small" 0 $? err
+ended "small" 0 $? out err
 "$FMDSUB" explain W-tolerance >out 2>err
 ended "and that is explained" 0 $? out err
 
@@ -151,7 +151,7 @@ output: {every: 0.01, columns: ["arm.*"]}
 END
 for at in crane "crane --columns rail.mz" tip shaft rests; do
     "$FMDSUB" run -q --strict ${at%%" "*}.yaml $(echo "$at" | cut -s -d ' ' -f 2-) >out 2>err
-    expect "round-off is not judged: $at" 0 $? err
+    ended "round-off is not judged: $at" 0 $? out err
 done
 "$FMDSUB" run -q --strict $top -s 'output.columns=[pin.fx,pin.fy]' "$deck" >out 2>err
 expect "forces above round-off are" 1 $? err

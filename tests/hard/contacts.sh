@@ -290,6 +290,6 @@ integrate: {scheme: subcycle, step: 1.0e-3, ratio: 10, until: 0.1}
 output: {every: 0.1, columns: [a.y]}
 END
     "$FMDSUB" run "$work/near.yaml" >"$work/out" 2>"$work/err"
-    expect "near contacts all takes the minor step: at $at m" "$([ $at = 1 ] && echo 0 || echo "in 10 of the 10")" \
-        "$(grep -o 'in 10 of the 10' "$work/err" || grep -c 'took the minor step:' "$work/err")" "$work/err"
+    expect "near contacts all takes the minor step: at $at m" "wrote $([ $at = 1 ] && echo 0 || echo "in 10 of the 10")" \
+        "$(wrote "$work/out") $(grep -o 'in 10 of the 10' "$work/err" || grep -c 'took the minor step:' "$work/err")" "$work/err"
 done

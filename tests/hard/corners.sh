@@ -91,6 +91,6 @@ on "$CORNER"
 expect "going on behind a corner" "0 1 6" \
     "$(grep -c W-corner "$work/err") $(grep -c '^estimated error: not known: the rate of a drive jumps' "$work/err") $(wc -l <"$work/out" | tr -d ' ')" "$work/err"
 "$FMDSUB" run -q --until 0.5 --set output.every=0.1 --final-state "$work/half.json" "$work/deck.yaml" >"$work/out" 2>"$work/err"
-expect "ending at a corner: none is met" 0 "$(grep -c W-corner "$work/err")" "$work/err"
+expect "ending at a corner: none is met" "0 wrote" "$(grep -c W-corner "$work/err") $(wrote "$work/out")" "$work/err"
 "$FMDSUB" run -q --set output.every=0.1 --set "initial={from: half.json, time: keep}" "$work/deck.yaml" >"$work/out" 2>"$work/err"
 expect "going on right at a corner" 1 "$(grep -c W-corner "$work/err")" "$work/err"

@@ -61,7 +61,7 @@ for how in "midpoint 1 0.9" "midpoint 1 0" "newmark 1 0.9" "generalized-alpha 1 
         for e in 1.0e-3 0; do
             "$FMDSUB" run --set parameters.w=$w --set integrate.scheme=$1 --set integrate.ratio=$2 --set integrate.rho_infinity=$3 --set initial.tele.displacement=$e --columns c.angle "$work/x4.yaml" >"$work/out" 2>"$work/err"
             rc=$?
-            if [ $e = 0 ]; then expect "damped by $how, not excited, w $w" "0 0" "$rc $(grep -c "own damping has taken" "$work/err")" "$work/err"
+            if [ $e = 0 ]; then expect "damped by $how, not excited, w $w" "0 0 wrote" "$rc $(grep -c "own damping has taken" "$work/err") $(wrote "$work/out")" "$work/err"
             else expect "damped by $how, w $w: told" "told so" "$(grep -q "^warning: t = .* for the first time: the step does not resolve 'tele.displacement' (omega h = " "$work/err" && echo told) $(grep -q '^estimated error: not known: the scheme has damped away\|^energy balance broken:' "$work/err" && echo so)" "$work/err"; fi
         done
     done
@@ -78,6 +78,6 @@ for n in 1 5 20; do
         else not_ok "beside a motor, $n:1, w $w: told" "exit $rc" "$work/err"; fi
         [ $n = 1 ] || continue
         "$FMDSUB" run --set parameters.w=$w --set integrate.ratio=$n --set initial.tele.displacement=0 --until 1 "$work/beside.yaml" >"$work/out" 2>"$work/err"
-        expect "beside a motor, not excited, w $w" "0 0" "$? $(grep -c 'for the first time' "$work/err")" "$work/err"
+        expect "beside a motor, not excited, w $w" "0 0 wrote" "$? $(grep -c 'for the first time' "$work/err") $(wrote "$work/out")" "$work/err"
     done
 done

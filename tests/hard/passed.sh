@@ -85,7 +85,7 @@ for scheme in midpoint newmark generalized-alpha hht rk4 subcycle; do
             rc=$?
             got=$(tail -n 1 "$work/out" | awk -F, -v rc=$rc '{ print rc == 1 || (NF == 2 && $2 < 0.05 && $2 > -0.05) ? "right or told" : "through: " $2 }')
             expect "balls at $v m/s, $scheme, steps of $step" "right or told" "$got" "$work/err"
-            case $scheme in midpoint | newmark | subcycle) expect "balls at $v m/s, $scheme, steps of $step: status" 0 $rc "$work/err" ;; esac
+            case $scheme in midpoint | newmark | subcycle) expect "balls at $v m/s, $scheme, steps of $step: status" "0 wrote" "$rc $(wrote "$work/out")" "$work/err" ;; esac
         done
     done
 done

@@ -99,4 +99,4 @@ expect "an elbow's stop, restitution 1, next to no friction in the shoulder" "wh
 expect "that is told" 1 "$(grep -c '^restitution lowered in 1 of the 1 impacts' "$work/err")" "$work/err"
 expect "the same, friction 1" "most none gained" "$(stop 1)" "$work/err"
 expect "the same, no friction" "whole none gained" "$(stop 0)" "$work/err"
-expect "there nothing is told" 0 "$(grep -c '^restitution lowered' "$work/err")" "$work/err"
+expect "there nothing is told" "0 1" "$(grep -c '^restitution lowered' "$work/err") $(grep -c '^done at' "$work/err")" "$work/err"

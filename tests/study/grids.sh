@@ -35,7 +35,7 @@ expect "chaos far beyond: status, rows, words" "5 0 1" "$? $(wc -l <rows) $(grep
 
 # Where no column is of the motion there is no error to rank by: no number, and nothing picked.
 "$FMDSUB" study -q --repeats 0 --schemes rk4 --steps 0.01 --until 1 -s output.columns=[energy.residual] pendulum.yaml >rows 2>err
-expect "no column of the motion: status, error" "0 " "$? $(awk -F, 'NR == 2 { print $5 }' rows)" rows err
+expect "no column of the motion: status, rows, error" "0 2 " "$? $(wc -l <rows | tr -d ' ') $(awk -F, 'NR == 2 { print $5 }' rows)" rows err
 "$FMDSUB" study -q --repeats 0 --schemes rk4 --steps 0.01 --until 1 -s output.columns=[energy.residual] --absolute --pick 1 pendulum.yaml >rows 2>err
 expect "no column of the motion: nothing is picked" "1 0" "$? $(wc -l <rows)" rows err
 

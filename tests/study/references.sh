@@ -46,6 +46,6 @@ expect "at rest: a tolerance that changes nothing has no row" 1 "$(grep -c '^rad
 
 # Nor is that of what friction holds and lets go: all of the run is compared.
 "$FMDSUB" study --repeats 0 --tolerances 1e-3,1e-5 decks/effect-friction.yaml >"$work/rows" 2>"$work/err"
-expect "let go by friction: status, compared to the end" "0 0" "$? $(grep -c '^they part\|^the budget takes' "$work/err")" "$work/err"
+expect "let go by friction: status, compared to the end" "0 0 wrote" "$? $(grep -c '^they part\|^the budget takes' "$work/err") $(wrote "$work/rows")" "$work/err"
 expect "let go by friction: errors" "0" \
     "$(awk -F, 'NR > 1 && $2 > 0 { n++; if (!($5 < $2 && $8 < 10 * $2)) bad++ } END { print bad + (n != 2) }' "$work/rows")" "$work/rows"

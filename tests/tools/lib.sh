@@ -49,6 +49,9 @@ ended() {
     else ok "$ended_name"; fi
 }
 
+# wrote FILE: that, if there is anything in it; beside "nothing is told", which an empty program tells as well.
+wrote() { [ -s "$1" ] && echo wrote; }
+
 # same NAME FILE FILE: byte for byte.
 same() {
     if [ ! -s "$2" ]; then not_ok "$1" "$2 is empty"
