@@ -3,7 +3,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdbool.h>
 
 #include "base/scalar.h"
 #include "base/stop.h"
@@ -12,48 +11,11 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/relay.h"
-#include "engine/sides.h"
 #include "engine/tangent.h"
 #include "engine/touch.h"
 #include "engine/works.h"
 
 static const struct rk_table euler = {.stages = 2, .c = {0, 1}, .a = {{0}, {1}}};
-
-void adaptive_open_by(struct stepper *s, const struct adaptive_scheme *scheme, struct arena *life)
-{
-    const struct ode2 *o = s->ode;
-    struct adaptive *m = TAKE(life, struct adaptive, 1);
-    m->scheme = scheme;
-    m->tolerance = s->options.tolerance;
-    rk_open(&m->rk, scheme->stages, o, s->accel, life);
-    m->q = TAKE(life, double, o->nq);
-    m->q0 = TAKE(life, double, o->nq);
-    m->q1 = TAKE(life, double, o->nq);
-    m->v = TAKE(life, double, o->n);
-    m->v0 = TAKE(life, double, o->n);
-    m->v1 = TAKE(life, double, o->n);
-    m->a = TAKE(life, double, o->n);
-    m->a0 = TAKE(life, double, o->n);
-    m->u = TAKE(life, double, o->n);
-    m->dx = TAKE(life, double, o->n);
-    m->top = TAKE(life, double, o->n);
-    m->span = TAKE(life, double, o->n);
-    works_open(&m->works, o->n, life);
-    m->sides = sides_open(o, life);
-    s->self = m;
-}
-
-void adaptive_open(struct stepper *s, struct arena *life)
-{
-    const struct adaptive_scheme *scheme = s->kind->formulas;
-    adaptive_open_by(s, scheme, life);
-    scheme->open(s, s->self, life);
-}
-
-struct adaptive *adaptive_of(const struct stepper *s)
-{
-    return s->self;
-}
 
 static void note_pace(struct stepper *s, double t)
 {
@@ -213,68 +175,97 @@ static void go_on(struct adaptive *m)
     forget(m);
 }
 
+/* A step under way. */
+struct aim {
+    double end, left; /* where steps end at the latest, [s] up to there */
+    double h, came;   /* [s] that are asked for, that it came */
+    bool last, cut;   /* it ends there; it is shorter than its error asks for */
+    int shy;          /* times that records have asked for a shorter one */
+};
+
+static void aim_next(struct aim *o, const struct adaptive *m)
+{
+    static const double NEAR = .9;
+    o->h = m->h;
+    o->last = o->h >= o->left * (1 - 1e-10);
+    const bool near = m->scheme->plain && !o->last && o->h > NEAR * o->left;
+    o->cut = near || (o->last && o->h > o->left);
+    if (o->last) o->h = o->left;
+    if (near) o->h = o->left / 2;
+}
+
+/* Records within the step ask for a shorter step, or for one to the first of them. */
+static void shorten_for_records(struct stepper *s, struct aim *o, double t, double records)
+{
+    struct adaptive *m = s->self;
+    m->h = o->came * m->scheme->shrink(m, records);
+    if (o->shy++ || m->h < s->due - t) m->h = o->left = (o->end = s->due) - t;
+    s->effort.rejected++;
+}
+
+/* The step up to `at` is done; err: its error, whole: before its share of the tolerance was taken. */
+static enum status accept(struct stepper *s, const struct aim *o, double *t, double at, double err, double whole,
+                          struct trouble *why)
+{
+    struct adaptive *m = s->self;
+    const double end = s->natural && s->due > *t ? smaller(o->end, s->due) : o->end;
+    note_missed(s, m, whole, m->came);
+    take(s, m, *t, m->came);
+    const bool stuck = creep_found(m, *t + m->came, end);
+    if (m->leaps) {
+        go_on(m);
+    } else {
+        if (!m->jumps) m->held = 0; /* it is not in the way */
+        if (m->beyond > 0) forget(m);
+        const double grow = m->scheme->grow(m, err);
+        if ((!o->cut && o->came == o->h) || grow < 1) m->h = o->came * grow;
+        m->old = fmax(err, 1e-4);
+    }
+    *t = at;
+    if (m->relay) relay_took(s, m, o->cut || o->came != o->h);
+    return stuck ? give_up(TROUBLE_CREEP, fabs(m->came), *t, why) : OK;
+}
+
 /* One step of the scheme's own on the way from *t to end, tried until its error will do, or the run is to end.  Where
  * accelerations jump no step is short enough; a few of the round-off of t pass it, for what they miss is of that order.  None is
  * left over that is far shorter than the others, where changes of velocities over it, round-off, would be read. */
 static enum status own_step(struct stepper *s, double *t, double end, int *passed, struct trouble *why)
 {
     enum { MOST_PASSED = 4, MOST_REJECTED = 100000 };
-    static const double NEAR = .9;
     struct adaptive *m = s->self;
     const double least = 16 * DBL_EPSILON * fmax(fabs(*t), fabs(end)), way = end > *t ? 1 : -1;
-    double left = fabs(end - *t);
-    int shy = 0;
+    struct aim o = {.end = end, .left = fabs(end - *t)};
     m->jumps = false;
     if (m->relay && relay_next(s, m, *t)) TRY(slopes_here(s, *t, why));
     for (;;) {
-        double h = m->h, err = 0;
-        const bool last = h >= left * (1 - 1e-10), near = m->scheme->plain && !last && h > NEAR * left,
-                   cut = near || (last && h > left);
-        if (last) h = left;
-        if (near) h = left / 2;
-        if (*t + way * h == *t) return too_small(s, *t, h, way * left, why);
-        m->came = way * h;
-        enum status status = m->scheme->attempt(s, m, &err, *t, way * h, why);
+        double err = 0;
+        aim_next(&o, m);
+        if (*t + way * o.h == *t) return too_small(s, *t, o.h, way * o.left, why);
+        m->came = way * o.h;
+        const enum status status = m->scheme->attempt(s, m, &err, *t, way * o.h, why);
         if (status != OK && status != E_NUMERIC) return status; /* no step is short enough for that */
-        const double whole = err, came = status == OK ? fabs(m->came) : h, share = adaptive_share(m, came);
+        o.came = status == OK ? fabs(m->came) : o.h;
+        const double whole = err, share = adaptive_share(m, o.came);
         err /= share;
-        if (h > least && err <= 1) *passed = 0;
-        const bool jump = status == OK && err > 1 && h <= least && (*passed)++ < MOST_PASSED;
+        if (o.h > least && err <= 1) *passed = 0;
+        const bool jump = status == OK && err > 1 && o.h <= least && (*passed)++ < MOST_PASSED;
         m->leaps = false;
         m->beyond = 0;
-        const double cut_to = status == OK && h > least ? edge_cut(s, m, *t, err, share) : 1;
+        const double cut_to = status == OK && o.h > least ? edge_cut(s, m, *t, err, share) : 1;
         if (cut_to < 1) {
             (void)m->scheme->shrink(m, larger(err, 1)); /* it is given up */
-            m->h = larger(cut_to * came, least / 8);    /* no shorter than t can tell */
+            m->h = larger(cut_to * o.came, least / 8);  /* no shorter than t can tell */
             s->effort.rejected++;
             continue;
         }
         if (status == OK && (err <= 1 || jump || m->leaps)) {
-            const double at = last && came == h ? end : *t + m->came, records = adaptive_records(s, *t, m->came, at);
-            if (records > 1) { /* a shorter step, or to the first of them */
-                m->h = came * m->scheme->shrink(m, records);
-                if (shy++ || m->h < s->due - *t) m->h = left = (end = s->due) - *t;
-                s->effort.rejected++;
-                continue;
-            }
-            err = larger(err, records);
-            note_missed(s, m, whole, m->came);
-            take(s, m, *t, m->came);
-            const bool stuck = creep_found(m, *t + m->came, s->natural && s->due > *t ? smaller(end, s->due) : end);
-            if (m->leaps) {
-                go_on(m);
-            } else {
-                if (!m->jumps) m->held = 0; /* it is not in the way */
-                if (m->beyond > 0) forget(m);
-                const double grow = m->scheme->grow(m, err);
-                if ((!cut && came == h) || grow < 1) m->h = came * grow;
-                m->old = fmax(err, 1e-4);
-            }
-            *t = at;
-            if (m->relay) relay_took(s, m, cut || came != h);
-            return stuck ? give_up(TROUBLE_CREEP, fabs(m->came), *t, why) : OK;
+            const double at = o.last && o.came == o.h ? o.end : *t + m->came;
+            const double records = adaptive_records(s, *t, m->came, at);
+            if (!(records > 1)) return accept(s, &o, t, at, larger(err, records), whole, why);
+            shorten_for_records(s, &o, *t, records);
+            continue;
         }
-        m->h = came * (status == OK ? m->scheme->shrink(m, err) : .2);
+        m->h = o.came * (status == OK ? m->scheme->shrink(m, err) : .2);
         s->effort.rejected++;
         if (m->relay) relay_failed(s, m);
         if (++m->rejected > MOST_REJECTED) return give_up(TROUBLE_REJECTED, (double)m->rejected, *t, why);
@@ -369,29 +360,3 @@ enum status adaptive_step(struct stepper *s, struct state *x, double h, int rati
     x->t = t;
     return OK;
 }
-
-enum status adaptive_recall(struct stepper *s, struct recall *r)
-{
-    struct adaptive *m = s->self;
-    recall_one(r, "pace", m->pace);
-    recall_list(r, "top", m->top, s->ode->n);
-    recall_list(r, "span", m->span, s->ode->n);
-    recall_one(r, "h", m->h);
-    recall_one(r, "held", m->held);
-    recall_one(r, "short", m->nshort);
-    recall_one(r, "error", m->old);
-    recall_one(r, "turned", m->works.turned);
-    recall_one(r, "energy", m->works.energy);
-    recall_one(r, "asked", m->works.asked);
-    recall_one(r, "asked_until", m->works.until);
-    recall_one(r, "elapsed", m->elapsed);
-    recall_one(r, "known", m->known);
-    if (m->relay) TRY(relay_recall(s, m, r));
-    if (m->known) {
-        recall_list(r, "a", m->a, s->ode->n);
-        recall_list(r, "power", m->rk.w[0], POWER_CHANNELS);
-    }
-    return m->scheme->recall ? m->scheme->recall(s, m, r) : OK;
-}
-
-const struct key adaptive_keys[] = {KEY_TOLERANCE, KEYS_END};
