@@ -23,6 +23,7 @@ PREFIX   ?= /usr/local
 ## U             names of the unit tests to run: make unit U=newton, make unit U="newton newmark"
 ## D             decks to run, those whose names contain one of the words: make decks D=chain
 ## V             V=1 shows commands and names every test
+## JOBS          parts of the tests that run at a time (one to a processor)
 ## NO_INSTALL    NO_INSTALL=1: deps only says what is missing
 # The same bits everywhere: no contraction to fused multiply-add, never fast-math.
 EXACT     = -ffp-contract=off -fno-math-errno
