@@ -1,6 +1,7 @@
 /* advice.c -- see advice.h */
 #include "study/advice.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,6 +71,15 @@ static double plain(double x)
     return strtod(text, NULL);
 }
 
+/* Forces of rigid contacts are means over a step: what the round-off of positions makes of them, eps L/h^2 beside accelerations
+ * that move things by some L in the run, is not to be seen beside the error. */
+static bool shows_round_off(const struct trial *t, double step, double error)
+{
+    static const double SOME = 9;
+    const double n = (t->until - t->start) / step;
+    return t->scene.ncontact > 0 && n * n * DBL_EPSILON > SOME * error;
+}
+
 static void advise_step(struct advice *o, const struct trial *t, double error)
 {
     static const double MOST = 1e9; /* major steps in all */
@@ -91,7 +101,8 @@ static void advise_step(struct advice *o, const struct trial *t, double error)
                                .ratio = f->ratio,
                                .step = step,
                                .tolerance = NAN,
-                               .work = f->work[1] / f->share * steps / f->at[1]};
+                               .work = f->work[1] / f->share * steps / f->at[1],
+                               .dear = shows_round_off(t, step, error)};
     o->whole = o->entry[o->n - 1].work;
 }
 
@@ -132,7 +143,7 @@ static void sift(struct advice *o)
         double least = INFINITY;
         for (int k = 0; k < o->n; k++)
             if (o->entry[k].error == o->entry[i].error) least = fmin(least, o->entry[k].work);
-        o->entry[i].dear = o->entry[i].work > fmin(MOST, TIMES * least);
+        o->entry[i].dear |= o->entry[i].work > fmin(MOST, TIMES * least);
     }
     for (int i = o->n - 1; i >= 0; i--)
         for (int k = i + 1; k < o->n; k++) {

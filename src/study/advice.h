@@ -31,7 +31,7 @@ struct advice {
         int ratio;              /* 1 with a tolerance */
         double step, tolerance; /* one of them; the other is NAN */
         double work;            /* of the whole run with it, predicted [evaluations] */
-        bool dear;              /* so many that nobody takes it: it is told, but not advised */
+        bool dear;              /* told, not advised: nobody takes so many, or round-off shows */
     } entry[ADVICE_MOST];       /* [n] by error, largest first; for one error the fixed step first */
     double work;                /* of the trial runs [evaluations] */
     double whole;               /* of a run with the fixed steps advised for the smallest error; NAN: none are */
