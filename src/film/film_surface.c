@@ -41,13 +41,13 @@ static void add_curve(struct film *o, struct actor *a, const struct scene_surfac
 /* A disc is its rim and a spoke, so that it is seen to turn. */
 static void add_ball(struct film *o, struct actor *a, const struct scene_surface *s)
 {
-    double rim[3];
+    double rim[3] = {s->radius, 0, 0};
     if (o->space == 3) {
         mesh_ball(&a->mesh, s->at.p, s->radius);
         return;
     }
     add_curve(o, a, s);
-    along(rim, s, 0, 1);
+    v3_add(rim, s->at.p);
     mesh_cylinder(&a->mesh, s->at.p, rim, .004 * o->mark);
 }
 

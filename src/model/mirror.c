@@ -39,13 +39,13 @@ static bool bodies_mirror(const struct flattening *o, double level)
     return true;
 }
 
+/* Both ends of a joint stand at one height, see flatten(). */
 static bool joints_mirror(const struct flattening *o, double level)
 {
     const struct model *m = o->full;
     for (int i = 0; i < m->nloop; i++) {
         const struct model_loop *l = &m->loop[i];
-        if (l->drive || l->nterm) continue;
-        if (!in_mirror(o, level, l->first, l->a) || !in_mirror(o, level, l->second, l->b)) return false;
+        if (!l->drive && !l->nterm && !in_mirror(o, level, l->first, l->a)) return false;
     }
     return true;
 }
