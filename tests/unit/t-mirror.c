@@ -117,6 +117,7 @@ static void test_mirrored(void **state)
         "forces.push={torque: bob, value: [\"0\", \"0\", \"1\"], frame: body}",
         "forces.push={torque: knee, value: 1}",
         "forces.push={torque: knee, value: arm.mode2}",
+        "forces.push={torque: knee, value: pin.angle + knee.angle_rate}",
         "measures.up={displacement: [[0, 0, 0.3], arm.tip], axis: [0, 1, 0]}",
         "initial={pin.angle: 0.1, arm.mode2: 1.0e-3}",
     };
@@ -139,6 +140,7 @@ static void test_broken(void **state)
         "constraints.rod={distance: [[0.5, -1, 0.35], bob.side]}",
         "constraints.rod={distance: [[0.5, -1, 0.3], bob.side]}",
         "forces.pull={spring: [[0.5, -1, 0.35], bob.side], stiffness: 100, rest: 0.5}",
+        "forces.spring={spring: [[0.5, -1, 0.35], bob.side], stiffness: 100, rest: 0.5}",
         "forces.pull={spring: [[0.5, -1, 0.3], bob.side], stiffness: 100, rest: 0.5}",
         "forces.push={force: arm.tip, value: [\"0\", \"0\", \"1\"]}",
         "forces.push={force: arm.tip, value: [\"0\", \"0\", \"1\"], frame: body}",
@@ -162,6 +164,8 @@ static void test_asked_for(void **state)
     static const char *const set[] = {
         "forces.push={torque: knee, value: arm.mode1}",
         "forces.push={torque: knee, value: arm.mode1_rate}",
+        "measures.up={displacement: [[0, 0, 0.3], bob.side], axis: [0, 1, 0]}",
+        "measures.up={displacement: [[0, 0, 0.35], bob.end], axis: [0, 1, 0]}",
     };
     (void)state;
     for (size_t i = 0; i < sizeof set / sizeof *set; i++) {

@@ -360,6 +360,130 @@ static void test_two_bearings(void **state)
     unlink(path);
 }
 
+/* A slow slider of frequency w and, unless f is 0, a fast one of f: a tenth of the period over 2 pi, down to halves of the first
+ * figure, at most a hundredth of the run; at most 50 small steps in a large one. */
+static void suggested(double w, double f, double until, double h, int ratio)
+{
+    char deck[1500], path[40], fast[300] = "", spring[100] = "";
+    struct opened o;
+    double got;
+    int times;
+    if (f > 0) {
+        snprintf(fast, sizeof fast, "  rail: {prismatic: [ground, light], axis: [1, 0]}\n");
+        snprintf(spring, sizeof spring, "  stiff: {spring: rail, stiffness: %.17g}\npartition: {fast: [rail]}\n", 2 * f * f);
+    }
+    snprintf(deck, sizeof deck,
+             "fmdsub: 1\nbodies:\n  heavy: {mass: 4, inertia: 1, at: [0, 0]}\n%s"
+             "constraints:\n  way: {prismatic: [ground, heavy], axis: [1, 0]}\n%s"
+             "forces:\n  soft: {spring: way, stiffness: %.17g}\n%s"
+             "integrate: {scheme: %s, step: 1.0e-6, until: %g}\n",
+             f > 0 ? "  light: {mass: 2, inertia: 1, at: [0, 0]}\n" : "", fast, 4 * w * w, spring,
+             f > 0 ? "subcycle, ratio: 2" : "midpoint", until);
+    written(path, deck);
+    find(&o, path, 0, NULL);
+    unlink(path);
+    assert_int_equal(o.modes.n, f > 0 ? 2 : 1);
+    near(o.modes.slow_top, w, 1e-6);
+    modes_suggest(&got, &times, &o.modes, &o.sim);
+    near(got, h, 1e-12);
+    assert_int_equal(times, ratio);
+    arena_close(o.life);
+}
+
+static void test_suggested(void **state)
+{
+    (void)state;
+    suggested(10.001, 0, 100, 9.5e-3, 1);
+    suggested(9.999, 0, 100, 1e-2, 1);
+    suggested(2.71, 0, 100, 3.5e-2, 1); /* 3.69e-2 */
+    suggested(2.51, 0, 100, 3.5e-2, 1); /* 3.98e-2 */
+    suggested(1, 0, 1, 1e-2, 1);
+    suggested(0.9, 99, 100, 1e-3, 50);
+    suggested(5.1, 99, 100, 1e-3, 19);
+    suggested(0.9, 99, 1.25, 1e-3, 12);
+    suggested(9.9, 5, 100, 1e-2, 1);
+}
+
+/* Five pairs of sliders, m = 2 and 3, that know nothing of each other, frequencies S a decade apart and more; in each
+ *
+ *     (2 s^2 + c1 s + k1)(3 s^2 + c2 s + k2) + circular^2 + turning^2 s^2 = 0,
+ *
+ * where circular forces follow the other slider's place and turning ones its rate; what follows one way only (leaning) leaves
+ * the roots as they are. */
+struct two {
+    const char *name;
+    double S, c1, c2, k1, k2, circular, turning, leaning, within;
+};
+
+static const struct two pairs[] = {
+    {"held", 1, 0, 0, -2, -3, 0, 8, 0, 1e-6},              /* turning forces alone hold it */
+    {"plain", 1e1, 1e-4, 3e-4, 5, 11, 0, 0, 0, 1e-6},      /* damping of first order */
+    {"turning", 1e3, 1e-4, 3e-4, 5, 11, 0, 1.5, 0, 1e-6},  /* likewise */
+    {"circular", 1e5, .1, .3, 5, 11, .8, 0, 0, 1e-6},      /* damping of any size from here on */
+    {"leaning", 1e7, .2, .4, 5, 11, 0, 0, 1.5, 1e-6},
+};
+
+enum { PAIRS = sizeof pairs / sizeof *pairs };
+
+static void put_pair(char *bodies, char *joints, char *forces, const struct two *p)
+{
+    const double S = p->S, k[] = {p->k1, p->k2}, c[] = {p->c1, p->c2}, sign[] = {-1, 1};
+    for (int i = 0; i < 2; i++) {
+        sprintf(bodies + strlen(bodies), "  %s%d: {mass: %d, inertia: 1, at: [0, 0]}\n", p->name, i, 2 + i);
+        sprintf(joints + strlen(joints), "  %s_%d: {prismatic: [ground, %s%d], axis: [1, 0]}\n", p->name, i, p->name, i);
+        sprintf(forces + strlen(forces),
+                "  f%s%d: {force: %s_%d, value: \"%.17g*%s_%d.displacement + %.17g*%s_%d.displacement_rate + "
+                "%.17g*%s_%d.displacement + %.17g*%s_%d.displacement_rate\"}\n",
+                p->name, i, p->name, i, -k[i] * S * S, p->name, i, -c[i] * S, p->name, i, sign[i] * p->circular * S * S,
+                p->name, 1 - i, (sign[i] * p->turning + (i ? 0 : p->leaning)) * S, p->name, 1 - i);
+    }
+}
+
+static void check_pair(const struct two *p, const struct mode *m)
+{
+    const double w = m->omega / p->S, z = m->damping;
+    const double complex s = w * (-z + I * sqrt(1 - z * z));
+    const double complex a = 2 * s * s + p->c1 * s + p->k1, b = 3 * s * s + p->c2 * s + p->k2;
+    const double complex rest = p->circular * p->circular + p->turning * p->turning * s * s;
+    const double scale = (2 * w * w + fabs(p->k1)) * (3 * w * w + fabs(p->k2));
+    if (!(w > 0) || !(cabs(a * b + rest) < p->within * scale))
+        fail_msg("%s: omega %g, damping %g: off by %g", p->name, w, z, cabs(a * b + rest) / scale);
+}
+
+static void test_pairs(void **state)
+{
+    char bodies[2000] = "", joints[2000] = "", forces[4000] = "", deck[9000], path[40];
+    double seen[PAIRS] = {0};
+    struct opened o;
+    (void)state;
+    for (int i = 0; i < PAIRS; i++) put_pair(bodies, joints, forces, &pairs[i]);
+    snprintf(deck, sizeof deck,
+             "fmdsub: 1\nbodies:\n%sconstraints:\n%sforces:\n%spartition: {fast: [leaning_0, leaning_1]}\n"
+             "integrate: {scheme: subcycle, step: 1.0e-9, ratio: 10, until: 1.0e-6}\n",
+             bodies, joints, forces);
+    written(path, deck);
+    find(&o, path, 0, NULL);
+    unlink(path);
+    assert_int_equal(o.modes.n, 2 * PAIRS);
+    for (int j = 0; j < 2 * PAIRS; j++) {
+        const struct mode *m = &o.modes.mode[j];
+        const char *name = sim_coordinate_name(&o.sim, m->top[0]);
+        int k = 0;
+        while (k < PAIRS && strncmp(name, pairs[k].name, strlen(pairs[k].name)) != 0) k++;
+        assert_true(k < PAIRS);
+        check_pair(&pairs[k], m);
+        near(m->fast, k == PAIRS - 1, k == PAIRS - 1 ? 1e-9 : 0);
+        near(m->share[0] + m->share[1], 1, 1e-6);
+        if (seen[k] != 0) assert_true(fabs(m->omega / seen[k] - 1) > 1e-2);
+        seen[k] = m->omega;
+    }
+    near(o.modes.fast_top, sqrt(11. / 3) * 1e7, 1e-6);
+    near(o.modes.slow_top, sqrt(11. / 3) * 1e5, 1e-6);
+    assert_string_equal(sim_coordinate_name(&o.sim, o.modes.fast_worst), "leaning_1.displacement");
+    assert_string_equal(sim_coordinate_name(&o.sim, o.modes.slow_worst), "circular_1.displacement");
+    arena_close(o.life);
+}
+
 /* Four eigenvalues 0 of one vector, which round-off scatters: every motion has a shape, and it is that vector. */
 static void test_torn_pairs(void **state)
 {
@@ -384,7 +508,7 @@ int main(void)
         cmocka_unit_test(test_torn_pairs),   cmocka_unit_test(test_slider),     cmocka_unit_test(test_double_pendulum),
         cmocka_unit_test(test_upright),      cmocka_unit_test(test_suggestion), cmocka_unit_test(test_gyroscopic),
         cmocka_unit_test(test_fast_disk),    cmocka_unit_test(test_follower),   cmocka_unit_test(test_massless_shaft),
-        cmocka_unit_test(test_two_bearings),
+        cmocka_unit_test(test_two_bearings), cmocka_unit_test(test_pairs),        cmocka_unit_test(test_suggested),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
