@@ -85,6 +85,25 @@ done
 [ "$wrong" = 0 ] && [ "$kills" -ge "$KILLS" ] && ok "resume: $kills kills in $trial runs of $(wc -l <scenes) scenes, all byte-identical"
 [ "$kills" -ge "$KILLS" ] || not_ok "resume: kills" "only $kills of $KILLS runs could be killed"
 
+# One that is written at the end holds what the final state remembers, under the same names, and what the run says of itself.
+for line in "double-pendulum 50 until=1" "four-bar 20 until=1" "flexible-robot 10 until=0.1" "bearing 10 until=0.02"; do
+    deck=$ROOT/decks/${line%% *}.yaml rest=${line#* }
+    rm -f kept end.json
+    "$FMDSUB" run -q --stats --set "checkpoint={every: {steps: ${rest% *}}, file: kept}" --set "integrate.${rest#* }" --final-state end.json "$deck" >all 2>stats
+    sed -n '/"memory": {/,/}/p' end.json | tr -d '{},"' | sed 's/^ *//; s/: */ /; s/^memory *//; s/^of_steps /owner.steps /; s/ *$//; /^$/d' | sort >want
+    sed '1d; s/ *$//; /^run\./d; /^owner\.[df]/d' kept | sort >got
+    grep -q . want && same "checkpoint at the end: ${line%% *}, what the final state remembers" want got
+    for pair in major_steps:step minor_steps:effort.minors slow_evaluations:effort.slow fast_evaluations:effort.fast \
+        factorizations:effort.factors sweeps:effort.sweeps rejected:effort.rejected rows:rows; do
+        is=$(awk -v name="run.${pair#*:}" '$1 == name { print $2 }' kept)
+        told=$(awk -v name="${pair%%:*}" '$1 == name { print $2 }' stats)
+        [ $((0x$is)) = "$told" ] || echo "$pair $is $told"
+    done >wrong
+    expect "checkpoint at the end: ${line%% *}, what the run says of itself" "" "$(cat wrong)" stats
+    expect "checkpoint at the end: ${line%% *}, bytes and rows of records" "$(wc -c <all) $(($(wc -l <all) - 1))" \
+        "$((0x$(awk '$1 == "run.bytes" { print $2 }' kept))) $((0x$(awk '$1 == "run.rows" { print $2 }' kept)))"
+done
+
 # On standard output the rest comes alone, without a head.
 deck=$ROOT/decks/double-pendulum.yaml form=csv every=50 set=integrate.until=1
 kept() { "$FMDSUB" run -q -f "$form" --set "checkpoint={every: {steps: $every}, file: kept}" --set "$set" "$@"; }

@@ -443,6 +443,48 @@ static void test_kept(void **state)
     }
 }
 
+/* In any direction the share is that of forms of the matrices.  A mode without stiffness has no part of what a force
+ * bends: those of the others are left. */
+static void test_parts(void **state)
+{
+    struct arena *life = arena_open();
+    struct flex_section c = rectangle(0, 0.02, 0.01);
+    struct flex_beam o = bar(3, 2, 12, 8, &c, 1, ROOT_ONLY);
+    const double across[6] = {0, 1, 0, 0, 0, 0}, skew[6] = {0.3, 1, -0.7, 0.2, 0.4, -0.6};
+    double at[3];
+    struct flex_kept kept;
+    (void)state;
+    struct flex_body *b = made(&o, at, life);
+    const int tip = b->nnode - 1, n = b->n;
+    for (int way = 0; way < 2; way++) {
+        const double *d = way ? skew : across, *C = b->statics->node + 36 * tip;
+        double form = 0, part = 0, bent = 0, most[2] = {0, 0};
+        for (int j = 0; j < 36; j++) form += d[j % 6] * C[j] * d[j / 6];
+        for (int j = 0; j < 36; j++) bent += (j % 6 ? d[j % 6] : 0) * C[j] * (j / 6 ? d[j / 6] : 0);
+        for (int j = 0; j < 6; j++) most[j / 3] = fmax(most[j / 3], C[7 * j]);
+        for (int k = 0; k < n; k++) {
+            const double *phi = b->node[tip].phi + 3 * k, *psi = b->node[tip].psi + 3 * k;
+            const double x = v3_dot(d, phi) + v3_dot(d + 3, psi);
+            part += x * x / b->K[k + n * k];
+        }
+        assert_true(flex_kept_of_load(&kept, b, tip, d));
+        near(kept.share, part / form, 1e-12);
+        assert_true(kept.mass == -1);
+        near(kept.weight, bent / (v3_dot(d, d) * most[0] + v3_dot(d + 3, d + 3) * most[1]), 1e-12);
+    }
+    assert_true(flex_kept_of_load(&kept, b, tip, across));
+    double share = kept.share;
+    for (int k = 0; k < n; k++) {
+        const double lambda = b->K[k + n * k], x = b->node[tip].phi[1 + 3 * k];
+        b->K[k + n * k] = 0;
+        share -= x * x / lambda / b->statics->node[36 * tip + 7];
+        assert_true(flex_kept_of_load(&kept, b, tip, across));
+        if (!(fabs(kept.share - share) < 1e-12))
+            fail_msg("%d modes without stiffness: %g, not %g", k + 1, kept.share, share);
+    }
+    arena_close(life);
+}
+
 /* Kinds in space: a flat bar bends in its soft plane first, is wrung, bends in the other. */
 static void test_kinds(void **state)
 {
@@ -467,6 +509,7 @@ int main(void)
         cmocka_unit_test(test_solid),      cmocka_unit_test(test_ends),           cmocka_unit_test(test_tip_force),
         cmocka_unit_test(test_rigid),      cmocka_unit_test(test_plane_in_space), cmocka_unit_test(test_damping),
         cmocka_unit_test(test_refusals),   cmocka_unit_test(test_kept),           cmocka_unit_test(test_kinds),
+        cmocka_unit_test(test_parts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

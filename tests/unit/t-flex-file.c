@@ -208,6 +208,25 @@ static void test_no_file(void **state)
     assert_string_equal(report.text, "none.json: No such file or directory");
     memset(&report, 0, sizeof report);
     assert_int_equal(flex_file_read(&back, NULL, "/", life, &report), E_FILE);
+    assert_string_equal(report.text, "/: cannot be read as a file");
+    memset(&report, 0, sizeof report);
+    assert_int_equal(flex_file_read(&back, NULL, "/dev/null", life, &report), E_FILE);
+    assert_string_equal(report.text, "/dev/null: cannot be read as a file");
+    arena_close(life);
+}
+
+/* A file with nothing in it but its size: a byte more than is read. */
+static void test_large(void **state)
+{
+    struct arena *life = arena_open();
+    struct report report = {0};
+    struct flex_body *back;
+    (void)state;
+    const char *path = put_file("");
+    assert_int_equal(truncate(path, (1 << 28) + 1), 0);
+    assert_int_equal(flex_file_read(&back, NULL, path, life, &report), E_LIMIT);
+    assert_string_equal(report.text, "t-flex-file.json: larger than 268435456 bytes");
+    remove(path);
     arena_close(life);
 }
 
@@ -216,7 +235,7 @@ int main(void)
     char folder[] = "/tmp/t-flex-file-XXXXXX";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bits),    cmocka_unit_test(test_sparing), cmocka_unit_test(test_changed),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_no_file),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_no_file), cmocka_unit_test(test_large),
     };
     if (!mkdtemp(folder) || chdir(folder) != 0) return 1;
     int failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -370,7 +370,8 @@ static void suggested(double w, double f, double until, double h, int ratio)
     int times;
     if (f > 0) {
         snprintf(fast, sizeof fast, "  rail: {prismatic: [ground, light], axis: [1, 0]}\n");
-        snprintf(spring, sizeof spring, "  stiff: {spring: rail, stiffness: %.17g}\npartition: {fast: [rail]}\n", 2 * f * f);
+        snprintf(spring, sizeof spring, "  stiff: {spring: rail, stiffness: %.17g}\npartition: {fast: [rail]}\n",
+                 2 * f * f);
     }
     snprintf(deck, sizeof deck,
              "fmdsub: 1\nbodies:\n  heavy: {mass: 4, inertia: 1, at: [0, 0]}\n%s"
@@ -416,10 +417,10 @@ struct two {
 };
 
 static const struct two pairs[] = {
-    {"held", 1, 0, 0, -2, -3, 0, 8, 0, 1e-6},              /* turning forces alone hold it */
-    {"plain", 1e1, 1e-4, 3e-4, 5, 11, 0, 0, 0, 1e-6},      /* damping of first order */
-    {"turning", 1e3, 1e-4, 3e-4, 5, 11, 0, 1.5, 0, 1e-6},  /* likewise */
-    {"circular", 1e5, .1, .3, 5, 11, .8, 0, 0, 1e-6},      /* damping of any size from here on */
+    {"held", 1, 0, 0, -2, -3, 0, 8, 0, 1e-6},             /* turning forces alone hold it */
+    {"plain", 1e1, 1e-4, 3e-4, 5, 11, 0, 0, 0, 1e-6},     /* damping of first order */
+    {"turning", 1e3, 1e-4, 3e-4, 5, 11, 0, 1.5, 0, 1e-6}, /* likewise */
+    {"circular", 1e5, .1, .3, 5, 11, .8, 0, 0, 1e-6},     /* damping of any size from here on */
     {"leaning", 1e7, .2, .4, 5, 11, 0, 0, 1.5, 1e-6},
 };
 
@@ -430,7 +431,8 @@ static void put_pair(char *bodies, char *joints, char *forces, const struct two 
     const double S = p->S, k[] = {p->k1, p->k2}, c[] = {p->c1, p->c2}, sign[] = {-1, 1};
     for (int i = 0; i < 2; i++) {
         sprintf(bodies + strlen(bodies), "  %s%d: {mass: %d, inertia: 1, at: [0, 0]}\n", p->name, i, 2 + i);
-        sprintf(joints + strlen(joints), "  %s_%d: {prismatic: [ground, %s%d], axis: [1, 0]}\n", p->name, i, p->name, i);
+        sprintf(joints + strlen(joints), "  %s_%d: {prismatic: [ground, %s%d], axis: [1, 0]}\n", p->name, i, p->name,
+                i);
         sprintf(forces + strlen(forces),
                 "  f%s%d: {force: %s_%d, value: \"%.17g*%s_%d.displacement + %.17g*%s_%d.displacement_rate + "
                 "%.17g*%s_%d.displacement + %.17g*%s_%d.displacement_rate\"}\n",
@@ -508,7 +510,7 @@ int main(void)
         cmocka_unit_test(test_torn_pairs),   cmocka_unit_test(test_slider),     cmocka_unit_test(test_double_pendulum),
         cmocka_unit_test(test_upright),      cmocka_unit_test(test_suggestion), cmocka_unit_test(test_gyroscopic),
         cmocka_unit_test(test_fast_disk),    cmocka_unit_test(test_follower),   cmocka_unit_test(test_massless_shaft),
-        cmocka_unit_test(test_two_bearings), cmocka_unit_test(test_pairs),        cmocka_unit_test(test_suggested),
+        cmocka_unit_test(test_two_bearings), cmocka_unit_test(test_pairs),      cmocka_unit_test(test_suggested),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
