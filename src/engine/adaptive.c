@@ -11,6 +11,7 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/relay.h"
+#include "engine/strikes.h"
 #include "engine/tangent.h"
 #include "engine/touch.h"
 #include "engine/works.h"
@@ -136,6 +137,7 @@ static enum status recoordinate(struct stepper *s, struct state *x, double t, st
     if (!o->chart || !o->chart->rechart || !o->chart->rechart(o, m->q, m->v, t)) return OK;
     if (s->tangent) tangent_rechart(s, &(struct state){t, m->q, m->v, m->a}, v, a);
     if (s->missed) missed_rechart(s->missed);
+    if (s->strikes) strikes_rechart(s->strikes);
     zero(m->span, o->n);
     forget(m);
     copy(x->q, m->q, o->nq);
@@ -210,6 +212,7 @@ static enum status accept(struct stepper *s, const struct aim *o, double *t, dou
     struct adaptive *m = s->self;
     const double end = s->natural && s->due > *t ? smaller(o->end, s->due) : o->end;
     note_missed(s, m, whole, m->came);
+    if (s->strikes && m->beyond > 0 && m->pushes) strikes_note(s->strikes, m->v, *t);
     take(s, m, *t, m->came);
     const bool stuck = creep_found(m, *t + m->came, end);
     if (m->leaps) {

@@ -7,6 +7,7 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/sides.h"
+#include "engine/strikes.h"
 
 struct crossed {
     const struct ode2 *ode;
@@ -42,11 +43,13 @@ static bool is_inside(double x)
     return x > LEAST && x < 1 - LEAST;
 }
 
-static enum edge_kind edge_in(struct crossed *o, const struct state *from, const struct state *to,
+/* pushes: does a push begin or end there? */
+static enum edge_kind edge_in(struct crossed *o, bool *pushes, const struct state *from, const struct state *to,
                               const struct passing_look *passing)
 {
     double x = NAN;
     enum edge_kind kind = passing ? passing_edge(passing, &x) : EDGE_NONE;
+    *pushes = kind != EDGE_NONE;
     if (!is_inside(x)) kind = EDGE_NONE;
     if (!o->sides || !sides_parted(o->sides, from, to)) return kind;
     const struct edge edge = sides_edge(o->sides, from, to);
@@ -90,12 +93,14 @@ static void note(struct crossed *o, struct stepper *s)
 void crossed_step(struct crossed *o, struct stepper *s, const struct state *from, const struct state *to, double h,
                   const struct passing_look *passing)
 {
-    const enum edge_kind kind = edge_in(o, from, to, passing);
+    bool pushes;
+    const enum edge_kind kind = edge_in(o, &pushes, from, to, passing);
     const double H = to->t - from->t;
     for (int i = 0; i < o->ode->n; i++) o->now[i] = (to->v[i] - from->v[i]) / H;
     if (o->kicks) missed_moved(s->missed, s->ode, to->v, H, o->kicked);
     if (o->kind != EDGE_NONE) add(o, s);
     if (kind != EDGE_NONE) note(o, s);
+    if (pushes && s->strikes) strikes_note(s->strikes, from->v, from->t);
     for (int i = 0; i < o->ode->n; i++) o->trend[i] = o->now[i] - o->mean[i];
     copy(o->mean, o->now, o->ode->n);
     if (o->known < 2) o->known++;

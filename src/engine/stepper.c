@@ -10,6 +10,7 @@
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
+#include "engine/strikes.h"
 #include "engine/tangent.h"
 #include "engine/touch.h"
 
@@ -26,11 +27,13 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     single_open(s->whole, ode, life);
     s->missed = TAKE(life, struct missed, 1);
     missed_open(s->missed, ode->n, life);
+    if (ode->passed) strikes_open(s->strikes = TAKE(life, struct strikes, 1), ode->n, life);
     kind->open(s, life);
     if (ode->contact && ode->contact->m > 0 && kind->two_rates && !kind->adaptive) {
         s->plain = TAKE(life, struct stepper, 1);
         stepper_open(s->plain, kind->single, ode, options, life);
         s->plain->missed = NULL;
+        s->plain->strikes = NULL;
         s->touch = s->plain->touch;
     }
     if (ode->contact && ode->contact->m > 0 && !s->touch) s->touch = touch_open(s, life);
@@ -49,6 +52,7 @@ bool stepper_may_damp(struct stepper *s, double rho)
     s->damped = TAKE(s->life, struct stepper, 1);
     stepper_open(s->damped, kind, s->ode, &options, s->life);
     s->damped->missed = s->missed;
+    s->damped->strikes = s->strikes;
     s->ode->along[0] = s->missed->position;
     s->ode->along[1] = s->missed->velocity;
     return true;
@@ -72,6 +76,7 @@ static void begin_anew(struct stepper *s, struct state *x)
     if (!s->ode->chart->rechart(s->ode, x->q, x->v, x->t)) return;
     if (s->tangent) tangent_rechart(s, x, v, a);
     if (s->missed) missed_rechart(s->missed);
+    if (s->strikes) strikes_rechart(s->strikes);
     s->unstarted = stepper_start(s, x, &why) != OK;
 }
 
@@ -258,6 +263,7 @@ enum status stepper_recall(struct stepper *s, struct recall *r)
     recall_one(r, "unstarted", s->unstarted);
     recall_one(r, "last_sweeps", s->last_sweeps);
     if (s->missed) missed_recall(s->missed, r);
+    if (s->strikes) strikes_recall(s->strikes, r);
     if (!recall_has(r, "tangent")) s->tangent = NULL; /* the run before was too short for it: sums go on as they are */
     if (s->tangent) tangent_recall(s->tangent, r);
     if (s->kind->recall && s->ode->n > 0) status = s->kind->recall(s, r);

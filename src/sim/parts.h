@@ -193,6 +193,9 @@ void trust_note(struct sim *sim);
 /* At the end of the run: errors of the columns, and the estimate from them. */
 void trust_find(struct sim *sim);
 void trust_recall(struct sim *sim, struct recall *r);
+/* trust_why.c: why the steps cannot tell, NULL: they can; does any drive or force depend explicitly on time? */
+const char *trust_why(const struct sim *sim);
+bool trust_of_time(const struct sim *sim);
 /* trust_told.c: the worst column by its error; three facts of the end line; words */
 void trust_judge(struct sim *sim);
 int trust_facts(const struct sim *sim, struct pair *facts);

@@ -10,30 +10,19 @@
 #include "engine/motion.h"
 #include "engine/single.h"
 #include "engine/tangent.h"
-#include "engine/touch.h"
 #include "sim/parts.h"
 
-static const double SMALL = 1e-6;   /* largest displacement of the state, in usual sizes of its coordinates */
-static const double EXCITED = 3e-3; /* unresolved vibration over kinetic energy: it moves the rest by about 1 % */
-static const double PEAKS = 1.4;    /* factor on propagated errors: few places may miss where columns answer most */
-enum { DRAWS = 2 };                 /* sets of random signs at a place */
-enum { FEW_STEPS = 600 };           /* with fewer steps of fixed size, tangent_look() would cost too much of the run */
-
-/* Does any drive or force depend explicitly on time? */
-static bool is_of_time(const struct scene *scene)
-{
-    bool reads = scene->ndrive > 0;
-    for (int i = 0; i < scene->nforce; i++)
-        for (int k = 0; k < 3; k++) reads |= signal_reads_time(&scene->force[i].value[k]);
-    return reads;
-}
+static const double SMALL = 1e-6; /* largest displacement of the state, in usual sizes of its coordinates */
+static const double PEAKS = 1.4;  /* factor on propagated errors: few places may miss where columns answer most */
+enum { DRAWS = 2 };               /* sets of random signs at a place */
+enum { FEW_STEPS = 600 };         /* with fewer steps of fixed size, tangent_look() would cost too much of the run */
 
 void trust_follow(struct sim *sim, struct arena *life)
 {
     struct stepper *s = &sim->stepper;
     const double steps = sim->majors * (double)sim->plan.ratio;
     if (!s->kind->adaptive && steps < FEW_STEPS) return;
-    if (s->ode->n != 1 || s->touch || sim->options.counting || is_of_time(sim->scene)) return;
+    if (s->ode->n != 1 || s->touch || sim->options.counting || trust_of_time(sim)) return;
     if (s->kind->late || s->kind->adaptive) tangent_open(s, life);
 }
 
@@ -48,8 +37,8 @@ void trust_open(struct sim *sim, struct arena *life)
     o->dv = TAKE(life, double, ode->n);
     o->every = 1;
     for (int i = 0; i < columns; i++) o->asked |= sim_column_compared(sim, i);
-    for (int i = 0; i < TRUST_PLACES; i++) {
-        struct trust_place *p = &o->place[i];
+    for (int i = 0; i <= TRUST_PLACES; i++) {
+        struct trust_place *p = i < TRUST_PLACES ? &o->place[i] : &o->steepest;
         double **vector[] = {&p->v, &p->position, &p->velocity, &p->a};
         p->q = TAKE(life, double, ode->nq);
         for (int k = 0; k < 4; k++) *vector[k] = TAKE(life, double, ode->n);
@@ -92,13 +81,11 @@ static bool follow(const struct sim *sim, struct trust_place *p)
     return true;
 }
 
-/* The present state and its sums of local errors become the next place. */
-static void keep(struct sim *sim)
+/* The present state and its sums of local errors become the place p. */
+static void keep(struct sim *sim, struct trust_place *p)
 {
-    struct trust *o = &sim->trust;
     const struct ode2 *ode = sim->stepper.ode;
     const struct missed *missed = sim->stepper.missed;
-    struct trust_place *p = &o->place[o->n++];
     p->t = sim->x.t;
     p->chart = system_charts(sim->system);
     copy(p->q, sim->x.q, ode->nq);
@@ -108,7 +95,7 @@ static void keep(struct sim *sim)
     copy(p->a, sim->x.a, ode->n);
     const bool lost =
         missed->late * missed->late * missed->steepest > missed->fastest; /* by more than a radian: round-off moves */
-    p->late = follow(sim, p) || lost || is_of_time(sim->scene) ? 0 : missed->late;
+    p->late = follow(sim, p) || lost || trust_of_time(sim) ? 0 : missed->late;
 }
 
 /* The energy balance here goes to tangent.c; where energies are not looked at with every step, they are now. */
@@ -128,6 +115,23 @@ void trust_step(struct sim *sim)
     if (sim->stepper.tangent && tangent_due(&sim->stepper, &sim->x)) look_at_tangent(sim);
 }
 
+/* Forces that push but briefly may do so at none of the evenly spaced places.  Where accelerations and errors together are
+ * largest they do. */
+static void note_steepest(struct sim *sim)
+{
+    struct trust *o = &sim->trust;
+    const struct ode2 *ode = sim->stepper.ode;
+    double steep = 0, off = 0;
+    for (int i = 0; i < ode->n; i++) {
+        const double usual = ode2_usual(ode, i);
+        steep = larger(steep, fabs(sim->x.a[i]) / usual);
+        off = larger(off, sim->stepper.missed->position[i] / usual);
+    }
+    if (!(steep * off > o->most)) return;
+    o->most = steep * off;
+    keep(sim, &o->steepest);
+}
+
 /* The last of the places is kept free for the end of the run. */
 void trust_note(struct sim *sim)
 {
@@ -143,14 +147,15 @@ void trust_note(struct sim *sim)
         o->low[i] = x < o->low[i] ? x : o->low[i];
         o->high[i] = x > o->high[i] ? x : o->high[i];
     }
+    note_steepest(sim);
     if (++o->seen % o->every != 0) return;
     if (o->n == TRUST_PLACES - 1) thin(o);
-    keep(sim);
+    keep(sim, &o->place[o->n++]);
 }
 
 void trust_recall(struct sim *sim, struct recall *r)
 {
-    static const char *const name[TRUST_PLACES] = {"first", "second", "third", "fourth", "fifth", "sixth"};
+    static const char *const name[] = {"first", "second", "third", "fourth", "fifth", "sixth", "steepest"};
     struct trust *o = &sim->trust;
     recall_within(r, "trust");
     recall_list(r, "low", o->low, sim->chosen.n);
@@ -159,8 +164,9 @@ void trust_recall(struct sim *sim, struct recall *r)
     recall_one(r, "n", o->n);
     recall_one(r, "every", o->every);
     recall_one(r, "seen", o->seen);
-    for (int i = 0; i < TRUST_PLACES; i++) {
-        struct trust_place *p = &o->place[i];
+    recall_one(r, "most", o->most);
+    for (int i = 0; i <= TRUST_PLACES; i++) {
+        struct trust_place *p = i < TRUST_PLACES ? &o->place[i] : &o->steepest;
         recall_within(r, name[i]);
         recall_one(r, "t", p->t);
         recall_one(r, "chart", p->chart);
@@ -289,7 +295,7 @@ static double growth_on_the_way(struct sim *sim, long chart, double run)
     double least = INFINITY;
     int seen = 0;
     const bool brief = sim->stepper.ode->passed;
-    if (sim->stepper.ode->n < 2 && !is_of_time(sim->scene)) return 0; /* differences drift, at most */
+    if (sim->stepper.ode->n < 2 && !trust_of_time(sim)) return 0; /* differences drift, at most */
     for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
         const struct trust_place *p = &o->place[i];
         double blur;
@@ -314,49 +320,6 @@ static void grow(struct sim *sim, long chart, double run)
     for (int i = 0; i < sim->chosen.n; i++) o->off[i] *= 1 + o->growth * run / 2;
 }
 
-static bool has_jumped(const struct sim *sim)
-{
-    for (int i = 0; i < sim->njump; i++)
-        if (sim->jump[i].reported) return true;
-    return false;
-}
-
-/* missed.h takes differences over successive steps of equal length: why there have been too few of them. */
-static const char *too_few(const struct sim *sim)
-{
-    enum { FEW = 8, OFTEN = 8 };
-    const struct effort *e = &sim->stepper.effort;
-    if (!sim->stepper.kind->adaptive && OFTEN * e->rejected > e->majors)
-        return "too many steps were not to be had at their length, and were cut";
-    if (sim->stepper.missed->steps < FEW) return "the run has too few steps";
-    return "too few steps lie between corners of forces or drives";
-}
-
-/* Why the steps cannot tell; NULL: they can. */
-static const char *reason(const struct sim *sim)
-{
-    const struct missed *missed = sim->stepper.missed;
-    const bool tells = sim->stepper.kind->adaptive || sim->stepper.kind->late;
-    const bool asked = sim->stepper.kind->adaptive || missed->steps > 0; /* two rates composed to order 4 are not */
-    if (sim->stepper.ode->n == 0)
-        return sim->needs & NEED_WORKS ? "drives move all, and works are sums whose errors are not known" : NULL;
-    if (ledger_broken(&sim->ledger)) return "the energy balance is broken";
-    if (!tells) return "its scheme does not tell what its steps leave";
-    if (has_jumped(sim)) return "a drive jumps";
-    if (sim->corner.met) return "the rate of a drive jumps";
-    if (sim->pulses) return "a load comes and goes within a step";
-    if (sim->stepper.unresolved.energy > EXCITED * sim->stepper.unresolved.motion)
-        return "the minor steps do not resolve what vibrates in them";
-    if (sim->guard.taken) return "the scheme has damped away what the steps do not resolve";
-    if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
-    if (sim->stepper.touch && touch_pushed(sim->stepper.touch))
-        return touch_rubs(sim->stepper.touch) ? "friction acts in joints" : "bodies push or rub each other";
-    if (sim->stepper.plainly > 0) return "near contacts all coordinates took the minor step";
-    if (!asked) return "its scheme does not tell what its steps leave";
-    if (2 * missed->told < missed->steps || missed->told == 0) return too_few(sim);
-    return NULL;
-}
-
 void trust_find(struct sim *sim)
 {
     struct trust *o = &sim->trust;
@@ -365,11 +328,12 @@ void trust_find(struct sim *sim)
     const struct trouble trouble = sim->trouble;
     const long chart = system_charts(sim->system);
     o->column = o->still = o->farthest = -1;
-    o->why = reason(sim);
+    o->why = trust_why(sim);
     if (o->why || !o->asked) return;
-    keep(sim);
+    keep(sim, &o->place[o->n++]);
     for (int i = 0; i < o->n; i++)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
+    if (o->most > 0 && o->steepest.chart == chart) look_at(sim, &o->steepest);
     grow(sim, chart, end.t - sim->scene->start);
     sim->x = end;
     sim->ledger = ledger;

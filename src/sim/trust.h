@@ -34,8 +34,9 @@ struct trust {
         double *q, *v;               /* [nq], [n] state */
         double *position, *velocity; /* [n] sums of local errors up to there */
         double late, *a;             /* delay by them [s], accelerations [n] there or where the step ends */
-    } place[TRUST_PLACES];
-    double worked; /* sum of |work| over all channels, the largest at a record [J] */
+    } place[TRUST_PLACES], steepest; /* that at which accelerations times errors are largest besides, */
+    double most;                     /* and these, in usual sizes */
+    double worked;                   /* sum of |work| over all channels, the largest at a record [J] */
 
     /* Scratch at the end of the run. */
     double *base, *sum;    /* [columns] values at a place; sum over the draws of their squared changes */
