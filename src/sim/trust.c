@@ -6,6 +6,7 @@
 
 #include "base/recall.h"
 #include "base/scalar.h"
+#include "engine/accel.h"
 #include "engine/missed.h"
 #include "engine/motion.h"
 #include "engine/single.h"
@@ -31,14 +32,16 @@ void trust_open(struct sim *sim, struct arena *life)
     const struct ode2 *ode = sim->stepper.ode;
     struct trust *o = &sim->trust;
     const int columns = sim->chosen.n;
-    double **of_columns[] = {&o->low, &o->high, &o->base, &o->sum, &o->off};
+    double **of_columns[] = {&o->low, &o->high, &o->mean, &o->spread, &o->base, &o->sum, &o->off};
     for (size_t i = 0; i < sizeof of_columns / sizeof *of_columns; i++) *of_columns[i] = TAKE(life, double, columns);
     o->dq = TAKE(life, double, ode->n);
     o->dv = TAKE(life, double, ode->n);
+    o->top = TAKE(life, double, ode->n);
     o->every = 1;
-    for (int i = 0; i < columns; i++) o->asked |= sim_column_compared(sim, i);
-    for (int i = 0; i <= TRUST_PLACES; i++) {
-        struct trust_place *p = i < TRUST_PLACES ? &o->place[i] : &o->steepest;
+    o->compared = TAKE(life, bool, columns);
+    for (int i = 0; i < columns; i++) o->asked |= o->compared[i] = sim_column_compared(sim, i);
+    for (int i = 0; i < TRUST_PLACES + TRUST_APART; i++) {
+        struct trust_place *p = &o->place[i];
         double **vector[] = {&p->v, &p->position, &p->velocity, &p->a};
         p->q = TAKE(life, double, ode->nq);
         for (int k = 0; k < 4; k++) *vector[k] = TAKE(life, double, ode->n);
@@ -115,21 +118,49 @@ void trust_step(struct sim *sim)
     if (sim->stepper.tangent && tangent_due(&sim->stepper, &sim->x)) look_at_tangent(sim);
 }
 
-/* Forces that push but briefly may do so at none of the evenly spaced places.  Where accelerations and errors together are
- * largest they do. */
-static void note_steepest(struct sim *sim)
+/* The largest acceleration, in usual sizes; where records are interpolated, at the end of the step.  Velocities are noted. */
+static double steepness(struct sim *sim)
+{
+    const struct ode2 *ode = sim->stepper.ode;
+    double most = 0;
+    for (int i = 0; i < ode->n; i++) {
+        most = larger(most, fabs(sim->x.a[i]) / ode2_usual(ode, i));
+        sim->trust.top[i] = larger(sim->trust.top[i], fabs(sim->x.v[i]));
+    }
+    return most;
+}
+
+/* How many standard deviations of all its values so far a column is from their mean, of any column the most: of a force that pushes
+ * for a k-th part of the time it is about the root of k. */
+static double rareness(struct sim *sim)
 {
     struct trust *o = &sim->trust;
-    const struct ode2 *ode = sim->stepper.ode;
-    double steep = 0, off = 0;
-    for (int i = 0; i < ode->n; i++) {
-        const double usual = ode2_usual(ode, i);
-        steep = larger(steep, fabs(sim->x.a[i]) / usual);
-        off = larger(off, sim->stepper.missed->position[i] / usual);
+    const double n = (double)o->seen + 1, part = 1 / n;
+    double most = 0;
+    for (int i = 0; i < sim->chosen.n; i++) {
+        const double before = sim->row[i] - o->mean[i], off = (1 - part) * before;
+        o->mean[i] += part * before;
+        o->spread[i] += before * off;
+        if (n * off * off > most * o->spread[i] && o->compared[i]) most = n * off * off / o->spread[i];
     }
-    if (!(steep * off > o->most)) return;
-    o->most = steep * off;
-    keep(sim, &o->steepest);
+    return sqrt(most);
+}
+
+/* Forces that push but briefly may do so at none of the evenly spaced places.  Where what is rare is written, and where
+ * accelerations are large, they do; the more so the larger errors are by then. */
+static void note_apart(struct sim *sim)
+{
+    static const double MORE = 1.1; /* for less another place is not worth its copies */
+    struct trust *o = &sim->trust;
+    const struct ode2 *ode = sim->stepper.ode;
+    const bool brief = ode->bends || ode->passed;
+    const double late = sim->stepper.missed->late;
+    const double most[TRUST_APART] = {steepness(sim) * late, brief ? rareness(sim) * late : 0};
+    for (int k = 0; k < TRUST_APART; k++) {
+        if (!(most[k] > MORE * o->most[k])) continue;
+        o->most[k] = most[k];
+        keep(sim, &o->place[TRUST_PLACES + k]);
+    }
 }
 
 /* The last of the places is kept free for the end of the run. */
@@ -147,7 +178,7 @@ void trust_note(struct sim *sim)
         o->low[i] = x < o->low[i] ? x : o->low[i];
         o->high[i] = x > o->high[i] ? x : o->high[i];
     }
-    note_steepest(sim);
+    note_apart(sim);
     if (++o->seen % o->every != 0) return;
     if (o->n == TRUST_PLACES - 1) thin(o);
     keep(sim, &o->place[o->n++]);
@@ -155,7 +186,7 @@ void trust_note(struct sim *sim)
 
 void trust_recall(struct sim *sim, struct recall *r)
 {
-    static const char *const name[] = {"first", "second", "third", "fourth", "fifth", "sixth", "steepest"};
+    static const char *const name[] = {"first", "second", "third", "fourth", "fifth", "sixth", "steepest", "rarest"};
     struct trust *o = &sim->trust;
     recall_within(r, "trust");
     recall_list(r, "low", o->low, sim->chosen.n);
@@ -164,9 +195,12 @@ void trust_recall(struct sim *sim, struct recall *r)
     recall_one(r, "n", o->n);
     recall_one(r, "every", o->every);
     recall_one(r, "seen", o->seen);
-    recall_one(r, "most", o->most);
-    for (int i = 0; i <= TRUST_PLACES; i++) {
-        struct trust_place *p = i < TRUST_PLACES ? &o->place[i] : &o->steepest;
+    recall_list(r, "mean", o->mean, sim->chosen.n);
+    recall_list(r, "spread", o->spread, sim->chosen.n);
+    recall_list(r, "most", o->most, TRUST_APART);
+    recall_list(r, "top", o->top, sim->stepper.ode->n);
+    for (int i = 0; i < TRUST_PLACES + TRUST_APART; i++) {
+        struct trust_place *p = &o->place[i];
         recall_within(r, name[i]);
         recall_one(r, "t", p->t);
         recall_one(r, "chart", p->chart);
@@ -266,6 +300,18 @@ static bool columns_at(struct sim *sim, const struct trust_place *p, double by, 
     return energies_at(sim, p->t, by) && record_fill(sim) == OK;
 }
 
+/* At a place apart forces are larger than on the way there.  What errors of positions have added up there is delay, which counts by
+ * itself; across the motion they are at most those of the velocities by the pace at which forces change those: a/max v. */
+static bool refine(struct sim *sim, struct trust_place *p)
+{
+    const struct effort effort = sim->stepper.effort;
+    const bool known = accel_solve(sim->stepper.accel, p->a, NULL, p->q, p->v, p->t, &sim->trouble) == OK;
+    sim->stepper.effort = effort;
+    for (int i = 0; i < sim->stepper.ode->n && known && p->late > 0; i++)
+        p->position[i] = fmin(p->position[i], p->velocity[i] * sim->trust.top[i] / fabs(p->a[i]));
+    return known;
+}
+
 /* off[] := at least the root mean square of the columns' changes at this place. */
 static void look_at(struct sim *sim, const struct trust_place *p)
 {
@@ -333,7 +379,10 @@ void trust_find(struct sim *sim)
     keep(sim, &o->place[o->n++]);
     for (int i = 0; i < o->n; i++)
         if (o->place[i].chart == chart) look_at(sim, &o->place[i]);
-    if (o->most > 0 && o->steepest.chart == chart) look_at(sim, &o->steepest);
+    for (int k = 0; k < TRUST_APART; k++) {
+        struct trust_place *p = &o->place[TRUST_PLACES + k];
+        if (o->most[k] > 0 && p->chart == chart && refine(sim, p)) look_at(sim, p);
+    }
     grow(sim, chart, end.t - sim->scene->start);
     sim->x = end;
     sim->ledger = ledger;

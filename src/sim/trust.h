@@ -19,27 +19,31 @@
 
 #include "system/system.h"
 
-enum { TRUST_PLACES = 6 };           /* states at which columns are displaced */
-static const double TRUST_GROWN = 3; /* small differences that grow by exp(3) over the run are worth a word */
+enum { TRUST_PLACES = 6, TRUST_APART = 2 }; /* states at which columns are displaced: evenly spaced, and others */
+static const double TRUST_GROWN = 3;        /* small differences that grow by exp(3) over the run are worth a word */
 
 struct trust {
     /* Gathered with the records. */
-    double *low, *high; /* [columns] least and largest value of a column so far */
-    bool asked;         /* is any column compared by its error at all? */
-    int n;              /* states kept in place[] for the end, */
-    long every, seen;   /* one of every so many records; records so far */
+    double *low, *high;    /* [columns] least and largest value of a column so far */
+    double *mean, *spread; /* [columns] of its values, and the sum of their squared distances from it */
+    bool *compared;        /* [columns] is it compared by its error? */
+    bool asked;            /* is any column compared by its error at all? */
+    int n;                 /* states kept in place[] for the end, */
+    long every, seen;      /* one of every so many records; records so far */
     struct trust_place {
         double t;
-        long chart;                  /* system_charts() at the time: sums of another chart are not comparable */
-        double *q, *v;               /* [nq], [n] state */
-        double *position, *velocity; /* [n] sums of local errors up to there */
-        double late, *a;             /* delay by them [s], accelerations [n] there or where the step ends */
-    } place[TRUST_PLACES], steepest; /* that at which accelerations times errors are largest besides, */
-    double most;                     /* and these, in usual sizes */
-    double worked;                   /* sum of |work| over all channels, the largest at a record [J] */
+        long chart;                      /* system_charts() at the time: sums of another chart are not comparable */
+        double *q, *v;                   /* [nq], [n] state */
+        double *position, *velocity;     /* [n] sums of local errors up to there */
+        double late, *a;                 /* delay by them [s], accelerations [n] there or where the step ends */
+    } place[TRUST_PLACES + TRUST_APART]; /* the last ones besides: where accelerations, and where rare values of columns
+                                          * times errors are largest, */
+    double most[TRUST_APART];            /* and these */
+    double worked;                       /* sum of |work| over all channels, the largest at a record [J] */
 
     /* Scratch at the end of the run. */
     double *base, *sum;    /* [columns] values at a place; sum over the draws of their squared changes */
+    double *top;           /* [n] largest |velocity| at a record so far */
     double *dq, *dv;       /* [n] displacement, velocity */
     struct energies there; /* at a place, not displaced */
 

@@ -261,6 +261,15 @@ ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=radau5 
 ellipse           tests/trust/ellipse.yaml      dop853  integrate.scheme=radau9 integrate.tolerance=1e-5
 four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau5 integrate.tolerance=1e-5
 four-bar-often   decks/four-bar.yaml           dop853  output.every=1e-3 integrate.scheme=radau9 integrate.tolerance=1e-5
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=newmark integrate.tolerance=1e-4
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=midpoint integrate.tolerance=1e-5
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=rk4 integrate.tolerance=1e-4
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=dopri5 integrate.tolerance=1e-5
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=dop853 integrate.tolerance=1e-6
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=radau5 integrate.tolerance=1e-5
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=radau9 integrate.tolerance=1e-5
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=rk4 integrate.step=1e-4
+struck            tests/trust/struck.yaml       dop853  integrate.scheme=newmark integrate.step=5e-5
 LIST
 
 errors() { # RUN REFERENCE: "error column", the worst
