@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/stop.h"
 #include "base/text.h"
 #include "cli/chosen.h"
 #include "cli/cli.h"
@@ -361,10 +362,11 @@ enum status explain_deck(const struct request *request, struct arena *life, stru
     TRY(cli_told(diags, request, status));
     if (run.kept.status != OK && run.kept.status != E_VERDICT && run.kept.rows == 0)
         return fail(report, run.kept.status, "%s", run.kept.report.text);
-    for (int i = 0; i < EFFECTS; i++) {
+    for (int i = 0; i < EFFECTS && !stop; i++) {
         tell(&told[i], (enum effect_id)i, &run);
         flip(&told[i], (enum effect_id)i, &run, request, life);
     }
+    if (stop) return stop_status();
     if (json) return print_json(told, &run, life, report);
     print_words(told, &run);
     return OK;

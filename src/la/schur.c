@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/stop.h"
+
 struct schur {
     int n;
     double complex *T, *U; /* [n x n] A = U T U*, T upper Hessenberg, then triangular; U: NULL, not wanted */
@@ -36,7 +38,7 @@ static void hessenberg(double *A, double *U, int n, struct arena *scratch)
 {
     double *v = TAKE(scratch, double, n), *work = TAKE(scratch, double, n);
     for (int i = 0; U && i < n; i++) U[i + (long)n * i] = 1;
-    for (int k = 0; k + 2 < n; k++) {
+    for (int k = 0; k + 2 < n && !stop; k++) {
         double norm = 0, square = 0;
         for (int i = k + 1; i < n; i++) norm = hypot(norm, v[i] = A[i + (long)n * k]);
         if (norm == 0) continue;
@@ -123,7 +125,7 @@ static bool triangular(struct schur *o)
             tries = 0;
             continue;
         }
-        if (++tries > MOST) return false;
+        if (++tries > MOST || stop) return false;
         double complex mu = shift(o, high);
         if (tries % 10 == 0) mu += cabs(o->T[high + (long)o->n * (high - 1)]); /* out of a circle */
         sweep(o, low, high, mu);
@@ -155,7 +157,7 @@ static void vector(double complex *x, const struct schur *o, int j, double size,
     for (int i = 0; i < n; i++) x[i] /= norm;
 }
 
-/* The Schur form of A, which is destroyed; false: not finite, or no convergence. */
+/* The Schur form of A, which is destroyed; false: not finite, no convergence, or a wish to end. */
 static bool decompose(struct schur *o, double *A, bool vectors, struct arena *scratch)
 {
     const int n = o->n;
@@ -179,6 +181,6 @@ bool schur_eigen(double complex *s, double complex *X, double *A, int n, struct 
     if (!decompose(&o, A, X != NULL, scratch)) return false;
     for (int j = 0; j < n; j++) s[j] = o.T[j + (long)n * j];
     double complex *work = TAKE(scratch, double complex, n);
-    for (int j = 0; X && j < n; j++) vector(X + (long)n * j, &o, j, size > 0 ? size : 1, work);
-    return true;
+    for (int j = 0; X && j < n && !stop; j++) vector(X + (long)n * j, &o, j, size > 0 ? size : 1, work);
+    return !stop;
 }

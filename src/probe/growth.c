@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/stop.h"
 #include "la/dense.h"
 #include "la/schur.h"
 
@@ -188,7 +189,10 @@ static enum status find(struct growth *o, struct ode2 *linear, const struct step
     stepper_open(&t.stepper, kind, linear, options, life);
     t.x = (struct state){0, TAKE(life, double, n), TAKE(life, double, n), TAKE(life, double, n)};
     t.y = TAKE(life, double, size);
-    for (int j = 0; j < size; j++) TRY(column(&p, &t, A + (long)size * j, j, a, why));
+    for (int j = 0; j < size; j++) {
+        if (stop) return stop_status();
+        TRY(column(&p, &t, A + (long)size * j, j, a, why));
+    }
     return spectrum(o, &p, A, size, life, why);
 }
 

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/stop.h"
 #include "la/dense.h"
 #include "la/eigen.h"
 #include "probe/damped_mode.h"
@@ -330,7 +331,9 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     o->n = n;
     o->doubt = unknown_mass(l.M, TAKE_MATRIX(life, double, n, n), n);
     o->mode = TAKE(life, struct mode, n);
-    if (!describe_all(o, &l, X, lambda, life))
+    const bool described = describe_all(o, &l, X, lambda, life);
+    if (stop) return stop_status();
+    if (!described)
         return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);
     local(o, &l, X, lambda);
     return OK;

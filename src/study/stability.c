@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/stop.h"
 #include "multirate/schemes.h"
 #include "probe/growth.h"
 #include "probe/modes.h"
@@ -99,7 +100,7 @@ static void add_rows(struct stability *o, const struct grid *g, const struct ste
     const struct step_options options = options_for(o->sim, kind);
     for (const struct stability_row *r = o->row; r < o->row + o->nrow; r++)
         if (r->kind == kind && r->ratio == ratio) return;
-    for (int i = 0; i < g->nstep; i++) {
+    for (int i = 0; i < g->nstep && !stop; i++) {
         struct stability_row *r = &o->row[o->nrow++];
         *r = (struct stability_row){.kind = kind, .step = g->step[i], .ratio = ratio, .most = ""};
         fill(r, o, &options);
@@ -124,6 +125,7 @@ static enum status look(struct stability *o, const struct sim *sim, struct arena
     o->fast_top = modes.fast_worst >= 0 ? modes.fast_top : 0;
     o->slow_top = modes.slow_worst >= 0 ? modes.slow_top : 0;
     o->own = growth_own(&o->classes.ode);
+    if (stop) return stop_status();
     if (isnan(o->own)) return fail(report, E_NUMERIC, "no eigenvalues at t = %g s: no convergence", sim->x.t);
     return OK;
 }
@@ -143,7 +145,7 @@ enum status stability_find(struct stability *o, const struct sim *sim, const str
     choose_steps(g, o, options);
     o->row = TAKE(life, struct stability_row, g->nscheme * g->nratio * g->nstep);
     for (int i = 0; i < g->nscheme; i++) add_scheme(o, g, g->scheme[i]);
-    return OK;
+    return stop_status();
 }
 
 /* ---- what is read off ------------------------------------------------------------------------------------------ */

@@ -123,3 +123,24 @@ for verb in run 'check --no-trial'; do
 done
 (ulimit -S -t 1 && exec "$FMDSUB" check --no-trial "$work/blade.yaml") >"$work/out" 2>"$work/err"
 expect "the limit of CPU time on the way to rest" "7 1" "$? $(grep -c 'the limit of CPU time is reached' "$work/err")" "$work/err"
+
+# Verbs that solve for eigenvalues, of some hundred numbers for seconds to minutes, or run a deck many times: given up at once.
+cat >"$work/many.yaml" <<E
+fmdsub: 1
+gravity: [0, -9.81]
+bodies:
+  link\$i: {repeat: {i: [1, 200]}, mass: 1, inertia: 1/12, at: [i - 0.5, 0]}
+constraints:
+  pin1: {revolute: [ground, link1], at: [0, 0]}
+  pin\$i: {repeat: {i: [2, 200]}, revolute: [link\$(i-1), link\$i], at: [i - 1, 0]}
+forces:
+  jet: {force: link200, value: [5, 0], frame: body}
+integrate: {until: 1}
+E
+for verb in 'stability decks/soft-pendulum.yaml' 'modes decks/many.yaml' 'explain decks/bent-arm.yaml'; do
+    began=$(date +%s%N)
+    timeout --preserve-status -k 20 -s TERM 0.5 "$FMDSUB" ${verb%% *} "$(echo "${verb#* }" | sed "s|decks/many|$work/many|")" >"$work/out" 2>"$work/err"
+    expect "SIGTERM, ${verb%% *}: status, no rows" "143 0" "$? $(wc -l <"$work/out")" "$work/err"
+    took=$((($(date +%s%N) - began) / 1000000))
+    [ $took -lt 3000 ] && ok "SIGTERM, ${verb%% *}: at once" || not_ok "SIGTERM, ${verb%% *}: at once" "$took ms"
+done
