@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/text.h"
 #include "la/dense.h"
 #include "la/eigen.h"
 
@@ -39,6 +40,24 @@ static enum status member(const cJSON **out, const cJSON *object, const char *ke
         *out = item;
     }
     return *out || !needed ? OK : bad(p, key, "missing");
+}
+
+/* The members that are read, and "comment": any other would be missed without a word where it need not be there. */
+static enum status known(const cJSON *object, const char *const *keys, int n, const struct place *p)
+{
+    const cJSON *item;
+    cJSON_ArrayForEach(item, object)
+    {
+        int i = 0;
+        char key[44], words[80] = "unknown member";
+        while (i < n && strcmp(item->string, keys[i]) != 0) i++;
+        if (i < n || strcmp(item->string, "comment") == 0) continue;
+        const char *nearest = text_nearest(item->string, keys, n);
+        if (nearest) snprintf(words, sizeof words, "unknown member: did you mean '%s'?", nearest);
+        snprintf(key, sizeof key, "%.40s", item->string);
+        return bad(p, key, words);
+    }
+    return OK;
 }
 
 static enum status numbers(double *x, int n, const cJSON *object, const char *key, const struct place *p)
@@ -105,7 +124,9 @@ static enum status optional(double **out, int n, const cJSON *object, const char
 
 static enum status read_node(struct flex_node *o, int n, const cJSON *item, const struct place *p, struct arena *life)
 {
+    static const char *const keys[] = {"name", "x", "phi", "psi", "S", "T"};
     if (!cJSON_IsObject(item)) return bad(p, "", "expected an object");
+    TRY(known(item, keys, sizeof keys / sizeof *keys, p));
     TRY(name(&o->name, item, false, p, life));
     TRY(numbers(o->x, 3, item, "x", p));
     TRY(numbers(o->phi, 3 * n, item, "phi", p));
@@ -117,7 +138,9 @@ static enum status read_node(struct flex_node *o, int n, const cJSON *item, cons
 static enum status read_stress(struct flex_stress *o, int n, const cJSON *item, const struct place *p,
                                struct arena *life)
 {
+    static const char *const keys[] = {"name", "tensor", "axial", "bending"};
     if (!cJSON_IsObject(item)) return bad(p, "", "expected an object");
+    TRY(known(item, keys, sizeof keys / sizeof *keys, p));
     TRY(name(&o->name, item, true, p, life));
     TRY(numbers(o->tensor, 6 * n, item, "tensor", p));
     TRY(optional(&o->axial, n, item, "axial", p, life));
@@ -243,11 +266,15 @@ static enum status check(const struct flex_body *o, const struct place *p, struc
 static enum status read_body(struct flex_body **out, double *at, const cJSON *json, const struct place *p,
                              struct arena *life)
 {
+    static const char *const keys[] = {"fmdsub_flex", "modes", "reference", "at",    "mass",     "xx",      "rot",
+                                       "f",           "xf",    "ff",        "rpsi",  "ppsi",     "s",       "xs",
+                                       "K",           "D",     "hertz",     "nodes", "stresses", "checksum"};
     const cJSON *nodes, *stresses;
     int version, n, nnode, nstress, reference;
     double place[3];
     if (!cJSON_IsObject(json)) return fail(p->report, E_DECK, "%s: error: no JSON object", p->path);
     TRY(whole(&version, json, "fmdsub_flex", 1, 1, p));
+    TRY(known(json, keys, sizeof keys / sizeof *keys, p));
     TRY(whole(&n, json, "modes", 1, MOST_MODES, p));
     TRY(list_of(&nodes, &nnode, json, "nodes", p));
     TRY(list_of(&stresses, &nstress, json, "stresses", p));

@@ -333,8 +333,7 @@ enum status modes_find(struct modes *o, const struct sim *sim, struct arena *lif
     o->mode = TAKE(life, struct mode, n);
     const bool described = describe_all(o, &l, X, lambda, life);
     if (stop) return stop_status();
-    if (!described)
-        return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);
+    if (!described) return fail(report, E_NUMERIC, "no frequencies at t = %g s: no convergence", l.t);
     local(o, &l, X, lambda);
     return OK;
 }
