@@ -37,6 +37,14 @@ static bool number(double *out, const char *text, struct field f)
     return used && !wrong && start + used == f.to;
 }
 
+/* "0.5": a number in quotes is no number, and no name either. */
+static bool quoted_number(const char *text, struct field f)
+{
+    double value;
+    if (f.to - f.from < 2 || !strchr("\"'", text[f.from]) || text[f.to - 1] != text[f.from]) return false;
+    return number(&value, text, trimmed(text, f.from + 1, f.to - 1));
+}
+
 static double *new_row(struct csv *c)
 {
     c->x = arena_more(c->deck->arena, c->x, c->rows, &c->capacity, (size_t)c->columns * sizeof *c->x);
@@ -53,6 +61,7 @@ static void report_field(struct csv *c, struct field f)
     diag_error_in(d, field_span(c, f), "E-csv",
                   *found ? "expected a number, found '%s'" : "expected a number, found nothing%s", diag_clip(d, found));
     if (memchr(text + f.from, ';', f.to - f.from)) diag_hint(d, "columns are separated by commas");
+    if (quoted_number(text, f)) diag_hint(d, "numbers stand without quotes");
 }
 
 /* A line of fields: 1 if all are numbers.  count: fields met; bad: the first that is not a number. */
@@ -93,7 +102,7 @@ static void read_line(struct csv *c, struct field line, bool may_be_names)
     }
 }
 
-/* A row of names has no number in it. */
+/* A row of names has no number in it, nor one in quotes. */
 static bool names(const struct csv *c, struct field line)
 {
     const char *text = c->source->text;
@@ -102,7 +111,8 @@ static bool names(const struct csv *c, struct field line)
         const char *comma = memchr(text + from, ',', line.to - from);
         size_t to = comma ? (size_t)(comma - text) : line.to;
         struct field f = trimmed(text, from, to);
-        if (f.from == f.to || number(&value, text, f) || strchr("+-.0123456789", text[f.from])) return false;
+        if (f.from == f.to || number(&value, text, f) || quoted_number(text, f)) return false;
+        if (strchr("+-.0123456789", text[f.from])) return false;
         from = to + 1;
     }
     return true;
