@@ -305,6 +305,19 @@ static bool suggest_inside(const char *key, const char *const *words, int n, str
     return false;
 }
 
+/* {mass: 2,5}: a key of digits without a value, behind a number. */
+static bool decimal_comma(const struct node *map, int i, struct reader *rd)
+{
+    const struct node *n = map->item[i], *before = i > 0 ? map->item[i - 1] : NULL;
+    const size_t digits = strspn(n->key, "0123456789");
+    if (!before || before->type != NODE_SCALAR || n->type != NODE_SCALAR || n->len > 0) return false;
+    if (digits == 0 || n->key[digits] || before->len == 0 || strspn(before->text, "+-0123456789") < before->len)
+        return false;
+    diag_hint(rd->diags, "numbers have a decimal point: %s: %s.%s", before->key, diag_clip(rd->diags, before->text),
+              diag_clip(rd->diags, n->key));
+    return true;
+}
+
 static int refuse_unknown(const struct key *keys, const struct node *map, const char *const *also, const char *what,
                           struct reader *rd)
 {
@@ -318,7 +331,8 @@ static int refuse_unknown(const struct key *keys, const struct node *map, const 
         errors++;
         diag_error(rd->diags, member, AT_KEY, "E-unknown-key", "unknown key '%s' in %s",
                    diag_clip(rd->diags, member->key), what);
-        if (!suggest_inside(member->key, words, n, rd)) diag_suggest(rd->diags, member->key, words, n);
+        if (!decimal_comma(map, i, rd) && !suggest_inside(member->key, words, n, rd))
+            diag_suggest(rd->diags, member->key, words, n);
     }
     return errors;
 }

@@ -88,6 +88,14 @@ static int parentheses(const struct node *n)
     return open;
 }
 
+static bool comma_follows(const struct builder *b, const struct node *n)
+{
+    const struct source *s = b->syntax.source;
+    size_t at = source_offset(s, n->end);
+    while (at < s->len && strchr(" \t\r\n", s->text[at])) at++;
+    return at < s->len && s->text[at] == ',';
+}
+
 /* In a flow collection a comma has cut an expression in pieces: the first is reported, those up to its ')' are dropped.
  * *open: brackets still open; a piece is a value and, in a map, a key before it. */
 static bool is_piece(struct builder *b, int *open, struct node *n, int brackets)
@@ -96,7 +104,7 @@ static bool is_piece(struct builder *b, int *open, struct node *n, int brackets)
         *open += brackets;
         return true;
     }
-    if (brackets <= 0) return false;
+    if (brackets <= 0 || !comma_follows(b, n)) return false;
     *open = brackets;
     n->reported = true;
     diag_error(b->diags, n, AT_VALUE, "E-comma", "'%s' has no ')'", diag_clip(b->diags, n->text));

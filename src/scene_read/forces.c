@@ -31,6 +31,22 @@ static bool of_a_body(const struct scene *scene, const char *name)
     return false;
 }
 
+/* pin.omega: what a joint has in its place. */
+static void hint_coordinates(struct builder *b, const char *name, struct expr_error *error)
+{
+    const char *list[JOINT_MAX_Q + JOINT_MAX_V];
+    const size_t len = strcspn(name, ".");
+    for (int i = 0; i < b->scene->njoint && name[len]; i++) {
+        const struct scene_joint *j = &b->scene->joint[i];
+        if (strlen(j->name) != len || memcmp(j->name, name, len) != 0) continue;
+        const int n = coordinate_names(list, b, j);
+        size_t used = (size_t)snprintf(error->hint, sizeof error->hint, "known here:");
+        for (int k = 0; k < n && used < sizeof error->hint; k++)
+            used += (size_t)snprintf(error->hint + used, sizeof error->hint - used, "%s %s", k ? "," : "", list[k]);
+    }
+    if (strcmp(name, "time") == 0) snprintf(error->hint, sizeof error->hint, "time is t");
+}
+
 static int find_name(void *self, int *slot, double *value, const char *name, struct expr_error *error)
 {
     struct slots *s = self;
@@ -53,6 +69,7 @@ static int find_name(void *self, int *slot, double *value, const char *name, str
         if (is_output_formula(s->b->reader.deck, name))
             snprintf(error->hint, sizeof error->hint,
                      "it is an expression of columns, which is written and moves nothing: use a measure");
+        if (!nearest) hint_coordinates(s->b, name, error);
         if (!nearest && of_a_body(s->b->scene, name))
             snprintf(error->hint, sizeof error->hint,
                      "of bodies and points measures are read: {displacement: [ground, %.40s], axis: ...}",
