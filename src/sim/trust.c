@@ -332,7 +332,7 @@ static void look_at(struct sim *sim, const struct trust_place *p)
 }
 
 /* Least growth rate of small differences over the places [1/s]; 0: they do not grow everywhere; NAN: not looked at,
- * not to be told from round-off, or they may grow where forces act too briefly for any place to see: contacts, stops. */
+ * not to be told from round-off, or they may grow where forces act too briefly for any place to see: contacts, stops, backlash. */
 static double growth_on_the_way(struct sim *sim, long chart, double run)
 {
     enum { FEW = 3 };
@@ -340,19 +340,20 @@ static double growth_on_the_way(struct sim *sim, long chart, double run)
     const int places = growth_places(sim);
     double least = INFINITY;
     int seen = 0;
-    const bool brief = sim->stepper.ode->passed;
-    if (sim->stepper.ode->n < 2 && !trust_of_time(sim)) return 0; /* differences drift, at most */
+    const struct ode2 *ode = sim->stepper.ode;
+    const bool brief = ode->passed || ode->bends || ode->nside > 0;
+    if (ode->n < 2 && !trust_of_time(sim)) return 0; /* differences drift, at most */
     for (int i = 0; i < o->n && places >= FEW && seen < places; i++) {
         const struct trust_place *p = &o->place[i];
         double blur;
         if (p->chart != chart) continue;
-        const struct growth_place there = {p->t, pace_of(p, sim->stepper.ode), p->q, p->v};
+        const struct growth_place there = {p->t, pace_of(p, ode), p->q, p->v};
         const double grows = growth_at(sim, &there, &blur);
         if (!(grows > blur) && !(blur * run < TRUST_GROWN)) return NAN;
         least = fmin(least, grows > blur ? grows : 0);
         seen++;
     }
-    return seen >= FEW && (least > 0 || !brief) ? least : NAN;
+    return seen >= FEW && (!brief || least * run > TRUST_GROWN) ? least : NAN;
 }
 
 /* What a step leaves at s is at least 1 + growth (T - s) times larger at the end of the run T, in the mean of all steps
