@@ -47,6 +47,7 @@ static bool may_have_strayed(const struct sim *sim)
 
 const char *trust_why(const struct sim *sim)
 {
+    const struct touch *touch = sim->stepper.touch;
     const struct missed *missed = sim->stepper.missed;
     const bool tells = sim->stepper.kind->adaptive || sim->stepper.kind->late;
     const bool asked = sim->stepper.kind->adaptive || missed->steps > 0; /* two rates composed to order 4 are not */
@@ -60,10 +61,11 @@ const char *trust_why(const struct sim *sim)
     if (sim->stepper.unresolved.energy > EXCITED * sim->stepper.unresolved.motion)
         return "the minor steps do not resolve what vibrates in them";
     if (sim->guard.taken) return "the scheme has damped away what the steps do not resolve";
-    if (sim->stepper.touch && touch_impacts(sim->stepper.touch)) return "bodies strike each other";
-    if (sim->stepper.touch && touch_pushed(sim->stepper.touch))
-        return touch_rubs(sim->stepper.touch) ? "friction acts in joints" : "bodies push or rub each other";
+    if (touch && touch_impacts(touch)) return "bodies strike each other";
+    if (touch && touch_pushed(touch))
+        return touch_rubs(touch) ? "friction acts in joints" : "bodies push or rub each other";
     if (sim->stepper.plainly > 0) return "near contacts all coordinates took the minor step";
+    if (!asked && touch) return "no step was free of friction or of what may touch";
     if (!asked) return "its scheme does not tell what its steps leave";
     if (2 * missed->told < missed->steps || missed->told == 0) return too_few(sim);
     if (may_have_strayed(sim))
