@@ -69,7 +69,7 @@ const char *trust_why(const struct sim *sim)
     if (!asked) return "its scheme does not tell what its steps leave";
     if (2 * missed->told < missed->steps || missed->told == 0) return too_few(sim);
     if (may_have_strayed(sim))
-        return "stops or contacts strike again and again, each time otherwise, and small differences may grow from one "
-               "to the next";
+        return "stops, contacts or backlash strike again and again, each time otherwise, and small differences may "
+               "grow from one to the next";
     return NULL;
 }

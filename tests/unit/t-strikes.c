@@ -14,7 +14,7 @@ static struct strikes struck(struct arena *life, const double *v, const double *
 {
     struct strikes o;
     strikes_open(&o, 1, life);
-    for (int i = 0; i < n; i++) strikes_note(&o, &v[i], t[i]);
+    for (int i = 0; i < n; i++) strikes_note(&o, &v[i], t[i], true);
     return o;
 }
 
@@ -43,6 +43,31 @@ static void strikes_rest(void **unused)
     for (int i = 0; i < 40; i++, speed *= .7, time += speed) v[i] = speed, t[i] = time;
     const struct strikes o = struck(life, v, t, 40);
     assert_in_range(o.unlike, 6, 10);
+    arena_close(life);
+}
+
+/* Edges of forces that only bend by the state: those of a drag between phases that are alike count for nothing, never alike
+ * though they are; teeth that meet for a hundredth of the time and turn velocities round do. */
+static void strikes_brief(void **unused)
+{
+    (void)unused;
+    struct arena *life = arena_open();
+    struct strikes drag, teeth;
+    double x = .3, t = 0, along = 0;
+    strikes_open(&drag, 1, life);
+    strikes_open(&teeth, 1, life);
+    for (int i = 0; i < 40; i++, x = 1 - 2 * x * x) {
+        const double turned = x < 0 ? 1 + x : 1 - x;
+        strikes_note(&drag, &(double){(i % 2 ? 1 : -1) * (2 + x / 2)}, along, false);
+        along += 2 + x / 2;
+        strikes_note(&teeth, &turned, t, false);
+        strikes_note(&teeth, &(double){-turned}, t + .01 * turned, false);
+        t += 1 + turned;
+    }
+    assert_int_equal(drag.seen, 40);
+    assert_int_equal(drag.unlike, 0);
+    assert_int_equal(teeth.seen, 80);
+    assert_in_range(teeth.unlike, 30, 80);
     arena_close(life);
 }
 
@@ -89,6 +114,7 @@ static void strikes_run(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(strikes_cycle), cmocka_unit_test(strikes_rest),
-                                       cmocka_unit_test(strikes_stray), cmocka_unit_test(strikes_run)};
+                                       cmocka_unit_test(strikes_brief), cmocka_unit_test(strikes_stray),
+                                       cmocka_unit_test(strikes_run)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
