@@ -37,8 +37,8 @@ const struct key keys_cam[] = {
     CENTRE,
     PARAM_TABLE(
         struct surface_keys, points, "table", "[[angle, radius], ...], or a name in tables", 0,
-        "points [rad], [m] of one turn when drawn, counted from the world's x axis; smooth between; free is what "
-        "lies outside"),
+        "points [rad], [m] of one turn when drawn, the first not repeated at its end, counted from the world's x "
+        "axis; smooth between; free is what lies outside"),
     PARAM_CSV(struct surface_keys, points, "file", 0, "CSV file of angle, radius beside the deck"),
     KEYS_END,
 };
