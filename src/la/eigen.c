@@ -121,10 +121,10 @@ int eigen_general(double *lambda, double *X, double *K, double *M, int n)
 
 /* ---- graded ---- */
 
-/* A := D (K + sigma M) D factored, D [n] such that its diagonal is one.  Positive, and not by round-off alone? */
-static bool shifted_cholesky(double *A, double *D, const double *K, const double *M, double sigma, int n)
+/* A := D (K + sigma M) D factored, D [n] such that its diagonal is one.  Positive, with no pivot below `least`, so that it is
+ * not by round-off alone? */
+static bool shifted_cholesky(double *A, double *D, const double *K, const double *M, double sigma, double least, int n)
 {
-    static const double least = 1e-6;
     for (int i = 0; i < n; i++) {
         const double k = K[i + i * n] + sigma * M[i + i * n];
         if (!(k > 0)) return false;
@@ -138,16 +138,19 @@ static bool shifted_cholesky(double *A, double *D, const double *K, const double
     return true;
 }
 
-/* The least shift, by decades; -1: there is none. */
+/* The least shift, by decades; -1: there is none.  Pivots of the mass matrix of a long chain are small beside its diagonal,
+ * 1e-8 of it with 300 links: where no shift makes them large, smaller ones do. */
 static double shift(double *A, double *D, const double *K, const double *M, int n)
 {
     double most = 0;
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) most = fmax(most, fabs(K[i + j * n]) / sqrt(M[i + i * n] * M[j + j * n]));
     if (most == 0) most = 1;
-    if (shifted_cholesky(A, D, K, M, 0, n)) return 0;
-    for (double part = 1e-14; part < 1e6; part *= 10)
-        if (shifted_cholesky(A, D, K, M, part * most, n)) return part * most;
+    for (double least = 1e-6; least > 1e-13; least *= 1e-3) {
+        if (shifted_cholesky(A, D, K, M, 0, least, n)) return 0;
+        for (double part = 1e-14; part < 1e6; part *= 10)
+            if (shifted_cholesky(A, D, K, M, part * most, least, n)) return part * most;
+    }
     return -1;
 }
 
