@@ -212,7 +212,7 @@ static enum status accept(struct stepper *s, const struct aim *o, double *t, dou
     struct adaptive *m = s->self;
     const double end = s->natural && s->due > *t ? smaller(o->end, s->due) : o->end;
     note_missed(s, m, whole, m->came);
-    if (s->strikes && m->beyond > 0) strikes_note(s->strikes, m->v, *t, m->pushes);
+    if (s->strikes && m->beyond > 0) strikes_note(s->strikes, m->v, *t);
     take(s, m, *t, m->came);
     const bool stuck = creep_found(m, *t + m->came, end);
     if (m->leaps) {

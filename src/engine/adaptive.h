@@ -59,7 +59,6 @@ struct adaptive {
     double h, old;        /* next step; error of the last one */
     double came;          /* how far the trial has come: its step, or less, to where something touches */
     double beyond;        /* the trial's part of an edge: see edge.h */
-    bool pushes;          /* that edge is one of a push */
     bool leaps;           /* it goes over a jump, in a step that is so short that its error does not matter */
     double held;          /* next step before a jump was in the way; 0: none was */
     bool jumps;           /* a trial of this step met one */

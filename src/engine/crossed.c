@@ -43,17 +43,16 @@ static bool is_inside(double x)
     return x > LEAST && x < 1 - LEAST;
 }
 
-/* pushes: does a push begin or end there?  acts: does that, or does a force bend or jump by the state? */
-static enum edge_kind edge_in(struct crossed *o, bool *pushes, bool *acts, const struct state *from,
-                              const struct state *to, const struct passing_look *passing)
+/* pushes: does a push begin or end there? */
+static enum edge_kind edge_in(struct crossed *o, bool *pushes, const struct state *from, const struct state *to,
+                              const struct passing_look *passing)
 {
     double x = NAN;
     enum edge_kind kind = passing ? passing_edge(passing, &x) : EDGE_NONE;
-    *acts = *pushes = kind != EDGE_NONE;
+    *pushes = kind != EDGE_NONE;
     if (!is_inside(x)) kind = EDGE_NONE;
     if (!o->sides || !sides_parted(o->sides, from, to)) return kind;
     const struct edge edge = sides_edge(o->sides, from, to);
-    *acts |= edge.kind != EDGE_NONE;
     return is_inside(edge.at) && edge.kind > kind ? edge.kind : kind;
 }
 
@@ -94,14 +93,14 @@ static void note(struct crossed *o, struct stepper *s)
 void crossed_step(struct crossed *o, struct stepper *s, const struct state *from, const struct state *to, double h,
                   const struct passing_look *passing)
 {
-    bool pushes, acts;
-    const enum edge_kind kind = edge_in(o, &pushes, &acts, from, to, passing);
+    bool pushes;
+    const enum edge_kind kind = edge_in(o, &pushes, from, to, passing);
     const double H = to->t - from->t;
     for (int i = 0; i < o->ode->n; i++) o->now[i] = (to->v[i] - from->v[i]) / H;
     if (o->kicks) missed_moved(s->missed, s->ode, to->v, H, o->kicked);
     if (o->kind != EDGE_NONE) add(o, s);
     if (kind != EDGE_NONE) note(o, s);
-    if (acts && s->strikes) strikes_note(s->strikes, from->v, from->t, pushes);
+    if ((pushes || kind != EDGE_NONE) && s->strikes) strikes_note(s->strikes, from->v, from->t);
     for (int i = 0; i < o->ode->n; i++) o->trend[i] = o->now[i] - o->mean[i];
     copy(o->mean, o->now, o->ode->n);
     if (o->known < 2) o->known++;

@@ -51,22 +51,20 @@ static double leap(const struct stepper *s, struct adaptive *m, const struct edg
     return SURE / own > ROOM * x ? SURE / own : close_before(x);
 }
 
-/* The edge of the trial: of values that tell sides, or where a push begins or ends, as ode2's edge() has it; m->pushes
- * follows. */
-static struct edge edge_in(struct adaptive *m, const struct ode2 *o, double t)
+/* The edge of the trial: of values that tell sides, or where a push begins or ends, as ode2's edge() has it. */
+static struct edge edge_in(const struct adaptive *m, const struct ode2 *o, double t)
 {
     const struct state from = {t, m->q, m->v, m->a}, to = {t + m->came, m->q1, m->v1, m->ahead};
     struct edge side = {.at = NAN}, push = {.at = NAN};
-    m->pushes = false;
     if (!m->ahead) return side;
     if (m->sides) side = sides_edge(m->sides, &from, &to);
     if (!o->passed) return side;
     push.at = push.last = o->edge(o, &push.kind);
     if (!isfinite(push.at)) return side;
     push.beyond = 2 * (1 - push.at);
+    if (push.kind != side.kind) return push.kind > side.kind ? push : side;
     const bool other = push.kind == EDGE_BEND ? fabs(side.at - .5) < fabs(push.at - .5) : side.at < push.at;
-    m->pushes = push.kind != side.kind ? push.kind > side.kind : !other;
-    return m->pushes ? push : side;
+    return other ? side : push;
 }
 
 double edge_cut(const struct stepper *s, struct adaptive *m, double t, double err, double share)

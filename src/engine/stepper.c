@@ -27,7 +27,7 @@ void stepper_open(struct stepper *s, const struct stepper_kind *kind, struct ode
     single_open(s->whole, ode, life);
     s->missed = TAKE(life, struct missed, 1);
     missed_open(s->missed, ode->n, life);
-    if (ode->passed || ode->nside > 0) strikes_open(s->strikes = TAKE(life, struct strikes, 1), ode->n, life);
+    if (ode->passed || ode->nside) strikes_open(s->strikes = TAKE(life, struct strikes, 1), ode->n, life);
     kind->open(s, life);
     if (ode->contact && ode->contact->m > 0 && kind->two_rates && !kind->adaptive) {
         s->plain = TAKE(life, struct stepper, 1);

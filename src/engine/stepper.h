@@ -147,7 +147,7 @@ struct stepper {
     int unstarted; /* accelerations were not found in a new chart: the next step solves for them again */
     struct accel *accel;     /* solves (2-4) for a */
     struct missed *missed;   /* sums of local errors; NULL: not wanted */
-    struct strikes *strikes; /* of pushes; NULL: there are none, or they are not looked at */
+    struct strikes *strikes; /* NULL: no force bends or jumps by the state, or they are not looked at */
     struct tangent *tangent; /* with one degree of freedom: errors propagated; NULL: not wanted */
     struct touch *touch;     /* rigid contacts; NULL: there are none */
     /* Two rates with rigid contacts: takes the minor steps for all coordinates where a contact is closed or near;

@@ -7,11 +7,14 @@
 #include "base/scalar.h"
 #include "engine/motion.h"
 
-static const double LIKE = .05; /* of the largest: two strikes that differ by less are alike */
+static const double LIKE = .05;  /* of the largest: two strikes that differ by less are alike */
+static const double BRIEF = .25; /* of the longest time between two edges: a strike takes less, */
+static const double TURNS = .1;  /* changes a velocity by that much of its largest, */
+static const double TIMES = 2;   /* and that many times as quickly as it changed before */
 
 void strikes_open(struct strikes *o, int n, struct arena *life)
 {
-    *o = (struct strikes){.n = n, .top = TAKE(life, double, n)};
+    *o = (struct strikes){.n = n, .pace = -1, .top = TAKE(life, double, n)};
     for (int k = 0; k < STRIKES_KEPT; k++) o->v[k] = TAKE(life, double, n);
 }
 
@@ -23,33 +26,30 @@ static bool is_like(const struct strikes *o, const double *v, double gap, int k)
     return true;
 }
 
-/* Is what the edge ends, or what came before that, a brief push?  By what velocities have changed since the last edge. */
-static bool is_brief(struct strikes *o, double changed, double gap)
+/* Has something struck and parted again since the last edge?  By how much velocities have changed, most of all, beside their largest. */
+static bool has_struck(struct strikes *o, const double *v, double gap)
 {
-    static const double PART = .02, TIMES = 5;
-    const double pace = gap > 0 ? changed / gap : 0;
-    const bool now = changed > PART && pace > TIMES * o->pace, before = o->changed > PART && o->pace > TIMES * pace;
-    o->changed = changed;
+    const double *before = o->v[(o->seen + STRIKES_KEPT - 1) % STRIKES_KEPT];
+    double turned = 0;
+    if (o->seen == o->anew) return false;
+    for (int i = 0; i < o->n; i++)
+        if (o->top[i] > 0) turned = larger(turned, fabs(v[i] - before[i]) / o->top[i]);
+    const double pace = gap > 0 ? turned / gap : 0;
+    const bool quick = o->pace >= 0 && pace > TIMES * o->pace;
     o->pace = pace;
-    return now || before;
+    return quick && turned > TURNS && gap <= BRIEF * o->longest;
 }
 
-void strikes_note(struct strikes *o, const double *v, double t, bool pushes)
+void strikes_note(struct strikes *o, const double *v, double t)
 {
     const double gap = o->seen > 0 ? fabs(t - o->t) : 0;
     const long kept = o->seen - o->anew < STRIKES_KEPT ? o->seen - o->anew : STRIKES_KEPT;
-    const double *last = o->v[(o->seen + STRIKES_KEPT - 1) % STRIKES_KEPT];
-    double changed = 0;
-    bool like = false;
+    bool like = !has_struck(o, v, gap);
     o->longest = larger(o->longest, gap);
-    for (int i = 0; i < o->n; i++) {
-        o->top[i] = larger(o->top[i], fabs(v[i]));
-        if (kept > 0 && o->top[i] > 0) changed = larger(changed, fabs(v[i] - last[i]) / o->top[i]);
-    }
-    const bool brief = is_brief(o, changed, gap) && kept > 1;
+    for (int i = 0; i < o->n; i++) o->top[i] = larger(o->top[i], fabs(v[i]));
     for (long k = 1; k <= kept && !like; k++) like = is_like(o, v, gap, (int)((o->seen - k) % STRIKES_KEPT));
     const int here = (int)(o->seen++ % STRIKES_KEPT);
-    o->unlike += !like && (pushes || brief);
+    o->unlike += !like;
     o->t = t;
     o->gap[here] = gap;
     copy(o->v[here], v, o->n);
@@ -58,6 +58,7 @@ void strikes_note(struct strikes *o, const double *v, double t, bool pushes)
 void strikes_rechart(struct strikes *o)
 {
     o->anew = o->seen;
+    o->pace = -1;
     zero(o->top, o->n);
 }
 
@@ -69,7 +70,6 @@ void strikes_recall(struct strikes *o, struct recall *r)
     recall_one(r, "anew", o->anew);
     recall_one(r, "t", o->t);
     recall_one(r, "longest", o->longest);
-    recall_one(r, "changed", o->changed);
     recall_one(r, "pace", o->pace);
     recall_list(r, "top", o->top, o->n);
     recall_list(r, "gap", o->gap, STRIKES_KEPT);

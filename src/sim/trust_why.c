@@ -35,12 +35,12 @@ static const char *too_few(const struct sim *sim)
     return "too few steps lie between corners of forces or drives";
 }
 
-/* Have pushes begun and ended so often, and otherwise each time, that differences may have grown from one to the next past all
- * that steps tell?  A mass between stops that a drive moves may make ten of one within a dozen of these edges.  With one
+/* Has something struck so often, and otherwise each time, that differences may have grown from one strike to the next past all that
+ * steps tell?  A mass between stops that a drive moves may make ten of one within these few.  With one
  * freedom alone differences only drift. */
 static bool may_have_strayed(const struct sim *sim)
 {
-    enum { FEW = 12 };
+    enum { FEW = 6 };
     const struct stepper *s = &sim->stepper;
     return s->strikes && s->strikes->unlike > FEW && (s->ode->n > 1 || trust_of_time(sim));
 }
@@ -69,7 +69,7 @@ const char *trust_why(const struct sim *sim)
     if (!asked) return "its scheme does not tell what its steps leave";
     if (2 * missed->told < missed->steps || missed->told == 0) return too_few(sim);
     if (may_have_strayed(sim))
-        return "stops, contacts or backlash strike again and again, each time otherwise, and small differences may "
-               "grow from one to the next";
+        return "brief pushes (stops, contacts, backlash) come again and again, each time otherwise, and small "
+               "differences may grow from one to the next";
     return NULL;
 }
