@@ -416,7 +416,7 @@ static void repeat_errors(void **state)
         {"a: {repeat: {i: [1, 2]}}",
          "1:5: error: the key 'a' of a repeated member needs its variable: 'a$i' [E-repeat]"},
         {"a$j: {repeat: {i: [1, 2]}}", "1:1: error: key 'a$j' is given twice [E-duplicate]"},
-        {"a$i: {repeat: {i: [1, 2]}, x: b$(i}", "1:31: error: 'b$(i' has no ')' [E-comma]"},
+        {"a$i: {repeat: {i: [1, 2]}, x: b$(i}", "1:31: error: 'b$(i': expected $i or $(i - 1) [E-repeat]"},
         {"a$i: {repeat: {i: [1, 2]}, x: \"b$(i\"}", "1:31: error: 'b$(i': expected $i or $(i - 1) [E-repeat]"},
         {"a$i: {repeat: {i: [1, 2]}, x: b$(i/2)}", "1:31: error: 'b$(i/2)': 0.5 is not a whole number [E-repeat]"},
         {"a$i: {repeat: {i: [1, 2]}, x: $ 5}", "1:31: error: '$ 5': expected $i or $(i - 1) [E-repeat]"},
