@@ -31,7 +31,11 @@ vary() { # DECK: its variants, as files in $work/v
         }' "$1"
 }
 for deck in tests/hard/units/touch.yaml tests/hard/units/drive.yaml tests/hard/units/spatial.yaml tests/hard/units/loop.yaml decks/gear-train.yaml \
-    decks/spin-up-segments.yaml decks/bar-slider.yaml tests/decks/signals.yaml; do
+    decks/spin-up-segments.yaml decks/bar-slider.yaml tests/decks/signals.yaml tests/pictures/things.yaml \
+    tests/pictures/balls.yaml tests/pictures/space.yaml decks/suspension.yaml decks/bearing.yaml decks/cardan.yaml decks/governor.yaml \
+    decks/quick-return.yaml decks/screw-actuator.yaml decks/driven-telescope.yaml decks/flexible-robot.yaml decks/rotor.yaml \
+    tests/effects/flat-bent.yaml tests/effects/flat-wound.yaml tests/effects/flat-loops.yaml tests/decks/driven-coupling.yaml \
+    tests/decks/audit-free-bushings.yaml; do
     rm -f "$work"/v/*
     vary "$deck"
     (

@@ -5,4 +5,4 @@ for deck in decks/*.yaml tests/decks/*.yaml tests/hard/units/*.yaml tests/trust/
     case $deck in */crank-[ct]*) continue ;; esac
     say "$(echo "${deck%.yaml}" | tr / -)" "$FMDSUB" run -q --until 0.01 --every-steps 10 -c '*' "$deck"
 done
-sums_judge tests/said/columns.txt "" .1
+sums_judge tests/said/columns.txt "" .01

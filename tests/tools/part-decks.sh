@@ -25,8 +25,8 @@ compare_reference() { # NAME RUN
     else not_ok "$name reference" "too far from tests/refdata/$name.csv" "$work/cmp"; fi
 }
 
-# What it takes, counted, is what tests/decks/counts.txt says, by a twentieth and five: NAME slow fast factors sweeps rejected.  So are
-# the smallest step and the error that it estimates, by a twentieth, and of a deck under another scheme the sum of what is
+# What it takes, counted, is what tests/decks/counts.txt says, by a fiftieth and three: NAME slow fast factors sweeps rejected.  So are
+# the smallest step and the error that it estimates, by a fiftieth, and of a deck under another scheme the sum of what is
 # written of its last record, by 1e-6.  More of it is slower; less is better only if nothing was lost: iterations, estimates of
 # error, steps.  Then it is written down anew: COUNTS=FILE: all lines go there.
 compare_counts() { # NAME [RECORDS]
@@ -41,7 +41,7 @@ compare_counts() { # NAME [RECORDS]
     awk '
         function apart(a, b, part, more,    d) { d = a < b ? b - a : a - b; return a != b && !(d <= part * (b < 0 ? -b : b) + more) }
         NR == 1 { for (i = 2; i <= 9; i++) was[i] = $i; next }
-        { for (i = 2; i <= 9; i++) if (apart($i, was[i], i == 9 ? 1e-6 : .05, i < 7 ? 5 : i == 9 ? 1e-9 : 0)) bad = 1; n = NF }
+        { for (i = 2; i <= 9; i++) if (apart($i, was[i], i == 9 ? 1e-6 : .02, i < 7 ? 3 : i == 9 ? 1e-9 : 0)) bad = 1; n = NF }
         END { exit bad || n != 9 }' "$work/was" "$work/counts" &&
         ok "$1 effort" || not_ok "$1 effort" "not tests/decks/counts.txt: slow, fast, factors, sweeps, rejected, smallest step, estimated error, sum, as it was and is" "$work/was" "$work/counts"
 }
