@@ -86,12 +86,59 @@ static void test_late(void **state)
     arena_close(life);
 }
 
+/* A burst that ends with a step over an edge is taken back, with all that it has added, and counts no more; one that ended before
+ * stands. */
+static void test_crossed(void **state)
+{
+    (void)state;
+    struct arena *life = arena_open();
+    for (int n = 1; n <= 2; n++) {
+        struct missed o, was;
+        const struct ode2 ode = {.n = n, .nq = n};
+        const double x[2] = {-2e-6, 5e-6}, v[2] = {3e-6, 7e-6}, rate[2] = {1, 2}, accel[2] = {4, 5};
+        missed_open(&o, n, life);
+        for (int burst = 1; burst <= 3; burst++) {
+            double position[2] = {o.position[0], n > 1 ? o.position[1] : 0},
+                   velocity[2] = {o.velocity[0], n > 1 ? o.velocity[1] : 0};
+            was = o;
+            o.steps = was.steps + burst;
+            missed_add(&o, &ode, x, v, rate, accel);
+            for (int i = 0; i < n; i++) {
+                near(o.position[i], position[i] + burst * fabs(x[i]), 1e-18);
+                near(o.velocity[i], velocity[i] + burst * fabs(v[i]), 1e-18);
+            }
+            near(o.signed_position, was.signed_position + (n == 1 ? burst * x[0] : 0), 1e-18);
+            near(o.signed_velocity, was.signed_velocity + (n == 1 ? burst * v[0] : 0), 1e-18);
+            assert_true(o.told == o.steps && o.next >= o.steps && o.late != was.late);
+            if (burst == 2) { /* taken back, all of it */
+                missed_crossed(&o);
+                for (int i = 0; i < n; i++) assert_true(o.position[i] == position[i] && o.velocity[i] == velocity[i]);
+                assert_true(o.signed_position == was.signed_position && o.signed_velocity == was.signed_velocity);
+                assert_true(o.late == was.late && o.told == was.told && o.next == was.next);
+                o.steps = was.steps;
+            }
+        }
+        const long told = o.told;
+        o.steps++;
+        o.seen = 1;
+        was = o;
+        missed_crossed(&o); /* its burst had ended a step ago */
+        assert_true(o.seen == 0 && o.told == told && o.position[0] == was.position[0] && o.late == was.late);
+        o.steps = o.next + 33;
+        o.seen = 1;
+        missed_crossed(&o); /* long overdue: edges at every step must not put it off for ever */
+        assert_int_equal(o.seen, 1);
+    }
+    arena_close(life);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_vibration),
         cmocka_unit_test(test_bursts),
         cmocka_unit_test(test_late),
+        cmocka_unit_test(test_crossed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
