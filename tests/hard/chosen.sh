@@ -45,4 +45,5 @@ ball 40
 payload 40
 rssr 30
 sprung 40
+hub 40
 END

@@ -11,6 +11,13 @@ expect "--ratios: status, what is tried" "0 subcycle subcycle-4:2 subcycle-4:4" 
 "$FMDSUB" study -q --repeats 0 --until 0.1 --schemes daniel --ratios 2,5 --steps 0.001 bar-slider.yaml >rows 2>err
 expect "--ratios and --steps: status, what is tried" "0 daniel:2 daniel:5" "$? $(tried)" rows err
 
+# Without, order 4 is tried at the deck's ratio, and at a fifth of it where that is more than one.
+for ratio in 5 10; do
+    "$FMDSUB" study -q --repeats 0 --until 0.1 --schemes subcycle -s integrate.ratio=$ratio bar-slider.yaml >rows 2>err
+    expect "a deck of ratio $ratio: order 4 at it, at a fifth of it, at 1" "1 $((ratio / 10)) 0" \
+        "$(tried | tr ' ' '\n' | grep -c "^subcycle-4:$ratio\$") $(tried | tr ' ' '\n' | grep -c '^subcycle-4:2$') $(tried | tr ' ' '\n' | grep -c '^subcycle-4$')" rows err
+done
+
 # The deck's own setting by a tolerance is the first row and has its sentence.
 "$FMDSUB" study --repeats 0 --until 0.1 -s 'integrate={scheme: dop853, tolerance: 3.0e-5, until: 1}' pendulum.yaml >rows 2>err
 expect "a deck with a tolerance: status, its row, its sentence" "0 1 1" \
