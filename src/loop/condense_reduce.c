@@ -212,6 +212,7 @@ static enum status mass_there(struct condense *o, double *M, const double *q, do
     const struct ode2 *tree = &o->tree->ode;
     TRY(solve_G(&o->solve, q, t, why));
     if (o->few) return mass_by_momentum(o, M, q, t, cls, why);
+    if (cls == FAST && tree->near < tree->n) memset(o->M, 0, sizeof *M * (size_t)tree->n * (size_t)tree->n);
     TRY(condense_own_rows(o, tree->ops->mass(tree, o->M, q, t, cls, why), why));
     symmetric_congruence(o, M, o->M);
     return OK;

@@ -139,7 +139,9 @@ static enum status mass(const struct ode2 *o, double *M, const double *q, double
     s->placed = there;
     s->ops->mass(s->sweep, M, there ? NULL : q, cls);
     /* all that enters M enters its diagonal */
-    return all_finite(M, o->n, o->n + 1) ? OK : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
+    return all_finite(M, cls == FAST && o->near > 0 ? o->near : o->n, o->n + 1)
+               ? OK
+               : trouble_set(why, TROUBLE_NOT_FINITE, -1, NAN, t);
 }
 
 static enum status slopes(const struct ode2 *o, double *K, double *C, const struct instant *x, unsigned cls,

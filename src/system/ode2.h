@@ -57,7 +57,8 @@ struct ode2_ops {
      * write 0. */
     enum status (*resid)(const struct ode2 *o, double *r, double *w, double *dk, const struct instant *x, unsigned cls,
                          struct trouble *why);
-    /* M^ [n x n] by column, of the asked classes, exact and symmetric. */
+    /* M^ [n x n] by column, of the asked classes, exact and symmetric; of FAST, where `near` is known, its first `near` rows
+     * and columns. */
     enum status (*mass)(const struct ode2 *o, double *M, const double *q, double t, unsigned cls, struct trouble *why);
     /* K = dr/dq, C = dr/dv of the stiff terms [n x n] by column; may be approximate; symmetric >= 0 for
      * potentials and dampers.  Either may be NULL. */

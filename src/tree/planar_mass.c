@@ -3,8 +3,6 @@
  * A body and all that hangs on it, held stiff: mass m_c, first moment s_c and inertia j_c about the body's
  * centre.  The force and moment that start it with unit u_k' give column k: at its own joint and,
  * carried inwards, at every joint on the path.  Walker & Orin, J. Dyn. Syst. Meas. Control 104 (1982) 205. */
-#include <string.h>
-
 #include "tree/planar_flex.h"
 
 /* Composite bodies, from the tips to the ground. */
@@ -52,24 +50,26 @@ static inline double row(const struct part *x, const struct link *l, int k, cons
     return x->e[k][0] * f[0] + x->e[k][1] * f[1];
 }
 
-static inline void put(double *M, int n, int i, int j, double x)
+/* Column and row `col` of M take x where they meet coordinate i. */
+static inline void put(double *column, double *row, int n, int i, double x)
 {
-    M[i + (size_t)n * j] = x;
-    M[j + (size_t)n * i] = x;
+    column[i] = x;
+    row[(size_t)n * (size_t)i] = x;
 }
 
 static void column(double *M, const struct sweep *s, int body, int k)
 {
     double f[3];
     const int n = s->n, col = s->link[body].iv[k];
+    double *down = M + (size_t)n * (size_t)col, *along = M + col;
     start(f, &s->part[body], &s->link[body], k);
     for (int i = body; i > 0; i = s->link[i].parent) {
         const struct part *x = &s->part[i];
         const struct link *l = &s->link[i];
         if (l->type == TURN)
-            put(M, n, l->iv[0], col, l->turn * (f[2] + x->c_b[0] * f[1] - x->c_b[1] * f[0]));
+            put(down, along, n, l->iv[0], l->turn * (f[2] + x->c_b[0] * f[1] - x->c_b[1] * f[0]));
         else
-            for (int o = 0; o < (i == body ? k + 1 : l->nv); o++) put(M, n, l->iv[o], col, row(x, l, o, f));
+            for (int o = 0; o < (i == body ? k + 1 : l->nv); o++) put(down, along, n, l->iv[o], row(x, l, o, f));
         f[2] += x->arm[0] * f[1] - x->arm[1] * f[0];
     }
 }
@@ -77,7 +77,7 @@ static void column(double *M, const struct sweep *s, int body, int k)
 void planar_mass(struct sweep *s, double *M, const double *q, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
-    memset(M, 0, sizeof *M * (size_t)s->n * (size_t)s->n);
+    roster_clear(o, M, s->n);
     if (q) planar_place(s, q, cls);
     s->part[0].cm = s->part[0].cj = s->part[0].cs[0] = s->part[0].cs[1] = 0;
     compose(s, o);

@@ -49,6 +49,13 @@ static void find_wanted(bool *wanted, const struct model *m)
     }
 }
 
+void roster_clear(const struct roster *o, double *M, int n)
+{
+    const size_t near = (size_t)o->near, rows = (size_t)n;
+    if (o->near == n) memset(M, 0, sizeof *M * rows * rows);
+    for (size_t j = 0; j < near && o->near < n; j++) memset(M + j * rows, 0, sizeof *M * near);
+}
+
 void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, const bool *bodies,
                    struct arena *life)
 {
@@ -70,4 +77,6 @@ void rosters_build(struct rosters *o, const struct model *m, enum purpose purpos
     list(&o->of[FAST], moves, fast, m->nbody, life);
     list(&o->of[SLOW], none, slow, m->nbody, life);
     list(&o->of[ALL], none, all, m->nbody, life);
+    o->of[SLOW].near = o->of[ALL].near = m->n;
+    o->of[FAST].near = bodies || m->near == 0 ? m->n : m->near;
 }

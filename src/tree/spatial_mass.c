@@ -160,7 +160,7 @@ static void flexible_column(double *M, const struct sweep *s, struct flexible *f
 void spatial_mass(struct sweep *s, double *M, const double *q, unsigned cls)
 {
     const struct roster *o = &s->rosters.of[cls];
-    memset(M, 0, sizeof *M * (size_t)s->n * (size_t)s->n);
+    roster_clear(o, M, s->n);
     if (q) spatial_place(s, q, cls);
     compose(s, o);
     for (int i = 0; i < o->n; i++) {

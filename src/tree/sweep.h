@@ -79,7 +79,8 @@ struct sweep_ops {
     /* r += what the bodies of cls need to move so (all rows on their paths): inertia minus pushed. */
     void (*backward)(struct sweep *s, double *r, unsigned cls);
 
-    /* M [n x n] by column, all written, of the bodies of cls; q NULL: where place() has left them. */
+    /* M [n x n] by column, of the bodies of cls, all rows and columns that are `near` these; q NULL: where place() has
+     * left them. */
     void (*mass)(struct sweep *s, double *M, const double *q, unsigned cls);
 
     /* Partial velocities at the last forward() or move(): velocity of the world point x carried by the body,
@@ -138,6 +139,7 @@ extern const struct sweep_ops sweep_planar, sweep_spatial;
 /* Which bodies a class list holds, parents first; for both recursions. */
 struct roster {
     int n;
+    int near;          /* these move by the first `near` velocities, and by no others */
     const int *body;   /* [n] indices, ascending */
     const char *bears; /* [n] 1: with its mass, 0: motion (and pushed forces) only */
 };
@@ -147,5 +149,7 @@ struct rosters {
 /* bodies: as in build(). */
 void rosters_build(struct rosters *o, const struct model *m, enum purpose purpose, const bool *bodies,
                    struct arena *life);
+/* M [n x n] := 0 where bodies of that list may have mass. */
+void roster_clear(const struct roster *o, double *M, int n);
 
 #endif

@@ -1,6 +1,6 @@
 /* t-structure.c -- subcycle by the structure of a mechanism: the factor with a diagonal and held coordinates against
  * dense algebra, whole runs with and without the owner's solver, and with and without knowing which slow
- * coordinates are near the fast ones */
+ * coordinates are near the fast ones; what is written of these bodies' mass matrix */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -167,12 +167,36 @@ static void test_near(void **state)
     arena_close(arena);
 }
 
+/* The mass matrix of the fast class is written where coordinates are near it, and nowhere else. */
+static void test_near_mass(void **state)
+{
+    (void)state;
+    static double M[4][MOST * MOST];
+    struct arena *arena = arena_open();
+    struct diags *diags = diags_open(arena);
+    struct report report = {0};
+    struct scene *scene;
+    struct model *m;
+    assert_int_equal(sim_load(&scene, "tests/bench/arms.yaml", NULL, diags, arena, &report), OK);
+    assert_int_equal(model_build(&m, scene, NULL, diags, arena), OK);
+    struct ode2 *o = system_ode2(system_build(m, arena));
+    for (int i = 0; i < o->n * o->n; i++) M[FAST][i] = NAN;
+    for (unsigned cls = FAST; cls <= ALL; cls++) assert_int_equal(o->ops->mass(o, M[cls], m->q0, 0, cls, NULL), OK);
+    for (int i = 0; i < o->n * o->n; i++) {
+        const bool near = i % o->n < o->near && i / o->n < o->near;
+        assert_true(near ? fabs(M[FAST][i] + M[SLOW][i] - M[ALL][i]) < 1e-12 : isnan(M[FAST][i]));
+        assert_true(near || M[SLOW][i] == M[ALL][i]);
+    }
+    arena_close(arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_factor),
         cmocka_unit_test(test_dense),
         cmocka_unit_test(test_near),
+        cmocka_unit_test(test_near_mass),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
