@@ -59,6 +59,7 @@ struct sweep {
     struct rosters rosters;
     int nbody, n;
     int limbs;             /* bodies on the ground */
+    int *limb;             /* [n] where nothing bends: of each joint's coordinates that which carries them */
     struct link *link;     /* [nbody] */
     struct part *part;     /* [nbody] */
     double (*bias)[3];     /* [nbody] work of solve(): moment and force, then twist */

@@ -62,6 +62,7 @@ static struct sweep *build(const struct model *m, enum purpose purpose, const bo
     s->part = TAKE(life, struct part, m->nbody);
     s->bias = arena_take(life, (size_t)m->nbody, sizeof *s->bias);
     s->zero = TAKE(life, double, m->n);
+    s->limb = TAKE(life, int, m->n);
     s->moving = TAKE(life, struct moving, m->nbody);
     build_ground(s, m);
     for (int i = 1; i < m->nbody; i++) {
@@ -69,6 +70,7 @@ static struct sweep *build(const struct model *m, enum purpose purpose, const bo
         build_link(&s->link[i], &s->link[j->parent], j, model_kind(m, j->type), &m->body[i]);
         s->link[i].limb = j->parent ? s->link[j->parent].limb : i;
         s->limbs += !j->parent;
+        for (int k = 0; k < s->link[i].nv; k++) s->limb[s->link[i].iv[k]] = s->link[i].limb;
         s->link[s->link[i].limb].last = i;
         s->link[i].pivot = s->link[i - 1].pivot + s->link[i - 1].nv;
     }

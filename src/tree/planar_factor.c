@@ -68,6 +68,16 @@ static inline int eliminate(struct pivot *o, double *I, double d)
     return 1;
 }
 
+/* The nv velocities of a joint. */
+INTO static inline int joint(struct pivot *pivot, struct part *x, const struct link *l, const double *d, int nv)
+{
+    for (int k = 0; k < nv; k++) {
+        planar_unit(pivot[k].s, x, l, k);
+        if (!eliminate(&pivot[k], x->I, d[l->iv[k]])) return 0;
+    }
+    return 1;
+}
+
 /* I about the parent's centre: the twist there is (w, v - w J arm). */
 static inline void carry(double *to, const double *I, const double *arm)
 {
@@ -97,10 +107,7 @@ TWICE int factor(struct sweep *s, void *F, double cm, const double *d, bool flex
         struct part *x = &s->part[i];
         struct pivot *pivot = base + l->pivot;
         if (flexible && !planar_flex_eliminate(s, modes(s, F), i, d)) return 0;
-        for (int k = 0; k < l->nv; k++) {
-            planar_unit(pivot[k].s, x, l, k);
-            if (!eliminate(&pivot[k], x->I, d[l->iv[k]])) return 0;
-        }
+        if (!(l->type == TURN ? joint(pivot, x, l, d, 1) : joint(pivot, x, l, d, l->nv))) return 0;
         arm[i][0] = x->arm[0];
         arm[i][1] = x->arm[1];
         if (l->parent) carry(s->part[l->parent].I, x->I, x->arm);
@@ -115,11 +122,11 @@ int planar_factor(struct sweep *s, void *F, double cm, const double *d, const do
 }
 
 /* From a body to its parent: right sides, and the bias that it has itself and brings up. */
-static inline void inwards(double *restrict up, double *restrict here, const struct link *l, const struct pivot *pivot,
-                           double *restrict x, const double *arm)
+INTO static inline void inwards(double *restrict up, double *restrict here, const struct link *l,
+                                const struct pivot *pivot, double *restrict x, const double *arm, int nv)
 {
     double h0 = here[0], h1 = here[1], h2 = here[2];
-    for (int k = 0; k < l->nv; k++) {
+    for (int k = 0; k < nv; k++) {
         const struct pivot *o = &pivot[k];
         const double e = (x[l->iv[k]] - (o->s[0] * h0 + o->s[1] * h1 + o->s[2] * h2)) * o->inverse;
         x[l->iv[k]] = e;
@@ -133,11 +140,11 @@ static inline void inwards(double *restrict up, double *restrict here, const str
 }
 
 /* And back: its twist V from that of its parent, and x. */
-static inline void outwards(double *restrict V, const double *restrict up, const struct link *l,
-                            const struct pivot *pivot, double *restrict x, const double *arm)
+INTO static inline void outwards(double *restrict V, const double *restrict up, const struct link *l,
+                                 const struct pivot *pivot, double *restrict x, const double *arm, int nv)
 {
     double V0 = up[0], V1 = up[1] - arm[1] * up[0], V2 = up[2] + arm[0] * up[0];
-    for (int k = l->nv - 1; k >= 0; k--) {
+    for (int k = nv - 1; k >= 0; k--) {
         const struct pivot *o = &pivot[k];
         const double here = x[l->iv[k]] - o->inverse * (o->U[0] * V0 + o->U[1] * V1 + o->U[2] * V2);
         x[l->iv[k]] = here;
@@ -161,13 +168,19 @@ TWICE void solve(const struct sweep *s, const void *F, double *x, bool flexible,
         const struct link *l = &s->link[i];
         if (limb && l->limb != limb) continue;
         if (flexible) planar_flex_forces(s, modes(s, F), p[i], x, i);
-        inwards(p[l->parent], p[i], l, pivot + l->pivot, x, arm[i]);
+        if (l->nv == 1)
+            inwards(p[l->parent], p[i], l, pivot + l->pivot, x, arm[i], 1);
+        else
+            inwards(p[l->parent], p[i], l, pivot + l->pivot, x, arm[i], l->nv);
     }
     p[0][0] = p[0][1] = p[0][2] = 0; /* from here on twists */
     for (int i = first; i <= last; i++) {
         const struct link *l = &s->link[i];
         if (limb && l->limb != limb) continue;
-        outwards(p[i], p[l->parent], l, pivot + l->pivot, x, arm[i]);
+        if (l->nv == 1)
+            outwards(p[i], p[l->parent], l, pivot + l->pivot, x, arm[i], 1);
+        else
+            outwards(p[i], p[l->parent], l, pivot + l->pivot, x, arm[i], l->nv);
         if (flexible) planar_flex_twist(s, modes(s, F), p[i], x, i);
     }
 }
@@ -177,13 +190,10 @@ static int only_limb(const struct sweep *s, const double *x)
 {
     int limb = 0;
     if (s->limbs == 1) return 0;
-    for (int i = 1; i < s->nbody; i++) {
-        const struct link *l = &s->link[i];
-        for (int k = 0; k < l->nv; k++) {
-            if (x[l->iv[k]] == 0 || l->limb == limb) continue;
-            if (limb) return 0;
-            limb = l->limb;
-        }
+    for (int i = 0; i < s->n; i++) {
+        if (x[i] == 0 || s->limb[i] == limb) continue;
+        if (limb) return 0;
+        limb = s->limb[i];
     }
     return limb;
 }
