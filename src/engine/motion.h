@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "la/vector.h"
 #include "system/ode2.h"
 
 /* q1 = q0 (+) s dx, at time t; q1 may be q0. */
@@ -15,7 +16,7 @@ static inline void motion_point(const struct ode2 *o, double *q1, const double *
     if (o->move)
         o->move->point(o, q1, q0, dx, s, t);
     else
-        for (int i = 0; i < o->n; i++) q1[i] = q0[i] + s * dx[i];
+        vector_move(q1, q0, s, dx, o->n);
 }
 
 /* The same for an iterate that is itself to be corrected, by motion_again().  Are loops left open? */
@@ -52,7 +53,7 @@ static inline void motion_diff(const struct ode2 *o, double *dx, const double *q
     if (o->move)
         o->move->diff(o, dx, q1, q0);
     else
-        for (int i = 0; i < o->n; i++) dx[i] = q1[i] - q0[i];
+        vector_move(dx, q1, -1, q0, o->n);
 }
 
 /* dx' where q1 = q0 (+) dx moves with velocity v at time t. */
