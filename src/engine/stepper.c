@@ -64,6 +64,11 @@ void effort_hand_on(struct effort *to, struct effort *from)
     to->fast += from->fast;
     to->factors += from->factors;
     to->sweeps += from->sweeps;
+    for (int i = 0; i < SPENT_KINDS; i++) {
+        to->spent[i].times += from->spent[i].times;
+        to->spent[i].slow += from->spent[i].slow;
+        to->spent[i].fast += from->spent[i].fast;
+    }
     *from = (struct effort){0};
 }
 

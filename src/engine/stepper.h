@@ -25,6 +25,22 @@ struct state {
     double *a; /* [n] accelerations at t; of schemes that take a step as a whole (midpoint, subcycle) its mean ones */
 };
 
+/* What `subcycle` evaluates for: its matrices; the first sweep over a major step, the second one, further ones, whole or coarse;
+ * minor steps once more in a sweep.  What begins a run and what looks at its energy is in none of these. */
+enum spent_on {
+    SPENT_ON_MATRICES,
+    SPENT_ON_FIRST,
+    SPENT_ON_SECOND,
+    SPENT_ON_SECOND_COARSE,
+    SPENT_ON_MORE,
+    SPENT_ON_MORE_COARSE,
+    SPENT_ON_REPEATED,
+    SPENT_KINDS
+};
+struct spent {
+    long times, slow, fast; /* how often; evaluations as in struct effort */
+};
+
 /* Work counted since opening: times vary, counts do not. */
 struct effort {
     long majors;     /* accepted major steps */
@@ -33,6 +49,7 @@ struct effort {
     long factors;    /* factorizations of an iteration matrix */
     long sweeps;     /* Newton iterations (subcycle: sweeps over the major step) */
     long rejected;   /* steps or sub-steps tried and given up */
+    struct spent spent[SPENT_KINDS];
 };
 
 struct stepper;

@@ -168,6 +168,25 @@ static enum status by_fast_mass(struct decouple *p, const struct instant *x, int
     return OK;
 }
 
+/* The same from M_s, M_LL W - M_LS: where fast bodies hang on all slow ones these are fewer than what moves with the fast
+ * ones. */
+static enum status by_slow_mass(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
+{
+    const int n = p->n, ns = p->ns, ml = p->ml;
+    const double *M = p->Mf;
+    p->effort->slow++;
+    TRY(p->ode->ops->mass(p->ode, p->Mf, x->q, x->t, SLOW, why));
+    for (int j = 0; j < ns; j++)
+        for (int i = 0; i < ml; i++) p->MsW[i + j * ml] = -M[ns + i + (long)j * n];
+    dense_gemm(p->MsW, 1, M + ns + (long)ns * n, p->W, ml, rows, ns, ml, n, p->nl);
+    return OK;
+}
+
+static enum status by_mass(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
+{
+    return p->ml == p->nl ? by_slow_mass(p, x, rows, why) : by_fast_mass(p, x, rows, why);
+}
+
 /* MsW by columns or rows, whichever takes fewer evaluations. */
 static enum status by_evaluations(struct decouple *p, const struct instant *x, int rows, struct trouble *why)
 {
@@ -183,7 +202,7 @@ static enum status by_evaluations(struct decouple *p, const struct instant *x, i
 static enum status slow_share(struct decouple *p, const struct instant *x, struct trouble *why)
 {
     int ns = p->ns, ml = p->ml, rows = p->reach < ml ? p->reach : ml;
-    TRY(p->Mf ? by_fast_mass(p, x, rows, why) : by_evaluations(p, x, rows, why));
+    TRY(p->Mf ? by_mass(p, x, rows, why) : by_evaluations(p, x, rows, why));
     zero(p->WMW, ns * ns);
     dense_gemtm(p->WMW, 1, p->W, p->MsW, ns, rows, ns, ns, p->nl, ml);
     for (int j = 0; j < ns; j++)
@@ -203,7 +222,7 @@ enum status decouple_at(struct decouple *p, const struct instant *x, struct trou
 
 void decouple_recoil(const struct decouple *p, double *y, double s, const double *x)
 {
-    if (p->reach) dense_gemv(y, s, p->W, x, p->reach, p->ns, p->nl);
+    if (p->reach) gemv_few(y, s, p->W, x, p->reach, p->ns, p->nl);
 }
 
 void decouple_out(const struct decouple *p, double *out, const double *y, const double *x, int m)
@@ -358,6 +377,10 @@ void decouple_slopes(const struct decouple *p, double *K, int m)
 
 void decouple_slow(struct decouple *p, double *x)
 {
+    if (!p->structured) {
+        dense_cholesky_solve(p->L, x, p->nl, p->nl);
+        return;
+    }
     zero(p->z, p->ns);
     copy(p->z + p->ns, x, p->nl);
     p->ode->direct->solve(p->ode, p->F, p->z);

@@ -18,7 +18,8 @@
  *
  *     M_s W = (M_f P_S)_L,   W' M_s W,
  *
- * so that no slow body is asked.  Where M_f is formed in one pass it gives that at once; else the rows are given one by
+ * so that no slow body is asked.  Where M_f is formed in one pass it gives that at once, or M_s itself where all slow
+ * coordinates are near the fast bodies, since then slow bodies are fewer than what moves with the fast ones; else the rows are given one by
  * one where there are fewer slow coordinates than fast ones, by (M_f P_S)_L = (M_f)_LS - (M_f)_LL W and the symmetry of
  * M_f. */
 #ifndef FMDSUB_MULTIRATE_DECOUPLE_H
@@ -30,6 +31,11 @@
 #include "la/dense.h"
 
 enum { FEW = 6 };
+
+/* f(ns, ...), f written into its caller: for one to three fast coordinates with that number as a constant, since loops over so
+ * few cost more to begin than to run. */
+#define BY_FEW(f, ns, ...)                                                                                             \
+    ((ns) == 2 ? f(2, __VA_ARGS__) : (ns) == 1 ? f(1, __VA_ARGS__) : (ns) == 3 ? f(3, __VA_ARGS__) : f(ns, __VA_ARGS__))
 
 /* y [rows] += s A x, A [rows x cols]: dense_gemv() where most often both are a few, to the same bits. */
 INTO static inline void gemv_few(double *restrict y, double s, const double *restrict A, const double *restrict x,
@@ -80,7 +86,7 @@ struct decouple {
     double *M;         /* [n x n]; as L, NULL as long as the owner's structure serves */
     double *L;         /* [nl x nl] Cholesky factor of M_LL */
     void *F;           /* the owner's factor of M^ */
-    double *Mf;        /* [n x n] M_f; NULL: it is not formed */
+    double *Mf;        /* [n x n] M_f, or M_s; NULL: it is not formed */
     double *none;      /* [n] zeros */
     double *z, *r, *a; /* [n] */
     double *row, *Z;   /* [ns], [ns x ns] */
@@ -107,7 +113,7 @@ void decouple_on(const struct decouple *p, double *q, double s, const double *y,
 void decouple_fast(const struct decouple *p, double *rs, const double *r, int m);
 /* K [n x n] := P' K P, where K has its first m slow rows and columns. */
 void decouple_slopes(const struct decouple *p, double *K, int m);
-/* x [nl] := M_LL^-1 x; structured only. */
+/* x [nl] := M_LL^-1 x; structured, or where W is not zero. */
 void decouple_slow(struct decouple *p, double *x);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "base/scalar.h"
 #include "engine/motion.h"
 #include "la/dense.h"
 
@@ -14,7 +15,8 @@ void forecast_open(struct forecast *f, const struct decouple *dec, struct arena 
     double **known[] = {&f->y, &f->w, &f->dy, &f->dw};
     for (int i = 0; i < 12; i++) *fast[i] = TAKE(life, double, f->ns);
     for (int i = 0; i < 4; i++) *known[i] = TAKE(life, double, f->ml);
-    f->fit = TAKE(life, struct fit, f->nl);
+    fit_row_open(&f->fit, f->nl, life);
+    f->differs = TAKE(life, double, f->fit.room);
     f->leap = TAKE(life, struct leap, f->ns);
     f->ay = TAKE(life, double, f->nl);
     f->aybefore = TAKE(life, double, f->nl);
@@ -33,7 +35,7 @@ void forecast_forget(struct forecast *f, const struct decouple *dec, const doubl
     zero(f->y, f->ml);
     copy(f->w, u0, f->ml);
     f->H = f->Hbefore = H;
-    for (int i = 0; i < f->nl; i++) f->fit[i] = (struct fit){0};
+    fit_row_forget(&f->fit);
     for (int i = 0; i < f->ns; i++) f->leap[i] = (struct leap){{0}, 0, 0, 0, 0};
     f->kept = f->leaps = 0;
 }
@@ -63,12 +65,13 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
 {
     int n = p->n, ns = p->ns;
     double h = p->h, s = (p->H + f->H) / (f->H + f->Hbefore);
-    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * fit_next(&f->fit[i]));
+    fit_row_next(&f->fit, f->differs);
+    for (int i = 0; i < f->nl; i++) du[i] = p->H * (f->ay[i] + s * f->differs[i]);
     zero(f->c, ns);
     zero(f->g, ns);
-    dense_gemv(f->c, -h, p->Mss, f->as, ns, ns, ns);
-    dense_gemv(f->c, -h, p->one.C, f->vs, ns, ns, n);
-    dense_gemv(f->c, -h / 2, p->D, f->dx, ns, ns, ns);
+    gemv_few(f->c, -h, p->Mss, f->as, ns, ns, ns);
+    gemv_few(f->c, -h, p->one.C, f->vs, ns, ns, n);
+    gemv_few(f->c, -h / 2, p->D, f->dx, ns, ns, ns);
     if (p->drives) {
         for (int i = 0; i < f->ml; i++) {
             f->dy[i] = u0[i] + du[i] / 2;
@@ -85,15 +88,16 @@ void forecast_make(struct forecast *f, const struct response *p, double *du, dou
     response_run(p, d, f->c, f->g, NULL, f->x, f->v, f->s, 0);
 }
 
-/* c := K_SL y_k+1/2 + C_SL w of minor step k. */
-static void driving_at(struct forecast *f, const struct response *p, const double *w, int k)
+/* c [ns] := K_SL y_k+1/2 + C_SL w of minor step k. */
+INTO static inline void driving_at(struct forecast *f, double *c, const struct response *p, const double *w, int k,
+                                   int ns)
 {
-    int n = p->n, ns = p->ns, ml = p->ml;
-    zero(f->c, ns);
+    int n = p->n, ml = p->ml;
+    for (int i = 0; i < ns; i++) c[i] = 0;
     if (!p->drives) return;
     for (int i = 0; i < ml; i++) f->dy[i] = (k + .5) * p->h * w[i];
-    gemv_few(f->c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
-    gemv_few(f->c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
+    gemv_few(c, 1, p->one.K + (long)ns * n, f->dy, ns, ml, n);
+    gemv_few(c, 1, p->one.C + (long)ns * n, w, ns, ml, n);
 }
 
 static const double PROVED = .25; /* of squared errors: a prediction is used if it halves the error */
@@ -127,51 +131,68 @@ static void leap_learn(struct forecast *f)
     f->leaps = 0;
 }
 
+/* Where the minor steps have come to: displacements, velocities, of the slow ones w, in step k. */
+struct reached {
+    const double *x, *v, *w;
+    int k;
+};
+
+INTO static inline void minor(int ns, struct forecast *f, const struct response *p, double *restrict d,
+                              const struct reached *o)
+{
+    const struct minor *m = &p->one;
+    driving_at(f, f->c, p, o->w, o->k, ns);
+    for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
+    gemv_few(d, -p->h, m->K, o->x, ns, ns, p->n);
+    gemv_few(d, -1, m->V, o->v, ns, ns, ns);
+    minor_solve(m, d, ns);
+}
+
 /* J d_k = h { phi - K_SL y_k+1/2 - C_SL w - K_SS x_k } - V v_k. */
 void forecast_minor(struct forecast *f, const struct response *p, double *d, const double *x, const double *v,
                     const double *w, const double *jump, int k)
 {
-    const struct minor *m = &p->one;
-    int ns = p->ns;
+    const struct reached o = {x, v, w, k};
     if (k == 0 && !jump) return;
     if (k == 0) leap_ahead(f, jump);
-    driving_at(f, p, w, k);
-    for (int i = 0; i < ns; i++) d[i] = p->h * (f->phi[i] + f->phi1[i] + f->phi2[i] - f->c[i]);
-    gemv_few(d, -p->h, m->K, x, ns, ns, p->n);
-    gemv_few(d, -1, m->V, v, ns, ns, ns);
-    minor_solve(m, d);
+    BY_FEW(minor, p->ns, f, p, d, &o);
 }
 
 /* f->g := phi of d_k by the same equation. */
-static void force_of(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
-                     const double *w, int k)
+static void force_of(struct forecast *f, const struct response *p, const double *d, const struct reached *o)
 {
     const struct minor *m = &p->one;
     int ns = p->ns;
     double per = 1 / p->h;
-    driving_at(f, p, w, k);
-    copy(f->g, f->c, ns);
-    gemv_few(f->g, 1, m->K, x, ns, ns, p->n);
-    gemv_few(f->g, per, m->V, v, ns, ns, ns);
+    driving_at(f, f->g, p, o->w, o->k, ns);
+    gemv_few(f->g, 1, m->K, o->x, ns, ns, p->n);
+    gemv_few(f->g, per, m->V, o->v, ns, ns, ns);
     gemv_few(f->g, per, m->S, d, ns, ns, ns);
     gemv_few(f->g, per, p->Mss, d, ns, ns, ns);
+}
+
+/* phi and its differences go on to what is found: rest [ns] beside what was guessed, NULL: as it stands in f->g. */
+INTO static inline void go_on(int ns, struct forecast *f, const double *restrict rest, double per, int k)
+{
+    double *restrict p = f->phi, *restrict p1 = f->phi1, *restrict p2 = f->phi2;
+    for (int i = 0; i < ns; i++) {
+        double guess = p1[i] + p2[i], phi = rest ? p[i] + guess - per * rest[i] : f->g[i];
+        double step = k > 0 ? phi - p[i] : guess;
+        if (k > 0) p2[i] = f->differences > 0 ? step - p1[i] : 0;
+        p1[i] = step;
+        p[i] = phi;
+    }
 }
 
 /* At the first minor step phi has jumped, and its differences are carried over. */
 void forecast_force(struct forecast *f, const struct response *p, const double *d, const double *x, const double *v,
                     const double *w, const double *rest, int k)
 {
-    int ns = p->ns, known = k > 0 && rest;
-    double per = 1 / p->h;
-    if (!known) force_of(f, p, d, x, v, w, k);
+    const struct reached o = {x, v, w, k};
+    const double *known = k > 0 ? rest : NULL;
+    if (!known) force_of(f, p, d, &o);
     if (k == 0) leap_learn(f);
-    for (int i = 0; i < ns; i++) {
-        double guess = f->phi1[i] + f->phi2[i], phi = known ? f->phi[i] + guess - per * rest[i] : f->g[i];
-        double step = k > 0 ? phi - f->phi[i] : guess;
-        if (k > 0) f->phi2[i] = f->differences > 0 ? step - f->phi1[i] : 0;
-        f->phi1[i] = step;
-        f->phi[i] = phi;
-    }
+    BY_FEW(go_on, p->ns, f, known, 1 / p->h, k);
     f->differences += k > 0;
 }
 
@@ -185,9 +206,9 @@ double forecast_error(const struct forecast *f, const struct found *x, const dou
             sum += fabs(d - before);
             before = d;
         }
-        worst = fmax(worst, sum / 12 * per[i]);
+        worst = larger(worst, sum / 12 * per[i]);
     }
-    for (int i = 0; i < f->nl; i++) worst = fmax(worst, fabs(x->du[i] - x->H * f->ay[i]) / 12 * per[f->ns + i]);
+    for (int i = 0; i < f->nl; i++) worst = larger(worst, fabs(x->du[i] - x->H * f->ay[i]) / 12 * per[f->ns + i]);
     return worst;
 }
 
@@ -201,9 +222,9 @@ static void find_trend(struct forecast *f, const struct response *p, const struc
         f->v[i] = x->dx[i] / x->h - f->vs[i];
     }
     zero(f->g, ns);
-    dense_gemv(f->g, 1, p->Mss, f->c, ns, ns, ns);
-    dense_gemv(f->g, 1, p->one.K, f->x, ns, ns, n);
-    dense_gemv(f->g, 1, p->one.C, f->v, ns, ns, n);
+    gemv_few(f->g, 1, p->Mss, f->c, ns, ns, ns);
+    gemv_few(f->g, 1, p->one.K, f->x, ns, ns, n);
+    gemv_few(f->g, 1, p->one.C, f->v, ns, ns, n);
     if (p->drives) {
         for (int i = 0; i < ml; i++) {
             f->dy[i] = (x->H - x->h / 2) * x->w[i] + f->y[i];
@@ -229,8 +250,9 @@ void forecast_keep(struct forecast *f, const struct response *p, const struct fo
     f->ay = before;
     for (int i = 0; i < f->nl; i++) {
         f->ay[i] = per * x->du[i];
-        fit_learn(&f->fit[i], f->ay[i] - f->aybefore[i]);
+        f->differs[i] = f->ay[i] - f->aybefore[i];
     }
+    fit_row_learn(&f->fit, f->differs);
     for (int i = 0; i < f->ml; i++) {
         f->w[i] = x->w[i];
         f->y[i] = x->h / 2 * x->w[i];
@@ -249,7 +271,7 @@ void forecast_recall(struct forecast *f, struct recall *r)
     recall_list(r, "y", f->y, f->ml);
     recall_list(r, "w", f->w, f->ml);
     recall_list(r, "trend", f->trend, f->ns);
-    fits_recall(f->fit, r, "fit", f->nl, sizeof *f->fit);
+    fit_row_recall(&f->fit, r, "fit", f->nl);
     fits_recall(&f->leap->fit, r, "leap", f->ns, sizeof *f->leap);
     recall_each(r, "with", f->leap, with, f->ns);
     recall_each(r, "without", f->leap, without, f->ns);

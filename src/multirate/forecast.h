@@ -35,7 +35,8 @@ struct forecast {
     double *trend;             /* [ns] rate of phi over the last major step */
     struct leap *leap;         /* [ns] */
     int leaps;                 /* predictions of `leap` are still to be compared with phi */
-    struct fit *fit;           /* [nl] of du/H */
+    struct fit_row fit;        /* of the differences of du/H */
+    double *differs;           /* [room of fit] such differences */
     double *phi, *phi1, *phi2; /* [ns] of the last minor step, and its first and second difference */
     int kept;                  /* the step forecast last was accepted */
     int differences;           /* how many of phi have been seen */

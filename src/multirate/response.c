@@ -61,18 +61,6 @@ int minor_factor(struct minor *m)
     return minor_mass(m);
 }
 
-void minor_solve(const struct minor *m, double *x)
-{
-    int ns = m->ns;
-    double b[FEW];
-    if (ns > FEW) {
-        solve_dense(m->J, m->swap, m->form, x, ns);
-        return;
-    }
-    for (int i = 0; i < ns; i++) b[i] = x[i], x[i] = 0;
-    gemv_few(x, 1, m->spare, b, ns, ns, ns);
-}
-
 /* ---- what is frozen */
 
 void response_open(struct response *p, const struct decouple *dec, struct arena *life)
@@ -129,7 +117,7 @@ static void columns(struct response *p)
         }
         dense_gemm(d, h, m->K, p->X, ns, ns, cols, ns, n, ns);
         dense_gemm(d, 1, m->V, p->v, ns, ns, cols, ns, ns, ns);
-        for (int j = 0; j < cols; j++) minor_solve(m, d + j * ns);
+        for (int j = 0; j < cols; j++) minor_solve(m, d + j * ns, ns);
         for (int i = 0; i < ns * cols; i++) p->dx[i] = h * (p->v[i] - d[i] / 2);
         dense_gemm(p->dx, -h / 2, p->A, d, ns, ns, cols, ns, ns, ns);
         for (int i = 0; i < ns * cols; i++) {
@@ -231,14 +219,12 @@ static const double *slow_mass(const struct response *p, const struct decouple *
 int response_masses(struct response *p, const struct decouple *dec)
 {
     static const double LITTLE = 1e-5; /* what other terms leave of an iteration's corrections is more */
-    int n = p->n, ns = p->ns, nl = p->nl;
+    const int n = p->n, ns = p->ns, nl = p->nl, own = response_factors(p, dec);
     const double little = p->damps ? 0 : LITTLE; /* the damping is of the masses as they are */
-    int changed = dec->structured || !p->MLL || differs(dec->Mss, p->Mss, ns, ns, ns, little) ||
-                  differs(slow_mass(p, dec), p->MLL, nl, n, nl, little);
-    if (!changed) return 0;
-    copy(p->Mss, dec->Mss, ns * ns);
-    if (!dec->structured && p->MLL) dense_copy(p->MLL, slow_mass(p, dec), nl, nl, nl, n);
-    return 1;
+    const int changed = dec->structured || response_lacks(p, dec) || differs(dec->Mss, p->Mss, ns, ns, ns, little) ||
+                        (own && differs(slow_mass(p, dec), p->MLL, nl, n, nl, little));
+    if (changed) copy(p->Mss, dec->Mss, ns * ns);
+    return changed;
 }
 
 enum status response_need(struct response *p, double t, struct trouble *why)
@@ -249,27 +235,18 @@ enum status response_need(struct response *p, double t, struct trouble *why)
     return matrix_need(&p->MLL, nl, nl, p->life, t, why);
 }
 
-/* What only the dense way reads; M_LL as it is now. */
-static enum status need_dense(struct response *p, const struct decouple *dec, double t, struct trouble *why)
-{
-    if (p->MLL) return OK;
-    TRY(response_need(p, t, why));
-    dense_copy(p->MLL, slow_mass(p, dec), p->nl, p->nl, p->nl, p->n);
-    return OK;
-}
-
 bool response_factors(const struct response *p, const struct decouple *dec)
 {
-    return !dec->structured || p->stiff;
+    return p->stiff || (!dec->structured && (p->drives || dec->reach == 0));
 }
 
 /* x [nl] := G^-1 x. */
 static void slow_solve(struct response *p, struct decouple *dec, double *x)
 {
-    if (!dec->structured) {
-        solve_dense(p->G, p->swapG, p->form, x, p->nl);
-    } else if (!p->stiff) {
+    if (!response_factors(p, dec)) {
         decouple_slow(dec, x);
+    } else if (!dec->structured) {
+        solve_dense(p->G, p->swapG, p->form, x, p->nl);
     } else {
         zero(p->z, p->ns);
         copy(p->z + p->ns, x, p->nl);
@@ -278,15 +255,25 @@ static void slow_solve(struct response *p, struct decouple *dec, double *x)
     }
 }
 
+/* G for M_LL as it is now. */
+static enum status factor_dense_slow(struct response *p, struct decouple *dec, double t, struct trouble *why)
+{
+    const int nl = p->nl;
+    if (!p->MLL) TRY(response_need(p, t, why));
+    dense_copy(p->MLL, slow_mass(p, dec), nl, nl, nl, p->n);
+    for (int i = 0; i < nl * nl; i++) p->G[i] = p->Gk[i] + p->MLL[i];
+    const int pivot = factor_dense(p->G, p->swapG, p->spare, &p->form, nl);
+    p->formed = pivot < 0;
+    return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
+}
+
 static enum status factor_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why)
 {
-    int nl = p->nl;
+    p->formed = 0;
     if (dec->structured && !p->diagonal) return trouble_set(why, TROUBLE_SINGULAR, -1, 0, t);
-    if (dec->structured) return p->stiff ? dec->ode->direct->stiffen(dec->ode, p->GF, p->d, q, t, why) : OK;
-    TRY(need_dense(p, dec, t, why));
-    for (int i = 0; i < nl * nl; i++) p->G[i] = p->Gk[i] + p->MLL[i];
-    int pivot = factor_dense(p->G, p->swapG, p->spare, &p->form, nl);
-    return pivot < 0 ? OK : trouble_set(why, TROUBLE_SINGULAR, pivot, 0, t);
+    if (!response_factors(p, dec)) return OK;
+    return dec->structured ? dec->ode->direct->stiffen(dec->ode, p->GF, p->d, q, t, why)
+                           : factor_dense_slow(p, dec, t, why);
 }
 
 /* G, T = E + V G^-1 U (S12), factored. */
@@ -305,28 +292,43 @@ enum status response_slow(struct response *p, struct decouple *dec, const double
 
 /* ---- answers */
 
-void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
-                  double *x, double *v, double *s, int add)
+/* What response_run() goes through: the residual, where x and v stand, what has room for one step. */
+struct run {
+    const double *c, *g;
+    const struct powers *more;
+    double *x, *v, *s;
+    int add;
+};
+
+INTO static inline void run(int ns, const struct response *p, double *d, const struct run *o)
 {
     const struct minor *m = &p->one;
-    int n = p->n, ns = p->ns;
-    double h = p->h;
+    const double h = p->h;
+    const int terms = o->more ? o->more->terms : 0;
+    double *restrict x = o->x, *restrict v = o->v, *restrict s = o->s;
     for (int k = 0; k < p->ratio; k++, d += ns) {
-        double f = (k + .5) / p->ratio;
-        for (int i = 0; i < ns; i++) s[i] = -c[i] - f * g[i];
+        const double f = (k + .5) / p->ratio;
+        for (int i = 0; i < ns; i++) s[i] = -o->c[i] - f * o->g[i];
         double power = 1;
-        for (int j = 0; j < (more ? more->terms : 0); j++, power *= f)
-            for (int i = 0; i < ns; i++) s[i] -= power * more->x[i + j * ns];
-        gemv_few(s, -h, m->K, x, ns, ns, n);
+        for (int j = 0; j < terms; j++, power *= f)
+            for (int i = 0; i < ns; i++) s[i] -= power * o->more->x[i + j * ns];
+        gemv_few(s, -h, m->K, x, ns, ns, p->n);
         gemv_few(s, -1, m->V, v, ns, ns, ns);
-        minor_solve(m, s);
+        minor_solve(m, s, ns);
         for (int i = 0; i < ns; i++) {
             x[i] += h * (v[i] + s[i] / 2);
             v[i] += s[i];
-            d[i] = add ? d[i] + s[i] : s[i];
+            d[i] = o->add ? d[i] + s[i] : s[i];
         }
         if (p->damps) dense_gemv(x, h / 2, p->A, s, ns, ns, ns);
     }
+}
+
+void response_run(const struct response *p, double *d, const double *c, const double *g, const struct powers *more,
+                  double *x, double *v, double *s, int add)
+{
+    const struct run o = {c, g, more, x, v, s, add};
+    BY_FEW(run, p->ns, p, d, &o);
 }
 
 void response_correct(struct response *p, struct decouple *dec, double *Du, double *c, double *g, const double *R,

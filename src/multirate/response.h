@@ -64,6 +64,7 @@ struct response {
     int couples;         /* springs or dampers of the fast class couple fast and slow rows */
     int drives;          /* U or V is not zero: `couples`, or fast coordinates move bodies that slow springs hold */
     double *G;           /* [nl x nl] factored; dense only */
+    int formed;          /* it is so, for MLL */
     void *GF;            /* the owner's factor of G */
     double *Q;           /* [ml x ns] d(slow rows)/d(d_k) of one minor step: ((h^2/4) K_LS + (h/2) C_LS) B */
     double *X, *Y;       /* [ns x 2 ns] */
@@ -91,8 +92,17 @@ void minor_open(struct minor *m, const struct response *p, struct arena *life);
 /* J and V from K, C (S11); J again for another M_SS.  Return -1, or the column in which J has no pivot. */
 int minor_factor(struct minor *m);
 int minor_mass(struct minor *m);
-/* x := J^-1 x. */
-void minor_solve(const struct minor *m, double *x);
+/* x [ns] := J^-1 x; ns is m's. */
+INTO static inline void minor_solve(const struct minor *m, double *x, int ns)
+{
+    double b[FEW];
+    if (ns > FEW) {
+        solve_dense(m->J, m->swap, m->form, x, ns);
+        return;
+    }
+    for (int i = 0; i < ns; i++) b[i] = x[i], x[i] = 0;
+    gemv_few(x, 1, m->spare, b, ns, ns, ns);
+}
 
 /* Everything that does not depend on M_LL, from K, C (transformed) and F; after minor_factor. */
 void response_freeze(struct response *p, const struct decouple *dec);
@@ -100,6 +110,11 @@ void response_freeze(struct response *p, const struct decouple *dec);
 int response_masses(struct response *p, const struct decouple *dec);
 /* Is G factored by itself?  Else it is M_LL as dec has factored it. */
 bool response_factors(const struct response *p, const struct decouple *dec);
+/* So it is, and has not been yet: W has become zero. */
+static inline bool response_lacks(const struct response *p, const struct decouple *dec)
+{
+    return !dec->structured && response_factors(p, dec) && !p->formed;
+}
 /* G and what follows from it; q, t: where dec stands.  E_NUMERIC with TROUBLE_SINGULAR when the owner's
  * structure does not allow it: dec has to go dense. */
 enum status response_slow(struct response *p, struct decouple *dec, const double *q, double t, struct trouble *why);

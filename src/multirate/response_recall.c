@@ -24,6 +24,7 @@ static void dense_recall(struct response *p, struct recall *r)
     if (!p->G) return;
     recall_list(r, "MLL", p->MLL, nl * nl);
     recall_list(r, "G", p->G, nl * nl);
+    recall_one(r, "formed", p->formed);
     recall_list(r, "swapG", p->swapG, nl);
     form_recall(&p->form, r);
 }

@@ -111,18 +111,22 @@ static void open(struct stepper *s, struct arena *life)
 
 /* ---- the iteration ----------------------------------------------------------------------------- */
 
+/* Sum over the minor steps of what a sweep has changed d_k by. */
+INTO static inline void changes(int ns, double *restrict sum, const double *restrict d, const double *restrict before,
+                                int ratio)
+{
+    for (int i = 0; i < ns; i++) sum[i] = 0;
+    for (int k = 0; k < ratio; k++, d += ns, before += ns)
+        for (int i = 0; i < ns; i++) sum[i] += fabs(d[i] - before[i]);
+}
+
 /* Has the sweep converged?  By its corrections: of du, and of d_k summed over the minor steps. */
 static enum verdict judge(struct subcycle *c)
 {
     double err = 0, small = 0, sum = 0, light = 0;
     const double most = 1 / larger(AT_REST * c->newton.top, DBL_MIN);
     for (int i = 0; i < c->nl; i++) c->sum[c->ns + i] = fabs(c->Du[i]);
-    for (int i = 0; i < c->ns; i++) {
-        const double *d = c->d + i, *before = c->dbefore + i;
-        double all = 0;
-        for (int k = 0; k < c->ratio; k++, d += c->ns, before += c->ns) all += fabs(*d - *before);
-        c->sum[i] = all;
-    }
+    BY_FEW(changes, c->ns, c->sum, c->d, c->dbefore, c->ratio);
     for (int i = 0; i < c->n; i++) {
         double e = c->sum[i] * c->newton.per[i];
         sum += c->sum[i];
@@ -138,6 +142,20 @@ static enum verdict judge(struct subcycle *c)
     return newton_judge(&c->newton, isfinite(sum) ? err : NAN, small, c->square, &start);
 }
 
+/* Slow bodies, then all or a few minor steps. */
+static enum status rows(struct subcycle *c, struct trouble *why)
+{
+    struct effort *e = c->effort;
+    const enum spent_on whole = c->newton.count == 0   ? SPENT_ON_FIRST
+                                : c->newton.count == 1 ? SPENT_ON_SECOND
+                                                       : SPENT_ON_MORE;
+    const long slow = e->slow, fast = e->fast, again = e->spent[SPENT_ON_REPEATED].fast;
+    TRY(subcycle_slow_bodies(c, why));
+    TRY(c->coarse.on ? subcycle_coarse_rows(c, why) : subcycle_fast_rows(c, why));
+    subcycle_spent(c, c->coarse.on ? whole + 1 : whole, slow, fast + e->spent[SPENT_ON_REPEATED].fast - again);
+    return OK;
+}
+
 static enum status sweep(struct subcycle *c, enum verdict *verdict, struct trouble *why)
 {
     bool moved = false;
@@ -147,8 +165,7 @@ static enum status sweep(struct subcycle *c, enum verdict *verdict, struct troub
     subcycle_compose(c);
     TRY(subcycle_follow(c, &moved, why));
     c->coarse.on &= !moved;
-    TRY(subcycle_slow_bodies(c, why));
-    TRY(c->coarse.on ? subcycle_coarse_rows(c, why) : subcycle_fast_rows(c, why));
+    TRY(rows(c, why));
     subcycle_slow_rows(c);
     c->newton.leaves = c->coarse.on && c->newton.count > 1 ? LEAVES : 0;
     *verdict = judge(c);

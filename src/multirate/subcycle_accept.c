@@ -67,7 +67,7 @@ enum status subcycle_accept(struct subcycle *c, struct stepper *s, struct state 
     subcycle_resolve(c, s);
     subcycle_last_keep(c);
     if (c->looked) subcycle_error_measure(c, s->missed != NULL);
-    for (int i = 0; i < c->nl; i++) c->u0[i] += c->du[i];
+    vector_move(c->u0, c->u0, 1, c->du, c->nl);
     decouple_out(&c->dec, c->v, c->u0, c->vs, c->nl);
     for (int i = 0; i < n; i++) c->abar[i] = per * (c->v[i] - x->v[i]);
     TRY(settle(c, x, why));

@@ -23,8 +23,18 @@ static const double FADE = .8; /* of exponential averages */
 static const double OLD =
     .5; /* weight of the average of whole sweeps, which is not renewed while coarse ones are taken */
 
+/* The minor steps that are evaluated. */
+struct nodes {
+    int n;                        /* of so many; 0: not found yet */
+    int at[COARSE_POINTS];        /* their numbers */
+    double weight[COARSE_POINTS]; /* in the sum over all minor steps: exact for polynomials through them */
+    double power[COARSE_POINTS]
+                [COARSE_POINTS]; /* coefficients of the Lagrange polynomial of each, in f = (k + 1/2)/n */
+};
+
 void subcycle_coarse_open(struct subcycle *c, struct arena *life)
 {
+    c->coarse.nodes = TAKE(life, struct nodes, 1);
     c->coarse.left = TAKE_MATRIX(life, double, c->ns, COARSE_POINTS);
 }
 
@@ -60,23 +70,20 @@ bool subcycle_coarse_next(const struct subcycle *c)
     return c->newton.way ? c->newton.count == 1 && able(c, LEAST) : c->newton.count == 2 && able(c, THIRD);
 }
 
+INTO static inline void add_rows(int ns, double *rows, double s, const double *A, const double *e, int ml)
+{
+    gemv_few(rows, s, A, e, ml, ns, ml);
+}
+
 void subcycle_coarse_keep(struct subcycle *c, int k)
 {
     const int ml = c->dec.ml;
     if (k < c->ratio - JUMP_TERMS && !able(c, c->newton.way ? LEAST : THIRD)) return;
     double *rows = c->coarse.rows + (long)k * ml, per = -1 / c->h;
     copy(rows, c->r + c->ns, ml);
-    if (c->dec.reach) gemv_few(rows, per, c->dec.MsW, c->es, ml, c->ns, ml);
-    if (c->resp.drives) gemv_few(rows, per, c->resp.Q, c->es, ml, c->ns, ml);
+    if (c->dec.reach) BY_FEW(add_rows, c->ns, rows, per, c->dec.MsW, c->es, ml);
+    if (c->resp.drives) BY_FEW(add_rows, c->ns, rows, per, c->resp.Q, c->es, ml);
 }
-
-/* The minor steps that are evaluated. */
-struct nodes {
-    int at[COARSE_POINTS];        /* their numbers */
-    double weight[COARSE_POINTS]; /* in the sum over all minor steps: exact for polynomials through them */
-    double power[COARSE_POINTS]
-                [COARSE_POINTS]; /* coefficients of the Lagrange polynomial of each, in f = (k + 1/2)/n */
-};
 
 /* power := coefficients of the polynomial through 1 at f[i] and 0 at the other f. */
 static void lagrange(double *power, const double *f, int i)
@@ -91,21 +98,20 @@ static void lagrange(double *power, const double *f, int i)
     }
 }
 
-static struct nodes nodes_of(int n)
+static void find_nodes(struct nodes *p, int n)
 {
     static const double gauss[COARSE_POINTS] = {.1127016654, .5, .8872983346};
-    struct nodes p = {.at = {0}};
     double f[COARSE_POINTS], sums[COARSE_POINTS] = {0};
-    for (int i = 0; i < COARSE_POINTS; i++) p.at[i] = (int)(gauss[i] * n), f[i] = (p.at[i] + .5) / n;
+    p->n = n;
+    for (int i = 0; i < COARSE_POINTS; i++) p->at[i] = (int)(gauss[i] * n), f[i] = (p->at[i] + .5) / n;
     for (int k = 0; k < n; k++) {
         double power = 1;
         for (int m = 0; m < COARSE_POINTS; m++, power *= (k + .5) / n) sums[m] += power;
     }
     for (int i = 0; i < COARSE_POINTS; i++) {
-        lagrange(p.power[i], f, i);
-        p.weight[i] = dot(p.power[i], sums, COARSE_POINTS);
+        lagrange(p->power[i], f, i);
+        p->weight[i] = dot(p->power[i], sums, COARSE_POINTS);
     }
-    return p;
 }
 
 /* Adds node i, whose rows are c->es and c->r, to the sums. */
@@ -120,7 +126,7 @@ static void node_sums(struct subcycle *c, const struct nodes *p, int i)
         c->push += p->weight[i] * c->es[j] * c->v[j];
         c->rest[j] = c->es[j];
     }
-    minor_solve(&c->resp.one, c->es);
+    minor_solve(&c->resp.one, c->es, ns);
     c->square += p->weight[i] * dot(c->rest, c->es, ns);
 }
 
@@ -140,15 +146,16 @@ static enum status node(struct subcycle *c, const struct nodes *p, int i, struct
 
 enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
 {
-    const struct nodes p = nodes_of(c->ratio);
+    struct nodes *p = c->coarse.nodes;
     const bool straight = !c->ode->move || c->ode->straight;
+    if (p->n != c->ratio) find_nodes(p, c->ratio);
     subcycle_rewind(c);
     zero(c->coarse.left, c->ns * COARSE_POINTS);
-    for (int k = 0, i = 0; k <= p.at[COARSE_POINTS - 1]; k++) {
+    for (int k = 0, i = 0; k <= p->at[COARSE_POINTS - 1]; k++) {
         const double *d = c->d + (long)k * c->ns;
         if (stop) return stop_status();
-        if (k == p.at[i] && straight) subcycle_place(c, k);
-        if (k == p.at[i]) TRY(node(c, &p, i++, why));
+        if (k == p->at[i] && straight) subcycle_place(c, k);
+        if (k == p->at[i]) TRY(node(c, p, i++, why));
         if (straight) {
             subcycle_fast_velocity(c, d);
         } else {
@@ -157,8 +164,7 @@ enum status subcycle_coarse_rows(struct subcycle *c, struct trouble *why)
         }
         subcycle_advance(c, d);
     }
-    for (int k = 0; k < c->ratio; k++)
-        for (int j = 0; j < c->dec.ml; j++) c->R[j] += c->h * c->coarse.rows[j + (long)k * c->dec.ml];
+    for (int k = 0; k < c->ratio; k++) vector_move(c->R, c->R, c->h, c->coarse.rows + (long)k * c->dec.ml, c->dec.ml);
     zero(c->dsum, c->ns);
     return OK;
 }

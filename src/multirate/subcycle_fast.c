@@ -11,6 +11,18 @@
 
 enum { INNER = 12 };
 
+/* es: from the fast rows of the fast bodies to all of (S6), but for the damping. */
+INTO static inline void with_slow_bodies(int ns, struct subcycle *c, const double *restrict d)
+{
+    const double *restrict cs = c->cs, *restrict mean = c->dmean, h = c->h;
+    double *restrict es = c->es, *restrict off = c->s1;
+    for (int i = 0; i < ns; i++) {
+        es[i] = h * es[i] + cs[i];
+        off[i] = d[i] - mean[i];
+    }
+    if (c->dec.reach) gemv_few(es, 1, c->dec.WMW, off, ns, ns, ns);
+}
+
 enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *power, double *dk, struct instant *x,
                                 struct trouble *why)
 {
@@ -20,11 +32,7 @@ enum status subcycle_minor_rows(struct subcycle *c, const double *d, double *pow
     TRY(c->ode->ops->resid(c->ode, c->r, power, dk, x, FAST, why));
     c->effort->fast++;
     decouple_fast(&c->dec, c->es, c->r, c->dec.ml);
-    for (int i = 0; i < ns; i++) {
-        c->es[i] = c->h * c->es[i] + c->cs[i];
-        c->s1[i] = d[i] - c->dmean[i];
-    }
-    if (c->dec.reach) gemv_few(c->es, 1, c->dec.WMW, c->s1, ns, ns, ns);
+    BY_FEW(with_slow_bodies, ns, c, d);
     if (c->alpha > 0) dense_gemv(c->es, c->h * c->h / 2, c->resp.D, c->v, ns, ns, ns);
     return OK;
 }
@@ -37,24 +45,36 @@ static double minor_error(const struct subcycle *c)
     return err;
 }
 
+/* es: from the residual to the correction of d. */
+INTO static inline void correct(int ns, struct subcycle *c, double *restrict d)
+{
+    double *restrict es = c->es, *restrict rest = c->rest, square = 0;
+    for (int i = 0; i < ns; i++) rest[i] = es[i];
+    minor_solve(c->local ? &c->here : &c->resp.one, es, ns);
+    for (int i = 0; i < ns; i++) {
+        square += rest[i] * es[i];
+        d[i] -= es[i];
+    }
+    c->square += square;
+}
+
 /* d_k corrected: once, or where its slopes have changed until it stands by itself (or has had its turn:
  * the next sweep comes back to it). */
 static enum status minor(struct subcycle *c, double *d, double *power, struct instant *x, struct trouble *why)
 {
-    double enough = fmax(.1 * c->newton.tol, 1e-13), before = INFINITY;
+    double enough = larger(.1 * c->newton.tol, 1e-13), before = INFINITY;
     for (int inner = 0, alone = 0, slow = 0; inner < INNER; inner++) {
         double dk = 0;
+        const long fast = c->effort->fast;
         TRY(subcycle_minor_rows(c, d, power, &dk, x, why));
+        if (inner > 0) subcycle_spent(c, SPENT_ON_REPEATED, c->effort->slow, fast);
         c->coarse.varied |= sharpened(&dk);
         c->coarse.varied |= dk > STALE_SLOPE;
         if (dk > STALE_SLOPE || slow) {
             TRY(subcycle_refresh_here(c, x, why));
             alone = 1;
         }
-        copy(c->rest, c->es, c->ns);
-        minor_solve(c->local ? &c->here : &c->resp.one, c->es);
-        c->square += dot(c->rest, c->es, c->ns);
-        for (int i = 0; i < c->ns; i++) d[i] -= c->es[i];
+        BY_FEW(correct, c->ns, c, d);
         double err = alone ? minor_error(c) : 0;
         if (err <= enough || (err > .5 * before && err < 1e-7)) break;
         slow = err > .1 * before;
@@ -63,18 +83,28 @@ static enum status minor(struct subcycle *c, double *d, double *power, struct in
     return OK;
 }
 
+/* d of the minor step leaves dsum as it was when the rows were taken. */
+INTO static inline void corrected(int ns, double *restrict dsum, double *restrict esum, const double *restrict d,
+                                  const double *restrict e)
+{
+    for (int i = 0; i < ns; i++) {
+        dsum[i] -= d[i] + e[i];
+        esum[i] += e[i];
+    }
+}
+
+INTO static inline double with_power(int ns, double push, const double *rest, const double *v)
+{
+    for (int i = 0; i < ns; i++) push += rest[i] * v[i];
+    return push;
+}
+
 static void minor_sums(struct subcycle *c, const double *d)
 {
-    const int ns = c->ns, ml = c->dec.ml;
-    const double *restrict r = c->r + ns, *restrict e = c->es, h = c->h;
-    double *restrict R = c->R, *restrict dsum = c->dsum, *restrict esum = c->esum, push = c->push;
-    for (int i = 0; i < ml; i++) R[i] += h * r[i];
-    for (int i = 0; i < ns; i++) {
-        dsum[i] -= d[i] + e[i]; /* as it was when the rows were taken */
-        esum[i] += e[i];
-        push += c->rest[i] * c->v[i];
-    }
-    c->push = push;
+    const int ns = c->ns;
+    vector_move(c->R, c->R, c->h, c->r + ns, c->dec.ml);
+    BY_FEW(corrected, ns, c->dsum, c->esum, d, c->es);
+    c->push = BY_FEW(with_power, ns, c->push, c->rest, c->v);
 }
 
 void subcycle_rewind(struct subcycle *c)

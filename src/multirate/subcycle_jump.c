@@ -29,7 +29,7 @@ void subcycle_last_open(struct subcycle *c, struct arena *life)
 static void share_of(const struct subcycle *c, double *share)
 {
     copy(share, c->cs, c->ns);
-    if (c->dec.reach) dense_gemv(share, -1, c->dec.WMW, c->dmean, c->ns, c->ns, c->ns);
+    if (c->dec.reach) gemv_few(share, -1, c->dec.WMW, c->dmean, c->ns, c->ns, c->ns);
 }
 
 void subcycle_last_keep(struct subcycle *c)
@@ -62,29 +62,43 @@ static void constant_jump(struct subcycle *c, double *jump)
         const double s = per * (c->du[j] / c->ratio - c->h * c->forecast.ay[j]);
         for (int i = 0; i < ns; i++) jump[i] -= c->dec.MsW[j + (long)i * ml] * s;
     }
-    dense_gemv(jump, -1, K, o->x, ns, ns, c->n);
+    gemv_few(jump, -1, K, o->x, ns, ns, c->n);
     if (c->resp.drives) dense_gemv(jump, -1, K + (long)ns * c->n, o->y, ns, ml, c->n);
 }
 
-/* B_k of the minor steps, from the last one back [ns x JUMP_TERMS]. */
-static void moving_jumps(struct subcycle *c, double *B)
+/* B_k of the minor steps, from the last one back [ns x JUMP_TERMS]: what one row of W has changed by. */
+INTO static inline void row_jumps(int ns, const struct subcycle *c, double *restrict B, int j)
 {
     const struct last_step *o = &c->last;
-    const int ns = c->ns, nl = c->nl, ml = c->dec.ml;
-    zero(B, ns * JUMP_TERMS);
-    for (int j = 0; j < ml && c->dec.reach; j++) {
-        double *dW = c->s1;
-        for (int i = 0; i < ns; i++) dW[i] = c->dec.W[j + (long)i * nl] - o->W[j + (long)i * nl];
-        for (int m = 0; m < o->terms; m++) {
-            const double row = o->rows[j + m * ml], s = dot(dW, o->a + m * ns, ns);
-            for (int i = 0; i < ns; i++) B[i + m * ns] += dW[i] * row + c->dec.MsW[j + (long)i * ml] * s;
-        }
+    const double *W = c->dec.W + j, *was = o->W + j, *MsW = c->dec.MsW + j;
+    const int nl = c->nl, ml = c->dec.ml;
+    double *restrict dW = c->s1;
+    for (int i = 0; i < ns; i++) dW[i] = W[(long)i * nl] - was[(long)i * nl];
+    for (int m = 0; m < o->terms; m++) {
+        const double *a = o->a + m * ns, row = o->rows[j + m * ml];
+        double *b = B + m * ns, s = 0;
+        for (int i = 0; i < ns; i++) s += dW[i] * a[i];
+        for (int i = 0; i < ns; i++) b[i] += dW[i] * row + MsW[(long)i * ml] * s;
     }
+}
+
+/* The same of M_SS. */
+INTO static inline void mass_jumps(int ns, const struct subcycle *c, double *restrict B)
+{
+    const struct last_step *o = &c->last;
     for (int j = 0; j < ns; j++)
         for (int i = 0; i < ns; i++) {
             const double dM = c->dec.Mss[i + j * ns] - o->Mss[i + j * ns];
             for (int m = 0; m < o->terms; m++) B[i + m * ns] += dM * o->a[j + m * ns];
         }
+}
+
+static void moving_jumps(struct subcycle *c, double *B)
+{
+    const int ns = c->ns;
+    zero(B, ns * JUMP_TERMS);
+    for (int j = 0; j < c->dec.ml && c->dec.reach; j++) BY_FEW(row_jumps, ns, c, B, j);
+    BY_FEW(mass_jumps, ns, c, B);
 }
 
 const double *subcycle_jump(struct subcycle *c)

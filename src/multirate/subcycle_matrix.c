@@ -35,8 +35,10 @@ static enum status damping(struct subcycle *c, struct trouble *why)
 
 enum status subcycle_decouple(struct subcycle *c, const double *q, double t, struct trouble *why)
 {
+    const long slow = c->effort->slow, fast = c->effort->fast;
     c->centre = (struct instant){.t = t, .q = q, .v = c->v0, .ta = t, .tb = t};
     TRY(decouple_at(&c->dec, &c->centre, why));
+    subcycle_spent(c, SPENT_ON_MATRICES, slow, fast);
     copy(c->u0, c->v0 + c->ns, c->nl);
     decouple_recoil(&c->dec, c->u0, 1, c->v0);
     return OK;
@@ -100,6 +102,7 @@ enum status subcycle_refresh(struct subcycle *c, struct trouble *why)
 
 static enum status renew(struct subcycle *c, bool slow, struct trouble *why)
 {
+    slow |= response_lacks(&c->resp, &c->dec);
     if (response_masses(&c->resp, &c->dec)) {
         int pivot = minor_mass(&c->resp.one);
         if (pivot >= 0) return singular(c, pivot, why);

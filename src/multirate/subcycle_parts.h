@@ -74,14 +74,15 @@ enum { COARSE_POINTS = 3 };
 
 /* subcycle_coarse.c: sweeps that evaluate only a few minor steps. */
 struct coarse {
-    bool on;       /* the sweep under way is one */
-    bool varied;   /* slopes of a minor step have changed in this major step */
-    bool powered;  /* power flows in minor steps */
-    int rest;      /* major steps for which none will be tried */
-    double missed; /* share of the steps in which one did not suffice, exponentially averaged */
-    double whole;  /* share of the steps without one in which two whole sweeps did not suffice, likewise */
-    double *rows;  /* [ml x ratio] slow rows of the fast bodies in all minor steps, after the last whole sweep */
-    double *left;  /* [ns x COARSE_POINTS] residual of the fast rows, as coefficients of powers of f_k */
+    bool on;             /* the sweep under way is one */
+    bool varied;         /* slopes of a minor step have changed in this major step */
+    bool powered;        /* power flows in minor steps */
+    int rest;            /* major steps for which none will be tried */
+    double missed;       /* share of the steps in which one did not suffice, exponentially averaged */
+    double whole;        /* share of the steps without one in which two whole sweeps did not suffice, likewise */
+    struct nodes *nodes; /* the minor steps that are evaluated */
+    double *rows;        /* [ml x ratio] slow rows of the fast bodies in all minor steps, after the last whole sweep */
+    double *left;        /* [ns x COARSE_POINTS] residual of the fast rows, as coefficients of powers of f_k */
 };
 
 /* subcycle_resolve.c: each fast coordinate by itself, while the others recoil freely. */
@@ -288,6 +289,15 @@ void subcycle_coupling_before(struct subcycle *c);
 /* And at its end c->error->more to the difference of the accelerations a [n] there from those extrapolated. */
 void subcycle_coupling_end(struct subcycle *c, const double *a);
 void subcycle_coupling_recall(struct subcycle *c, struct recall *r);
+
+/* What has been evaluated beyond these counts was for that. */
+static inline void subcycle_spent(struct subcycle *c, enum spent_on what, long slow, long fast)
+{
+    struct spent *o = &c->effort->spent[what];
+    o->times++;
+    o->slow += c->effort->slow - slow;
+    o->fast += c->effort->fast - fast;
+}
 
 /* Work by channel of the power w over `time`; is there any? */
 static inline bool subcycle_book(struct subcycle *c, double time, const double *w)

@@ -12,9 +12,15 @@
 #include "la/dense.h"
 #include "multirate/subcycle_parts.h"
 
+/* v_k of d_k in the fast rows, as if nothing were damped. */
+INTO static inline void midway(int ns, double *restrict v, const double *restrict vs, const double *restrict d)
+{
+    for (int i = 0; i < ns; i++) v[i] = vs[i] + d[i] / 2;
+}
+
 void subcycle_fast_velocity(struct subcycle *c, const double *d)
 {
-    for (int i = 0; i < c->ns; i++) c->v[i] = c->vs[i] + d[i] / 2;
+    BY_FEW(midway, c->ns, c->v, c->vs, d);
     if (c->alpha > 0) dense_gemv(c->v, .5, c->resp.A, d, c->ns, c->ns, c->ns);
 }
 
@@ -46,18 +52,11 @@ void subcycle_onward(struct subcycle *c, double *x1, const double *x0, double s,
     c->ode->move->onward(c->ode, x1, x0, c->dq, s, t, open);
 }
 
-/* v_k and a_k of d_k in the fast rows. */
-static void fast_motion(struct subcycle *c, const double *d)
+/* The same, and a_k. */
+INTO static inline void motion(int ns, double *restrict v, double *restrict a, const double *restrict vs,
+                               const double *restrict d, double per)
 {
-    const double per = 1 / c->h;
-    if (c->alpha > 0) {
-        subcycle_fast_velocity(c, d);
-        for (int i = 0; i < c->ns; i++) c->a[i] = per * d[i];
-        return;
-    }
-    const double *restrict vs = c->vs;
-    double *restrict v = c->v, *restrict a = c->a;
-    for (int i = 0; i < c->ns; i++) {
+    for (int i = 0; i < ns; i++) {
         v[i] = vs[i] + d[i] / 2;
         a[i] = per * d[i];
     }
@@ -66,7 +65,8 @@ static void fast_motion(struct subcycle *c, const double *d)
 void subcycle_half_way(struct subcycle *c, const double *d, double t)
 {
     const double *from = c->direct ? c->way : c->q;
-    fast_motion(c, d);
+    BY_FEW(motion, c->ns, c->v, c->a, c->vs, d, 1 / c->h);
+    if (c->alpha > 0) dense_gemv(c->v, .5, c->resp.A, d, c->ns, c->ns, c->ns);
     if (c->direct || !c->ode->move) {
         double *to = c->direct ? c->dq : c->qmid;
         decouple_there(&c->dec, c->v, c->a, to, from, c->h / 2, c->w, c->pull, c->near);
@@ -78,14 +78,18 @@ void subcycle_half_way(struct subcycle *c, const double *d, double t)
     subcycle_onward(c, c->qmid, c->q, .5, t, OPEN_AFTER);
 }
 
-void subcycle_advance(struct subcycle *c, const double *d)
+INTO static inline void advance(int ns, double *restrict x, double *restrict vs, const double *restrict v,
+                                const double *restrict d, double h)
 {
-    const double *restrict v = c->v, h = c->h;
-    double *restrict x = c->xn, *restrict vs = c->vs;
-    for (int i = 0; i < c->ns; i++) {
+    for (int i = 0; i < ns; i++) {
         x[i] += h * v[i];
         vs[i] += d[i];
     }
+}
+
+void subcycle_advance(struct subcycle *c, const double *d)
+{
+    BY_FEW(advance, c->ns, c->xn, c->vs, c->v, d, c->h);
 }
 
 double subcycle_minor_end(const struct subcycle *c, int k)
@@ -98,7 +102,7 @@ static void displacement(struct subcycle *c, int k)
 {
     const double time = k < c->ratio ? k * c->h : c->H;
     copy(c->dq, c->xn, c->ns);
-    for (int i = 0; i < c->nl; i++) c->dq[c->ns + i] = time * c->w[i];
+    vector_times(c->dq + c->ns, time, c->w, c->nl);
     decouple_recoil(&c->dec, c->dq + c->ns, -1, c->xn);
 }
 
@@ -175,7 +179,7 @@ static void plain_steps(struct subcycle *c)
 
 void subcycle_compose(struct subcycle *c)
 {
-    for (int i = 0; i < c->nl; i++) c->w[i] = c->u0[i] + c->du[i] / 2;
+    vector_move(c->w, c->u0, .5, c->du, c->nl);
     if (c->alpha > 0)
         fast_steps(c);
     else

@@ -10,10 +10,8 @@ static double slow_place(struct subcycle *c)
 {
     double per = 1 / c->H, mid = subcycle_middle(c);
     decouple_out(&c->dec, c->abar, c->du, c->dsum, c->nl);
-    for (int i = 0; i < c->n; i++) {
-        c->vbar[i] = per * c->dq[i];
-        c->abar[i] *= per;
-    }
+    vector_times(c->vbar, per, c->dq, c->n);
+    vector_times(c->abar, per, c->abar, c->n);
     return mid;
 }
 
@@ -28,8 +26,8 @@ enum status subcycle_slow_bodies(struct subcycle *c, struct trouble *why)
     sharpened(&dk);
     if (dk > STALE_SLOPE) c->newton.stale = 1;
     subcycle_book(c, c->H, power);
-    for (int i = 0; i < nl; i++) c->slow[i] = c->H * c->r[ns + i];
-    for (int i = 0; i < c->near; i++) c->pull[i] = per * c->du[i];
+    vector_times(c->slow, c->H, c->r + ns, nl);
+    vector_times(c->pull, per, c->du, c->near);
     for (int i = 0; i < ns; i++) c->dmean[i] = c->dsum[i] / c->ratio;
     zero(c->cs, ns);
     if (c->dec.reach) dense_gemtv(c->cs, -1. / c->ratio, c->dec.W, c->slow, c->dec.reach, ns, nl);
@@ -42,11 +40,11 @@ static void complete(struct subcycle *c)
 {
     int ns = c->ns, nl = c->nl, ml = c->dec.ml;
     for (int i = ml; i < nl; i++) c->R[i] = 0;
-    if (c->dec.reach) dense_gemv(c->R, 1, c->dec.MsW, c->dsum, ml, ns, ml);
-    for (int i = 0; i < nl; i++) {
-        c->R[i] += c->slow[i];
-        c->push += c->R[i] * c->w[i];
-    }
+    if (c->dec.reach) gemv_few(c->R, 1, c->dec.MsW, c->dsum, ml, ns, ml);
+    vector_move(c->R, c->R, 1, c->slow, nl);
+    double push = c->push;
+    for (int i = 0; i < nl; i++) push += c->R[i] * c->w[i];
+    c->push = push;
     if (c->resp.drives) dense_gemv(c->R, -1, c->resp.Q, c->esum, ml, ns, ml);
 }
 
@@ -57,7 +55,7 @@ static void correct(struct subcycle *c)
     for (int i = 0; i < ns; i++) c->s1[i] = c->coarse.on ? 0 : c->xn[i] - c->xbefore[i];
     response_correct(&c->resp, &c->dec, c->Du, c->c, c->g, c->R, c->s1);
     c->square += fabs(dot(c->R, c->Du, nl));
-    for (int i = 0; i < nl; i++) c->du[i] += c->Du[i];
+    vector_move(c->du, c->du, 1, c->Du, nl);
     const struct powers more = {c->coarse.left, COARSE_POINTS};
     if (!c->resp.drives && !c->coarse.on) return;
     zero(c->s1, ns);
