@@ -7,7 +7,11 @@
  * The single rate asks both classes at once, which in loops and chains costs about as much as one of them: what moves is the
  * same.  The last line has the CPU times beside the ideal (c_L/n + c_S) / c of such an evaluation.
  *
+ * Then what the evaluations are for, kind by kind: the last column, what each kind costs of the ideal, adds up to what all do.
+ *
  *     subcycling DECK [repeats [ratio]]
+ *     subcycling DECK 1 RATIO spent C_L C_S
+ *                                      that table alone, with prices from elsewhere
  *     subcycling DECK 1 RATIO PART     one part alone, for others to count: slow, fast, all: 2000 evaluations of that class;
  *                                      midpoint, subcycle: the run; open, open-subcycle: what each begins with */
 #include <math.h>
@@ -94,6 +98,41 @@ static void print(const char *name, const struct result *o)
            name, o->cpu, e->minors, 1e6 * o->cpu / (double)e->minors, e->slow, e->fast, e->factors, e->sweeps);
 }
 
+/* A row; returns its last number. */
+static double row(const char *name, const struct spent *o, double cL, double cS, double ideal)
+{
+    const double part = ((double)o->slow * cL + (double)o->fast * cS) / ideal;
+    printf("  %-38s %6ld %8ld %8ld %8.3f\n", name, o->times, o->slow, o->fast, part);
+    return part;
+}
+
+/* What the evaluations of sub-cycling are for, beside the ideal for as many minor steps. */
+static void print_spent(const struct result *split, const struct result *single, double n, double cL, double cS)
+{
+    static const char *const names[SPENT_KINDS] = {"matrices at the start (W, M_s W)",
+                                                   "first sweeps",
+                                                   "second sweeps, whole",
+                                                   "second sweeps, coarse",
+                                                   "third and later sweeps, whole",
+                                                   "third and later sweeps, coarse",
+                                                   "minor steps once more in a sweep"};
+    const struct effort *a = &split->effort, *b = &single->effort;
+    const double minors = (double)a->minors / (double)b->minors, ideal = (double)b->slow * minors * (cL / n + cS);
+    struct spent rest = {1, a->slow, a->fast};
+    double sum = 0;
+    printf("evaluations of %ld major steps of %g  %12s %8s %8s %8s\n", a->majors, n, "times", "slow", "fast",
+           "of ideal");
+    for (int i = 0; i < SPENT_KINDS; i++) {
+        sum += row(names[i], &a->spent[i], cL, cS, ideal);
+        rest.slow -= a->spent[i].slow;
+        rest.fast -= a->spent[i].fast;
+    }
+    sum += row("start of the run, looks at its energy", &rest, cL, cS, ideal);
+    printf("  %-38s %6s %8ld %8ld %8.3f\n", "all", "", a->slow, a->fast, sum);
+    const double each = (double)b->slow * minors;
+    printf("  %-38s %6s %8.0f %8.0f %8.3f\n", "ideal: of the single rate, slow ones / n", "", each / n, each, 1.);
+}
+
 int main(int argc, char **argv)
 {
     struct arena *life = arena_open();
@@ -108,9 +147,14 @@ int main(int argc, char **argv)
         return 2;
     }
     if (argc > 3) scene->integrate.ratio = atoi(argv[3]);
-    if (argc > 4) return part(scene, argv[4], diags, life);
+    const bool counts = argc == 7 && strcmp(argv[4], "spent") == 0;
+    if (argc > 4 && !counts) return part(scene, argv[4], diags, life);
     for (int i = 0; i < repeats; i++)
         if (run(&single, scene, "midpoint", diags) || run(&split, scene, "subcycle", diags)) return 1;
+    if (counts) {
+        print_spent(&split, &single, scene->integrate.ratio, atof(argv[5]), atof(argv[6]));
+        return 0;
+    }
     double n = scene->integrate.ratio, cL = single.slow, cS = single.fast;
     double ideal = (cL / n + cS) / (cL + cS), ratio = split.cpu / single.cpu;
     print("midpoint", &single);
@@ -121,6 +165,7 @@ int main(int argc, char **argv)
            1e6 * cL, 1e6 * cS, ratio, 1 / ratio, ideal, ratio / ideal);
     printf("c_L + c_S is %.2f times what the single rate pays, both at once: %.2f times the ideal beside that\n",
            (cL + cS) / single.all, ratio * single.all / (cL / n + cS));
+    print_spent(&split, &single, n, cL, cS);
     arena_close(life);
     return 0;
 }
