@@ -63,12 +63,13 @@ static double motion_of(const struct sim *sim, int i)
 }
 
 /* The size that round-off of column i is relative to: the largest column of its unit or a usual change of the
- * quantity; of energies also the norm of the balance; of moments and forces that too, and each other, by the length
+ * quantity; of angles at least a radian; of energies also the norm of the balance; of moments and forces that too, and each other, by the length
  * of the mechanism. */
 static double scale(const struct sim *sim, int i)
 {
     const double length = system_length(sim->system), energy = sim->ledger.norm;
     const double most = fmax(largest_of_unit(sim, i), fmax(sim_column_usual(sim, i), motion_of(sim, i)));
+    if (is_in(sim, i, "rad")) return fmax(most, 1);
     if (is_in(sim, i, "J")) return fmax(most, energy);
     if (is_in(sim, i, "N m")) return fmax(most, fmax(energy, length * largest_in(sim, "N")));
     if (is_in(sim, i, "N") && length > 0) return fmax(most, fmax(energy, largest_in(sim, "N m")) / length);
@@ -81,7 +82,8 @@ static double share(const struct sim *sim, int i)
 {
     static const double RESTS = 1e-8, LOST = 1e-9; /* as a study does: constant below it; lost in round-off below it */
     const double least = LOST * scale(sim, i), whole = size(sim, i), over = range(sim, i);
-    return sim->trust.off[i] > 0 ? AMPLE * sim->trust.off[i] / fmax(over > RESTS * whole ? over : whole, least) : 0;
+    if (sim->trust.off[i] <= least && over <= least) return 0; /* both are round-off */
+    return AMPLE * sim->trust.off[i] / fmax(over > RESTS * whole ? over : whole, least);
 }
 
 /* Has the quantity a natural zero?  Positions and angles are counted from an arbitrary origin. */
