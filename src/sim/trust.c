@@ -153,9 +153,9 @@ static void note_apart(struct sim *sim)
     static const double MORE = 1.1; /* for less another place is not worth its copies */
     struct trust *o = &sim->trust;
     const struct ode2 *ode = sim->stepper.ode;
-    const bool brief = ode->bends || ode->passed;
+    if (!ode->bends && !ode->passed) return;
     const double late = sim->stepper.missed->late;
-    const double most[TRUST_APART] = {steepness(sim) * late, brief ? rareness(sim) * late : 0};
+    const double most[TRUST_APART] = {steepness(sim) * late, rareness(sim) * late};
     for (int k = 0; k < TRUST_APART; k++) {
         if (!(most[k] > MORE * o->most[k])) continue;
         o->most[k] = most[k];
