@@ -25,6 +25,7 @@ struct recalled {
 
 struct recall {
     bool back; /* spans are taken back; else they are kept */
+    bool amid; /* of a run that goes on to the same bytes; else of its end, where more has been evaluated since */
     int n, capacity;
     struct recalled *span; /* [n] */
     int next;              /* of those to be taken back, most likely */

@@ -68,6 +68,8 @@ int closing_tangent_about(struct closing *o, const double *q)
     static const double NEAR = 1e-6; /* it turns by as little: nothing beside what it misses at the end of a step */
     const int nq = o->rows->tree->model->nq;
     o->about.number = 0;
+    if (o->factored) (void)solve_factor(o->solve, o->solve->at, 0, NULL); /* as the run before has left it */
+    o->factored = false;
     if (!o->plain || !solve_is_near(o->solve, o->full, q, NEAR)) return closing_tangent(o, q);
     posture_take(&o->about, q, nq);
     memcpy(o->at, o->solve->at, sizeof *o->at * (size_t)nq);
@@ -140,7 +142,13 @@ double closing_follow_bend(const struct closing *o, double *dx, const double *wa
 void closing_recall(struct closing *o, struct recall *r)
 {
     const int nq = o->rows->tree->model->nq;
+    if (!r->back) o->factored = solve_is_near(o->solve, o->full, o->solve->at, 0);
     recall_within(r, "tangent");
+    if (r->amid) {
+        recall_one(r, "factored", o->factored);
+        recall_list(r, "factored_at", o->solve->at, nq);
+        recall_one(r, "first", o->first);
+    }
     recall_one(r, "about", o->about.number);
     recall_list(r, "base", o->about.q, nq);
     recall_list(r, "at", o->at, nq);
@@ -148,7 +156,10 @@ void closing_recall(struct closing *o, struct recall *r)
     recall_list(r, "along", o->along, o->rows->n);
     recall_list(r, "bend", o->bend, o->rows->n);
     recall_without(r);
-    if (r->back) o->made.posture = 0;
+    if (r->back)
+        o->made.posture = 0;
+    else
+        o->factored = false;
 }
 
 double closing_gain(const struct closing *o, int i)

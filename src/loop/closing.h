@@ -49,6 +49,7 @@ struct closing {
     double *bend;  /* how dependents bend off the tangent on it: their accelerations beyond G a_i and the drives' */
     bool bends;    /* are they known? */
     double first;  /* the first correction of the last way that was closed from a tangent */
+    bool factored; /* a run that goes on: C_qd was, at solve->at, and has not been since */
     bool plain;    /* all drives, if any, are of coordinates */
     double *C;     /* [rows] */
     double *x, *y; /* [of a component's rows or coordinates] */

@@ -118,6 +118,7 @@ static enum status write_file(struct sim *sim, struct arena *scratch, struct rep
     struct whose owner = whose_of(sim, sim->saves.format);
     long bytes = (long)(sim->saves.stream->before + sim->saves.stream->written);
     recall_keep(&r, scratch);
+    r.amid = true;
     owner_recall(&owner, &r);
     run_recall(sim, &bytes, &r);
     TRY(memory_recall(sim, &r));
@@ -247,6 +248,7 @@ enum status checkpoint_take(struct sim *sim, const char *path, const char *forma
     assert(text);
     struct recalled *span = TAKE(life, struct recalled, count_lines(text + HEAD));
     recall_back(&r, span, split(span, text + HEAD));
+    r.amid = true;
     TRY(check_owner(sim, &r, format, path, report));
     run_recall(sim, &written, &r);
     TRY(memory_recall(sim, &r));

@@ -1,18 +1,20 @@
-# resume.sh -- checkpoints: runs that are killed at random and go on are byte for byte those that were not, until KILLS (6)
+# resume.sh -- checkpoints: runs that are killed at random and go on are byte for byte those that were not, until KILLS (9)
 # have been survived, from SEED (1) on; what is no checkpoint of this run is refused, and the records stay as they are.
 . tests/tools/lib.sh
 cd "$work" || exit 1
-KILLS=${KILLS:-6} SEED=${SEED:-1}
+KILLS=${KILLS:-9} SEED=${SEED:-1}
 
 # DECK, form, major steps between checkpoints, settings: rigid, loops, flexible, of two rates, steps of their own, impacts.
 cat >scenes <<SCENES
+$ROOT/decks/four-bar.yaml csv 5 integrate={scheme: dop853, tolerance: 1.0e-7, until: 20}
+$ROOT/decks/four-bar.yaml csv 3 integrate={scheme: dop853, tolerance: 1.0e-6, until: 20}
+$ROOT/decks/four-bar.yaml csv 7 integrate={scheme: dop853, tolerance: 1.0e-8, until: 20}
 $ROOT/decks/double-pendulum.yaml csv 50 integrate.until=3
 $ROOT/decks/four-bar.yaml ndjson 40 integrate.until=1
 $ROOT/decks/flexible-robot.yaml csv 25 integrate.until=0.3
 $ROOT/decks/suspension.yaml ndjson 30 integrate.until=2
 $ROOT/decks/bar-slider.yaml csv 20 integrate.until=5
 $ROOT/decks/heavy-top.yaml csv 20 integrate={scheme: dopri5, tolerance: 1.0e-9, until: 1.5}
-$ROOT/decks/four-bar.yaml csv 5 integrate={scheme: dop853, tolerance: 1.0e-7, until: 20}
 $ROOT/decks/heavy-top.yaml csv 5 integrate={scheme: radau9, tolerance: 1.0e-7, until: 1}
 $ROOT/decks/telescope.yaml csv 5 integrate={scheme: auto, tolerance: 1.0e-5, until: 4}
 $ROOT/decks/soft-pendulum.yaml ndjson 20 integrate={scheme: subcycle, step: 1.0e-3, ratio: 5, until: 3}
@@ -85,13 +87,14 @@ done
 [ "$wrong" = 0 ] && [ "$kills" -ge "$KILLS" ] && ok "resume: $kills kills in $trial runs of $(wc -l <scenes) scenes, all byte-identical"
 [ "$kills" -ge "$KILLS" ] || not_ok "resume: kills" "only $kills of $KILLS runs could be killed"
 
-# One that is written at the end holds what the final state remembers, under the same names, and what the run says of itself.
+# One that is written at the end holds what the final state remembers, under the same names, and what the run says of itself; and what
+# has been factored last, which at the end of a run is something else.
 for line in "double-pendulum 50 until=1" "four-bar 20 until=1" "flexible-robot 10 until=0.1" "bearing 10 until=0.02"; do
     deck=$ROOT/decks/${line%% *}.yaml rest=${line#* }
     rm -f kept end.json
     "$FMDSUB" run -q --stats --set "checkpoint={every: {steps: ${rest% *}}, file: kept}" --set "integrate.${rest#* }" --final-state end.json "$deck" >all 2>stats
     sed -n '/"memory": {/,/}/p' end.json | tr -d '{},"' | sed 's/^ *//; s/: */ /; s/^memory *//; s/^of_steps /owner.steps /; s/ *$//; /^$/d' | sort >want
-    sed '1d; s/ *$//; /^run\./d; /^owner\.[df]/d' kept | sort >got
+    sed '1d; s/ *$//; /^run\./d; /^owner\.[df]/d; /^loops.tangent.f/d' kept | sort >got
     grep -q . want && same "checkpoint at the end: ${line%% *}, what the final state remembers" want got
     for pair in major_steps:step minor_steps:effort.minors slow_evaluations:effort.slow fast_evaluations:effort.fast \
         factorizations:effort.factors sweeps:effort.sweeps rejected:effort.rejected rows:rows; do
