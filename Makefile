@@ -156,8 +156,8 @@ $(BUILD)/tools/%.so: tests/tools/%.c
 ## test          installs what is missing, builds, runs every test (the same as check)
 # Set-up comes first and alone; the second make sees the headers it brought.
 test check: deps-test
-	@$(MAKE) --no-print-directory -j2 all tests-built
-	@$(RUN) unit decks bad faults man order study plot diff sweep animate install readme airscrew hard effects validation users random fuzz reduce
+	@$(MAKE) --no-print-directory -j$$(nproc) all tests-built
+	@$(RUN)
 
 ## tests-built   builds every test, runs none
 tests-built: $(UNITS) $(REDUNITS) $(TOOLS) $(RANDOM) $(FUZZES) $(BENCHES)
@@ -184,9 +184,10 @@ install-test: $(PROGRAM) $(FOUND) $(TOOLS)
 ## airscrew      the numbers of decks/airscrew/README
 ## effects       what effects that are left out change
 ## hard          cases that break simulators, with the table of hard-table
+## long          more of faults, hard and study: minutes
 ## users         scenes as users bring them, each with numbers checked by hand
 ## reduce        fmdsub-reduce
-decks bad faults man-examples order study plot diff sweep animate readme airscrew effects users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
+decks bad faults man-examples order study plot diff sweep animate readme airscrew effects long users reduce: $(PROGRAM) $(FOUND) $(REDUNITS) $(TOOLS)
 	@$(RUN) $(@:man-examples=man)
 
 hard: $(PROGRAM) $(FOUND) $(TOOLS)
@@ -444,5 +445,5 @@ help:
 	    /^## / { if (heading != "") print heading ":"; heading = ""; print "  " substr($$0, 4) }' $(firstword $(MAKEFILE_LIST))
 
 -include $(OBJECTS:.o=.d) $(REDUCED:.o=.d) $(UNITS:=.d) $(REDUNITS:=.d) $(addsuffix .d,$(basename $(TOOLS))) $(FUZZES:=.d) $(BENCHES:=.d)
-.PHONY: prices pick sweeps auto film deb deb-check pictures pages gallery readme cluster hard-table kills advice trust tolerance figures coverage counted vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users modes \
+.PHONY: long prices pick sweeps auto film deb deb-check pictures pages gallery readme cluster hard-table kills advice trust tolerance figures coverage counted vacuous mutants mutable fuzz fuzzers replay all test check unit decks bad faults random memory bytes reduce man-examples order study plot diff sweep animate airscrew hard effects order-tight asan golden bench same counts layers eqs format format-check lint man validation users modes \
         help deps deps-test demo tools tests-built dist install-test install uninstall clean

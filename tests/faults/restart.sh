@@ -1,35 +1,9 @@
-# restart.sh -- a run and its continuation from --final-state are one run, byte for byte, under every deck and scheme.
+# restart.sh -- a run and its continuation from --final-state are one run, byte for byte, under every deck.
 #
 # What an integrator carries from step to step is in the state (base/recall.h): a thing that is forgotten there shows
-# here.  Every shipped deck under its own scheme over MAJORS major steps, and over a quarter of that under all others.
+# here.  Every shipped deck under its own scheme over MAJORS major steps; under all others: tests/long/restart.sh.
 . tests/tools/lib.sh
-MAJORS=${MAJORS:-48}
-cd "$work" || exit 1
-cp "$ROOT"/decks/*.* "$ROOT"/decks/airscrew/* . && cp "$ROOT"/tests/decks/*.yaml "$ROOT"/tests/decks/*.json . || exit 1
-
-# step, ratio of a deck; of one with steps of its own a thousandth of the run.
-plan() {
-    "$FMDSUB" check --expanded "$1" 2>/dev/null | awk '
-        /^integrate:/ { on = 1 } /^[a-z]/ && !/^integrate:/ { on = 0 }
-        on { gsub(/[{},]/, " "); for (i = 1; i < NF; i++) { if ($i == "step:") step = $(i + 1); if ($i == "ratio:") ratio = $(i + 1); if ($i == "until:" || $i == "latest:") until = $(i + 1) + 0 ? $(i + 1) : until; if ($i == "tolerance:") own = 1 } }
-        END { if (step) print step, ratio ? ratio : 1, 0; else print until / 1000, 1, own + 0 }'
-}
-
-# one_run NAME DECK MAJORS SETTINGS...: prints why not.
-one_run() {
-    deck=$1 half=$(awk "BEGIN { printf \"%.12g\", $H * int($2 / 2) }") whole=$(awk "BEGIN { printf \"%.12g\", $H * $2 }")
-    shift 2
-    "$FMDSUB" run -q --columns '*' $every "$@" --until $whole $deck >whole 2>err
-    rc=$?
-    [ $rc -le 1 ] || { echo "skipped: $(tail -n 1 err)"; return; }
-    "$FMDSUB" run -q --columns '*' $every "$@" --until $half --final-state half.json $deck >first 2>err
-    "$FMDSUB" run -q --columns '*' $every "$@" --until $whole -s 'initial={from: half.json, time: keep}' $deck >rest 2>err
-    [ $? = $rc ] || { echo "the rest ends with another status: $(tail -n 1 err)"; return; }
-    [ "$(wc -l <whole)" -gt 2 ] || { echo "no records"; return; }
-    { cat first; sed 1,2d rest; } >both
-    [ "$(tail -n 1 first)" = "$(sed -n 2p rest)" ] || { echo "the first record of the rest is not the last one before it"; return; }
-    cmp whole both 2>&1
-}
+. tests/tools/restarted.sh
 
 decks=0
 for deck in *.yaml; do
@@ -37,27 +11,11 @@ for deck in *.yaml; do
     wanted "$name" || continue
     set -- $(plan $deck)
     [ $# = 3 ] || continue
-    H=$(awk "BEGIN { printf \"%.12g\", $1 * $2 }") own=$3 bad= skipped=
+    H=$(awk "BEGIN { printf \"%.12g\", $1 * $2 }")
     every="--every-steps 1"
-    [ $own = 1 ] && every="--every $H"
+    [ $3 = 1 ] && every="--every $H"
     why=$(one_run $deck $MAJORS)
-    [ "$why" ] && bad="its own: $why"
-    for scheme in midpoint newmark generalized-alpha hht subcycle "subcycle, order: 4" miao daniel rk4; do
-        set -- -s integrate.scheme=${scheme%,*}
-        [ "$scheme" = "${scheme%,*}" ] || set -- "$@" -s integrate.order=4
-        [ $own = 1 ] && set -- -s "integrate={scheme: $scheme, step: $H, until: 1}"
-        every="--every-steps 1"
-        why=$(one_run $deck $((MAJORS / 4)) "$@")
-        case $why in skipped*) ;; ?*) bad="$bad; $scheme: $why" ;; esac
-    done
-    every="--every $H"
-    for scheme in dopri5 dop853 radau5 radau9; do
-        tolerance=1.0e-6
-        [ $scheme = dopri5 ] && tolerance=9.0e-7 # from 1e-6 on its steps run over records, and the end of a run is a cut
-        why=$(one_run $deck 4 -s "integrate={scheme: $scheme, tolerance: $tolerance, until: 1}")
-        case $why in skipped*) ;; ?*) bad="$bad; $scheme: $why" ;; esac
-    done
-    [ -z "$bad" ] && ok "restart: $name" && decks=$((decks + 1)) || not_ok "restart: $name" "$bad"
+    [ -z "$why" ] && ok "restart: $name" && decks=$((decks + 1)) || not_ok "restart: $name" "$why"
 done
 [ "$D" ] || { [ $decks -ge 70 ] && ok "restart: all decks" || not_ok "restart: all decks" "only $decks"; }
 

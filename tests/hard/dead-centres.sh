@@ -113,10 +113,3 @@ done
 expect "equal arms: the dead point is told" "1 rail.displacement 0" "$(grep -c '^nearest to a dead point' "$work/err") $(awk '$1 == "dead_point_at" { print $2 } $1 == "dead_point_ratio" { print ($2 > 1e-2) }' "$work/stats" | sort -r | tr '\n' ' ' | sed 's/ $//')" "$work/stats"
 "$FMDSUB" run --stats="$work/stats" decks/four-bar.yaml >"$work/out" 2>"$work/err"
 expect "four-bar: far from any" "0 1" "$(grep -c '^nearest to a dead point' "$work/err") $(awk '$1 == "dead_point_ratio" { print ($2 > .1 && $2 < 1) }' "$work/stats")" "$work/stats"
-
-# A drive that locks an axle: no posture beside the dead point is better, and the power of the drive is found another way.
-for scheme in "rk4, step: 1.0e-3" "radau5, tolerance: 1.0e-6" "dopri5, tolerance: 1.0e-5"; do
-    "$FMDSUB" run -q -s 'drives.steering.value=-0.5432667801122102*(1 - cos(5*t))' -s 'forces.road1.value=[0,0,330]' \
-        -s "integrate={scheme: $scheme, until: 1}" decks/axle.yaml >"$work/out" 2>"$work/err"
-    expect "a locked axle, ${scheme%,*}: stops" "5 1" "$? $(grep -c 'stopped at t = 0.11.*\[dead-point\]$' "$work/err")" "$work/err"
-done

@@ -7,10 +7,8 @@ MOST=2e5 sh tests/tools/advice.sh decks/pendulum.yaml decks/bar-slider.yaml deck
 rc=$?
 expect "advice followed on five decks: $(tail -n 1 "$work/advice")" 0 $rc "$work/advice"
 
-# The same where loads and drives have corners in time, forces jump by the state, or the deck has a tolerance.
-MOST=5e5 sh tests/tools/advice.sh tests/advice/*.yaml >"$work/advice" 2>&1
-rc=$?
-expect "advice followed where forces jump: $(tail -n 1 "$work/advice")" 0 $rc "$work/advice"
+# What is advised where loads and drives have corners in time, forces jump by the state, or the deck has a tolerance;
+# followed in tests/long/advice.sh.
 advised() { # NAME DECK PATTERN COUNT
     "$FMDSUB" check -q "tests/advice/$2.yaml" >"$work/out" 2>"$work/err"
     expect "$1" "0 1 $4" "$? $(grep -c '^steps: by trial runs' "$work/out") $(grep -c -- "$3" "$work/out")" "$work/out" "$work/err"

@@ -1,4 +1,4 @@
-# coverage.sh -- lines and branches of src that the tests reach, by folder; then the functions that none does.
+# coverage.sh -- lines and branches of src that the tests of `make test` reach, by folder; then the functions that none does.
 #
 #     BUILD=build/coverage sh tests/tools/coverage.sh          after reached.sh
 #
@@ -10,6 +10,7 @@
 for tool in gcov gcov-tool; do command -v $tool >/dev/null || { echo "coverage: $tool is not installed" >&2; exit 2; }; done
 
 for item in "$BUILD"/reached/*/seconds; do
+    case $item in */long-*) continue ;; esac
     [ -f "$item" ] || { echo "coverage: nothing has run in $BUILD" >&2; exit 2; }
     [ "$(find "${item%/*}" -name '*.gcda' | head -n 1)" ] || continue
     [ -d "$work/sum" ] || { cp -r "${item%/*}" "$work/sum"; continue; }

@@ -1,13 +1,13 @@
 # item.sh -- the tests in pieces, for what looks at each alone (reached.sh, mutants.sh).
 #
-#     BUILD=build sh tests/tools/item.sh              their names: t-NAME, decks-NAME, faults-NAME, hard-NAME, study-NAME, or a part
+#     BUILD=build sh tests/tools/item.sh              their names: t-NAME, decks-NAME, faults-NAME, hard-NAME, study-NAME, long-NAME, or a part
 #     BUILD=build sh tests/tools/item.sh NAME         runs one: its lines, and ends with 1 where one is `not ok`
 #
 # The first that is not ok ends the item, unless WHOLE=1.
 BUILD=${BUILD:-build}
 if [ $# = 0 ]; then
     printf '%s\n' bad random validation order effects airscrew users plot sweep animate diff man install fuzz reduce
-    for script in tests/faults/*.sh tests/hard/*.sh tests/study/*.sh; do
+    for script in tests/faults/*.sh tests/hard/*.sh tests/study/*.sh tests/long/*.sh; do
         name=${script#tests/}
         name=${name%.sh}
         echo "${name%/*}-${name#*/}"
@@ -29,6 +29,6 @@ judge() { if [ "$stop" ]; then ! grep -m 1 '^not ok'; else awk '{ print } /^not 
 case $1 in
 t-*) "$BUILD/unit/$1" 2>&1 ;;
 decks-*) D=${1#decks-} sh tests/tools/part-decks.sh | judge ;;
-faults-* | hard-* | study-*) sh "tests/${1%%-*}/${1#*-}.sh" | judge ;;
+faults-* | hard-* | study-* | long-*) sh "tests/${1%%-*}/${1#*-}.sh" | judge ;;
 *) sh "tests/tools/part-$1.sh" | judge ;;
 esac

@@ -7,11 +7,11 @@
 # A mutant is one comparison, sign, logical word or whole number changed, or one statement left out, in the body of a function.
 # One that compiles to the same code is none, and lines with texts in them, sizes of memory and tables are left alone.
 #
-# It meets the tests of `make test` that run its line (the counters of COUNTED, see reached.sh, say which), no others could
+# It meets the tests of `make test` and `make long` that run its line (the counters of COUNTED, see reached.sh, say which), no others could
 # notice it: the unit test of its file first and those of its folder; then the part of its folder (see part_of) and others,
 # quickest first, until BUDGET (90) seconds of a processor are spent; the first that fails ends it.  What these do not notice
 # meets those that `make asan` runs, reduce, plot and diff once more with its folder and the arena compiled for the address
-# sanitizer: an index one too far is seen there.  What is left then meets the rest of `make test`, REST (600) seconds of it, and is
+# sanitizer: an index one too far is seen there.  What is left then meets the rest of them, REST (600) seconds of it, and is
 # counted by itself where that notices.  What takes ten times as long as ever is killed, too.  A test of the program that notices
 # has to pass without the mutant, then and there, or it counts for nothing: others may be at work on the machine.  At least 85
 # percent have to be noticed.  Survivors are printed as they are.

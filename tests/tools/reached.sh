@@ -1,4 +1,4 @@
-# reached.sh -- runs every test of `make test` on a build with --coverage, two at a time, each with counters of its own.
+# reached.sh -- runs every test of `make test` and of `make long` on a build with --coverage, two at a time, each with counters of its own.
 #
 #     BUILD=build/coverage sh tests/tools/reached.sh [ITEM...]      default: those whose files are newer than their counters
 #
@@ -21,7 +21,7 @@ files() {
     case $1 in
     t-*) echo "tests/unit/$1.c" ;;
     decks-*) ls -d decks/"${1#decks-}".yaml decks/*/"${1#decks-}".yaml tests/decks/"${1#decks-}".yaml 2>/dev/null ;;
-    faults-* | hard-* | study-*) echo "tests/${1%%-*}/${1#*-}.sh" ;;
+    faults-* | hard-* | study-* | long-*) echo "tests/${1%%-*}/${1#*-}.sh" ;;
     bad | random | effects | fuzz | reduce | validation) echo "tests/tools/part-$1.sh tests/$1" ;;
     *) echo "tests/tools/part-$1.sh" ;;
     esac

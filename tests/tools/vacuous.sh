@@ -5,7 +5,7 @@
 # Lines of tests/tools/vacuous.txt, `part: name: why`, are those that may.  Fails if there are others, or if one of those
 # does not pass.
 . tests/tools/lib.sh
-[ $# -gt 0 ] || set -- decks bad faults man order study plot diff sweep animate install airscrew hard validation users random reduce
+[ $# -gt 0 ] || set -- decks bad faults man order study plot diff sweep animate install airscrew hard validation users random reduce long
 fake=$work/fake
 mkdir "$fake"
 for file in "$BUILD"/*; do ln -s "$file" "$fake/"; done
