@@ -64,7 +64,8 @@ static void report_field(struct csv *c, struct field f)
     if (quoted_number(text, f)) diag_hint(d, "numbers stand without quotes");
 }
 
-/* A line of fields: 1 if all are numbers.  count: fields met; bad: the first that is not a number. */
+/* A line of fields: 1 if all are numbers.  count: fields met; bad: the first
+ * that is not a number. */
 static bool split(const struct csv *c, double *x, struct field line, int *count, struct field *bad)
 {
     const char *text = c->source->text;
@@ -84,6 +85,22 @@ static bool split(const struct csv *c, double *x, struct field line, int *count,
     return fine;
 }
 
+/* A row of names has no number in it, nor one in quotes. */
+static bool names(const struct csv *c, struct field line)
+{
+    const char *text = c->source->text;
+    double value;
+    for (size_t from = line.from; from <= line.to;) {
+        const char *comma = memchr(text + from, ',', line.to - from);
+        size_t to = comma ? (size_t)(comma - text) : line.to;
+        struct field f = trimmed(text, from, to);
+        if (f.from == f.to || number(&value, text, f) || quoted_number(text, f)) return false;
+        if (strchr("+-.0123456789", text[f.from])) return false;
+        from = to + 1;
+    }
+    return true;
+}
+
 static void read_line(struct csv *c, struct field line, bool may_be_names)
 {
     int count;
@@ -99,23 +116,9 @@ static void read_line(struct csv *c, struct field line, bool may_be_names)
         c->rows++;
     } else if (!may_be_names) {
         report_field(c, bad);
+        if (!c->rows && names(c, line))
+            diag_hint(c->deck->diags, "one row of names may come first: units stand behind a '#'");
     }
-}
-
-/* A row of names has no number in it, nor one in quotes. */
-static bool names(const struct csv *c, struct field line)
-{
-    const char *text = c->source->text;
-    double value;
-    for (size_t from = line.from; from <= line.to;) {
-        const char *comma = memchr(text + from, ',', line.to - from);
-        size_t to = comma ? (size_t)(comma - text) : line.to;
-        struct field f = trimmed(text, from, to);
-        if (f.from == f.to || number(&value, text, f) || quoted_number(text, f)) return false;
-        if (strchr("+-.0123456789", text[f.from])) return false;
-        from = to + 1;
-    }
-    return true;
 }
 
 static void read_lines(struct csv *c)

@@ -45,7 +45,11 @@ static int wrong_type(const struct node *n, const char *what, const char *expect
 
 int read_map(const struct node *n, const char *what, struct reader *rd)
 {
-    return n->type == NODE_MAP ? 0 : wrong_type(n, what, "a map", rd);
+    const bool nothing = node_is_null(n) && !n->reported;
+    if (n->type == NODE_MAP) return 0;
+    wrong_type(n, what, "a map", rd);
+    if (nothing) diag_hint(rd->diags, "what belongs to it stands below it, further to the right");
+    return 1;
 }
 
 int read_list(const struct node *n, const char *what, struct reader *rd)
