@@ -69,7 +69,7 @@ static int run(struct result *o, const struct scene *scene, const char *scheme, 
         o->cpu = least(o->cpu, sim.cpu);
         o->effort = sim.stepper.effort;
     }
-    if (failed) fprintf(stderr, "%s: %s\n", scheme, report.text);
+    if (failed) diags_print(stderr, diags, false), fprintf(stderr, "%s: %s\n", scheme, report.text);
     arena_close(life);
     return failed;
 }
@@ -82,7 +82,7 @@ static int part(const struct scene *scene, const char *name, struct diags *diags
     struct sim sim;
     plan.scheme = strstr(name, "subcycle") ? "subcycle" : "midpoint";
     int failed = sim_open(&sim, scene, &plan, &quiet, diags, life, &report);
-    if (failed) return 1;
+    if (failed) return diags_print(stderr, diags, false), 1;
     if (strcmp(name, "slow") == 0) evaluation(&sim, SLOW);
     if (strcmp(name, "fast") == 0) evaluation(&sim, FAST);
     if (strcmp(name, "all") == 0) evaluation(&sim, ALL);
